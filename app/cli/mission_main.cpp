@@ -8,18 +8,14 @@
 #include <QGuiApplication>
 #include <QJsonDocument>
 
-#include "app/cli/check_plan_verb.h"
-#include "app/cli/lines_verb.h"
-#include "app/cli/plan_report_verb.h"
-#include "app/cli/replay_verbs.h"
-#include "app/host/headless_simulator.h"
-#include "app/host/quit_signals.h"
+#include "app/cli/verbs.h"
+#include "app/host/true_figures.h"
 #include "core/mission/files/mission_options.h"
-#include "core/mission/files/replay_options.h"
 #include "core/mission/reports/progress_bar.h"
 #include "core/mission/reports/refused_run.h"
 #include "core/mission/runs/mission_runner.h"
 #include "core/server/embedded/program_files.h"
+#include "core/server/embedded/quit_signals.h"
 #include "core/server/embedded/simulator_files.h"
 
 namespace {
@@ -54,7 +50,7 @@ Result<std::vector<sim::Fault>> faultsOf(const mission::MissionOptions& options,
 
 /// Starts a simulator for the mission's world; returns nullptr if the command line names a server. Fills `run_options`
 /// with the details of whichever is used.
-Result<std::unique_ptr<app::HeadlessSimulator>>
+Result<std::unique_ptr<server::HeadlessSimulator>>
 serverFor(const mission::MissionOptions& options, const mission::Mission& plan, mission::RunOptions& run_options) {
     if (const auto possible = mission::checkFaultsArePossible(options, plan); !possible)
         return tl::unexpected(possible.error());
@@ -66,15 +62,15 @@ serverFor(const mission::MissionOptions& options, const mission::Mission& plan, 
     auto faults = faultsOf(options, plan);
     if (!faults)
         return tl::unexpected(faults.error());
-    auto simulator =
-        app::HeadlessSimulator::start(QString::fromStdString(plan.world),
-                                      {.seed = options.seed, .speed_x = options.speed_x, .faults = *std::move(faults)});
+    auto simulator = server::HeadlessSimulator::start(
+        QString::fromStdString(plan.world),
+        {.seed = options.seed, .speed_x = options.speed_x, .faults = *std::move(faults)});
     if (!simulator)
         return tl::unexpected(mission::atValue(plan, "world", simulator.error()));
     run_options.port = (*simulator)->port();
-    run_options.truth = (*simulator)->truth();
+    run_options.truth = app::truthOf(**simulator);
     run_options.world_extent = (*simulator)->extent();
-    run_options.true_figures = [one = simulator->get()] { return one->figures(); };
+    run_options.true_figures = [one = simulator->get()] { return app::trueFiguresOf(*one); };
     return simulator;
 }
 
@@ -102,8 +98,8 @@ int run(const mission::MissionOptions& options, mission::Mission plan) {
     QObject::connect(&runner, &mission::MissionRunner::finished, qApp, [](int code) { QCoreApplication::exit(code); });
     if (*simulator)
         (*simulator)->onFault(&runner, [&](const QString& sentence) { runner.noteFault(sentence); });
-    app::QuitSignals signals_;
-    QObject::connect(&signals_, &app::QuitSignals::quit, &runner, &mission::MissionRunner::interrupt);
+    server::QuitSignals signals_;
+    QObject::connect(&signals_, &server::QuitSignals::quit, &runner, &mission::MissionRunner::interrupt);
     runner.start();
     const int exit_code = QCoreApplication::exec();
     tell(bar.say(runner.summary()["reason"].toString().toStdString()));
@@ -117,14 +113,8 @@ int main(int argc, char** argv) {
         qputenv("QT_QPA_PLATFORM", "offscreen"); // pictures contain text, which needs a QGuiApplication
     QGuiApplication application(argc, argv);
     QCoreApplication::setApplicationName("usar-mission");
-    if (QCoreApplication::arguments().value(1) == "lines")
-        return app::runLinesVerb(QCoreApplication::arguments().mid(1));
-    if (QCoreApplication::arguments().value(1) == "check-plan")
-        return app::runCheckPlanVerb(QCoreApplication::arguments().mid(1));
-    if (QCoreApplication::arguments().value(1) == "plan-report")
-        return app::runPlanReportVerb(QCoreApplication::arguments().mid(1));
-    if (mission::isReplayVerb(QCoreApplication::arguments().value(1)))
-        return app::runReplayVerb(QCoreApplication::arguments().mid(1));
+    if (const auto exit_code = app::runVerb(QCoreApplication::arguments().mid(1)))
+        return *exit_code;
     const auto options = mission::readMissionOptions(QCoreApplication::arguments().mid(1));
     if (!options)
         return refuse(options.error());

@@ -10,65 +10,29 @@ namespace usar::app {
 using posh::BreakOn;
 using widgets::PlanNodeKind;
 
-BreakpointDesk::BreakpointDesk(const DeskContext& context, PlanRunDesk& run)
-    : control_(context.control)
-    , views_(context.views)
-    , commands_(context.commands)
-    , window_(context.window)
-    , run_(run) {}
+BreakpointDesk::BreakpointDesk(const DeskContext& context, PlanRunDesk& run) : Desk(context), run_(run) {}
 
 void BreakpointDesk::registerCommands() {
-    const auto add = [this](const QString& id, const QString& text, const QString& help, BreakOn on,
-                            std::initializer_list<PlanNodeKind> kinds, const QList<QKeySequence>& keys = {}) {
-        const std::vector<PlanNodeKind> where(kinds);
-        commands_.add(
-            {id, text, tr("Plan"), help, "", keys}, [this, on](bool) { toggle(on); },
-            [this, where] {
-                return run_.selectedIs({}) && run_.watch().program() &&
-                       (where.empty() ||
-                        std::ranges::any_of(where, [this](auto kind) { return run_.selectedIs({kind}); }));
-            });
+    const auto any = [this] { return run_.selectedIs({}) && run_.watch().program(); };
+    const auto addKind = [this, any](const char* id, BreakOn on, const std::vector<PlanNodeKind>& kinds) {
+        const auto fits = [this, any, kinds] { return any() && run_.selectedIs(kinds); };
+        add(id, fits, [this, on] { toggle(on); });
     };
-    add("plan.break_before", tr("Breakpoint before it"), tr("Stops when it is about to begin; again: no more"),
-        BreakOn::Before, {}, {QKeySequence("F6")});
-    add("plan.break_after", tr("Breakpoint after it"), tr("Stops when it is over; again: no more"), BreakOn::After, {});
-    add("plan.break_result", tr("Breakpoint on its failure"),
-        tr("Stops when the act answers that it failed; again: no more. Another answer can be chosen with Change"),
-        BreakOn::Result, {PlanNodeKind::Act});
-    add("plan.break_verdict", tr("Breakpoint on a change of its verdict"),
-        tr("Stops when the sense holds that did not, or the reverse; again: no more"), BreakOn::VerdictChange,
-        {PlanNodeKind::Sense});
-    add("plan.break_interruption", tr("Breakpoint on its interruption"),
-        tr("Stops when something more urgent displaces it; again: no more"), BreakOn::Interruption,
-        {PlanNodeKind::Drive, PlanNodeKind::Act});
-    commands_.add(
-        {"plan.break_key",
-         tr("Breakpoint on the selected key"),
-         tr("Plan"),
-         tr("Stops when an act writes another value under this key of the blackboard; again: no more"),
-         "",
-         {}},
-        [this](bool) { toggleKey(); },
-        [this] { return run_.watch().program() && !views_.plan->selectedKey().isEmpty(); });
-    commands_.add(
-        {"plan.break_edit",
-         tr("Change breakpoint…"),
-         tr("Plan"),
-         tr("Condition, count of hits, once; sets one where there is none"),
-         "settings",
-         {QKeySequence("Shift+F6")}},
-        [this](bool) { editSelected(); }, [this] { return run_.selectedIs({}) && run_.watch().program(); });
-    commands_.add(
-        {"plan.break_switch", tr("Breakpoint on or off"), tr("Plan"), tr("It stays, and does not stop"), "", {}},
-        [this](bool) {
-            list_.toggleEnabled(selected());
-            passOn();
-        },
-        [this] { return !selected().empty(); });
-    commands_.add(
-        {"plan.break_clear", tr("Remove all breakpoints"), tr("Plan"), tr("Of this plan"), "trash", {}},
-        [this](bool) { clear(); },
-        [this] { return run_.watch().program() && !list_.ofPlan(run_.watch().program()->title).empty(); });
+    addKind("plan.break_before", BreakOn::Before, {});
+    addKind("plan.break_after", BreakOn::After, {});
+    addKind("plan.break_result", BreakOn::Result, {PlanNodeKind::Act});
+    addKind("plan.break_verdict", BreakOn::VerdictChange, {PlanNodeKind::Sense});
+    addKind("plan.break_interruption", BreakOn::Interruption, {PlanNodeKind::Drive, PlanNodeKind::Act});
+    const auto has_key = [this] { return run_.watch().program() && !views_.plan->selectedKey().isEmpty(); };
+    add("plan.break_key", has_key, [this] { toggleKey(); });
+    add("plan.break_edit", any, [this] { editSelected(); });
+    const auto has_some = [this] { return !selected().empty(); };
+    add("plan.break_switch", has_some, [this] {
+        list_.toggleEnabled(selected());
+        passOn();
+    });
+    const auto plan_has_some = [this] { return run_.watch().program() && !list_.ofPlan(planName()).empty(); };
+    add("plan.break_clear", plan_has_some, [this] { clear(); });
 }
 
 void BreakpointDesk::wire() {

@@ -4,9 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include <QObject>
-#include <QSettings>
-
 #include "app/desks/desk.h"
 #include "app/desks/plan_run_desk.h"
 #include "widgets/models/plan/breakpoint_list.h"
@@ -15,15 +12,15 @@ namespace usar::app {
 
 /// Breakpoints belong to plans, by the plans' names, and to all robots that run them. They are kept between runs of the
 /// program. GUI thread.
-class BreakpointDesk : public QObject {
+class BreakpointDesk : public Desk {
     Q_OBJECT
 public:
     BreakpointDesk(const DeskContext& context, PlanRunDesk& run);
 
-    void registerCommands();
-    void wire();
-    void restore(const QSettings& settings);
-    void save(QSettings& settings) const;
+    void registerCommands() override;
+    void wire() override;
+    void restore(const QSettings& settings) override;
+    void save(QSettings& settings) const override;
 
     const widgets::BreakpointList& list() const { return list_; }
     /// Finds the places of the breakpoints again in the plan that is shown now.
@@ -53,10 +50,6 @@ private:
     /// Name of the plan that is shown; empty if there is none.
     std::string planName();
 
-    MissionControl& control_;
-    WindowViews& views_;
-    widgets::CommandRegistry& commands_;
-    QWidget* window_;
     PlanRunDesk& run_;
     widgets::BreakpointList list_;
     std::vector<int> temporary_; ///< ids of the breakpoints of "run to here"

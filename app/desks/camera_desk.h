@@ -5,11 +5,10 @@
 #include <optional>
 
 #include <QImage>
-#include <QObject>
-#include <QTimer>
 
 #include "app/desks/desk.h"
 #include "core/mission/fleet/camera_feed.h"
+#include "core/mission/fleet/camera_work.h"
 #include "core/mission/hand/camera_mount.h"
 #include "core/protocol/usual_values.h"
 
@@ -17,24 +16,19 @@ namespace usar::app {
 
 /// Requests pictures only while the view is visible and the selected robot may have a camera. Asks the server which
 /// cameras the robot has; pictures come from the image server of the connected server. GUI thread.
-class CameraDesk : public QObject {
+class CameraDesk : public Desk {
     Q_OBJECT
 public:
     explicit CameraDesk(const DeskContext& context);
 
-    void registerCommands();
-    /// To be called after all commands are registered.
-    void wire();
+    void registerCommands() override;
+    void wire() override;
     /// Saves as PNG or JPEG, by the suffix of `path`; the result is a notice.
     void savePicture(const QImage& picture, const QString& path);
 
 private:
-    void registerTurnCommands();
     void wireView();
     void wireFeed();
-    const Robot* robot() const { return desk_.selection.robot(); }
-    /// True if the selected robot is spawned and connected, and no replay.
-    bool live() const;
     bool canZoom() const;
     bool canTurn() const;
     /// True if the selected robot has a camera; nullopt while that is unknown.
@@ -44,8 +38,6 @@ private:
     void take(const mission::SessionUpdate& update);
     /// Updates the view and the connection to the image server after any change that may affect them.
     void refresh();
-    /// Asks for the robot's cameras.
-    void ask();
     /// Sends AttachCamera for the chosen camera.
     void attach();
     /// Shows the names of the cameras, and the zoom of the chosen one.
@@ -53,33 +45,16 @@ private:
     /// Enables and checks the commands according to what the camera can do.
     void showAbilities();
     bool showWhatIsMissing();
-    /// A sentence that names the robots with a camera.
-    QString camerasHere() const;
-    void turn(double right_rad, double up_rad);
-    /// Sends the wanted direction within 100 ms, together with further turns until then.
-    void turnSoon();
-    void sendTurn();
-    void queueSet(const protocol::Command& set);
-    /// Sends the next queued SET.
-    void sendSet();
-    /// Does so at once, or when the previous SET was answered.
-    void sendSetSoon();
     void chooseImagePort();
     void chooseWhereToSave();
 
-    DeskContext desk_;
     widgets::CameraView& view_;
     mission::CameraFeed feed_;
     link::ImageStatus feed_status_;
-    mission::CameraMount mount_;
+    mission::CameraWork work_;
     quint16 embedded_port_ = 0; ///< port of the embedded simulator's image server; 0: there is none
     /// Port of a real server's image server, which is on the same host as its bot port.
     quint16 server_port_ = protocol::usual_port::image;
-    int questions_ = 0;     ///< number of times that this robot was asked for its cameras
-    QTimer answer_timer_;   ///< runs while that question waits for its answer
-    QTimer turn_timer_;     ///< runs until the wanted direction is sent
-    QTimer set_timer_;      ///< runs while a SET waits for its answer
-    QString attached_;      ///< robot, camera and address of the last AttachCamera; empty: none
     bool was_live_ = false; ///< result of `live` at the last refresh
 };
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "app/views/robot_presenter.h"
-#include "core/mission/fleet/robot_name.h"
+#include "app/desks/robot_presenter.h"
+#include "core/mission/fleet/robot_words.h"
 #include "core/mission/hand/hand_cause.h"
 #include "core/protocol/commands/spawn.h"
 
@@ -19,13 +19,7 @@ constexpr double speed_step = 0.1;
 
 } // namespace
 
-DriveDesk::DriveDesk(const DeskContext& context)
-    : control_(context.control)
-    , views_(context.views)
-    , commands_(context.commands)
-    , selection_(context.selection)
-    , notices_(context.notices)
-    , keys_(context.window) {
+DriveDesk::DriveDesk(const DeskContext& context) : Desk(context), keys_(context.window) {
     clock_.start();
     beat_.setInterval(beat_ms);
     beat_.setTimerType(Qt::PreciseTimer);
@@ -45,51 +39,26 @@ DriveDesk::DriveDesk(const DeskContext& context)
 }
 
 void DriveDesk::registerCommands() {
-    const QString group = tr("Drive");
     const auto drives = [this] { return taken(); };
-    commands_.add(
-        {"drive.take",
-         tr("Drive by hand"),
-         group,
-         tr("Takes control of the selected robot, or gives it back; a running behavior is paused"),
-         "hand",
-         {QKeySequence("G")},
-         true},
-        [this](bool on) { requestControl(on); }, [this] { return live(); });
-    commands_.add(
-        {"drive.stop", tr("Stop driving"), group, tr("At once; Space does the same while you drive"), "stop", {}},
-        [this](bool) { letGo(tr("the person stopped it")); }, drives);
-    commands_.add(
-        {"drive.faster", tr("Drive faster"), group, tr("More speed at the whole stick"), "", {QKeySequence("]")}},
-        [this](bool) { setSpeedShare(speedShare() + speed_step); }, drives);
-    commands_.add(
-        {"drive.slower", tr("Drive slower"), group, tr("Less speed at the whole stick"), "", {QKeySequence("[")}},
-        [this](bool) { setSpeedShare(speedShare() - speed_step); }, drives);
+    add(
+        "drive.take", [this] { return drivable(); }, [this](bool on) { requestControl(on); });
+    add("drive.stop", drives, [this] { letGo(tr("the user stopped it")); });
+    add("drive.faster", drives, [this] { setSpeedShare(views_.drive->speedShare() + speed_step); });
+    add("drive.slower", drives, [this] { setSpeedShare(views_.drive->speedShare() - speed_step); });
     show();
 }
 
 void DriveDesk::wire() {
     connect(&selection_, &Selection::changed, this, &DriveDesk::select);
-    connect(&control_, &MissionControl::robotUpdated, this, [this](int id, const auto& update) { take(id, *update); });
+    connectUpdates([this](const mission::SessionUpdate& update) { take(update); });
     connect(&control_, &MissionControl::robotLinkChanged, this, &DriveDesk::refresh);
-    connect(views_.driver, &widgets::ControlBadge::clicked, this, &DriveDesk::openDock);
-    connect(&gamepad_, &Gamepad::plugged, this,
+    connect(views_.driver, &widgets::ControlBadge::clicked, this, [this] { raise(views_.drive_dock); });
+    connect(&gamepad_, &widgets::Gamepad::plugged, this,
             [this](const QString& name) { notices_.note("gamepad", tr("The gamepad %1 is plugged in.").arg(name)); });
 }
 
-void DriveDesk::openDock() {
-    views_.drive_dock->show();
-    views_.drive_dock->raise();
-}
-
-bool DriveDesk::live() const {
-    const Robot* const here = robot();
-    return here && !here->isReplay() && here->view().figures.spawned &&
-           here->view().link.state == link::LinkState::Connected && !protocol::isStation(here->view().spawn.class_name);
-}
-
-double DriveDesk::speedShare() const {
-    return views_.drive->speedShare();
+bool DriveDesk::drivable() const {
+    return mission::whyNotDriven(robot() ? &robot()->view() : nullptr).title.isEmpty();
 }
 
 void DriveDesk::setSpeedShare(double share) {
@@ -114,11 +83,6 @@ void DriveDesk::leave() {
     endControl();
 }
 
-void DriveDesk::beginControl() {
-    if (requests_.take(wall()))
-        showControl();
-}
-
 void DriveDesk::endControl() {
     if (requests_.giveBack())
         showControl();
@@ -135,11 +99,12 @@ void DriveDesk::showControl() {
 }
 
 void DriveDesk::requestControl(bool take) {
-    if (take && live()) {
+    if (take && drivable()) {
         for (const HandSource source : mission::HandRequests::sources)
             say(source); // a device that is held already has to be released first
         robot()->takeControl();
-        beginControl();
+        if (requests_.take(wall()))
+            showControl();
         gamepad_.start();
         emit realTimeWanted();
     } else if (robot()) {
@@ -158,7 +123,7 @@ void DriveDesk::ask(mission::HandSource source, const Stick& stick) {
 
 void DriveDesk::say(mission::HandSource source) {
     if (robot())
-        robot()->drive(requests_.intentOf(source, gamepad_.name().toStdString(), speedShare()));
+        robot()->drive(requests_.intentOf(source, gamepad_.name().toStdString(), views_.drive->speedShare()));
 }
 
 void DriveDesk::repeat() {
@@ -186,107 +151,75 @@ void DriveDesk::stopRobot() {
 }
 
 void DriveDesk::wireGamepad() {
-    connect(&gamepad_, &Gamepad::moved, this, [this](const Stick& stick) { ask(HandSource::Gamepad, stick); });
-    connect(&gamepad_, &Gamepad::unplugged, this, [this](const QString& name) {
+    connect(&gamepad_, &widgets::Gamepad::moved, this, [this](const Stick& stick) { ask(HandSource::Gamepad, stick); });
+    connect(&gamepad_, &widgets::Gamepad::unplugged, this, [this](const QString& name) {
         if (requests_.isHeld(HandSource::Gamepad))
             letGo(tr("the gamepad %1 was unplugged").arg(name));
         ask(HandSource::Gamepad, {});
         showGamepad();
     });
-    connect(&gamepad_, &Gamepad::plugged, this, &DriveDesk::showGamepad);
-    connect(&gamepad_, &Gamepad::stopPressed, this, [this] { letGo(tr("the gamepad's stop button was pressed")); });
-    connect(&gamepad_, &Gamepad::takePressed, this, [this] { requestControl(!taken()); });
+    connect(&gamepad_, &widgets::Gamepad::plugged, this, &DriveDesk::showGamepad);
+    connect(&gamepad_, &widgets::Gamepad::stopPressed, this,
+            [this] { letGo(tr("the gamepad's stop button was pressed")); });
+    connect(&gamepad_, &widgets::Gamepad::takePressed, this, [this] { requestControl(!taken()); });
     showGamepad();
 }
 
 void DriveDesk::showGamepad() {
-    if (!Gamepad::supported())
+    if (!widgets::Gamepad::supported())
         return views_.drive->setGamepad(tr("Gamepad: this program was built without SDL 2."));
     views_.drive->setGamepad(gamepad_.name().isEmpty() ? tr("Gamepad: none plugged in")
                                                        : tr("Gamepad: %1").arg(gamepad_.name()));
 }
 
-void DriveDesk::take(int id, const mission::SessionUpdate& update) {
-    if (id != selected_)
-        return;
+void DriveDesk::take(const mission::SessionUpdate& update) {
     if (requests_.hear(update.figures.control.reins, wall()))
         showControl();
     velocity_.take(update);
     for (const mission::SentCommand& command : update.commands)
         if (mission::isHandCause(command.cause.source) && protocol::isDrive(command.command))
             views_.drive->setEcho(QString::fromStdString(command.text));
-    const auto twist = velocity_.twist();
     widgets::BodyVelocity shown;
-    if (twist) {
+    if (const auto twist = velocity_.twist()) {
         shown = {twist->velocity_m_s.x(), twist->velocity_m_s.y(), {}, twist->yaw_rate_rad_s};
         if (!twist->planar)
             shown.up_m_s = twist->velocity_m_s.z();
     }
-    views_.drive->setVelocity(shown, !live());
+    views_.drive->setVelocity(shown, !drivable());
     show();
 }
 
 void DriveDesk::refresh() {
-    if (!live())
+    if (!drivable())
         endControl();
     show();
 }
 
-QString DriveDesk::noteFor(const mission::ControlState& state) const {
-    if (!taken())
-        return state.reins == Reins::Behavior ? tr("Taking control pauses the behavior.") : QString();
-    if (!state.hindrance.empty())
-        return QString::fromStdString(state.hindrance);
-    if (state.learning)
-        return tr("Asking the server how it is driven…");
-    if (!state.held && !state.last_stop.empty())
-        return tr("Stopped: %1.").arg(QString::fromStdString(state.last_stop));
-    return state.held ? QString() : tr("Hold a key, the pad or a gamepad's stick. Space stops, Shift drives slower.");
-}
-
-bool DriveDesk::showWhatIsMissing() {
-    widgets::DrivePanel& panel = *views_.drive;
-    const Robot* const here = robot();
-    if (!here)
-        panel.setEmpty(tr("No robot yet"), tr("Double-click a start pose on the map; then drive it from here."));
-    else if (here->isReplay())
-        panel.setEmpty(tr("A recording cannot be driven"), tr("What it shows has happened already."));
-    else if (protocol::isStation(here->view().spawn.class_name))
-        panel.setEmpty(tr("%1 does not move").arg(nameOf(*here)), tr("It is a base station."));
-    else if (here->view().link.state != link::LinkState::Connected)
-        panel.setEmpty(tr("No link to %1").arg(nameOf(*here)),
-                       tr("The server takes a robot away with its connection. Spawn it again when connected."));
-    else if (!here->view().figures.spawned)
-        panel.setEmpty(tr("%1 is not there").arg(nameOf(*here)), tr("It can be driven once it is spawned."));
-    else
-        return panel.setEmpty({}, {}), false;
-    return true;
-}
-
 void DriveDesk::show() {
-    const Robot* const here = robot();
-    const bool missing = showWhatIsMissing();
+    const RobotView* const view = robot() ? &robot()->view() : nullptr;
+    const auto [missing, hint] = mission::whyNotDriven(view);
+    views_.drive->setEmpty(missing, hint);
     widgets::DriveState shown;
-    shown.control = controlWords(control_, here);
+    shown.control = controlWords(control_, robot());
     views_.driver->setWords(shown.control);
-    if (here && !here->isReplay() && !protocol::isStation(here->view().spawn.class_name))
-        shown.robot = nameOf(*here);
-    if (!missing) {
-        const mission::ControlState& state = here->view().figures.control;
+    if (view && view->recording.isEmpty() && !protocol::isStation(view->spawn.class_name))
+        shown.robot = nameOf(*robot());
+    if (missing.isEmpty()) {
+        const mission::ControlState& state = view->figures.control;
         shown.can_take = true;
         shown.taken = taken();
         shown.axes = state.axes;
         shown.asked = state.asked;
         shown.sent = state.sent;
         shown.top_speed_m_s = state.top_speed_m_s;
-        shown.note = noteFor(state);
+        shown.note = mission::driveNote(state, taken());
         shown.note_is_trouble = !state.hindrance.empty() || (!state.held && !state.last_stop.empty());
     }
     keys_.setAxes(shown.axes);
     if (!(shown == views_.drive->state()))
         views_.drive->setState(shown);
     if (commands_.contains("drive.take"))
-        commands_.action("drive.take")->setChecked(taken());
+        action("drive.take")->setChecked(taken());
 }
 
 } // namespace usar::app

@@ -2,36 +2,34 @@
 #pragma once
 
 #include <QElapsedTimer>
-#include <QObject>
 #include <QTimer>
 
 #include "app/desks/desk.h"
-#include "app/host/gamepad.h"
 #include "core/mission/fleet/velocity_watch.h"
 #include "core/mission/hand/hand_requests.h"
 #include "widgets/drive/drive_keys.h"
+#include "widgets/drive/gamepad.h"
 
 namespace usar::app {
 
 /// The robot's session decides who drives (hand_control.h). This desk only sends it what each input device requests, at
 /// once and then twenty times a second while the device is deflected. All devices count as released if the focus is
 /// lost, another robot is selected, the gamepad is unplugged or the window closes. Belongs to the GUI thread.
-class DriveDesk : public QObject {
+class DriveDesk : public Desk {
     Q_OBJECT
 public:
     explicit DriveDesk(const DeskContext& context);
 
-    void registerCommands();
-    /// Connects signals; call it after all commands are registered.
-    void wire();
+    void registerCommands() override;
+    void wire() override;
     /// Releases all devices and gives control back.
     void leave();
 
     /// True if the user has requested control of the selected robot or has it.
     bool taken() const { return requests_.taken(); }
-    double speedShare() const; ///< 0..1 of the robot's top speed
+    /// `share`: 0..1 of the robot's top speed.
     void setSpeedShare(double share);
-    Gamepad& gamepad() { return gamepad_; }
+    widgets::Gamepad& gamepad() { return gamepad_; }
 
 signals:
     /// Simulated time should run in real time, because nobody can drive by hand at another pace.
@@ -39,13 +37,12 @@ signals:
 
 private:
     void select(int id);
-    /// An update of any robot; only the selected one's is shown.
-    void take(int id, const mission::SessionUpdate& update);
+    void take(const mission::SessionUpdate& update);
     void refresh();
-    void openDock();
+    /// The robot that the devices drive; still the old one while another one is being selected.
     Robot* robot() const { return control_.robot(selected_); }
-    bool live() const;
-    void beginControl();
+    /// True if the robot can be driven by hand now.
+    bool drivable() const;
     void endControl();
     void showControl();
     Seconds wall() const { return Seconds(static_cast<double>(clock_.elapsed()) / 1000.0); }
@@ -58,16 +55,9 @@ private:
     void wireGamepad();
     void showGamepad();
     void show();
-    bool showWhatIsMissing();
-    QString noteFor(const mission::ControlState& state) const;
 
-    MissionControl& control_;
-    WindowViews& views_;
-    widgets::CommandRegistry& commands_;
-    Selection& selection_;
-    NoticeDesk& notices_;
     widgets::DriveKeys keys_;
-    Gamepad gamepad_;
+    widgets::Gamepad gamepad_;
     QTimer beat_; ///< repeats the requests of deflected devices
     mission::HandRequests requests_;
     mission::VelocityWatch velocity_;

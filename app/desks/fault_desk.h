@@ -3,21 +3,18 @@
 
 #include <vector>
 
-#include <QObject>
-
 #include "app/desks/desk.h"
 
 namespace usar::app {
 
 /// Lists the simulator's faults, and adds and ends them. GUI thread.
-class FaultDesk : public QObject {
+class FaultDesk : public Desk {
     Q_OBJECT
 public:
-    explicit FaultDesk(const DeskContext& context) : desk_(context) {}
+    using Desk::Desk;
 
-    void registerCommands();
-    /// To be called after all commands are registered.
-    void wire();
+    void registerCommands() override;
+    void wire() override;
     /// Adds a mission's faults (texts in the syntax of --fault), with times relative to now. Equal faults of an earlier
     /// start that are not over are ended first, because two winds would blow twice as hard.
     void begin(const QStringList& faults);
@@ -29,7 +26,6 @@ private:
     void showChoices();
     void list(const std::vector<sim::FaultStatus>& faults);
 
-    DeskContext desk_;
     std::vector<sim::FaultStatus> faults_; ///< all faults of the embedded simulator, including those that are over
 };
 

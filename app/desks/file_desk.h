@@ -2,8 +2,6 @@
 #pragma once
 
 #include <QMimeData>
-#include <QObject>
-#include <QSettings>
 
 #include "app/desks/desk.h"
 #include "app/desks/mission_desk.h"
@@ -14,15 +12,15 @@ namespace usar::app {
 
 /// Passes each kind of file to the desk that opens it. The folder for results is kept in the settings if the user has
 /// chosen one. GUI thread.
-class FileDesk : public QObject {
+class FileDesk : public Desk {
     Q_OBJECT
 public:
     FileDesk(const DeskContext& context, ServerDesk& server, MissionDesk& mission, PlanWorkshop& workshop);
 
-    void registerCommands();
-    void wire();
-    void restore(const QSettings& settings);
-    void save(QSettings& settings) const;
+    void registerCommands() override;
+    void wire() override;
+    void restore(const QSettings& settings) override;
+    void save(QSettings& settings) const override;
 
     /// Path of the file that is dragged, if it is a single one that `open` can open; otherwise empty.
     static QString fileIn(const QMimeData& data);
@@ -33,7 +31,6 @@ public:
     bool chooseResultFolder();
 
 private:
-    DeskContext desk_;
     ServerDesk& server_;
     MissionDesk& mission_;
     PlanWorkshop& workshop_;

@@ -1,28 +1,24 @@
 // Desk of the messages dock: its commands, the lines that the user sends, and its settings.
 #pragma once
 
-#include <QObject>
-#include <QSettings>
-
 #include "app/desks/desk.h"
 
 namespace usar::app {
 
 /// Chooses the connection whose lines are listed and to which typed commands are sent: that of the selected robot, or
 /// without one the connection that waits for the next robot. GUI thread.
-class MessageDesk : public QObject {
+class MessageDesk : public Desk {
     Q_OBJECT
 public:
-    explicit MessageDesk(const DeskContext& context) : desk_(context) {}
+    using Desk::Desk;
 
-    void registerCommands();
-    void wire();
-    void restore(const QSettings& settings);
-    void save(QSettings& settings) const;
+    void registerCommands() override;
+    void wire() override;
+    void restore(const QSettings& settings) override;
+    void save(QSettings& settings) const override;
 
 private:
     void wireList();
-    void raiseDock();
     /// Shows the right connection after another robot was selected or a connection has changed.
     void followConnection();
     void chooseWhereToSave();
@@ -30,8 +26,6 @@ private:
     void sendTyped(const QString& line);
     /// Sends lines unchanged on the connection that they were copied from, up to the first error.
     void sendAgain(int connection, const QStringList& lines);
-
-    DeskContext desk_;
 };
 
 } // namespace usar::app

@@ -3,8 +3,6 @@
 
 #include <optional>
 
-#include <QObject>
-
 #include "app/desks/desk.h"
 #include "app/desks/server_desk.h"
 #include "app/desks/task_desk.h"
@@ -13,13 +11,13 @@ namespace usar::app {
 
 /// A mission may have to wait for its world, which is loaded first, or for the process of its behavior's plugin.
 /// Belongs to the GUI thread.
-class MissionDesk : public QObject {
+class MissionDesk : public Desk {
     Q_OBJECT
 public:
     MissionDesk(const DeskContext& context, ServerDesk& server, TaskDesk& task);
 
-    void registerCommands();
-    void wire();
+    void registerCommands() override;
+    void wire() override;
 
     void openMission(const QString& path);
     /// Saves the task that is set up for the selected robot.
@@ -41,7 +39,6 @@ private:
     void chooseFile();
     void chooseWhereToSave();
 
-    DeskContext desk_;
     ServerDesk& server_;
     TaskDesk& task_;
     std::optional<mission::Mission> awaiting_world_;

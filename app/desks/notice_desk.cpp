@@ -4,7 +4,7 @@
 
 namespace usar::app {
 
-NoticeDesk::NoticeDesk(MissionControl& control, const WindowViews& views) : views_(views) {
+NoticeDesk::NoticeDesk(MissionControl& control, const widgets::WindowViews& views) : views_(views) {
     auto* const center = views.notifications;
     connect(&control, &MissionControl::noticed, this, [this](const QString& key, const mission::Notice& notice) {
         say(notice.severity, key, QString::fromStdString(notice.text));

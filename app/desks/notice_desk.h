@@ -8,7 +8,7 @@
 #include <QString>
 
 #include "app/host/mission_control.h"
-#include "app/views/window_views.h"
+#include "widgets/window/window_views.h"
 
 namespace usar::app {
 
@@ -17,7 +17,7 @@ namespace usar::app {
 class NoticeDesk : public QObject {
     Q_OBJECT
 public:
-    NoticeDesk(MissionControl& control, const WindowViews& views);
+    NoticeDesk(MissionControl& control, const widgets::WindowViews& views);
 
     /// Shows a complete sentence; warnings and errors also as a toast.
     void say(Severity severity, const QString& key, const QString& text);
@@ -34,7 +34,7 @@ public:
     void cure(const QString& key);
 
 private:
-    const WindowViews& views_;
+    const widgets::WindowViews& views_;
     std::map<QString, std::function<void()>> offers_; ///< the callbacks of the buttons, by key
 };
 

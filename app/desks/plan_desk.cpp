@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <utility>
 
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QMenu>
 
 #include "core/mission/fleet/robot_name.h"
 #include "widgets/models/figures.h"
 #include "widgets/models/plan/debug_marks.h"
+#include "widgets/panels/file_choice.h"
 #include "widgets/plan/pin_dialog.h"
 #include "widgets/plan/plan_picture.h"
 
@@ -19,139 +18,67 @@ using agent::PlanFate;
 using widgets::PlanNodeKind;
 using widgets::PlanSpot;
 
-PlanDesk::PlanDesk(const DeskContext& context)
-    : control_(context.control)
-    , views_(context.views)
-    , commands_(context.commands)
-    , selection_(context.selection)
-    , notices_(context.notices)
-    , window_(context.window)
-    , run_(context)
-    , breakpoints_(context, run_) {}
+PlanDesk::PlanDesk(const DeskContext& context) : Desk(context), run_(context), breakpoints_(context, run_) {}
 
 void PlanDesk::registerCommands() {
-    registerPictureCommand();
+    const auto drawn = [this] { return !views_.plan->view().tree().empty(); };
+    add("plan.save_picture", drawn, [this] { chooseWhereToSavePicture(); });
     registerRunCommands();
     breakpoints_.registerCommands();
     registerPinCommands();
     run_.registerCommands();
 }
 
-void PlanDesk::registerPictureCommand() {
-    commands_.add(
-        {"plan.save_picture",
-         tr("Save plan as picture…"),
-         tr("Plan"),
-         tr("The whole drawing, as SVG, PDF or PNG"),
-         "",
-         {}},
-        [this](bool) { chooseWhereToSavePicture(); }, [this] { return !views_.plan->view().tree().empty(); });
-}
-
 void PlanDesk::chooseWhereToSavePicture() {
-    const QString path = QFileDialog::getSaveFileName(window_, tr("Save plan as picture"), tr("plan.svg"),
-                                                      tr("Drawings (*.svg *.pdf *.png)"));
+    const QString path = widgets::askWhereToSave(window_, tr("Save plan as picture"), tr("plan.svg"),
+                                                 tr("Drawings (*.svg *.pdf *.png)"));
     if (path.isEmpty())
         return;
-    const QString file = QFileInfo(path).suffix().isEmpty() ? path + ".svg" : path;
-    if (const auto saved = widgets::savePlanPicture(views_.plan->view(), file); !saved)
+    if (const auto saved = widgets::savePlanPicture(views_.plan->view(), path); !saved)
         return notices_.complain("plan-picture", saved.error());
-    notices_.note("plan-picture", tr("Saved the plan as %1.").arg(file));
+    notices_.note("plan-picture", tr("Saved the plan as %1.").arg(path));
 }
 
 void PlanDesk::registerRunCommands() {
     const auto flies = [this] { return robot() && robot()->running() && !run_.watch().empty(); };
     const auto halted = [this, flies] { return flies() && robot()->view().halted; };
-    commands_.add(
-        {"plan.continue",
-         tr("Go on"),
-         tr("Plan"),
-         tr("Until a breakpoint stops the plan"),
-         "play",
-         {QKeySequence("F5")}},
-        [this](bool) { goOn(); }, halted);
-    commands_.add(
-        {"plan.halt",
-         tr("Halt the plan"),
-         tr("Plan"),
-         tr("Behind its next cycle; the robot has its safe command, and our simulator's time stands still"),
-         "pause",
-         {QKeySequence("Shift+F5")}},
-        [this](bool) { robot()->control(agent::PlanStep::Halt); },
-        [this, flies] { return flies() && !robot()->view().halted; });
-    commands_.add(
-        {"plan.step_cycle",
-         tr("One cycle"),
-         tr("Plan"),
-         tr("Until the plan has decided once more, then it stands still again"),
-         "step",
-         {QKeySequence("F11")}},
-        [this](bool) {
-            epoch_wanted_ = false;
-            stepCycle();
-        },
-        halted);
-    commands_.add(
-        {"plan.step_epoch",
-         tr("One epoch"),
-         tr("Plan"),
-         tr("The next look within this cycle: a new one follows each act that took no time; then the next cycle"),
-         "down",
-         {QKeySequence("Shift+F11")}},
-        [this](bool) { stepEpoch(); }, halted);
-    commands_.add(
-        {"plan.run_to",
-         tr("Run to here"),
-         tr("Plan"),
-         tr("Until the selected part of the plan is reached"),
-         "follow",
-         {QKeySequence("Ctrl+F6")}},
-        [this](bool) {
+    add("plan.continue", halted, [this] { goOn(); });
+    const auto moves = [this, flies] { return flies() && !robot()->view().halted; };
+    add("plan.halt", moves, [this] { robot()->control(agent::PlanStep::Halt); });
+    add("plan.step_cycle", halted, [this] {
+        epoch_wanted_ = false;
+        stepCycle();
+    });
+    add("plan.step_epoch", halted, [this] { stepEpoch(); });
+    add(
+        "plan.run_to", [this, flies] { return flies() && run_.selectedIs({}); },
+        [this] {
             breakpoints_.setTemporary();
             goOn();
-        },
-        [this, flies] { return flies() && run_.selectedIs({}); });
+        });
 }
 
 void PlanDesk::registerPinCommands() {
-    const auto flies = [this] { return robot() && robot()->running(); };
-    commands_.add(
-        {"plan.pin",
-         tr("Pin its answer…"),
-         tr("Plan"),
-         tr("The sense or act answers what you say, in place of the robot; again: released"),
-         "",
-         {}},
-        [this](bool) { pinSelected(); },
-        [this, flies] {
-            return flies() && run_.selectedIs({PlanNodeKind::Sense, PlanNodeKind::Act});
-        });
-    commands_.add(
-        {"plan.drive_off", tr("Drive off or on"), tr("Plan"), tr("A drive that is off is never ready"), "", {}},
-        [this](bool) { toggleDrive(); }, [this, flies] { return flies() && run_.selectedIs({PlanNodeKind::Drive}); });
-    commands_.add(
-        {"plan.release",
-         tr("Release all that is pinned"),
-         tr("Plan"),
-         tr("Senses, acts and drives of this robot are its own again"),
-         "reset",
-         {}},
-        [this](bool) {
-            pins_.erase(control_.connectionOf(selection_.id()));
-            pinsChanged();
-        },
-        [this] {
-            const auto pins = pins_.find(control_.connectionOf(selection_.id()));
-            return pins != pins_.end() && !pins->second.empty();
-        });
+    const auto can = [this](std::vector<PlanNodeKind> kinds) {
+        return [this, kinds] { return robot() && robot()->running() && run_.selectedIs(kinds); };
+    };
+    add("plan.pin", can({PlanNodeKind::Sense, PlanNodeKind::Act}), [this] { pinSelected(); });
+    add("plan.drive_off", can({PlanNodeKind::Drive}), [this] { toggleDrive(); });
+    const auto pinned = [this] {
+        const auto pins = pins_.find(control_.connectionOf(selection_.id()));
+        return pins != pins_.end() && !pins->second.empty();
+    };
+    add("plan.release", pinned, [this] {
+        pins_.erase(control_.connectionOf(selection_.id()));
+        pinsChanged();
+    });
 }
 
 void PlanDesk::wire() {
     run_.wire();
     breakpoints_.wire();
     widgets::PlanPanel& panel = *views_.plan;
-    panel.haltBar().setActions(
-        {commands_.action("plan.continue"), commands_.action("plan.step_cycle"), commands_.action("plan.step_epoch")});
+    panel.haltBar().setActions({action("plan.continue"), action("plan.step_cycle"), action("plan.step_epoch")});
     connect(&selection_, &Selection::changed, this, &PlanDesk::select);
     connect(&control_, &MissionControl::robotUpdated, this, [this](int id, const auto& update) { take(id, *update); });
     connect(&run_, &PlanRunDesk::planShown, this, [this](const std::string& text) {
@@ -183,19 +110,14 @@ void PlanDesk::openMenu(int, const QPoint& at) {
     commands_.refresh();
     auto* const menu = new QMenu(window_);
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    QStringList ids{"plan.break_before", "plan.break_after"};
-    for (const char* const id : {"plan.break_result", "plan.break_verdict", "plan.break_interruption"})
-        if (commands_.action(id)->isEnabled())
-            ids << id;
-    ids << "plan.break_edit"
-        << "plan.break_switch"
-        << "-"
-        << "plan.run_to"
-        << "-";
-    for (const char* const id : {"plan.pin", "plan.drive_off"})
-        if (commands_.action(id)->isEnabled())
-            ids << id;
-    ids << "plan.release";
+    QStringList ids = QString("plan.break_before plan.break_after plan.break_result plan.break_verdict "
+                              "plan.break_interruption plan.break_edit plan.break_switch - plan.run_to - "
+                              "plan.pin plan.drive_off plan.release")
+                          .split(' ');
+    for (const char* const id : {"plan.break_result", "plan.break_verdict", "plan.break_interruption", "plan.pin",
+                                 "plan.drive_off"}) // They are for some kinds of parts only.
+        if (!action(id)->isEnabled())
+            ids.removeOne(id);
     commands_.fill(menu, ids);
     menu->popup(at);
 }

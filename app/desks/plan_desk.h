@@ -3,9 +3,6 @@
 
 #include <map>
 
-#include <QObject>
-#include <QSettings>
-
 #include "app/desks/breakpoint_desk.h"
 #include "app/desks/desk.h"
 #include "app/desks/plan_run_desk.h"
@@ -15,16 +12,15 @@ namespace usar::app {
 
 /// Owns the desks of runs and breakpoints, and brings what they know together in the marks of the drawing. Pins belong
 /// to one run of one robot. GUI thread.
-class PlanDesk : public QObject {
+class PlanDesk : public Desk {
     Q_OBJECT
 public:
     explicit PlanDesk(const DeskContext& context);
 
-    void registerCommands();
-    /// Connects signals; call it after all commands are registered.
-    void wire();
-    void restore(const QSettings& settings) { breakpoints_.restore(settings); }
-    void save(QSettings& settings) const { breakpoints_.save(settings); }
+    void registerCommands() override;
+    void wire() override;
+    void restore(const QSettings& settings) override { breakpoints_.restore(settings); }
+    void save(QSettings& settings) const override { breakpoints_.save(settings); }
 
     /// The robot's behavior is started again: its pins are removed.
     void begin(int id);
@@ -45,7 +41,6 @@ signals:
     void cycleWanted();
 
 private:
-    void registerPictureCommand();
     void registerRunCommands();
     void registerPinCommands();
 
@@ -55,7 +50,6 @@ private:
     void takeNews(int id, const agent::PlanReplaced& replaced);
     void takeNews(int, const auto&) {}
 
-    Robot* robot() const { return selection_.robot(); }
     void select();
     void showHalt();
     void showMarks();
@@ -66,12 +60,6 @@ private:
     void toggleDrive();
     void pinsChanged();
 
-    MissionControl& control_;
-    WindowViews& views_;
-    widgets::CommandRegistry& commands_;
-    Selection& selection_;
-    NoticeDesk& notices_;
-    QWidget* window_;
     PlanRunDesk run_;
     BreakpointDesk breakpoints_;
     std::map<int, widgets::PlanPins> pins_; ///< by connection

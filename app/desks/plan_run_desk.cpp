@@ -2,76 +2,29 @@
 
 #include <algorithm>
 
-#include <QFileDialog>
-#include <QSaveFile>
-
+#include "core/mission/fleet/robot_words.h"
 #include "core/mission/reports/run_report_text.h"
+#include "widgets/panels/file_choice.h"
 #include "widgets/panels/report_dialog.h"
 
 namespace usar::app {
 
 using widgets::PlanSpot;
 
-PlanRunDesk::PlanRunDesk(const DeskContext& context)
-    : control_(context.control)
-    , views_(context.views)
-    , commands_(context.commands)
-    , selection_(context.selection)
-    , notices_(context.notices)
-    , window_(context.window) {}
-
 void PlanRunDesk::registerCommands() {
     const auto known = [this] { return watch().time().cycle > 0; };
-    commands_.add(
-        {"plan.back",
-         tr("One cycle back"),
-         tr("Plan"),
-         tr("Shows what the plan did before; the robot flies on"),
-         "back",
-         {QKeySequence("Alt+PgUp")}},
-        [this](bool) { stepBy(-1); }, known);
-    commands_.add(
-        {"plan.forward",
-         tr("One cycle forward"),
-         tr("Plan"),
-         tr("Shows what the plan did next"),
-         "forward",
-         {QKeySequence("Alt+PgDown")}},
-        [this](bool) { stepBy(1); }, known);
-    commands_.add(
-        {"plan.live",
-         tr("Back to now"),
-         tr("Plan"),
-         tr("Shows what the robot and its plan do now, and goes on showing it; a replay from here is closed"),
-         "record",
-         {QKeySequence("Alt+End")}},
-        [this](bool) { backToNow(); },
-        [this] { return !watch().live() || control_.lookedBackOn(selection_.id()) != 0; });
-    look_back_help_ = commands_
-                          .add(
-                              {"plan.look_back",
-                               tr("Replay from here"),
-                               tr("Plan"),
-                               tr("Map, sensors, plots and plan as they were at this moment, from what is recorded; "
-                                  "the robot flies on, and Back to now returns to it"),
-                               "history",
-                               {QKeySequence("Alt+Shift+End")}},
-                              [this](bool) { lookBack(); }, [this] { return whyNoLookBack().isEmpty(); })
-                          ->toolTip();
-    commands_.add(
-        {"plan.report",
-         tr("Report on the run…"),
-         tr("Plan"),
-         tr("What never happened, what took turns without end, and where the time went, up to the shown moment"),
-         "note",
-         {}},
-        [this](bool) { showReport(); }, known);
+    add("plan.back", known, [this] { stepBy(-1); });
+    add("plan.forward", known, [this] { stepBy(1); });
+    const auto not_now = [this] { return !watch().live() || control_.lookedBackOn(selection_.id()) != 0; };
+    add("plan.live", not_now, [this] { backToNow(); });
+    add(
+        "plan.look_back", [this] { return whyNoLookBack().isEmpty(); }, [this] { lookBack(); });
+    add("plan.report", known, [this] { showReport(); });
 }
 
 void PlanRunDesk::wire() {
-    views_.plan->timeBar().setActions(commands_.action("plan.halt"), commands_.action("plan.back"),
-                                      commands_.action("plan.forward"), commands_.action("plan.look_back"),
-                                      commands_.action("plan.live"));
+    views_.plan->timeBar().setActions(action("plan.halt"), action("plan.back"), action("plan.forward"),
+                                      action("plan.look_back"), action("plan.live"));
     connect(&views_.plan->timeBar(), &widgets::PlanTimeBar::timeWanted, this, &PlanRunDesk::goTo);
     connect(&control_, &MissionControl::replayAdded, this, [this](int id) {
         if (const int flies = control_.lookedBackOn(id))
@@ -135,12 +88,11 @@ std::vector<PlanSpot> PlanRunDesk::selectedSpots() {
                    : std::vector<PlanSpot>();
 }
 
-bool PlanRunDesk::selectedIs(std::initializer_list<widgets::PlanNodeKind> kinds) const {
+bool PlanRunDesk::selectedIs(const std::vector<widgets::PlanNodeKind>& kinds) const {
     const widgets::PlanView& view = views_.plan->view();
     if (view.selected() < 0)
         return false;
-    const widgets::PlanNodeKind kind = view.tree()[view.selected()].kind;
-    return kinds.size() == 0 || std::ranges::find(kinds, kind) != kinds.end();
+    return kinds.empty() || std::ranges::count(kinds, view.tree()[view.selected()].kind) > 0;
 }
 
 /// Moves a replay, with all views, to that moment. For a live robot only the plan's panel shows that moment; the robot
@@ -174,23 +126,16 @@ void PlanRunDesk::backToNow() {
 }
 
 QString PlanRunDesk::whyNoLookBack() const {
-    const Robot* const shown = selection_.robot();
-    if (!shown)
-        return tr("No robot is selected");
-    if (shown->isReplay())
-        return tr("This is a replay: its slider moves map and sensors, too");
-    if (!shown->view().figures.recording)
-        return tr("Nothing is recorded of this robot; Ctrl+Alt+R begins");
-    return {};
+    return mission::whyNoLookBack(robot() ? &robot()->view() : nullptr);
 }
 
 void PlanRunDesk::showLookBack() {
     const QString why = whyNoLookBack();
-    QAction* const action = commands_.action("plan.look_back");
-    if (why == no_look_back_ && action->isEnabled() == why.isEmpty())
+    QAction* const look_back = action("plan.look_back");
+    if (why == no_look_back_ && look_back->isEnabled() == why.isEmpty())
         return;
     no_look_back_ = why;
-    action->setToolTip(why.isEmpty() ? look_back_help_ : why);
+    look_back->setToolTip(why.isEmpty() ? widgets::tooltipText(widgets::commandSpec("plan.look_back")) : why);
     commands_.refresh();
 }
 
@@ -202,24 +147,15 @@ void PlanRunDesk::showReport() {
     auto* const dialog = new widgets::ReportDialog(tr("Run of %1").arg(plan), QString::fromStdString(text), window_);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &widgets::ReportDialog::saveRequested, this, [this, dialog, plan, statistics] {
-        const QString path = QFileDialog::getSaveFileName(dialog, tr("Save report"), plan + ".txt",
-                                                          tr("Text (*.txt);;JSON lines (*.jsonl)"));
-        if (!path.isEmpty())
-            saveReport(path, statistics);
+        const QString path =
+            widgets::askWhereToSave(dialog, tr("Save report"), plan + ".txt", tr("Text (*.txt);;JSON lines (*.jsonl)"));
+        if (path.isEmpty())
+            return;
+        if (const auto saved = mission::saveRunReport(statistics, path); !saved)
+            return notices_.complain("plan-report", saved.error());
+        notices_.note("plan-report", tr("Saved the report as %1.").arg(path));
     });
     dialog->show();
-}
-
-void PlanRunDesk::saveReport(const QString& path, const posh::RunStatistics& statistics) {
-    const bool for_machines = path.endsWith(".jsonl") || path.endsWith(".json");
-    const QByteArray bytes = for_machines ? mission::runReportJson(statistics, 1)
-                                          : QByteArray::fromStdString(mission::runReportText(statistics, 1));
-    QSaveFile file(path);
-    if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit())
-        notices_.note("plan-report", tr("Saved the report as %1.").arg(path));
-    else
-        notices_.say(Severity::Error, "plan-report",
-                     tr("The report cannot be written: %1 (%2). Choose another place.").arg(file.errorString(), path));
 }
 
 } // namespace usar::app

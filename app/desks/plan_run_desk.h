@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include <QObject>
-
 #include "app/desks/desk.h"
 #include "widgets/models/plan/plan_spots.h"
 #include "widgets/models/plan/plan_watch.h"
@@ -15,16 +13,15 @@ namespace usar::app {
 
 /// Shows the selected robot's plan as it runs, or at an earlier moment of its run, and reports on the run. It does not
 /// connect itself to updates: PlanDesk passes them on, because it needs them, too. GUI thread.
-class PlanRunDesk : public QObject {
+class PlanRunDesk : public Desk {
     Q_OBJECT
 public:
     using News = widgets::PlanWatch::News;
 
-    explicit PlanRunDesk(const DeskContext& context);
+    using Desk::Desk;
 
-    void registerCommands();
-    /// Connects signals; call it after all commands are registered.
-    void wire();
+    void registerCommands() override;
+    void wire() override;
 
     /// Takes a robot's update; returns the parts that the panel has to show if this is the selected robot.
     News take(const Robot& robot, const mission::SessionUpdate& update);
@@ -44,7 +41,7 @@ public:
     /// The places that the selected part of the drawing stands for.
     std::vector<widgets::PlanSpot> selectedSpots();
     /// True if a part of one of these kinds is selected in the drawing; an empty list means any kind.
-    bool selectedIs(std::initializer_list<widgets::PlanNodeKind> kinds) const;
+    bool selectedIs(const std::vector<widgets::PlanNodeKind>& kinds) const;
 
 signals:
     /// The panel shows another plan; an empty text means none.
@@ -55,21 +52,13 @@ private:
     void goTo(Seconds time);
     void stepBy(int cycles);
     void showReport();
-    void saveReport(const QString& path, const posh::RunStatistics& statistics);
     void lookBack();
     void backToNow();
     /// Reason why the shown run cannot be replayed while it continues; empty if it can.
     QString whyNoLookBack() const;
 
-    MissionControl& control_;
-    WindowViews& views_;
-    widgets::CommandRegistry& commands_;
-    Selection& selection_;
-    NoticeDesk& notices_;
-    QWidget* window_;
     std::map<int, widgets::PlanWatch> watches_; ///< by connection
     QString no_look_back_;                      ///< the reason that the button's tooltip gives now
-    QString look_back_help_;                    ///< the tooltip if there is no such reason
 };
 
 } // namespace usar::app

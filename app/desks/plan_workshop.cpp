@@ -8,39 +8,18 @@
 
 #include "core/mission/files/mission_check.h"
 #include "core/posh/edit/plan_templates.h"
+#include "widgets/panels/file_choice.h"
 
 namespace usar::app {
-
-PlanWorkshop::PlanWorkshop(const DeskContext& context)
-    : control_(context.control)
-    , views_(context.views)
-    , commands_(context.commands)
-    , selection_(context.selection)
-    , notices_(context.notices)
-    , window_(context.window) {}
 
 PlanWorkshop::~PlanWorkshop() {
     delete editor_;
 }
 
 void PlanWorkshop::registerCommands() {
-    commands_.add({"plan.open",
-                   tr("Open plan…"),
-                   tr("Plan"),
-                   tr("Let a POSH plan of your own decide for the robot (.lap)"),
-                   "open",
-                   {QKeySequence("Ctrl+Shift+P")}},
-                  [this](bool) { choosePlanFile(); });
-    commands_.add({"plan.edit",
-                   tr("Edit plan"),
-                   tr("Plan"),
-                   tr("Opens the editor with the plan that is chosen for the robot"),
-                   "edit",
-                   {QKeySequence("Ctrl+Shift+E")}},
-                  [this](bool) { editPlan(); });
-    commands_.add(
-        {"plan.new", tr("New plan"), tr("Plan"), tr("Opens the editor with a plan to begin with"), "plus", {}},
-        [this](bool) { newPlan(); });
+    add("plan.open", [this] { choosePlanFile(); });
+    add("plan.edit", [this] { editPlan(); });
+    add("plan.new", [this] { newPlan(); });
 }
 
 void PlanWorkshop::wire() {
@@ -74,14 +53,15 @@ widgets::PlanEditor& PlanWorkshop::opened() {
 }
 
 void PlanWorkshop::connectEditor() {
-    connect(editor_, &widgets::PlanEditor::openRequested, this, &PlanWorkshop::choosePlanFile);
-    connect(editor_, &widgets::PlanEditor::saveAsRequested, this, &PlanWorkshop::chooseWhereToSave);
-    connect(editor_, &widgets::PlanEditor::exportRequested, this, &PlanWorkshop::chooseWhereToExport);
-    connect(editor_, &widgets::PlanEditor::pictureRequested, this, &PlanWorkshop::chooseWhereToSavePicture);
-    connect(editor_, &widgets::PlanEditor::applyRequested, this, &PlanWorkshop::putIntoRobot);
-    connect(editor_, &widgets::PlanEditor::saved, this, &PlanWorkshop::takeSaved);
-    connect(editor_, &widgets::PlanEditor::saveFailed, this, &PlanWorkshop::complain);
-    connect(editor_, &widgets::PlanEditor::titleChanged, this, [this] {
+    using widgets::PlanEditor;
+    connect(editor_, &PlanEditor::openRequested, this, &PlanWorkshop::choosePlanFile);
+    connect(editor_, &PlanEditor::saveAsRequested, this, &PlanWorkshop::chooseWhereToSave);
+    connect(editor_, &PlanEditor::exportRequested, this, &PlanWorkshop::chooseWhereToExport);
+    connect(editor_, &PlanEditor::pictureRequested, this, &PlanWorkshop::chooseWhereToSavePicture);
+    connect(editor_, &PlanEditor::applyRequested, this, &PlanWorkshop::putIntoRobot);
+    connect(editor_, &PlanEditor::saved, this, &PlanWorkshop::takeSaved);
+    connect(editor_, &PlanEditor::saveFailed, this, &PlanWorkshop::complain);
+    connect(editor_, &PlanEditor::titleChanged, this, [this] {
         editor_->setWindowTitle(tr("%1[*] – Plan editor").arg(editor_->name()));
         editor_->setWindowModified(editor_->isModified());
     });
@@ -104,18 +84,8 @@ void PlanWorkshop::load(const QString& path) {
     });
 }
 
-/// Returns the id of a behavior that is controlled by a plan: the chosen one, or else the first such behavior of the
-/// same robot. If there is none, returns the chosen one.
 std::string PlanWorkshop::plannedBehavior() const {
-    const auto& plugins = control_.plugins();
-    const std::string chosen = views_.behavior->behaviorId();
-    if (const auto* behavior = plugins.behavior(chosen); behavior && !behavior->plan_name.empty())
-        return chosen;
-    if (const auto* robot = plugins.robotOf(chosen))
-        for (const agent::BehaviorDescription& behavior : robot->behaviors)
-            if (!behavior.plan_name.empty())
-                return behavior.id;
-    return chosen;
+    return mission::plannedBehavior(views_.behavior->behaviorId(), control_.plugins());
 }
 
 void PlanWorkshop::openPlan(const QString& path) {
@@ -134,7 +104,8 @@ void PlanWorkshop::use(const std::string& behavior_id, const QString& path) {
     views_.behavior->plan().choose(path);
     emit planChosen();
     notices_.cure("plan");
-    say(Severity::Note, "plan-ready", tr("%1 decides from the next start on.").arg(QFileInfo(path).fileName()));
+    notices_.say(Severity::Note, "plan-ready",
+                 tr("%1 is used from the next start on.").arg(QFileInfo(path).fileName()));
 }
 
 void PlanWorkshop::choosePlanFile() {
@@ -173,10 +144,10 @@ void PlanWorkshop::newPlan() {
 
 void PlanWorkshop::chooseWhereToSave() {
     const QString begin = editor_->path().isEmpty() ? editor_->name() : editor_->path();
-    const QString path = QFileDialog::getSaveFileName(editor_, tr("Save plan"), begin, tr("POSH plans (*.lap)"));
+    const QString path = widgets::askWhereToSave(editor_, tr("Save plan"), begin, tr("POSH plans (*.lap)"));
     if (path.isEmpty())
         return;
-    if (const auto saved = editor_->save(QFileInfo(path).suffix().isEmpty() ? path + ".lap" : path); !saved)
+    if (const auto saved = editor_->save(path); !saved)
         complain(saved.error());
 }
 
@@ -186,29 +157,28 @@ void PlanWorkshop::takeSaved(const QString& path) {
     if (mission::readOwnPlan(path, behavior_id, control_.plugins()))
         use(behavior_id, path);
     else
-        say(Severity::Note, "plan-ready",
-            tr("Saved %1. It does not fit the robot yet, and decides nothing.").arg(QFileInfo(path).fileName()));
+        notices_.say(Severity::Note, "plan-ready",
+                     tr("Saved %1. It does not fit the robot yet and is not used.").arg(QFileInfo(path).fileName()));
 }
 
 void PlanWorkshop::chooseWhereToExport(posh::Dialect dialect) {
-    const QString path =
-        QFileDialog::getSaveFileName(editor_, tr("Export plan"), editor_->name(), tr("POSH plans (*.lap)"));
+    const QString path = widgets::askWhereToSave(editor_, tr("Export plan"), editor_->name(), tr("POSH plans (*.lap)"));
     if (path.isEmpty())
         return;
     const auto lacks = editor_->exportTo(path, dialect);
     if (!lacks)
         return complain(lacks.error());
-    say(lacks->isEmpty() ? Severity::Note : Severity::Warning, "plan-export",
-        lacks->isEmpty() ? tr("Exported the plan as %1.").arg(path)
-                         : tr("Exported the plan as %1; that dialect lacks: %2").arg(path, lacks->join("; ")));
+    notices_.say(lacks->isEmpty() ? Severity::Note : Severity::Warning, "plan-export",
+                 lacks->isEmpty() ? tr("Exported the plan as %1.").arg(path)
+                                  : tr("Exported the plan as %1; that dialect lacks: %2").arg(path, lacks->join("; ")));
 }
 
 void PlanWorkshop::chooseWhereToSavePicture() {
-    const QString path = QFileDialog::getSaveFileName(editor_, tr("Save plan as picture"), tr("plan.svg"),
-                                                      tr("Drawings (*.svg *.pdf *.png)"));
+    const QString path = widgets::askWhereToSave(editor_, tr("Save plan as picture"), tr("plan.svg"),
+                                                 tr("Drawings (*.svg *.pdf *.png)"));
     if (path.isEmpty())
         return;
-    if (const auto saved = editor_->savePicture(QFileInfo(path).suffix().isEmpty() ? path + ".svg" : path); !saved)
+    if (const auto saved = editor_->savePicture(path); !saved)
         complain(saved.error());
 }
 
@@ -229,9 +199,10 @@ void PlanWorkshop::follow() {
     const auto* behavior = robot ? control_.plugins().behavior(robot->view().behavior_id) : nullptr;
     const bool planned = behavior && !behavior->plan_name.empty();
     editor_->setApplicable(robot && robot->running() && planned,
-                           !robot || !robot->running() ? tr("No robot runs; it decides when it is saved and started")
-                                                       : tr("No plan decides what this robot does now"));
-    editor_->setRunningPlan(robot ? QString::fromStdString(robot->view().spawn.robot_name) : QString(), running_text_);
+                           !robot || !robot->running()
+                               ? tr("No robot runs; save the plan, and it is used at the next start")
+                               : tr("No plan controls this robot now"));
+    editor_->setRunningPlan(robot ? nameOf(*robot) : QString(), running_text_);
 }
 
 void PlanWorkshop::setRunningPlan(const std::string& text) {
@@ -258,8 +229,10 @@ void PlanWorkshop::letGo(std::function<void()> go_on) {
         const auto next = std::exchange(after_it_, nullptr);
         if (answer == QMessageBox::Save)
             editor_->action("save")->trigger();
-        if (answer == QMessageBox::Discard)
-            giveUp();
+        if (answer == QMessageBox::Discard) {
+            editor_->forgetKept();
+            editor_->textEdit().document()->setModified(false);
+        }
         if (!hasChanges())
             next();
     });
@@ -271,17 +244,8 @@ bool PlanWorkshop::hasChanges() const {
     return editor_ && editor_->isModified();
 }
 
-void PlanWorkshop::giveUp() {
-    editor_->forgetKept();
-    editor_->textEdit().document()->setModified(false);
-}
-
-void PlanWorkshop::say(Severity severity, const QString& key, const QString& text) {
-    notices_.say(severity, key, text);
-}
-
 void PlanWorkshop::complain(const Error& error) {
-    say(Severity::Error, "plan", QString::fromStdString(error.text()));
+    notices_.complain("plan", error);
 }
 
 } // namespace usar::app

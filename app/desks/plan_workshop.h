@@ -6,9 +6,7 @@
 #include <string>
 
 #include <QMessageBox>
-#include <QObject>
 #include <QPointer>
-#include <QSettings>
 
 #include "app/desks/desk.h"
 #include "widgets/plan/editor/plan_editor.h"
@@ -17,16 +15,16 @@ namespace usar::app {
 
 /// Owns the plan editor, which is made when it is first needed. It is a window of its own beside the main window, so
 /// that the user can read the plan while watching the robot. GUI thread.
-class PlanWorkshop : public QObject {
+class PlanWorkshop : public Desk {
     Q_OBJECT
 public:
-    explicit PlanWorkshop(const DeskContext& context);
+    using Desk::Desk;
     ~PlanWorkshop() override;
 
-    void registerCommands();
-    void wire();
-    void restore(const QSettings& settings);
-    void save(QSettings& settings) const;
+    void registerCommands() override;
+    void wire() override;
+    void restore(const QSettings& settings) override;
+    void save(QSettings& settings) const override;
 
     /// Chooses this file for the robot, from its next start on. A plan that does not fit the robot is not used, but
     /// shown in the editor. Errors are notices.
@@ -60,8 +58,6 @@ private:
     void load(const QString& path);
     /// Shows a plan that has no file of its own.
     void edit(const std::string& text, const QString& name);
-    /// Discards the unsaved changes.
-    void giveUp();
     void chooseWhereToSave();
     void chooseWhereToExport(posh::Dialect dialect);
     void chooseWhereToSavePicture();
@@ -72,15 +68,8 @@ private:
     /// Chooses behavior and file for the next start.
     void use(const std::string& behavior_id, const QString& path);
     std::string plannedBehavior() const;
-    void say(Severity severity, const QString& key, const QString& text);
     void complain(const Error& error);
 
-    MissionControl& control_;
-    WindowViews& views_;
-    widgets::CommandRegistry& commands_;
-    Selection& selection_;
-    NoticeDesk& notices_;
-    QWidget* window_;
     QPointer<widgets::PlanEditor> editor_;
     QByteArray geometry_;                    ///< geometry of the editor's window when it was last closed
     std::optional<std::string> checked_for_; ///< class of the robot whose senses and acts the editor knows

@@ -22,27 +22,21 @@ QString behaviorsOf(const agent::PluginRecord& record) {
 } // namespace
 
 PluginDesk::PluginDesk(const DeskContext& context, const QStringList& folders)
-    : desk_(context)
+    : Desk(context)
     , folders_(folders)
     , isolated_(QSettings().value("isolated_plugins").toStringList()) {
     applyIsolation();
-    desk_.control.plugins().scan(folders);
+    control_.plugins().scan(folders);
 }
 
 void PluginDesk::registerCommands() {
-    desk_.commands.add({"plugins.rescan",
-                        tr("Look for new plugins"),
-                        tr("Robots"),
-                        tr("Loads robot plugins that were built or copied since; running behaviors go on as they are"),
-                        "reset",
-                        {QKeySequence("Ctrl+F5")}},
-                       [this](bool) { rescan(true); });
+    add("plugins.rescan", [this] { rescan(true); });
 }
 
 void PluginDesk::wire() {
-    desk_.views.behavior->setRescanAction(desk_.commands.action("plugins.rescan"));
-    connect(&desk_.control, &MissionControl::pluginsChanged, this, &PluginDesk::take);
-    watch_.watch(desk_.control.plugins().folders());
+    views_.behavior->setRescanAction(action("plugins.rescan"));
+    connect(&control_, &MissionControl::pluginsChanged, this, &PluginDesk::take);
+    watch_.watch(control_.plugins().folders());
     connect(&watch_, &agent::PluginWatch::changed, this, [this] { rescan(false); });
 }
 
@@ -52,32 +46,32 @@ void PluginDesk::save(QSettings& settings) const {
 
 /// Also sets the folder for marks of plugins that have ended the program; it is beside the settings file.
 void PluginDesk::applyIsolation() {
-    desk_.control.isolatePlugins(isolated_, QFileInfo(QSettings().fileName()).path() + "/plugins");
+    control_.isolatePlugins(isolated_, QFileInfo(QSettings().fileName()).path() + "/plugins");
 }
 
 void PluginDesk::tellRefused(const agent::PluginRecord& record) {
     const QString text = tr("Plugin %1 was refused: %2").arg(record.file, record.reason);
     if (record.isolated) {
         const widgets::Offer again{tr("Ask again"), tr("Starts a new process, which loads the plugin as it is now")};
-        return desk_.notices.offer(Severity::Warning, record.file, text, again, [this, file = record.file] {
-            desk_.control.plugins().forget(file);
+        return notices_.offer(Severity::Warning, record.file, text, again, [this, file = record.file] {
+            control_.plugins().forget(file);
             rescan(false);
         });
     }
     if (!record.dangerous)
-        return desk_.notices.say(Severity::Warning, record.file, text);
+        return notices_.say(Severity::Warning, record.file, text);
     const QString name = nameIn(record);
     const widgets::Offer isolation{tr("Give %1 its own process").arg(name),
                                    tr("Its code then runs there only, and cannot end this program any more")};
-    desk_.notices.offer(Severity::Warning, record.file, text, isolation, [this, name] { setIsolated(name, true); });
+    notices_.offer(Severity::Warning, record.file, text, isolation, [this, name] { setIsolated(name, true); });
 }
 
 void PluginDesk::tellRefused() {
-    for (const agent::PluginRecord& record : desk_.control.plugins().records())
+    for (const agent::PluginRecord& record : control_.plugins().records())
         if (record.state == agent::PluginState::Rejected)
             tellRefused(record);
-    if (desk_.control.plugins().kinds().empty())
-        desk_.notices.say(
+    if (control_.plugins().kinds().empty())
+        notices_.say(
             Severity::Error, "plugins",
             tr("No robot plugin was found in %1, so no robot has a behavior. Build the target usar_plugin_airrobot, "
                "or name another folder with --plugins.")
@@ -85,12 +79,12 @@ void PluginDesk::tellRefused() {
 }
 
 void PluginDesk::rescan(bool asked) {
-    const auto changes = desk_.control.plugins().rescan();
-    watch_.watch(desk_.control.plugins().folders());
+    const auto changes = control_.plugins().rescan();
+    watch_.watch(control_.plugins().folders());
     if (!changes.empty())
         return take(changes);
     if (asked)
-        desk_.notices.note("plugins-same", tr("No plugin is new."));
+        notices_.note("plugins-same", tr("No plugin is new."));
 }
 
 void PluginDesk::take(const std::vector<agent::PluginChange>& changes) {
@@ -107,17 +101,17 @@ void PluginDesk::tell(const agent::PluginChange& change) {
         return tellRefused(record);
     case agent::PluginNews::Asked:
     case agent::PluginNews::Described:
-        return desk_.notices.cure(record.file); // The behavior panel shows the rest.
+        return notices_.cure(record.file); // The behavior panel shows the rest.
     case agent::PluginNews::Moved:
-        desk_.notices.cure(record.file);
-        return desk_.notices.say(Severity::Note, "plugin/" + record.file,
-                                 record.isolated ? tr("The plugin %1 has a process of its own now.").arg(name)
-                                                 : tr("The plugin %1 runs in the program now.").arg(name));
+        notices_.cure(record.file);
+        return notices_.say(Severity::Note, "plugin/" + record.file,
+                            record.isolated ? tr("The plugin %1 has a process of its own now.").arg(name)
+                                            : tr("The plugin %1 runs in the program now.").arg(name));
     case agent::PluginNews::Removed:
-        return desk_.notices.say(Severity::Warning, record.file,
-                                 tr("The plugin %1 is gone, and its behaviors can no longer be started.").arg(name));
+        return notices_.say(Severity::Warning, record.file,
+                            tr("The plugin %1 is gone, and its behaviors can no longer be started.").arg(name));
     case agent::PluginNews::Added:
-        desk_.notices.cure("plugins");
+        notices_.cure("plugins");
         return tellLoaded(change);
     case agent::PluginNews::Rebuilt:
         return tellLoaded(change);
@@ -128,21 +122,21 @@ void PluginDesk::tellLoaded(const agent::PluginChange& change) {
     const agent::PluginRecord& record = change.record;
     const QString name = QFileInfo(record.file).fileName();
     QStringList old_ones;
-    for (const Robot* robot : desk_.control.robots())
-        if (const auto* of = desk_.control.plugins().recordOf(robot->view().behavior_id);
+    for (const Robot* robot : control_.robots())
+        if (const auto* of = control_.plugins().recordOf(robot->view().behavior_id);
             robot->running() && of && of->file == record.file)
-            old_ones << QString::fromStdString(robot->view().spawn.robot_name);
-    desk_.notices.cure(record.file);
+            old_ones << nameOf(*robot);
+    notices_.cure(record.file);
     QString text = change.news == agent::PluginNews::Added
                        ? tr("The plugin %1 was loaded: %2.").arg(name, behaviorsOf(record))
                        : tr("The plugin %1 was built anew, and what is started from now on is the new code.").arg(name);
     if (!old_ones.isEmpty())
         text += ' ' + tr("%1 goes on with the old one until it is started again.").arg(old_ones.join(", "));
-    desk_.notices.note("plugin/" + record.file, text);
+    notices_.note("plugin/" + record.file, text);
 }
 
 QString PluginDesk::pluginOf(const std::string& behavior_id) const {
-    const auto* record = desk_.control.plugins().recordOf(behavior_id);
+    const auto* record = control_.plugins().recordOf(behavior_id);
     return record ? nameIn(*record) : QString();
 }
 
@@ -151,7 +145,7 @@ void PluginDesk::setIsolated(const QString& plugin, bool isolated) {
     if (isolated && !plugin.isEmpty())
         isolated_ << plugin;
     applyIsolation();
-    if (std::ranges::any_of(desk_.control.plugins().records(), [&](const agent::PluginRecord& record) {
+    if (std::ranges::any_of(control_.plugins().records(), [&](const agent::PluginRecord& record) {
             return nameIn(record) == plugin && (isolated ? record.dangerous : record.isolated);
         }))
         rescan(false);

@@ -1,8 +1,6 @@
 // Desk for robot plugins: loads them, reports refused and rebuilt ones, and gives plugins a process of their own.
 #pragma once
 
-#include <QObject>
-#include <QSettings>
 #include <QStringList>
 
 #include "app/desks/desk.h"
@@ -12,15 +10,14 @@ namespace usar::app {
 
 /// Loads the plugins in its constructor, so that the robots that can be spawned are known from the start, and watches
 /// their files. GUI thread.
-class PluginDesk : public QObject {
+class PluginDesk : public Desk {
     Q_OBJECT
 public:
     PluginDesk(const DeskContext& context, const QStringList& folders);
 
-    void registerCommands();
-    /// To be called after all commands are registered.
-    void wire();
-    void save(QSettings& settings) const;
+    void registerCommands() override;
+    void wire() override;
+    void save(QSettings& settings) const override;
     /// Reports the refused plugins; to be called once notifications can be seen.
     void tellRefused();
 
@@ -48,7 +45,6 @@ private:
     void tell(const agent::PluginChange& change);
     void tellLoaded(const agent::PluginChange& change);
 
-    DeskContext desk_;
     agent::PluginWatch watch_;
     QStringList folders_;
     QStringList isolated_; ///< names of the plugins

@@ -1,30 +1,24 @@
 // Desk of the radio dock: shows the radio links between robots, there and on the map, and reports lost ones.
 #pragma once
 
-#include <map>
-#include <utility>
-
-#include <QObject>
-
 #include "app/desks/desk.h"
 #include "core/link/wireless_client.h"
 #include "core/mission/fleet/own_thread.h"
+#include "widgets/models/radio_losses.h"
 
 namespace usar::app {
 
 /// While there are at least two radios, asks the wireless server that belongs to the connected server for their signal
 /// strengths. GUI thread.
-class RadioDesk : public QObject {
+class RadioDesk : public Desk {
     Q_OBJECT
 public:
-    explicit RadioDesk(const DeskContext& context);
+    using Desk::Desk;
 
-    void registerCommands();
-    /// To be called after all commands are registered.
-    void wire();
+    void registerCommands() override;
+    void wire() override;
 
 private:
-    using Pair = std::pair<QString, QString>;
     /// Spawns a base station on the first free start pose.
     void spawnStation();
     void showOnMap(bool on);
@@ -32,16 +26,14 @@ private:
     void follow(const link::LinkStatus& status);
     void followRobots();
     void take(const link::RadioStrengths& strengths);
-    void tell(const widgets::RadioLink& link);
     /// Says in the empty dock why there are no links, and what helps.
     void explainEmptiness();
 
-    DeskContext desk_;
-    server::ChannelPorts ports_;  ///< ports of the embedded simulator
-    QStringList robots_;          ///< names of all live robots
-    link::LinkStatus status_;     ///< state of the connection to the wireless server
-    std::map<Pair, bool> linked_; ///< last reported state; only pairs that have been linked
-    bool connected_ = false;      ///< to the bot server
+    server::ChannelPorts ports_; ///< ports of the embedded simulator
+    QStringList robots_;         ///< names of all live robots
+    link::LinkStatus status_;    ///< state of the connection to the wireless server
+    widgets::RadioLosses losses_;
+    bool connected_ = false; ///< to the bot server
     mission::OwnThread<link::WirelessClient> client_{"radio"};
 };
 

@@ -1,24 +1,20 @@
 // Desk for recording and replay: commands, the replay bar above the map, and the badge of the recording.
 #pragma once
 
-#include <QObject>
-#include <QSettings>
-
 #include "app/desks/desk.h"
 
 namespace usar::app {
 
 /// Switches recording on and off for all robots, and controls the selected replay. GUI thread.
-class ReplayDesk : public QObject {
+class ReplayDesk : public Desk {
     Q_OBJECT
 public:
-    explicit ReplayDesk(const DeskContext& context) : desk_(context) {}
+    using Desk::Desk;
 
-    void registerCommands();
-    /// To be called after all commands are registered.
-    void wire();
-    void restore(const QSettings& settings);
-    void save(QSettings& settings) const;
+    void registerCommands() override;
+    void wire() override;
+    void restore(const QSettings& settings) override;
+    void save(QSettings& settings) const override;
 
 private:
     /// Updates the bar and the badge for the selected robot.
@@ -28,8 +24,6 @@ private:
     void setRecording(bool on);
     /// Lets the user choose a recording and opens it as a replay.
     void chooseRecording();
-
-    DeskContext desk_;
 };
 
 } // namespace usar::app

@@ -1,21 +1,19 @@
 // Desk for robots: spawns, lists and removes them, shows their updates, and lets them leave trace marks.
 #pragma once
 
-#include <QObject>
-
 #include "app/desks/desk.h"
-#include "app/views/robot_presenter.h"
+#include "app/desks/robot_presenter.h"
 
 namespace usar::app {
 
 /// Spawns robots on the map's start poses, and passes their updates to a RobotPresenter, which shows them. GUI thread.
-class RobotDesk : public QObject {
+class RobotDesk : public Desk {
     Q_OBJECT
 public:
     explicit RobotDesk(const DeskContext& context);
 
-    void registerCommands();
-    void wire();
+    void registerCommands() override;
+    void wire() override;
     /// Offers the classes that can be spawned now in the spawn card.
     void listClasses();
     /// Updates the robot's row in the list and its arrow on the map.
@@ -38,7 +36,6 @@ private:
     void showTrace();
     void select(const QString& name);
 
-    DeskContext desk_;
     RobotPresenter presenter_;
 };
 

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <QMenu>
-#include <QObject>
-#include <QSettings>
 
 #include "app/desks/desk.h"
 #include "core/server/embedded/simulation_loader.h"
@@ -12,15 +10,15 @@ namespace usar::app {
 
 /// Worlds and snapshots are loaded in the background. The running simulation continues until the new one is ready, or
 /// if loading fails or is canceled. GUI thread.
-class ServerDesk : public QObject {
+class ServerDesk : public Desk {
     Q_OBJECT
 public:
     ServerDesk(const DeskContext& context, const ServerTarget& server);
 
-    void registerCommands();
-    void wire();
-    void restore(const QSettings& settings);
-    void save(QSettings& settings) const;
+    void registerCommands() override;
+    void wire() override;
+    void restore(const QSettings& settings) override;
+    void save(QSettings& settings) const override;
     /// Adds the commands that open a world of the embedded simulator.
     void fillWorldMenu(QMenu* menu) const;
 
@@ -46,10 +44,7 @@ signals:
     void loadingEnded();
 
 private:
-    void registerLinkCommands();
-    void registerWorldCommands();
-    void registerSnapshotCommands();
-    void registerRobotFileCommand();
+    void registerSimulatorCommands();
     void wireLoading();
     void wireSimulator();
     /// Host and port are ignored for the embedded simulator.
@@ -66,7 +61,6 @@ private:
     void abandonLoading();
     void learned(const QString& file, const QString& class_name);
 
-    DeskContext desk_;
     ServerTarget server_; ///< the target of the next connection
     server::SimulationLoader loader_;
     link::LinkState link_state_ = link::LinkState::Disconnected;

@@ -1,7 +1,6 @@
 // The selected robot's task (behavior, area, parameters and plan) and its run.
 #pragma once
 
-#include <QObject>
 #include <QTimer>
 
 #include "app/desks/desk.h"
@@ -12,14 +11,13 @@ namespace usar::app {
 
 /// Keeps a draft of the task for each robot. The forms and the map show the selected robot's draft, and edits there
 /// change it. Starts, pauses and stops the behavior of the draft. Belongs to the GUI thread.
-class TaskDesk : public QObject {
+class TaskDesk : public Desk {
     Q_OBJECT
 public:
     TaskDesk(const DeskContext& context, PluginDesk& plugins);
 
-    void registerCommands();
-    /// Connects signals; call it after all commands are registered.
-    void wire();
+    void registerCommands() override;
+    void wire() override;
 
     /// The draft of the robot that is selected.
     const mission::TaskDraft& draft() const { return drafts_.shown(); }
@@ -45,7 +43,6 @@ signals:
     void situationChanged();
 
 private:
-    void registerRunCommands();
     void wireArea();
     void wireRun();
     void show(int robot);
@@ -69,7 +66,6 @@ private:
     void applyParameters(const std::map<std::string, agent::ParameterValue>& values);
     bool running() const;
 
-    DeskContext desk_;
     PluginDesk& plugins_;
     mission::TaskDrafts drafts_;
     std::string wanted_class_; ///< robot class that the mission needs; empty: any

@@ -5,99 +5,70 @@
 
 namespace usar::app {
 
-TimeDesk::TimeDesk(const DeskContext& context, PlanDesk& plan) : desk_(context), plan_(plan) {}
+TimeDesk::TimeDesk(const DeskContext& context, PlanDesk& plan) : Desk(context), plan_(plan) {}
 
 void TimeDesk::registerCommands() {
-    const auto steerable = [this] { return desk_.control.simulator().running(); };
-    auto* const bar = desk_.views.time;
-    desk_.commands.add(
-        {"time.pause",
-         tr("Pause or run the simulator"),
-         tr("Time"),
-         tr("Stops simulated time for all robots, or lets it run on"),
-         "pause",
-         {QKeySequence("Ctrl+P")}},
-        [this, bar](bool) { pause(!bar->paused()); }, steerable);
-    desk_.commands.add(
-        {"time.step",
-         tr("One tick"),
-         tr("Time"),
-         tr("One tick of the simulator, while it is paused"),
-         "step",
-         {QKeySequence("F10")}},
-        [this](bool) { step(); }, [bar, steerable] { return steerable() && bar->paused(); });
-    desk_.commands.add(
-        {"time.faster", tr("Faster"), tr("Time"), tr("The next speed up"), "", {QKeySequence("Ctrl+Shift+Up")}},
-        [bar](bool) { bar->changeSpeed(1); }, steerable);
-    desk_.commands.add(
-        {"time.slower", tr("Slower"), tr("Time"), tr("The next speed down"), "", {QKeySequence("Ctrl+Shift+Down")}},
-        [bar](bool) { bar->changeSpeed(-1); }, steerable);
-    desk_.commands.add(
-        {"time.real", tr("Real time"), tr("Time"), tr("One second a second"), "", {QKeySequence("Ctrl+1")}},
-        [this](bool) { setSpeed(1.0); }, steerable);
-    desk_.commands.add(
-        {"time.max",
-         tr("As fast as possible"),
-         tr("Time"),
-         tr("As fast as this machine can; robots notice nothing"),
-         "",
-         {QKeySequence("Ctrl+0")}},
-        [this](bool) { setSpeed(std::numeric_limits<double>::infinity()); }, steerable);
+    const auto steerable = [this] { return control_.simulator().running(); };
+    auto* const bar = views_.time;
+    add("time.pause", steerable, [this, bar] { pause(!bar->paused()); });
+    add(
+        "time.step", [bar, steerable] { return steerable() && bar->paused(); }, [this] { step(); });
+    add("time.faster", steerable, [bar] { bar->changeSpeed(1); });
+    add("time.slower", steerable, [bar] { bar->changeSpeed(-1); });
+    add("time.real", steerable, [this] { setSpeed(1.0); });
+    add("time.max", steerable, [this] { setSpeed(std::numeric_limits<double>::infinity()); });
 }
 
 void TimeDesk::wire() {
-    connect(desk_.views.time, &widgets::TimeBar::pauseRequested, this, &TimeDesk::pause);
-    connect(desk_.views.time, &widgets::TimeBar::stepRequested, this, &TimeDesk::step);
-    connect(desk_.views.time, &widgets::TimeBar::speedRequested, this, &TimeDesk::setSpeed);
-    connect(&desk_.control.simulator(), &server::SimulatorHost::figuresChanged, this,
+    connect(views_.time, &widgets::TimeBar::pauseRequested, this, &TimeDesk::pause);
+    connect(views_.time, &widgets::TimeBar::stepRequested, this, &TimeDesk::step);
+    connect(views_.time, &widgets::TimeBar::speedRequested, this, &TimeDesk::setSpeed);
+    connect(&control_.simulator(), &server::SimulatorHost::figuresChanged, this,
             [this](const server::SimulatorFigures& figures) {
-                desk_.views.time->setRealTimeFactor(figures.real_time_factor);
+                views_.time->setRealTimeFactor(figures.real_time_factor);
                 server_now_ = figures.now;
                 showClock();
             });
-    connect(&desk_.control, &MissionControl::worldKnown, this, [this] {
-        desk_.views.time->setSpeed(1.0);
-        desk_.views.time->setPaused(false);
+    connect(&control_, &MissionControl::worldKnown, this, [this] {
+        views_.time->setSpeed(1.0);
+        views_.time->setPaused(false);
         emit pausedChanged(false);
     });
-    connect(&desk_.control, &MissionControl::robotUpdated, this, [this](int id) {
-        if (id == desk_.selection.id())
-            showClock();
-    });
-    connect(&desk_.control, &MissionControl::behaviorFinished, this, &TimeDesk::returnToRealTime);
+    connectUpdates([this](const auto&) { showClock(); });
+    connect(&control_, &MissionControl::behaviorFinished, this, &TimeDesk::returnToRealTime);
     connect(&plan_, &PlanDesk::timeWanted, this, [this](bool runs) { hold(!runs); });
     connect(&plan_, &PlanDesk::cycleWanted, this, &TimeDesk::runOneCycle);
 }
 
 void TimeDesk::begin(bool steerable) {
     server_now_.reset();
-    desk_.views.time->setSteerable(steerable);
+    views_.time->setSteerable(steerable);
 }
 
 void TimeDesk::pause(bool paused) {
     held_by_plan_ = false;
     if (!paused)
         plan_.goOn(); // A plan that stays halted would hold up its server's time.
-    desk_.views.time->setPaused(paused);
+    views_.time->setPaused(paused);
     emit pausedChanged(paused);
     if (paused)
-        desk_.control.setPace(server::Pace::Paused, 1.0);
+        control_.setPace(server::Pace::Paused, 1.0);
     else
-        setSpeed(desk_.views.time->speed());
-    desk_.commands.refresh();
+        setSpeed(views_.time->speed());
+    commands_.refresh();
 }
 
 void TimeDesk::hold(bool hold) {
-    if (!desk_.control.simulator().running())
+    if (!control_.simulator().running())
         return;
-    const bool paused = desk_.views.time->paused();
+    const bool paused = views_.time->paused();
     if (hold && !paused) {
         pause(true);
         held_by_plan_ = true;
     } else if (!hold && held_by_plan_) {
         pause(false);
     } else if (paused) {
-        desk_.control.setPace(server::Pace::Paused, 1.0); // A step is over.
+        control_.setPace(server::Pace::Paused, 1.0); // A step is over.
     }
 }
 
@@ -105,45 +76,47 @@ void TimeDesk::step() {
     if (plan_.anyHalted())
         plan_.stepCycle();
     else
-        desk_.control.simulator().stepOnce();
+        control_.simulator().stepOnce();
 }
 
 void TimeDesk::runOneCycle() {
-    if (!desk_.views.time->paused())
+    if (!views_.time->paused())
         return;
-    const double speed = desk_.views.time->speed();
-    desk_.control.setPace(std::isinf(speed) ? server::Pace::Fast : server::Pace::Factor, speed);
+    run();
+}
+
+/// Lets the simulator run at the chosen speed.
+void TimeDesk::run() {
+    const double speed = views_.time->speed();
+    control_.setPace(std::isinf(speed) ? server::Pace::Fast : server::Pace::Factor, speed);
 }
 
 void TimeDesk::setSpeed(double speed) {
-    desk_.views.time->setSpeed(speed);
-    if (!desk_.views.time->paused())
-        desk_.control.setPace(std::isinf(speed) ? server::Pace::Fast : server::Pace::Factor, speed);
+    views_.time->setSpeed(speed);
+    if (!views_.time->paused())
+        run();
 }
 
 void TimeDesk::slowDown() {
-    if (desk_.views.time->speed() > 1.0)
+    if (views_.time->speed() > 1.0)
         setSpeed(1.0);
 }
 
 void TimeDesk::returnToRealTime() {
-    for (const Robot* robot : desk_.control.robots())
-        if (robot->running())
-            return;
-    if (desk_.views.time->speed() > 1.0 && !desk_.views.time->paused())
+    if (!control_.anyRunning() && views_.time->speed() > 1.0 && !views_.time->paused())
         setSpeed(1.0);
 }
 
 void TimeDesk::showClock() {
     const auto timed = [](const Robot* robot) { return robot && robot->view().figures.now.count() > 0.0; };
-    const Robot* const shown = desk_.selection.robot();
+    const Robot* const shown = selection_.robot();
     if (shown && (shown->isReplay() || timed(shown)))
-        return desk_.views.time->setClock(shown->view().figures.now);
+        return views_.time->setClock(shown->view().figures.now);
     if (server_now_)
-        return desk_.views.time->setClock(*server_now_);
-    for (const Robot* robot : desk_.control.robots()) // A base station gets no time; robots on its server do.
+        return views_.time->setClock(*server_now_);
+    for (const Robot* robot : control_.robots()) // A base station gets no time; robots on its server do.
         if (!robot->isReplay() && timed(robot))
-            return desk_.views.time->setClock(robot->view().figures.now);
+            return views_.time->setClock(robot->view().figures.now);
 }
 
 } // namespace usar::app

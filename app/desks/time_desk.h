@@ -3,21 +3,19 @@
 
 #include <optional>
 
-#include <QObject>
-
 #include "app/desks/desk.h"
 #include "app/desks/plan_desk.h"
 
 namespace usar::app {
 
 /// Pauses, steps and paces simulated time for all robots. A halted plan pauses it, too. GUI thread.
-class TimeDesk : public QObject {
+class TimeDesk : public Desk {
     Q_OBJECT
 public:
     TimeDesk(const DeskContext& context, PlanDesk& plan);
 
-    void registerCommands();
-    void wire();
+    void registerCommands() override;
+    void wire() override;
     /// Prepares for another server. `steerable`: it is the embedded simulator, the only one whose time can be
     /// controlled.
     void begin(bool steerable);
@@ -37,12 +35,12 @@ private:
     void step();
     /// Lets time run until a plan halts again; the bar still shows a pause.
     void runOneCycle();
+    void run();
     /// Returns to real time once no behavior runs, because a fast clock would only drain batteries.
     void returnToRealTime();
     /// Shows the selected robot's time, or else the simulator's, or else that of any robot.
     void showClock();
 
-    DeskContext desk_;
     PlanDesk& plan_;
     std::optional<Seconds> server_now_; ///< the embedded simulator's clock; nullopt: unknown
     bool held_by_plan_ = false;         ///< time was paused by a plan, not by the user

@@ -4,8 +4,6 @@
 #include <optional>
 
 #include <QMainWindow>
-#include <QObject>
-#include <QSettings>
 
 #include "app/desks/desk.h"
 #include "widgets/style/theme.h"
@@ -13,19 +11,18 @@
 namespace usar::app {
 
 /// Switches the theme and arranges the docks; both are kept in the settings. GUI thread.
-class ViewDesk : public QObject {
+class ViewDesk : public Desk {
     Q_OBJECT
 public:
     /// `theme`: the one that the command line asks for; nullopt: the one used last.
     ViewDesk(const DeskContext& context, QMainWindow& window, std::optional<widgets::Theme> theme);
 
-    void registerCommands();
-    /// Registers the commands for layouts, and one per dock that shows or hides it.
-    void registerLayouts();
+    /// Also registers one command per dock, which shows or hides it.
+    void registerCommands() override;
     /// Keeps the current layout, from which the layout commands start. To be called before `restore`.
-    void keepFirstLayout() { first_layout_ = window_.saveState(layout_version); }
-    void restore(const QSettings& settings);
-    void save(QSettings& settings) const;
+    void keepFirstLayout() { first_layout_ = main_window_.saveState(layout_version); }
+    void restore(const QSettings& settings) override;
+    void save(QSettings& settings) const override;
 
 private:
     void setTheme(widgets::Theme theme);
@@ -34,8 +31,7 @@ private:
 
     static constexpr int layout_version = 5; ///< increased with each change of the docks; older layouts are ignored
 
-    DeskContext desk_;
-    QMainWindow& window_;
+    QMainWindow& main_window_;
     std::optional<widgets::Theme> theme_;
     QByteArray first_layout_;
 };

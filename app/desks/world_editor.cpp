@@ -67,29 +67,62 @@ protocol::Token tokenOf(const QString& name) {
 } // namespace
 
 WorldEditor::WorldEditor(const DeskContext& context)
-    : control_(context.control)
-    , views_(context.views)
-    , selection_(context.selection)
-    , commands_(context.commands)
-    , notices_(context.notices)
+    : Desk(context)
     , inventory_(sizeOfKind)
-    , deleted_([this](const protocol::Command& command) { send(command); },
+    , deleted_([this](const protocol::Command& command) { link_.send(command); },
                [this](const std::string& name) { return inventory_.creationOf(name); }) {
     setClasses();
     views_.world->setKinds(palette());
+}
+
+void WorldEditor::registerCommands() {
+    const auto one = [this] { return selected() != nullptr; };
+    add("world.turn_left", one, [this] { turn(radians(15.0)); });
+    add("world.turn_right", one, [this] { turn(radians(-15.0)); });
+    add("world.spin", one, [this] { spin(); });
+    add("world.delete", one, [this] { remove(selected_); });
+    add(
+        "world.delete_all", [this] { return !shown_.empty(); }, [this] { removeAll(); });
+    add(
+        "world.undo", [this] { return deleted_.canUndo() && port_ != 0; },
+        [this] {
+            deleted_.undo();
+            commands_.refresh();
+        });
+    add(
+        "world.redo", [this] { return deleted_.canRedo() && port_ != 0; },
+        [this] {
+            deleted_.redo();
+            commands_.refresh();
+        });
+    registerWayCommands();
+}
+
+void WorldEditor::registerWayCommands() {
+    const auto one = [this] { return selected() != nullptr; };
+    const auto has_way = [this] { return selected() && !selected()->waypoints_in_map_m.empty(); };
+    const auto can_go = [this, has_way] { return has_way() || (selected() && selected()->carries); };
+    add("world.waypoints", one, [this](bool on) {
+        views_.map->setTool(on ? MapTool::Waypoint : MapTool::Pan);
+        if (on)
+            views_.map->setFocus(); // So that it receives Escape.
+    });
+    add("world.clear_way", has_way, [this] { clearWay(); });
+    add("world.go", can_go, [this] { follow(true); });
+    add("world.halt", can_go, [this] { follow(false); });
 }
 
 void WorldEditor::wire() {
     const auto actions = [this](std::initializer_list<const char*> ids) {
         std::vector<QAction*> found;
         for (const char* id : ids)
-            found.push_back(*id ? commands_.action(id) : nullptr);
+            found.push_back(*id ? action(id) : nullptr);
         return found;
     };
     views_.world->setActions(actions({"world.turn_left", "world.turn_right", "world.spin", "", "world.undo",
                                       "world.delete", "world.delete_all"}),
                              actions({"world.waypoints", "world.clear_way", "world.go", "world.halt"}),
-                             commands_.action("robot.trace"));
+                             action("robot.trace"));
     connect(&control_, &MissionControl::linkChanged, this, &WorldEditor::setServer);
     connect(&control_, &MissionControl::worldKnown, this, &WorldEditor::setWorld);
     connect(&link_, &mission::WorldLink::changed, this, &WorldEditor::show);
@@ -125,7 +158,7 @@ void WorldEditor::wireMap() {
     connect(views_.map, &widgets::MapView::toolChanged, this, [this](MapTool tool) {
         if (tool != MapTool::Place)
             views_.world->disarm();
-        commands_.action("world.waypoints")->setChecked(tool == MapTool::Waypoint);
+        action("world.waypoints")->setChecked(tool == MapTool::Waypoint);
     });
 }
 
@@ -261,7 +294,7 @@ void WorldEditor::place(const Vec2& at_m, bool again) {
     if (!created)
         return say(QString::fromStdString(created.error().text()));
     inventory_.useName(name);
-    send(*created);
+    link_.send(*created);
     awaited_ = QString::fromStdString(name);
     if (!again)
         views_.world->disarm();
@@ -270,18 +303,18 @@ void WorldEditor::place(const Vec2& at_m, bool again) {
 void WorldEditor::moveTo(const QString& name, const Vec2& center_m) {
     select(name);
     if (const MapObject* const object = selected())
-        send(protocol::PlaceObject{tokenOf(name), mission::movedTo(object->body_in_map, center_m, ground())});
+        link_.send(protocol::PlaceObject{tokenOf(name), mission::movedTo(object->body_in_map, center_m, ground())});
 }
 
 void WorldEditor::turn(double angle_rad) {
     Pose shift;
     shift.yaw_rad = angle_rad;
-    send(protocol::ShiftObject{tokenOf(selected_), shift});
+    link_.send(protocol::ShiftObject{tokenOf(selected_), shift});
 }
 
 void WorldEditor::spin() {
     const bool spins = inventory_.toggleSpin(selected_.toStdString());
-    send(protocol::SpinObject{tokenOf(selected_), Vec3(0.0, 0.0, spins ? spin_rad_s : 0.0)});
+    link_.send(protocol::SpinObject{tokenOf(selected_), Vec3(0.0, 0.0, spins ? spin_rad_s : 0.0)});
 }
 
 void WorldEditor::remove(const QString& name) {
@@ -317,13 +350,13 @@ void WorldEditor::addWaypoint(const Vec2& at_m) {
     if (!object)
         return say(tr("Select an object first; then its way points are set by clicks on the map."));
     inventory_.addWaypoint(selected_.toStdString(), at_m);
-    send(protocol::AddWaypoints{tokenOf(selected_), {mission::waypointAt(object->body_in_map, at_m, ground())}});
+    link_.send(protocol::AddWaypoints{tokenOf(selected_), {mission::waypointAt(object->body_in_map, at_m, ground())}});
     show();
 }
 
 void WorldEditor::clearWay() {
     inventory_.clearWay(selected_.toStdString());
-    send(protocol::ClearWaypoints{tokenOf(selected_)});
+    link_.send(protocol::ClearWaypoints{tokenOf(selected_)});
     show();
 }
 
@@ -336,12 +369,8 @@ void WorldEditor::follow(bool moving) {
     const bool is_conveyor = object->carries;
     if ((has_way || !is_conveyor) && views_.map->tool() == MapTool::Waypoint)
         views_.map->setTool(MapTool::Pan);
-    send(mission::motionOf(selected_.toStdString(), is_conveyor, has_way,
-                           {views_.world->speed_m_s(), views_.world->loop(), moving}));
-}
-
-void WorldEditor::send(const protocol::Command& command) {
-    link_.send(command);
+    link_.send(mission::motionOf(selected_.toStdString(), is_conveyor, has_way,
+                                 {views_.world->speed_m_s(), views_.world->loop(), moving}));
 }
 
 void WorldEditor::say(const QString& text) {

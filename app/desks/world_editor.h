@@ -3,8 +3,6 @@
 
 #include <vector>
 
-#include <QObject>
-
 #include "app/desks/desk.h"
 #include "core/mission/fleet/world_link.h"
 #include "core/mission/world/deleted_objects.h"
@@ -16,14 +14,13 @@ namespace usar::app {
 /// Connects when the dock is first shown on a server, so that the server has no load from users who do not need it.
 /// Polls five times a second while the dock is visible, twice a second while only the map shows objects, else never.
 /// Belongs to the GUI thread; owned by the window.
-class WorldEditor : public QObject {
+class WorldEditor : public Desk {
     Q_OBJECT
 public:
     explicit WorldEditor(const DeskContext& context);
 
-    void registerCommands();
-    /// Connects signals; call it after all commands are registered.
-    void wire();
+    void registerCommands() override;
+    void wire() override;
     void setPaused(bool paused) { link_.setPaused(paused); }
 
 private:
@@ -32,7 +29,6 @@ private:
     /// Sets the embedded simulator's world. Without it, a deleted object whose class the server does not report cannot
     /// be restored.
     void setWorld(const server::WorldPicture& world);
-    void registerDeleteCommands();
     void registerWayCommands();
     void wireMap();
     void refresh();
@@ -54,16 +50,10 @@ private:
     void addWaypoint(const Vec2& at_m);
     void clearWay();
     void follow(bool moving);
-    void send(const protocol::Command& command);
     void say(const QString& text);
     /// Returns the ground height, from the embedded world, the selected robot's scan, or a guess from the start poses.
     mission::GroundHeight ground() const;
 
-    MissionControl& control_;
-    WindowViews& views_;
-    Selection& selection_;
-    widgets::CommandRegistry& commands_;
-    NoticeDesk& notices_;
     mission::WorldLink link_;
     mission::WorldInventory inventory_;
     mission::DeletedObjects deleted_;

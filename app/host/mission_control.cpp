@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/host/true_figures.h"
+#include "core/mission/fleet/robot_name.h"
 #include "core/server/embedded/program_files.h"
 #include "core/server/embedded/simulator_files.h"
 
@@ -89,6 +90,18 @@ std::vector<agent::RobotDescription> MissionControl::robotsToSpawn() const {
             robots.push_back({class_name, name.toStdString(), {}, {}});
     }
     return robots;
+}
+
+QStringList MissionControl::liveNames() const {
+    QStringList names;
+    for (const Robot* robot : robots())
+        if (!robot->isReplay())
+            names << nameOf(*robot);
+    return names;
+}
+
+bool MissionControl::anyRunning() const {
+    return std::ranges::any_of(robots(), &Robot::running);
 }
 
 void MissionControl::setPace(server::Pace pace, double factor) {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/mission/fleet/fleet.h"
-#include "core/protocol/usual_values.h"
+#include "core/server/embedded/server_target.h"
 #include "core/server/embedded/simulator_host.h"
 
 namespace usar::app {
@@ -13,14 +13,7 @@ using mission::missionKey;
 using mission::Robot;
 using mission::RobotView;
 using mission::StartedBehavior;
-
-/// The server to connect to: the embedded simulator, or a server at `host` and `port`.
-struct ServerTarget {
-    bool embedded = true;
-    QString host = "127.0.0.1";
-    quint16 port = protocol::usual_port::bot;
-    server::SimulatorSpec simulator;
-};
+using server::ServerTarget;
 
 /// A fleet that can start an embedded simulator, which runs in a separate thread. Belongs to the GUI thread and never
 /// blocks it.
@@ -39,6 +32,10 @@ public:
     /// Returns the robots that plugins can drive, followed by the embedded simulator's other robots, which can only be
     /// driven by commands.
     std::vector<agent::RobotDescription> robotsToSpawn() const;
+    /// Names of all robots on the server; replays are left out.
+    QStringList liveNames() const;
+    /// True if a behavior of ours runs on any robot.
+    bool anyRunning() const;
     /// Sets the pace of the embedded simulator; a real server's time cannot be controlled.
     void setPace(server::Pace pace, double factor);
     /// Injects faults into the embedded simulator; their times count from now. An error names the first text that is

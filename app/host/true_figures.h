@@ -1,10 +1,17 @@
-// Converts the embedded simulator's figures about a robot to those of a mission's summary.
+// Converts what only the embedded simulator knows to the values that missions are scored by.
 #pragma once
 
+#include "core/mission/runs/mission_score.h"
 #include "core/mission/runs/run_summary.h"
-#include "core/sim/simulation.h"
+#include "core/server/embedded/headless_simulator.h"
 
 namespace usar::app {
+
+/// True heights of the simulator's world. The functions are valid as long as the simulator.
+inline mission::Truth truthOf(const server::HeadlessSimulator& simulator) {
+    return {.surface_m = [&simulator](const Vec2& point_m) { return simulator.surface_m(point_m); },
+            .ground_m = [&simulator](const Vec2& point_m) { return simulator.ground_m(point_m); }};
+}
 
 /// Copies all figures; the height over ground is absent for a robot that has not dived.
 inline mission::TrueFigures trueFiguresOf(const sim::RobotTruth& robot) {
@@ -18,6 +25,12 @@ inline mission::TrueFigures trueFiguresOf(const sim::RobotTruth& robot) {
     if (robot.height)
         figures.height = mission::HeightOverGround{robot.height->least_m, robot.height->mean_m, robot.height->spread_m};
     return figures;
+}
+
+/// The same for the first robot of the simulator; nullopt if there is none now. Waits for the simulator's thread.
+inline std::optional<mission::TrueFigures> trueFiguresOf(const server::HeadlessSimulator& simulator) {
+    const auto robot = simulator.firstRobot();
+    return robot ? std::optional(trueFiguresOf(*robot)) : std::nullopt;
 }
 
 } // namespace usar::app

@@ -3,9 +3,9 @@
 
 #include <QApplication>
 
-#include "app/host/quit_signals.h"
 #include "app/window/main_window.h"
 #include "app/window/options.h"
+#include "core/server/embedded/quit_signals.h"
 
 int main(int argc, char** argv) {
     QApplication application(argc, argv);
@@ -18,9 +18,9 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "mission-control: %s\n", options.error().text().c_str());
         return 2;
     }
-    usar::app::QuitSignals signals_;
+    usar::server::QuitSignals signals_;
     usar::app::MainWindow window(*options);
-    QObject::connect(&signals_, &usar::app::QuitSignals::quit, &window, &QWidget::close);
+    QObject::connect(&signals_, &usar::server::QuitSignals::quit, &window, &QWidget::close);
     window.show();
     window.begin();
     return QApplication::exec();

@@ -21,7 +21,7 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
     : QMainWindow(parent)
     , options_(options)
     , commands_(this)
-    , views_(makeViews(*this))
+    , views_(widgets::makeViews(*this))
     , plugins_(desk_, options.plugin_folders.isEmpty() ? server::pluginFolders() : options.plugin_folders)
     , server_(desk_, options.server)
     , view_(desk_, *this, options.theme) {
@@ -57,32 +57,14 @@ void MainWindow::begin() {
 }
 
 void MainWindow::registerCommands() {
-    mission_.registerCommands();
-    task_.registerCommands();
-    files_.registerCommands();
-    commands_.add({"file.quit",
-                   tr("Quit"),
-                   tr("File"),
-                   tr("Stops the robots, saves what was scanned, and quits"),
-                   "",
-                   {QKeySequence("Ctrl+Q")}},
-                  [this](bool) { close(); });
-    robots_.registerCommands();
-    map_.registerCommands();
-    view_.registerCommands();
-    server_.registerCommands();
-    time_.registerCommands();
-    view_.registerLayouts();
-    messages_.registerCommands();
-    replay_.registerCommands();
-    faults_.registerCommands();
-    workshop_.registerCommands();
-    plan_.registerCommands();
-    camera_.registerCommands();
-    drive_.registerCommands();
-    plugins_.registerCommands();
-    world_.registerCommands();
-    radio_.registerCommands();
+    // The palette and the sheet of shortcuts list the commands in this order.
+    for (Desk* desk : std::initializer_list<Desk*>{&mission_, &task_, &files_})
+        desk->registerCommands();
+    commands_.add(widgets::commandSpec("file.quit"), [this](bool) { close(); });
+    for (Desk* desk :
+         std::initializer_list<Desk*>{&robots_, &map_, &view_, &server_, &time_, &messages_, &replay_, &faults_,
+                                      &workshop_, &plan_, &camera_, &drive_, &plugins_, &world_, &radio_})
+        desk->registerCommands();
 }
 
 void MainWindow::wire() {
@@ -99,23 +81,10 @@ void MainWindow::wire() {
 
 void MainWindow::wireDesks() {
     // The desks receive each event in this order: a task is set before it is shown, and the title comes last.
-    plugins_.wire();
-    server_.wire();
-    task_.wire();
-    mission_.wire();
-    robots_.wire();
-    plan_.wire();
-    workshop_.wire();
-    time_.wire();
-    drive_.wire();
-    camera_.wire();
-    world_.wire();
-    files_.wire();
-    replay_.wire();
-    messages_.wire();
-    faults_.wire();
-    radio_.wire();
-    map_.wire();
+    for (Desk* desk : std::initializer_list<Desk*>{&plugins_, &server_, &task_, &mission_, &robots_, &plan_, &workshop_,
+                                                   &time_, &drive_, &camera_, &world_, &files_, &replay_, &messages_,
+                                                   &faults_, &radio_, &map_})
+        desk->wire();
     connect(&selection_, &Selection::changed, this, &MainWindow::showTitle);
     connect(&control_, &MissionControl::behaviorFinished, this, &MainWindow::showTitle);
     connect(&control_, &MissionControl::robotUpdated, this, [this](int id) {
@@ -176,30 +145,19 @@ void MainWindow::dropEvent(QDropEvent* event) {
 
 void MainWindow::restoreSettings() {
     const QSettings settings;
-    view_.restore(settings);
-    messages_.restore(settings);
-    workshop_.restore(settings);
-    map_.restore(settings);
-    server_.restore(settings);
-    replay_.restore(settings);
-    plan_.restore(settings);
+    for (Desk* desk : std::initializer_list<Desk*>{&view_, &messages_, &workshop_, &map_, &server_, &replay_, &plan_})
+        desk->restore(settings);
     if (options_.result_folder.isEmpty())
         files_.restore(settings);
 }
 
 void MainWindow::saveSettings() {
     auto written = std::make_shared<QSettings>();
-    QSettings& settings = *written;
-    view_.save(settings);
-    plugins_.save(settings);
-    messages_.save(settings);
-    workshop_.save(settings);
-    map_.save(settings);
-    server_.save(settings);
-    replay_.save(settings);
-    plan_.save(settings);
+    for (const Desk* desk : std::initializer_list<const Desk*>{&view_, &plugins_, &messages_, &workshop_, &map_,
+                                                               &server_, &replay_, &plan_})
+        desk->save(*written);
     if (options_.result_folder.isEmpty())
-        files_.save(settings);
+        files_.save(*written);
     written->moveToThread(nullptr); // It is written by the thread that deletes it.
     disk_.start([written = std::move(written)]() mutable { written.reset(); });
 }

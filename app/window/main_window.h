@@ -43,7 +43,7 @@ public:
     // For tests.
     MissionControl& control() { return control_; }
     const widgets::CommandRegistry& commands() const { return commands_; }
-    const WindowViews& views() const { return views_; }
+    const widgets::WindowViews& views() const { return views_; }
     DriveDesk& drive() { return drive_; }
     MissionDesk& mission() { return mission_; }
     ServerDesk& server() { return server_; }
@@ -84,7 +84,7 @@ private:
     Options options_;
     MissionControl control_;
     widgets::CommandRegistry commands_;
-    WindowViews views_;
+    widgets::WindowViews views_;
     Selection selection_{control_};
     NoticeDesk notices_{control_, views_};
     DeskContext desk_{control_, views_, commands_, selection_, notices_, this};

@@ -3,75 +3,20 @@
 #include <QCommandLineParser>
 
 #include "core/server/embedded/program_files.h"
-#include "core/server/embedded/simulator_files.h"
 
 namespace usar::app {
 
-namespace {
-
-Result<quint16> portFrom(const QString& text, const std::string& option) {
-    bool ok = false;
-    const uint port = text.toUInt(&ok);
-    if (!ok || port > 65535)
-        return failure("\"" + text.toStdString() + "\" is no port", option, "Give 0 to 65535");
-    return static_cast<quint16>(port);
-}
-
-Result<void> readServer(const QString& text, ServerTarget& server) {
-    const int colon = static_cast<int>(text.lastIndexOf(':'));
-    if (colon <= 0)
-        return failure("\"" + text.toStdString() + "\" is no host and port", "--connect", "Write host:port");
-    const auto port = portFrom(text.mid(colon + 1), "--connect");
-    if (!port)
-        return tl::unexpected(port.error());
-    server.embedded = false;
-    server.host = text.left(colon);
-    server.port = *port;
-    return {};
-}
-
-Result<void> readSimulator(const QCommandLineParser& parser, ServerTarget& server) {
-    bool ok = false;
-    server.simulator.world = parser.value("world");
-    server.simulator.seed = parser.value("seed").toULongLong(&ok);
-    if (!ok)
-        return failure("\"" + parser.value("seed").toStdString() + "\" is no seed", "--seed", "Give a whole number");
-    const auto port = portFrom(parser.value("port"), "--port");
-    if (!port)
-        return tl::unexpected(port.error());
-    server.simulator.port = *port;
-    auto faults = server::readFaults(parser.values("fault"));
-    if (!faults)
-        return tl::unexpected(faults.error());
-    server.simulator.faults = *std::move(faults);
-    const auto wireless = portFrom(parser.value("wireless-port"), "--wireless-port");
-    if (!wireless)
-        return tl::unexpected(wireless.error());
-    server.simulator.channels.wireless = *wireless;
-    return {};
-}
-
-} // namespace
-
 Result<Options> readOptions(const QStringList& arguments) {
     QCommandLineParser parser;
-    const ServerTarget usual;
     parser.setApplicationDescription("Watch, drive and program robots in the USARSim simulator.");
     parser.addHelpOption();
     parser.addVersionOption();
-    parser.addOptions(
-        {{"connect", "A USARSim server instead of the embedded simulator.", "host:port"},
-         {"world", "World of the embedded simulator: a name or a folder.", "world", "tall_test"},
-         {"seed", "Seed of the embedded simulator.", "number", "1"},
-         {"fault", "Something that goes wrong in the embedded simulator; usar-sim --help lists them.", "text"},
-         {"port", "Port of the embedded simulator.", "port", QString::number(usual.port)},
-         {"wireless-port", "Port of the wireless server, embedded or beside a USARSim server.", "port",
-          QString::number(usual.simulator.channels.wireless)},
-         {"out", "Folder for results.", "folder"},
-         {"plugins", "Folder with robot plugins, besides those that come with the program.", "folder"},
-         {"theme", "light or dark.", "theme"}});
+    server::addServerOptions(parser);
+    parser.addOptions({{"out", "Folder for results.", "folder"},
+                       {"plugins", "Folder with robot plugins, besides those that come with the program.", "folder"},
+                       {"theme", "light or dark.", "theme"}});
     parser.addPositionalArgument("file",
-                                 "A mission or a plan to open, a recording to replay, or a snapshot to go on from.",
+                                 "A mission or a plan to open, a recording to replay, or a snapshot to continue from.",
                                  "[MISSION.json | PLAN.lap | RECORDING.usarrec | SNAPSHOT.usarsnap]");
     if (!parser.parse(arguments))
         return failure(parser.errorText().toStdString(), "", "Try --help");
@@ -81,6 +26,10 @@ Result<Options> readOptions(const QStringList& arguments) {
         parser.showVersion();
 
     Options options;
+    auto target = server::readServerTarget(parser);
+    if (!target)
+        return tl::unexpected(target.error());
+    options.server = *std::move(target);
     options.result_folder = parser.value("out");
     if (parser.isSet("plugins"))
         options.plugin_folders = server::pluginFolders() + parser.values("plugins");
@@ -95,11 +44,6 @@ Result<Options> readOptions(const QStringList& arguments) {
         options.theme = widgets::Theme::Dark;
     else if (!theme.isEmpty())
         return failure("\"" + theme.toStdString() + "\" is no theme", "--theme", "Say light or dark");
-    if (const auto read = readSimulator(parser, options.server); !read)
-        return tl::unexpected(read.error());
-    if (parser.isSet("connect"))
-        if (const auto read = readServer(parser.value("connect"), options.server); !read)
-            return tl::unexpected(read.error());
     return options;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 namespace usar {
 
@@ -22,6 +23,19 @@ struct Stick {
 inline Stick clamped(const Stick& stick) {
     const auto cut = [](double share) { return share == share ? std::clamp(share, -1.0, 1.0) : 0.0; };
     return {cut(stick.forward), cut(stick.left), cut(stick.turn), cut(stick.up)};
+}
+
+/// Within `zone` (0..1) both axes become 0; outside it they grow from 0 to the full share, so that nothing jumps. Both
+/// axes of one stick are judged together, so a stick that is pushed straight ahead keeps its slight turn.
+inline void applyDeadZone(double& x, double& y, double zone) {
+    const double reach = std::hypot(x, y);
+    if (!(reach > zone)) {
+        x = y = 0.0;
+        return;
+    }
+    const double grown = std::min(1.0, (reach - zone) / (1.0 - zone)) / reach;
+    x *= grown;
+    y *= grown;
 }
 
 /// The axes of a Stick that a robot can follow.

@@ -62,13 +62,13 @@ const std::map<QString, std::map<QString, QStringList>> rooms{
       {"bars", {"style", "models"}},
       {"messages", {"style", "models"}},
       {"map", {"style", "models", "panels"}},
-      {"plan", {"style", "models", "messages", "panels"}}}},
+      {"plan", {"style", "models", "messages", "panels"}},
+      {"window", {"style", "models", "commands", "drive", "panels", "bars", "messages", "map", "plan"}}}},
     {"app",
      {{"host", {}},
       {"cli", {"host"}},
-      {"views", {"host"}},
-      {"desks", {"host", "views"}},
-      {"window", {"host", "views", "desks"}}}},
+      {"desks", {"host"}},
+      {"window", {"host", "desks"}}}},
 };
 
 /// "posh" folder's "run" for "core/posh/run/engine.h"; empty for a file of the folder itself.

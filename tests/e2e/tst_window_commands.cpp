@@ -165,7 +165,7 @@ void tst_WindowCommands::aFirstStartFitsASmallScreen() {
 void tst_WindowCommands::onASmallScreenTimeCanBeSteered() {
     WindowPage page;
     QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
-    const app::WindowViews& views = page.window().views();
+    const widgets::WindowViews& views = page.window().views();
     page.window().resize(1024, 690);
     for (QWidget* sight : {static_cast<QWidget*>(views.time), static_cast<QWidget*>(views.record),
                            static_cast<QWidget*>(views.driver), static_cast<QWidget*>(views.stop_all)})

@@ -7,7 +7,7 @@
 #include <QTest>
 #include <QTimer>
 
-#include "app/host/headless_simulator.h"
+#include "core/server/embedded/headless_simulator.h"
 #include "tests/doubles/fake_robot_server.h"
 #include "tests/doubles/meddling_relay.h"
 #include "tests/doubles/own_thread.h"
@@ -197,7 +197,7 @@ void tst_WindowDrive::takingControlPausesABehavior() {
 }
 
 void tst_WindowDrive::aCutLinkEndsTheControl() {
-    auto simulator = app::HeadlessSimulator::start("tall_test", {.speed_x = 1.0});
+    auto simulator = server::HeadlessSimulator::start("tall_test", {.speed_x = 1.0});
     QVERIFY(simulator);
     test::MeddlingRelay relay((*simulator)->port());
     DrivePage page;

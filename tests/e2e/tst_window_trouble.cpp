@@ -6,7 +6,7 @@
 #include <QTest>
 #include <QTimer>
 
-#include "app/host/headless_simulator.h"
+#include "core/server/embedded/headless_simulator.h"
 #include "tests/doubles/fake_server.h"
 #include "tests/doubles/meddling_relay.h"
 #include "tests/doubles/test_files.h"
@@ -25,11 +25,11 @@ constexpr double server_speed_x = 5.0;
 
 /// A real simulator behind a relay that a test can meddle with; the window takes it for somebody's server.
 struct TroubledServer {
-    std::unique_ptr<app::HeadlessSimulator> simulator;
+    std::unique_ptr<server::HeadlessSimulator> simulator;
     std::unique_ptr<test::MeddlingRelay> relay;
 
     TroubledServer() {
-        auto started = app::HeadlessSimulator::start("tall_test", {.speed_x = server_speed_x});
+        auto started = server::HeadlessSimulator::start("tall_test", {.speed_x = server_speed_x});
         if (!started)
             qFatal("%s", started.error().text().c_str());
         simulator = *std::move(started);

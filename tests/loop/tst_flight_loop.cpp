@@ -1,6 +1,6 @@
 #include <QTest>
 
-#include "app/host/headless_simulator.h"
+#include "core/server/embedded/headless_simulator.h"
 #include "core/mission/session/robot_session.h"
 #include "tests/doubles/rough_relay.h"
 #include "tests/doubles/scripted_behavior.h"
@@ -12,7 +12,7 @@ namespace tst_flight_loop {
 
 using namespace usar;
 using namespace usar::mission;
-using usar::app::HeadlessSimulator;
+using usar::server::HeadlessSimulator;
 using usar::test::hostOf;
 using usar::test::RoughRelay;
 using usar::test::Script;
@@ -59,7 +59,7 @@ Flight fly(HeadlessSimulator& simulator, quint16 port, bool lockstep, int timeou
     QObject::connect(&session, &RobotSession::spawned, &session, [&] { session.startBehavior(hostOf(script), {}); });
     QObject::connect(&session, &RobotSession::behaviorFinished, &session, [&](bool success) {
         flight.success = success;
-        if (const auto figures = simulator.figures())
+        if (const auto figures = simulator.firstRobot())
             flight.collisions = figures->collisions;
         flight.path_m = session.record().path_m;
     });

@@ -4,7 +4,7 @@
 
 #include <QTest>
 
-#include "app/host/headless_simulator.h"
+#include "core/server/embedded/headless_simulator.h"
 #include "core/mission/session/robot_session.h"
 #include "tests/doubles/test_worlds.h"
 #include "tests/suite/suite.h"
@@ -13,8 +13,8 @@ namespace tst_hand_loop {
 
 using namespace usar;
 using namespace usar::mission;
-using usar::app::HeadlessSimulator;
-using usar::app::HeadlessSpec;
+using usar::server::HeadlessSimulator;
+using usar::server::HeadlessSpec;
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/host/headless_simulator.h"
+#include "core/server/embedded/headless_simulator.h"
 #include "core/link/recording_reader.h"
 #include "core/mission/runs/mission_runner.h"
 #include "tests/doubles/test_worlds.h"
@@ -17,7 +17,7 @@ namespace tst_isolated_mission {
 
 using namespace usar;
 using namespace usar::mission;
-using usar::app::HeadlessSimulator;
+using usar::server::HeadlessSimulator;
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/host/headless_simulator.h"
+#include "app/host/true_figures.h"
 #include "core/mission/runs/mission_runner.h"
 #include "tests/doubles/test_worlds.h"
 #include "tests/suite/suite.h"
@@ -13,7 +13,7 @@ namespace tst_mission_loop {
 
 using namespace usar;
 using namespace usar::mission;
-using usar::app::HeadlessSimulator;
+using usar::server::HeadlessSimulator;
 
 /// Whole missions against the simulator, as `usar-mission` flies them.
 class tst_MissionLoop : public QObject {
@@ -45,9 +45,9 @@ tst_MissionLoop::Outcome tst_MissionLoop::run(HeadlessSimulator& simulator, cons
     RunOptions options;
     options.port = simulator.port();
     options.result_folder = folder.path();
-    options.truth = simulator.truth();
+    options.truth = app::truthOf(simulator);
     options.world_extent = simulator.extent();
-    options.true_figures = [&] { return simulator.figures(); };
+    options.true_figures = [&] { return app::trueFiguresOf(simulator); };
     MissionRunner runner(mission, plugins_, options);
     QSignalSpy finished(&runner, &MissionRunner::finished);
     runner.start();

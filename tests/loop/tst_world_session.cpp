@@ -1,7 +1,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "app/host/headless_simulator.h"
+#include "core/server/embedded/headless_simulator.h"
 #include "core/mission/fleet/trace_watch.h"
 #include "core/mission/world/world_session.h"
 #include "tests/doubles/fake_server.h"
@@ -14,7 +14,7 @@ namespace tst_world_session {
 using namespace usar;
 using namespace usar::mission;
 using namespace std::chrono_literals;
-using usar::app::HeadlessSimulator;
+using usar::server::HeadlessSimulator;
 using usar::test::FakeServer;
 
 namespace {

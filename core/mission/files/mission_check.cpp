@@ -131,4 +131,14 @@ Result<Pose> startPoseOf(const Mission& mission, const protocol::StartPoses& pos
     return tl::unexpected(atValue(mission, "start", error));
 }
 
+std::string plannedBehavior(const std::string& chosen, const agent::PluginLoader& plugins) {
+    if (const auto* behavior = plugins.behavior(chosen); behavior && !behavior->plan_name.empty())
+        return chosen;
+    if (const auto* robot = plugins.robotOf(chosen))
+        for (const agent::BehaviorDescription& behavior : robot->behaviors)
+            if (!behavior.plan_name.empty())
+                return behavior.id;
+    return chosen;
+}
+
 } // namespace usar::mission

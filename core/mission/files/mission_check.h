@@ -41,4 +41,8 @@ Result<void> checkFolderIsWritable(const QString& folder);
 /// names that exist.
 Result<Pose> startPoseOf(const Mission& mission, const protocol::StartPoses& poses);
 
+/// Returns the id of a behavior that is controlled by a plan: `chosen`, or else the first such behavior of the same
+/// robot. If there is none, returns `chosen`.
+std::string plannedBehavior(const std::string& chosen, const agent::PluginLoader& plugins);
+
 } // namespace usar::mission

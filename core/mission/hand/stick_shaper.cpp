@@ -4,17 +4,6 @@
 
 namespace usar::mission {
 
-void applyDeadZone(double& x, double& y, double zone) {
-    const double reach = std::hypot(x, y);
-    if (!(reach > zone)) {
-        x = y = 0.0;
-        return;
-    }
-    const double grown = std::min(1.0, (reach - zone) / (1.0 - zone)) / reach;
-    x *= grown;
-    y *= grown;
-}
-
 Stick StickShaper::follow(const Stick& asked, Seconds dt) {
     const double most = std::max(0.0, dt.count()) / rise.count();
     const auto follow = [most](double now, double wanted) {

@@ -1,14 +1,10 @@
-// Smoothing of stick input: a dead zone for sticks that never quite rest at zero, and a limited rise.
+// Smoothing of stick input: a limited rise.
 #pragma once
 
 #include "core/base/clock.h"
 #include "core/base/stick.h"
 
 namespace usar::mission {
-
-/// Within `zone` (0..1) both axes become 0; outside it they grow from 0 to the full share, so that nothing jumps. Both
-/// axes of one stick are judged together, so a stick that is pushed straight ahead keeps its slight turn.
-void applyDeadZone(double& x, double& y, double zone);
 
 /// Follows a stick: away from 0 by at most a full share per `rise`, toward 0 and through it at once. So a release stops
 /// the robot, whatever came before. It has no clock of its own.

@@ -4,6 +4,7 @@
 #include <array>
 
 #include <QJsonObject>
+#include <QSaveFile>
 
 #include "core/base/numbers.h"
 #include "core/mission/reports/json_line.h"
@@ -131,6 +132,17 @@ QByteArray runReportJson(const posh::RunStatistics& statistics, int runs) {
     for (Index place = 1; place < program.places.size(); ++place)
         lines += jsonLine(elementObject(statistics, place));
     return lines;
+}
+
+Result<void> saveRunReport(const posh::RunStatistics& statistics, const QString& path) {
+    const bool for_programs = path.endsWith(".jsonl") || path.endsWith(".json");
+    const QByteArray bytes =
+        for_programs ? runReportJson(statistics, 1) : QByteArray::fromStdString(runReportText(statistics, 1));
+    QSaveFile file(path);
+    if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit())
+        return {};
+    return failure("the report cannot be written: " + file.errorString().toStdString(), path.toStdString(),
+                   "Choose another place");
 }
 
 } // namespace usar::mission

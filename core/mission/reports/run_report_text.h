@@ -4,7 +4,9 @@
 #include <string>
 
 #include <QByteArray>
+#include <QString>
 
+#include "core/base/result.h"
 #include "core/posh/trace/run_statistics.h"
 
 namespace usar::mission {
@@ -19,5 +21,9 @@ std::string runReportText(const posh::RunStatistics& statistics, int runs);
 /// `time_s`, `time_pct`, `cycles`, `started`, `succeeded`, `failed`, `interrupted`, `skipped` and, if it was measured,
 /// `spent_ms` and `longest_ms`.
 QByteArray runReportJson(const posh::RunStatistics& statistics, int runs);
+
+/// Writes the report of one run to a file, which is replaced atomically: as JSON lines if the name ends in .jsonl or
+/// .json, else as text.
+Result<void> saveRunReport(const posh::RunStatistics& statistics, const QString& path);
 
 } // namespace usar::mission

@@ -31,67 +31,17 @@ private slots:
         QVERIFY(plugins_.behavior("test/hop"));
     }
 
-    void takesWhatIsRight() {
-        const Mission mission = read(R"("behavior": "test/hop", "area": {"x": 0, "y": 0, "width": 4, "height": 2},
-        "parameters": {"ticks": 3, "lean_rad": 45}, "start": "robot1")");
-        const auto prepared = prepareBehavior(mission, plugins_);
-        QVERIFY2(prepared.has_value(), prepared ? "" : prepared.error().text().c_str());
-        QCOMPARE(prepared->parameters.real("lean_rad"), pi / 4);
-        QVERIFY(checkAreaInside(mission, world));
-        QVERIFY(startPoseOf(mission, {{{"Robot1", {}}}}));
-    }
+    void takesWhatIsRight();
 
-    void rejectsWrongBehaviorsAndParametersWithTheirPlace_data() {
-        QTest::addColumn<QByteArray>("behavior");
-        QTest::addColumn<QByteArray>("parameters");
-        QTest::addColumn<QString>("said");
-        const QByteArray hop = "test/hop";
-        QTest::newRow("an unknown behavior") << QByteArray("test/hip") << QByteArray()
-                                             << "m.json:3:13: behavior test/hip: no loaded plugin has this behavior.";
-        QTest::newRow("an unknown parameter") << hop << QByteArray(R"("ticks": 3, "leen_rad": 3)")
-                                              << "m.json:4:29: parameter leen_rad: there is no such parameter. "
-                                                 "Did you mean lean_rad?";
-        QTest::newRow("a value out of range")
-            << hop << QByteArray(R"("ticks": 0)") << "m.json:4:26: parameter ticks: 0 is out of range. Give 1 to ";
-        QTest::newRow("a value of the wrong type") << hop << QByteArray(R"("ticks": "many")")
-                                                   << "m.json:4:26: parameter ticks: \"many\" is a text. Give a whole";
-        QTest::newRow("an angle, told as it is written") << hop << QByteArray(R"("lean_rad": 46)")
-                                                         << "m.json:4:29: parameter lean_rad: 46 is out of range. "
-                                                            "Give 0 to 45 deg.";
-    }
+    void rejectsWrongBehaviorsAndParametersWithTheirPlace_data();
 
-    void rejectsWrongBehaviorsAndParametersWithTheirPlace() {
-        QFETCH(QByteArray, behavior);
-        QFETCH(QByteArray, parameters);
-        QFETCH(QString, said);
-        const Mission mission = read("\"behavior\": \"" + behavior + "\",\n \"parameters\": {" + parameters +
-                                     R"(}, "area": {"x": 0, "y": 0, "width": 4, "height": 2})");
-        const auto prepared = prepareBehavior(mission, plugins_);
-        QVERIFY(!prepared.has_value());
-        const QString text = QString::fromStdString(prepared.error().text());
-        QVERIFY2(text.startsWith(said), qPrintable(text));
-    }
+    void rejectsWrongBehaviorsAndParametersWithTheirPlace();
 
-    void rejectsAnAreaOutsideTheWorldWithItsPlace() {
-        const auto inside = checkAreaInside(read(R"("area": {"x": 0, "y": 0, "width": 40, "height": 2})"), world);
-        QVERIFY(!inside.has_value());
-        QCOMPARE(inside.error().where, std::string("m.json:3:9"));
-        QVERIFY2(inside.error().text().find("reaches outside the world") != std::string::npos,
-                 inside.error().text().c_str());
-    }
+    void rejectsAnAreaOutsideTheWorldWithItsPlace();
 
-    void aWorldOfUnknownSizeHasRoomForAll() {
-        QVERIFY(checkAreaInside(read(R"("area": {"x": 0, "y": 0, "width": 40, "height": 2})"), {}));
-    }
+    void aWorldOfUnknownSizeHasRoomForAll();
 
-    void rejectsAnUnknownStartPoseWithItsPlace() {
-        const auto pose = startPoseOf(read(R"("start": "Roof", "area": {"x": 0, "y": 0, "width": 4, "height": 2})"),
-                                      {{{"PlayerStart", {}}, {"robot1", {}}}});
-        QVERIFY(!pose.has_value());
-        QCOMPARE(
-            QString::fromStdString(pose.error().text()),
-            QString("m.json:3:10: Roof: the server knows no start pose with this name. It has PlayerStart, robot1."));
-    }
+    void rejectsAnUnknownStartPoseWithItsPlace();
 
     void aMissionThatIsNoFileNamesTheThingItself() {
         Mission mission;
@@ -102,16 +52,7 @@ private slots:
         QCOMPARE(prepareBehavior(mission, plugins_).error().where, std::string("behavior test/hip"));
     }
 
-    void takesAPersonsOwnPlan() {
-        QTemporaryDir folder;
-        const QByteArray text = "((DC own (drives ((first Tick)))))";
-        const QString path = fileIn(folder, "own.lap", text);
-        const Mission mission = read(R"("behavior": "test/planned", "plan": ")" + path.toUtf8() + '"');
-        const auto prepared = prepareBehavior(mission, plugins_);
-        QVERIFY2(prepared.has_value(), prepared ? "" : prepared.error().text().c_str());
-        QVERIFY(prepared->plan == (agent::PlanText{path.toStdString(), text.toStdString()}));
-        QVERIFY(!prepareBehavior(read(R"("behavior": "test/planned")"), plugins_)->plan);
-    }
+    void takesAPersonsOwnPlan();
 
     void refusesAPlanBeforeAnythingMoves_data() {
         QTest::addColumn<QByteArray>("behavior");
@@ -127,27 +68,9 @@ private slots:
             << "this behavior is not run by a plan. Choose test/planned";
     }
 
-    void refusesAPlanBeforeAnythingMoves() {
-        QFETCH(QByteArray, behavior);
-        QFETCH(QByteArray, text);
-        QFETCH(QString, says);
-        QTemporaryDir folder;
-        const QString path = text.isEmpty() ? folder.filePath("none.lap") : fileIn(folder, "own.lap", text);
-        const auto prepared = prepareBehavior(read("\"behavior\": \"" + behavior + "\", \"plan\": \"" + path.toUtf8() +
-                                                   R"(", "area": {"x": 0, "y": 0, "width": 4, "height": 2})"),
-                                              plugins_);
-        QVERIFY(!prepared.has_value());
-        const QString said = QString::fromStdString(prepared.error().text());
-        QVERIFY2(said.startsWith("m.json:3:") && said.contains(says), qPrintable(said));
-    }
+    void refusesAPlanBeforeAnythingMoves();
 
-    void aBehaviorThatNeedsAnAreaSaysSo() {
-        const auto prepared = prepareBehavior(read(R"("behavior": "test/hop")"), plugins_);
-        QVERIFY(!prepared.has_value());
-        QCOMPARE(QString::fromStdString(prepared.error().text()),
-                 QString("m.json:3:13: test/hop: it needs a mission area. Add \"area\" with x, y, width and height in "
-                         "meters to the mission."));
-    }
+    void aBehaviorThatNeedsAnAreaSaysSo();
 
 private:
     /// The members stand on lines 3 and on.
@@ -161,6 +84,100 @@ private:
 
     agent::PluginLoader plugins_;
 };
+
+void tst_MissionCheck::takesWhatIsRight() {
+    const Mission mission = read(R"("behavior": "test/hop", "area": {"x": 0, "y": 0, "width": 4, "height": 2},
+    "parameters": {"ticks": 3, "lean_rad": 45}, "start": "robot1")");
+    const auto prepared = prepareBehavior(mission, plugins_);
+    QVERIFY2(prepared.has_value(), prepared ? "" : prepared.error().text().c_str());
+    QCOMPARE(prepared->parameters.real("lean_rad"), pi / 4);
+    QVERIFY(checkAreaInside(mission, world));
+    QVERIFY(startPoseOf(mission, {{{"Robot1", {}}}}));
+}
+
+void tst_MissionCheck::rejectsWrongBehaviorsAndParametersWithTheirPlace_data() {
+    QTest::addColumn<QByteArray>("behavior");
+    QTest::addColumn<QByteArray>("parameters");
+    QTest::addColumn<QString>("said");
+    const QByteArray hop = "test/hop";
+    QTest::newRow("an unknown behavior") << QByteArray("test/hip") << QByteArray()
+                                         << "m.json:3:13: behavior test/hip: no loaded plugin has this behavior.";
+    QTest::newRow("an unknown parameter") << hop << QByteArray(R"("ticks": 3, "leen_rad": 3)")
+                                          << "m.json:4:29: parameter leen_rad: there is no such parameter. "
+                                             "Did you mean lean_rad?";
+    QTest::newRow("a value out of range")
+        << hop << QByteArray(R"("ticks": 0)") << "m.json:4:26: parameter ticks: 0 is out of range. Give 1 to ";
+    QTest::newRow("a value of the wrong type")
+        << hop << QByteArray(R"("ticks": "many")") << "m.json:4:26: parameter ticks: \"many\" is a text. Give a whole";
+    QTest::newRow("an angle, told as it is written") << hop << QByteArray(R"("lean_rad": 46)")
+                                                     << "m.json:4:29: parameter lean_rad: 46 is out of range. "
+                                                        "Give 0 to 45 deg.";
+}
+
+void tst_MissionCheck::rejectsWrongBehaviorsAndParametersWithTheirPlace() {
+    QFETCH(QByteArray, behavior);
+    QFETCH(QByteArray, parameters);
+    QFETCH(QString, said);
+    const Mission mission = read("\"behavior\": \"" + behavior + "\",\n \"parameters\": {" + parameters +
+                                 R"(}, "area": {"x": 0, "y": 0, "width": 4, "height": 2})");
+    const auto prepared = prepareBehavior(mission, plugins_);
+    QVERIFY(!prepared.has_value());
+    const QString text = QString::fromStdString(prepared.error().text());
+    QVERIFY2(text.startsWith(said), qPrintable(text));
+}
+
+void tst_MissionCheck::rejectsAnAreaOutsideTheWorldWithItsPlace() {
+    const auto inside = checkAreaInside(read(R"("area": {"x": 0, "y": 0, "width": 40, "height": 2})"), world);
+    QVERIFY(!inside.has_value());
+    QCOMPARE(inside.error().where, std::string("m.json:3:9"));
+    QVERIFY2(inside.error().text().find("reaches outside the world") != std::string::npos,
+             inside.error().text().c_str());
+}
+
+void tst_MissionCheck::aWorldOfUnknownSizeHasRoomForAll() {
+    QVERIFY(checkAreaInside(read(R"("area": {"x": 0, "y": 0, "width": 40, "height": 2})"), {}));
+}
+
+void tst_MissionCheck::rejectsAnUnknownStartPoseWithItsPlace() {
+    const auto pose = startPoseOf(read(R"("start": "Roof", "area": {"x": 0, "y": 0, "width": 4, "height": 2})"),
+                                  {{{"PlayerStart", {}}, {"robot1", {}}}});
+    QVERIFY(!pose.has_value());
+    QCOMPARE(QString::fromStdString(pose.error().text()),
+             QString("m.json:3:10: Roof: the server knows no start pose with this name. It has PlayerStart, robot1."));
+}
+
+void tst_MissionCheck::takesAPersonsOwnPlan() {
+    QTemporaryDir folder;
+    const QByteArray text = "((DC own (drives ((first Tick)))))";
+    const QString path = fileIn(folder, "own.lap", text);
+    const Mission mission = read(R"("behavior": "test/planned", "plan": ")" + path.toUtf8() + '"');
+    const auto prepared = prepareBehavior(mission, plugins_);
+    QVERIFY2(prepared.has_value(), prepared ? "" : prepared.error().text().c_str());
+    QVERIFY(prepared->plan == (agent::PlanText{path.toStdString(), text.toStdString()}));
+    QVERIFY(!prepareBehavior(read(R"("behavior": "test/planned")"), plugins_)->plan);
+}
+
+void tst_MissionCheck::refusesAPlanBeforeAnythingMoves() {
+    QFETCH(QByteArray, behavior);
+    QFETCH(QByteArray, text);
+    QFETCH(QString, says);
+    QTemporaryDir folder;
+    const QString path = text.isEmpty() ? folder.filePath("none.lap") : fileIn(folder, "own.lap", text);
+    const auto prepared = prepareBehavior(read("\"behavior\": \"" + behavior + "\", \"plan\": \"" + path.toUtf8() +
+                                               R"(", "area": {"x": 0, "y": 0, "width": 4, "height": 2})"),
+                                          plugins_);
+    QVERIFY(!prepared.has_value());
+    const QString said = QString::fromStdString(prepared.error().text());
+    QVERIFY2(said.startsWith("m.json:3:") && said.contains(says), qPrintable(said));
+}
+
+void tst_MissionCheck::aBehaviorThatNeedsAnAreaSaysSo() {
+    const auto prepared = prepareBehavior(read(R"("behavior": "test/hop")"), plugins_);
+    QVERIFY(!prepared.has_value());
+    QCOMPARE(QString::fromStdString(prepared.error().text()),
+             QString("m.json:3:13: test/hop: it needs a mission area. Add \"area\" with x, y, width and height in "
+                     "meters to the mission."));
+}
 
 USAR_TEST(tst_MissionCheck)
 

@@ -8,7 +8,7 @@
 
 #include "core/base/stick.h"
 
-namespace usar::app {
+namespace usar::widgets {
 
 /// Uses SDL's mappings, so that sticks and buttons have the same places on every pad. The left stick drives and turns,
 /// the right one moves sideways, up and down; both have a dead zone. The pad is read in a thread of its own; signals
@@ -44,4 +44,4 @@ private:
     QString name_;
 };
 
-} // namespace usar::app
+} // namespace usar::widgets

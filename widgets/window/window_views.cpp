@@ -1,15 +1,13 @@
-#include "app/views/window_views.h"
+#include "widgets/window/window_views.h"
 
 #include <QToolBar>
 #include <QVBoxLayout>
 
 #include "widgets/style/theme.h"
 
-namespace usar::app {
+namespace usar::widgets {
 
 namespace {
-
-using namespace usar::widgets;
 
 QDockWidget* addDock(QMainWindow& window, WindowViews& views, const QString& name, const QString& title,
                      Qt::DockWidgetArea area, QWidget* content) {
@@ -164,4 +162,4 @@ WindowViews makeViews(QMainWindow& window) {
     return views;
 }
 
-} // namespace usar::app
+} // namespace usar::widgets

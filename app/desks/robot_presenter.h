@@ -2,15 +2,15 @@
 #pragma once
 
 #include "app/host/mission_control.h"
-#include "app/views/window_views.h"
 #include "core/mission/fleet/trace_watch.h"
+#include "widgets/window/window_views.h"
 
 namespace usar::app {
 
 /// The map shows every robot; instruments, sensors, plots and the height layer show the selected one. GUI thread.
 class RobotPresenter {
 public:
-    RobotPresenter(MissionControl& control, WindowViews& views) : control_(control), views_(views) {}
+    RobotPresenter(MissionControl& control, widgets::WindowViews& views) : control_(control), views_(views) {}
 
     /// Shows an update of the robot `id`, which must exist. `selected`: it is the selected one.
     void show(int id, const mission::SessionUpdate& update, bool selected);
@@ -41,7 +41,7 @@ private:
     void noteHeard(const mission::SessionUpdate& update);
 
     MissionControl& control_;
-    WindowViews& views_;
+    widgets::WindowViews& views_;
     std::map<int, mission::TraceWatch> traces_; ///< by connection
     std::map<int, std::uint64_t> not_shown_;    ///< number of lines left out of updates so far, by connection
     // The following belong to the selected robot.

@@ -1,3 +1,5 @@
+#include "widgets/drive/gamepad.h"
+
 #include <SDL.h>
 
 #include <algorithm>
@@ -8,11 +10,9 @@
 
 #include <QThread>
 
-#include "app/host/gamepad.h"
-#include "core/link/across_threads.h"
-#include "core/mission/hand/stick_shaper.h"
+#include "core/base/hand_over.h"
 
-namespace usar::app {
+namespace usar::widgets {
 
 namespace {
 
@@ -36,8 +36,8 @@ PadState read(SDL_GameController* pad) {
     double forward = -axis(pad, SDL_CONTROLLER_AXIS_LEFTY);
     double left = -axis(pad, SDL_CONTROLLER_AXIS_RIGHTX);
     double up = -axis(pad, SDL_CONTROLLER_AXIS_RIGHTY);
-    mission::applyDeadZone(turn, forward, dead_zone);
-    mission::applyDeadZone(left, up, dead_zone);
+    applyDeadZone(turn, forward, dead_zone);
+    applyDeadZone(left, up, dead_zone);
     return {{forward, left, turn, up},
             SDL_GameControllerGetButton(pad, SDL_CONTROLLER_BUTTON_B) != 0,
             SDL_GameControllerGetButton(pad, SDL_CONTROLLER_BUTTON_START) != 0};
@@ -65,7 +65,7 @@ private:
     /// Runs a call with the owner in the owner's thread.
     template <class Call>
     void tell(Call call) {
-        link::post(&owner_, [&owner = owner_, call = std::move(call)] { call(owner); });
+        QMetaObject::invokeMethod(&owner_, HandedOver([&owner = owner_, call = std::move(call)] { call(owner); }));
     }
     void run();
     void look();
@@ -152,4 +152,4 @@ void Gamepad::start() {
         reader_ = std::make_unique<Reader>(*this);
 }
 
-} // namespace usar::app
+} // namespace usar::widgets

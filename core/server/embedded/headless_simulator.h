@@ -12,13 +12,11 @@
 #include <QThread>
 
 #include "core/base/result.h"
-#include "core/mission/runs/mission_score.h"
-#include "core/mission/runs/run_summary.h"
 #include "core/server/simulator_server.h"
 #include "core/sim/rays/ray_caster.h"
 #include "core/sim/simulation.h"
 
-namespace usar::app {
+namespace usar::server {
 
 /// Options of a headless simulator.
 struct HeadlessSpec {
@@ -41,23 +39,25 @@ public:
     quint16 port() const { return port_; }
     /// Extent of the world in meters, map frame.
     Rectangle extent() const;
-    /// True heights of the world. The functions are valid as long as this object.
-    mission::Truth truth() const;
+    /// True height in meters, z up, at a point of the map frame: of what is seen from above (ground, crown or roof),
+    /// and of the bare terrain.
+    double surface_m(const Vec2& point_in_map_m) const { return rays_->surface_m(point_in_map_m); }
+    double ground_m(const Vec2& point_in_map_m) const { return simulation_->world().terrain.height_m(point_in_map_m); }
     /// `tell` is called in the thread of `context` with a sentence when a fault begins or ends.
     void onFault(QObject* context, const std::function<void(const QString&)>& tell);
-    /// Figures of the first robot; nullopt if there is none now. Waits for the simulator's thread.
-    std::optional<mission::TrueFigures> figures() const;
+    /// Truth about the first robot; nullopt if there is none now. Waits for the simulator's thread.
+    std::optional<sim::RobotTruth> firstRobot() const;
 
 private:
     HeadlessSimulator() = default;
 
     QThread thread_;
     QObject* worker_ = new QObject; ///< belongs to thread_, owns the server, and is deleted there
-    server::SimulatorServer* server_ = nullptr;
+    SimulatorServer* server_ = nullptr;
     /// Owned by the server and used in its thread only, except for the world, which does not change.
     const sim::Simulation* simulation_ = nullptr;
-    std::unique_ptr<sim::RayCaster> rays_; ///< for `truth`
+    std::unique_ptr<sim::RayCaster> rays_; ///< for `surface_m`
     quint16 port_ = 0;
 };
 
-} // namespace usar::app
+} // namespace usar::server

@@ -38,48 +38,48 @@
 #include "widgets/panels/terrain_profile_view.h"
 #include "widgets/plan/plan_panel.h"
 
-namespace usar::app {
+namespace usar::widgets {
 
 /// Pointers to children of the window; valid as long as the window. None is null after `makeViews`.
 struct WindowViews {
     // Top bars.
-    widgets::ConnectionBar* connection = nullptr;
-    widgets::TimeBar* time = nullptr;
-    widgets::StopButton* stop_all = nullptr;
-    widgets::RecordBadge* record = nullptr;
-    widgets::ControlBadge* driver = nullptr; ///< shows who drives the selected robot
-    widgets::DrivePanel* drive = nullptr;    ///< in drive_dock
+    ConnectionBar* connection = nullptr;
+    TimeBar* time = nullptr;
+    StopButton* stop_all = nullptr;
+    RecordBadge* record = nullptr;
+    ControlBadge* driver = nullptr; ///< shows who drives the selected robot
+    DrivePanel* drive = nullptr;    ///< in drive_dock
 
     // Center: strips above the map, and the map.
-    widgets::HintStrip* hint = nullptr;         ///< the first steps
-    widgets::ProgressStrip* progress = nullptr; ///< visible while a world or snapshot is being opened
-    widgets::ReplayBar* replay = nullptr;       ///< visible while a replay is selected
-    widgets::MapView* map = nullptr;
-    widgets::SpawnCard* spawn_card = nullptr; ///< a sheet in the map
+    HintStrip* hint = nullptr;         ///< the first steps
+    ProgressStrip* progress = nullptr; ///< visible while a world or snapshot is being opened
+    ReplayBar* replay = nullptr;       ///< visible while a replay is selected
+    MapView* map = nullptr;
+    SpawnCard* spawn_card = nullptr; ///< a sheet in the map
 
     // Contents of the docks.
-    widgets::RobotList* robots = nullptr;
-    widgets::BehaviorPanel* behavior = nullptr;
-    widgets::ParameterForm* parameters = nullptr; ///< part of `behavior`
-    widgets::StatusStrip* status = nullptr;       ///< figures of the instruments' dock
-    widgets::LaserFanView* laser = nullptr;
-    widgets::TerrainProfileView* terrain = nullptr;
-    widgets::SonarColumnsView* sonars = nullptr;
-    widgets::SensorPanel* sensors = nullptr;
-    widgets::CameraView* camera = nullptr;
-    widgets::PlotView* plots = nullptr;
-    widgets::PlanPanel* plan = nullptr;
-    widgets::MessageList* messages = nullptr;
-    widgets::CommandBox* command_box = nullptr;
+    RobotList* robots = nullptr;
+    BehaviorPanel* behavior = nullptr;
+    ParameterForm* parameters = nullptr; ///< part of `behavior`
+    StatusStrip* status = nullptr;       ///< figures of the instruments' dock
+    LaserFanView* laser = nullptr;
+    TerrainProfileView* terrain = nullptr;
+    SonarColumnsView* sonars = nullptr;
+    SensorPanel* sensors = nullptr;
+    CameraView* camera = nullptr;
+    PlotView* plots = nullptr;
+    PlanPanel* plan = nullptr;
+    MessageList* messages = nullptr;
+    CommandBox* command_box = nullptr;
     QLabel* message_count = nullptr;
     QToolButton* traffic = nullptr; ///< line counts of the shown connection
-    widgets::NotificationCenter* notifications = nullptr;
-    widgets::ToastStack* toasts = nullptr;
-    widgets::LayersPanel* layers = nullptr;
-    widgets::FaultPanel* faults = nullptr;
-    widgets::WorldPanel* world = nullptr; ///< palette and list of the world's objects
+    NotificationCenter* notifications = nullptr;
+    ToastStack* toasts = nullptr;
+    LayersPanel* layers = nullptr;
+    FaultPanel* faults = nullptr;
+    WorldPanel* world = nullptr; ///< palette and list of the world's objects
     QDockWidget* world_dock = nullptr;
-    widgets::RadioView* radio = nullptr;
+    RadioView* radio = nullptr;
 
     // Docks that desks raise or watch.
     QDockWidget* notifications_dock = nullptr;
@@ -96,4 +96,4 @@ struct WindowViews {
 /// called once for a window.
 WindowViews makeViews(QMainWindow& window);
 
-} // namespace usar::app
+} // namespace usar::widgets

@@ -1,4 +1,4 @@
-#include "app/host/quit_signals.h"
+#include "core/server/embedded/quit_signals.h"
 
 #include <array>
 #include <csignal>
@@ -7,7 +7,7 @@
 
 #include <QSocketNotifier>
 
-namespace usar::app {
+namespace usar::server {
 
 namespace {
 
@@ -43,4 +43,4 @@ QuitSignals::~QuitSignals() {
     }
 }
 
-} // namespace usar::app
+} // namespace usar::server

@@ -1,7 +1,7 @@
 // Gamepad for builds without SDL 2: there is never one.
-#include "app/host/gamepad.h"
+#include "widgets/drive/gamepad.h"
 
-namespace usar::app {
+namespace usar::widgets {
 
 class Gamepad::Reader {};
 
@@ -15,4 +15,4 @@ bool Gamepad::supported() {
 
 void Gamepad::start() {}
 
-} // namespace usar::app
+} // namespace usar::widgets

@@ -1,13 +1,12 @@
-#include "app/host/headless_simulator.h"
+#include "core/server/embedded/headless_simulator.h"
 
-#include "app/host/true_figures.h"
 #include "core/link/across_threads.h"
 #include "core/server/embedded/simulator_files.h"
 
-namespace usar::app {
+namespace usar::server {
 
 Result<std::unique_ptr<HeadlessSimulator>> HeadlessSimulator::start(const QString& world, const HeadlessSpec& spec) {
-    auto loaded = server::loadWorld(world);
+    auto loaded = loadWorld(world);
     if (!loaded)
         return tl::unexpected(loaded.error());
     return serve(*std::move(loaded), spec);
@@ -18,7 +17,7 @@ Result<std::unique_ptr<HeadlessSimulator>> HeadlessSimulator::serve(sim::World w
     options.seed = spec.seed;
     options.faults = spec.faults;
     options.battery_life = sim::survey_battery_life;
-    sim::RobotsRead robots = server::loadRobots();
+    sim::RobotsRead robots = loadRobots();
     for (const Error& refused : robots.refused)
         qWarning("%s", refused.text().c_str());
     options.robots = std::make_shared<const sim::RobotCatalog>(std::move(robots.robots));
@@ -34,10 +33,10 @@ Result<std::unique_ptr<HeadlessSimulator>> HeadlessSimulator::serve(sim::World w
     host->thread_.start();
     Result<quint16> port;
     const auto serve = [&] { // Sockets and timers must be made in the thread that uses them.
-        host->server_ = new server::SimulatorServer(*std::move(simulation), host->worker_);
+        host->server_ = new SimulatorServer(*std::move(simulation), host->worker_);
         port = host->server_->listen(0);
         host->server_->setTimeBeginsWithRobots(true);
-        host->server_->setPace(spec.speed_x ? server::Pace::Factor : server::Pace::Fast, spec.speed_x.value_or(1.0));
+        host->server_->setPace(spec.speed_x ? Pace::Factor : Pace::Fast, spec.speed_x.value_or(1.0));
     };
     link::postAndWait(host->worker_, serve);
     if (!port)
@@ -54,27 +53,18 @@ HeadlessSimulator::~HeadlessSimulator() {
 }
 
 void HeadlessSimulator::onFault(QObject* context, const std::function<void(const QString&)>& tell) {
-    link::connectAcross(server_, &server::SimulatorServer::faultTurned, context, tell);
+    link::connectAcross(server_, &SimulatorServer::faultTurned, context, tell);
 }
 
 Rectangle HeadlessSimulator::extent() const {
     return sim::extentOf(simulation_->world());
 }
 
-mission::Truth HeadlessSimulator::truth() const {
-    return {.surface_m = [this](const Vec2& point_m) { return rays_->surface_m(point_m); },
-            .ground_m = [this](const Vec2& point_m) { return simulation_->world().terrain.height_m(point_m); }};
-}
-
-std::optional<mission::TrueFigures> HeadlessSimulator::figures() const {
-    std::optional<mission::TrueFigures> figures;
-    const auto look = [this, &figures] {
-        const std::vector<sim::RobotTruth> robots = simulation_->robots();
-        if (!robots.empty())
-            figures = trueFiguresOf(robots.front());
-    };
+std::optional<sim::RobotTruth> HeadlessSimulator::firstRobot() const {
+    std::vector<sim::RobotTruth> robots;
+    const auto look = [this, &robots] { robots = simulation_->robots(); };
     link::postAndWait(worker_, look);
-    return figures;
+    return robots.empty() ? std::nullopt : std::optional(robots.front());
 }
 
-} // namespace usar::app
+} // namespace usar::server

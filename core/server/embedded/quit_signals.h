@@ -3,7 +3,7 @@
 
 #include <QObject>
 
-namespace usar::app {
+namespace usar::server {
 
 /// Turns SIGINT and SIGTERM into `quit`, through a pipe, because a signal handler can do little more than write to one.
 /// A second signal of the same kind ends the program at once. Create only one per program, in the main thread; the
@@ -19,4 +19,4 @@ signals:
     void quit();
 };
 
-} // namespace usar::app
+} // namespace usar::server

@@ -1,8 +1,10 @@
-#include "app/views/robot_presenter.h"
+#include "app/desks/robot_presenter.h"
 
 #include <utility>
 
+#include "core/mission/fleet/newest.h"
 #include "core/mission/fleet/robot_name.h"
+#include "core/mission/fleet/robot_words.h"
 #include "core/protocol/commands/spawn.h"
 #include "core/protocol/fields.h"
 #include "core/protocol/usual_values.h"
@@ -12,67 +14,15 @@ namespace usar::app {
 
 namespace {
 
-/// True for a replay of which nothing has been played.
-bool notBegun(const RobotView& view) {
-    return !view.recording.isEmpty() && view.figures.lines_received == 0;
-}
-
 widgets::MapRobot onMap(const RobotView& view) {
     return {QString::fromStdString(view.spawn.robot_name), view.id, view.base_in_map.value_or(view.spawn.start_in_map),
-            view.link.state != link::LinkState::Connected && !notBegun(view),
-            protocol::isStation(view.spawn.class_name)};
-}
-
-QString stateText(const RobotView& view) {
-    if (notBegun(view))
-        return QObject::tr("not begun");
-    if (view.link.state != link::LinkState::Connected)
-        return QObject::tr("no link");
-    if (view.finished)
-        return view.finished->success ? QObject::tr("done") : QObject::tr("ended early");
-    if (view.figures.behavior_running && view.status)
-        return QString::fromStdString(view.status->state);
-    if (view.figures.spawned)
-        return protocol::isStation(view.spawn.class_name) ? QObject::tr("listens") : QObject::tr("idle");
-    return view.figures.spawn == mission::SpawnState::Asked ? QObject::tr("spawning…") : QObject::tr("not spawned");
-}
-
-/// Returns the newest message of a type in this update, or nullptr.
-template <class Message>
-const Message* newest(const mission::SessionUpdate& update) {
-    for (auto line = update.lines.rbegin(); line != update.lines.rend(); ++line)
-        if (const auto* message = std::get_if<Message>(&line->message))
-            return message;
-    return nullptr;
-}
-
-/// Returns the newest value of a type that the behavior published in this update, or nullptr.
-template <class Value>
-const Value* newestPublished(const mission::SessionUpdate& update) {
-    for (auto value = update.published.rbegin(); value != update.published.rend(); ++value)
-        if (const auto* found = std::get_if<Value>(&*value))
-            return found;
-    return nullptr;
+            mission::isStale(view), protocol::isStation(view.spawn.class_name)};
 }
 
 /// True if a sensor that was heard has been silent for the time of five messages of the slowest server.
 bool silent(const std::optional<Seconds>& heard, Seconds now) {
     constexpr Seconds patience{1.0};
     return heard && now - *heard > patience;
-}
-
-QString wordFor(const mission::ControlState& state) {
-    if (!state.held)
-        return {};
-    switch (*state.held) {
-    case mission::HandSource::Keys:
-        return QObject::tr("keys");
-    case mission::HandSource::Pad:
-        return QObject::tr("pad");
-    case mission::HandSource::Gamepad:
-        break;
-    }
-    return state.device.empty() ? QObject::tr("gamepad") : QString::fromStdString(state.device);
 }
 
 /// Scanners of flying robots look down. Unknown counts as flying, because a UDK server does not report the vehicle's
@@ -92,7 +42,7 @@ widgets::ControlWords controlWords(const MissionControl& control, const Robot* r
     if (robot->isReplay() || state.reins == mission::Reins::Nobody)
         return {nameOf(*robot), Driver::Nobody, {}};
     if (state.reins == mission::Reins::Hand)
-        return {nameOf(*robot), Driver::Person, wordFor(state)};
+        return {nameOf(*robot), Driver::Person, mission::deviceText(state)};
     const agent::BehaviorDescription* const behavior = control.plugins().behavior(state.behavior_id);
     return {nameOf(*robot), Driver::Behavior, QString::fromStdString(behavior ? behavior->name : state.behavior_id)};
 }
@@ -146,8 +96,8 @@ void RobotPresenter::showRow(int id) {
     row.number = id;
     row.name = QString::fromStdString(view.spawn.robot_name);
     row.class_name = QString::fromStdString(view.spawn.class_name).section('.', -1);
-    row.state = view.recording.isEmpty() ? stateText(view) : QObject::tr("replay · %1").arg(stateText(view));
-    row.stale = view.link.state != link::LinkState::Connected && !notBegun(view);
+    row.state = mission::stateText(view);
+    row.stale = mission::isStale(view);
     row.driver = controlWords(control_, robot);
     if (view.status && view.status->battery_used_pct)
         row.battery_pct = 100.0 - *view.status->battery_used_pct;
@@ -160,7 +110,7 @@ void RobotPresenter::showOnMap(const RobotView& view, const mission::SessionUpda
     for (const agent::Published& published : update.published)
         if (const auto* estimate = std::get_if<agent::PoseEstimate>(&published))
             views_.map->setRobot({name, view.id, estimate->base_in_map, false});
-    if (newestPublished<agent::CurrentGoal>(update))
+    if (mission::newestPublished<agent::CurrentGoal>(update))
         views_.map->setGoal(name, view.goal_m);
     if (!update.last_hits.empty())
         views_.map->setLaserHits(name, update.last_hits);
@@ -170,7 +120,7 @@ void RobotPresenter::showOnMap(const RobotView& view, const mission::SessionUpda
     for (const agent::Published& published : update.published)
         if (const auto* mark = std::get_if<agent::MapMark>(&published))
             views_.map->addMark(*mark);
-    if (const auto* path = newestPublished<agent::PlannedPath>(update))
+    if (const auto* path = mission::newestPublished<agent::PlannedPath>(update))
         views_.map->setLanes(path->points_in_map_m);
 }
 
@@ -184,15 +134,16 @@ void RobotPresenter::showInstruments(const RobotView& view, const mission::Sessi
         views_.status->setIdle(QObject::tr("Idle"));
     }
     views_.status->setCoverage(control_.robot(view.id)->coverage_pct());
-    if (const auto* state = newest<protocol::RobotState>(update))
+    if (const auto* state = mission::newest<protocol::RobotState>(update))
         scan_plane_ = scanPlaneOf(state->kind);
-    if (const auto* scan = newest<protocol::RangeScan>(update))
+    if (const auto* scan = mission::newest<protocol::RangeScan>(update))
         views_.laser->setScan(*scan, protocol::usual_scanner_maximum_m, scan_plane_);
     if (update.ground)
         views_.terrain->setProfile(*update.ground);
-    if (const auto* zones = newestPublished<agent::SonarZones>(update)) {
+    if (const auto* zones = mission::newestPublished<agent::SonarZones>(update)) {
         views_.sonars->setZones(*zones);
-    } else if (const auto* sonars = newest<protocol::SonarReadings>(update); sonars && !view.figures.behavior_running) {
+    } else if (const auto* sonars = mission::newest<protocol::SonarReadings>(update);
+               sonars && !view.figures.behavior_running) {
         std::map<std::string, double> ranges_m;
         for (const protocol::NamedRange& sonar : sonars->ranges)
             ranges_m[sonar.name] = sonar.range_m;
@@ -213,9 +164,9 @@ void RobotPresenter::showLinkState(int id) {
 }
 
 void RobotPresenter::noteHeard(const mission::SessionUpdate& update) {
-    if (newest<protocol::RangeScan>(update))
+    if (mission::newest<protocol::RangeScan>(update))
         scan_heard_ = update.figures.now;
-    if (newest<protocol::SonarReadings>(update))
+    if (mission::newest<protocol::SonarReadings>(update))
         sonar_heard_ = update.figures.now;
 }
 

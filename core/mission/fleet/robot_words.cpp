@@ -1,0 +1,106 @@
+#include "core/mission/fleet/robot_words.h"
+
+#include "core/protocol/commands/spawn.h"
+
+namespace usar::mission {
+
+namespace {
+
+QString liveStateText(const RobotView& view) {
+    const auto tr = [](const char* text) { return QObject::tr(text); };
+    if (hasNotBegun(view))
+        return tr("not begun");
+    if (view.link.state != link::LinkState::Connected)
+        return tr("no link");
+    if (view.finished)
+        return view.finished->success ? tr("done") : tr("ended early");
+    if (view.figures.behavior_running && view.status)
+        return QString::fromStdString(view.status->state);
+    if (view.figures.spawned)
+        return protocol::isStation(view.spawn.class_name) ? tr("listens") : tr("idle");
+    return view.figures.spawn == SpawnState::Asked ? tr("spawning…") : tr("not spawned");
+}
+
+} // namespace
+
+bool hasNotBegun(const RobotView& view) {
+    return !view.recording.isEmpty() && view.figures.lines_received == 0;
+}
+
+bool isStale(const RobotView& view) {
+    return view.link.state != link::LinkState::Connected && !hasNotBegun(view);
+}
+
+QString stateText(const RobotView& view) {
+    return view.recording.isEmpty() ? liveStateText(view) : QObject::tr("replay · %1").arg(liveStateText(view));
+}
+
+QString deviceText(const ControlState& state) {
+    if (!state.held)
+        return {};
+    const bool named = *state.held == HandSource::Gamepad && !state.device.empty();
+    return QString::fromStdString(named ? state.device : wordOf(*state.held));
+}
+
+QString driveNote(const ControlState& state, bool taken) {
+    if (!taken)
+        return state.reins == Reins::Behavior ? QObject::tr("Taking control pauses the behavior.") : QString();
+    if (!state.hindrance.empty())
+        return QString::fromStdString(state.hindrance);
+    if (state.learning)
+        return QObject::tr("Asking the server how it is driven…");
+    if (state.held)
+        return {};
+    return state.last_stop.empty()
+               ? QObject::tr("Hold a key, the pad or a gamepad's stick. Space stops, Shift drives slower.")
+               : QObject::tr("Stopped: %1.").arg(QString::fromStdString(state.last_stop));
+}
+
+Absence whyNotDriven(const RobotView* view) {
+    const auto tr = [](const char* text) { return QObject::tr(text); };
+    if (!view)
+        return {tr("No robot yet"), tr("Double-click a start pose on the map; then drive it from here.")};
+    const QString name = QString::fromStdString(view->spawn.robot_name);
+    if (!view->recording.isEmpty())
+        return {tr("A recording cannot be driven"), tr("What it shows has happened already.")};
+    if (protocol::isStation(view->spawn.class_name))
+        return {tr("%1 does not move").arg(name), tr("It is a base station.")};
+    if (view->link.state != link::LinkState::Connected)
+        return {tr("No link to %1").arg(name),
+                tr("The server removes a robot with its connection. Spawn it again when connected.")};
+    if (!view->figures.spawned)
+        return {tr("%1 is not there").arg(name), tr("It can be driven once it is spawned.")};
+    return {};
+}
+
+Absence whyNoPicture(const RobotView* view, const PictureFacts& facts) {
+    const auto tr = [](const char* text) { return QObject::tr(text); };
+    const QString remedy = facts.classes_with_camera.isEmpty()
+                               ? tr("Spawn a robot that has a camera.")
+                               : tr("Spawn a robot that has one: %1.").arg(facts.classes_with_camera.join(", "));
+    if (!view)
+        return {tr("No robot yet"), tr("Pictures of the selected robot's camera appear here. %1").arg(remedy)};
+    const QString name = QString::fromStdString(view->spawn.robot_name);
+    if (!view->recording.isEmpty())
+        return {tr("A recording has no pictures"), tr("Pictures come from a server while a robot runs.")};
+    if (!facts.live)
+        return {tr("%1 is not there").arg(name), tr("Its pictures appear here once it is spawned.")};
+    if (!facts.has_camera)
+        return {tr("%1 has no camera").arg(name),
+                tr("%1 carries none. %2").arg(QString::fromStdString(view->spawn.class_name).section('.', -1), remedy)};
+    if (!facts.has_server)
+        return {tr("No image server"),
+                tr("The embedded simulator could not open a port for pictures. Disconnect, then connect again.")};
+    return {};
+}
+
+QString whyNoLookBack(const RobotView* view) {
+    if (!view)
+        return QObject::tr("No robot is selected");
+    if (!view->recording.isEmpty())
+        return QObject::tr("This is a replay: its slider moves map and sensors, too");
+    return view->figures.recording ? QString()
+                                   : QObject::tr("This robot is not being recorded; Ctrl+Alt+R starts recording");
+}
+
+} // namespace usar::mission

@@ -1,0 +1,43 @@
+// What the window says about a robot in a few words: its state, who drives it, and why it cannot be driven by hand.
+#pragma once
+
+#include <QStringList>
+
+#include "core/mission/fleet/robot.h"
+
+namespace usar::mission {
+
+/// True for a replay of which nothing has been played.
+bool hasNotBegun(const RobotView& view);
+/// True if the robot has no link to its server; a replay that has not begun has none to lose.
+bool isStale(const RobotView& view);
+/// The robot's state, as the list of robots shows it: "idle", "no link", or the behavior's own word. A replay is marked
+/// as one.
+QString stateText(const RobotView& view);
+
+/// Name of the device by which the user drives the robot now; empty if none is held.
+QString deviceText(const ControlState& state);
+/// A sentence for the user who drives the robot or could take it: what is missing, why it stopped, or what to do. Empty
+/// if there is nothing to say. `taken`: the user has control, or has requested it.
+QString driveNote(const ControlState& state, bool taken);
+
+/// Says why something cannot be shown, and what to do.
+struct Absence {
+    QString title; ///< empty: nothing is missing
+    QString hint;
+};
+/// Why the robot cannot be driven by hand. `view` null: no robot is selected.
+Absence whyNotDriven(const RobotView* view);
+/// What is known about the pictures of a robot's camera.
+struct PictureFacts {
+    bool live = false;               ///< the robot is spawned and connected, and no replay
+    bool has_camera = true;          ///< false: it is known to have none
+    bool has_server = true;          ///< false: the embedded simulator has no image server
+    QStringList classes_with_camera; ///< without package; empty: unknown
+};
+/// Why there can be no picture of the robot's camera. `view` null: no robot is selected.
+Absence whyNoPicture(const RobotView* view, const PictureFacts& facts);
+/// Why the recording of the running robot cannot be looked at; empty if it can. `view` null: no robot is selected.
+QString whyNoLookBack(const RobotView* view);
+
+} // namespace usar::mission

@@ -1,0 +1,66 @@
+#include "core/server/embedded/server_target.h"
+
+#include "core/server/embedded/simulator_files.h"
+#include "core/server/embedded/simulator_settings.h"
+
+namespace usar::server {
+
+namespace {
+
+Result<void> readServer(const QString& text, ServerTarget& server) {
+    const int colon = static_cast<int>(text.lastIndexOf(':'));
+    if (colon <= 0)
+        return failure("\"" + text.toStdString() + "\" is no host and port", "--connect", "Write host:port");
+    const auto port = readPort(text.mid(colon + 1), "connect");
+    if (!port)
+        return tl::unexpected(port.error());
+    server.embedded = false;
+    server.host = text.left(colon);
+    server.port = *port;
+    return {};
+}
+
+Result<void> readSimulator(const QCommandLineParser& parser, ServerTarget& server) {
+    bool ok = false;
+    server.simulator.world = parser.value("world");
+    server.simulator.seed = parser.value("seed").toULongLong(&ok);
+    if (!ok)
+        return failure("\"" + parser.value("seed").toStdString() + "\" is no seed", "--seed", "Give a whole number");
+    for (const auto& [option, number] :
+         {std::pair("port", &server.simulator.port), std::pair("wireless-port", &server.simulator.channels.wireless)}) {
+        const auto port = readPort(parser.value(option), option);
+        if (!port)
+            return tl::unexpected(port.error());
+        *number = *port;
+    }
+    auto faults = readFaults(parser.values("fault"));
+    if (!faults)
+        return tl::unexpected(faults.error());
+    server.simulator.faults = *std::move(faults);
+    return {};
+}
+
+} // namespace
+
+void addServerOptions(QCommandLineParser& parser) {
+    const ServerTarget usual;
+    parser.addOptions({{"connect", "A USARSim server instead of the embedded simulator.", "host:port"},
+                       {"world", "World of the embedded simulator: a name or a folder.", "world", "tall_test"},
+                       {"seed", "Seed of the embedded simulator.", "number", "1"},
+                       {"fault", "Fault to inject into the embedded simulator; usar-sim --help lists them.", "text"},
+                       {"port", "Port of the embedded simulator.", "port", QString::number(usual.port)},
+                       {"wireless-port", "Port of the wireless server, embedded or beside a USARSim server.", "port",
+                        QString::number(usual.simulator.channels.wireless)}});
+}
+
+Result<ServerTarget> readServerTarget(const QCommandLineParser& parser) {
+    ServerTarget server;
+    if (const auto read = readSimulator(parser, server); !read)
+        return tl::unexpected(read.error());
+    if (parser.isSet("connect"))
+        if (const auto read = readServer(parser.value("connect"), server); !read)
+            return tl::unexpected(read.error());
+    return server;
+}
+
+} // namespace usar::server

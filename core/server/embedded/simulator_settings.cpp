@@ -1,0 +1,132 @@
+#include "core/server/embedded/simulator_settings.h"
+
+#include <cmath>
+
+#include "core/base/numbers.h"
+#include "core/server/embedded/simulator_files.h"
+
+namespace usar::server {
+
+namespace {
+
+const QStringList image_types{"raw", "superb", "good", "normal", "fair", "bad"}; // In the order of link::ImageType.
+
+Result<void> readSpeed(const std::string& text, SimulatorSettings& settings) {
+    if (text == "max") {
+        settings.pace = Pace::Fast;
+        return {};
+    }
+    const std::optional<double> factor = readNumber(text);
+    if (!factor || !std::isfinite(*factor) || *factor < 0.0 || *factor > 10000.0)
+        return failure("'" + text + "' is no speed", "--speed", "Give a factor such as 1 or 10, max, or 0 for paused");
+    settings.pace = *factor > 0.0 ? Pace::Factor : Pace::Paused;
+    settings.factor = *factor > 0.0 ? *factor : 1.0;
+    return {};
+}
+
+Result<long long> readWhole(const QString& words, const QString& option, long long most) {
+    const std::string text = words.toStdString();
+    const std::optional<long long> value = readInteger(text);
+    if (!value || *value < 0 || *value > most)
+        return failure("'" + text + "' is not a whole number from 0 to " + std::to_string(most),
+                       "--" + option.toStdString(), "Give such a number");
+    return *value;
+}
+
+std::vector<std::pair<QString, quint16*>> portOptions(SimulatorSettings& settings) {
+    return {{"port", &settings.port},
+            {"image-port", &settings.channels.image},
+            {"wireless-port", &settings.channels.wireless},
+            {"comserver-port", &settings.channels.comserver},
+            {"cominterface-port", &settings.channels.cominterface}};
+}
+
+} // namespace
+
+Result<quint16> readPort(const QString& text, const QString& option) {
+    const auto port = readWhole(text, option, 65535);
+    return port ? Result<quint16>(static_cast<quint16>(*port)) : tl::unexpected(port.error());
+}
+
+void addSimulatorOptions(QCommandLineParser& parser) {
+    parser.addOptions(
+        {{"world", "World that comes with the program, or a world folder.", "name|folder", "tall_test"},
+         {"port", "TCP port; 0 chooses a free one.", "number", QString::number(protocol::usual_port::bot)},
+         {"image-port", "TCP port of the image server; 0 chooses a free one.", "number",
+          QString::number(protocol::usual_port::image)},
+         {"image-type", "How pictures are sent: raw, or as JPEG from superb to bad quality.", "type", "good"},
+         {"image-first", "The image server sends its first picture without being asked, as the oldest one did."},
+         {"wireless-port", "TCP port of the wireless server.", "number",
+          QString::number(protocol::usual_port::wireless)},
+         {"comserver-port", "TCP port of the ComServer.", "number", QString::number(protocol::usual_port::com_server)},
+         {"cominterface-port", "TCP port for the questions of another program's wireless server.", "number",
+          QString::number(protocol::usual_port::com_interface)},
+         {"seed", "Equal seeds and equal commands give equal bytes.", "number", "1"},
+         {"profile", "Dialect of the server: ut2004 or udk.", "profile", "ut2004"},
+         {"resume", "Snapshot to continue from; world, seed, profile and faults come from it.", "file"},
+         {"save", "File for a snapshot that is saved when the program ends.", "file"},
+         {"fault", "Fault to inject; repeat the option for more faults. See above.", "text"},
+         {"speed", "Multiple of real time: a factor, max, or 0 for paused.", "factor", "1"}});
+}
+
+Result<SimulatorSettings> readSimulatorSettings(const QCommandLineParser& parser) {
+    if (!parser.positionalArguments().isEmpty())
+        return failure("unknown argument '" + parser.positionalArguments().first().toStdString() + "'", "",
+                       "See usar-sim --help");
+    SimulatorSettings settings;
+    settings.world = parser.value("world");
+    settings.resume = parser.value("resume");
+    settings.save = parser.value("save");
+    for (const auto& [option, port] : portOptions(settings)) {
+        const auto number = readPort(parser.value(option), option);
+        if (!number)
+            return tl::unexpected(number.error());
+        *port = *number;
+    }
+    const auto seed = readWhole(parser.value("seed"), "seed", INT64_MAX);
+    if (!seed)
+        return tl::unexpected(seed.error());
+    settings.seed = static_cast<std::uint64_t>(*seed);
+    if (const auto speed = readSpeed(parser.value("speed").toStdString(), settings); !speed)
+        return tl::unexpected(speed.error());
+    const QString profile = parser.value("profile").toLower();
+    if (profile != "ut2004" && profile != "udk")
+        return failure("'" + profile.toStdString() + "' is no profile", "--profile", "Say ut2004 or udk");
+    settings.profile = profile == "udk" ? protocol::Dialect::Udk : protocol::Dialect::Ut2004;
+    auto faults = readFaults(parser.values("fault"));
+    if (!faults)
+        return tl::unexpected(faults.error());
+    settings.faults = *std::move(faults);
+    const auto type = static_cast<int>(image_types.indexOf(parser.value("image-type").toLower()));
+    if (type < 0)
+        return failure("'" + parser.value("image-type").toStdString() + "' is no type of picture", "--image-type",
+                       "Say " + image_types.join(", ").toStdString());
+    settings.images = {static_cast<link::ImageType>(type), parser.isSet("image-first")};
+    return settings;
+}
+
+Result<std::unique_ptr<sim::Simulation>> makeSimulation(const SimulatorSettings& settings,
+                                                        const std::function<void(const Error&)>& refused) {
+    sim::RobotsRead robots = loadRobots();
+    for (const Error& reason : robots.refused)
+        refused(reason);
+    auto catalog = std::make_shared<const sim::RobotCatalog>(std::move(robots.robots));
+    if (!settings.resume.isEmpty())
+        return resumeSimulation(settings.resume, std::move(catalog));
+    auto world = loadWorld(settings.world);
+    if (!world)
+        return tl::unexpected(world.error());
+    sim::SimulationOptions options;
+    options.seed = settings.seed;
+    options.profile = settings.profile;
+    options.faults = settings.faults;
+    options.world_source = settings.world.toStdString();
+    if (settings.profile == protocol::Dialect::Udk) { // The robot's state at 10 Hz, sensors at their intervals.
+        options.tick /= 2.0;
+        options.physics_steps_per_tick /= 2;
+    }
+    options.robots = std::move(catalog);
+    return sim::Simulation::make(std::move(*world), options);
+}
+
+} // namespace usar::server

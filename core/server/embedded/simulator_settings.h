@@ -1,0 +1,43 @@
+// The command line of usar-sim as a value, and the simulation that it describes.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include <QCommandLineParser>
+
+#include "core/base/result.h"
+#include "core/server/embedded/simulator_channels.h"
+#include "core/sim/simulation.h"
+
+namespace usar::server {
+
+/// Default-constructed: the settings of a call without arguments, but for the world.
+struct SimulatorSettings {
+    QString world; ///< name or folder
+    quint16 port = protocol::usual_port::bot;
+    ChannelPorts channels;
+    ImageServerOptions images;
+    std::uint64_t seed = 1;
+    Pace pace = Pace::Factor;
+    double factor = 1.0; ///< simulated seconds per real second
+    QString resume;      ///< snapshot to continue from; empty: none
+    QString save;        ///< where a snapshot is saved at the end; empty: nowhere
+    std::vector<sim::Fault> faults;
+    protocol::Dialect profile = protocol::Dialect::Ut2004;
+};
+
+/// Reads a TCP port, 0 to 65535. The error names the option.
+Result<quint16> readPort(const QString& text, const QString& option);
+
+/// Adds the options with their help and defaults; --help and --version are left to the caller.
+void addSimulatorOptions(QCommandLineParser& parser);
+/// Reads the options of a parser that has parsed the command line. The error names the option that is wrong.
+Result<SimulatorSettings> readSimulatorSettings(const QCommandLineParser& parser);
+
+/// Makes the simulation: that of the snapshot, or a new one. Robot files that cannot be read are reported to `refused`
+/// and left out. An error names the world or snapshot.
+Result<std::unique_ptr<sim::Simulation>> makeSimulation(const SimulatorSettings& settings,
+                                                        const std::function<void(const Error&)>& refused);
+
+} // namespace usar::server

@@ -1,0 +1,89 @@
+// The words and keys of commands, read from a table.
+#include <set>
+
+#include <QTest>
+
+#include "tests/suite/suite.h"
+#include "widgets/commands/command_table.h"
+#include "widgets/style/icons.h"
+
+namespace tst_command_table {
+
+using namespace usar::widgets;
+
+class tst_CommandTable : public QObject {
+    Q_OBJECT
+private slots:
+    void aRowIsRead();
+    void keysAreRead_data();
+    void keysAreRead();
+    void textThatIsNoTableIsEmpty();
+    void everyCommandOfTheProgramIsComplete();
+    void noIdAndNoKeyIsUsedTwice();
+};
+
+void tst_CommandTable::aRowIsRead() {
+    const auto table = readCommandTable(R"({"Map": {"map.follow": {"text": "Follow robot", "icon": "follow",
+        "checkable": true, "keys": ["Shift+F"], "help": "Keeps the robot in the center"}, "map.fit": {"text": "Fit"}}})");
+    QCOMPARE(table.size(), 2u);
+    QCOMPARE(table[0].id, QString("map.fit"));
+    QCOMPARE(table[0].group, QString("Map"));
+    QVERIFY(!table[0].checkable);
+    QVERIFY(table[0].shortcuts.isEmpty());
+    QCOMPARE(table[1].text, QString("Follow robot"));
+    QCOMPARE(table[1].help, QString("Keeps the robot in the center"));
+    QCOMPARE(table[1].icon, QString("follow"));
+    QVERIFY(table[1].checkable);
+}
+
+void tst_CommandTable::keysAreRead_data() {
+    QTest::addColumn<QByteArray>("keys");
+    QTest::addColumn<QList<QKeySequence>>("read");
+    QTest::newRow("a letter") << QByteArray(R"(["G"])") << QList<QKeySequence>{QKeySequence(Qt::Key_G)};
+    QTest::newRow("two") << QByteArray(R"(["Alt++", "Alt+="])")
+                         << QList<QKeySequence>{QKeySequence(Qt::ALT | Qt::Key_Plus),
+                                                QKeySequence(Qt::ALT | Qt::Key_Equal)};
+    QTest::newRow("a bracket") << QByteArray(R"(["Ctrl+["])")
+                               << QList<QKeySequence>{QKeySequence(Qt::CTRL | Qt::Key_BracketLeft)};
+    QTest::newRow("that of the desktop") << QByteArray(R"(["StandardKey::Undo"])")
+                                         << QList<QKeySequence>{QKeySequence(QKeySequence::Undo)};
+    QTest::newRow("none") << QByteArray("[]") << QList<QKeySequence>{};
+}
+
+void tst_CommandTable::keysAreRead() {
+    QFETCH(QByteArray, keys);
+    const auto table = readCommandTable(R"({"Any": {"any.one": {"text": "One", "keys": )" + keys + "}}}");
+    QCOMPARE(table.size(), 1u);
+    QTEST(table[0].shortcuts, "read");
+}
+
+void tst_CommandTable::textThatIsNoTableIsEmpty() {
+    QVERIFY(readCommandTable("").empty());
+    QVERIFY(readCommandTable("{\"Map\": {").empty());
+}
+
+void tst_CommandTable::everyCommandOfTheProgramIsComplete() {
+    QVERIFY(commandTable().size() > 100);
+    for (const CommandSpec& spec : commandTable()) {
+        QVERIFY2(!spec.text.isEmpty() && !spec.help.isEmpty(), qPrintable(spec.id));
+        QVERIFY2(spec.icon.isEmpty() || iconNames().contains(spec.icon), qPrintable(spec.id + ": " + spec.icon));
+        for (const QKeySequence& keys : spec.shortcuts)
+            QVERIFY2(!keys.isEmpty() && !keys.toString().isEmpty(), qPrintable(spec.id));
+        QCOMPARE(&commandSpec(spec.id), &spec);
+    }
+}
+
+void tst_CommandTable::noIdAndNoKeyIsUsedTwice() {
+    std::set<QString> used;
+    for (const CommandSpec& spec : commandTable()) {
+        QVERIFY2(used.insert(spec.id).second, qPrintable(spec.id));
+        for (const QKeySequence& keys : spec.shortcuts)
+            QVERIFY2(used.insert(keys.toString()).second, qPrintable(spec.id + " has the key of another command"));
+    }
+}
+
+USAR_TEST(tst_CommandTable)
+
+} // namespace tst_command_table
+
+#include "tst_command_table.moc"
