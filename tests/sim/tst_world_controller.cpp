@@ -96,7 +96,7 @@ private slots:
         const auto said = [&](const char* words) {
             return std::ranges::any_of(log, [&](const auto& one) { return one.find(words) != std::string::npos; });
         };
-        QVERIFY(said("has one size"));
+        QVERIFY(said("cannot be scaled"));
         QVERIFY(said("Conveyor, Statue"));
     }
 
@@ -274,7 +274,7 @@ private slots:
         simulation->step();
         bool said = false;
         for (const std::string& sentence : simulation->takeLog())
-            said |= sentence.find("no world controller's") != std::string::npos;
+            said |= sentence.find("not a world controller's") != std::string::npos;
         QVERIFY(said);
     }
 

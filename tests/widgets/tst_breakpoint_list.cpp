@@ -151,7 +151,7 @@ void tst_BreakpointList::sentences_data() {
         << QByteArray(R"json({"names": "d", "on": "after", "condition": "(near)", "skip": 3, "once": true})json")
         << "d, after, if (near), from hit 4 on, once";
     QTest::newRow("an answer") << QByteArray(R"({"names": "d ▸ a", "on": "result", "result": "Running"})")
-                               << "a, when it answers: goes on";
+                               << "a, when it answers: still running";
 }
 
 void tst_BreakpointList::sentences() {

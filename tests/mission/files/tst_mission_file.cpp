@@ -237,7 +237,7 @@ void tst_MissionFile::rejectsUnfitValuesAndSaysWhere_data() {
     refused("area beyond every world", withArea(R"("x": 1e7, "y": 0, "width": 4, "height": 4)"), "m.json:1:23",
             "further away", "origin");
     refused("cell size zero", good + ",\n\"cell_size_m\": 0}", "m.json:4:16", "cell size", "0.25");
-    refused("cell size a text", good + ",\n\"cell_size_m\": \"fine\"}", "m.json:4:16", "not a number", "metres");
+    refused("cell size a text", good + ",\n\"cell_size_m\": \"fine\"}", "m.json:4:16", "not a number", "meters");
     refused("parameter is a list", good + ",\n\"parameters\": {\"lanes\": [1]}}", "m.json:4:25",
             "\"lanes\" is no parameter", "number");
     refused("a fault alone", good + ",\n\"faults\": \"wind\"}", "m.json:4:11", "not a list", "square brackets");

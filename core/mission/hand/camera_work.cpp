@@ -1,4 +1,4 @@
-#include "core/mission/fleet/camera_work.h"
+#include "core/mission/hand/camera_work.h"
 
 #include <utility>
 

@@ -4,7 +4,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "core/mission/fleet/camera_work.h"
+#include "core/mission/hand/camera_work.h"
 #include "core/protocol/reader.h"
 #include "tests/suite/suite.h"
 
