@@ -2,17 +2,12 @@
 
 namespace usar::posh {
 
-void Descent::load(const Program& program) {
-    program_ = &program;
-    frames_.assign(program.forms.size(), {});
-}
-
 std::optional<ActResult> Descent::step(Index drive) {
     drive_ = drive;
     state_ = &parts_.drives[drive];
     result_.reset();
     for (const Index form : state_->stack)
-        if (program_->forms[form].kind == PlaceKind::Competence)
+        if (formAt(form).kind == PlaceKind::Competence)
             parts_.engagements.visit(form);
     Next next = checkFrames();
     while (next == Next::GoOn)
@@ -33,12 +28,12 @@ Descent::Next Descent::checkFrames() {
 }
 
 bool Descent::goalHolds(Index form) {
-    const Range goal = program_->forms[form].goal;
+    const Range goal = formAt(form).goal;
     return !goal.empty() && parts_.senses.allHold(goal);
 }
 
 bool Descent::timeIsUp(Index form) {
-    const ProgramForm& here = program_->forms[form];
+    const ProgramForm& here = formAt(form);
     if (!here.limit_ms)
         return false;
     const Milliseconds begin =
@@ -47,13 +42,13 @@ bool Descent::timeIsUp(Index form) {
 }
 
 Descent::Next Descent::reachGoal(std::size_t depth) {
-    parts_.tracer.note(TraceEvent::Goal, program_->forms[state_->stack[depth]].place);
+    parts_.tracer.note(TraceEvent::Goal, formAt(state_->stack[depth]).place);
     leave(depth);
     return succeed();
 }
 
 Descent::Next Descent::timeOut(std::size_t depth) {
-    parts_.tracer.note(TraceEvent::Timeout, program_->forms[state_->stack[depth]].place);
+    parts_.tracer.note(TraceEvent::Timeout, formAt(state_->stack[depth]).place);
     leave(depth);
     return fail();
 }
@@ -64,29 +59,25 @@ void Descent::leave(std::size_t depth) {
     parts_.act.end(DoneReason::Interrupted);
     while (state_->stack.size() > depth)
         parts_.drives.pop(*state_);
-    parts_.engagements.endWithin({form, program_->forms[form].below_end});
-}
-
-PlaceKind Descent::top() const {
-    return program_->forms[state_->stack.back()].kind;
+    parts_.engagements.endWithin({form, formAt(form).below_end});
 }
 
 Descent::Next Descent::advance() {
     if (state_->stack.empty())
-        return enter(program_->drives[drive_].target);
+        return enter(program().drives[drive_].target);
     const Index form = state_->stack.back();
-    switch (program_->forms[form].kind) {
+    switch (formAt(form).kind) {
     case PlaceKind::Pattern:
         return advancePattern(form);
     case PlaceKind::Competence:
         return advanceCompetence(form);
     default:
-        return enter(program_->steps[program_->forms[form].items.first].target);
+        return enter(program().steps[formAt(form).items.first].target);
     }
 }
 
 Descent::Next Descent::advancePattern(Index form) {
-    const ProgramStep& step = program_->steps[frames_[form].next_step];
+    const ProgramStep& step = program().steps[frames_[form].next_step];
     if (step.test == nowhere)
         return enter(step.target);
     return parts_.senses.holds(step.test) ? succeed() : fail();
@@ -95,11 +86,11 @@ Descent::Next Descent::advancePattern(Index form) {
 Descent::Next Descent::advanceCompetence(Index form) {
     const Index chosen = select(form);
     if (chosen == nowhere) {
-        parts_.tracer.note(TraceEvent::NoElement, program_->forms[form].place);
+        parts_.tracer.note(TraceEvent::NoElement, formAt(form).place);
         parts_.engagements.end(form);
         return fail();
     }
-    const ProgramElement& element = program_->elements[chosen];
+    const ProgramElement& element = program().elements[chosen];
     std::uint64_t& starts = parts_.engagements.starts(chosen);
     if (!continues(element))
         ++starts;
@@ -108,9 +99,9 @@ Descent::Next Descent::advanceCompetence(Index form) {
 }
 
 Index Descent::select(Index form) {
-    const Range elements = program_->forms[form].items;
+    const Range elements = formAt(form).items;
     for (Index i = elements.first; i != elements.end; ++i) {
-        const ProgramElement& element = program_->elements[i];
+        const ProgramElement& element = program().elements[i];
         const std::uint64_t starts = parts_.engagements.starts(i);
         if (element.retries > 0 && starts >= static_cast<std::uint64_t>(element.retries) && !continues(element)) {
             parts_.tracer.note(TraceEvent::ElementSkipped, element.place, starts);
@@ -129,8 +120,8 @@ bool Descent::continues(const ProgramElement& element) const {
         return false;
     if (element.target.is_act)
         return element.target.index == act;
-    const Range below{element.target.index, program_->forms[element.target.index].below_end};
-    return below.contains(program_->acts[act].form);
+    const Range below{element.target.index, formAt(element.target.index).below_end};
+    return below.contains(program().acts[act].form);
 }
 
 Descent::Next Descent::enter(const Target& target) {
@@ -139,7 +130,7 @@ Descent::Next Descent::enter(const Target& target) {
 
 Descent::Next Descent::enterForm(Index form) {
     push(form);
-    const ProgramForm& here = program_->forms[form];
+    const ProgramForm& here = formAt(form);
     if (here.kind == PlaceKind::Pattern)
         return Next::GoOn;
     if (here.kind == PlaceKind::Competence)
@@ -151,9 +142,9 @@ Descent::Next Descent::enterForm(Index form) {
 }
 
 void Descent::push(Index form) {
-    frames_[form] = {parts_.tracer.now(), program_->forms[form].items.first};
+    frames_[form] = {parts_.tracer.now(), formAt(form).items.first};
     state_->stack.push_back(form);
-    parts_.tracer.note(TraceEvent::Push, program_->forms[form].place);
+    parts_.tracer.note(TraceEvent::Push, formAt(form).place);
 }
 
 Descent::Next Descent::runAct(Index act) {
@@ -173,7 +164,7 @@ Descent::Next Descent::runAct(Index act) {
 Descent::Next Descent::succeed() {
     while (!state_->stack.empty() && top() != PlaceKind::Adopt) {
         const Index form = state_->stack.back();
-        if (top() == PlaceKind::Pattern && ++frames_[form].next_step != program_->forms[form].items.end)
+        if (top() == PlaceKind::Pattern && ++frames_[form].next_step != formAt(form).items.end)
             return Next::GoOn;
         parts_.drives.pop(*state_);
     }
@@ -189,7 +180,7 @@ Descent::Next Descent::fail() {
     if (state_->stack.empty())
         parts_.drives.end(drive_, TraceEvent::DriveFailed);
     else
-        parts_.tracer.note(TraceEvent::AdoptRetry, program_->forms[state_->stack.back()].place);
+        parts_.tracer.note(TraceEvent::AdoptRetry, formAt(state_->stack.back()).place);
     return Next::Over;
 }
 

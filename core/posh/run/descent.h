@@ -25,9 +25,7 @@ public:
     };
     explicit Descent(const Parts& parts) : parts_(parts) {}
 
-    void load(const Program& program);
-    /// Switches to a program of the same shape and keeps the state of the open forms.
-    void retune(const Program& program) { program_ = &program; }
+    void load() { frames_.assign(program().forms.size(), {}); }
     /// Runs one step of a drive, which must be in progress. Returns the result of the act that it ran, or nullopt if it
     /// ran none.
     std::optional<ActResult> step(Index drive);
@@ -59,10 +57,11 @@ private:
     Next succeed();
     Next fail();
     void push(Index form);
-    PlaceKind top() const;
+    const Program& program() const { return *parts_.tracer.program(); }
+    const ProgramForm& formAt(Index index) const { return program().forms[index]; }
+    PlaceKind top() const { return formAt(state_->stack.back()).kind; }
 
     const Parts parts_;
-    const Program* program_ = nullptr;
     std::vector<Frame> frames_; ///< indexed by form
     Index drive_ = nowhere;     ///< the drive of the current step
     DriveState* state_ = nullptr;
