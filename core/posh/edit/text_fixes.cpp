@@ -5,7 +5,6 @@
 #include "core/base/spelling.h"
 #include "core/base/text.h"
 #include "core/posh/edit/fix_finder.h"
-#include "core/posh/language/word.h"
 #include "core/posh/model/keyword.h"
 #include "core/posh/model/literal.h"
 #include "core/posh/model/utf8.h"

@@ -4,7 +4,6 @@
 
 #include "core/base/text.h"
 #include "core/posh/language/token.h"
-#include "core/posh/language/word.h"
 #include "core/posh/model/utf8.h"
 
 namespace usar::posh {

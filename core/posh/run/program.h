@@ -131,7 +131,7 @@ bool sameShape(const Program& one, const Program& other);
 constexpr std::size_t most_places = 1'000'000;
 
 /// Expands a plan. Fails, naming the place, for a fragment, a reference cycle, a variable without a value, a pattern
-/// without steps, and too many places. A plan that has a collection and no errors (see plan_check.h) can only fail
+/// without steps, and too many places. A plan that has a collection and no errors (see readPlan) can only fail
 /// because of too many places.
 Result<std::shared_ptr<const Program>> compile(const Plan& plan);
 
