@@ -6,7 +6,6 @@
 
 #include "core/base/text.h"
 #include "core/posh/language/plan_reader.h"
-#include "core/posh/language/plan_text.h"
 #include "core/posh/language/plan_writer.h"
 #include "core/posh/language/token_splice.h"
 #include "core/posh/model/plan_walk.h"
@@ -53,13 +52,9 @@ std::string withLineEnds(std::string_view text, std::string words) {
     };
     for (const Token& token : list.tokens) {
         copyTo(token.at.offset, true);
-        copyTo(token.at.offset + token.at.length, token.kind != TokenKind::String);
+        copyTo(token.at.end(), token.kind != TokenKind::String);
     }
     return result;
-}
-
-std::size_t endOf(const Spot& at) {
-    return std::size_t{at.offset} + at.length;
 }
 
 const char* listStart(const Competence&) {
@@ -85,7 +80,7 @@ public:
             return levelled(old, wanted);
         } else {
             wanted.remarks = {}; // They are outside the form
-            if (!splice(old.at.offset, endOf(old.at), writeForm(std::move(wanted))))
+            if (!splice(old.at.offset, old.at.end(), writeForm(std::move(wanted))))
                 return std::nullopt;
             return spliced(text_, chunk_.begin, chunk_.end, splices_);
         }
@@ -115,7 +110,7 @@ private:
         splices_.clear();
         std::string tail = ")))";
         appendComment(tail, wanted.comment);
-        if (old.comment != wanted.comment && !splice(endOf(old.levels.back().back().at) - 1, endOf(old.at), tail + ')'))
+        if (old.comment != wanted.comment && !splice(old.levels.back().back().at.end() - 1, old.at.end(), tail + ')'))
             return std::nullopt;
         endLevels(out);
         return out + spliced(text_, chunks_.back().end, chunk_.end, splices_);
@@ -131,10 +126,10 @@ private:
         std::size_t begin = 0;
         for (const Level& level : levels) {
             const auto opener = indexAt(level.front().at.offset) - 1;
-            const auto closer = indexAt(endOf(level.back().at));
+            const auto closer = indexAt(level.back().at.end());
             if (chunks_.empty())
-                begin = lineRest(text_, endOf((opener - 1)->at)); // After the list's keyword
-            const std::size_t end = endOf(closer->at);
+                begin = lineRest(text_, (opener - 1)->at.end()); // After the list's keyword
+            const std::size_t end = closer->at.end();
             chunks_.push_back({begin, opener->at.offset, end, lineRest(text_, end)});
             begin = chunks_.back().end;
         }
@@ -180,7 +175,7 @@ private:
                 continue;
             std::string words;
             appendMember(words, wanted[i]);
-            if (old[i].remarks != wanted[i].remarks || !splice(old[i].at.offset, endOf(old[i].at), words))
+            if (old[i].remarks != wanted[i].remarks || !splice(old[i].at.offset, old[i].at.end(), words))
                 return false;
         }
         return true;
@@ -225,8 +220,7 @@ public:
         std::size_t begin = lineRest(text_, tokens_.tokens.front().at.offset + 1);
         prefix_end_ = begin;
         const auto add = [&](const Spot& at) {
-            const std::size_t end = at.offset + at.length;
-            chunks_.push_back({begin, at.offset, end, lineRest(text_, end)});
+            chunks_.push_back({begin, at.offset, at.end(), lineRest(text_, at.end())});
             begin = chunks_.back().end;
         };
         if (old_plan.documentation)
@@ -246,17 +240,17 @@ public:
     }
 
 private:
-    /// Returns a part in the canonical layout, on lines of its own. What precedes it in the text stays if the remarks
-    /// above it did not change.
-    std::string rewritten(const std::string& words, const std::vector<std::string>& above, const Chunk* chunk,
-                          bool same_above, const std::string& before) const {
+    /// Returns a part in the canonical layout, on lines of its own. `chunk` and `old` are those of the part in the
+    /// text; nullptr if it is new. What precedes it in the text stays if the remarks above it did not change.
+    std::string rewritten(const std::string& words, const Remarks& remarks, const Chunk* chunk, const Remarks* old,
+                          const std::string& before) const {
         std::string result;
-        if (chunk && same_above) {
+        if (chunk && old->above == remarks.above) {
             result = text_.substr(chunk->begin, chunk->body - chunk->begin);
         } else {
             if (!before.ends_with('\n'))
                 result += '\n';
-            for (const std::string& line : above)
+            for (const std::string& line : remarks.above)
                 result += line.empty() ? "\n" : "  " + commentText(line) + '\n';
             result += "  ";
         }
@@ -265,12 +259,11 @@ private:
 
     std::string documentation(const std::string& before) {
         const Documentation& wanted = *new_->documentation;
-        if (!old_->documentation)
-            return rewritten(writeDocumentation(wanted), wanted.remarks.above, nullptr, false, before);
-        if (*old_->documentation == wanted)
+        const auto& old = old_->documentation;
+        if (old == wanted)
             return std::string(chunks_.front().of(text_));
-        const bool same_above = old_->documentation->remarks.above == wanted.remarks.above;
-        return rewritten(writeDocumentation(wanted), wanted.remarks.above, &chunks_.front(), same_above, before);
+        return rewritten(writeDocumentation(wanted), wanted.remarks, old ? &chunks_.front() : nullptr,
+                         old ? &old->remarks : nullptr, before);
     }
 
     /// Returns the index of the old form that was read from the same place as this one, or the number of old forms if
@@ -287,15 +280,14 @@ private:
     std::string piece(const Form& form, const std::string& before) {
         const std::size_t index = oldIndexOf(form);
         if (index == old_->forms.size())
-            return rewritten(writeForm(form), remarksOf(form).above, nullptr, false, before);
+            return rewritten(writeForm(form), remarksOf(form), nullptr, nullptr, before);
         const Chunk& chunk = chunks_[index + (old_->documentation ? 1 : 0)];
         const Form& old_form = old_->forms[index];
         if (old_form == form)
             return std::string(chunk.of(text_));
         if (auto kept = spliceForm(text_, tokens_, chunk, old_form, form))
             return *std::move(kept);
-        return rewritten(writeForm(form), remarksOf(form).above, &chunk,
-                         remarksOf(old_form).above == remarksOf(form).above, before);
+        return rewritten(writeForm(form), remarksOf(form), &chunk, &remarksOf(old_form), before);
     }
 
     std::string_view text_;

@@ -192,7 +192,7 @@ struct Holder {
 
 template <class Part>
 Holder wholeHolder(Part& part) {
-    return {part.at.offset, part.at.offset + part.at.length, &part.remarks};
+    return {part.at.offset, part.at.end(), &part.remarks};
 }
 
 std::vector<Holder> holdersOf(Plan& plan) {

@@ -9,27 +9,21 @@ std::optional<ActResult> Descent::step(Index drive) {
     for (const Index form : state_->stack)
         if (formAt(form).kind == PlaceKind::Competence)
             parts_.engagements.visit(form);
-    Next next = checkFrames();
-    while (next == Next::GoOn)
+    std::optional<Next> next;
+    for (std::size_t depth = 0; depth < state_->stack.size() && !next;
+         ++depth) // From the outermost form to the innermost
+        next = check(depth);
+    while (next.value_or(Next::GoOn) == Next::GoOn)
         next = advance();
     return result_;
 }
 
-/// Checks goals and time limits of the open forms, from the outermost to the innermost.
-Descent::Next Descent::checkFrames() {
-    for (std::size_t depth = 0; depth < state_->stack.size(); ++depth) {
-        const Index form = state_->stack[depth];
-        if (goalHolds(form))
-            return reachGoal(depth);
-        if (timeIsUp(form))
-            return timeOut(depth);
-    }
-    return Next::GoOn;
-}
-
-bool Descent::goalHolds(Index form) {
+std::optional<Descent::Next> Descent::check(std::size_t depth) {
+    const Index form = state_->stack[depth];
     const Range goal = formAt(form).goal;
-    return !goal.empty() && parts_.senses.allHold(goal);
+    if (!goal.empty() && parts_.senses.allHold(goal))
+        return endAt(depth, TraceEvent::Goal);
+    return timeIsUp(form) ? std::optional(endAt(depth, TraceEvent::Timeout)) : std::nullopt;
 }
 
 bool Descent::timeIsUp(Index form) {
@@ -41,25 +35,14 @@ bool Descent::timeIsUp(Index form) {
     return static_cast<double>((parts_.tracer.now() - begin).count()) >= *here.limit_ms;
 }
 
-Descent::Next Descent::reachGoal(std::size_t depth) {
-    parts_.tracer.note(TraceEvent::Goal, formAt(state_->stack[depth]).place);
-    leave(depth);
-    return succeed();
-}
-
-Descent::Next Descent::timeOut(std::size_t depth) {
-    parts_.tracer.note(TraceEvent::Timeout, formAt(state_->stack[depth]).place);
-    leave(depth);
-    return fail();
-}
-
-/// Removes the form at this depth and all forms inside it from the stack.
-void Descent::leave(std::size_t depth) {
+Descent::Next Descent::endAt(std::size_t depth, TraceEvent why) {
     const Index form = state_->stack[depth];
+    parts_.tracer.note(why, formAt(form).place);
     parts_.act.end(DoneReason::Interrupted);
     while (state_->stack.size() > depth)
         parts_.drives.pop(*state_);
     parts_.engagements.endWithin({form, formAt(form).below_end});
+    return why == TraceEvent::Goal ? succeed() : fail();
 }
 
 Descent::Next Descent::advance() {
@@ -129,22 +112,15 @@ Descent::Next Descent::enter(const Target& target) {
 }
 
 Descent::Next Descent::enterForm(Index form) {
-    push(form);
     const ProgramForm& here = formAt(form);
+    frames_[form] = {parts_.tracer.now(), here.items.first};
+    state_->stack.push_back(form);
+    parts_.tracer.note(TraceEvent::Push, here.place);
     if (here.kind == PlaceKind::Pattern)
-        return Next::GoOn;
+        return Next::GoOn; // Its time begins now, and it has no goal
     if (here.kind == PlaceKind::Competence)
         parts_.engagements.visit(form);
-    const std::size_t depth = state_->stack.size() - 1;
-    if (goalHolds(form))
-        return reachGoal(depth);
-    return here.kind == PlaceKind::Competence && timeIsUp(form) ? timeOut(depth) : Next::GoOn;
-}
-
-void Descent::push(Index form) {
-    frames_[form] = {parts_.tracer.now(), formAt(form).items.first};
-    state_->stack.push_back(form);
-    parts_.tracer.note(TraceEvent::Push, formAt(form).place);
+    return check(state_->stack.size() - 1).value_or(Next::GoOn);
 }
 
 Descent::Next Descent::runAct(Index act) {

@@ -37,12 +37,11 @@ private:
         Index next_step = 0;    ///< a pattern's next step, as an index in Program::steps
     };
 
-    Next checkFrames();
-    bool goalHolds(Index form);
+    /// Checks the goal and the time limit of the open form at this depth. Returns nullopt if the form goes on.
+    std::optional<Next> check(std::size_t depth);
     bool timeIsUp(Index form);
-    Next reachGoal(std::size_t depth);
-    Next timeOut(std::size_t depth);
-    void leave(std::size_t depth);
+    /// Ends the form at this depth and all forms inside it; `why` is Goal or Timeout.
+    Next endAt(std::size_t depth, TraceEvent why);
 
     Next advance();
     Next advancePattern(Index form);
@@ -56,7 +55,6 @@ private:
 
     Next succeed();
     Next fail();
-    void push(Index form);
     const Program& program() const { return *parts_.tracer.program(); }
     const ProgramForm& formAt(Index index) const { return program().forms[index]; }
     PlaceKind top() const { return formAt(state_->stack.back()).kind; }

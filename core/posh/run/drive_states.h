@@ -34,7 +34,6 @@ public:
         last_ended_.assign(program.levels.size(), nowhere);
     }
     DriveState& operator[](Index drive) { return states_[drive]; }
-    const DriveState& operator[](Index drive) const { return states_[drive]; }
     /// The drive of the level whose activation ended last; `nowhere` if none has ended yet.
     Index lastEnded(Index level) const { return last_ended_[level]; }
 

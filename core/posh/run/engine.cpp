@@ -6,12 +6,6 @@
 
 namespace usar::posh {
 
-namespace {
-
-constexpr int starving_after = 10; ///< number of cycles in a row in which the winning drive ran no act
-
-} // namespace
-
 Engine::Engine(Host& host, std::shared_ptr<const Program> program, EngineOptions options)
     : options_(options)
     , host_(host)
@@ -48,7 +42,9 @@ Outcome Engine::cycle(Milliseconds now) {
     Outcome outcome = Outcome::Won;
     if (!won_) {
         outcome = runEpochs();
-        close();
+        if (!act_.ranIn(tracer_.cycle()))
+            act_.end(DoneReason::Interrupted);
+        engagements_.endUnvisited();
     }
     tracer_.note(TraceEvent::CycleEnd, static_cast<Index>(acts_),
                  static_cast<std::uint64_t>(profiler_.now() - begin_ns), static_cast<std::uint8_t>(outcome));
@@ -58,7 +54,7 @@ Outcome Engine::cycle(Milliseconds now) {
 Outcome Engine::runEpochs() {
     for (;;) {
         senses_.beginEpoch();
-        if (goalHolds())
+        if (!program()->goal.empty() && senses_.allHold(program()->goal))
             return reachGoal();
         makeActive(choose());
         if (active_ == nowhere)
@@ -137,10 +133,6 @@ bool Engine::heldBack(Index drive) {
     return true;
 }
 
-bool Engine::goalHolds() {
-    return !program()->goal.empty() && senses_.allHold(program()->goal);
-}
-
 Outcome Engine::reachGoal() {
     act_.end(DoneReason::Goal);
     forgetProgress();
@@ -158,6 +150,7 @@ void Engine::makeActive(Index winner) {
 }
 
 void Engine::noteBarren(Index drive) {
+    constexpr int starving_after = 10; // Cycles in a row in which the winning drive ran no act
     DriveState& state = drives_[drive];
     const bool in_a_row = state.last_barren_cycle + 1 == tracer_.cycle();
     state.barren_cycles = in_a_row ? state.barren_cycles + 1 : 1;
@@ -165,12 +158,6 @@ void Engine::noteBarren(Index drive) {
     if (state.barren_cycles == starving_after)
         tracer_.warn(WarningCode::StarvingDrive, program()->drives[drive].place,
                      "starving: its trigger holds, but for ten cycles it found nothing to do");
-}
-
-void Engine::close() {
-    if (!act_.ranIn(tracer_.cycle()))
-        act_.end(DoneReason::Interrupted);
-    engagements_.endUnvisited();
 }
 
 void Engine::forgetProgress() {

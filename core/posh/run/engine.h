@@ -79,11 +79,9 @@ private:
     bool ready(Index drive);
     /// Returns whether the drive's frequency forbids a start now.
     bool heldBack(Index drive);
-    bool goalHolds();
     Outcome reachGoal();
     void makeActive(Index winner);
     void noteBarren(Index drive);
-    void close();
     void forgetProgress();
 
     EngineOptions options_;
