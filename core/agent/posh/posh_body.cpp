@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "core/posh/run/board_change.h"
 #include "core/posh/run/value_text.h"
 #include "core/protocol/command_writer.h"
 

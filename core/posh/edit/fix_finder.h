@@ -72,7 +72,7 @@ private:
     const Token& token(std::size_t index) const { return tokens_.tokens[std::min(index, tokens_.tokens.size() - 1)]; }
     std::string_view word(std::size_t index) const { return textOf(text_, token(index).at); }
     std::size_t beginOf(std::size_t index) const { return token(index).at.offset; }
-    std::size_t endOf(std::size_t index) const { return beginOf(index) + token(index).at.length; }
+    std::size_t endOf(std::size_t index) const { return token(index).at.end(); }
     /// Returns the token that closes the parenthesis `open`, or the last token if there is none.
     std::size_t closing(std::size_t open) const;
     /// Returns the innermost parenthesis open before the token `inside`, or the first token if there is none.

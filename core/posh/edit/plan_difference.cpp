@@ -5,7 +5,7 @@
 #include <map>
 #include <unordered_map>
 
-#include "core/posh/language/plan_text.h"
+#include "core/posh/language/plan_writer.h"
 #include "core/posh/model/finding.h"
 #include "core/posh/model/plan_walk.h"
 

@@ -20,10 +20,6 @@ std::map<Code, int> errorsByCode(const Findings& findings) {
     return count;
 }
 
-std::string placeOf(const Finding& finding) {
-    return "line " + std::to_string(finding.at.line);
-}
-
 /// Fails if a form or an act of the plan has this name. Calls would change their meaning if a form got the name of an
 /// act that is in use, or an act the name of a form.
 Result<void> checkMeaning(const Plan& plan, std::string_view name) {
@@ -73,23 +69,17 @@ Result<PlanPart> swapIn(Plan& plan, const PlanPart& a, const PlanPart& b) {
     if (a.kind != b.kind)
         return failure("these two are of different kinds", describe(plan, a) + " and " + describe(plan, b),
                        "choose two acts, two senses, two elements or two drives");
-    if (a.kind == PartKind::Whole) {
+    if (a.kind == PartKind::Whole)
         std::swap(plan.forms[a.form], plan.forms[b.form]);
-        return b;
-    }
-    if (a.kind == PartKind::Action) {
+    else if (a.kind == PartKind::Action)
         std::swap(callIn(plan, a), callIn(plan, b));
-        return b;
-    }
-    if (a.kind == PartKind::Sense) {
+    else if (a.kind == PartKind::Sense)
         std::swap(senseIn(plan, a), senseIn(plan, b));
-        return b;
-    }
-    if (plan.forms[a.form].index() == plan.forms[b.form].index()) {
+    else if (plan.forms[a.form].index() == plan.forms[b.form].index())
         std::swap(memberIn(plan, a), memberIn(plan, b));
-        return b;
-    }
-    return failure("a drive and an element cannot be swapped", describe(plan, a), "move one of them");
+    else
+        return failure("a drive and an element cannot be swapped", describe(plan, a), "move one of them");
+    return b;
 }
 
 } // namespace
@@ -98,7 +88,8 @@ Result<PlanReading> readForEdit(std::string_view text) {
     PlanReading reading = readPlan(text);
     for (const Finding& finding : reading.findings)
         if (isUnreadable(finding.code))
-            return failure("the text cannot be read here", placeOf(finding), "fix it first: " + finding.message);
+            return failure("the text cannot be read here", "line " + std::to_string(finding.at.line),
+                           "fix it first: " + finding.message);
     return reading;
 }
 
@@ -109,8 +100,7 @@ Result<PlanEdit> checkedEdit(const PlanReading& before, std::string text, const 
         const auto known = old.find(code);
         if (count <= (known == old.end() ? 0 : known->second))
             continue;
-        const auto bad = std::find_if(after.begin(), after.end(),
-                                      [code = code](const Finding& finding) { return finding.code == code; });
+        const auto bad = std::ranges::find(after, code, &Finding::code);
         return failure("this would cause an error (" + toText(code) + ")", "", bad->message);
     }
     return PlanEdit{std::move(text), part};
@@ -130,7 +120,7 @@ Result<PlanEdit> renamePart(std::string_view text, const PlanPart& part, std::st
     std::vector<Splice> splices;
     for (const PlanPart& usage : usagesOf(before->plan, part)) {
         const Spot& at = nameOf(before->plan, usage)->at;
-        splices.push_back({at.offset, std::size_t{at.offset} + at.length, std::string(name)});
+        splices.push_back({at.offset, at.end(), std::string(name)});
     }
     return checkedEdit(*before, spliced(text, 0, text.size(), splices), part);
 }

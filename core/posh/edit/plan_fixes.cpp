@@ -22,21 +22,11 @@ bool eraseArgument(Plan& plan, std::size_t offset) {
     return erased;
 }
 
-std::vector<Formal>* formalsIn(Form& form) {
-    std::vector<Formal>* found = nullptr;
-    std::visit(
-        [&found](auto& any) {
-            if constexpr (requires { any.formals; })
-                found = &any.formals;
-        },
-        form);
-    return found;
-}
-
 /// Adds a parameter with this name and default to a form.
 Result<PlanEdit> declare(std::string_view text, std::size_t form, const std::string& name, const Literal& value) {
     return changePlan(text, [&](Plan& plan) -> Result<PlanPart> {
-        std::vector<Formal>* const formals = formalsIn(plan.forms[form]);
+        auto* const formals = fieldOf<std::vector<Formal>>(
+            plan.forms[form], [](auto& any) -> decltype(&any.formals) { return &any.formals; });
         if (!formals)
             return noSuchPart();
         formals->push_back({{name}, value});
@@ -48,8 +38,7 @@ Result<PlanEdit> declare(std::string_view text, std::size_t form, const std::str
 Call mainCallOf(const Plan& plan) {
     const FormIndex index(plan);
     for (std::size_t i = 0; i < plan.forms.size(); ++i) {
-        const auto isThis = [i](const Reference& reference) { return reference.target == i; };
-        if (std::none_of(index.references().begin(), index.references().end(), isThis))
+        if (std::ranges::find(index.references(), i, &Reference::target) == index.references().end())
             return callNamed(nameOf(plan.forms[i]).text);
     }
     return doNothing();

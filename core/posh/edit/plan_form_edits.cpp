@@ -11,36 +11,20 @@ namespace usar::posh {
 
 namespace {
 
-/// Returns the trigger of a member or the goal of a form; nullptr if the part does not exist or cannot have one.
-Senses* sensesIn(Plan& plan, const PlanPart& owner) {
+/// Returns a field of a member or what `get` returns for a form (see fieldOf); nullptr if the part does not exist or
+/// cannot have it.
+template <class Field, class Get>
+Field* fieldIn(Plan& plan, const PlanPart& owner, Field Member::*field, Get get) {
     if (!nameOf(plan, owner))
         return nullptr;
-    if (owner.kind != PartKind::Whole)
-        return owner.kind == PartKind::Member ? &memberIn(plan, owner).trigger : nullptr;
-    return std::visit(
-        [](auto& form) -> Senses* {
-            if constexpr (requires { form.goal; })
-                return &form.goal;
-            else
-                return nullptr;
-        },
-        plan.forms[owner.form]);
+    if (owner.kind == PartKind::Whole)
+        return fieldOf<Field>(plan.forms[owner.form], get);
+    return owner.kind == PartKind::Member ? &(memberIn(plan, owner).*field) : nullptr;
 }
 
-/// Returns the comment string of a member or a form; nullptr if the part does not exist or cannot have one.
-std::optional<Literal>* commentIn(Plan& plan, const PlanPart& owner) {
-    if (!nameOf(plan, owner))
-        return nullptr;
-    if (owner.kind != PartKind::Whole)
-        return owner.kind == PartKind::Member ? &memberIn(plan, owner).comment : nullptr;
-    return std::visit(
-        [](auto& form) -> std::optional<Literal>* {
-            if constexpr (requires { form.comment; })
-                return &form.comment;
-            else
-                return nullptr;
-        },
-        plan.forms[owner.form]);
+/// Returns the trigger of a member or the goal of a form.
+Senses* sensesIn(Plan& plan, const PlanPart& owner) {
+    return fieldIn(plan, owner, &Member::trigger, [](auto& form) -> decltype(&form.goal) { return &form.goal; });
 }
 
 Form madeForm(FormKind kind, const std::string& name, std::vector<Formal> formals, const Call& content) {
@@ -61,8 +45,8 @@ Form madeForm(FormKind kind, const std::string& name, std::vector<Formal> formal
 
 /// Returns the index before the collection, so that the new form precedes its caller, or the end if there is none.
 std::size_t placeForNewForm(const Plan& plan) {
-    const auto found = std::find_if(plan.forms.begin(), plan.forms.end(),
-                                    [](const Form& form) { return std::holds_alternative<Collection>(form); });
+    const auto found =
+        std::ranges::find_if(plan.forms, [](const Form& form) { return std::holds_alternative<Collection>(form); });
     return static_cast<std::size_t>(found - plan.forms.begin());
 }
 
@@ -107,23 +91,6 @@ Result<PlanPart> removeStep(Plan& plan, const PlanPart& part) {
     return formPart(part.form);
 }
 
-Result<PlanPart> removeFrom(Plan& plan, const PlanPart& part) {
-    if (!nameOf(plan, part))
-        return noSuchPart();
-    if (isStep(plan, part))
-        return removeStep(plan, part);
-    if (part.kind == PartKind::Whole)
-        return removeForm(plan, part);
-    if (part.kind == PartKind::Member)
-        return removeMember(plan, part);
-    if (part.kind == PartKind::Action) {
-        callIn(plan, part) = doNothing();
-        return part;
-    }
-    eraseAt(*sensesIn(plan, ownerOf(part)), part.index);
-    return ownerOf(part);
-}
-
 /// Returns a copy that is not in the text yet and has no comments; those belong to the original.
 template <class Kind>
 Kind copyNamed(const Kind& original, std::string name) {
@@ -132,55 +99,6 @@ Kind copyNamed(const Kind& original, std::string name) {
     copy.remarks = {};
     copy.at = {};
     return copy;
-}
-
-Result<PlanPart> duplicateIn(Plan& plan, const PlanPart& part) {
-    if (!nameOf(plan, part))
-        return noSuchPart();
-    Form& form = plan.forms[part.form];
-    if (isStep(plan, part)) {
-        auto& steps = std::get<Pattern>(form).steps;
-        insertAt(steps, part.index, steps[part.index]);
-        PlanPart copy = part;
-        ++copy.index;
-        return copy;
-    }
-    if (part.kind == PartKind::Whole) {
-        if (std::holds_alternative<Collection>(form))
-            return failure("a plan has one drive collection only", describe(plan, part), "duplicate a drive");
-        const std::string name = freeFormName(plan, nameOf(form).text);
-        Form copy = std::visit([&name](const auto& any) -> Form { return copyNamed(any, name); }, form);
-        return insertForm(plan, part.form + 1, std::move(copy));
-    }
-    if (part.kind != PartKind::Member)
-        return failure("only forms, drives, elements and steps can be duplicated", describe(plan, part));
-    const std::string name = freeMemberName(form, nameOf(plan, part)->text);
-    insertAt(*levelsIn(form), part.level + 1, Level{copyNamed(memberIn(plan, part), name)});
-    return memberPart(part.form, part.level + 1, 0);
-}
-
-Result<PlanPart> limit(Plan& plan, const PlanPart& owner, std::string_view words) {
-    Form& form = plan.forms[owner.form];
-    const bool is_member = owner.kind == PartKind::Member;
-    if (is_member && std::holds_alternative<Competence>(form)) {
-        auto retries = readRetriesPhrase(words);
-        if (!retries)
-            return tl::unexpected(retries.error());
-        memberIn(plan, owner).retries = *std::move(retries);
-        return owner;
-    }
-    auto interval = readIntervalPhrase(words, is_member);
-    if (!interval)
-        return tl::unexpected(interval.error());
-    if (is_member)
-        memberIn(plan, owner).frequency = *std::move(interval);
-    else if (auto* const competence = std::get_if<Competence>(&form))
-        competence->time_limit = *std::move(interval);
-    else if (auto* const pattern = std::get_if<Pattern>(&form))
-        pattern->time_limit = *std::move(interval);
-    else
-        return failure("it cannot have a limit", describe(plan, owner));
-    return owner;
 }
 
 /// Returns the steps that can replace a call of the form; nullopt if that would change the meaning of the plan.
@@ -199,44 +117,9 @@ std::optional<std::vector<Step>> contentOf(const Form& form) {
 
 bool hasRemarks(const Form& form) {
     const Remarks& remarks = remarksOf(form);
-    const auto saysSomething = [](const std::string& line) { return !line.empty(); };
-    return !remarks.beside.empty() || std::any_of(remarks.above.begin(), remarks.above.end(), saysSomething) ||
-           std::visit(
-               [](const auto& any) {
-                   if constexpr (requires { any.comment; })
-                       return any.comment.has_value();
-                   return false;
-               },
-               form);
-}
-
-Result<PlanPart> inlineIn(Plan& plan, const PlanPart& part) {
-    const Call* const call = part.kind == PartKind::Action ? callOf(plan, part) : nullptr;
-    const auto target = call ? FormIndex(plan).find(call->name.text) : std::nullopt;
-    if (!target || *target == part.form)
-        return noSuchPart();
-    const auto content = contentOf(plan.forms[*target]);
-    const bool is_step = isStep(plan, part);
-    const bool fits = content && (is_step || (content->size() == 1 && std::holds_alternative<Call>(content->front())));
-    if (!fits)
-        return failure("it does more than fits here", describe(plan, formPart(*target)),
-                       "only a pattern in a pattern, or a form that does one thing, can be put in place of its call");
-    const bool is_last_call = usagesOf(plan, part).size() == 2;
-    PlanPart result = part;
-    if (is_step) {
-        auto& steps = std::get<Pattern>(plan.forms[part.form]).steps;
-        eraseAt(steps, part.index);
-        steps.insert(steps.begin() + static_cast<std::ptrdiff_t>(part.index), content->begin(), content->end());
-        if (std::holds_alternative<SenseTest>(content->front()))
-            result.kind = PartKind::Sense;
-    } else {
-        callIn(plan, part) = std::get<Call>(content->front());
-    }
-    if (!is_last_call || hasRemarks(plan.forms[*target]))
-        return result;
-    eraseAt(plan.forms, *target);
-    result.form -= *target < part.form ? 1 : 0;
-    return result;
+    const auto* const comment = fieldOf<const std::optional<Literal>>(
+        form, [](const auto& any) -> decltype(&any.comment) { return &any.comment; });
+    return !remarks.beside.empty() || !std::ranges::all_of(remarks.above, &std::string::empty) || (comment && *comment);
 }
 
 } // namespace
@@ -270,11 +153,49 @@ Result<PlanEdit> addForm(std::string_view text, FormKind kind, const std::string
 }
 
 Result<PlanEdit> duplicatePart(std::string_view text, const PlanPart& part) {
-    return changePlan(text, [&](Plan& plan) { return duplicateIn(plan, part); });
+    return changePlan(text, [&](Plan& plan) -> Result<PlanPart> {
+        if (!nameOf(plan, part))
+            return noSuchPart();
+        Form& form = plan.forms[part.form];
+        if (isStep(plan, part)) {
+            auto& steps = std::get<Pattern>(form).steps;
+            insertAt(steps, part.index, steps[part.index]);
+            PlanPart copy = part;
+            ++copy.index;
+            return copy;
+        }
+        if (part.kind == PartKind::Whole) {
+            if (std::holds_alternative<Collection>(form))
+                return failure("a plan has one drive collection only", describe(plan, part), "duplicate a drive");
+            const std::string name = freeFormName(plan, nameOf(form).text);
+            Form copy = std::visit([&name](const auto& any) -> Form { return copyNamed(any, name); }, form);
+            return insertForm(plan, part.form + 1, std::move(copy));
+        }
+        if (part.kind != PartKind::Member)
+            return failure("only forms, drives, elements and steps can be duplicated", describe(plan, part));
+        const std::string name = freeMemberName(form, nameOf(plan, part)->text);
+        insertAt(*levelsIn(form), part.level + 1, Level{copyNamed(memberIn(plan, part), name)});
+        return memberPart(part.form, part.level + 1, 0);
+    });
 }
 
 Result<PlanEdit> removePart(std::string_view text, const PlanPart& part) {
-    return changePlan(text, [&](Plan& plan) { return removeFrom(plan, part); });
+    return changePlan(text, [&](Plan& plan) -> Result<PlanPart> {
+        if (!nameOf(plan, part))
+            return noSuchPart();
+        if (isStep(plan, part))
+            return removeStep(plan, part);
+        if (part.kind == PartKind::Whole)
+            return removeForm(plan, part);
+        if (part.kind == PartKind::Member)
+            return removeMember(plan, part);
+        if (part.kind == PartKind::Action) {
+            callIn(plan, part) = doNothing();
+            return part;
+        }
+        eraseAt(*sensesIn(plan, ownerOf(part)), part.index);
+        return ownerOf(part);
+    });
 }
 
 Result<PlanEdit> replaceCall(std::string_view text, const PlanPart& part, const Call& call) {
@@ -309,13 +230,33 @@ Result<PlanEdit> setLimit(std::string_view text, const PlanPart& owner, std::str
     return changePlan(text, [&](Plan& plan) -> Result<PlanPart> {
         if (!nameOf(plan, owner))
             return noSuchPart();
-        return limit(plan, owner, words);
+        const auto timeLimit = [](auto& any) -> decltype(&any.time_limit) { return &any.time_limit; };
+        Form& form = plan.forms[owner.form];
+        const bool is_member = owner.kind == PartKind::Member;
+        if (is_member && std::holds_alternative<Competence>(form)) {
+            auto retries = readRetriesPhrase(words);
+            if (!retries)
+                return tl::unexpected(retries.error());
+            memberIn(plan, owner).retries = *std::move(retries);
+            return owner;
+        }
+        auto interval = readIntervalPhrase(words, is_member);
+        if (!interval)
+            return tl::unexpected(interval.error());
+        if (is_member)
+            memberIn(plan, owner).frequency = *std::move(interval);
+        else if (auto* const time_limit = fieldOf<std::optional<Interval>>(form, timeLimit))
+            *time_limit = *std::move(interval);
+        else
+            return failure("it cannot have a limit", describe(plan, owner));
+        return owner;
     });
 }
 
 Result<PlanEdit> setComment(std::string_view text, const PlanPart& owner, std::string_view words) {
     return changePlan(text, [&](Plan& plan) -> Result<PlanPart> {
-        std::optional<Literal>* const comment = commentIn(plan, owner);
+        auto* const comment =
+            fieldIn(plan, owner, &Member::comment, [](auto& form) -> decltype(&form.comment) { return &form.comment; });
         if (!comment)
             return failure("it cannot have a comment", describe(plan, owner), "write ; and the comment in the text");
         *comment = words.empty() ? std::nullopt : std::optional(Literal{std::string(words), quoted(words), {}});
@@ -343,7 +284,36 @@ Result<PlanEdit> wrapCall(std::string_view text, const PlanPart& part, FormKind 
 }
 
 Result<PlanEdit> inlineCall(std::string_view text, const PlanPart& part) {
-    return changePlan(text, [&](Plan& plan) { return inlineIn(plan, part); });
+    return changePlan(text, [&](Plan& plan) -> Result<PlanPart> {
+        const Call* const call = part.kind == PartKind::Action ? callOf(plan, part) : nullptr;
+        const auto target = call ? FormIndex(plan).find(call->name.text) : std::nullopt;
+        if (!target || *target == part.form)
+            return noSuchPart();
+        const auto content = contentOf(plan.forms[*target]);
+        const bool is_step = isStep(plan, part);
+        const bool fits =
+            content && (is_step || (content->size() == 1 && std::holds_alternative<Call>(content->front())));
+        if (!fits)
+            return failure(
+                "it does more than fits here", describe(plan, formPart(*target)),
+                "only a pattern in a pattern, or a form that does one thing, can be put in place of its call");
+        const bool is_last_call = usagesOf(plan, part).size() == 2;
+        PlanPart result = part;
+        if (is_step) {
+            auto& steps = std::get<Pattern>(plan.forms[part.form]).steps;
+            eraseAt(steps, part.index);
+            steps.insert(steps.begin() + static_cast<std::ptrdiff_t>(part.index), content->begin(), content->end());
+            if (std::holds_alternative<SenseTest>(content->front()))
+                result.kind = PartKind::Sense;
+        } else {
+            callIn(plan, part) = std::get<Call>(content->front());
+        }
+        if (!is_last_call || hasRemarks(plan.forms[*target]))
+            return result;
+        eraseAt(plan.forms, *target);
+        result.form -= *target < part.form ? 1 : 0;
+        return result;
+    });
 }
 
 } // namespace usar::posh

@@ -92,8 +92,7 @@ Result<PlanPart> shiftSense(Plan& plan, const PlanPart& part, int by) {
 }
 
 Result<PlanPart> shiftForm(Plan& plan, const PlanPart& part, int by) {
-    const bool at_end = by < 0 ? part.form == 0 : part.form + 1 == plan.forms.size();
-    if (at_end)
+    if (by < 0 ? part.form == 0 : part.form + 1 == plan.forms.size())
         return atTheEnd(plan, part, by);
     const std::size_t other = by < 0 ? part.form - 1 : part.form + 1;
     std::swap(plan.forms[part.form], plan.forms[other]);

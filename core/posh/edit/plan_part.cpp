@@ -12,16 +12,15 @@ namespace usar::posh {
 namespace {
 
 bool holds(const Spot& spot, std::size_t offset) {
-    return spot.offset <= offset && offset <= std::size_t{spot.offset} + spot.length;
+    return spot.line > 0 && spot.offset <= offset && offset <= spot.end();
 }
 
 class Lister {
 public:
-    explicit Lister(std::vector<NamedPart>& found) : found_(found) {}
-
-    void run(const Plan& plan) {
+    std::vector<NamedPart> run(const Plan& plan) {
         for (form_ = 0; form_ < plan.forms.size(); ++form_)
             std::visit([this](const auto& any) { list(any); }, plan.forms[form_]);
+        return std::move(found_);
     }
 
 private:
@@ -57,7 +56,7 @@ private:
             found_.push_back({part, &tests[part.index].call.name});
     }
 
-    std::vector<NamedPart>& found_;
+    std::vector<NamedPart> found_;
     std::size_t form_ = 0;
 };
 
@@ -79,17 +78,15 @@ PlanPart ownerOf(const PlanPart& part) {
 }
 
 std::vector<NamedPart> partsOf(const Plan& plan) {
-    std::vector<NamedPart> found;
-    Lister(found).run(plan);
-    return found;
+    return Lister().run(plan);
 }
 
 std::optional<PlanPart> partAt(const Plan& plan, std::size_t offset) {
     std::optional<PlanPart> around;
     for (const NamedPart& candidate : partsOf(plan)) {
-        if (holds(candidate.name->at, offset) && candidate.name->at.line > 0)
+        if (holds(candidate.name->at, offset))
             return candidate.part;
-        if (candidate.whole && candidate.whole->line > 0 && holds(*candidate.whole, offset))
+        if (candidate.whole && holds(*candidate.whole, offset))
             around = candidate.part; // A member comes after its form, so the innermost part is last
     }
     return around;

@@ -4,9 +4,10 @@
 
 #include "core/base/text.h"
 #include "core/posh/language/plan_reader.h"
-#include "core/posh/language/plan_text.h"
+#include "core/posh/language/plan_writer.h"
 #include "core/posh/language/token.h"
 #include "core/posh/model/keyword.h"
+#include "core/posh/model/plan_walk.h"
 
 namespace usar::posh {
 
@@ -137,12 +138,9 @@ std::string limitPhrase(const Plan& plan, const PlanPart& owner) {
         if (member.retries)
             appendLiteral(text, *member.retries);
     } else {
-        std::visit(
-            [&text](const auto& form) {
-                if constexpr (requires { form.time_limit; })
-                    appendInterval(text, form.time_limit);
-            },
-            plan.forms[owner.form]);
+        if (const auto* const limit = fieldOf<const std::optional<Interval>>(
+                plan.forms[owner.form], [](const auto& any) -> decltype(&any.time_limit) { return &any.time_limit; }))
+            appendInterval(text, *limit);
     }
     const bool has_parentheses = text.starts_with(" (");
     return has_parentheses ? text.substr(2, text.size() - 3) : text;

@@ -5,7 +5,6 @@
 #include "core/base/spelling.h"
 #include "core/base/text.h"
 #include "core/posh/edit/fix_finder.h"
-#include "core/posh/language/word.h"
 #include "core/posh/model/keyword.h"
 #include "core/posh/model/literal.h"
 #include "core/posh/model/utf8.h"
@@ -53,57 +52,41 @@ FixFinder::FixFinder(std::string_view text, const Finding& finding, const Vocabu
 }
 
 std::vector<QuickFix> FixFinder::run() {
-    static constexpr std::pair<Code, void (FixFinder::*)()> finders[] = {
-        {Code::IllegalCharacter, &FixFinder::fixCharacters},
-        {Code::StringNeverClosed, &FixFinder::fixOpenString},
-        {Code::UnknownEscape, &FixFinder::fixCharacters},
-        {Code::MalformedNumber, &FixFinder::fixWord},
-        {Code::MalformedSymbol, &FixFinder::fixCharacters},
-        {Code::DollarWithoutName, &FixFinder::fixCharacters},
-        {Code::MalformedName, &FixFinder::fixWord},
-        {Code::NotAPlan, &FixFinder::fixParentheses},
-        {Code::UnexpectedToken, &FixFinder::fixUnexpected},
-        {Code::EndOfFile, &FixFinder::fixParentheses},
-        {Code::TextAfterPlan, &FixFinder::fixTextAfterPlan},
-        {Code::UnknownForm, &FixFinder::fixUnexpected},
-        {Code::LateDocumentation, &FixFinder::fixDocumentation},
-        {Code::DocumentationStrings, &FixFinder::fixDocumentation},
-        {Code::SecondCollection, &FixFinder::fixDocumentation},
-        {Code::UnknownUnit, &FixFinder::fixUnit},
-        {Code::NumberMissing, &FixFinder::fixNumber},
-        {Code::NumberOutOfRange, &FixFinder::fixNumber},
-        {Code::MisplacedPredicate, &FixFinder::fixPredicate},
-        {Code::BareNameAsValue, &FixFinder::fixBareName},
-        {Code::PositionalAfterNamed, &FixFinder::fixArgumentPlace},
-        {Code::ArgumentTwice, &FixFinder::fixArgumentPlace},
-        {Code::ParameterTwice, &FixFinder::fixParameter},
-        {Code::ParameterWithoutDefault, &FixFinder::fixParameter},
-        {Code::EmptyList, &FixFinder::fixEmptyList},
-        {Code::FractionalRetries, &FixFinder::fixNumber},
-        {Code::DuplicateName, &FixFinder::fixDuplicate},
-        {Code::ReferenceCycle, &FixFinder::fixSimply},
-        {Code::NoCollection, &FixFinder::fixMissingCollection},
-        {Code::UnknownPrimitive, &FixFinder::fixUnknownName},
-        {Code::PrimitiveNamedAsForm, &FixFinder::fixName},
-        {Code::FreeVariable, &FixFinder::fixVariable},
-        {Code::WrongUse, &FixFinder::fixWrongUse},
-        {Code::BadByte, &FixFinder::fixCharacters},
-        {Code::Fragment, &FixFinder::fixMissingCollection},
-        {Code::DuplicateDrive, &FixFinder::fixDuplicate},
-        {Code::DuplicateElement, &FixFinder::fixDuplicate},
-        {Code::NeverUsed, &FixFinder::fixSimply},
-        {Code::OddSpace, &FixFinder::fixCharacters},
-        {Code::NameStartsWithDigit, &FixFinder::fixName},
-        {Code::KeywordAsName, &FixFinder::fixName},
-        {Code::NoElements, &FixFinder::fixSimply},
-        {Code::ZeroRetries, &FixFinder::fixSimply},
-        {Code::NeverReached, &FixFinder::fixUnreached},
-        {Code::MayFindNothing, &FixFinder::fixFindingNothing},
-        {Code::UndeclaredArgument, &FixFinder::fixUndeclared},
+    using enum Code;
+    struct Row {
+        void (FixFinder::*find)();
+        std::initializer_list<Code> codes;
     };
-    const auto finder = std::ranges::find(finders, finding_.code, [](const auto& row) { return row.first; });
-    if (finder != std::end(finders))
-        (this->*finder->second)();
+    static const Row rows[] = {
+        {&FixFinder::fixCharacters,
+         {IllegalCharacter, UnknownEscape, MalformedSymbol, DollarWithoutName, BadByte, OddSpace}},
+        {&FixFinder::fixOpenString, {StringNeverClosed}},
+        {&FixFinder::fixWord, {MalformedNumber, MalformedName}},
+        {&FixFinder::fixParentheses, {NotAPlan, EndOfFile}},
+        {&FixFinder::fixUnexpected, {UnexpectedToken, UnknownForm}},
+        {&FixFinder::fixTextAfterPlan, {TextAfterPlan}},
+        {&FixFinder::fixDocumentation, {LateDocumentation, DocumentationStrings, SecondCollection}},
+        {&FixFinder::fixUnit, {UnknownUnit}},
+        {&FixFinder::fixNumber, {NumberMissing, NumberOutOfRange, FractionalRetries}},
+        {&FixFinder::fixPredicate, {MisplacedPredicate}},
+        {&FixFinder::fixBareName, {BareNameAsValue}},
+        {&FixFinder::fixArgumentPlace, {PositionalAfterNamed, ArgumentTwice}},
+        {&FixFinder::fixParameter, {ParameterTwice, ParameterWithoutDefault}},
+        {&FixFinder::fixEmptyList, {EmptyList}},
+        {&FixFinder::fixDuplicate, {DuplicateName, DuplicateDrive, DuplicateElement}},
+        {&FixFinder::fixSimply, {ReferenceCycle, NeverUsed, NoElements, ZeroRetries}},
+        {&FixFinder::fixMissingCollection, {NoCollection, Fragment}},
+        {&FixFinder::fixUnknownName, {UnknownPrimitive}},
+        {&FixFinder::fixName, {PrimitiveNamedAsForm, NameStartsWithDigit, KeywordAsName}},
+        {&FixFinder::fixVariable, {FreeVariable}},
+        {&FixFinder::fixWrongUse, {WrongUse}},
+        {&FixFinder::fixUnreached, {NeverReached}},
+        {&FixFinder::fixFindingNothing, {MayFindNothing}},
+        {&FixFinder::fixUndeclared, {UndeclaredArgument}},
+    };
+    for (const Row& row : rows)
+        if (std::ranges::find(row.codes, finding_.code) != row.codes.end())
+            (this->*row.find)();
     return std::move(fixes_);
 }
 
@@ -121,7 +104,7 @@ void FixFinder::replace(std::string title, std::size_t begin, std::size_t end, s
 }
 
 void FixFinder::replaceFound(const std::string& words) {
-    replace("Write " + words, finding_.at.offset, std::size_t{finding_.at.offset} + finding_.at.length, words);
+    replace("Write " + words, finding_.at.offset, finding_.at.end(), words);
 }
 
 void FixFinder::write(const std::string& words) {

@@ -145,9 +145,9 @@ bool readName(TokenCursor& cursor, std::string_view whose, Name& name) {
     if (!cursor.at(TokenKind::Name))
         return cursor.unexpected("the name " + std::string(whose), "a name");
     if (cursor.keyword() != Keyword::None)
-        cursor.warn(Code::KeywordAsName, cursor.peek().at,
-                    inQuotes(cursor.word()) + " is a word of the language and is read as a name here; " +
-                        otherNameFor(cursor.keyword()));
+        cursor.report(Code::KeywordAsName, cursor.peek().at,
+                      inQuotes(cursor.word()) + " is a word of the language and is read as a name here; " +
+                          otherNameFor(cursor.keyword()));
     name.text = cursor.word();
     name.at = cursor.peek().at;
     cursor.advance();

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/posh/model/number_table.h"
-#include "core/posh/model/plan.h"
+#include "core/posh/model/plan_walk.h"
 
 namespace usar::posh {
 
@@ -28,11 +28,34 @@ struct VariableUse {
 /// The plan must outlive the index and must not change meanwhile. If two forms have the same name, the first one
 /// counts.
 class FormIndex {
+    auto nameOfForm() const {
+        return [this](std::size_t form) -> const std::string& { return nameOf(plan_->forms[form]).text; };
+    }
+
 public:
-    explicit FormIndex(const Plan& plan);
+    explicit FormIndex(const Plan& plan) : plan_(&plan), formals_(plan.forms.size()) {
+        forms_.reserve(plan.forms.size());
+        for (std::size_t i = 0; i < plan.forms.size(); ++i) {
+            if (!std::holds_alternative<Collection>(plan.forms[i]))
+                forms_.findOrNote(nameOf(plan.forms[i]).text, static_cast<NumberTable::Number>(i), nameOfForm());
+            for (const Formal& formal : formalsOf(plan.forms[i]))
+                formals_[i].insert(formal.variable.name);
+        }
+        for (std::size_t i = 0; i < plan.forms.size(); ++i)
+            forEachCall(plan.forms[i], [&](const Call& call, bool is_sense) {
+                for (const Argument& argument : call.arguments)
+                    if (const auto* const variable = std::get_if<Variable>(&argument.value))
+                        variables_.push_back({variable, i});
+                if (const auto target = is_sense ? std::nullopt : find(call.name.text))
+                    references_.push_back({&call, i, *target});
+            });
+    }
 
     /// Returns an index in Plan::forms; nullopt for the name of a primitive or of the collection.
-    std::optional<std::size_t> find(std::string_view name) const;
+    std::optional<std::size_t> find(std::string_view name) const {
+        const NumberTable::Number found = forms_.find(name, nameOfForm());
+        return found == NumberTable::none ? std::nullopt : std::optional<std::size_t>(found);
+    }
     /// All calls of forms, in the order of the text.
     const std::vector<Reference>& references() const { return references_; }
     /// All uses of variables, declared or not, in the order of the text.
@@ -42,10 +65,6 @@ public:
     const std::unordered_set<std::string_view>& formals(std::size_t form) const { return formals_[form]; }
 
 private:
-    auto nameOfForm() const {
-        return [this](std::size_t form) -> const std::string& { return nameOf(plan_->forms[form]).text; };
-    }
-
     const Plan* plan_;
     NumberTable forms_;
     std::vector<std::unordered_set<std::string_view>> formals_;

@@ -84,8 +84,8 @@ bool readRetries(TokenCursor& cursor, std::optional<Literal>& retries) {
     if (!readValue(cursor, retries.emplace()))
         return false;
     if (retries->value == Value(std::int64_t{0}))
-        cursor.warn(Code::ZeroRetries, retries->at,
-                    "zero retries mean no limit here, but other readers take them as never; leave the number out");
+        cursor.report(Code::ZeroRetries, retries->at,
+                      "zero retries mean no limit here, but other readers take them as never; leave the number out");
     return true;
 }
 
@@ -121,7 +121,7 @@ bool readElements(TokenCursor& cursor, Levels& levels) {
     if (!cursor.takeKeyword(Keyword::Elements, "the word elements", "(elements ((name action)))"))
         return false;
     if (cursor.at(TokenKind::Close))
-        cursor.warn(Code::NoElements, keyword, "the competence has no elements; write (elements ((name action)))");
+        cursor.report(Code::NoElements, keyword, "the competence has no elements; write (elements ((name action)))");
     return readLevels(cursor, levels, "a level of elements", &readElement);
 }
 

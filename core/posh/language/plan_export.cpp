@@ -118,13 +118,19 @@ private:
     void parts(AnyForm& form) {
         name(form.name);
         if constexpr (requires { form.formals; })
-            formals(form.formals);
+            if (!isYaposh() && !form.formals.empty()) {
+                lose(form.formals.front().variable.at, "parameters, which are left out");
+                form.formals.clear();
+            }
         if constexpr (requires { form.comment; })
             comment(form.comment);
         if constexpr (requires { form.goal; })
             senses(form.goal);
         if constexpr (requires { form.time_limit; })
-            timeLimit(form.time_limit);
+            if (isYaposh() && form.time_limit) {
+                lose(form.time_limit->at, "time limits, and this one is left out");
+                form.time_limit.reset();
+            }
         if constexpr (requires { form.levels; })
             for (Level& level : form.levels)
                 members(level);
@@ -191,18 +197,6 @@ private:
         if (!call.arguments.empty())
             lose(call.arguments.front().at, "arguments, which are left out");
         call.arguments.clear();
-    }
-    void formals(std::vector<Formal>& formals) {
-        if (isYaposh() || formals.empty())
-            return;
-        lose(formals.front().variable.at, "parameters, which are left out");
-        formals.clear();
-    }
-    void timeLimit(std::optional<Interval>& limit) {
-        if (!isYaposh() || !limit)
-            return;
-        lose(limit->at, "time limits, and this one is left out");
-        limit.reset();
     }
     void senses(Senses& tests) {
         for (SenseTest& test : tests)

@@ -35,9 +35,8 @@ void TokenCursor::resumeAt(std::size_t index, std::size_t depth) {
 }
 
 Spot TokenCursor::spotSince(const Spot& begin) const {
-    const Spot& last = list_->tokens[index_ - 1].at;
     Spot whole = begin;
-    whole.length = last.offset + last.length - begin.offset;
+    whole.length = static_cast<std::uint32_t>(list_->tokens[index_ - 1].at.end() - begin.offset);
     return whole;
 }
 
@@ -49,44 +48,34 @@ bool TokenCursor::takeKeyword(Keyword wanted, std::string_view expected, std::st
 }
 
 bool TokenCursor::unexpected(std::string_view expected, std::string_view mend) {
-    std::string message = "expected ";
-    message += expected;
-    if (at(TokenKind::End)) // fail() completes the message
-        message += ", found the end of the text";
-    else
-        message += ", found " + inQuotes(word());
-    message += "; write ";
-    message += mend;
-    return fail(Code::UnexpectedToken, std::move(message));
+    const std::string found = at(TokenKind::End) ? "the end of the text" : inQuotes(word());
+    return fail(Code::UnexpectedToken, // Completes the message at the end of the text
+                "expected " + std::string(expected) + ", found " + found + "; write " + std::string(mend));
 }
 
 bool TokenCursor::fail(Code code, std::string message) {
     const Token& token = peek();
     if (token.kind == TokenKind::Bad) {
         const LexicalError& error = list_->errors[errors_passed_];
-        return failAt(error.code, error.at, lexicalMessage(error.code, text_, error.at));
+        return report(error.code, error.at, lexicalMessage(error.code, text_, error.at));
     }
     if (token.kind != TokenKind::End)
-        return failAt(code, token.at, std::move(message));
+        return report(code, token.at, std::move(message));
     if (!findings_.empty() && findings_.back().code == Code::EndOfFile)
         return false; // Report the end of the text only once
     if (openers_.empty())
         message = "the text has no plan in it; write one, as ((DC name (drives ((name action)))))";
     else if (code != Code::UnexpectedToken)
         message = "the text ends too early; close what is open with )";
-    failAt(Code::EndOfFile, token.at, std::move(message));
+    report(Code::EndOfFile, token.at, std::move(message));
     if (!openers_.empty())
         findings_.back().opener = tokens_[openers_.back()].at;
     return false;
 }
 
-bool TokenCursor::failAt(Code code, const Spot& at, std::string message) {
+bool TokenCursor::report(Code code, const Spot& at, std::string message) {
     findings_.push_back({code, at, std::move(message)});
     return false;
-}
-
-void TokenCursor::warn(Code code, const Spot& at, std::string message) {
-    findings_.push_back({code, at, std::move(message)});
 }
 
 } // namespace usar::posh

@@ -76,8 +76,8 @@ public:
     /// Reports an error at the current token. If that token is malformed, its own error is reported instead; at the end
     /// of the text, the error is E203 (at most once in a row).
     bool fail(Code code, std::string message);
-    bool failAt(Code code, const Spot& at, std::string message);
-    void warn(Code code, const Spot& at, std::string message);
+    /// Reports an error or a warning at any place. Always returns false.
+    bool report(Code code, const Spot& at, std::string message);
 
     /// Moves the findings out of the cursor, in the order in which they were reported.
     Findings takeFindings() { return std::move(findings_); }

@@ -10,10 +10,6 @@ namespace usar::posh {
 
 namespace {
 
-std::size_t endOf(const Token& token) {
-    return token.at.offset + token.at.length;
-}
-
 /// Returns whether two tokens mean the same. Keywords may differ in case.
 bool same(std::string_view a_text, const Token& a, std::string_view b_text, const Token& b) {
     const std::string_view a_word = textOf(a_text, a.at);
@@ -70,11 +66,11 @@ std::optional<Splice> spliceTokens(std::string_view text, const TokenList& token
     }
     const bool replaces = front < old_end && front < new_end;
     Splice splice;
-    splice.begin = replaces ? old[front].at.offset : endOf(old[front - 1]);
-    splice.end = front < old_end ? endOf(old[old_end - 1]) : splice.begin;
+    splice.begin = replaces ? old[front].at.offset : old[front - 1].at.end();
+    splice.end = front < old_end ? old[old_end - 1].at.end() : splice.begin;
     if (front < new_end) {
-        const std::size_t from = replaces ? all[front].at.offset : endOf(all[front - 1]);
-        splice.text = wanted.substr(from, endOf(all[new_end - 1]) - from);
+        const std::size_t from = replaces ? all[front].at.offset : all[front - 1].at.end();
+        splice.text = wanted.substr(from, all[new_end - 1].at.end() - from);
     }
     const Token& before_rest = front < new_end ? all[new_end - 1] : old[front - 1];
     if (!replaces && splice.end == old[old_end].at.offset && isWord(old[old_end]) && isWord(before_rest))

@@ -4,7 +4,6 @@
 
 #include "core/base/text.h"
 #include "core/posh/language/token.h"
-#include "core/posh/language/word.h"
 #include "core/posh/model/utf8.h"
 
 namespace usar::posh {
@@ -62,21 +61,6 @@ public:
     }
 
 private:
-    void next();
-    void highCharacter();
-    void lineEnd();
-    void delimiter();
-    void predicate();
-    void comment();
-    void string();
-    std::size_t escapeLength(std::size_t at, std::size_t limit) const;
-    void name();
-    void number();
-    void word(TokenKind wanted = TokenKind::Name);
-    std::size_t wordEnd(std::size_t from) const;
-
-    /// Moves past the character at at_ and keeps the line and column counts.
-    void passCharacter();
     void passTo(std::size_t end) {
         while (at_ < end)
             if (classOf(text_[at_]) < Class::LineEnd)
@@ -119,7 +103,255 @@ private:
         list_.errors.push_back({code, error_at});
         add(TokenKind::Bad, begin);
     }
-    void warn(Code code, const Spot& at, std::string message);
+
+    void next() {
+        switch (classOf(text_[at_])) {
+        case Class::Blank:
+            do
+                ++at_;
+            while (at_ < text_.size() && classOf(text_[at_]) == Class::Blank);
+            break;
+        case Class::LineEnd:
+            lineEnd();
+            break;
+        case Class::Open:
+            addPlain(TokenKind::Open, Keyword::None, at_ + 1);
+            break;
+        case Class::Close:
+            addPlain(TokenKind::Close, Keyword::None, at_ + 1);
+            break;
+        case Class::Delimiter:
+            delimiter();
+            break;
+        case Class::High:
+            highCharacter();
+            break;
+        case Class::NameStart:
+            name();
+            break;
+        case Class::NamePart:
+            number();
+            break;
+        case Class::Word:
+            word();
+        }
+    }
+    void warn(Code code, const Spot& at, std::string message) {
+        if (list_.warnings.size() > most_warnings)
+            return;
+        if (list_.warnings.size() == most_warnings)
+            message = "there are more such characters and names, which are not listed; fix the ones above first";
+        list_.warnings.push_back({code, at, std::move(message)});
+    }
+    /// Moves past the character at at_ and keeps the line and column counts.
+    void passCharacter() {
+        if (text_[at_] == '\n') {
+            ++at_;
+            ++line_;
+            line_start_ = at_;
+            extra_bytes_ = 0;
+            return;
+        }
+        if (classOf(text_[at_]) != Class::High) {
+            ++at_;
+            return;
+        }
+        const CodePoint character = codePointAt(text_, at_);
+        if (!character.valid) {
+            Spot at = spotFrom(at_);
+            at.length = 1;
+            warn(Code::BadByte, at, "this byte is not valid UTF-8 and is read as U+FFFD; save the file as UTF-8");
+        }
+        at_ += character.length;
+        extra_bytes_ += character.length - 1;
+    }
+    void lineEnd() {
+        // A line without tokens and comments is blank; several blank lines count as one.
+        const bool has_comment = !list_.comments.empty() && list_.comments.back().offset >= line_start_;
+        if (line_is_empty_ && !has_comment && !line_is_blank_) {
+            list_.comments.push_back({static_cast<std::uint32_t>(line_start_), 0, true});
+            line_is_blank_ = true;
+        } else if (!line_is_empty_ || has_comment) {
+            line_is_blank_ = false;
+        }
+        passCharacter();
+        line_is_empty_ = true;
+    }
+    void highCharacter() {
+        const CodePoint character = codePointAt(text_, at_);
+        if (!character.valid || !isOddSpace(character.value))
+            return word();
+        Spot at = spotFrom(at_);
+        at.length = static_cast<std::uint32_t>(character.length);
+        if (odd_spaces_end_ != at_)
+            warn(Code::OddSpace, at, "this is not an ordinary space, though it looks like one; write a space");
+        passCharacter();
+        odd_spaces_end_ = at_;
+    }
+    void delimiter() {
+        const Spot begin = spotFrom(at_);
+        switch (text_[at_]) {
+        case ';':
+        case '#':
+            return comment();
+        case '"':
+            return string();
+        case '$':
+            return word(TokenKind::Variable);
+        case '\'':
+            return word(TokenKind::Symbol);
+        case ',':
+            ++at_;
+            add(TokenKind::Comma, begin);
+            return;
+        default:
+            return predicate();
+        }
+    }
+    void predicate() {
+        const Spot begin = spotFrom(at_);
+        const char first = text_[at_++];
+        const bool with_equals = at_ < text_.size() && text_[at_] == '=';
+        if (with_equals)
+            ++at_;
+        if (first == '!' && !with_equals)
+            return addBad(Code::IllegalCharacter, begin, begin);
+        add(TokenKind::Predicate, begin);
+    }
+    void comment() {
+        const std::size_t begin = at_;
+        passTo(std::min(text_.find('\n', at_), text_.size()));
+        std::size_t end = at_;
+        while (end > begin + 1 && classOf(text_[end - 1]) == Class::Blank)
+            --end;
+        list_.comments.push_back(
+            {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end - begin), line_is_empty_});
+    }
+    std::size_t wordEnd(std::size_t from) const {
+        std::size_t end = from;
+        while (end < text_.size()) {
+            const Class kind = classOf(text_[end]);
+            if (kind <= Class::NamePart) {
+                ++end;
+                continue;
+            }
+            if (kind != Class::High)
+                break;
+            const CodePoint character = codePointAt(text_, end);
+            if (character.valid && isOddSpace(character.value))
+                break;
+            end += character.length;
+        }
+        return end;
+    }
+    /// Reads an ordinary name of letters, digits, _ and -; passes any other word on to word().
+    void name() {
+        std::size_t end = at_ + 1;
+        while (classAt(end) == Class::NameStart || classAt(end) == Class::NamePart)
+            ++end;
+        if (classAt(end) == Class::Word || classAt(end) == Class::High)
+            return word();
+        addPlain(TokenKind::Name, keywordOf(text_.substr(at_, end - at_)), end);
+    }
+    /// Reads an ordinary number: digits, with at most one decimal point and an optional minus. Passes any other word on
+    /// to word().
+    void number() {
+        std::size_t end = at_ + (text_[at_] == '-' ? 1 : 0);
+        const auto digits = [&] {
+            const std::size_t begin = end;
+            while (end < text_.size() && isDigit(text_[end]))
+                ++end;
+            return end - begin;
+        };
+        std::size_t count = digits();
+        const bool has_point = end < text_.size() && text_[end] == '.';
+        if (has_point) {
+            ++end;
+            count += digits();
+        }
+        const Class follows = classAt(end);
+        if (count == 0 || follows <= Class::NamePart || follows == Class::High)
+            return word();
+        addPlain(has_point ? TokenKind::Float : TokenKind::Integer, Keyword::None, end);
+    }
+    /// Reads any word that is not quoted, or one after the mark of a variable ($) or a symbol (').
+    void word(TokenKind wanted = TokenKind::Name) {
+        const Spot begin = spotFrom(at_);
+        const bool has_mark = wanted != TokenKind::Name;
+        at_ += has_mark ? 1 : 0;
+        const std::size_t first = at_;
+        const std::size_t end = wordEnd(first);
+        const std::string_view rest = text_.substr(first, end - first);
+        const Code lone = wanted == TokenKind::Variable ? Code::DollarWithoutName : Code::MalformedSymbol;
+        if (has_mark && rest.empty())
+            return addBad(lone, begin, begin);
+        const WordKind kind = wanted == TokenKind::Symbol ? classifySymbol(rest) : classifyWord(rest);
+        passTo(first + kind.bad);
+        const Spot bad = spotFrom(at_);
+        passTo(end);
+        if (kind.error)
+            return addBad(*kind.error, begin, bad);
+        if (wanted == TokenKind::Variable && kind.kind != TokenKind::Name)
+            return addBad(lone, begin, begin); // A number cannot be a name
+        const Spot whole = add(has_mark ? wanted : kind.kind, begin);
+        if (kind.starts_with_digit)
+            warn(Code::NameStartsWithDigit, whole,
+                 "the name starts with a digit, which other readers refuse; begin it with a letter");
+    }
+    /// Returns the length of the escape whose backslash is at `at`, or 0 if it is not a valid escape.
+    std::size_t escapeLength(std::size_t at, std::size_t limit) const {
+        const auto charAt = [&](std::size_t i) { return i < limit ? text_[i] : '\0'; };
+        const auto isOctal = [](char c) { return c >= '0' && c <= '7'; };
+        const char first = charAt(at + 1);
+        if (first != '\0' && std::string_view("btnfr'\"\\").find(first) != std::string_view::npos)
+            return 2;
+        if (isOctal(first)) {
+            std::size_t digits = 1;
+            while (digits < (first <= '3' ? 3U : 2U) && isOctal(charAt(at + 1 + digits)))
+                ++digits;
+            return 1 + digits;
+        }
+        std::size_t end = at + 1;
+        while (charAt(end) == 'u')
+            ++end;
+        if (end == at + 1)
+            return 0;
+        for (std::size_t digit = 0; digit < 4; ++digit) {
+            const char c = lowerCase(charAt(end + digit));
+            if (!isDigit(c) && !(c >= 'a' && c <= 'f'))
+                return 0;
+        }
+        return end + 4 - at;
+    }
+    /// Reads a string: adds a String token, or a Bad one with its first error. A string that is never closed ends with
+    /// its line, so that the rest of the plan can be read.
+    void string() {
+        const Spot begin = spotFrom(at_);
+        const std::size_t line_end = std::min(text_.find('\n', at_), text_.size());
+        const std::size_t limit = string_runs_to_end_ ? line_end : text_.size();
+        // First find the end of the string, then count its lines and columns.
+        std::size_t end = at_ + 1;
+        std::size_t wrong = 0;
+        while (end < limit && text_[end] != '"') {
+            const std::size_t length = text_[end] == '\\' ? escapeLength(end, limit) : 1;
+            if (length == 0 && wrong == 0)
+                wrong = end;
+            end += length > 0 ? length : std::min<std::size_t>(2, limit - end);
+        }
+        const bool closed = end < limit;
+        string_runs_to_end_ = string_runs_to_end_ || !closed;
+        if (!closed && wrong > line_end)
+            wrong = 0;
+        if (wrong > 0)
+            passTo(wrong);
+        const Spot wrong_at = spotFrom(at_);
+        passTo(closed ? end + 1 : line_end);
+        if (wrong > 0)
+            return addBad(Code::UnknownEscape, begin, wrong_at);
+        if (!closed)
+            return addBad(Code::StringNeverClosed, begin, begin);
+        add(TokenKind::String, begin);
+    }
 
     std::string_view text_;
     TokenList list_;
@@ -134,267 +366,6 @@ private:
     bool string_runs_to_end_ = false;   ///< a string was never closed, so there is no later closing quote either
     std::size_t odd_spaces_end_ = ~0UL; ///< end of the last odd space; adjacent ones cause one warning only
 };
-
-void Tokenizer::next() {
-    switch (classOf(text_[at_])) {
-    case Class::Blank:
-        do
-            ++at_;
-        while (at_ < text_.size() && classOf(text_[at_]) == Class::Blank);
-        break;
-    case Class::LineEnd:
-        lineEnd();
-        break;
-    case Class::Open:
-        addPlain(TokenKind::Open, Keyword::None, at_ + 1);
-        break;
-    case Class::Close:
-        addPlain(TokenKind::Close, Keyword::None, at_ + 1);
-        break;
-    case Class::Delimiter:
-        delimiter();
-        break;
-    case Class::High:
-        highCharacter();
-        break;
-    case Class::NameStart:
-        name();
-        break;
-    case Class::NamePart:
-        number();
-        break;
-    case Class::Word:
-        word();
-    }
-}
-
-void Tokenizer::warn(Code code, const Spot& at, std::string message) {
-    if (list_.warnings.size() > most_warnings)
-        return;
-    if (list_.warnings.size() == most_warnings)
-        message = "there are more such characters and names, which are not listed; fix the ones above first";
-    list_.warnings.push_back({code, at, std::move(message)});
-}
-
-void Tokenizer::passCharacter() {
-    if (text_[at_] == '\n') {
-        ++at_;
-        ++line_;
-        line_start_ = at_;
-        extra_bytes_ = 0;
-        return;
-    }
-    if (classOf(text_[at_]) != Class::High) {
-        ++at_;
-        return;
-    }
-    const CodePoint character = codePointAt(text_, at_);
-    if (!character.valid) {
-        Spot at = spotFrom(at_);
-        at.length = 1;
-        warn(Code::BadByte, at, "this byte is not valid UTF-8 and is read as U+FFFD; save the file as UTF-8");
-    }
-    at_ += character.length;
-    extra_bytes_ += character.length - 1;
-}
-
-void Tokenizer::lineEnd() {
-    // A line without tokens and comments is blank; several blank lines count as one.
-    const bool has_comment = !list_.comments.empty() && list_.comments.back().offset >= line_start_;
-    if (line_is_empty_ && !has_comment && !line_is_blank_) {
-        list_.comments.push_back({static_cast<std::uint32_t>(line_start_), 0, true});
-        line_is_blank_ = true;
-    } else if (!line_is_empty_ || has_comment) {
-        line_is_blank_ = false;
-    }
-    passCharacter();
-    line_is_empty_ = true;
-}
-
-void Tokenizer::highCharacter() {
-    const CodePoint character = codePointAt(text_, at_);
-    if (!character.valid || !isOddSpace(character.value))
-        return word();
-    Spot at = spotFrom(at_);
-    at.length = static_cast<std::uint32_t>(character.length);
-    if (odd_spaces_end_ != at_)
-        warn(Code::OddSpace, at, "this is not an ordinary space, though it looks like one; write a space");
-    passCharacter();
-    odd_spaces_end_ = at_;
-}
-
-void Tokenizer::delimiter() {
-    const Spot begin = spotFrom(at_);
-    switch (text_[at_]) {
-    case ';':
-    case '#':
-        return comment();
-    case '"':
-        return string();
-    case '$':
-        return word(TokenKind::Variable);
-    case '\'':
-        return word(TokenKind::Symbol);
-    case ',':
-        ++at_;
-        add(TokenKind::Comma, begin);
-        return;
-    default:
-        return predicate();
-    }
-}
-
-void Tokenizer::predicate() {
-    const Spot begin = spotFrom(at_);
-    const char first = text_[at_++];
-    const bool with_equals = at_ < text_.size() && text_[at_] == '=';
-    if (with_equals)
-        ++at_;
-    if (first == '!' && !with_equals)
-        return addBad(Code::IllegalCharacter, begin, begin);
-    add(TokenKind::Predicate, begin);
-}
-
-void Tokenizer::comment() {
-    const std::size_t begin = at_;
-    passTo(std::min(text_.find('\n', at_), text_.size()));
-    std::size_t end = at_;
-    while (end > begin + 1 && classOf(text_[end - 1]) == Class::Blank)
-        --end;
-    list_.comments.push_back(
-        {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end - begin), line_is_empty_});
-}
-
-std::size_t Tokenizer::wordEnd(std::size_t from) const {
-    std::size_t end = from;
-    while (end < text_.size()) {
-        const Class kind = classOf(text_[end]);
-        if (kind <= Class::NamePart) {
-            ++end;
-            continue;
-        }
-        if (kind != Class::High)
-            break;
-        const CodePoint character = codePointAt(text_, end);
-        if (character.valid && isOddSpace(character.value))
-            break;
-        end += character.length;
-    }
-    return end;
-}
-
-/// Reads an ordinary name of letters, digits, _ and -; passes any other word on to word().
-void Tokenizer::name() {
-    std::size_t end = at_ + 1;
-    while (classAt(end) == Class::NameStart || classAt(end) == Class::NamePart)
-        ++end;
-    if (classAt(end) == Class::Word || classAt(end) == Class::High)
-        return word();
-    addPlain(TokenKind::Name, keywordOf(text_.substr(at_, end - at_)), end);
-}
-
-/// Reads an ordinary number: digits, with at most one decimal point and an optional minus. Passes any other word on to
-/// word().
-void Tokenizer::number() {
-    std::size_t end = at_ + (text_[at_] == '-' ? 1 : 0);
-    const auto digits = [&] {
-        const std::size_t begin = end;
-        while (end < text_.size() && isDigit(text_[end]))
-            ++end;
-        return end - begin;
-    };
-    std::size_t count = digits();
-    const bool has_point = end < text_.size() && text_[end] == '.';
-    if (has_point) {
-        ++end;
-        count += digits();
-    }
-    const Class follows = classAt(end);
-    if (count == 0 || follows <= Class::NamePart || follows == Class::High)
-        return word();
-    addPlain(has_point ? TokenKind::Float : TokenKind::Integer, Keyword::None, end);
-}
-
-/// Reads any word that is not quoted, or one after the mark of a variable ($) or a symbol (').
-void Tokenizer::word(TokenKind wanted) {
-    const Spot begin = spotFrom(at_);
-    const bool has_mark = wanted != TokenKind::Name;
-    at_ += has_mark ? 1 : 0;
-    const std::size_t first = at_;
-    const std::size_t end = wordEnd(first);
-    const std::string_view rest = text_.substr(first, end - first);
-    const Code lone = wanted == TokenKind::Variable ? Code::DollarWithoutName : Code::MalformedSymbol;
-    if (has_mark && rest.empty())
-        return addBad(lone, begin, begin);
-    const WordKind kind = wanted == TokenKind::Symbol ? classifySymbol(rest) : classifyWord(rest);
-    passTo(first + kind.bad);
-    const Spot bad = spotFrom(at_);
-    passTo(end);
-    if (kind.error)
-        return addBad(*kind.error, begin, bad);
-    if (wanted == TokenKind::Variable && kind.kind != TokenKind::Name)
-        return addBad(lone, begin, begin); // A number cannot be a name
-    const Spot whole = add(has_mark ? wanted : kind.kind, begin);
-    if (kind.starts_with_digit)
-        warn(Code::NameStartsWithDigit, whole,
-             "the name starts with a digit, which other readers refuse; begin it with a letter");
-}
-
-/// Returns the length of the escape whose backslash is at `at`, or 0 if it is not a valid escape.
-std::size_t Tokenizer::escapeLength(std::size_t at, std::size_t limit) const {
-    const auto charAt = [&](std::size_t i) { return i < limit ? text_[i] : '\0'; };
-    const auto isOctal = [](char c) { return c >= '0' && c <= '7'; };
-    const char first = charAt(at + 1);
-    if (first != '\0' && std::string_view("btnfr'\"\\").find(first) != std::string_view::npos)
-        return 2;
-    if (isOctal(first)) {
-        std::size_t digits = 1;
-        while (digits < (first <= '3' ? 3U : 2U) && isOctal(charAt(at + 1 + digits)))
-            ++digits;
-        return 1 + digits;
-    }
-    std::size_t end = at + 1;
-    while (charAt(end) == 'u')
-        ++end;
-    if (end == at + 1)
-        return 0;
-    for (std::size_t digit = 0; digit < 4; ++digit) {
-        const char c = lowerCase(charAt(end + digit));
-        if (!isDigit(c) && !(c >= 'a' && c <= 'f'))
-            return 0;
-    }
-    return end + 4 - at;
-}
-
-/// Reads a string: adds a String token, or a Bad one with its first error. A string that is never closed ends with its
-/// line, so that the rest of the plan can be read.
-void Tokenizer::string() {
-    const Spot begin = spotFrom(at_);
-    const std::size_t line_end = std::min(text_.find('\n', at_), text_.size());
-    const std::size_t limit = string_runs_to_end_ ? line_end : text_.size();
-    // First find the end of the string, then count its lines and columns.
-    std::size_t end = at_ + 1;
-    std::size_t wrong = 0;
-    while (end < limit && text_[end] != '"') {
-        const std::size_t length = text_[end] == '\\' ? escapeLength(end, limit) : 1;
-        if (length == 0 && wrong == 0)
-            wrong = end;
-        end += length > 0 ? length : std::min<std::size_t>(2, limit - end);
-    }
-    const bool closed = end < limit;
-    string_runs_to_end_ = string_runs_to_end_ || !closed;
-    if (!closed && wrong > line_end)
-        wrong = 0;
-    if (wrong > 0)
-        passTo(wrong);
-    const Spot wrong_at = spotFrom(at_);
-    passTo(closed ? end + 1 : line_end);
-    if (wrong > 0)
-        return addBad(Code::UnknownEscape, begin, wrong_at);
-    if (!closed)
-        return addBad(Code::StringNeverClosed, begin, begin);
-    add(TokenKind::String, begin);
-}
 
 } // namespace
 

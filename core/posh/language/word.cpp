@@ -1,4 +1,4 @@
-#include "core/posh/language/word.h"
+#include "core/posh/language/token.h"
 
 #include "core/base/text.h"
 

@@ -1,6 +1,7 @@
 // The words of a POSH plan: values, names, calls, senses and times, each with its place in the text.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -18,6 +19,8 @@ struct Spot {
     std::uint32_t column = 0;
     std::uint32_t offset = 0;
     std::uint32_t length = 0;
+    /// The offset after the last byte.
+    constexpr std::size_t end() const { return std::size_t{offset} + length; }
     constexpr bool operator==(const Spot&) const { return true; }
 };
 

@@ -43,13 +43,12 @@ std::string inQuotes(std::string_view word) {
 }
 
 bool isReadable(const Findings& findings) {
-    return std::none_of(findings.begin(), findings.end(),
-                        [](const Finding& finding) { return isUnreadable(finding.code); });
+    return std::ranges::none_of(findings, isUnreadable, &Finding::code);
 }
 
 bool hasErrors(const Findings& findings) {
-    return std::any_of(findings.begin(), findings.end(),
-                       [](const Finding& finding) { return severityOf(finding.code) == Severity::Error; });
+    return std::ranges::any_of(findings,
+                               [](const Finding& finding) { return severityOf(finding.code) == Severity::Error; });
 }
 
 std::string toText(const Finding& finding) {

@@ -1,5 +1,6 @@
 #include "core/posh/model/literal.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -92,10 +93,8 @@ std::string spelledFloat(double value) {
 
 std::string unescaped(std::string_view between_quotes) {
     const auto isPlain = [](char c) { return c != '\\' && static_cast<unsigned char>(c) < 0x80; };
-    for (const char c : between_quotes)
-        if (!isPlain(c))
-            return Unescaper(between_quotes).run();
-    return std::string(between_quotes);
+    const bool is_plain = std::ranges::all_of(between_quotes, isPlain);
+    return is_plain ? std::string(between_quotes) : Unescaper(between_quotes).run();
 }
 
 std::string quoted(std::string_view text) {

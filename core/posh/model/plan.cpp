@@ -2,7 +2,8 @@
 
 #include <array>
 #include <cstddef>
-#include <utility>
+
+#include "core/posh/model/plan_walk.h"
 
 namespace usar::posh {
 
@@ -42,25 +43,17 @@ const Spot& spotOf(const Form& form) {
 
 const std::vector<Formal>& formalsOf(const Form& form) {
     static const std::vector<Formal> none;
-    return std::visit(
-        [](const auto& any) -> const std::vector<Formal>& {
-            if constexpr (requires { any.formals; })
-                return any.formals;
-            else
-                return none;
-        },
-        form);
+    const auto* const formals = fieldOf<const std::vector<Formal>>(
+        form, [](const auto& any) -> decltype(&any.formals) { return &any.formals; });
+    return formals ? *formals : none;
 }
 
 const Levels* levelsIn(const Form& form) {
-    if (const auto* const competence = std::get_if<Competence>(&form))
-        return &competence->levels;
-    const auto* const collection = std::get_if<Collection>(&form);
-    return collection ? &collection->levels : nullptr;
+    return fieldOf<const Levels>(form, [](const auto& any) -> decltype(&any.levels) { return &any.levels; });
 }
 
 Levels* levelsIn(Form& form) {
-    return const_cast<Levels*>(levelsIn(std::as_const(form)));
+    return fieldOf<Levels>(form, [](auto& any) -> decltype(&any.levels) { return &any.levels; });
 }
 
 double numberOf(const Value& value) {

@@ -1,4 +1,4 @@
-// Visits every call of a form and all comments of a plan, in the order of the text.
+// Reaches what forms of different kinds have in common; visits every call of a form and all comments of a plan.
 #pragma once
 
 #include <variant>
@@ -6,6 +6,19 @@
 #include "core/posh/model/plan.h"
 
 namespace usar::posh {
+
+/// Returns what `get(form)` points to for the kinds of forms that have it, otherwise nullptr. `get` names one member:
+/// `[](auto& form) -> decltype(&form.goal) { return &form.goal; }`.
+template <class Field, class AnyForm, class Get>
+Field* fieldOf(AnyForm& form, Get get) {
+    return std::visit(
+        [&get](auto& any) -> Field* {
+            if constexpr (requires { get(any); })
+                return get(any);
+            return nullptr;
+        },
+        form);
+}
 
 /// Calls `visit(call, is_sense)` for each call of a form: the senses of goals, triggers and steps, and the actions of
 /// drives, elements, steps and adopts. `AnyForm` may be const; the calls are then const, too.

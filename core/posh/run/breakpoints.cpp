@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "core/posh/language/plan_reader.h"
-#include "core/posh/run/board_change.h"
 #include "core/posh/run/comparison.h"
+#include "core/posh/run/value_text.h"
 
 namespace usar::posh {
 

@@ -1,6 +1,7 @@
 #include "core/posh/run/comparison.h"
 
 #include <cmath>
+#include <compare>
 
 namespace usar::posh {
 
@@ -35,21 +36,28 @@ bool equal(const Value& a, const Value& b) {
     return std::holds_alternative<std::monostate>(a) && std::holds_alternative<std::monostate>(b);
 }
 
-Comparison verdict(bool holds) {
-    return holds ? Comparison::Holds : Comparison::Fails;
+/// Returns nullopt for values without an order, such as a number and a text.
+std::optional<std::partial_ordering> orderOf(const Value& a, const Value& b) {
+    const auto a_number = asNumber(a);
+    const auto b_number = asNumber(b);
+    if (a_number && b_number)
+        return *a_number <=> *b_number;
+    const auto* const a_text = std::get_if<std::string>(&a);
+    const auto* const b_text = std::get_if<std::string>(&b);
+    return a_text && b_text ? std::optional<std::partial_ordering>(*a_text <=> *b_text) : std::nullopt;
 }
 
-template <class T>
-Comparison ordered(const T& a, Predicate predicate, const T& b) {
+/// Returns whether a predicate other than Equal and NotEqual holds for values of this order.
+bool holds(std::partial_ordering order, Predicate predicate) {
     switch (predicate) {
     case Predicate::Less:
-        return verdict(a < b);
+        return order < 0;
     case Predicate::Greater:
-        return verdict(a > b);
+        return order > 0;
     case Predicate::LessOrEqual:
-        return verdict(a <= b);
+        return order <= 0;
     default:
-        return verdict(a >= b);
+        return order >= 0;
     }
 }
 
@@ -64,19 +72,11 @@ bool truthOf(const Value& answer) {
 }
 
 Comparison compare(const Value& answer, Predicate predicate, const Value& operand) {
-    if (predicate == Predicate::Equal)
-        return verdict(equal(answer, operand));
-    if (predicate == Predicate::NotEqual)
-        return verdict(!equal(answer, operand));
-    const auto a = asNumber(answer);
-    const auto b = asNumber(operand);
-    if (a && b)
-        return ordered(*a, predicate, *b);
-    const auto* const a_text = std::get_if<std::string>(&answer);
-    const auto* const b_text = std::get_if<std::string>(&operand);
-    if (a_text && b_text)
-        return ordered(*a_text, predicate, *b_text);
-    return Comparison::Unlike;
+    const auto verdict = [](bool holds) { return holds ? Comparison::Holds : Comparison::Fails; };
+    if (predicate == Predicate::Equal || predicate == Predicate::NotEqual)
+        return verdict(equal(answer, operand) == (predicate == Predicate::Equal));
+    const auto order = orderOf(answer, operand);
+    return order ? verdict(holds(*order, predicate)) : Comparison::Unlike;
 }
 
 } // namespace usar::posh

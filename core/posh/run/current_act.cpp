@@ -2,11 +2,10 @@
 
 namespace usar::posh {
 
-void CurrentAct::load(const Program& program) {
-    program_ = &program;
+void CurrentAct::load() {
     act_ = nowhere;
     does_nothing_.clear();
-    for (const ProgramCall& call : program.act_calls) {
+    for (const ProgramCall& call : tracer_.program()->act_calls) {
         const bool built_in = call.name == "doNothing" || call.name == "cz.cuni.amis.pogamut.sposh.executor.DoNothing";
         does_nothing_.push_back(built_in && !host_.hasAct(call.name));
     }
@@ -23,7 +22,7 @@ ActResult CurrentAct::run(Index act) {
 ActResult CurrentAct::begin(Index act) {
     end(DoneReason::Interrupted);
     act_ = act;
-    const ProgramAct& here = program_->acts[act];
+    const ProgramAct& here = actAt(act);
     tracer_.note(TraceEvent::ActInit, here.place);
     if (!does_nothing_[here.call] && !profiler_.call(here.place, [&] { host_.init({here.call, here.place}); }))
         return ActResult::Failed;
@@ -31,7 +30,7 @@ ActResult CurrentAct::begin(Index act) {
 }
 
 ActResult CurrentAct::runOnce() {
-    const ProgramAct& here = program_->acts[act_];
+    const ProgramAct& here = actAt(act_);
     ActResult result = ActResult::RunningOnce;
     const std::int64_t begin_ns = profiler_.now();
     if (!does_nothing_[here.call] && !profiler_.call(here.place, [&] { result = host_.run({here.call, here.place}); }))
@@ -44,7 +43,7 @@ ActResult CurrentAct::runOnce() {
 void CurrentAct::end(DoneReason reason) {
     if (act_ == nowhere)
         return;
-    const ProgramAct& here = program_->acts[act_];
+    const ProgramAct& here = actAt(act_);
     tracer_.note(TraceEvent::ActDone, here.place, 0, static_cast<std::uint8_t>(reason));
     if (!does_nothing_[here.call])
         profiler_.call(here.place, [&] { host_.done({here.call, here.place}, reason); });

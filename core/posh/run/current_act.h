@@ -18,10 +18,8 @@ public:
         , tracer_(tracer)
         , profiler_(profiler) {}
 
-    /// Prepares for another program. No act may be current; call end first.
-    void load(const Program& program);
-    /// Switches to a program of the same shape; the current act continues.
-    void retune(const Program& program) { program_ = &program; }
+    /// Prepares for the tracer's program. No act may be current; call end first.
+    void load();
 
     /// The current act as an index in Program::acts; `nowhere` if there is none.
     Index index() const { return act_; }
@@ -37,11 +35,11 @@ public:
 private:
     ActResult begin(Index act);
     ActResult runOnce();
+    const ProgramAct& actAt(Index index) const { return tracer_.program()->acts[index]; }
 
     Host& host_;
     const Tracer& tracer_;
     Profiler& profiler_;
-    const Program* program_ = nullptr;
     std::vector<char> does_nothing_; ///< for each act call: whether it is the built-in `doNothing`
     Index act_ = nowhere;
     std::uint64_t last_run_ = 0; ///< number of the cycle in which an act was last run

@@ -2,43 +2,32 @@
 
 namespace usar::posh {
 
-void Descent::load(const Program& program) {
-    program_ = &program;
-    frames_.assign(program.forms.size(), {});
-}
-
 std::optional<ActResult> Descent::step(Index drive) {
     drive_ = drive;
     state_ = &parts_.drives[drive];
     result_.reset();
     for (const Index form : state_->stack)
-        if (program_->forms[form].kind == PlaceKind::Competence)
+        if (formAt(form).kind == PlaceKind::Competence)
             parts_.engagements.visit(form);
-    Next next = checkFrames();
-    while (next == Next::GoOn)
+    std::optional<Next> next;
+    for (std::size_t depth = 0; depth < state_->stack.size() && !next;
+         ++depth) // From the outermost form to the innermost
+        next = check(depth);
+    while (next.value_or(Next::GoOn) == Next::GoOn)
         next = advance();
     return result_;
 }
 
-/// Checks goals and time limits of the open forms, from the outermost to the innermost.
-Descent::Next Descent::checkFrames() {
-    for (std::size_t depth = 0; depth < state_->stack.size(); ++depth) {
-        const Index form = state_->stack[depth];
-        if (goalHolds(form))
-            return reachGoal(depth);
-        if (timeIsUp(form))
-            return timeOut(depth);
-    }
-    return Next::GoOn;
-}
-
-bool Descent::goalHolds(Index form) {
-    const Range goal = program_->forms[form].goal;
-    return !goal.empty() && parts_.senses.allHold(goal);
+std::optional<Descent::Next> Descent::check(std::size_t depth) {
+    const Index form = state_->stack[depth];
+    const Range goal = formAt(form).goal;
+    if (!goal.empty() && parts_.senses.allHold(goal))
+        return endAt(depth, TraceEvent::Goal);
+    return timeIsUp(form) ? std::optional(endAt(depth, TraceEvent::Timeout)) : std::nullopt;
 }
 
 bool Descent::timeIsUp(Index form) {
-    const ProgramForm& here = program_->forms[form];
+    const ProgramForm& here = formAt(form);
     if (!here.limit_ms)
         return false;
     const Milliseconds begin =
@@ -46,47 +35,32 @@ bool Descent::timeIsUp(Index form) {
     return static_cast<double>((parts_.tracer.now() - begin).count()) >= *here.limit_ms;
 }
 
-Descent::Next Descent::reachGoal(std::size_t depth) {
-    parts_.tracer.note(TraceEvent::Goal, program_->forms[state_->stack[depth]].place);
-    leave(depth);
-    return succeed();
-}
-
-Descent::Next Descent::timeOut(std::size_t depth) {
-    parts_.tracer.note(TraceEvent::Timeout, program_->forms[state_->stack[depth]].place);
-    leave(depth);
-    return fail();
-}
-
-/// Removes the form at this depth and all forms inside it from the stack.
-void Descent::leave(std::size_t depth) {
+Descent::Next Descent::endAt(std::size_t depth, TraceEvent why) {
     const Index form = state_->stack[depth];
+    parts_.tracer.note(why, formAt(form).place);
     parts_.act.end(DoneReason::Interrupted);
     while (state_->stack.size() > depth)
         parts_.drives.pop(*state_);
-    parts_.engagements.endWithin({form, program_->forms[form].below_end});
-}
-
-PlaceKind Descent::top() const {
-    return program_->forms[state_->stack.back()].kind;
+    parts_.engagements.endWithin({form, formAt(form).below_end});
+    return why == TraceEvent::Goal ? succeed() : fail();
 }
 
 Descent::Next Descent::advance() {
     if (state_->stack.empty())
-        return enter(program_->drives[drive_].target);
+        return enter(program().drives[drive_].target);
     const Index form = state_->stack.back();
-    switch (program_->forms[form].kind) {
+    switch (formAt(form).kind) {
     case PlaceKind::Pattern:
         return advancePattern(form);
     case PlaceKind::Competence:
         return advanceCompetence(form);
     default:
-        return enter(program_->steps[program_->forms[form].items.first].target);
+        return enter(program().steps[formAt(form).items.first].target);
     }
 }
 
 Descent::Next Descent::advancePattern(Index form) {
-    const ProgramStep& step = program_->steps[frames_[form].next_step];
+    const ProgramStep& step = program().steps[frames_[form].next_step];
     if (step.test == nowhere)
         return enter(step.target);
     return parts_.senses.holds(step.test) ? succeed() : fail();
@@ -95,11 +69,11 @@ Descent::Next Descent::advancePattern(Index form) {
 Descent::Next Descent::advanceCompetence(Index form) {
     const Index chosen = select(form);
     if (chosen == nowhere) {
-        parts_.tracer.note(TraceEvent::NoElement, program_->forms[form].place);
+        parts_.tracer.note(TraceEvent::NoElement, formAt(form).place);
         parts_.engagements.end(form);
         return fail();
     }
-    const ProgramElement& element = program_->elements[chosen];
+    const ProgramElement& element = program().elements[chosen];
     std::uint64_t& starts = parts_.engagements.starts(chosen);
     if (!continues(element))
         ++starts;
@@ -108,9 +82,9 @@ Descent::Next Descent::advanceCompetence(Index form) {
 }
 
 Index Descent::select(Index form) {
-    const Range elements = program_->forms[form].items;
+    const Range elements = formAt(form).items;
     for (Index i = elements.first; i != elements.end; ++i) {
-        const ProgramElement& element = program_->elements[i];
+        const ProgramElement& element = program().elements[i];
         const std::uint64_t starts = parts_.engagements.starts(i);
         if (element.retries > 0 && starts >= static_cast<std::uint64_t>(element.retries) && !continues(element)) {
             parts_.tracer.note(TraceEvent::ElementSkipped, element.place, starts);
@@ -129,8 +103,8 @@ bool Descent::continues(const ProgramElement& element) const {
         return false;
     if (element.target.is_act)
         return element.target.index == act;
-    const Range below{element.target.index, program_->forms[element.target.index].below_end};
-    return below.contains(program_->acts[act].form);
+    const Range below{element.target.index, formAt(element.target.index).below_end};
+    return below.contains(program().acts[act].form);
 }
 
 Descent::Next Descent::enter(const Target& target) {
@@ -138,22 +112,15 @@ Descent::Next Descent::enter(const Target& target) {
 }
 
 Descent::Next Descent::enterForm(Index form) {
-    push(form);
-    const ProgramForm& here = program_->forms[form];
+    const ProgramForm& here = formAt(form);
+    frames_[form] = {parts_.tracer.now(), here.items.first};
+    state_->stack.push_back(form);
+    parts_.tracer.note(TraceEvent::Push, here.place);
     if (here.kind == PlaceKind::Pattern)
-        return Next::GoOn;
+        return Next::GoOn; // Its time begins now, and it has no goal
     if (here.kind == PlaceKind::Competence)
         parts_.engagements.visit(form);
-    const std::size_t depth = state_->stack.size() - 1;
-    if (goalHolds(form))
-        return reachGoal(depth);
-    return here.kind == PlaceKind::Competence && timeIsUp(form) ? timeOut(depth) : Next::GoOn;
-}
-
-void Descent::push(Index form) {
-    frames_[form] = {parts_.tracer.now(), program_->forms[form].items.first};
-    state_->stack.push_back(form);
-    parts_.tracer.note(TraceEvent::Push, program_->forms[form].place);
+    return check(state_->stack.size() - 1).value_or(Next::GoOn);
 }
 
 Descent::Next Descent::runAct(Index act) {
@@ -173,7 +140,7 @@ Descent::Next Descent::runAct(Index act) {
 Descent::Next Descent::succeed() {
     while (!state_->stack.empty() && top() != PlaceKind::Adopt) {
         const Index form = state_->stack.back();
-        if (top() == PlaceKind::Pattern && ++frames_[form].next_step != program_->forms[form].items.end)
+        if (top() == PlaceKind::Pattern && ++frames_[form].next_step != formAt(form).items.end)
             return Next::GoOn;
         parts_.drives.pop(*state_);
     }
@@ -189,7 +156,7 @@ Descent::Next Descent::fail() {
     if (state_->stack.empty())
         parts_.drives.end(drive_, TraceEvent::DriveFailed);
     else
-        parts_.tracer.note(TraceEvent::AdoptRetry, program_->forms[state_->stack.back()].place);
+        parts_.tracer.note(TraceEvent::AdoptRetry, formAt(state_->stack.back()).place);
     return Next::Over;
 }
 

@@ -25,9 +25,7 @@ public:
     };
     explicit Descent(const Parts& parts) : parts_(parts) {}
 
-    void load(const Program& program);
-    /// Switches to a program of the same shape and keeps the state of the open forms.
-    void retune(const Program& program) { program_ = &program; }
+    void load() { frames_.assign(program().forms.size(), {}); }
     /// Runs one step of a drive, which must be in progress. Returns the result of the act that it ran, or nullopt if it
     /// ran none.
     std::optional<ActResult> step(Index drive);
@@ -39,12 +37,11 @@ private:
         Index next_step = 0;    ///< a pattern's next step, as an index in Program::steps
     };
 
-    Next checkFrames();
-    bool goalHolds(Index form);
+    /// Checks the goal and the time limit of the open form at this depth. Returns nullopt if the form goes on.
+    std::optional<Next> check(std::size_t depth);
     bool timeIsUp(Index form);
-    Next reachGoal(std::size_t depth);
-    Next timeOut(std::size_t depth);
-    void leave(std::size_t depth);
+    /// Ends the form at this depth and all forms inside it; `why` is Goal or Timeout.
+    Next endAt(std::size_t depth, TraceEvent why);
 
     Next advance();
     Next advancePattern(Index form);
@@ -58,11 +55,11 @@ private:
 
     Next succeed();
     Next fail();
-    void push(Index form);
-    PlaceKind top() const;
+    const Program& program() const { return *parts_.tracer.program(); }
+    const ProgramForm& formAt(Index index) const { return program().forms[index]; }
+    PlaceKind top() const { return formAt(state_->stack.back()).kind; }
 
     const Parts parts_;
-    const Program* program_ = nullptr;
     std::vector<Frame> frames_; ///< indexed by form
     Index drive_ = nowhere;     ///< the drive of the current step
     DriveState* state_ = nullptr;

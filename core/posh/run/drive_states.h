@@ -25,29 +25,60 @@ public:
     /// The tracer must outlive this object.
     explicit DriveStates(const Tracer& tracer) : tracer_(tracer) {}
 
-    /// Resets everything and reserves all memory that a run needs.
-    void load(const Program& program);
-    /// Switches to a program of the same shape and keeps all states.
-    void retune(const Program& program) { program_ = &program; }
+    /// Resets everything and reserves all memory that a run of the tracer's program needs.
+    void load() {
+        const Program& program = *tracer_.program();
+        states_.assign(program.drives.size(), {});
+        for (std::size_t i = 0; i < states_.size(); ++i)
+            states_[i].stack.reserve(program.drives[i].depth);
+        last_ended_.assign(program.levels.size(), nowhere);
+    }
     DriveState& operator[](Index drive) { return states_[drive]; }
-    const DriveState& operator[](Index drive) const { return states_[drive]; }
     /// The drive of the level whose activation ended last; `nowhere` if none has ended yet.
     Index lastEnded(Index level) const { return last_ended_[level]; }
 
-    void start(Index drive);
+    void start(Index drive) {
+        DriveState& state = states_[drive];
+        state.in_progress = true;
+        state.ever_started = true;
+        state.last_start = tracer_.now();
+        state.last_start_cycle = tracer_.cycle();
+        tracer_.note(TraceEvent::DriveStarted, driveAt(drive).place);
+    }
     /// Ends an activation; `how` is DriveSucceeded or DriveFailed. The stack must be empty.
-    void end(Index drive, TraceEvent how);
+    void end(Index drive, TraceEvent how) {
+        states_[drive].in_progress = false;
+        last_ended_[driveAt(drive).level] = drive;
+        tracer_.note(how, driveAt(drive).place);
+    }
     /// Cuts the stack back to the innermost adopt; without one the activation ends. `winner` is the drive that takes
     /// over, or `nowhere`.
-    void interrupt(Index drive, Index winner);
+    void interrupt(Index drive, Index winner) {
+        DriveState& state = states_[drive];
+        while (!state.stack.empty() && tracer_.program()->forms[state.stack.back()].kind != PlaceKind::Adopt)
+            pop(state);
+        state.in_progress = !state.stack.empty();
+        const Index winner_place = winner == nowhere ? nowhere : driveAt(winner).place;
+        tracer_.note(TraceEvent::DriveInterrupted, driveAt(drive).place, winner_place, 0,
+                     state.in_progress ? trace_adopt_kept : std::uint8_t{0});
+    }
     /// Closes the innermost form. The stack must not be empty.
-    void pop(DriveState& state);
+    void pop(DriveState& state) {
+        tracer_.note(TraceEvent::Pop, tracer_.program()->forms[state.stack.back()].place);
+        state.stack.pop_back();
+    }
     /// Ends all activations without tracing anything.
-    void clear();
+    void clear() {
+        for (DriveState& state : states_) {
+            state.in_progress = false;
+            state.stack.clear();
+        }
+    }
 
 private:
+    const ProgramDrive& driveAt(Index index) const { return tracer_.program()->drives[index]; }
+
     const Tracer& tracer_;
-    const Program* program_ = nullptr;
     std::vector<DriveState> states_;
     std::vector<Index> last_ended_; ///< indexed by level
 };

@@ -3,7 +3,6 @@
 
 #include <memory>
 
-#include "core/posh/run/arbitration.h"
 #include "core/posh/run/current_act.h"
 #include "core/posh/run/descent.h"
 #include "core/posh/run/drive_states.h"
@@ -52,7 +51,7 @@ public:
     void retune(std::shared_ptr<const Program> program);
 
     /// Sets the observer of the trace, which must outlive the engine; nullptr removes it.
-    void watch(TraceObserver* observer) { tracer_.watch(observer, program_); }
+    void watch(TraceObserver* observer) { tracer_.watch(observer); }
     bool watched() const { return tracer_.watched(); }
     /// Adds to the trace what the host wrote or sent. For the host, during one of its calls, with the place of that
     /// call.
@@ -60,7 +59,7 @@ public:
     /// Switches a drive (an index in Program::drives) on or off. A drive that is off is never ready.
     void switchDrive(Index drive, bool on) { drives_[drive].switched_off = !on; }
 
-    const std::shared_ptr<const Program>& program() const { return program_; }
+    const std::shared_ptr<const Program>& program() const { return tracer_.program(); }
     /// The number of the last cycle, counting from 1; 0 before the first.
     std::uint64_t cycleNumber() const { return tracer_.cycle(); }
     /// The current act as an index in Program::acts; `nowhere` if there is none.
@@ -71,24 +70,30 @@ public:
 private:
     void load();
     Outcome runEpochs();
-    bool goalHolds();
+    /// Returns the drive that runs in this epoch, or `nowhere` if none is ready. Searches the levels in order of
+    /// priority. Within a level a ready drive that is in progress keeps running; the others take turns, starting after
+    /// the one that ended last.
+    Index choose();
+    /// Returns the winner within one level, or `nowhere`.
+    Index chooseIn(Index level);
+    bool ready(Index drive);
+    /// Returns whether the drive's frequency forbids a start now.
+    bool heldBack(Index drive);
     Outcome reachGoal();
     void makeActive(Index winner);
     void noteBarren(Index drive);
-    void close();
     void forgetProgress();
 
     EngineOptions options_;
     Host& host_;
-    std::shared_ptr<const Program> program_;
-    std::shared_ptr<const Program> bound_; ///< the program that the host was bound to; has the same calls as `program_`
-    Tracer tracer_;
+    std::shared_ptr<const Program>
+        bound_;     ///< the program that the host was bound to; has the same calls as the one that runs
+    Tracer tracer_; ///< owns the program
     Profiler profiler_;
     SenseMemo senses_;
     DriveStates drives_;
     Engagements engagements_;
     CurrentAct act_;
-    Arbitration arbitration_;
     Descent descent_;
     Index active_ = nowhere; ///< the drive that won last
     int acts_ = 0;           ///< number of acts run in this cycle

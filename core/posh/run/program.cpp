@@ -4,6 +4,7 @@
 #include <array>
 #include <ranges>
 #include <string_view>
+#include <tuple>
 
 namespace usar::posh {
 
@@ -20,36 +21,29 @@ bool isForm(PlaceKind kind) {
     return kind == PlaceKind::Competence || kind == PlaceKind::Pattern || kind == PlaceKind::Adopt;
 }
 
-bool alike(const Place& a, const Place& b) {
-    return a.kind == b.kind && a.parent == b.parent && a.item == b.item && a.position == b.position &&
-           a.reference == b.reference;
+// These return the fields that sameShape compares.
+auto shapeOf(const Place& place) {
+    return std::tie(place.kind, place.parent, place.item, place.position, place.reference);
 }
-
-bool alike(const ProgramCall& a, const ProgramCall& b) {
-    return a.name == b.name && a.arguments == b.arguments;
+auto shapeOf(const ProgramCall& call) {
+    return std::tie(call.name, call.arguments);
 }
-
-bool alike(const ProgramTest& a, const ProgramTest& b) {
-    return a.place == b.place && a.call == b.call;
+auto shapeOf(const ProgramTest& test) {
+    return std::tie(test.place, test.call);
 }
-
-bool alike(const ProgramDrive& a, const ProgramDrive& b) {
-    return a.place == b.place && a.level == b.level && a.trigger == b.trigger && a.forms == b.forms &&
-           a.target == b.target;
+auto shapeOf(const ProgramDrive& drive) {
+    return std::tie(drive.place, drive.level, drive.trigger, drive.forms, drive.target);
 }
-
-bool alike(const ProgramForm& a, const ProgramForm& b) {
-    return a.kind == b.kind && a.place == b.place && a.parent == b.parent && a.below_end == b.below_end &&
-           a.goal == b.goal && a.items == b.items;
+auto shapeOf(const ProgramForm& form) {
+    return std::tie(form.kind, form.place, form.parent, form.below_end, form.goal, form.items);
 }
-
-bool alike(const ProgramElement& a, const ProgramElement& b) {
-    return a.place == b.place && a.trigger == b.trigger && a.target == b.target;
+auto shapeOf(const ProgramElement& element) {
+    return std::tie(element.place, element.trigger, element.target);
 }
 
 template <class Item>
 bool alike(const std::vector<Item>& a, const std::vector<Item>& b) {
-    return std::ranges::equal(a, b, [](const Item& one, const Item& other) { return alike(one, other); });
+    return std::ranges::equal(a, b, [](const Item& x, const Item& y) { return shapeOf(x) == shapeOf(y); });
 }
 
 } // namespace

@@ -56,8 +56,8 @@ struct ProgramDrive {
     Index place = 0;
     Index level = 0; ///< index in levels
     Range trigger;   ///< range of tests
-    Range forms;     ///< all forms below it
-    Target target;
+    Range forms{};   ///< all forms below it
+    Target target{};
     double interval_ms = 0.0;     ///< least time between two starts; 0 means no limit
     double interval_cycles = 0.0; ///< least number of cycles between two starts; 0 means no limit
     Index depth = 0;              ///< greatest number of forms that can be open below it
@@ -72,11 +72,11 @@ struct ProgramLevel {
 struct ProgramForm {
     PlaceKind kind = PlaceKind::Competence;
     Index place = 0;
-    Index parent = nowhere;         ///< the form whose element or step leads here; `nowhere` directly below a drive
-    Index below_end = 0;            ///< this form and all forms below it have the indices from its own to below_end - 1
-    Range goal;                     ///< range of tests; empty for a pattern, or if the plan has no goal there
-    std::optional<double> limit_ms; ///< time limit; nullopt means none
-    Range items;                    ///< elements of a competence, steps of a pattern, or the single step of an adopt
+    Index parent = nowhere; ///< the form whose element or step leads here; `nowhere` directly below a drive
+    Index below_end = 0;    ///< this form and all forms below it have the indices from its own to below_end - 1
+    Range goal{};           ///< range of tests; empty for a pattern, or if the plan has no goal there
+    std::optional<double> limit_ms{}; ///< time limit; nullopt means none
+    Range items{};                    ///< elements of a competence, steps of a pattern, or the single step of an adopt
 };
 
 struct ProgramElement {
@@ -131,7 +131,7 @@ bool sameShape(const Program& one, const Program& other);
 constexpr std::size_t most_places = 1'000'000;
 
 /// Expands a plan. Fails, naming the place, for a fragment, a reference cycle, a variable without a value, a pattern
-/// without steps, and too many places. A plan that has a collection and no errors (see plan_check.h) can only fail
+/// without steps, and too many places. A plan that has a collection and no errors (see readPlan) can only fail
 /// because of too many places.
 Result<std::shared_ptr<const Program>> compile(const Plan& plan);
 

@@ -151,10 +151,7 @@ private:
         const Index index = sizeOf(program_->drives);
         const Index place =
             addPlace({.kind = PlaceKind::Drive, .parent = 0, .item = index, .position = index}, drive.name);
-        ProgramDrive made;
-        made.place = place;
-        made.level = level;
-        made.trigger = addTests(drive.trigger, place);
+        ProgramDrive made{.place = place, .level = level, .trigger = addTests(drive.trigger, place)};
         if (drive.frequency && drive.frequency->unit == Unit::Ticks)
             made.interval_cycles = numberOf(drive.frequency->amount.value);
         else if (drive.frequency)
@@ -322,12 +319,10 @@ private:
                           .item = form,
                           .position = waiting.position,
                           .reference = waiting.reference};
-        ProgramForm made;
-        made.kind = kind;
-        made.parent = waiting.caller;
-        made.below_end = form + 1;
-        made.place = addPlace(place, nameOf(*waiting.form));
-        program_->forms.push_back(made);
+        program_->forms.push_back({.kind = kind,
+                                   .place = addPlace(place, nameOf(*waiting.form)),
+                                   .parent = waiting.caller,
+                                   .below_end = form + 1});
         const std::size_t waiting_before = waiting_.size();
         if (const auto* const competence = std::get_if<Competence>(waiting.form))
             addItems(form, *competence);
@@ -346,14 +341,12 @@ private:
         for (const Level& level : competence.levels)
             for (const Member& element : level) {
                 const Index index = sizeOf(program_->elements);
-                ProgramElement made;
-                made.place =
+                const Index own =
                     addPlace({.kind = PlaceKind::Element, .parent = place, .item = index, .position = index - first},
                              element.name);
-                made.trigger = addTests(element.trigger, made.place);
-                made.retries = retryLimit(element).value_or(0);
-                made.target = refer(element.action, {.place = made.place, .slot = Slot::Element, .slot_index = index});
-                program_->elements.push_back(made);
+                const Range trigger = addTests(element.trigger, own);
+                const Target target = refer(element.action, {.place = own, .slot = Slot::Element, .slot_index = index});
+                program_->elements.push_back({own, trigger, target, retryLimit(element).value_or(0)});
             }
         program_->forms[form].items = {first, sizeOf(program_->elements)};
     }

@@ -4,8 +4,8 @@
 
 namespace usar::posh {
 
-void SenseMemo::load(const Program& program) {
-    program_ = &program;
+void SenseMemo::load() {
+    const Program& program = *tracer_.program();
     answers_.assign(program.sense_calls.size(), {});
     warned_.assign(program.tests.size(), 0);
     for (std::size_t i = 0; i < answers_.size(); ++i)
@@ -23,7 +23,7 @@ SenseMemo::Builtin SenseMemo::builtinOf(std::string_view name) {
 }
 
 bool SenseMemo::holds(Index index) {
-    const ProgramTest& test = program_->tests[index];
+    const ProgramTest& test = tracer_.program()->tests[index];
     Answer& answer = answers_[test.call];
     const bool cached = answer.epoch == epoch_;
     if (!cached)

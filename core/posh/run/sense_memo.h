@@ -19,9 +19,7 @@ public:
         , profiler_(profiler) {}
 
     /// Forgets everything and reserves all memory that a run needs.
-    void load(const Program& program);
-    /// Switches to a program of the same shape and keeps the answers.
-    void retune(const Program& program) { program_ = &program; }
+    void load();
     /// Makes all cached answers invalid.
     void beginEpoch() { ++epoch_; }
 
@@ -51,7 +49,6 @@ private:
     Host& host_;
     const Tracer& tracer_;
     Profiler& profiler_;
-    const Program* program_ = nullptr;
     std::uint64_t epoch_ = 0;
     std::vector<Answer> answers_; ///< indexed by sense call
     std::vector<char> warned_;    ///< for each test: whether it has warned of types without an order

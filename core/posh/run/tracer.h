@@ -1,10 +1,10 @@
-// Adds cycle and time to events and passes them to the observer, if there is one. Without one, an event costs only a
-// branch.
+// The program, the cycle and the time of a run, and its trace.
 #pragma once
 
 #include <chrono>
 #include <memory>
 #include <string_view>
+#include <utility>
 
 #include "core/posh/run/trace_event.h"
 
@@ -12,21 +12,30 @@ namespace usar::posh {
 
 using Milliseconds = std::chrono::milliseconds;
 
-/// Used by all parts of one engine, in its thread. Places are indices in Program::places.
+/// Used by all parts of one engine, in its thread. Adds cycle and time to events and passes them to the observer;
+/// without one, an event costs only a branch. Places are indices in Program::places.
 class Tracer {
 public:
+    explicit Tracer(std::shared_ptr<const Program> program) : program_(std::move(program)) {}
+
+    /// The program that runs; never null.
+    const std::shared_ptr<const Program>& program() const { return program_; }
+    /// Sets another program, without announcing it, and returns the one before.
+    std::shared_ptr<const Program> setProgram(std::shared_ptr<const Program> program) {
+        return std::exchange(program_, std::move(program));
+    }
     /// Returns whether there is an observer; check it before computing an expensive text.
     bool watched() const { return observer_ != nullptr; }
     /// Sets the observer, which must stay valid until it is replaced, and announces the program to it. nullptr removes
     /// it.
-    void watch(TraceObserver* observer, const std::shared_ptr<const Program>& program) {
+    void watch(TraceObserver* observer) {
         observer_ = observer;
-        announce(program);
+        announce();
     }
     /// Tells the observer that another program is loaded.
-    void announce(const std::shared_ptr<const Program>& program) const {
+    void announce() const {
         if (observer_)
-            observer_->takeProgram(program);
+            observer_->takeProgram(program_);
     }
     /// Sets the number and time of the cycle for the events that follow.
     void setCycle(std::uint64_t cycle, Milliseconds now) {
@@ -61,6 +70,7 @@ public:
     }
 
 private:
+    std::shared_ptr<const Program> program_;
     TraceObserver* observer_ = nullptr;
     std::uint64_t cycle_ = 0;
     Milliseconds now_{0};

@@ -1,6 +1,7 @@
-// Formats values as traces and reports print them.
+// Values and blackboard changes as traces and reports print them.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -13,5 +14,18 @@ void appendValue(std::string& out, const Value& value);
 std::string toText(const Value& value);
 /// Appends the text in quotes, escaped as in JSON; characters beyond ASCII are not escaped.
 void appendQuoted(std::string& out, std::string_view text);
+
+/// One change of a blackboard entry. The views point into the text of a TraceEvent::Blackboard; the values are spelled
+/// as traces print them.
+struct BoardChange {
+    std::string_view key;
+    std::string_view old_value;
+    std::string_view new_value;
+};
+
+/// Formats a change as "lane: 2 -> 3"; the values must already be spelled as traces print them.
+std::string boardChangeText(std::string_view key, std::string_view old_value, std::string_view new_value);
+/// Parses the text of a change. Returns nullopt if it is malformed, which happens when a trace file is damaged.
+std::optional<BoardChange> readBoardChange(std::string_view text);
 
 } // namespace usar::posh

@@ -4,7 +4,7 @@
 #include <bit>
 #include <utility>
 
-#include "core/posh/run/board_change.h"
+#include "core/posh/run/value_text.h"
 
 namespace usar::posh {
 

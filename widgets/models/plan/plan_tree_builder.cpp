@@ -9,7 +9,7 @@
 
 #include <QObject>
 
-#include "core/posh/language/plan_text.h"
+#include "core/posh/language/plan_writer.h"
 #include "core/posh/model/plan_walk.h"
 
 namespace usar::widgets {
