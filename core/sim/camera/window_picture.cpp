@@ -1,11 +1,10 @@
-#include "core/sim/camera/window_picture.h"
+#include "core/sim/camera/renderer.h"
 
 #include <algorithm>
 #include <array>
 #include <optional>
 
 #include "core/base/text.h"
-#include "core/sim/camera/renderer.h"
 
 namespace usar::sim {
 

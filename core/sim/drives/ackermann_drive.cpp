@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/sim/drives/drive_term.h"
+#include "core/sim/robots/drive.h"
 
 namespace usar::sim {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/sim/drives/drive_term.h"
+#include "core/sim/robots/drive.h"
 
 namespace usar::sim {
 

@@ -1,6 +1,8 @@
 // The drive of a robot: wheels, rotors, fins or legs. It obeys its own kind of DRIVE and nothing else.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -53,5 +55,11 @@ struct DriveBirth {
 /// except `birth` must outlive the drive.
 Result<std::unique_ptr<Drive>> makeDrive(const RobotModel& model, Physics& physics, BodyId body, const World& world,
                                          const DriveBirth& birth);
+
+/// Clamps a value to -limit..limit. `normalized` values are hundredths of the limit. NaN gives 0.
+inline double limited(double value, double limit, bool normalized) {
+    const double physical = normalized ? value / 100.0 * limit : value;
+    return std::isnan(physical) ? 0.0 : std::clamp(physical, -limit, limit);
+}
 
 } // namespace usar::sim

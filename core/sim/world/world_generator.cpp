@@ -4,11 +4,7 @@
 #include <array>
 
 #include "core/sim/world/world_writer.h"
-#include "core/sim/worlds/point_lookout.h"
-#include "core/sim/worlds/spqr_soccer.h"
-#include "core/sim/worlds/tall_test.h"
-#include "core/sim/worlds/vmac_room.h"
-#include "core/sim/worlds/volcano.h"
+#include "core/sim/worlds/made_worlds.h"
 
 namespace usar::sim {
 
