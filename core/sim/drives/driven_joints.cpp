@@ -1,6 +1,7 @@
 #include "core/sim/drives/driven_joints.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/base/text.h"
@@ -22,24 +23,11 @@ bool isInPackage(const RobotModel& model, const std::string& joint) {
     });
 }
 
+/// What an opcode other than Stiffness orders; the rows are in the order of the opcodes.
 JointOrder orderOf(JointOpcode opcode) {
-    using enum JointOpcode;
-    switch (opcode) {
-    case Speed:
-        return JointOrder::Speed;
-    case Torque:
-        return JointOrder::Torque;
-    case RelativeAngle:
-        return JointOrder::RelativeAngle;
-    case RelativeSpeed:
-        return JointOrder::RelativeSpeed;
-    case RelativeTorque:
-        return JointOrder::RelativeTorque;
-    case Angle:
-    case Stiffness:
-        break;
-    }
-    return JointOrder::Angle;
+    using enum JointOrder;
+    constexpr std::array orders{Angle, Speed, Torque, RelativeAngle, RelativeSpeed, RelativeTorque};
+    return orders.at(static_cast<std::size_t>(opcode));
 }
 
 constexpr Seconds standing{1.0};
@@ -183,6 +171,19 @@ std::vector<protocol::JointAngle> DrivenJoints::angles() const {
         if (joints_[i].torque_limit > 0.0 && joints_[i].lower <= joints_[i].upper && !joints_[i].in_package)
             angles.push_back({joints_[i].name, state(i).position});
     return angles;
+}
+
+Result<std::vector<std::size_t>> linksOn(const RobotModel& model, const std::vector<std::string>& joints) {
+    std::vector<std::size_t> links;
+    for (const std::string& joint : joints) {
+        const auto link =
+            std::ranges::find_if(model.links, [&](const ModelLink& one) { return sameWord(one.joint, joint); });
+        if (link == model.links.end())
+            return failure("the drive's joint \"" + joint + "\" does not exist", "robot " + model.class_name,
+                           "Name one of the model's joints");
+        links.push_back(static_cast<std::size_t>(link - model.links.begin()));
+    }
+    return links;
 }
 
 void JointDrive::switchOff() {

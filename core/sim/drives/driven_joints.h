@@ -71,6 +71,9 @@ private:
     std::vector<Joint> joints_;
 };
 
+/// The links on these joints. An error names the joint that does not exist.
+Result<std::vector<std::size_t>> linksOn(const RobotModel& model, const std::vector<std::string>& joints);
+
 /// Base of the drives that move joints. `model` is not kept; `physics` must outlive it.
 class JointDrive : public Drive {
 public:

@@ -140,19 +140,6 @@ void WheeledDrive::addTo(std::vector<protocol::Setting>& settings) const {
     settings.push_back({"MaxRearSteer", "", largest_rear_rad_});
 }
 
-Result<std::vector<std::size_t>> linksOn(const RobotModel& model, const std::vector<std::string>& joints) {
-    std::vector<std::size_t> links;
-    for (const std::string& joint : joints) {
-        const auto link =
-            std::ranges::find_if(model.links, [&](const ModelLink& one) { return sameWord(one.joint, joint); });
-        if (link == model.links.end())
-            return failure("the drive's joint \"" + joint + "\" does not exist", "robot " + model.class_name,
-                           "Name one of the model's joints");
-        links.push_back(static_cast<std::size_t>(link - model.links.begin()));
-    }
-    return links;
-}
-
 Result<std::unique_ptr<Drive>> SkidDrive::make(const RobotModel& model, Physics& physics, BodyId body) {
     const auto wheels = linksOn(model, model.drive.joints);
     if (!wheels)

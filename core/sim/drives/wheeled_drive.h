@@ -84,9 +84,6 @@ private:
     bool others_moving_ = false; ///< a joint with a command of its own has not come to rest
 };
 
-/// The links on these joints. An error names the joint that does not exist.
-Result<std::vector<std::size_t>> linksOn(const RobotModel& model, const std::vector<std::string>& joints);
-
 /// The first half of the model's drive joints are the left wheels, the second half the right ones. Casters are joints
 /// of the body that the drive does not name.
 class SkidDrive : public WheeledDrive {

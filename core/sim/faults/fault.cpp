@@ -53,7 +53,8 @@ constexpr std::array kinds{
                      {}},
     FaultDescription{FaultKind::Battery, "battery", "the battery loses its charge", true, false, battery_numbers},
     FaultDescription{FaultKind::Rotor, "rotor", "a rotor of a flying robot loses thrust", true, false, rotor_numbers},
-    FaultDescription{FaultKind::Wind, "wind", "moving air, with gusts, for everything that flies", false, false, wind_numbers},
+    FaultDescription{FaultKind::Wind, "wind", "moving air, with gusts, for everything that flies", false, false,
+                     wind_numbers},
     FaultDescription{FaultKind::Vanish, "vanish", "the robot is gone, the connection stays", true, false,
                      vanish_numbers}};
 
@@ -145,10 +146,6 @@ Result<void> take(Fault& fault, const FaultDescription& kind, std::string_view k
 double Fault::number(std::string_view name) const {
     const FaultNumber* const described = findNumber(descriptionOf(kind), name);
     return numberOr(numbers, name, described ? described->usual : 0.0);
-}
-
-bool Fault::concerns(std::string_view robot_name) const {
-    return robot.empty() || sameWord(robot, robot_name);
 }
 
 std::span<const FaultDescription> faultKinds() {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/base/result.h"
@@ -60,6 +61,11 @@ Result<std::unique_ptr<Drive>> makeDrive(const RobotModel& model, Physics& physi
 inline double limited(double value, double limit, bool normalized) {
     const double physical = normalized ? value / 100.0 * limit : value;
     return std::isnan(physical) ? 0.0 : std::clamp(physical, -limit, limit);
+}
+/// Sets `value` to a term of a DRIVE, limited. A term that is left out changes nothing.
+inline void takeTerm(const std::optional<double>& term, double limit, bool normalized, double& value) {
+    if (term)
+        value = limited(*term, limit, normalized);
 }
 
 } // namespace usar::sim

@@ -91,10 +91,6 @@ void Robot::rightItself() {
     body_.physics().place(body_.id(), level * Pose{.position_m = body_.model().center_of_mass_in_base_m});
 }
 
-void Robot::beforeStep(Seconds dt) {
-    drive_->beforeStep(dt);
-}
-
 void Robot::afterStep(Seconds dt) {
     body_.afterStep();
     drive_->afterStep(dt);

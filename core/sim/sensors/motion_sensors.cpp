@@ -16,11 +16,6 @@ Vec3 anglesBetween(const Pose& from, const Pose& to) {
             normalizedAngle(to.yaw_rad - from.yaw_rad)};
 }
 
-/// True for a RESET. The caller has already checked that its type and name fit.
-bool isReset(const protocol::Command& command) {
-    return std::holds_alternative<protocol::ResetSensor>(command);
-}
-
 constexpr double meters_per_degree_north = 111'200.0;
 constexpr double meters_per_degree_east = 71'670.0;
 constexpr int satellites_in_sky = 12;
@@ -116,13 +111,6 @@ std::vector<protocol::Setting> OdometrySensor::settings() const {
     return settings;
 }
 
-std::optional<protocol::Response> OdometrySensor::set(const protocol::Command& command, bool) {
-    if (!isReset(command))
-        return std::nullopt;
-    base_in_start_ = {};
-    return answer(true);
-}
-
 EncoderSensor::EncoderSensor(const SensorModel& model, const SensorBirth& birth)
     : Sensor(model, birth)
     , link_(linkNamedBy("joint", model, birth.robot).value()) {}
@@ -133,13 +121,6 @@ void EncoderSensor::measure(const SensorView& view, std::vector<protocol::InfoMe
     counted_rad_ += step_rad * (sigma_ > 0.0 ? 1.0 + gaussian(random_, sigma_) : 1.0);
     lineIn<protocol::EncoderReadings>(out).encoders.push_back(
         {model().name, static_cast<long long>(std::trunc(sign_ * counted_rad_ / resolution_rad_))});
-}
-
-std::optional<protocol::Response> EncoderSensor::set(const protocol::Command& command, bool) {
-    if (!isReset(command))
-        return std::nullopt;
-    counted_rad_ = 0.0;
-    return answer(true);
 }
 
 TachometerSensor::TachometerSensor(const SensorModel& model, const SensorBirth& birth) : Sensor(model, birth) {

@@ -1,6 +1,7 @@
 #include "core/sim/world/world_writer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <string>
@@ -24,24 +25,14 @@ struct HeightScale {
 constexpr double highest_picture_value = 65535.0; ///< of a 16-bit picture
 
 std::string escaped(std::string_view text) {
+    constexpr std::string_view special = "&<>\"";
+    constexpr std::array names{"&amp;", "&lt;", "&gt;", "&quot;"};
     std::string safe;
     for (const char c : text)
-        switch (c) {
-        case '&':
-            safe += "&amp;";
-            break;
-        case '<':
-            safe += "&lt;";
-            break;
-        case '>':
-            safe += "&gt;";
-            break;
-        case '"':
-            safe += "&quot;";
-            break;
-        default:
+        if (const std::size_t at = special.find(c); at != std::string_view::npos)
+            safe += names[at];
+        else
             safe += c;
-        }
     return safe;
 }
 
@@ -56,9 +47,12 @@ std::string spaced(Numbers... values) {
     return text;
 }
 
+std::string spaced(const Vec3& values) {
+    return spaced(values.x(), values.y(), values.z());
+}
+
 std::string poseText(const Pose& pose) {
-    return spaced(pose.position_m.x(), pose.position_m.y(), pose.position_m.z(), pose.roll_rad, pose.pitch_rad,
-                  pose.yaw_rad);
+    return spaced(pose.position_m) + " " + spaced(pose.roll_rad, pose.pitch_rad, pose.yaw_rad);
 }
 
 std::string staticModel(const std::string& name, const std::string& pose, const std::string& content) {
@@ -109,16 +103,13 @@ std::string buildings(const std::vector<Box>& boxes) {
     std::string shapes;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         const Vec3& size_m = boxes[i].size_m;
-        shapes += placedShape(i + 1, poseText(boxes[i].center_in_map),
-                              tag("box", tag("size", spaced(size_m.x(), size_m.y(), size_m.z()))), "");
+        shapes += placedShape(i + 1, poseText(boxes[i].center_in_map), tag("box", tag("size", spaced(size_m))), "");
     }
     return staticModel("buildings", "", "      <link name=\"link\">\n" + shapes + "      </link>\n");
 }
 
 struct GeometryText {
-    std::string operator()(const BoxShape& box) const {
-        return tag("box", tag("size", spaced(box.size_m.x(), box.size_m.y(), box.size_m.z())));
-    }
+    std::string operator()(const BoxShape& box) const { return tag("box", tag("size", spaced(box.size_m))); }
     std::string operator()(const SphereShape& ball) const {
         return tag("sphere", tag("radius", spaced(ball.radius_m)));
     }
@@ -166,14 +157,10 @@ std::string attribute(const std::string& name, std::string_view value) {
     return " " + name + "=\"" + escaped(value) + "\"";
 }
 
-std::string placeText(const Vec3& position_m) {
-    return spaced(position_m.x(), position_m.y(), position_m.z());
-}
-
 std::string victimMark(const Victim& victim) {
     std::string parts = "\n";
     for (const VictimPart& part : victim.parts)
-        parts += "  " + mark("part", attribute("kind", nameOf(part.kind)), placeText(part.position_in_map_m));
+        parts += "  " + mark("part", attribute("kind", nameOf(part.kind)), spaced(part.position_in_map_m));
     return mark("victim", attribute("name", victim.name) + attribute("status", victim.status), parts + "    ");
 }
 
@@ -181,15 +168,15 @@ std::string sensorMarks(const World& world) {
     std::string text;
     for (const RfidTag& tag : world.rfid_tags)
         text += mark("rfid_tag", attribute("id", std::to_string(tag.id)) + attribute("memory", tag.memory),
-                     placeText(tag.position_in_map_m));
+                     spaced(tag.position_in_map_m));
     for (const Victim& victim : world.victims)
         text += victimMark(victim);
     for (const SoundSource& sound : world.sounds)
         text += mark("sound", attribute("name", sound.name) + attribute("loudness", spaced(sound.loudness_db)),
-                     placeText(sound.position_in_map_m));
+                     spaced(sound.position_in_map_m));
     for (const GasSource& gas : world.gases)
         text += mark("gas", attribute("gas", gas.gas) + attribute("density", spaced(gas.density)),
-                     placeText(gas.position_in_map_m));
+                     spaced(gas.position_in_map_m));
     if (world.gps_reference != GpsReference{})
         text += mark("gps_reference",
                      attribute("latitude", spaced(world.gps_reference.latitude_deg)) +
