@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "core/base/clock.h"
 #include "core/base/geometry.h"
 #include "core/protocol/usual_values.h"
 #include "core/sim/rays/ray_caster.h"

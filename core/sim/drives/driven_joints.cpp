@@ -199,10 +199,9 @@ void JointDrive::letSleep(bool allowed) {
 }
 
 Result<std::unique_ptr<Drive>> LegDrive::make(const RobotModel& model, Physics& physics, BodyId body) {
-    const auto joints = linksOn(model, model.drive.joints);
-    if (!joints)
-        return tl::unexpected(joints.error());
-    return std::unique_ptr<Drive>(new LegDrive(model, physics, body, *joints));
+    return linksOn(model, model.drive.joints).map([&](const std::vector<std::size_t>& joints) {
+        return std::unique_ptr<Drive>(new LegDrive(model, physics, body, joints));
+    });
 }
 
 LegDrive::LegDrive(const RobotModel& model, Physics& physics, BodyId body, const std::vector<std::size_t>& joints)

@@ -111,14 +111,12 @@ NauticDrive::Wrench NauticDrive::weight(const BodyState& state) const {
 }
 
 NauticDrive::Wrench NauticDrive::drag(const Vec3& v, const Vec3& w, double share, double dt_s) const {
-    Wrench drag;
-    drag.force_n = {dragOn(v.x(), share * hull_.surge_drag_kg_m, mass_kg_, dt_s),
-                    dragOn(v.y(), share * hull_.cross_drag_kg_m, mass_kg_, dt_s),
-                    dragOn(v.z(), share * hull_.cross_drag_kg_m, mass_kg_, dt_s)};
-    drag.torque_n_m = {dragOn(w.x(), share * hull_.roll_drag_kg_m2, inertia_kg_m2_.x(), dt_s),
-                       dragOn(w.y(), share * hull_.pitch_drag_kg_m2, inertia_kg_m2_.y(), dt_s),
-                       dragOn(w.z(), share * hull_.yaw_drag_kg_m2, inertia_kg_m2_.z(), dt_s)};
-    return drag;
+    return {.force_n = {dragOn(v.x(), share * hull_.surge_drag_kg_m, mass_kg_, dt_s),
+                        dragOn(v.y(), share * hull_.cross_drag_kg_m, mass_kg_, dt_s),
+                        dragOn(v.z(), share * hull_.cross_drag_kg_m, mass_kg_, dt_s)},
+            .torque_n_m = {dragOn(w.x(), share * hull_.roll_drag_kg_m2, inertia_kg_m2_.x(), dt_s),
+                           dragOn(w.y(), share * hull_.pitch_drag_kg_m2, inertia_kg_m2_.y(), dt_s),
+                           dragOn(w.z(), share * hull_.yaw_drag_kg_m2, inertia_kg_m2_.z(), dt_s)}};
 }
 
 NauticDrive::Wrench NauticDrive::propulsion(double surge_m_s, double share) const {

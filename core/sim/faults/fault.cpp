@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/base/numbers.h"
@@ -126,19 +127,14 @@ Result<void> take(Fault& fault, const FaultDescription& kind, std::string_view k
         fault.sensor = value;
         return {};
     }
-    const FaultNumber* const described = findNumber(kind, key);
-    const bool from = sameWord(key, "from");
-    if (!described && !from && !sameWord(key, "for"))
-        return unknown("word", std::string(key), keysOf(kind));
-    const auto number = described ? numberOf(described->name, value, described->smallest, described->largest)
-                                  : numberOf(from ? "from" : "for", value, 0.0, longest_s);
-    if (!number)
-        return tl::unexpected(number.error());
-    if (described)
-        fault.numbers[std::string(described->name)] = *number;
-    else
-        (from ? fault.from : fault.lasts) = Seconds{*number};
-    return {};
+    if (const FaultNumber* const known = findNumber(kind, key))
+        return numberOf(known->name, value, known->smallest, known->largest).map([&](double number) {
+            fault.numbers[std::string(known->name)] = number;
+        });
+    for (const auto& [word, moment] : {std::pair("from", &fault.from), std::pair("for", &fault.lasts)})
+        if (sameWord(key, word))
+            return numberOf(word, value, 0.0, longest_s).map([moment](double time_s) { *moment = Seconds{time_s}; });
+    return unknown("word", std::string(key), keysOf(kind));
 }
 
 } // namespace

@@ -68,9 +68,10 @@ std::vector<FaultStatus> FaultSchedule::advance(Seconds now) {
             continue;
         changed.push_back(status);
         if (status.fault.kind == FaultKind::Wind && status.phase == FaultPhase::Active)
-            winds_.push_back({status.id, windOf(status.fault, seeded(seed_, wind_streams + std::uint64_t(status.id)))});
+            winds_.emplace_back(status.id,
+                                windOf(status.fault, seeded(seed_, wind_streams + std::uint64_t(status.id))));
         else
-            std::erase_if(winds_, [&](const Blowing& one) { return one.id == status.id; });
+            std::erase_if(winds_, [&](const auto& one) { return one.first == status.id; });
     }
     ending_.clear();
     return changed;
@@ -98,8 +99,8 @@ bool FaultSchedule::takeCut(std::string_view robot_name) {
 
 Vec3 FaultSchedule::wind(Seconds dt) {
     Vec3 sum_m_s = Vec3::Zero();
-    for (Blowing& one : winds_)
-        sum_m_s += one.wind.step(dt);
+    for (auto& [id, wind] : winds_)
+        sum_m_s += wind.step(dt);
     return sum_m_s;
 }
 

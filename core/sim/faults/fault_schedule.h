@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/clock.h"
@@ -74,15 +75,10 @@ public:
     const std::vector<FaultStatus>& all() const { return faults_; }
 
 private:
-    struct Blowing {
-        int id = 0;
-        Wind wind;
-    };
-
     std::uint64_t seed_;
     std::vector<FaultStatus> faults_;
     std::vector<int> ending_;
-    std::vector<Blowing> winds_;
+    std::vector<std::pair<int, Wind>> winds_; ///< those that blow, by the number of their fault
 };
 
 } // namespace usar::sim
