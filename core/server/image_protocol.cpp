@@ -4,7 +4,7 @@
 
 #include <QtEndian>
 
-#include "core/sim/camera/jpeg.h"
+#include "core/sim/camera/picture.h"
 
 namespace usar::server {
 

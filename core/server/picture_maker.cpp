@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/sim/camera/window_picture.h"
+#include "core/sim/camera/renderer.h"
 
 namespace usar::server {
 

@@ -6,25 +6,6 @@
 
 namespace usar::sim {
 
-namespace {
-
-bool before(const Vec3& a, const Vec3& b) {
-    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
-}
-
-/// A straight line that is walked from one end to the other.
-struct Line {
-    const RayCaster& still;
-    Vec3 from_m;
-    Vec3 direction;
-    double length_m;
-
-    /// Distance from a point on the line to the next solid thing; 0 inside one.
-    double free_m(double at_m) const { return still.cast(from_m + at_m * direction, direction, length_m - at_m); }
-};
-
-} // namespace
-
 double strengthOver(double distance_m, int obstacles, const RadioParameters& parameters) {
     const double far_m = std::max(distance_m, parameters.nearest_m);
     return parameters.reference_dbm - 10.0 * parameters.exponent * std::log10(far_m / parameters.reference_m) -
@@ -35,16 +16,18 @@ int obstaclesBetween(const RayCaster& still, const Vec3& a_in_map_m, const Vec3&
                      const RadioParameters& parameters) {
     Vec3 from_m = a_in_map_m;
     Vec3 to_m = b_in_map_m;
-    if (before(to_m, from_m)) // Samples fall on the same points in both directions.
+    if (std::ranges::lexicographical_compare(to_m, from_m)) // Samples fall on the same points in both directions.
         std::swap(from_m, to_m);
     const double length_m = (to_m - from_m).norm();
     if (!(length_m > 0.0) || !std::isfinite(length_m))
         return 0;
-    const Line line{still, from_m, (to_m - from_m) / length_m, length_m};
+    const Vec3 direction = (to_m - from_m) / length_m;
+    // Distance from a point on the line to the next solid thing; 0 inside one.
+    const auto free_m = [&](double at_m) { return still.cast(from_m + at_m * direction, direction, length_m - at_m); };
     int obstacles = 0;
     double at_m = 0.0;
     while (obstacles < parameters.most_obstacles) {
-        at_m += line.free_m(at_m);
+        at_m += free_m(at_m);
         if (at_m >= length_m)
             break;
         ++obstacles;
@@ -56,7 +39,7 @@ int obstaclesBetween(const RayCaster& still, const Vec3& a_in_map_m, const Vec3&
                 ++obstacles;
                 entered_m = at_m;
             }
-        } while (at_m < length_m && obstacles < parameters.most_obstacles && line.free_m(at_m) == 0.0);
+        } while (at_m < length_m && obstacles < parameters.most_obstacles && free_m(at_m) == 0.0);
     }
     return std::min(obstacles, parameters.most_obstacles);
 }

@@ -14,16 +14,6 @@ constexpr std::size_t most_log_sentences = 1000;
 constexpr std::uint64_t connection_streams = std::uint64_t(3) << 40; // Beyond the random streams of sensors and winds.
 constexpr std::size_t most_viewers = 64;
 
-Result<void> checked(const World& world, const SimulationOptions& options) {
-    if (world.terrain.empty() && world.boxes.empty())
-        return failure("there is nothing to stand on", "world '" + world.name + "'", "Give it a height map or boxes");
-    if (!(options.tick > Seconds{0.0}) || options.physics_steps_per_tick < 1)
-        return failure("a tick needs a length and at least one physics step", "simulation options");
-    if (options.battery_life && !(*options.battery_life > Seconds{0.0}))
-        return failure("a battery must last longer than 0 s", "simulation options");
-    return {};
-}
-
 } // namespace
 
 void Simulation::State::log(ClientId client, const std::string& sentence) {
@@ -32,14 +22,13 @@ void Simulation::State::log(ClientId client, const std::string& sentence) {
 }
 
 std::unique_ptr<Robot> Simulation::State::spawn(ClientId client, const protocol::Init& init) {
-    RobotOptions robot;
-    robot.base_in_map = startOf(client, init);
-    robot.seed = options.seed;
-    robot.number = spawned;
-    robot.battery_life = options.battery_life;
-    robot.scan_interval = options.tick;
-    robot.profile = options.profile;
-    robot.noise = options.noise;
+    const RobotOptions robot{.base_in_map = startOf(client, init),
+                             .seed = options.seed,
+                             .number = spawned,
+                             .battery_life = options.battery_life,
+                             .scan_interval = options.tick,
+                             .noise = options.noise,
+                             .profile = options.profile};
     const RobotModel* const model = options.robots ? findRobot(*options.robots, init.class_name.text()) : nullptr;
     if (!model) {
         log(client, "unknown robot class '" + init.class_name.text() + "'; known here are " + knownClasses());
@@ -120,17 +109,14 @@ void Simulation::State::followFaults() {
             log(client, "too much data is held back by a fault: the connection is cut");
         if (session.overfull() || (session.robot() && faults.takeCut(session.robotName())))
             cut.push_back(client);
-        if (session.robot() && vanishes(session)) {
+        const auto removes = [&, since = now() - session.spawnedAt()](const Fault& fault) {
+            return fault.kind == FaultKind::Vanish && since >= Seconds{fault.number("after")};
+        };
+        if (session.robot() && std::ranges::any_of(faults.activeOn(session.robotName()), removes)) {
             log(client, "'" + session.robotName() + "' has vanished");
             session.loseRobot();
         }
     }
-}
-
-bool Simulation::State::vanishes(const ClientSession& session) const {
-    return std::ranges::any_of(faults.activeOn(session.robotName()), [&](const Fault& fault) {
-        return fault.kind == FaultKind::Vanish && now() - session.spawnedAt() >= Seconds{fault.number("after")};
-    });
 }
 
 void Simulation::State::setFaults(ClientId client, ClientSession& session) {
@@ -175,8 +161,12 @@ void Simulation::State::reportAll() {
 }
 
 Result<std::unique_ptr<Simulation>> Simulation::make(World world, SimulationOptions options) {
-    if (const auto fine = checked(world, options); !fine)
-        return tl::unexpected(fine.error());
+    if (world.terrain.empty() && world.boxes.empty())
+        return failure("there is nothing to stand on", "world '" + world.name + "'", "Give it a height map or boxes");
+    if (!(options.tick > Seconds{0.0}) || options.physics_steps_per_tick < 1)
+        return failure("a tick needs a length and at least one physics step", "simulation options");
+    if (options.battery_life && !(*options.battery_life > Seconds{0.0}))
+        return failure("a battery must last longer than 0 s", "simulation options");
     return std::unique_ptr<Simulation>(new Simulation(std::make_unique<State>(std::move(world), options)));
 }
 

@@ -50,8 +50,6 @@ struct Simulation::State {
     void followFaults();
     /// Tells a session of its active faults, and logs those that have no effect on its robot.
     void setFaults(ClientId client, ClientSession& session);
-    /// True if a fault makes the session's robot disappear now.
-    bool vanishes(const ClientSession& session) const;
     /// Runs the physics steps of one tick.
     void move();
     /// Refreshes the scene, and writes each client's lines and its robot's trace mark.

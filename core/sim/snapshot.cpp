@@ -1,6 +1,7 @@
 #include "core/sim/snapshot.h"
 
 #include <charconv>
+#include <limits>
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
@@ -56,18 +57,12 @@ public:
         return bytes;
     }
 
-    std::uint64_t whole(std::string_view text, std::string_view what) {
+    /// Fails above `most`, so that a damaged digit cannot ask for a run that takes forever to replay.
+    std::uint64_t whole(std::string_view text, std::string_view what,
+                        std::uint64_t most = std::numeric_limits<std::uint64_t>::max()) {
         std::uint64_t value = 0;
         const auto [end, trouble] = std::from_chars(text.data(), text.data() + text.size(), value);
-        if (trouble != std::errc() || end != text.data() + text.size())
-            fail("'" + std::string(text) + "' is not a valid " + std::string(what));
-        return value;
-    }
-
-    /// Like whole(), but fails above `most`, so that a damaged digit cannot ask for a run that takes forever to replay.
-    std::uint64_t upTo(std::uint64_t most, std::string_view text, std::string_view what) {
-        const std::uint64_t value = whole(text, what);
-        if (value > most)
+        if (trouble != std::errc() || end != text.data() + text.size() || value > most)
             fail("'" + std::string(text) + "' is not a valid " + std::string(what));
         return value;
     }
@@ -101,7 +96,7 @@ void readHead(SnapshotReading& reading, std::string_view key, std::string_view v
     else if (key == "tick_s")
         snapshot.tick = Seconds{reading.number(value, "time")};
     else if (key == "physics_steps_per_tick")
-        snapshot.physics_steps_per_tick = static_cast<int>(reading.upTo(10'000, value, "number of steps"));
+        snapshot.physics_steps_per_tick = static_cast<int>(reading.whole(value, "number of steps", 10'000));
     else if (key == "battery_life_s")
         snapshot.battery_life = Seconds{reading.number(value, "time")};
     else if (key == "noise")
@@ -109,7 +104,7 @@ void readHead(SnapshotReading& reading, std::string_view key, std::string_view v
     else if (key == "fault")
         snapshot.faults.emplace_back(value);
     else if (key == "ticks")
-        snapshot.ticks = reading.upTo(100'000'000, value, "number of ticks");
+        snapshot.ticks = reading.whole(value, "number of ticks", 100'000'000);
     else if (key == "digest")
         snapshot.digest = reading.whole(value, "digest");
     else

@@ -23,10 +23,6 @@ SceneObject* WorldController::find(std::string_view name) const {
     return found == scene_.objects.end() ? nullptr : &*found;
 }
 
-WorldController::Answer WorldController::missing(std::string_view name) const {
-    return "there is no object '" + std::string(name) + "'";
-}
-
 template <class Keep>
 void WorldController::removeUnless(Keep&& keep) {
     std::erase_if(scene_.objects, [&](const SceneObject& object) {
@@ -111,15 +107,6 @@ std::string WorldController::knownClasses() const {
     return names;
 }
 
-WorldController::Answer WorldController::move(const protocol::Token& name, const Pose& body_in_map) {
-    SceneObject* const object = find(name);
-    if (!object)
-        return missing(name);
-    placeObject(*object, physics_, body_in_map);
-    makeRoom(*object); // Without room it stays where it was told to be.
-    return {};
-}
-
 bool WorldController::makeRoom(SceneObject& object) {
     constexpr double step_m = 0.05;
     constexpr int most_steps = 20;
@@ -143,26 +130,46 @@ bool WorldController::makeRoom(SceneObject& object) {
     return false;
 }
 
-WorldController::Answer WorldController::runConveyor(const protocol::RunConveyor& wanted) {
-    SceneObject* const object = find(wanted.object_name);
-    if (!object)
-        return missing(wanted.object_name);
-    if (!object->belt)
-        return "'" + object->name + "' is not a conveyor";
-    physics_.runSurface(*object->belt, {wanted.speed_m_s, 0.0, 0.0});
+WorldController::Answer WorldController::move(SceneObject& object, const Pose& body_in_map) {
+    placeObject(object, physics_, body_in_map);
+    makeRoom(object); // Without room it stays where it was told to be.
     return {};
 }
 
-WorldController::Answer WorldController::follow(const protocol::FollowWaypoints& wanted) {
-    SceneObject* const object = find(wanted.object_name);
-    if (!object)
-        return missing(wanted.object_name);
-    ObjectMotion& motion = object->motion;
+WorldController::Answer WorldController::act(SceneObject&, const protocol::KillObject& kill) {
+    removeUnless([&](const SceneObject& one) { return !sameWord(one.name, kill.object_name); });
+    return {};
+}
+
+WorldController::Answer WorldController::act(SceneObject& object, const protocol::ShiftObject& wanted) {
+    Pose moved = object.body_in_map;
+    moved.position_m += wanted.shift.position_m;
+    moved.roll_rad += wanted.shift.roll_rad;
+    moved.pitch_rad += wanted.shift.pitch_rad;
+    moved.yaw_rad += wanted.shift.yaw_rad;
+    return move(object, moved);
+}
+
+WorldController::Answer WorldController::act(SceneObject& object, const protocol::RunConveyor& wanted) {
+    if (!object.belt)
+        return "'" + object.name + "' is not a conveyor";
+    physics_.runSurface(*object.belt, {wanted.speed_m_s, 0.0, 0.0});
+    return {};
+}
+
+WorldController::Answer WorldController::act(SceneObject& object, const protocol::AddWaypoints& wanted) {
+    auto& points = object.motion.waypoints_in_map_m;
+    points.insert(points.end(), wanted.points_in_map_m.begin(), wanted.points_in_map_m.end());
+    return {};
+}
+
+WorldController::Answer WorldController::act(SceneObject& object, const protocol::FollowWaypoints& wanted) {
+    ObjectMotion& motion = object.motion;
     if (const auto* const speed = std::get_if<protocol::WaypointSpeed>(&wanted.pace)) {
         motion.speed_m_s = speed->speed_m_s;
     } else {
         double way_m = 0.0;
-        Vec3 at_m = object->body_in_map.position_m;
+        Vec3 at_m = object.body_in_map.position_m;
         for (const Vec3& point_m : motion.waypoints_in_map_m) {
             way_m += (point_m - at_m).norm();
             at_m = point_m;
@@ -178,12 +185,6 @@ WorldController::Answer WorldController::follow(const protocol::FollowWaypoints&
 WorldController::Answer WorldController::obey(const protocol::Command& command, std::uint32_t client) {
     if (const auto* const wanted = std::get_if<protocol::CreateObject>(&command))
         return create(*wanted, client);
-    if (const auto* const kill = std::get_if<protocol::KillObject>(&command)) {
-        if (!find(kill->object_name))
-            return missing(kill->object_name);
-        removeUnless([&](const SceneObject& one) { return !sameWord(one.name, kill->object_name); });
-        return {};
-    }
     if (const auto* const kill = std::get_if<protocol::KillAllObjects>(&command)) {
         removeUnless([&](const SceneObject& one) {
             return kill->within &&
@@ -191,34 +192,11 @@ WorldController::Answer WorldController::obey(const protocol::Command& command, 
         });
         return {};
     }
-    if (const auto* const place = std::get_if<protocol::PlaceObject>(&command))
-        return move(place->object_name, place->object_in_map);
-    if (const auto* const follow_points = std::get_if<protocol::FollowWaypoints>(&command))
-        return follow(*follow_points);
-    if (const auto* const conveyor = std::get_if<protocol::RunConveyor>(&command))
-        return runConveyor(*conveyor);
     return std::visit(
         [&](const auto& one) -> Answer {
-            using One = std::decay_t<decltype(one)>;
-            if constexpr (requires { one.object_name; }) {
+            if constexpr (requires(SceneObject & object) { act(object, one); }) {
                 SceneObject* const object = find(one.object_name);
-                if (!object)
-                    return missing(one.object_name);
-                if constexpr (std::is_same_v<One, protocol::ShiftObject>) {
-                    Pose moved = object->body_in_map;
-                    moved.position_m += one.shift.position_m;
-                    moved.roll_rad += one.shift.roll_rad;
-                    moved.pitch_rad += one.shift.pitch_rad;
-                    moved.yaw_rad += one.shift.yaw_rad;
-                    return move(one.object_name, moved);
-                } else if constexpr (std::is_same_v<One, protocol::SpinObject>) {
-                    object->motion.spin_rad_s = one.rates_rad_s;
-                } else if constexpr (std::is_same_v<One, protocol::AddWaypoints>) {
-                    auto& points = object->motion.waypoints_in_map_m;
-                    points.insert(points.end(), one.points_in_map_m.begin(), one.points_in_map_m.end());
-                } else if constexpr (std::is_same_v<One, protocol::ClearWaypoints>) {
-                    object->motion = {.spin_rad_s = object->motion.spin_rad_s};
-                }
+                return object ? act(*object, one) : "there is no object '" + one.object_name.text() + "'";
             }
             return {};
         },

@@ -37,17 +37,29 @@ private:
     Answer describe(const protocol::CreateObject& wanted, WorldObject& object) const;
     Answer startOf(const protocol::CreateObject& wanted, Pose& start_in_map) const;
     std::string knownClasses() const;
-    Answer move(const protocol::Token& name, const Pose& body_in_map);
-    Answer runConveyor(const protocol::RunConveyor& wanted);
+    Answer move(SceneObject& object, const Pose& body_in_map);
     /// Raises the object by up to a meter until nothing is in its way, so that it lands on the slope or thing that it
     /// is dropped on. Returns false, with the object where it was, if there is no room.
     bool makeRoom(SceneObject& object);
-    Answer follow(const protocol::FollowWaypoints& wanted);
+    // Each obeys a command about one object.
+    Answer act(SceneObject& object, const protocol::KillObject& kill);
+    Answer act(SceneObject& object, const protocol::PlaceObject& wanted) { return move(object, wanted.object_in_map); }
+    Answer act(SceneObject& object, const protocol::ShiftObject& wanted);
+    Answer act(SceneObject& object, const protocol::RunConveyor& wanted);
+    Answer act(SceneObject& object, const protocol::AddWaypoints& wanted);
+    Answer act(SceneObject& object, const protocol::FollowWaypoints& wanted);
+    Answer act(SceneObject& object, const protocol::SpinObject& wanted) {
+        object.motion.spin_rad_s = wanted.rates_rad_s;
+        return {};
+    }
+    Answer act(SceneObject& object, const protocol::ClearWaypoints&) {
+        object.motion = {.spin_rad_s = object.motion.spin_rad_s};
+        return {};
+    }
     template <class Keep>
     void removeUnless(Keep&& keep);
     /// The object by this name, in any case; nullptr if there is none.
     SceneObject* find(std::string_view name) const;
-    Answer missing(std::string_view name) const;
 
     const World& world_;
     Physics& physics_;

@@ -4,13 +4,10 @@
 
 #include <string>
 
-#include "core/sim/camera/jpeg.h"
+#include "core/sim/camera/picture.h"
 #include "core/sim/camera/renderer.h"
 #include "core/sim/simulation.h"
-#include "core/sim/worlds/point_lookout.h"
-#include "core/sim/worlds/spqr_soccer.h"
-#include "core/sim/worlds/tall_test.h"
-#include "core/sim/worlds/vmac_room.h"
+#include "core/sim/worlds/made_worlds.h"
 #include "tests/doubles/shipped_robots.h"
 
 namespace {

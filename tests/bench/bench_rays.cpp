@@ -8,7 +8,7 @@
 
 #include "core/base/random.h"
 #include "core/sim/rays/ray_caster.h"
-#include "core/sim/worlds/tall_test.h"
+#include "core/sim/worlds/made_worlds.h"
 #include "tests/sim/bullet_rays.h"
 
 namespace {

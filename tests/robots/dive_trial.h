@@ -7,7 +7,7 @@
 #include <QTest>
 
 #include "core/sim/worlds/building.h"
-#include "core/sim/worlds/point_lookout.h"
+#include "core/sim/worlds/made_worlds.h"
 #include "robots/submarine/descriptions.h"
 #include "tests/doubles/shipped_robots.h"
 #include "tests/doubles/simulated_flight.h"

@@ -3,7 +3,7 @@
 
 #include <QTest>
 
-#include "core/sim/worlds/spqr_soccer.h"
+#include "core/sim/worlds/made_worlds.h"
 #include "robots/ers/descriptions.h"
 #include "tests/doubles/shipped_robots.h"
 #include "tests/doubles/simulated_flight.h"

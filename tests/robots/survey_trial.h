@@ -5,7 +5,7 @@
 
 #include <QTest>
 
-#include "core/sim/worlds/tall_test.h"
+#include "core/sim/worlds/made_worlds.h"
 #include "robots/airrobot/descriptions.h"
 #include "tests/doubles/shipped_robots.h"
 #include "tests/doubles/simulated_flight.h"

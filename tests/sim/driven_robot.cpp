@@ -6,8 +6,8 @@
 #include <map>
 
 #include "core/sim/drives/ackermann_drive.h"
-#include "core/sim/drives/leg_drive.h"
-#include "core/sim/drives/skid_drive.h"
+#include "core/sim/drives/driven_joints.h"
+#include "core/sim/drives/wheeled_drive.h"
 #include "core/sim/robots/robot_reader.h"
 
 namespace usar::sim {

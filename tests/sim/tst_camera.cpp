@@ -7,10 +7,9 @@
 #include <QString>
 #include <QTest>
 
-#include "core/sim/camera/jpeg.h"
+#include "core/sim/camera/picture.h"
 #include "core/sim/camera/renderer.h"
 #include "core/sim/camera/scene_capture.h"
-#include "core/sim/camera/window_picture.h"
 #include "tests/sim/talker.h"
 #include "tests/sim/tiny_worlds.h"
 #include "tests/suite/suite.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/sim/faults/fault.h"
-#include "core/sim/faults/wind.h"
+#include "core/sim/faults/fault_schedule.h"
 #include "tests/sim/talker.h"
 #include "tests/sim/tiny_worlds.h"
 #include "tests/suite/suite.h"

@@ -13,9 +13,7 @@
 #include "core/sim/rays/ray_caster.h"
 #include "core/sim/world/world_generator.h"
 #include "core/sim/world/world_reader.h"
-#include "core/sim/worlds/elevation_csv.h"
-#include "core/sim/worlds/spqr_soccer.h"
-#include "core/sim/worlds/volcano.h"
+#include "core/sim/worlds/made_worlds.h"
 #include "tests/doubles/test_files.h"
 #include "tests/suite/suite.h"
 

@@ -2,7 +2,7 @@
 #include <QString>
 #include <QTest>
 
-#include "core/sim/drives/leg_drive.h"
+#include "core/sim/drives/driven_joints.h"
 #include "tests/sim/driven_robot.h"
 #include "tests/suite/suite.h"
 

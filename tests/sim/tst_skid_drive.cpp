@@ -2,7 +2,7 @@
 #include <QString>
 #include <QTest>
 
-#include "core/sim/drives/skid_drive.h"
+#include "core/sim/drives/wheeled_drive.h"
 #include "tests/sim/driven_robot.h"
 #include "tests/suite/suite.h"
 

@@ -11,7 +11,7 @@
 #include "core/sim/rays/ray_caster.h"
 #include "core/sim/world/world_reader.h"
 #include "core/sim/worlds/fractal_noise.h"
-#include "core/sim/worlds/tall_test.h"
+#include "core/sim/worlds/made_worlds.h"
 #include "tests/doubles/test_files.h"
 #include "tests/suite/suite.h"
 

@@ -10,10 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "core/base/clock.h"
 #include "core/base/geometry.h"
 #include "core/protocol/usual_values.h"
-#include "core/sim/physics/still_world.h"
+#include "core/sim/rays/ray_caster.h"
 #include "core/sim/world/articulation.h"
 
 namespace usar::sim {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace usar::sim {
@@ -35,5 +36,8 @@ private:
 void paste(Picture& whole, const Picture& part, int x, int y);
 /// Crops `whole`. What lies outside of it is left out, but the result has at least one pixel.
 Picture cut(const Picture& whole, std::int64_t x, std::int64_t y, std::int64_t width, std::int64_t height);
+
+/// `quality` is 1 to 100. The picture must have at least one pixel.
+std::string jpegOf(const Picture& picture, int quality);
 
 } // namespace usar::sim

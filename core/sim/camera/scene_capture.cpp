@@ -47,24 +47,14 @@ Color colorOf(const SceneObject& object) {
     return {0.78f, 0.78f, 0.80f};
 }
 
-double radiusOf(VictimPartKind kind) {
-    switch (kind) {
-    case VictimPartKind::Chest:
-    case VictimPartKind::Pelvis:
-        return 0.17;
-    case VictimPartKind::Head:
-        return 0.11;
-    case VictimPartKind::Arm:
-    case VictimPartKind::Leg:
-        return 0.09;
-    default:
-        return 0.06;
-    }
-}
-
-bool isBare(VictimPartKind kind) {
-    return kind == VictimPartKind::Head || kind == VictimPartKind::Hand || kind == VictimPartKind::Foot;
-}
+/// How a part of a victim looks; in the order of VictimPartKind.
+struct PartLook {
+    double radius_m;
+    bool bare; ///< skin, not clothes
+};
+constexpr std::array part_looks{PartLook{0.11, true},  PartLook{0.09, false}, PartLook{0.06, true},
+                                PartLook{0.17, false}, PartLook{0.17, false}, PartLook{0.09, false},
+                                PartLook{0.06, true}};
 
 void addParts(CameraScene& seen, const BodyDescription& body, const BodyState& state, const Color& color) {
     const Eigen::Isometry3d body_in_map = Eigen::Translation3d(state.position_m) * state.rotation;
@@ -108,9 +98,11 @@ void addObjects(CameraScene& seen, const Scene& scene) {
 
 void addMarks(CameraScene& seen, const World& world) {
     for (const Victim& victim : world.victims)
-        for (const VictimPart& part : victim.parts)
-            seen.solids.push_back(seenSolid(SphereShape{radiusOf(part.kind)}, shiftedTo(part.position_in_map_m),
-                                            isBare(part.kind) ? skin : clothes));
+        for (const VictimPart& part : victim.parts) {
+            const PartLook& look = part_looks.at(static_cast<std::size_t>(part.kind));
+            seen.solids.push_back(
+                seenSolid(SphereShape{look.radius_m}, shiftedTo(part.position_in_map_m), look.bare ? skin : clothes));
+        }
     for (const RfidTag& tag : world.rfid_tags)
         seen.solids.push_back(seenSolid(SphereShape{tag_radius_m}, shiftedTo(tag.position_in_map_m), tag_color));
 }

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/sim/rays/ray_normals.h"
-
 namespace usar::sim {
 
 namespace {

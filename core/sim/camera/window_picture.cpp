@@ -1,11 +1,10 @@
-#include "core/sim/camera/window_picture.h"
+#include "core/sim/camera/renderer.h"
 
 #include <algorithm>
 #include <array>
 #include <optional>
 
 #include "core/base/text.h"
-#include "core/sim/camera/renderer.h"
 
 namespace usar::sim {
 
@@ -55,13 +54,6 @@ Picture quadView(const CameraScene& scene, const Views& views) {
     return whole;
 }
 
-Picture firstFour(const CameraScene& scene) {
-    Views views{};
-    for (std::size_t i = 0; i < std::min(scene.cameras.size(), most_views); ++i)
-        views[i] = &scene.cameras[i];
-    return quadView(scene, views);
-}
-
 /// Returns nullopt if all cameras that were chosen are gone.
 std::optional<Picture> viewportPicture(const CameraScene& scene, const Viewports& wanted) {
     const SeenFrom usual;
@@ -91,7 +83,12 @@ Picture windowPicture(const CameraScene& scene, const CameraChoice* choice) {
             return *std::move(picture);
     if (scene.cameras.empty())
         return render(scene, bystander(*scene.still));
-    return scene.cameras.size() == 1 ? render(scene, scene.cameras.front()) : firstFour(scene);
+    if (scene.cameras.size() == 1)
+        return render(scene, scene.cameras.front());
+    Views first{};
+    for (std::size_t i = 0; i < std::min(scene.cameras.size(), most_views); ++i)
+        first[i] = &scene.cameras[i];
+    return quadView(scene, first);
 }
 
 } // namespace usar::sim

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/sim/drives/drive_term.h"
+#include "core/sim/robots/drive.h"
 
 namespace usar::sim {
 
@@ -51,12 +51,9 @@ bool AckermannDrive::obey(const protocol::Command& command) {
     if (off())
         return true;
     wheels_.takeBack();
-    if (drive->speed_rad_s)
-        spin_rad_s_ = limited(*drive->speed_rad_s, wheels_.largestSpin(), drive->normalized);
-    if (drive->front_steer_rad)
-        front_rad_ = limited(*drive->front_steer_rad, largest_front_rad_, false);
-    if (drive->rear_steer_rad)
-        rear_rad_ = limited(*drive->rear_steer_rad, largest_rear_rad_, false);
+    takeTerm(drive->speed_rad_s, wheels_.largestSpin(), drive->normalized, spin_rad_s_);
+    takeTerm(drive->front_steer_rad, largest_front_rad_, false, front_rad_);
+    takeTerm(drive->rear_steer_rad, largest_rear_rad_, false, rear_rad_);
     steer();
     return true;
 }

@@ -1,10 +1,12 @@
 #include "core/sim/drives/driven_joints.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/base/text.h"
-#include "core/sim/drives/drive_term.h"
+#include "core/sim/drives/wheeled_drive.h"
+#include "core/sim/robots/drive.h"
 
 namespace usar::sim {
 
@@ -21,25 +23,14 @@ bool isInPackage(const RobotModel& model, const std::string& joint) {
     });
 }
 
+/// What an opcode other than Stiffness orders; the rows are in the order of the opcodes.
 JointOrder orderOf(JointOpcode opcode) {
-    using enum JointOpcode;
-    switch (opcode) {
-    case Speed:
-        return JointOrder::Speed;
-    case Torque:
-        return JointOrder::Torque;
-    case RelativeAngle:
-        return JointOrder::RelativeAngle;
-    case RelativeSpeed:
-        return JointOrder::RelativeSpeed;
-    case RelativeTorque:
-        return JointOrder::RelativeTorque;
-    case Angle:
-    case Stiffness:
-        break;
-    }
-    return JointOrder::Angle;
+    using enum JointOrder;
+    constexpr std::array orders{Angle, Speed, Torque, RelativeAngle, RelativeSpeed, RelativeTorque};
+    return orders.at(static_cast<std::size_t>(opcode));
 }
+
+constexpr Seconds standing{1.0};
 
 } // namespace
 
@@ -182,6 +173,19 @@ std::vector<protocol::JointAngle> DrivenJoints::angles() const {
     return angles;
 }
 
+Result<std::vector<std::size_t>> linksOn(const RobotModel& model, const std::vector<std::string>& joints) {
+    std::vector<std::size_t> links;
+    for (const std::string& joint : joints) {
+        const auto link =
+            std::ranges::find_if(model.links, [&](const ModelLink& one) { return sameWord(one.joint, joint); });
+        if (link == model.links.end())
+            return failure("the drive's joint \"" + joint + "\" does not exist", "robot " + model.class_name,
+                           "Name one of the model's joints");
+        links.push_back(static_cast<std::size_t>(link - model.links.begin()));
+    }
+    return links;
+}
+
 void JointDrive::switchOff() {
     off_ = true;
     joints_.releaseAll();
@@ -192,6 +196,38 @@ void JointDrive::letSleep(bool allowed) {
     if (allowed != may_sleep_)
         physics_.letSleep(body_, allowed);
     may_sleep_ = allowed;
+}
+
+Result<std::unique_ptr<Drive>> LegDrive::make(const RobotModel& model, Physics& physics, BodyId body) {
+    return linksOn(model, model.drive.joints).map([&](const std::vector<std::size_t>& joints) {
+        return std::unique_ptr<Drive>(new LegDrive(model, physics, body, joints));
+    });
+}
+
+LegDrive::LegDrive(const RobotModel& model, Physics& physics, BodyId body, const std::vector<std::size_t>& joints)
+    : JointDrive(model, physics, body)
+    , reported_(joints) {
+    for (const std::size_t joint : joints)
+        joints_.hold(joint, 0.0);
+}
+
+bool LegDrive::obey(const protocol::Command& command) {
+    if (off() || joints_.obey(command).empty())
+        return false;
+    still_for_ = Seconds{0.0};
+    return true;
+}
+
+void LegDrive::beforeStep(Seconds dt) {
+    if (off())
+        return;
+    still_for_ = joints_.still() ? still_for_ + dt : Seconds{0.0};
+    letSleep(still_for_ > standing);
+}
+
+void LegDrive::addTo(protocol::RobotState& state) const {
+    for (const std::size_t joint : reported_)
+        state.joints.push_back({joints_.name(joint), joints_.state(joint).position});
 }
 
 } // namespace usar::sim

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/sim/drives/drive_term.h"
+#include "core/sim/robots/drive.h"
 
 namespace usar::sim {
 
@@ -31,26 +31,25 @@ double approach(double value, double wanted, double most) {
 
 HullFigures hullFiguresOf(const RobotModel& model) {
     HullFigures h;
-    const auto take = [&](const char* key, double& figure) { figure = numberOr(model.drive.numbers, key, figure); };
-    take("hull_radius", h.radius_m);
-    take("hull_length", h.length_m);
-    take("volume", h.volume_m3);
-    take("center_of_buoyancy", h.buoyancy_z_m);
-    take("surge_drag", h.surge_drag_kg_m);
-    take("cross_drag", h.cross_drag_kg_m);
-    take("roll_drag", h.roll_drag_kg_m2);
-    take("pitch_drag", h.pitch_drag_kg_m2);
-    take("yaw_drag", h.yaw_drag_kg_m2);
-    take("surge_added_mass", h.surge_added_mass_kg);
-    take("cross_added_mass", h.cross_added_mass_kg);
-    take("turn_added_inertia", h.turn_added_inertia_kg_m2);
-    take("fin_lift", h.fin_lift_kg_m);
-    take("fin_moment", h.fin_moment_kg);
-    take("propeller_limit", h.propeller_limit_rad_s);
-    take("thrust_limit", h.thrust_limit_n);
-    take("rudder_limit", h.rudder_limit_rad);
-    take("stern_plane_limit", h.stern_plane_limit_rad);
-    take("fin_rate", h.fin_rate_rad_s);
+    setFigures(model.drive.numbers, {{"hull_radius", &h.radius_m},
+                                     {"hull_length", &h.length_m},
+                                     {"volume", &h.volume_m3},
+                                     {"center_of_buoyancy", &h.buoyancy_z_m},
+                                     {"surge_drag", &h.surge_drag_kg_m},
+                                     {"cross_drag", &h.cross_drag_kg_m},
+                                     {"roll_drag", &h.roll_drag_kg_m2},
+                                     {"pitch_drag", &h.pitch_drag_kg_m2},
+                                     {"yaw_drag", &h.yaw_drag_kg_m2},
+                                     {"surge_added_mass", &h.surge_added_mass_kg},
+                                     {"cross_added_mass", &h.cross_added_mass_kg},
+                                     {"turn_added_inertia", &h.turn_added_inertia_kg_m2},
+                                     {"fin_lift", &h.fin_lift_kg_m},
+                                     {"fin_moment", &h.fin_moment_kg},
+                                     {"propeller_limit", &h.propeller_limit_rad_s},
+                                     {"thrust_limit", &h.thrust_limit_n},
+                                     {"rudder_limit", &h.rudder_limit_rad},
+                                     {"stern_plane_limit", &h.stern_plane_limit_rad},
+                                     {"fin_rate", &h.fin_rate_rad_s}});
     return h;
 }
 
@@ -70,13 +69,10 @@ bool NauticDrive::obey(const protocol::Command& command) {
     const auto* const drive = std::get_if<protocol::NauticDrive>(&command);
     if (!drive)
         return false;
-    const auto take = [&](const std::optional<double>& term, double limit, double& into) {
-        if (term)
-            into = limited(*term, limit, drive->normalized);
-    };
-    take(drive->propeller_rad_s, hull_.propeller_limit_rad_s, wanted_propeller_rad_s_);
-    take(drive->rudder_rad, hull_.rudder_limit_rad, wanted_rudder_rad_);
-    take(drive->stern_plane_rad, hull_.stern_plane_limit_rad, wanted_stern_plane_rad_);
+    const bool percent = drive->normalized;
+    takeTerm(drive->propeller_rad_s, hull_.propeller_limit_rad_s, percent, wanted_propeller_rad_s_);
+    takeTerm(drive->rudder_rad, hull_.rudder_limit_rad, percent, wanted_rudder_rad_);
+    takeTerm(drive->stern_plane_rad, hull_.stern_plane_limit_rad, percent, wanted_stern_plane_rad_);
     return true;
 }
 
@@ -115,14 +111,12 @@ NauticDrive::Wrench NauticDrive::weight(const BodyState& state) const {
 }
 
 NauticDrive::Wrench NauticDrive::drag(const Vec3& v, const Vec3& w, double share, double dt_s) const {
-    Wrench drag;
-    drag.force_n = {dragOn(v.x(), share * hull_.surge_drag_kg_m, mass_kg_, dt_s),
-                    dragOn(v.y(), share * hull_.cross_drag_kg_m, mass_kg_, dt_s),
-                    dragOn(v.z(), share * hull_.cross_drag_kg_m, mass_kg_, dt_s)};
-    drag.torque_n_m = {dragOn(w.x(), share * hull_.roll_drag_kg_m2, inertia_kg_m2_.x(), dt_s),
-                       dragOn(w.y(), share * hull_.pitch_drag_kg_m2, inertia_kg_m2_.y(), dt_s),
-                       dragOn(w.z(), share * hull_.yaw_drag_kg_m2, inertia_kg_m2_.z(), dt_s)};
-    return drag;
+    return {.force_n = {dragOn(v.x(), share * hull_.surge_drag_kg_m, mass_kg_, dt_s),
+                        dragOn(v.y(), share * hull_.cross_drag_kg_m, mass_kg_, dt_s),
+                        dragOn(v.z(), share * hull_.cross_drag_kg_m, mass_kg_, dt_s)},
+            .torque_n_m = {dragOn(w.x(), share * hull_.roll_drag_kg_m2, inertia_kg_m2_.x(), dt_s),
+                           dragOn(w.y(), share * hull_.pitch_drag_kg_m2, inertia_kg_m2_.y(), dt_s),
+                           dragOn(w.z(), share * hull_.yaw_drag_kg_m2, inertia_kg_m2_.z(), dt_s)}};
 }
 
 NauticDrive::Wrench NauticDrive::propulsion(double surge_m_s, double share) const {

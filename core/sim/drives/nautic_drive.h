@@ -1,8 +1,8 @@
 // A submarine's propeller, rudder and stern plane, and the water around its hull.
 #pragma once
 
-#include "core/sim/robots/collision_counter.h"
 #include "core/sim/robots/drive.h"
+#include "core/sim/robots/robot_figures.h"
 
 namespace usar::sim {
 

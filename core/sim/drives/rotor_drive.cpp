@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/sim/drives/drive_term.h"
+#include "core/sim/robots/drive.h"
 
 namespace usar::sim {
 
@@ -57,14 +57,11 @@ void RotorDrive::addTo(std::vector<protocol::Setting>& settings) const {
 
 void RotorDrive::drive(const protocol::AerialDrive& drive) {
     landing_itself_ = false;
-    const auto take = [&](const std::optional<double>& term, double limit, double& into) {
-        if (term)
-            into = limited(*term, limit, drive.normalized);
-    };
-    take(drive.forward_m_s, parameters_.forward_limit_m_s, command_.forward_m_s);
-    take(drive.left_m_s, parameters_.sideways_limit_m_s, command_.left_m_s);
-    take(drive.climb_m_s, parameters_.climb_limit_m_s, command_.climb_m_s);
-    take(drive.yaw_rate_rad_s, parameters_.yaw_rate_limit_rad_s, command_.yaw_rate_rad_s);
+    const bool percent = drive.normalized;
+    takeTerm(drive.forward_m_s, parameters_.forward_limit_m_s, percent, command_.forward_m_s);
+    takeTerm(drive.left_m_s, parameters_.sideways_limit_m_s, percent, command_.left_m_s);
+    takeTerm(drive.climb_m_s, parameters_.climb_limit_m_s, percent, command_.climb_m_s);
+    takeTerm(drive.yaw_rate_rad_s, parameters_.yaw_rate_limit_rad_s, percent, command_.yaw_rate_rad_s);
 }
 
 void RotorDrive::beforeStep(Seconds dt) {

@@ -2,10 +2,9 @@
 #pragma once
 
 #include "core/sim/robots/air_robot_parameters.h"
-#include "core/sim/robots/collision_counter.h"
 #include "core/sim/robots/drive.h"
 #include "core/sim/robots/flight_controller.h"
-#include "core/sim/robots/rotors.h"
+#include "core/sim/robots/robot_figures.h"
 
 namespace usar::sim {
 

@@ -1,12 +1,16 @@
 #include "core/sim/drives/wheeled_drive.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/text.h"
+#include "core/sim/robots/drive.h"
 
 namespace usar::sim {
 
 namespace {
+
+constexpr double standing_rad_s = 0.1;
 
 /// Contacts that press from below, at most 45 degrees off the vertical, are with what the robot stands on.
 constexpr double standing_normal_z = 0.7;
@@ -17,6 +21,76 @@ std::optional<double> figure(const Numbers& figures, std::string_view key) {
 }
 
 } // namespace
+
+DrivenWheels::DrivenWheels(DrivenJoints& joints, const std::vector<std::size_t>& wheels, double acceleration_rad_s2)
+    : joints_(joints)
+    , acceleration_rad_s2_(acceleration_rad_s2) {
+    for (const std::size_t joint : wheels)
+        wheels_.push_back({.joint = joint, .sign = joints.axis(joint).y() < 0.0 ? -1.0 : 1.0});
+}
+
+void DrivenWheels::want(std::size_t wheel, double spin_rad_s) {
+    wheels_[wheel].wanted_rad_s = spin_rad_s;
+    wheels_[wheel].held = wheels_[wheel].held && spin_rad_s == 0.0;
+}
+
+void DrivenWheels::leave(std::size_t joint) {
+    for (Wheel& wheel : wheels_)
+        if (wheel.joint == joint)
+            wheel.ours = false;
+}
+
+void DrivenWheels::takeBack() {
+    for (Wheel& wheel : wheels_) {
+        if (!wheel.ours) {
+            wheel.now_rad_s = wheel.sign * joints_.state(wheel.joint).velocity;
+            wheel.told = false;
+            wheel.held = false;
+        }
+        wheel.ours = true;
+    }
+}
+
+void DrivenWheels::step(Seconds dt) {
+    const double most_rad_s = acceleration_rad_s2_ * dt.count();
+    for (Wheel& wheel : wheels_) {
+        const double missing_rad_s = wheel.wanted_rad_s - wheel.now_rad_s;
+        if (!wheel.ours || wheel.held)
+            continue;
+        if (wheel.told && missing_rad_s == 0.0) {
+            brake(wheel);
+            continue;
+        }
+        wheel.now_rad_s = acceleration_rad_s2_ > 0.0 && std::abs(missing_rad_s) > most_rad_s
+                              ? wheel.now_rad_s + std::copysign(most_rad_s, missing_rad_s)
+                              : wheel.wanted_rad_s;
+        joints_.spin(wheel.joint, wheel.sign * wheel.now_rad_s);
+        wheel.told = true;
+    }
+}
+
+void DrivenWheels::brake(Wheel& wheel) {
+    const JointState now = joints_.state(wheel.joint);
+    if (wheel.now_rad_s != 0.0 || std::abs(now.velocity) > standing_rad_s)
+        return;
+    joints_.hold(wheel.joint, now.position);
+    wheel.held = true;
+}
+
+bool DrivenWheels::braking() const {
+    return std::ranges::all_of(wheels_, [](const Wheel& wheel) {
+        return wheel.ours && wheel.told && wheel.wanted_rad_s == 0.0 && wheel.now_rad_s == 0.0;
+    });
+}
+
+double DrivenWheels::largestSpin() const {
+    const auto limit = [&](const Wheel& wheel) { return joints_.speedLimit(wheel.joint); };
+    return limit(*std::ranges::min_element(wheels_, {}, limit));
+}
+
+double DrivenWheels::largestTorque() const {
+    return joints_.torqueLimit(wheels_.front().joint);
+}
 
 WheeledDrive::WheeledDrive(const RobotModel& model, Physics& physics, BodyId body,
                            const std::vector<std::size_t>& wheels)
@@ -66,17 +140,31 @@ void WheeledDrive::addTo(std::vector<protocol::Setting>& settings) const {
     settings.push_back({"MaxRearSteer", "", largest_rear_rad_});
 }
 
-Result<std::vector<std::size_t>> linksOn(const RobotModel& model, const std::vector<std::string>& joints) {
-    std::vector<std::size_t> links;
-    for (const std::string& joint : joints) {
-        const auto link =
-            std::ranges::find_if(model.links, [&](const ModelLink& one) { return sameWord(one.joint, joint); });
-        if (link == model.links.end())
-            return failure("the drive's joint \"" + joint + "\" does not exist", "robot " + model.class_name,
-                           "Name one of the model's joints");
-        links.push_back(static_cast<std::size_t>(link - model.links.begin()));
-    }
-    return links;
+Result<std::unique_ptr<Drive>> SkidDrive::make(const RobotModel& model, Physics& physics, BodyId body) {
+    const auto wheels = linksOn(model, model.drive.joints);
+    if (!wheels)
+        return tl::unexpected(wheels.error());
+    if (wheels->empty() || wheels->size() % 2 != 0)
+        return failure("a skid drive has " + std::to_string(wheels->size()) + " joints", "robot " + model.class_name,
+                       "Name the left wheels' joints and then as many right ones");
+    return std::unique_ptr<Drive>(new SkidDrive(model, physics, body, *wheels));
+}
+
+bool SkidDrive::obey(const protocol::Command& command) {
+    const auto* drive = std::get_if<protocol::SkidDrive>(&command);
+    if (!drive)
+        return obeyJoint(command);
+    wheels_.takeBack();
+    const std::size_t half = wheels_.count() / 2;
+    for (std::size_t i = 0; i < wheels_.count(); ++i)
+        if (const std::optional<double>& side = i < half ? drive->left_rad_s : drive->right_rad_s)
+            wheels_.want(i, limited(*side, wheels_.largestSpin(), drive->normalized));
+    return true;
+}
+
+void SkidDrive::addTo(protocol::RobotState& state) const {
+    WheeledDrive::addTo(state);
+    state.joints = joints_.angles();
 }
 
 } // namespace usar::sim

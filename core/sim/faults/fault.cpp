@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/base/numbers.h"
@@ -53,7 +54,8 @@ constexpr std::array kinds{
                      {}},
     FaultDescription{FaultKind::Battery, "battery", "the battery loses its charge", true, false, battery_numbers},
     FaultDescription{FaultKind::Rotor, "rotor", "a rotor of a flying robot loses thrust", true, false, rotor_numbers},
-    FaultDescription{FaultKind::Wind, "wind", "moving air, with gusts, for everything that flies", false, false, wind_numbers},
+    FaultDescription{FaultKind::Wind, "wind", "moving air, with gusts, for everything that flies", false, false,
+                     wind_numbers},
     FaultDescription{FaultKind::Vanish, "vanish", "the robot is gone, the connection stays", true, false,
                      vanish_numbers}};
 
@@ -125,19 +127,14 @@ Result<void> take(Fault& fault, const FaultDescription& kind, std::string_view k
         fault.sensor = value;
         return {};
     }
-    const FaultNumber* const described = findNumber(kind, key);
-    const bool from = sameWord(key, "from");
-    if (!described && !from && !sameWord(key, "for"))
-        return unknown("word", std::string(key), keysOf(kind));
-    const auto number = described ? numberOf(described->name, value, described->smallest, described->largest)
-                                  : numberOf(from ? "from" : "for", value, 0.0, longest_s);
-    if (!number)
-        return tl::unexpected(number.error());
-    if (described)
-        fault.numbers[std::string(described->name)] = *number;
-    else
-        (from ? fault.from : fault.lasts) = Seconds{*number};
-    return {};
+    if (const FaultNumber* const known = findNumber(kind, key))
+        return numberOf(known->name, value, known->smallest, known->largest).map([&](double number) {
+            fault.numbers[std::string(known->name)] = number;
+        });
+    for (const auto& [word, moment] : {std::pair("from", &fault.from), std::pair("for", &fault.lasts)})
+        if (sameWord(key, word))
+            return numberOf(word, value, 0.0, longest_s).map([moment](double time_s) { *moment = Seconds{time_s}; });
+    return unknown("word", std::string(key), keysOf(kind));
 }
 
 } // namespace
@@ -145,10 +142,6 @@ Result<void> take(Fault& fault, const FaultDescription& kind, std::string_view k
 double Fault::number(std::string_view name) const {
     const FaultNumber* const described = findNumber(descriptionOf(kind), name);
     return numberOr(numbers, name, described ? described->usual : 0.0);
-}
-
-bool Fault::concerns(std::string_view robot_name) const {
-    return robot.empty() || sameWord(robot, robot_name);
 }
 
 std::span<const FaultDescription> faultKinds() {

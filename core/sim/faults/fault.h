@@ -8,6 +8,7 @@
 
 #include "core/base/clock.h"
 #include "core/base/result.h"
+#include "core/base/text.h"
 #include "core/sim/robots/robot_model.h"
 
 namespace usar::sim {
@@ -44,7 +45,7 @@ struct Fault {
     /// The number by this name, or its usual value if it is not given; 0 if the kind has no such number.
     double number(std::string_view name) const;
     /// True if the fault is meant for every robot or for this one.
-    bool concerns(std::string_view robot_name) const;
+    bool concerns(std::string_view robot_name) const { return robot.empty() || sameWord(robot, robot_name); }
     bool operator==(const Fault&) const = default;
 };
 

@@ -1,10 +1,14 @@
 #include "core/sim/faults/fault_schedule.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace usar::sim {
 
 namespace {
+
+constexpr double scale_m = 68.0;
+constexpr double slowest_m_s = 3.0; // Gusts pass at least this fast, even in still air.
 
 // Apart from the random streams of sensors and connections.
 constexpr std::uint64_t wind_streams = std::uint64_t(1) << 41;
@@ -16,6 +20,23 @@ Wind windOf(const Fault& fault, Random random) {
 }
 
 } // namespace
+
+Wind::Wind(const WindParameters& parameters, Random random)
+    : parameters_(parameters)
+    , random_(random)
+    , correlation_(scale_m / std::max(slowest_m_s, parameters.mean_in_map_m_s.norm())) {
+    for (double& component : gust_m_s_)
+        component = gaussian(random_, 1.0); // As if the wind had always blown.
+    gust_m_s_ = gust_m_s_.cwiseProduct(Vec3(1.0, 1.0, 0.5)) * parameters_.gust_m_s;
+}
+
+Vec3 Wind::step(Seconds dt) {
+    const double kept = std::exp(-dt / correlation_);
+    const double fresh_m_s = std::sqrt(1.0 - kept * kept) * parameters_.gust_m_s;
+    for (int axis = 0; axis < 3; ++axis)
+        gust_m_s_[axis] = kept * gust_m_s_[axis] + gaussian(random_, 1.0) * fresh_m_s * (axis == 2 ? 0.5 : 1.0);
+    return parameters_.mean_in_map_m_s + gust_m_s_;
+}
 
 std::string sentenceOf(const FaultStatus& turned) {
     return (turned.phase == FaultPhase::Active ? "fault begins: " : "fault ends: ") + write(turned.fault);
@@ -47,9 +68,10 @@ std::vector<FaultStatus> FaultSchedule::advance(Seconds now) {
             continue;
         changed.push_back(status);
         if (status.fault.kind == FaultKind::Wind && status.phase == FaultPhase::Active)
-            winds_.push_back({status.id, windOf(status.fault, seeded(seed_, wind_streams + std::uint64_t(status.id)))});
+            winds_.emplace_back(status.id,
+                                windOf(status.fault, seeded(seed_, wind_streams + std::uint64_t(status.id))));
         else
-            std::erase_if(winds_, [&](const Blowing& one) { return one.id == status.id; });
+            std::erase_if(winds_, [&](const auto& one) { return one.first == status.id; });
     }
     ending_.clear();
     return changed;
@@ -77,8 +99,8 @@ bool FaultSchedule::takeCut(std::string_view robot_name) {
 
 Vec3 FaultSchedule::wind(Seconds dt) {
     Vec3 sum_m_s = Vec3::Zero();
-    for (Blowing& one : winds_)
-        sum_m_s += one.wind.step(dt);
+    for (auto& [id, wind] : winds_)
+        sum_m_s += wind.step(dt);
     return sum_m_s;
 }
 

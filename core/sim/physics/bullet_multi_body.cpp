@@ -1,6 +1,7 @@
 #include "core/sim/physics/bullet_multi_body.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/sim/physics/bullet_ground.h"
@@ -57,12 +58,10 @@ BulletMultiBody::BulletMultiBody(btMultiBodyDynamicsWorld& world, const Articula
 
 BulletMultiBody::~BulletMultiBody() {
     for (Joint& joint : joints_) {
-        if (joint.limits)
-            world_.removeMultiBodyConstraint(joint.limits.get());
-        if (joint.damper)
-            world_.removeMultiBodyConstraint(joint.damper.get());
-        if (joint.motor)
-            world_.removeMultiBodyConstraint(joint.motor.get());
+        const std::array<btMultiBodyConstraint*, 3> all{joint.limits.get(), joint.damper.get(), joint.motor.get()};
+        for (btMultiBodyConstraint* const one : all)
+            if (one)
+                world_.removeMultiBodyConstraint(one);
     }
     for (const Piece& part : parts_)
         world_.removeCollisionObject(part.collider.get());
@@ -76,12 +75,9 @@ void BulletMultiBody::addLink(int index, const LinkDescription& link) {
     const btVector3 axis = toBullet(link.axis_in_link);
     const btVector3 pivot_in_parent = toBullet(link.link_in_parent * link.pivot_in_link_m);
     const btVector3 center_from_pivot = toBullet(Vec3(-link.pivot_in_link_m));
-    if (link.kind == JointKind::Revolute)
-        body_.setupRevolute(index, link.body.mass_kg, inertia, link.parent, rotation, axis, pivot_in_parent,
-                            center_from_pivot, true);
-    else
-        body_.setupPrismatic(index, link.body.mass_kg, inertia, link.parent, rotation, axis, pivot_in_parent,
-                             center_from_pivot, true);
+    const auto setup = link.kind == JointKind::Revolute ? &btMultiBody::setupRevolute : &btMultiBody::setupPrismatic;
+    (body_.*setup)(index, link.body.mass_kg, inertia, link.parent, rotation, axis, pivot_in_parent, center_from_pivot,
+                   true);
 }
 
 // Links that touch nothing need a collider too: Bullet finds a joint's motor and limits through it.

@@ -11,7 +11,6 @@
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 
 #include "core/sim/physics/bullet_body.h"
-#include "core/sim/physics/bullet_shapes.h"
 
 namespace usar::sim {
 

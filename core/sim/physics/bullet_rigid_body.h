@@ -1,13 +1,13 @@
 // One rigid body in Bullet. Internal to the physics.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 
 #include <btBulletDynamicsCommon.h>
 
 #include "core/sim/physics/bullet_body.h"
 #include "core/sim/physics/bullet_ground.h"
-#include "core/sim/physics/bullet_shapes.h"
 
 namespace usar::sim {
 
@@ -15,21 +15,73 @@ namespace usar::sim {
 class BulletRigidBody : public BulletBody {
 public:
     /// `world` must outlive it.
-    BulletRigidBody(btDynamicsWorld& world, const BodyDescription& description, const Pose& body_in_map, BodyId id);
-    ~BulletRigidBody() override;
+    BulletRigidBody(btDynamicsWorld& world, const BodyDescription& description, const Pose& body_in_map, BodyId id)
+        : world_(world)
+        , shape_(description) {
+        const double mass_kg = description.still ? 0.0 : description.mass_kg;
+        const Vec3 inertia_kg_m2 = description.still ? Vec3(Vec3::Zero()) : description.inertia_kg_m2;
+        const btRigidBody::btRigidBodyConstructionInfo info(mass_kg, nullptr, shape_.compound(),
+                                                            toBullet(inertia_kg_m2));
+        rigid_ = std::make_unique<btRigidBody>(info);
+        if (description.still)
+            rigid_->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
+        markAsBody(*rigid_, description, id, -1);
+        rigid_->setWorldTransform(toBullet(body_in_map));
+        rigid_->setInterpolationWorldTransform(toBullet(body_in_map));
+        world_.addRigidBody(rigid_.get(), body_group, ground_group | body_group);
+        restitution = description.restitution;
+        pieces_ = {{rigid_.get(), shape_.radius_m()}};
+    }
+    ~BulletRigidBody() override { world_.removeRigidBody(rigid_.get()); }
     BulletRigidBody(const BulletRigidBody&) = delete;
     BulletRigidBody& operator=(const BulletRigidBody&) = delete;
 
-    void place(const Pose& body_in_map) override;
-    void lift(double height_m) override;
-    void letSleep(bool allowed) override;
+    void place(const Pose& body_in_map) override {
+        rigid_->setWorldTransform(toBullet(body_in_map));
+        rigid_->setInterpolationWorldTransform(toBullet(body_in_map));
+        rigid_->setLinearVelocity({0.0, 0.0, 0.0});
+        rigid_->setAngularVelocity({0.0, 0.0, 0.0});
+        rigid_->clearForces();
+        world_.updateSingleAabb(rigid_.get());
+    }
+    void lift(double height_m) override {
+        if (rigid_->isStaticOrKinematicObject())
+            return;
+        rigid_->translate({0.0, 0.0, height_m});
+        btVector3 velocity = rigid_->getLinearVelocity();
+        velocity.setZ(std::max(velocity.z(), 0.0));
+        rigid_->setLinearVelocity(velocity);
+        world_.updateSingleAabb(rigid_.get());
+    }
+    void letSleep(bool allowed) override {
+        rigid_->setSleepingThresholds(sleepy_m_s, sleepy_rad_s);
+        rigid_->setDeactivationTime(0.0);
+        rigid_->forceActivationState(allowed ? ACTIVE_TAG : DISABLE_DEACTIVATION);
+    }
     void wake() override { rigid_->activate(); }
-    BodyState state(int link) const override;
+    BodyState state(int /*link*/) const override {
+        return bodyState(rigid_->getWorldTransform(), rigid_->getLinearVelocity(), rigid_->getAngularVelocity());
+    }
     void runSurface(const Vec3& velocity_in_body_m_s) override { surface_ = toBullet(velocity_in_body_m_s); }
-    void apply(const Vec3& force_in_map_n, const Vec3& torque_in_map_n_m) override;
-    void beforeStep(Seconds dt) override;
+    void apply(const Vec3& force_in_map_n, const Vec3& torque_in_map_n_m) override {
+        rigid_->applyCentralForce(toBullet(force_in_map_n));
+        rigid_->applyTorque(toBullet(torque_in_map_n_m));
+    }
+    void beforeStep(Seconds dt) override {
+        // Bullet takes a kinematic body's velocity from where it was before the step, and never moves the body. So a
+        // body that claims to have been elsewhere drags along what touches it, and stays in place.
+        if (rigid_->isKinematicObject()) {
+            btTransform before = rigid_->getWorldTransform();
+            before.setOrigin(before.getOrigin() - before.getBasis() * surface_ * dt.count());
+            rigid_->setInterpolationWorldTransform(before);
+        }
+        velocity_ = rigid_->getLinearVelocity();
+        rate_ = rigid_->getAngularVelocity();
+    }
     void afterStep() override {}
-    btVector3 velocityBefore(int link, const btVector3& point) const override;
+    btVector3 velocityBefore(int /*link*/, const btVector3& point) const override {
+        return velocity_ + rate_.cross(point - rigid_->getWorldTransform().getOrigin());
+    }
 
 private:
     btDynamicsWorld& world_;

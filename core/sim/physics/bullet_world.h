@@ -3,6 +3,7 @@
 
 #include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
+#include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 #include <btBulletDynamicsCommon.h>
 
 namespace usar::sim {
@@ -16,10 +17,29 @@ public:
     void solveMultiBodyGroup(btCollisionObject** bodies, int body_count, btPersistentManifold** manifolds,
                              int manifold_count, btTypedConstraint** constraints, int constraint_count,
                              btMultiBodyConstraint** joints, int joint_count, const btContactSolverInfo& info,
-                             btIDebugDraw* drawer, btDispatcher* dispatcher) override;
+                             btIDebugDraw* drawer, btDispatcher* dispatcher) override {
+        btContactSolverInfo thorough = info;
+        thorough.m_numIterations = 20;
+        btMultiBodyConstraintSolver::solveMultiBodyGroup(bodies, body_count, manifolds, manifold_count, constraints,
+                                                         constraint_count, joints, joint_count, thorough, drawer,
+                                                         dispatcher);
+    }
 
 protected:
-    void convertContacts(btPersistentManifold** manifolds, int count, const btContactSolverInfo& info) override;
+    void convertContacts(btPersistentManifold** manifolds, int count, const btContactSolverInfo& info) override {
+        btContactSolverInfo both_directions = info;
+        both_directions.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
+        for (int i = 0; i < count; ++i) {
+            if (isLink(manifolds[i]->getBody0()) || isLink(manifolds[i]->getBody1()))
+                convertMultiBodyContact(manifolds[i], both_directions);
+            else
+                convertContact(manifolds[i], info);
+        }
+        btMultiBodyConstraintSolver::convertContacts(nullptr, 0, info); // Adds the rows of the joints.
+    }
+
+private:
+    static bool isLink(const btCollisionObject* object) { return btMultiBodyLinkCollider::upcast(object) != nullptr; }
 };
 
 /// While it contains no articulated body, it steps like a plain world of rigid bodies, bit for bit and as fast.
@@ -27,7 +47,12 @@ class BulletWorld : public btMultiBodyDynamicsWorld {
 public:
     /// All arguments must outlive the world.
     BulletWorld(btDispatcher& dispatcher, btBroadphaseInterface& broadphase, btConstraintSolver& rigid_solver,
-                BulletSolver& link_solver, btCollisionConfiguration& configuration);
+                BulletSolver& link_solver, btCollisionConfiguration& configuration)
+        : btMultiBodyDynamicsWorld(&dispatcher, &broadphase, &link_solver, &configuration) {
+        btDiscreteDynamicsWorld::setConstraintSolver(&rigid_solver);
+        getSolverInfo().m_solverMode &= ~SOLVER_USE_2_FRICTION_DIRECTIONS;
+        setForceUpdateAllAabbs(false);
+    }
 
     void clearForces() override { plain() ? Rigid::clearForces() : Linked::clearForces(); }
     void applyGravity() override { plain() ? Rigid::applyGravity() : Linked::applyGravity(); }

@@ -1,7 +1,6 @@
 #include "core/sim/physics/scene.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace usar::sim {
@@ -62,16 +61,15 @@ SceneObject& addObject(Scene& scene, Physics& physics, const WorldObject& object
     Eigen::AlignedBox3d bounds = boundsOf(object.body);
     if (object.belt)
         bounds.extend(boundsOf(*object.belt));
-    SceneObject added;
-    added.name = object.name;
-    added.class_name = object.class_name;
-    added.body = physics.add(object.body, object.body_in_map);
+    SceneObject added{.name = object.name,
+                      .class_name = object.class_name,
+                      .body = physics.add(object.body, object.body_in_map),
+                      .body_in_map = object.body_in_map,
+                      .parts = object.body.parts,
+                      .size_m = bounds.sizes(),
+                      .radius_m = bounds.min().cwiseAbs().cwiseMax(bounds.max().cwiseAbs()).norm()};
     if (object.belt)
         added.belt = physics.add(*object.belt, object.body_in_map);
-    added.body_in_map = object.body_in_map;
-    added.parts = object.body.parts;
-    added.size_m = bounds.sizes();
-    added.radius_m = bounds.min().cwiseAbs().cwiseMax(bounds.max().cwiseAbs()).norm();
     return scene.objects.emplace_back(std::move(added));
 }
 

@@ -37,27 +37,37 @@ bool passesNear(const Plant& plant, const Ray& ray) {
     return x * dx + y * dy > 0.0 || x * x + y * y <= reach2;
 }
 
+/// Center of a spherical crown, or of the base of a conical one.
+Vec3 crownIn_m(const Plant& plant) {
+    return plant.base_in_map_m + Vec3{0.0, 0.0, plant.trunk_height_m};
+}
+
+double hitCrown(const Plant& plant, const Ray& ray) {
+    if (plant.crown_radius_m <= 0.0)
+        return no_hit_m;
+    const Vec3 crown_m = crownIn_m(plant);
+    return plant.crown == CrownShape::Sphere ? hitSphere(ray, crown_m, plant.crown_radius_m)
+                                             : hitCone(ray, crown_m, plant.crown_radius_m, plant.crown_height_m);
+}
+
 double hitPlant(const Plant& plant, const Ray& ray) {
-    double nearest_m = no_hit_m;
-    const Vec3 crown_m = plant.base_in_map_m + Vec3{0.0, 0.0, plant.trunk_height_m};
-    if (plant.crown_radius_m > 0.0)
-        nearest_m = plant.crown == CrownShape::Sphere
-                        ? hitSphere(ray, crown_m, plant.crown_radius_m)
-                        : hitCone(ray, crown_m, plant.crown_radius_m, plant.crown_height_m);
+    double nearest_m = hitCrown(plant, ray);
     if (plant.trunk_radius_m > 0.0 && plant.trunk_height_m > 0.0)
         nearest_m =
             std::min(nearest_m, hitCylinder(ray, plant.base_in_map_m, plant.trunk_radius_m, plant.trunk_height_m));
     return nearest_m;
 }
 
+/// `nearest_m`, or less if the ray meets the plant before.
+double nearer(const Plant& plant, const Ray& ray, double nearest_m) {
+    return passesNear(plant, ray) ? std::min(nearest_m, hitPlant(plant, ray)) : nearest_m;
+}
+
 double nearestOn(const Plant& plant, const RayBundle& bundle, double nearest_m) {
     if (!bundle.mayMeetColumn(plant.base_in_map_m.head<2>(), reach_m(plant), nearest_m))
         return nearest_m;
-    for (const Vec3& direction : bundle.directions()) {
-        const Ray ray{bundle.origin_m(), direction};
-        if (passesNear(plant, ray))
-            nearest_m = std::min(nearest_m, hitPlant(plant, ray));
-    }
+    for (const Vec3& direction : bundle.directions())
+        nearest_m = nearer(plant, {bundle.origin_m(), direction}, nearest_m);
     return nearest_m;
 }
 
@@ -140,24 +150,35 @@ double PlantIndex::walk(const Ray& ray, double maximum_m, TakeBucket takeBucket)
 double PlantIndex::cast(const Ray& ray, double maximum_m) const {
     return walk(ray, maximum_m, [&](std::uint32_t first, std::uint32_t last, double nearest_m) {
         for (std::uint32_t i = first; i < last; ++i)
-            if (passesNear(plants_[i], ray))
-                nearest_m = std::min(nearest_m, hitPlant(plants_[i], ray));
+            nearest_m = nearer(plants_[i], ray, nearest_m);
         return nearest_m;
     });
 }
 
 double PlantIndex::look(const Ray& ray, double maximum_m, const Plant*& hit) const {
     return walk(ray, maximum_m, [&](std::uint32_t first, std::uint32_t last, double nearest_m) {
-        for (std::uint32_t i = first; i < last; ++i) {
-            if (!passesNear(plants_[i], ray))
-                continue;
-            if (const double hit_m = hitPlant(plants_[i], ray); hit_m < nearest_m) {
+        for (std::uint32_t i = first; i < last; ++i)
+            if (const double hit_m = nearer(plants_[i], ray, nearest_m); hit_m < nearest_m) {
                 nearest_m = hit_m;
                 hit = &plants_[i];
             }
-        }
         return nearest_m;
     });
+}
+
+bool isCrown(const Plant& plant, const Ray& ray, double distance_m) {
+    return hitCrown(plant, ray) <= distance_m + 1e-6;
+}
+
+Vec3 normalOfPlant(const Plant& plant, const Ray& ray, double distance_m) {
+    if (distance_m <= 0.0)
+        return -ray.direction;
+    const Vec3 point_m = ray.origin_m + distance_m * ray.direction;
+    if (!isCrown(plant, ray, distance_m))
+        return normalOfCylinder(point_m, plant.base_in_map_m, plant.trunk_height_m);
+    const Vec3 from_crown = point_m - crownIn_m(plant);
+    return plant.crown == CrownShape::Sphere ? from_crown.normalized()
+                                             : normalOfCone(from_crown, plant.crown_radius_m, plant.crown_height_m);
 }
 
 } // namespace usar::sim

@@ -38,4 +38,10 @@ private:
     std::vector<Plant> plants_;
 };
 
+/// True if at this distance the ray hits the crown, not the trunk.
+bool isCrown(const Plant& plant, const Ray& ray, double distance_m);
+/// Normal of crown or trunk, whichever the ray has hit at this distance: a unit vector out of the plant, or back along
+/// the ray if it starts inside (`distance_m` is 0).
+Vec3 normalOfPlant(const Plant& plant, const Ray& ray, double distance_m);
+
 } // namespace usar::sim

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/sim/rays/plant_index.h"
-#include "core/sim/rays/ray_normals.h"
 #include "core/sim/rays/terrain_rays.h"
 
 namespace usar::sim {
@@ -19,13 +18,14 @@ struct PlacedBox {
     double radius_m;
 };
 
-/// Cheap test that rules out most boxes which a ray passes at a distance.
-bool passesNear(const PlacedBox& box, const Ray& ray, double maximum_m) {
+/// `nearest_m`, or less if the ray meets the box before. Most boxes are ruled out by the sphere around them.
+double nearer(const PlacedBox& box, const Ray& ray, double nearest_m) {
     const Vec3 to_center = box.center_m - ray.origin_m;
     const double along = to_center.dot(ray.direction);
-    if (along < -box.radius_m || along > maximum_m + box.radius_m)
-        return false;
-    return to_center.squaredNorm() - along * along <= box.radius_m * box.radius_m + 1e-9;
+    if (along < -box.radius_m || along > nearest_m + box.radius_m ||
+        to_center.squaredNorm() - along * along > box.radius_m * box.radius_m + 1e-9)
+        return nearest_m;
+    return std::min(nearest_m, hitBox(ray, box.center_m, box.box_in_map, box.half_size_m));
 }
 
 /// True if the box is level and covers all the ground, as ceilings do.
@@ -35,6 +35,15 @@ bool covers(const PlacedBox& box, const Rectangle& ground) {
     const Vec2 center_m = box.center_m.head<2>();
     const Vec2 half_m = box.half_size_m.head<2>() + Vec2::Constant(1e-9);
     return Rectangle{center_m - half_m, center_m + half_m}.contains(ground);
+}
+
+/// Normal of a smooth surface through the posts, so that the triangles do not show.
+Vec3 normalOfGround(const Terrain& terrain, const Vec2& point_m) {
+    const double step_m = terrain.step_m();
+    const auto rise = [&](const Vec2& way) {
+        return (terrain.height_m(point_m + way) - terrain.height_m(point_m - way)) / (2.0 * step_m);
+    };
+    return Vec3{-rise({step_m, 0.0}), -rise({0.0, step_m}), 1.0}.normalized();
 }
 
 } // namespace
@@ -71,8 +80,7 @@ struct RayCaster::Index {
     double castAtThings(const Ray& ray, double maximum_m) const {
         double nearest_m = plants.cast(ray, maximum_m);
         for (const PlacedBox& box : boxes)
-            if (passesNear(box, ray, nearest_m))
-                nearest_m = std::min(nearest_m, hitBox(ray, box.center_m, box.box_in_map, box.half_size_m));
+            nearest_m = nearer(box, ray, nearest_m);
         return nearest_m;
     }
 
@@ -83,11 +91,8 @@ struct RayCaster::Index {
             if (reach.squaredExteriorDistance(box.center_m) > box.radius_m * box.radius_m + 1e-9 ||
                 !bundle.mayMeetColumn(box.center_m.head<2>(), box.radius_m, nearest_m))
                 continue;
-            for (const Vec3& direction : bundle.directions()) {
-                const Ray ray{bundle.origin_m(), direction};
-                if (passesNear(box, ray, nearest_m))
-                    nearest_m = std::min(nearest_m, hitBox(ray, box.center_m, box.box_in_map, box.half_size_m));
-            }
+            for (const Vec3& direction : bundle.directions())
+                nearest_m = nearer(box, {bundle.origin_m(), direction}, nearest_m);
         }
         return nearest_m;
     }
@@ -96,14 +101,11 @@ struct RayCaster::Index {
         const Plant* plant = nullptr;
         const PlacedBox* met_box = nullptr;
         double nearest_m = plants.look(ray, maximum_m, plant);
-        for (const PlacedBox& box : boxes) {
-            if (!passesNear(box, ray, nearest_m))
-                continue;
-            if (const double hit_m = hitBox(ray, box.center_m, box.box_in_map, box.half_size_m); hit_m < nearest_m) {
+        for (const PlacedBox& box : boxes)
+            if (const double hit_m = nearer(box, ray, nearest_m); hit_m < nearest_m) {
                 nearest_m = hit_m;
                 met_box = &box;
             }
-        }
         if (met_box)
             return {nearest_m, Met::Box,
                     normalOfBox(ray, nearest_m, met_box->center_m, met_box->box_in_map, met_box->half_size_m),

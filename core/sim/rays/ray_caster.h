@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 
 #include "core/base/geometry.h"
 #include "core/sim/rays/ray_bundle.h"
@@ -50,6 +51,16 @@ private:
     struct Index;
     const World* world_;
     std::unique_ptr<const Index> index_;
+};
+
+/// Immutable once made, so threads may share it. Cannot be moved, because the caster points to the world.
+struct StillWorld {
+    explicit StillWorld(World still) : world(std::move(still)), caster(world) {}
+    StillWorld(const StillWorld&) = delete;
+    StillWorld& operator=(const StillWorld&) = delete;
+
+    World world;
+    RayCaster caster;
 };
 
 } // namespace usar::sim

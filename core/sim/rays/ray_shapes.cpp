@@ -55,6 +55,13 @@ std::pair<double, double> roots(double a, double b, double c) {
     return {a != 0.0 ? q / a : no_hit_m, q != 0.0 ? c / q : no_hit_m};
 }
 
+constexpr double on_surface_m = 1e-6;
+
+Vec3 outward(const Vec3& from_axis) {
+    const Vec3 level{from_axis.x(), from_axis.y(), 0.0};
+    return level.norm() > 0.0 ? level.normalized() : Vec3(Vec3::UnitZ());
+}
+
 } // namespace
 
 double hitCylinder(const Ray& ray, const Vec3& base_m, double radius_m, double height_m) {
@@ -111,6 +118,29 @@ double hitBox(const Ray& ray, const Vec3& center_m, const Eigen::Matrix3d& box_i
     for (Eigen::Index axis = 0; axis < 3; ++axis)
         span = both(span, slab(origin[axis], direction[axis], -half_size_m[axis], half_size_m[axis]));
     return firstHit(span);
+}
+
+Vec3 normalOfCylinder(const Vec3& point_m, const Vec3& base_m, double height_m) {
+    const Vec3 from_base = point_m - base_m;
+    if (from_base.z() >= height_m - on_surface_m)
+        return Vec3::UnitZ();
+    return from_base.z() <= on_surface_m ? Vec3(-Vec3::UnitZ()) : outward(from_base);
+}
+
+Vec3 normalOfCone(const Vec3& from_base, double radius_m, double height_m) {
+    if (from_base.z() < on_surface_m)
+        return -Vec3::UnitZ();
+    return (outward(from_base) * height_m + Vec3::UnitZ() * radius_m).normalized();
+}
+
+Vec3 normalOfBox(const Ray& ray, double distance_m, const Vec3& center_m, const Eigen::Matrix3d& box_in_map,
+                 const Vec3& half_size_m) {
+    if (distance_m <= 0.0)
+        return -ray.direction;
+    const Vec3 in_box = box_in_map.transpose() * (ray.origin_m + distance_m * ray.direction - center_m);
+    Eigen::Index axis = 0;
+    in_box.cwiseQuotient(half_size_m).cwiseAbs().maxCoeff(&axis);
+    return box_in_map.col(axis) * (in_box[axis] < 0.0 ? -1.0 : 1.0);
 }
 
 } // namespace usar::sim

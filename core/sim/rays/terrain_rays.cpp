@@ -1,7 +1,6 @@
 #include "core/sim/rays/terrain_rays.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace usar::sim {
 

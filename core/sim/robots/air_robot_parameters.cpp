@@ -17,27 +17,26 @@ BodyPart part(const Shape& shape, const Vec3& center_m) {
 } // namespace
 
 AirRobotParameters airRobotParametersOf(const RobotModel& model) {
-    AirRobotParameters p;
-    const auto take = [&](const char* key, double& figure) { figure = numberOr(model.drive.numbers, key, figure); };
-    p.mass_kg = model.mass_kg();
-    p.inertia_kg_m2 = model.body.base.inertia_kg_m2;
-    take("rotor_span", p.rotor_span_m);
-    take("rotor_radius", p.rotor_radius_m);
-    take("thrust_limit", p.rotor_limit_n);
-    p.rotor_lag = Seconds{numberOr(model.drive.numbers, "rotor_lag", p.rotor_lag.count())};
-    take("rotor_drag", p.rotor_drag_m);
-    take("drag", p.drag_kg_m);
-    take("spin_drag", p.spin_drag_n_m_s);
-    take("forward_limit", p.forward_limit_m_s);
-    take("sideways_limit", p.sideways_limit_m_s);
-    take("climb_limit", p.climb_limit_m_s);
-    take("yaw_rate_limit", p.yaw_rate_limit_rad_s);
-    take("tilt_limit", p.tilt_limit_rad);
-    take("tilt_rate_limit", p.tilt_rate_limit_rad_s);
-    take("ring_height", p.ring_height_m);
-    take("pod_width", p.pod_size_m.x());
-    take("breaking_impulse", p.breaking_impulse_n_s);
-    take("safe_touchdown", p.safe_touchdown_m_s);
+    AirRobotParameters p{.mass_kg = model.mass_kg(), .inertia_kg_m2 = model.body.base.inertia_kg_m2};
+    double rotor_lag_s = p.rotor_lag.count();
+    setFigures(model.drive.numbers, {{"rotor_lag", &rotor_lag_s},
+                                     {"rotor_span", &p.rotor_span_m},
+                                     {"rotor_radius", &p.rotor_radius_m},
+                                     {"thrust_limit", &p.rotor_limit_n},
+                                     {"rotor_drag", &p.rotor_drag_m},
+                                     {"drag", &p.drag_kg_m},
+                                     {"spin_drag", &p.spin_drag_n_m_s},
+                                     {"forward_limit", &p.forward_limit_m_s},
+                                     {"sideways_limit", &p.sideways_limit_m_s},
+                                     {"climb_limit", &p.climb_limit_m_s},
+                                     {"yaw_rate_limit", &p.yaw_rate_limit_rad_s},
+                                     {"tilt_limit", &p.tilt_limit_rad},
+                                     {"tilt_rate_limit", &p.tilt_rate_limit_rad_s},
+                                     {"ring_height", &p.ring_height_m},
+                                     {"pod_width", &p.pod_size_m.x()},
+                                     {"breaking_impulse", &p.breaking_impulse_n_s},
+                                     {"safe_touchdown", &p.safe_touchdown_m_s}});
+    p.rotor_lag = Seconds{rotor_lag_s};
     return p;
 }
 

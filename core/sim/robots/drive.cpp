@@ -1,10 +1,10 @@
 #include "core/sim/robots/drive.h"
 
 #include "core/sim/drives/ackermann_drive.h"
-#include "core/sim/drives/leg_drive.h"
+#include "core/sim/drives/driven_joints.h"
 #include "core/sim/drives/nautic_drive.h"
 #include "core/sim/drives/rotor_drive.h"
-#include "core/sim/drives/skid_drive.h"
+#include "core/sim/drives/wheeled_drive.h"
 
 namespace usar::sim {
 

@@ -1,7 +1,10 @@
 // The drive of a robot: wheels, rotors, fins or legs. It obeys its own kind of DRIVE and nothing else.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/base/result.h"
@@ -53,5 +56,16 @@ struct DriveBirth {
 /// except `birth` must outlive the drive.
 Result<std::unique_ptr<Drive>> makeDrive(const RobotModel& model, Physics& physics, BodyId body, const World& world,
                                          const DriveBirth& birth);
+
+/// Clamps a value to -limit..limit. `normalized` values are hundredths of the limit. NaN gives 0.
+inline double limited(double value, double limit, bool normalized) {
+    const double physical = normalized ? value / 100.0 * limit : value;
+    return std::isnan(physical) ? 0.0 : std::clamp(physical, -limit, limit);
+}
+/// Sets `value` to a term of a DRIVE, limited. A term that is left out changes nothing.
+inline void takeTerm(const std::optional<double>& term, double limit, bool normalized, double& value) {
+    if (term)
+        value = limited(*term, limit, normalized);
+}
 
 } // namespace usar::sim

@@ -7,18 +7,8 @@ namespace usar::sim {
 namespace {
 
 JointMotor::Mode modeOf(protocol::LinkOrder order) {
-    switch (order) {
-    case protocol::LinkOrder::Speed:
-        return JointMotor::Mode::Velocity;
-    case protocol::LinkOrder::Torque:
-        return JointMotor::Mode::Torque;
-    default:
-        return JointMotor::Mode::Position;
-    }
-}
-
-protocol::Setting number(std::string key, double value) {
-    return {std::move(key), "", value};
+    using enum JointMotor::Mode;
+    return order == protocol::LinkOrder::Speed ? Velocity : order == protocol::LinkOrder::Torque ? Torque : Position;
 }
 
 } // namespace
@@ -100,12 +90,13 @@ std::vector<protocol::Setting> MissionPackage::settings() const {
     std::vector<protocol::Setting> settings;
     for (std::size_t i = 0; i < links_.size(); ++i) {
         const LinkDescription& joint = body_.model().body.links[links_[i]];
-        settings.push_back({"Link", std::to_string(i + 1), static_cast<double>(i + 1)});
-        settings.push_back({"JointType", joint.kind == JointKind::Revolute ? "Revolute" : "Prismatic", {}});
-        settings.push_back(number("MaxSpeed", link(i).speed_limit));
-        settings.push_back(number("MaxTorque", link(i).torque_limit));
-        settings.push_back(number("MinRange", joint.lower));
-        settings.push_back(number("MaxRange", joint.upper));
+        settings.insert(settings.end(),
+                        {{"Link", std::to_string(i + 1), static_cast<double>(i + 1)},
+                         {"JointType", joint.kind == JointKind::Revolute ? "Revolute" : "Prismatic", {}},
+                         {"MaxSpeed", "", link(i).speed_limit},
+                         {"MaxTorque", "", link(i).torque_limit},
+                         {"MinRange", "", joint.lower},
+                         {"MaxRange", "", joint.upper}});
     }
     return settings;
 }

@@ -4,7 +4,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
@@ -41,7 +40,7 @@ public:
     /// Obeys a driving command. Returns false for those of other vehicles, which it ignores.
     bool obey(const protocol::Command& command);
     /// Called before and after each physics step.
-    void beforeStep(Seconds dt);
+    void beforeStep(Seconds dt) { drive_->beforeStep(dt); }
     void afterStep(Seconds dt);
 
     /// Appends the lines of a tick in UT2004's order (protocol.md 9.1). The `first` tick brings only sensors that

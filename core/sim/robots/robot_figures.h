@@ -5,10 +5,29 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/clock.h"
 #include "core/base/geometry.h"
-#include "core/sim/robots/collision_counter.h"
 
 namespace usar::sim {
+
+class CollisionCounter {
+public:
+    /// Touches no more than this apart are one collision.
+    static constexpr Seconds apart{0.5};
+
+    /// Lets time pass, to be called at each step.
+    void pass(Seconds dt) { since_ += dt; }
+    /// Takes a touch, several times per step if need be.
+    void touch() {
+        count_ += since_ > apart ? 1 : 0;
+        since_ = Seconds{0.0};
+    }
+    int count() const { return count_; }
+
+private:
+    Seconds since_{1e9};
+    int count_ = 0;
+};
 
 /// The longest time that something stayed in one place, be it a robot that is trapped or one that waits. A new stay
 /// begins when the position is more than a meter from where the last one began.

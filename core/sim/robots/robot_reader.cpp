@@ -77,12 +77,10 @@ public:
         , joints_(jointsOf(source)) {}
 
     Result<RobotModel> read() {
-        for (const auto step :
-             {&RobotReading::readFacts, &RobotReading::readBase, &RobotReading::hangLinks, &RobotReading::readSensors})
+        for (const auto step : {&RobotReading::readFacts, &RobotReading::readBase, &RobotReading::hangLinks,
+                                &RobotReading::readSensors, &RobotReading::check})
             if (auto done = (this->*step)(); !done)
                 return tl::unexpected(done.error());
-        if (auto done = check(); !done)
-            return tl::unexpected(done.error());
         return std::move(model_);
     }
 
@@ -255,7 +253,7 @@ private:
         return {};
     }
 
-    Result<void> check() const {
+    Result<void> check() {
         std::set<std::string> names;
         for (const SensorModel& sensor : model_.sensors)
             if (!names.insert(sensor.type + " " + sensor.name).second)

@@ -20,8 +20,6 @@ public:
     /// Settings as UDK reports them: in degrees, with the current angle, and the camera's place in the picture of an
     /// attached viewer.
     std::vector<protocol::Setting> udkSettings() const;
-    /// The current horizontal angle.
-    double fieldOfView_rad() const { return fov_rad_; }
     /// The camera with its current pose; the robot's name is left empty.
     SeenFrom view(const RobotBody& body) const;
 

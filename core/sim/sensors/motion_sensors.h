@@ -47,9 +47,13 @@ public:
     OdometrySensor(const SensorModel& model, const SensorBirth& birth);
     void measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) override;
     std::vector<protocol::Setting> settings() const override;
-    std::optional<protocol::Response> set(const protocol::Command& command, bool at_rest) override;
 
 private:
+    bool reset() override {
+        base_in_start_ = {};
+        return true;
+    }
+
     int left_; ///< the links of the wheels
     int right_;
     double radius_m_ = number("wheel_radius", 0.1);
@@ -68,9 +72,13 @@ public:
     void measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) override;
     bool needsHistory() const override { return false; }
     std::vector<protocol::Setting> settings() const override { return {setting("Resolution", resolution_rad_)}; }
-    std::optional<protocol::Response> set(const protocol::Command& command, bool at_rest) override;
 
 private:
+    bool reset() override {
+        counted_rad_ = 0.0;
+        return true;
+    }
+
     int link_; ///< the link on the joint that it counts
     double resolution_rad_ = number("resolution", radians(1.0));
     double sign_ = number("sign", 1.0) < 0.0 ? -1.0 : 1.0;

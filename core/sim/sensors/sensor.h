@@ -58,8 +58,9 @@ public:
         return {setting("ScanInterval", scan_interval_.count())};
     }
     /// Answers a SET that names its type and name, or its type only; nullopt if it does not know the opcode.
-    virtual std::optional<protocol::Response> set(const protocol::Command& /*command*/, bool /*at_rest*/) {
-        return std::nullopt;
+    virtual std::optional<protocol::Response> set(const protocol::Command& command, bool /*at_rest*/) {
+        return std::holds_alternative<protocol::ResetSensor>(command) && reset() ? std::optional(answer(true))
+                                                                                 : std::nullopt;
     }
 
 protected:
@@ -71,6 +72,8 @@ protected:
     double error(std::string_view key, double otherwise) const { return noise_ ? number(key, otherwise) : 0.0; }
     /// False if sensors are told to measure exactly.
     bool makesErrors() const { return noise_; }
+    /// Obeys a RESET. Returns false for sensors that know none.
+    virtual bool reset() { return false; }
     /// Current pose of the sensor.
     Eigen::Isometry3d sensor_in_map(const SensorView& view) const {
         return view.body.link_in_map(model_.link) * model_.sensor_in_link.isometry();

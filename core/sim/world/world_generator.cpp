@@ -4,11 +4,7 @@
 #include <array>
 
 #include "core/sim/world/world_writer.h"
-#include "core/sim/worlds/point_lookout.h"
-#include "core/sim/worlds/spqr_soccer.h"
-#include "core/sim/worlds/tall_test.h"
-#include "core/sim/worlds/vmac_room.h"
-#include "core/sim/worlds/volcano.h"
+#include "core/sim/worlds/made_worlds.h"
 
 namespace usar::sim {
 
@@ -17,10 +13,9 @@ namespace {
 using Folder = std::filesystem::path;
 
 Result<World> volcanoFrom(std::uint64_t seed, const Folder& data) {
-    const auto source = readElevationCsv(data / "volcano" / "volcano_10m.csv");
-    if (!source)
-        return tl::unexpected(source.error());
-    return makeVolcano(*source, seed);
+    return readElevationCsv(data / "volcano" / "volcano_10m.csv").map([&](const ElevationTable& source) {
+        return makeVolcano(source, seed);
+    });
 }
 
 template <World (*make)(std::uint64_t)>
@@ -60,10 +55,7 @@ Result<World> makeWorld(const std::string& name, std::uint64_t seed, const std::
 
 Result<void> generateWorld(const std::string& name, std::uint64_t seed, const std::filesystem::path& data,
                            const std::filesystem::path& folder) {
-    const auto world = makeWorld(name, seed, data);
-    if (!world)
-        return tl::unexpected(world.error());
-    return writeWorld(*world, folder);
+    return makeWorld(name, seed, data).and_then([&](const World& world) { return writeWorld(world, folder); });
 }
 
 } // namespace usar::sim

@@ -5,6 +5,36 @@
 
 namespace usar::sim {
 
+namespace {
+
+constexpr double bucket_m = 4.0;
+
+} // namespace
+
+Spacing::Spacing(double half_m)
+    : half_m_(half_m)
+    , side_(static_cast<std::ptrdiff_t>(std::ceil(2.0 * half_m / bucket_m)))
+    , buckets_(static_cast<std::size_t>(side_ * side_)) {}
+
+std::ptrdiff_t Spacing::bucketOf(double coordinate_m) const {
+    const double bucket = std::floor((coordinate_m + half_m_) / bucket_m);
+    return std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(bucket), 0, side_ - 1);
+}
+
+void Spacing::add(const Vec2& point_m) {
+    buckets_[static_cast<std::size_t>(bucketOf(point_m.y()) * side_ + bucketOf(point_m.x()))].push_back(point_m);
+}
+
+bool Spacing::isClear(const Vec2& point_m, double distance_m) const {
+    for (std::ptrdiff_t row = bucketOf(point_m.y() - distance_m); row <= bucketOf(point_m.y() + distance_m); ++row)
+        for (std::ptrdiff_t column = bucketOf(point_m.x() - distance_m); column <= bucketOf(point_m.x() + distance_m);
+             ++column)
+            for (const Vec2& other_m : buckets_[static_cast<std::size_t>(row * side_ + column)])
+                if ((other_m - point_m).norm() < distance_m)
+                    return false;
+    return true;
+}
+
 double wholeMillimetres(double value_m) {
     return std::round(value_m * 1000.0) / 1000.0;
 }
@@ -65,6 +95,38 @@ std::array<Vec2, 8> ringAround(const Vec2& center_m, double radius_m) {
 
 Box block(const Vec3& low_m, const Vec3& high_m) {
     return {{.position_m = (low_m + high_m) / 2.0}, high_m - low_m};
+}
+
+NamedPose startOver(const StartPlace& place, double ground_z_m) {
+    return {place.name,
+            {.position_m = {place.at_m.x(), place.at_m.y(), wholeMillimetres(ground_z_m + spawn_height_m)},
+             .yaw_rad = wholeMillimetres(place.yaw_rad)}};
+}
+
+void addStarts(World& world, const std::vector<StartPlace>& places) {
+    for (const StartPlace& place : places)
+        world.start_poses.push_back(startOver(place, world.terrain.height_m(place.at_m)));
+}
+
+bool isFarFrom(const std::vector<StartPlace>& places, const Vec2& point_m, double distance_m) {
+    return std::ranges::all_of(places,
+                               [&](const StartPlace& place) { return (point_m - place.at_m).norm() > distance_m; });
+}
+
+Vec2 bestOnGrid(double half_m, double step_m, const std::function<std::optional<double>(const Vec2&)>& score) {
+    Vec2 best_m = Vec2::Zero();
+    double best = -1e300;
+    for (double y = -half_m; y <= half_m; y += step_m)
+        for (double x = -half_m; x <= half_m; x += step_m)
+            if (const auto value = score({x, y}); value && *value > best) {
+                best = *value;
+                best_m = {x, y};
+            }
+    return best_m;
+}
+
+double yawToward(const Vec2& from_m, const Vec2& to_m) {
+    return std::atan2(to_m.y() - from_m.y(), to_m.x() - from_m.x());
 }
 
 } // namespace usar::sim

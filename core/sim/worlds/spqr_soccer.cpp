@@ -1,9 +1,8 @@
-#include "core/sim/worlds/spqr_soccer.h"
+#include "core/sim/worlds/made_worlds.h"
 
 #include <algorithm>
 
 #include "core/sim/worlds/building.h"
-#include "core/sim/worlds/start_places.h"
 
 namespace usar::sim {
 

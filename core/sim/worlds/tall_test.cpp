@@ -1,4 +1,4 @@
-#include "core/sim/worlds/tall_test.h"
+#include "core/sim/worlds/made_worlds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,6 @@
 #include "core/base/random.h"
 #include "core/sim/worlds/building.h"
 #include "core/sim/worlds/fractal_noise.h"
-#include "core/sim/worlds/start_places.h"
 
 namespace usar::sim {
 

@@ -1,7 +1,6 @@
-#include "core/sim/worlds/vmac_room.h"
+#include "core/sim/worlds/made_worlds.h"
 
 #include "core/sim/worlds/building.h"
-#include "core/sim/worlds/start_places.h"
 
 namespace usar::sim {
 

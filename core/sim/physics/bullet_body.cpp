@@ -1,4 +1,4 @@
-#include "core/sim/physics/bullet_shapes.h"
+#include "core/sim/physics/bullet_body.h"
 
 #include <variant>
 
