@@ -12,7 +12,7 @@
 #include "app/cli/verb_complaint.h"
 #include "app/host/quit_signals.h"
 #include "core/base/numbers.h"
-#include "core/link/recording_convert.h"
+#include "core/link/recording_text.h"
 #include "core/mission/runs/mission_runner.h"
 #include "core/mission/runs/replay_runner.h"
 

@@ -5,7 +5,6 @@
 
 #include <QByteArray>
 #include <QElapsedTimer>
-#include <QMetaType>
 #include <QObject>
 #include <QString>
 #include <QTcpSocket>
@@ -102,6 +101,3 @@ private:
 };
 
 } // namespace usar::link
-
-Q_DECLARE_METATYPE(usar::link::ImageStatus)
-Q_DECLARE_METATYPE(usar::link::ImageType)

@@ -6,7 +6,6 @@
 #include <sys/file.h>
 
 #include "core/base/text.h"
-#include "core/link/play_clock.h"
 
 namespace usar::link {
 

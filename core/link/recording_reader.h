@@ -12,7 +12,7 @@
 #include <QString>
 
 #include "core/base/result.h"
-#include "core/link/clock_table.h"
+#include "core/link/play_clock.h"
 #include "core/link/recording_format.h"
 
 namespace usar::link {

@@ -10,7 +10,6 @@
 #include <QTimer>
 
 #include "core/base/clock.h"
-#include "core/link/play_clock.h"
 #include "core/link/recording_reader.h"
 #include "core/protocol/line_splitter.h"
 

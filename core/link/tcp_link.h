@@ -121,5 +121,3 @@ private:
 };
 
 } // namespace usar::link
-
-Q_DECLARE_METATYPE(usar::link::LinkStatus)

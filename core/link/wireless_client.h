@@ -92,5 +92,3 @@ private:
 };
 
 } // namespace usar::link
-
-Q_DECLARE_METATYPE(usar::link::RadioStrengths)

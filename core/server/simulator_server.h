@@ -123,5 +123,3 @@ private:
 };
 
 } // namespace usar::server
-
-Q_DECLARE_METATYPE(usar::server::SimulatorFigures)

@@ -43,7 +43,7 @@ void IsolatedPlugin::describe(Told<void> told) {
     begin();
 }
 
-void IsolatedPlugin::foretell(frames::Preview wanted, Told<TaskPreview> told) {
+void IsolatedPlugin::foretell(frames::Job wanted, Told<TaskPreview> told) {
     wanted_ = std::move(wanted);
     told_preview_ = std::move(told);
     if (doing_ == Doing::Nothing)

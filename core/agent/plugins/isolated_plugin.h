@@ -42,7 +42,7 @@ public:
     /// before this returns if the process cannot be started.
     void describe(Told<void> told);
     /// Computes a preview within the patience for previews. Replaces a request that has not been answered yet.
-    void foretell(frames::Preview wanted, Told<TaskPreview> told);
+    void foretell(frames::Job wanted, Told<TaskPreview> told);
     /// Cancels the callback of the last `foretell`.
     void forgetPreview();
 
@@ -84,9 +84,9 @@ private:
     std::unique_ptr<QSocketNotifier> ear_;
     QTimer patience_;
     Doing doing_ = Doing::Nothing;
-    bool ending_ = false;                   ///< the process has closed the connection
-    Told<void> told_;                       ///< until `describe` has been answered
-    std::optional<frames::Preview> wanted_; ///< to be requested as soon as the process is idle
+    bool ending_ = false;               ///< the process has closed the connection
+    Told<void> told_;                   ///< until `describe` has been answered
+    std::optional<frames::Job> wanted_; ///< to be requested as soon as the process is idle
     Told<TaskPreview> told_preview_;
 };
 

@@ -111,7 +111,7 @@ private:
     std::shared_ptr<Library> libraryOf(const QString& file, const std::vector<std::shared_ptr<Library>>& known);
     void openLibrary(Library& library);
     void isolate(Library& library);
-    bool isToBeIsolated(const QString& name) const;
+    bool isToBeIsolated(const QJsonObject& metadata) const;
 
     /// Rebuilds the records and returns the changes.
     std::vector<PluginChange> judge(bool first_time);

@@ -16,7 +16,7 @@ constexpr std::size_t words_of_a_line = 60;
 } // namespace
 
 IsolatedBehavior::IsolatedBehavior(QString program, frames::Start start)
-    : RemoteBehavior(start.behavior_id)
+    : RemoteBehavior(start.job.behavior_id)
     , program_(std::move(program))
     , start_(std::move(start)) {}
 

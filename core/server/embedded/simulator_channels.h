@@ -1,7 +1,6 @@
 // The servers of a simulator's other channels, besides the bot port (protocol.md 6).
 #pragma once
 
-#include <QMetaType>
 #include <QStringList>
 
 #include "core/protocol/usual_values.h"
@@ -35,5 +34,3 @@ OpenChannels openChannels(server::SimulatorServer& server, const ChannelPorts& w
                           const server::ImageServerOptions& images = {});
 
 } // namespace usar::server
-
-Q_DECLARE_METATYPE(usar::server::ChannelPorts)
