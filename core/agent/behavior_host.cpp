@@ -122,19 +122,16 @@ RunningBehavior::Output BehaviorHost::receive(const protocol::InfoLine& line) {
 }
 
 RunningBehavior::Output BehaviorHost::order(Order order) {
-    port_.setTrigger(last_line_);
     guarded([&] { behavior_->order(order, port_); });
     return takeOutput();
 }
 
 RunningBehavior::Output BehaviorHost::control(const PlanControl& control) {
-    port_.setTrigger(last_line_);
     guarded([&] { behavior_->control(control, port_); });
     return takeOutput();
 }
 
 void BehaviorHost::setParameters(const ParameterSet& parameters) {
-    port_.setTrigger(last_line_);
     guarded([&] { behavior_->setParameters(parameters); });
 }
 

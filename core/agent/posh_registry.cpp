@@ -17,22 +17,15 @@ bool inRange(const PoshParameter& parameter, double number) {
     return !has_range || (number >= parameter.minimum && number <= parameter.maximum);
 }
 
-bool isChoice(const PoshParameter& parameter, const std::string& word) {
-    return parameter.choices.empty() || std::ranges::find(parameter.choices, word) != parameter.choices.end();
-}
-
-/// The part of an enumeration constant after its last dot.
-std::string lastPart(const std::string& constant) {
-    return constant.substr(constant.rfind('.') + 1);
-}
-
 std::optional<Value> asSymbol(const PoshParameter& parameter, const Value& value) {
     const auto* const symbol = std::get_if<Symbol>(&value);
     const auto* const text = std::get_if<std::string>(&value);
     if (!symbol && !text)
         return std::nullopt;
-    std::string word = lastPart(symbol ? symbol->text : *text);
-    return isChoice(parameter, word) ? std::optional<Value>(Symbol{std::move(word)}) : std::nullopt;
+    const std::string& constant = symbol ? symbol->text : *text;
+    std::string word = constant.substr(constant.rfind('.') + 1); // the last part of an enumeration constant
+    const bool fits = parameter.choices.empty() || std::ranges::count(parameter.choices, word) > 0;
+    return fits ? std::optional<Value>(Symbol{std::move(word)}) : std::nullopt;
 }
 
 std::optional<Value> converted(const PoshParameter& parameter, const Value& value) {

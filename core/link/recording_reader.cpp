@@ -128,10 +128,6 @@ void RecordingReader::takeFacts(std::string_view text) {
     }
 }
 
-std::optional<Record> RecordingReader::next() {
-    return find(nullptr);
-}
-
 void RecordingReader::seek(RecordTime time) {
     const auto after = std::ranges::lower_bound(index_, time, {}, &Entry::time);
     const Entry from = after == index_.begin() ? Entry{{}, recording::head_bytes} : *std::prev(after);

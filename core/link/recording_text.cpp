@@ -65,7 +65,10 @@ bool readSeconds(std::string_view word, RecordTime& time) {
 
 constexpr std::size_t chunk_bytes = 1u << 20;
 
-Result<void> hand(std::string& batch, QIODevice& to) {
+/// Writes the batch and empties it, if it has at least so many bytes.
+Result<void> hand(std::string& batch, QIODevice& to, std::size_t least_bytes = 0) {
+    if (batch.size() < least_bytes)
+        return {};
     if (to.write(batch.data(), static_cast<qint64>(batch.size())) != static_cast<qint64>(batch.size()))
         return failure("writing failed: " + to.errorString().toStdString(), "the output",
                        "Is there room left, and does somebody read it");
@@ -138,9 +141,7 @@ Result<void> recordingToText(const QString& recording_path, QIODevice& text) {
     while (const auto record = (*reader)->next()) {
         noteDamage((*reader)->offset());
         recording::appendText(batch, *record);
-        if (batch.size() < chunk_bytes)
-            continue;
-        if (auto handed = hand(batch, text); !handed)
+        if (auto handed = hand(batch, text, chunk_bytes); !handed)
             return handed;
     }
     noteDamage(UINT64_MAX);
@@ -166,9 +167,7 @@ Result<void> textToRecording(QIODevice& text, const QString& text_name, QIODevic
         if (!record)
             return failure(record.error().what, at(number) + ", " + record.error().where, record.error().mend);
         recording::append(batch, *record);
-        if (batch.size() < chunk_bytes)
-            continue;
-        if (auto handed = hand(batch, recording); !handed)
+        if (auto handed = hand(batch, recording, chunk_bytes); !handed)
             return handed;
     }
 }

@@ -1,6 +1,7 @@
 // A plugin whose code never runs in this program: a process of its own describes it and computes its previews.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -59,6 +60,7 @@ private:
     void begin();
     /// Sends a request and starts the timer.
     void ask(const frames::Request& request, Doing doing);
+    void wait(Seconds patience) { patience_.start(std::chrono::round<std::chrono::milliseconds>(patience)); }
     /// Asks for the preview that is waiting, if any.
     void goOn();
     /// Handles a readable end handle.

@@ -13,7 +13,6 @@
 #include <QPluginLoader>
 
 #include "core/agent/behavior_start.h"
-#include "core/agent/plugins/isolated_plugin.h"
 
 namespace usar::agent {
 
@@ -67,7 +66,7 @@ QString complaintBeforeLoading(const QJsonObject& raw) {
     return complaintAboutMetadata(raw.value("MetaData").toObject());
 }
 
-std::optional<QString> complaintAboutParameters(const BehaviorDescription& behavior) {
+QString complaintAboutParameters(const BehaviorDescription& behavior) {
     std::map<std::string, ParameterValue> defaults;
     for (const ParameterSpec& spec : behavior.parameters)
         if (!defaults.emplace(spec.id, spec.default_value).second)
@@ -77,7 +76,7 @@ std::optional<QString> complaintAboutParameters(const BehaviorDescription& behav
     if (!set)
         return QString("A default of its behavior %1 is bad: %2")
             .arg(QString::fromStdString(behavior.id), QString::fromStdString(set.error().text()));
-    return std::nullopt;
+    return {};
 }
 
 QString listed(const std::set<QString>& words) {
@@ -88,10 +87,6 @@ QStringList textsIn(const QJsonObject& metadata, const char* key) {
     return metadata.value(QLatin1String(key)).toVariant().toStringList();
 }
 
-QStringList behaviorsIn(const QJsonObject& metadata) {
-    return textsIn(metadata, "behaviors");
-}
-
 /// Descriptions made from the metadata of a plugin that has not answered yet.
 std::vector<RobotDescription> robotsPromised(const QJsonObject& metadata) {
     std::vector<RobotDescription> robots;
@@ -99,7 +94,7 @@ std::vector<RobotDescription> robotsPromised(const QJsonObject& metadata) {
         RobotDescription& robot = robots.emplace_back();
         robot.class_name = class_name.toStdString();
         robot.name = class_name.section('.', -1).toStdString();
-        for (const QString& id : behaviorsIn(metadata))
+        for (const QString& id : textsIn(metadata, "behaviors"))
             robot.behaviors.push_back({.id = id.toStdString(),
                                        .name = id.toStdString() + " (asking…)",
                                        .help = "The process of its plugin is being asked what this behavior does.",
@@ -122,28 +117,33 @@ void join(std::vector<RobotDescription>& kinds, const RobotDescription& robot) {
 /// An opened file and its library.
 struct PluginLoader::Library {
     /// Loads the copy of the file, or, if that fails, the file itself, and asks the plugin for its description.
-    void open(const QString& copy);
-    QString load(const QString& path);
-    void describe();
-
-    /// Its reason is that of the rejection so far; its plugin must not be used if there is one. `judge` sets the state.
-    PluginRecord record;
-    FileStamp stamp;
-    std::optional<RobotDescription> description; ///< absent if rejected or not described yet
-    std::unique_ptr<QPluginLoader> loader;       ///< its destructor does not unload the library
-    std::unique_ptr<IsolatedPlugin> isolated;    ///< set instead of `loader`
-};
-
-void PluginLoader::Library::open(const QString& copy) {
-    // If the copy cannot be loaded, try the original: a library that needs others in its own folder finds them only
-    // there.
-    if (!QFile::copy(record.file, copy) || !load(copy).isEmpty())
-        record.reason = load(record.file);
-    if (record.reason.isEmpty())
-        describe();
-}
-
-void PluginLoader::Library::describe() {
+    void open(const QString& copy) {
+        // If the copy cannot be loaded, try the original: a library that needs others in its own folder finds them only
+        // there.
+        if (!QFile::copy(record.file, copy) || !load(copy).isEmpty())
+            record.reason = load(record.file);
+        if (record.reason.isEmpty())
+            describe();
+    }
+    QString load(const QString& path) {
+        loader = std::make_unique<QPluginLoader>(path);
+        // Without this, a missing symbol would end the program at its first use instead of failing here.
+        loader->setLoadHints(QLibrary::ResolveAllSymbolsHint | QLibrary::PreventUnloadHint);
+        QObject* instance = nullptr;
+        try {
+            instance = loader->instance();
+        } catch (...) {
+            return "It failed while it was being made. Fix the constructor of its plugin class.";
+        }
+        if (!instance)
+            return "It cannot be loaded: " + loader->errorString() + " Build it again with all the libraries it needs.";
+        record.plugin = qobject_cast<RobotPlugin*>(instance);
+        if (!record.plugin)
+            return "It claims the robot plugin interface but does not implement it (Q_INTERFACES is missing). "
+                   "Add Q_INTERFACES(usar::agent::RobotPlugin) to its class.";
+        return {};
+    }
+} void describe() {
     try {
         description = record.plugin->description();
     } catch (const std::exception& thrown) {
@@ -153,27 +153,13 @@ void PluginLoader::Library::describe() {
     }
 }
 
-QString PluginLoader::Library::load(const QString& path) {
-    loader = std::make_unique<QPluginLoader>(path);
-    // Without this, a missing symbol would end the program at its first use instead of failing here.
-    loader->setLoadHints(QLibrary::ResolveAllSymbolsHint | QLibrary::PreventUnloadHint);
-    QObject* instance = nullptr;
-    try {
-        instance = loader->instance();
-    } catch (...) {
-        return "It failed while it was being made. Fix the constructor of its plugin class.";
-    }
-    if (!instance)
-        return "It cannot be loaded: " + loader->errorString() + " Build it again with all the libraries it needs.";
-    record.plugin = qobject_cast<RobotPlugin*>(instance);
-    if (!record.plugin)
-        return "It claims the robot plugin interface but does not implement it (Q_INTERFACES is missing). "
-               "Add Q_INTERFACES(usar::agent::RobotPlugin) to its class.";
-    return {};
-}
-
-PluginLoader::PluginLoader() = default;
-PluginLoader::~PluginLoader() = default;
+/// Its reason is that of the rejection so far; its plugin must not be used if there is one. `judge` sets the state.
+PluginRecord record;
+FileStamp stamp;
+std::optional<RobotDescription> description; ///< absent if rejected or not described yet
+std::unique_ptr<QPluginLoader> loader;       ///< its destructor does not unload the library
+std::unique_ptr<IsolatedPlugin> isolated;    ///< set instead of `loader`
+};
 
 void PluginLoader::scan(const QStringList& folders) {
     folders_ = folders;
@@ -318,16 +304,15 @@ void PluginLoader::isolate(Library& library) {
 }
 
 QString PluginLoader::admit(const Library& library) {
-    std::set<QString> promised;
-    for (const QString& id : behaviorsIn(library.record.metadata))
-        promised.insert(id);
+    const QStringList ids = textsIn(library.record.metadata, "behaviors");
+    const std::set<QString> promised(ids.begin(), ids.end());
     std::set<QString> described;
     for (const BehaviorDescription& described_behavior : library.description->behaviors) {
         const QString id = QString::fromStdString(described_behavior.id);
         if (!described.insert(id).second || recordOf(described_behavior.id))
             return QString("The behavior %1 is there already. Give it another id.").arg(id);
-        if (const auto complaint = complaintAboutParameters(described_behavior))
-            return *complaint;
+        if (const QString complaint = complaintAboutParameters(described_behavior); !complaint.isEmpty())
+            return complaint;
     }
     if (promised != described)
         return QString("Its metadata promise the behaviors %1, but it describes %2. Make both the same.")
@@ -370,7 +355,7 @@ const PluginRecord* PluginLoader::recordOf(const std::string& behavior_id) const
     const auto found = std::ranges::find_if(records_, [&](const PluginRecord& record) {
         return robot ? record.plugin == owners_[static_cast<std::size_t>(robot - robots_.data())]
                      : record.state == PluginState::Asked &&
-                           behaviorsIn(record.metadata).contains(QString::fromStdString(behavior_id));
+                           textsIn(record.metadata, "behaviors").contains(QString::fromStdString(behavior_id));
     });
     return found == records_.end() ? nullptr : &*found;
 }

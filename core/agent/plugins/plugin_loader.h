@@ -66,9 +66,6 @@ public:
     using News = std::function<void(const std::vector<PluginChange>&)>;
     using Told = std::function<void(const Result<TaskPreview>&)>;
 
-    PluginLoader();
-    ~PluginLoader();
-
     /// Call it before a scan. A plugin already loaded into this program is isolated only after a restart.
     void setPolicy(PluginPolicy policy) { policy_ = std::move(policy); }
     /// Scans the folders and replaces all records. An entry may also be a file.

@@ -109,20 +109,17 @@ struct Service {
     }
 };
 
-frames::Reply descriptionOf(const frames::Describe& asked, PluginLoader& plugins) {
-    plugins.scan({QString::fromStdString(asked.plugin_file)});
-    if (!plugins.robots().empty())
-        return frames::Description{plugins.robots().front()};
-    const QString reason = plugins.records().empty() ? QString("It is gone.") : plugins.records().front().reason;
-    return frames::Refusal{{reason.toStdString(), {}, {}}};
-}
-
 /// The reply to a request that needs no behavior; nullopt for other requests.
 std::optional<frames::Reply> answerAboutPlugin(const std::optional<frames::Request>& request, PluginLoader& plugins) {
     if (!request)
         return std::nullopt;
-    if (const auto* const describe = std::get_if<frames::Describe>(&*request))
-        return descriptionOf(*describe, plugins);
+    if (const auto* const describe = std::get_if<frames::Describe>(&*request)) {
+        plugins.scan({QString::fromStdString(describe->plugin_file)});
+        if (!plugins.robots().empty())
+            return frames::Description{plugins.robots().front()};
+        const QString reason = plugins.records().empty() ? QString("It is gone.") : plugins.records().front().reason;
+        return frames::Refusal{{reason.toStdString(), {}, {}}};
+    }
     const auto* const job = std::get_if<frames::Job>(&*request);
     if (!job)
         return std::nullopt;
