@@ -37,9 +37,9 @@ struct Tick {
 /// and shares no state. All calls come from one thread at a time. An exception stops the behavior.
 class Behavior {
 public:
-    virtual ~Behavior();
+    virtual ~Behavior() = default;
     /// Takes every info line, before the tick that the line may cause.
-    virtual void onInfo(const protocol::InfoLine& line, CommandPort& port);
+    virtual void onInfo(const protocol::InfoLine&, CommandPort&) {}
     /// Decides, on every STA.
     virtual void tick(const Tick& tick, CommandPort& port) = 0;
     /// Obeys an order of the operator, between ticks.
@@ -47,7 +47,12 @@ public:
     /// Takes new values while running; they have been checked against the specs.
     virtual void setParameters(const ParameterSet& parameters) = 0;
     /// Controls the plan, if a plan makes the decisions. The default refuses a new plan and ignores everything else.
-    virtual void control(const PlanControl& control, CommandPort& port);
+    virtual void control(const PlanControl& control, CommandPort& port) {
+        if (const auto* const asked = std::get_if<ReplacePlan>(&control))
+            port.publish(PlanReplaced{.fate = PlanFate::Refused,
+                                      .plan_name = asked->plan.name,
+                                      .reason = "No plan decides what this behavior does."});
+    }
     /// The command that makes the robot safe at once (a DRIVE of zeros); used at stop, at close and after a fault.
     virtual protocol::Command safeCommand() const = 0;
 };

@@ -33,13 +33,11 @@ protocol::Command lastResort(protocol::VehicleKind kind) {
 
 BehaviorHost::BehaviorHost(std::unique_ptr<Behavior> behavior, std::string behavior_id,
                            std::vector<std::string> sensors_needed)
-    : behavior_(std::move(behavior))
-    , behavior_id_(std::move(behavior_id))
+    : RunningBehavior(std::move(behavior_id))
+    , behavior_(std::move(behavior))
     , sensors_missed_(std::move(sensors_needed)) {
     std::erase_if(sensors_missed_, [](const std::string& type) { return !protocol::speaksAlways(type); });
 }
-
-BehaviorHost::~BehaviorHost() = default;
 
 template <class Call>
 void BehaviorHost::guarded(Call&& call) {
@@ -124,19 +122,16 @@ RunningBehavior::Output BehaviorHost::receive(const protocol::InfoLine& line) {
 }
 
 RunningBehavior::Output BehaviorHost::order(Order order) {
-    port_.setTrigger(last_line_);
     guarded([&] { behavior_->order(order, port_); });
     return takeOutput();
 }
 
 RunningBehavior::Output BehaviorHost::control(const PlanControl& control) {
-    port_.setTrigger(last_line_);
     guarded([&] { behavior_->control(control, port_); });
     return takeOutput();
 }
 
 void BehaviorHost::setParameters(const ParameterSet& parameters) {
-    port_.setTrigger(last_line_);
     guarded([&] { behavior_->setParameters(parameters); });
 }
 

@@ -21,17 +21,11 @@ public:
     /// configuration; if there is none, or no answer, the behavior is stopped.
     explicit BehaviorHost(std::unique_ptr<Behavior> behavior, std::string behavior_id,
                           std::vector<std::string> sensors_needed = {});
-    ~BehaviorHost() override;
-
     Output receive(const protocol::InfoLine& line) override;
     Output order(Order order) override;
     Output control(const PlanControl& control) override;
-    bool halted() const override { return halted_; }
     void setParameters(const ParameterSet& parameters) override;
     CausedCommand safeCommand(const std::string& source) const override;
-    bool finished() const override { return finished_; }
-    bool broke() const override { return broke_; }
-    const std::string& behaviorId() const override { return behavior_id_; }
 
 private:
     /// Makes the call unless the behavior has finished, and stops the behavior if it throws.
@@ -50,15 +44,10 @@ private:
     Output takeOutput();
 
     std::unique_ptr<Behavior> behavior_;
-    std::string behavior_id_;
     modules::RobotModules modules_;
     CommandPort port_;
     std::vector<std::string> sensors_missed_; ///< needed types that have not reported yet
     std::optional<Seconds> first_tick_;
-    LineNumber last_line_;
-    bool finished_ = false;
-    bool halted_ = false;
-    bool broke_ = false;
 };
 
 } // namespace usar::agent

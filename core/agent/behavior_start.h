@@ -1,4 +1,4 @@
-// Starts a behavior from a plugin.
+// Calls plugins such that their exceptions do not end the program, and starts their behaviors.
 #pragma once
 
 #include <memory>
@@ -9,6 +9,13 @@
 #include "core/agent/running_behavior.h"
 
 namespace usar::agent {
+
+/// Calls `createBehavior`. Turns an exception or a null result into an error that names the behavior.
+Result<std::unique_ptr<Behavior>> makeBehavior(const RobotPlugin& plugin, const std::string& id,
+                                               BehaviorContext context);
+
+/// Calls `preview`. Turns an exception into such an error.
+Result<TaskPreview> previewTask(const RobotPlugin& plugin, const std::string& id, const BehaviorContext& context);
 
 /// The means to run a behavior in a process of its own.
 struct Isolation {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/agent/published.h"
@@ -21,15 +22,17 @@ struct CausedCommand {
 class CommandPort {
 public:
     /// `source` names the state or plan node that decided; the host adds the behavior's id and the triggering line.
-    void send(protocol::Command command, std::string source);
+    void send(protocol::Command command, std::string source) {
+        commands_.push_back({std::move(command), {std::move(source), trigger_}});
+    }
     /// Values are delivered in the order of publication.
-    void publish(Published value);
+    void publish(Published value) { published_.push_back(std::move(value)); }
 
     /// Sets the line that counts as the trigger of the commands that follow.
     void setTrigger(LineNumber line) { trigger_ = line; }
     /// Return what has been collected, in order, and empty the port.
-    std::vector<CausedCommand> takeCommands();
-    std::vector<Published> takePublished();
+    std::vector<CausedCommand> takeCommands() { return std::exchange(commands_, {}); }
+    std::vector<Published> takePublished() { return std::exchange(published_, {}); }
 
 private:
     LineNumber trigger_;

@@ -1,6 +1,5 @@
 #include "core/agent/published_text.h"
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 #include "core/agent/running_behavior.h"
 
@@ -16,34 +17,43 @@ struct BehaviorAnswer {
     bool broke = false;
 };
 /// The answer with this output; the rest is what the behavior says of itself now.
-BehaviorAnswer answerOf(RunningBehavior::Output output, const RunningBehavior& behavior);
+inline BehaviorAnswer answerOf(RunningBehavior::Output output, const RunningBehavior& behavior) {
+    return {std::move(output), behavior.safeCommand({}).command, behavior.halted(), behavior.finished(),
+            behavior.broke()};
+}
 
 /// Keeps, in the owner's thread, what the behavior answered last, so that nothing here waits for it.
 class RemoteBehavior : public RunningBehavior {
 public:
     CausedCommand safeCommand(const std::string& source) const override { return {safe_, {source, last_line_}}; }
-    bool halted() const override { return halted_; }
-    bool finished() const override { return finished_; }
-    bool broke() const override { return broke_; }
-    const std::string& behaviorId() const override { return behavior_id_; }
     void setPatience(Seconds patience) override { patience_ = patience; }
 
 protected:
-    explicit RemoteBehavior(std::string behavior_id);
+    explicit RemoteBehavior(std::string behavior_id)
+        : RunningBehavior(std::move(behavior_id))
+        , safe_(lastResort(protocol::VehicleKind::Unknown)) {}
     /// Takes over the state in an answer and returns its output, after the output owed from before.
-    Output take(BehaviorAnswer answer);
+    Output take(BehaviorAnswer answer) {
+        halted_ = answer.halted;
+        finished_ = answer.finished;
+        broke_ = answer.broke;
+        safe_ = std::move(answer.safe);
+        owed_.append(std::move(answer.output));
+        return std::exchange(owed_, {});
+    }
     /// Marks the behavior as finished. Returns the published values owed from before, the safe command with `source` as
     /// its cause, and the reason.
-    Output finish(const std::string& source, std::string reason);
+    Output finish(const std::string& source, std::string reason) {
+        finished_ = true;
+        halted_ = false;
+        owed_.commands = {safeCommand(behavior_id_ + ": " + source)};
+        owed_.published.push_back(BehaviorFinished{false, std::move(reason)});
+        return std::exchange(owed_, {});
+    }
 
-    std::string behavior_id_;
-    LineNumber last_line_; ///< number of the last info line that it got
-    Output owed_;          ///< output of a call that returns none, for the next call to return
+    Output owed_; ///< output of a call that returns none, for the next call to return
     Seconds patience_{1.0};
     protocol::Command safe_;
-    bool halted_ = false;
-    bool finished_ = false;
-    bool broke_ = false;
 };
 
 } // namespace usar::agent

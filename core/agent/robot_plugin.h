@@ -66,12 +66,8 @@ public:
     /// Returns an error if `description` does not list the id, or if the plan cannot run on this robot.
     virtual Result<std::unique_ptr<Behavior>> createBehavior(const std::string& id, BehaviorContext context) const = 0;
     /// Must be quick, because it is called while the user drags the area. Returns an error if a needed area is empty.
-    virtual Result<TaskPreview> preview(const std::string& id, const BehaviorContext& context) const;
+    virtual Result<TaskPreview> preview(const std::string&, const BehaviorContext&) const { return TaskPreview{}; }
 };
-
-inline Result<TaskPreview> RobotPlugin::preview(const std::string&, const BehaviorContext&) const {
-    return TaskPreview{};
-}
 
 } // namespace usar::agent
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/agent/behavior.h"
@@ -41,14 +42,14 @@ public:
     virtual CausedCommand safeCommand(const std::string& source) const = 0;
 
     /// True if its plan is halted; simulated time should stand still, too.
-    virtual bool halted() const = 0;
-    virtual bool finished() const = 0;
+    bool halted() const { return halted_; }
+    bool finished() const { return finished_; }
     /// True if it is gone for a reason not known yet: make the robot safe now, and then call `takeEnd`, which may take
     /// half a second to find the reason.
     virtual bool ending() const { return false; }
     /// True if it ended because of a fault (it threw, hung or died) and not by its own BehaviorFinished.
-    virtual bool broke() const { return false; }
-    virtual const std::string& behaviorId() const = 0;
+    bool broke() const { return broke_; }
+    const std::string& behaviorId() const { return behavior_id_; }
 
     /// Sets how long an answer may take, in wall time, before the behavior counts as hanging. Call it before `begin`.
     virtual void setPatience(Seconds) {}
@@ -57,6 +58,15 @@ public:
     virtual int endHandle() const { return -1; }
     /// The output of its end, including BehaviorFinished; empty if it has not ended.
     virtual Output takeEnd() { return {}; }
+
+protected:
+    explicit RunningBehavior(std::string behavior_id) : behavior_id_(std::move(behavior_id)) {}
+
+    std::string behavior_id_;
+    LineNumber last_line_; ///< number of the last info line that it got
+    bool halted_ = false;
+    bool finished_ = false;
+    bool broke_ = false;
 };
 
 /// A DRIVE of zeros for a robot on the ground, in the water or (the default) in the air, for use if the behavior cannot

@@ -15,7 +15,19 @@ namespace usar::agent {
 struct WatchedBehavior::Worker {
     explicit Worker(std::unique_ptr<BehaviorHost> watched) : host(std::move(watched)) {}
 
-    void work();
+    /// The thread.
+    void work() {
+        for (;;) {
+            {
+                std::unique_lock lock(mutex);
+                turned.wait(lock, [this] { return turn != Turn::Owners; });
+                if (turn == Turn::Nobodys)
+                    return;
+            }
+            answer = answerOf(call(*host), *host);
+            pass(Turn::Owners);
+        }
+    }
 
     std::unique_ptr<BehaviorHost> host;
     protocol::InfoLine line; ///< a copy, because the caller may overwrite its own while the behavior still uses it
@@ -23,34 +35,19 @@ struct WatchedBehavior::Worker {
     BehaviorAnswer answer;
 
     enum class Turn { Owners, Workers, Nobodys };
-    void pass(Turn to);
+    void pass(Turn to) {
+        {
+            const std::lock_guard lock(mutex);
+            if (turn != Turn::Nobodys)
+                turn = to;
+        }
+        turned.notify_all();
+    }
 
     std::mutex mutex;
     std::condition_variable turned;
     Turn turn = Turn::Owners; ///< Nobodys: the owner is gone, and the thread must end
 };
-
-void WatchedBehavior::Worker::pass(Turn to) {
-    {
-        const std::lock_guard lock(mutex);
-        if (turn != Turn::Nobodys)
-            turn = to;
-    }
-    turned.notify_all();
-}
-
-void WatchedBehavior::Worker::work() {
-    for (;;) {
-        {
-            std::unique_lock lock(mutex);
-            turned.wait(lock, [this] { return turn != Turn::Owners; });
-            if (turn == Turn::Nobodys)
-                return;
-        }
-        answer = answerOf(call(*host), *host);
-        pass(Turn::Owners);
-    }
-}
 
 WatchedBehavior::WatchedBehavior(std::unique_ptr<BehaviorHost> host)
     : RemoteBehavior(host->behaviorId())

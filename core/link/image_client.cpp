@@ -1,5 +1,4 @@
 #include "core/link/image_client.h"
-#include "core/protocol/usual_values.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,24 +6,13 @@
 #include <QNetworkProxy>
 #include <QtEndian>
 
+#include "core/protocol/usual_values.h"
+
 namespace usar::link {
 
-namespace {
-
-constexpr std::size_t rate_over_frames = 10;
-constexpr qint64 read_buffer_bytes = 1 << 16;
-
-} // namespace
-
-ImageClient::ImageClient(QObject* parent)
-    : QObject(parent)
-    , socket_(this)
-    , retry_timer_(this)
-    , connect_timer_(this)
-    , silence_timer_(this)
-    , ask_timer_(this) {
+ImageClient::ImageClient(QObject* parent) : QObject(parent) {
     socket_.setProxy(QNetworkProxy::NoProxy);
-    socket_.setReadBufferSize(read_buffer_bytes);
+    socket_.setReadBufferSize(1 << 16);
     for (QTimer* const timer : {&retry_timer_, &connect_timer_, &silence_timer_, &ask_timer_})
         timer->setSingleShot(true);
     connect(&retry_timer_, &QTimer::timeout, this, &ImageClient::connectNow);
@@ -161,7 +149,7 @@ void ImageClient::takeFrame() {
     failed_tries_ = 0;
     ++frames_;
     arrivals_ms_.push_back(clock_.elapsed());
-    if (arrivals_ms_.size() > rate_over_frames)
+    if (constexpr std::size_t rate_over_frames = 10; arrivals_ms_.size() > rate_over_frames)
         arrivals_ms_.pop_front();
     const qint64 span_ms = arrivals_ms_.back() - arrivals_ms_.front();
     status_.frames_per_s =

@@ -5,7 +5,6 @@
 
 #include <QByteArray>
 #include <QElapsedTimer>
-#include <QMetaType>
 #include <QObject>
 #include <QString>
 #include <QTcpSocket>
@@ -79,11 +78,11 @@ private:
     void setState(ImageState state, const QString& reason = {});
     QString place() const;
 
-    QTcpSocket socket_;
-    QTimer retry_timer_;
-    QTimer connect_timer_;
-    QTimer silence_timer_;
-    QTimer ask_timer_;
+    QTcpSocket socket_{this};
+    QTimer retry_timer_{this};
+    QTimer connect_timer_{this};
+    QTimer silence_timer_{this};
+    QTimer ask_timer_{this};
     QElapsedTimer clock_;
     ImageClientLimits limits_;
     QString host_;
@@ -102,6 +101,3 @@ private:
 };
 
 } // namespace usar::link
-
-Q_DECLARE_METATYPE(usar::link::ImageStatus)
-Q_DECLARE_METATYPE(usar::link::ImageType)

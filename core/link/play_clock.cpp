@@ -1,6 +1,7 @@
 #include "core/link/play_clock.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/numbers.h"
 
@@ -21,6 +22,13 @@ std::optional<Seconds> newestTime(std::string_view bytes) {
     const NumberPrefix number = readNumberPrefix(value);
     const bool whole = number.used > 0 && number.used < value.size(); // Not cut off at the end of a chunk.
     return whole ? std::optional(Seconds{number.value}) : std::nullopt;
+}
+
+constexpr Seconds together_within{0.005};
+constexpr Seconds farthest{1e9}; ///< clock readings beyond this are damage and ignored
+
+RecordTime after(RecordTime play, Seconds span) {
+    return play + std::chrono::round<RecordTime>(span);
 }
 
 } // namespace
@@ -51,6 +59,37 @@ RecordTime PlayClock::at(const Record& record) {
     }
     play_ = std::max(play_, stretched());
     return play_;
+}
+
+void ClockTable::add(RecordTime play, Seconds now) {
+    if (!(std::abs(now.count()) < farthest.count())) // Also true for NaN.
+        return;
+    if (!stretches_.empty()) {
+        Stretch& last = stretches_.back();
+        const Seconds apart = Seconds(play - last.play) - (now - last.begin);
+        if (now >= last.end && apart <= together_within && apart >= -together_within) {
+            last.end = now;
+            return;
+        }
+    }
+    stretches_.push_back({now, now, play});
+}
+
+std::optional<RecordTime> ClockTable::at(Seconds now) const {
+    if (stretches_.empty())
+        return std::nullopt;
+    for (auto stretch = stretches_.rbegin(); stretch != stretches_.rend(); ++stretch) {
+        if (now < stretch->begin)
+            continue;
+        const RecordTime wanted = after(stretch->play, now - stretch->begin);
+        if (now <= stretch->end)
+            return wanted;
+        const auto next = stretch.base(); // The stretch after this one.
+        if (next != stretches_.end() && next->begin > now)
+            return std::min(wanted, next->play);
+    }
+    const Stretch& last = stretches_.back();
+    return now < last.begin ? stretches_.front().play : after(last.play, last.end - last.begin);
 }
 
 } // namespace usar::link

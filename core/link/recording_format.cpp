@@ -88,13 +88,11 @@ std::optional<std::size_t> sizeAt(std::string_view bytes) {
 }
 
 Taken take(std::string_view bytes) {
-    if (bytes.size() < record_head_bytes)
-        return {.fit = Fit::CutOff, .record = {}, .size = 0};
     const auto size = sizeAt(bytes);
+    if (bytes.size() < size.value_or(record_head_bytes))
+        return {.fit = Fit::CutOff, .record = {}, .size = 0};
     if (!size)
         return {};
-    if (bytes.size() < *size)
-        return {.fit = Fit::CutOff, .record = {}, .size = 0};
     bytes = bytes.substr(0, *size);
     if (numberAt<std::uint32_t>(bytes, checksum_at) != checksum(bytes.substr(kind_at)))
         return {};

@@ -6,7 +6,6 @@
 #include <sys/file.h>
 
 #include "core/base/text.h"
-#include "core/link/play_clock.h"
 
 namespace usar::link {
 
@@ -127,10 +126,6 @@ void RecordingReader::takeFacts(std::string_view text) {
         if (const auto colon = line.find(':'); colon != std::string_view::npos)
             survey_.facts[std::string(line.substr(0, colon))] = trimmed(line.substr(colon + 1));
     }
-}
-
-std::optional<Record> RecordingReader::next() {
-    return find(nullptr);
 }
 
 void RecordingReader::seek(RecordTime time) {

@@ -12,7 +12,7 @@
 #include <QString>
 
 #include "core/base/result.h"
-#include "core/link/clock_table.h"
+#include "core/link/play_clock.h"
 #include "core/link/recording_format.h"
 
 namespace usar::link {
@@ -59,7 +59,7 @@ public:
     const RecordingSurvey& survey() const { return survey_; }
     const std::string& path() const { return path_; }
     /// Returns the next record, or nullopt at the end. Its texts are valid until the next call.
-    std::optional<Record> next();
+    std::optional<Record> next() { return find(nullptr); }
     /// Offset in the file at which the record last returned by `next` begins.
     std::uint64_t offset() const { return record_offset_; }
     /// Makes `next` return the first record that is not earlier than `time`.

@@ -1,32 +1,31 @@
 #include "core/link/recording_text.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <utility>
 
 #include "core/base/quoted_text.h"
 #include "core/base/text.h"
+#include "core/link/recording_reader.h"
 
-namespace usar::link::recording {
+namespace usar::link {
 
 namespace {
 
-constexpr std::array<std::pair<RecordKind, std::string_view>, 7> kind_words{{{RecordKind::Start, "start"},
-                                                                             {RecordKind::Opened, "opened"},
-                                                                             {RecordKind::Closed, "closed"},
-                                                                             {RecordKind::In, "in"},
-                                                                             {RecordKind::Out, "out"},
-                                                                             {RecordKind::Note, "note"},
-                                                                             {RecordKind::End, "end"}}};
+using KindWord = std::pair<RecordKind, std::string_view>;
+constexpr std::array<KindWord, 7> kind_words{{{RecordKind::Start, "start"},
+                                              {RecordKind::Opened, "opened"},
+                                              {RecordKind::Closed, "closed"},
+                                              {RecordKind::In, "in"},
+                                              {RecordKind::Out, "out"},
+                                              {RecordKind::Note, "note"},
+                                              {RecordKind::End, "end"}}};
 constexpr std::int64_t nanoseconds_a_second = 1'000'000'000;
 
-void appendKind(std::string& text, RecordKind kind) {
-    for (const auto& [known, word] : kind_words)
-        if (known == kind) {
-            text += word;
-            return;
-        }
-    text += std::to_string(static_cast<unsigned>(kind));
+std::string wordOf(RecordKind kind) {
+    const auto known = std::ranges::find(kind_words, kind, &KindWord::first);
+    return known == kind_words.end() ? std::to_string(static_cast<unsigned>(kind)) : std::string(known->second);
 }
 
 template <class Integer>
@@ -36,15 +35,14 @@ bool readWhole(std::string_view word, Integer& value) {
 }
 
 bool readKind(std::string_view word, RecordKind& kind) {
-    for (const auto& [known, spelled] : kind_words)
-        if (spelled == word) {
-            kind = known;
-            return true;
-        }
+    const auto known = std::ranges::find(kind_words, word, &KindWord::second);
     unsigned number = 0;
-    if (!readWhole(word, number) || number == 0 || number > 255)
+    if (known != kind_words.end())
+        kind = known->first;
+    else if (readWhole(word, number) && number > 0 && number <= 255)
+        kind = static_cast<RecordKind>(number);
+    else
         return false;
-    kind = static_cast<RecordKind>(number);
     return true;
 }
 
@@ -65,11 +63,30 @@ bool readSeconds(std::string_view word, RecordTime& time) {
     return true;
 }
 
+constexpr std::size_t chunk_bytes = 1u << 20;
+
+/// Writes the batch and empties it, if it has at least so many bytes.
+Result<void> hand(std::string& batch, QIODevice& to, std::size_t least_bytes = 0) {
+    if (batch.size() < least_bytes)
+        return {};
+    if (to.write(batch.data(), static_cast<qint64>(batch.size())) != static_cast<qint64>(batch.size()))
+        return failure("writing failed: " + to.errorString().toStdString(), "the output",
+                       "Is there room left, and does somebody read it");
+    batch.clear();
+    return {};
+}
+
+std::string_view withoutEnd(const QByteArray& line) {
+    std::string_view text(line.constData(), static_cast<std::size_t>(line.size()));
+    while (text.ends_with('\n') || text.ends_with('\r'))
+        text.remove_suffix(1);
+    return text;
+}
+
 } // namespace
 
-void appendText(std::string& text, const Record& record) {
-    appendKind(text, record.kind);
-    text += ' ';
+void recording::appendText(std::string& text, const Record& record) {
+    text += wordOf(record.kind) + ' ';
     appendSeconds(text, record.time);
     text += ' ' + std::to_string(record.line.value) + ' ';
     if (record.kind == RecordKind::Out || record.kind == RecordKind::Note) {
@@ -81,7 +98,7 @@ void appendText(std::string& text, const Record& record) {
     text += '\n';
 }
 
-Result<Record> TextRecord::read(std::string_view line) {
+Result<Record> recording::TextRecord::read(std::string_view line) {
     std::string_view rest = line;
     const auto wrong = [&](std::string what, std::string mend) {
         return failure(std::move(what), "column " + std::to_string(line.size() - rest.size() + 1), std::move(mend));
@@ -108,4 +125,51 @@ Result<Record> TextRecord::read(std::string_view line) {
     return record;
 }
 
-} // namespace usar::link::recording
+Result<void> recordingToText(const QString& recording_path, QIODevice& text) {
+    const auto reader = RecordingReader::open(recording_path);
+    if (!reader)
+        return tl::unexpected(reader.error());
+    std::string batch(recording::text_title);
+    batch += '\n';
+    auto damage = (*reader)->survey().damage.begin();
+    const auto damage_end = (*reader)->survey().damage.end();
+    const auto noteDamage = [&](std::uint64_t before) {
+        for (; damage != damage_end && damage->offset < before; ++damage)
+            batch += "# " + std::to_string(damage->bytes) + " damaged bytes at byte " + std::to_string(damage->offset) +
+                     "\n";
+    };
+    while (const auto record = (*reader)->next()) {
+        noteDamage((*reader)->offset());
+        recording::appendText(batch, *record);
+        if (auto handed = hand(batch, text, chunk_bytes); !handed)
+            return handed;
+    }
+    noteDamage(UINT64_MAX);
+    return hand(batch, text);
+}
+
+Result<void> textToRecording(QIODevice& text, const QString& text_name, QIODevice& recording) {
+    const auto at = [&](std::uint64_t line) { return text_name.toStdString() + ", line " + std::to_string(line); };
+    if (withoutEnd(text.readLine()) != recording::text_title)
+        return failure("this is not the text form of a recording", at(1),
+                       "Its first line must be \"" + std::string(recording::text_title) + "\"");
+    std::string batch;
+    recording::appendHead(batch);
+    recording::TextRecord reader;
+    for (std::uint64_t number = 2;; ++number) {
+        const QByteArray bytes = text.readLine();
+        if (bytes.isEmpty()) // Unlike atEnd(), which a pipe reports too early.
+            return hand(batch, recording);
+        const std::string_view line = withoutEnd(bytes);
+        if (trimmed(line).empty() || line.starts_with('#'))
+            continue;
+        const auto record = reader.read(line);
+        if (!record)
+            return failure(record.error().what, at(number) + ", " + record.error().where, record.error().mend);
+        recording::append(batch, *record);
+        if (auto handed = hand(batch, recording, chunk_bytes); !handed)
+            return handed;
+    }
+}
+
+} // namespace usar::link

@@ -1,13 +1,18 @@
-// A recording as plain text, one record per line, and back, without loss in either direction.
+// A recording as plain text, one record per line, and back, without loss in either direction: single records, and whole
+// files.
 #pragma once
 
 #include <string>
 #include <string_view>
 
+#include <QIODevice>
+#include <QString>
+
 #include "core/base/result.h"
 #include "core/link/recording_format.h"
 
-namespace usar::link::recording {
+namespace usar::link {
+namespace recording {
 
 /// First line of the text form.
 inline constexpr std::string_view text_title = "USAR recording, text form 1";
@@ -27,4 +32,13 @@ private:
     std::string bytes_;
 };
 
-} // namespace usar::link::recording
+} // namespace recording
+
+/// Writes the text form to `text`, which must be open. A damaged stretch becomes a comment with its position and size;
+/// the records around it are kept. Errors: the recording cannot be opened, or writing fails.
+Result<void> recordingToText(const QString& recording_path, QIODevice& text);
+/// Skips lines that are empty or begin with #. Errors name `text_name`, line and column; what was written to
+/// `recording` until then stays.
+Result<void> textToRecording(QIODevice& text, const QString& text_name, QIODevice& recording);
+
+} // namespace usar::link

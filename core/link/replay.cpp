@@ -28,7 +28,6 @@ Replayer::Replayer(std::unique_ptr<RecordingReader> recording, ReplayTaker& take
     : QObject(parent)
     , recording_(std::move(recording))
     , taker_(taker)
-    , timer_(this)
     , end_(recording_->survey().play_span) {
     timer_.setSingleShot(true);
     timer_.setTimerType(Qt::PreciseTimer);
@@ -110,14 +109,8 @@ void Replayer::step() {
     if (target_)
         return;
     while (const Waiting* next = peek()) {
-        const Record record = next->view();
-        const bool is_chunk = record.kind == RecordKind::In;
         settle(next->due);
-        if (is_chunk)
-            playChunk(*std::exchange(next_, std::nullopt));
-        else
-            play(std::exchange(next_, std::nullopt)->view());
-        if (is_chunk)
+        if (playNext())
             break;
     }
     emit changed();
@@ -131,6 +124,16 @@ const Replayer::Waiting* Replayer::peek() {
         next_ = Waiting{*record, clock_.at(*record), std::string(record->name), std::string(record->bytes)};
     }
     return &*next_;
+}
+
+bool Replayer::playNext() {
+    const Waiting taken = *std::exchange(next_, std::nullopt);
+    const bool is_chunk = taken.record.kind == RecordKind::In;
+    if (is_chunk)
+        playChunk(taken);
+    else
+        play(taken.view());
+    return is_chunk;
 }
 
 void Replayer::play(const Record& record) {
@@ -167,7 +170,7 @@ void Replayer::playBefore(LineNumber number) {
         const bool within = kind == RecordKind::Out || kind == RecordKind::Note || kind == RecordKind::Closed;
         if (!within || next->record.line >= number)
             return;
-        play(std::exchange(next_, std::nullopt)->view());
+        playNext();
     }
 }
 
@@ -177,11 +180,7 @@ bool Replayer::playUntil(RecordTime time) {
         if (next->due > time)
             return false;
         const RecordTime reached = next->due;
-        const Waiting taken = *std::exchange(next_, std::nullopt);
-        if (taken.record.kind == RecordKind::In)
-            playChunk(taken);
-        else
-            play(taken.view());
+        playNext();
         if (target_ || std::isinf(speed_))
             position_ = reached;
         if (Clock::now() > end) {

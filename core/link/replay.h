@@ -10,7 +10,6 @@
 #include <QTimer>
 
 #include "core/base/clock.h"
-#include "core/link/play_clock.h"
 #include "core/link/recording_reader.h"
 #include "core/protocol/line_splitter.h"
 
@@ -93,6 +92,8 @@ private:
     };
 
     const Waiting* peek();
+    /// Plays the record that `peek` has returned; true if it was a chunk of bytes from the server.
+    bool playNext();
     void play(const Record& record);
     void playChunk(const Waiting& chunk);
     /// Plays what was recorded within a chunk before the line of this number.
@@ -110,13 +111,12 @@ private:
 
     std::unique_ptr<RecordingReader> recording_;
     ReplayTaker& taker_;
-    QTimer timer_;
+    QTimer timer_{this};
     protocol::LineSplitter splitter_;
     PlayClock clock_;
     std::optional<Waiting> next_; ///< read from the recording but not played yet
-    std::string chunk_;
-    LineNumber number_;      ///< newest info line
-    RecordTime position_{0}; ///< at the time `since_`
+    LineNumber number_;           ///< newest info line
+    RecordTime position_{0};      ///< at the time `since_`
     Clock::time_point since_;
     std::optional<RecordTime> target_; ///< where a seek is going
     RecordTime end_;                   ///< where playing ends

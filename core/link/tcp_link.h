@@ -11,7 +11,6 @@
 #include <QTimer>
 
 #include "core/base/clock.h"
-#include "core/link/greeting_check.h"
 #include "core/protocol/line_splitter.h"
 #include "core/protocol/traffic_counts.h"
 #include "core/protocol/usual_values.h"
@@ -30,6 +29,32 @@ struct LinkStatus {
     QString trouble;       ///< `reason` without "Retrying in 4 s."
     Seconds retry_in{0.0}; ///< while Waiting, else 0
     bool operator==(const LinkStatus&) const = default;
+};
+
+/// Distinguishes a USARSim server from another kind of server by the first bytes that it sends. A line of the protocol
+/// is a type word of letters, digits and underscores, followed by nothing or by a segment (protocol.md 1.1). One such
+/// line with a segment proves that this is USARSim. Until then, control bytes, a known greeting of another protocol
+/// (HTTP, SSH, SMTP …) or three lines of another shape prove that it is not; a single garbled line does not. Plain
+/// class, one per connection, reset for the next.
+class GreetingCheck {
+public:
+    static constexpr int patience_lines = 3;
+
+    enum class Verdict { Unknown, Usarsim, Foreign };
+
+    /// Takes raw bytes before they are cut into lines; recognizes binary data.
+    void takeBytes(std::string_view bytes);
+    /// Takes one line without its line end.
+    void takeLine(std::string_view line);
+    /// Unknown at first; once it is Usarsim or Foreign it stays so until reset().
+    Verdict verdict() const { return verdict_; }
+    /// True if something odd was received and nothing has proved that this is USARSim.
+    bool suspicious() const { return verdict_ == Verdict::Foreign || (verdict_ == Verdict::Unknown && strange_ > 0); }
+    void reset() { *this = {}; }
+
+private:
+    Verdict verdict_ = Verdict::Unknown;
+    int strange_ = 0;
 };
 
 /// Wall-clock limits. Tests shorten them.
@@ -103,9 +128,9 @@ private:
     void dropConnection();
     void setStatus(LinkState state, const QString& trouble = {}, Seconds retry_in = Seconds{0.0});
 
-    QTcpSocket socket_;
-    QTimer retry_timer_;
-    QTimer connect_timer_;
+    QTcpSocket socket_{this};
+    QTimer retry_timer_{this};
+    QTimer connect_timer_{this};
     LineTaker take_line_;
     std::function<void(std::string_view)> take_bytes_;
     LinkLimits limits_;
@@ -121,5 +146,3 @@ private:
 };
 
 } // namespace usar::link
-
-Q_DECLARE_METATYPE(usar::link::LinkStatus)

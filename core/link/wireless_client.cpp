@@ -1,6 +1,7 @@
 #include "core/link/wireless_client.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/base/numbers.h"
@@ -10,8 +11,6 @@
 namespace usar::link {
 
 namespace {
-
-constexpr std::chrono::milliseconds usual_interval{1000};
 
 QString text(std::string_view bytes) {
     return QString::fromUtf8(bytes.data(), static_cast<qsizetype>(bytes.size()));
@@ -23,15 +22,9 @@ std::pair<QString, QString> inOrder(const QString& a, const QString& b) {
 
 } // namespace
 
-WirelessClient::WirelessClient(QObject* parent) : QObject(parent), timer_(this) {
-    timer_.setInterval(usual_interval);
+WirelessClient::WirelessClient(QObject* parent) : QObject(parent) {
+    setInterval(std::chrono::seconds{1});
     connect(&timer_, &QTimer::timeout, this, &WirelessClient::ask);
-}
-
-WirelessClient::~WirelessClient() = default;
-
-void WirelessClient::setLimits(const LinkLimits& limits) {
-    limits_ = limits;
 }
 
 void WirelessClient::open(const QString& host, quint16 port) {
@@ -201,14 +194,12 @@ void WirelessClient::report() {
 /// Shows the status of the best line: a connected one, else a waiting one, else a connecting one.
 void WirelessClient::showStatus() {
     LinkStatus best;
-    const auto rank = [](LinkState state) {
-        return state == LinkState::Connected    ? 3
-               : state == LinkState::Connecting ? 1
-               : state == LinkState::Waiting    ? 2
-                                                : 0;
+    const auto rank = [](const LinkStatus& status) {
+        static constexpr std::array ranks{0, 1, 3, 2}; // Disconnected, Connecting, Connected, Waiting
+        return ranks[static_cast<std::size_t>(status.state)];
     };
     const auto consider = [&](const Line& line) {
-        if (rank(line.link.status().state) > rank(best.state))
+        if (rank(line.link.status()) > rank(best))
             best = line.link.status();
     };
     if (observer_)

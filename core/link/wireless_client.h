@@ -35,9 +35,8 @@ class WirelessClient : public QObject {
     Q_OBJECT
 public:
     explicit WirelessClient(QObject* parent = nullptr);
-    ~WirelessClient() override;
 
-    void setLimits(const LinkLimits& limits);
+    void setLimits(const LinkLimits& limits) { limits_ = limits; }
     /// Time between two rounds of questions; initially 1 s.
     void setInterval(std::chrono::milliseconds interval) { timer_.setInterval(interval); }
     /// Sets the server. The connection is made once at least two robots are set.
@@ -81,7 +80,7 @@ private:
     QString host_;
     quint16 port_ = 0;
     LinkLimits limits_;
-    QTimer timer_;
+    QTimer timer_{this};
     QStringList robots_;
     std::unique_ptr<Line> observer_;                   ///< for a server that answers an observer
     std::map<QString, std::unique_ptr<Line>> members_; ///< for a server that does not; by robot
@@ -92,5 +91,3 @@ private:
 };
 
 } // namespace usar::link
-
-Q_DECLARE_METATYPE(usar::link::RadioStrengths)

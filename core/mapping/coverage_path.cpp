@@ -34,8 +34,7 @@ struct Grid {
 };
 
 double distanceToCorner(const Rectangle& quadrant, const Vec2& from_m) {
-    const Vec2 off_m = (from_m - quadrant.center_m()).cwiseAbs() - (quadrant.max_m - quadrant.min_m) / 2.0;
-    return off_m.norm();
+    return ((from_m - quadrant.center_m()).cwiseAbs() - (quadrant.max_m - quadrant.min_m) / 2.0).norm();
 }
 
 /// Adds the lanes of one quadrant, beginning at the corner nearest to `position_m`, and sets `position_m` to the end of
@@ -85,16 +84,14 @@ CoveragePlan planToAndFro(const Grid& grid, const Vec2& base_m, double spacing_m
 
 CoveragePlan planNearestNext(const Grid& grid, const Vec2& base_m, double spacing_m) {
     std::vector<Rectangle> open;
-    for (int row = 0; row < grid.rows; ++row) {
+    for (int row = 0; row < grid.rows; ++row)
         for (int column = 0; column < grid.columns; ++column)
             open.push_back(grid.at(column, row));
-    }
     CoveragePlan plan;
     Vec2 position_m = base_m;
     while (!open.empty()) {
-        const auto nearest = std::min_element(open.begin(), open.end(), [&](const Rectangle& a, const Rectangle& b) {
-            return distanceToCorner(a, position_m) < distanceToCorner(b, position_m);
-        });
+        const auto nearest = std::ranges::min_element(
+            open, {}, [&](const Rectangle& quadrant) { return distanceToCorner(quadrant, position_m); });
         addLanes(plan, *nearest, spacing_m, position_m);
         open.erase(nearest);
     }

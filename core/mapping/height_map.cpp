@@ -29,6 +29,14 @@ std::int32_t cellIndex(double coordinate_m, double cell_size_m) {
     return cell > -limit ? static_cast<std::int32_t>(std::min(cell, limit)) : static_cast<std::int32_t>(-limit);
 }
 
+/// The height of a cell in one of the tile's arrays; nullopt if it is unknown or there is no tile.
+std::optional<float> knownHeight(const HeightTile* tile, decltype(HeightTile::height_m) HeightTile::*heights_m,
+                                 GridIndex cell) {
+    if (!tile || std::isnan((tile->*heights_m)[offsetOf(cell)]))
+        return std::nullopt;
+    return (tile->*heights_m)[offsetOf(cell)];
+}
+
 } // namespace
 
 void HeightRange::include(std::optional<HeightRange>& range, float height_m) {
@@ -99,17 +107,11 @@ void HeightMap::record(GridIndex cell, float height_m, LineNumber line, bool mea
 }
 
 std::optional<float> HeightMap::height_m(GridIndex cell) const {
-    const HeightTile* found = tile(tileOf(cell));
-    if (!found || std::isnan(found->height_m[offsetOf(cell)]))
-        return std::nullopt;
-    return found->height_m[offsetOf(cell)];
+    return knownHeight(tile(tileOf(cell)), &HeightTile::height_m, cell);
 }
 
 std::optional<float> HeightMap::preview_m(GridIndex cell) const {
-    const HeightTile* found = tile(tileOf(cell));
-    if (!found || std::isnan(found->preview_m[offsetOf(cell)]))
-        return std::nullopt;
-    return found->preview_m[offsetOf(cell)];
+    return knownHeight(tile(tileOf(cell)), &HeightTile::preview_m, cell);
 }
 
 int HeightMap::hits(GridIndex cell) const {
@@ -160,6 +162,19 @@ std::vector<std::shared_ptr<const HeightTile>> HeightMap::takeChangedTiles() {
         copies.push_back(std::make_shared<const HeightTile>(slot.tile));
     }
     return copies;
+}
+
+std::optional<HeightProbe> probeHeight(const HeightTiles& tiles, double cell_size_m, const Vec2& point_in_map_m) {
+    const Vec2 position = (point_in_map_m / cell_size_m).array().floor().matrix();
+    if (!(position.cwiseAbs().maxCoeff() < 1e9)) // also true for NaN
+        return std::nullopt;
+    const GridIndex cell{static_cast<std::int32_t>(position.x()), static_cast<std::int32_t>(position.y())};
+    const auto found = tiles.find(tileOf(cell));
+    const auto height_m =
+        knownHeight(found == tiles.end() ? nullptr : found->second.get(), &HeightTile::height_m, cell);
+    if (!height_m)
+        return std::nullopt;
+    return HeightProbe{*height_m, found->second->hits[offsetOf(cell)]};
 }
 
 } // namespace usar::mapping

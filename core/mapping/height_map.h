@@ -108,7 +108,6 @@ private:
     /// Finds or makes the slot. Tries the slot of the last write first, because neighboring cells are written in
     /// sequence.
     Slot& slotFor(GridIndex cell);
-    /// Records a height, measured or interpolated.
     void record(GridIndex cell, float height_m, LineNumber line, bool measured);
 
     double cell_size_m_;
@@ -118,5 +117,18 @@ private:
     std::size_t known_cells_ = 0;
     std::optional<HeightRange> range_;
 };
+
+/// Tiles by their index, as whoever collects them keeps them.
+using HeightTiles = std::map<GridIndex, std::shared_ptr<const HeightTile>>;
+
+/// Data of one cell.
+struct HeightProbe {
+    float height_m = 0.0f; ///< value of the height array: the mean of the measurements
+    int hits = 0;          ///< number of measurements; 0: interpolated between two beams
+};
+
+/// Data of the cell at this point of the map frame, looked up in tiles that a height map has handed out; nullopt if its
+/// height is unknown. `cell_size_m` is the side of the tiles' cells.
+std::optional<HeightProbe> probeHeight(const HeightTiles& tiles, double cell_size_m, const Vec2& point_in_map_m);
 
 } // namespace usar::mapping

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -49,10 +48,9 @@ std::vector<const HeightTile*> takeTilesForOne(const HeightMap& map, std::vector
         if (fitInOne(*bounds, i + 1))
             fitting = i + 1;
     }
-    std::vector<const HeightTile*> tiles;
+    std::vector<const HeightTile*> tiles(fitting);
     const auto rest = indices.begin() + static_cast<std::ptrdiff_t>(fitting);
-    std::transform(indices.begin(), rest, std::back_inserter(tiles),
-                   [&map](GridIndex index) { return map.tile(index); });
+    std::transform(indices.begin(), rest, tiles.begin(), [&map](GridIndex index) { return map.tile(index); });
     indices.erase(indices.begin(), rest);
     return tiles;
 }
@@ -64,12 +62,10 @@ GridIndex cellOf(const HeightTile& tile, std::size_t offset) {
 
 std::optional<CellBounds> knownBounds(const std::vector<const HeightTile*>& tiles) {
     std::optional<CellBounds> bounds;
-    for (const HeightTile* tile : tiles) {
-        for (std::size_t i = 0; i < HeightTile::cell_count; ++i) {
+    for (const HeightTile* tile : tiles)
+        for (std::size_t i = 0; i < HeightTile::cell_count; ++i)
             if (!std::isnan(tile->height_m[i]))
                 CellBounds::include(bounds, cellOf(*tile, i));
-        }
-    }
     return bounds;
 }
 
@@ -85,7 +81,7 @@ Raster rasterOfTiles(const HeightMap& map, const std::vector<const HeightTile*>&
     raster.upper_left_center_m = map.center_m({bounds->first.column, bounds->last.row});
     raster.heights_m.assign(static_cast<std::size_t>(raster.columns * raster.rows),
                             std::numeric_limits<float>::quiet_NaN());
-    for (const HeightTile* tile : tiles) {
+    for (const HeightTile* tile : tiles)
         for (std::size_t i = 0; i < HeightTile::cell_count; ++i) {
             if (std::isnan(tile->height_m[i]))
                 continue;
@@ -94,7 +90,6 @@ Raster rasterOfTiles(const HeightMap& map, const std::vector<const HeightTile*>&
             const std::int64_t column = std::int64_t(cell.column) - bounds->first.column;
             raster.heights_m[static_cast<std::size_t>(row * raster.columns + column)] = tile->height_m[i];
         }
-    }
     return raster;
 }
 
@@ -102,16 +97,15 @@ Raster rasterOfTiles(const HeightMap& map, const std::vector<const HeightTile*>&
 
 std::optional<HeightRange> Raster::range() const {
     std::optional<HeightRange> range;
-    for (const float height_m : heights_m) {
+    for (const float height_m : heights_m)
         if (!std::isnan(height_m))
             HeightRange::include(range, height_m);
-    }
     return range;
 }
 
 std::size_t Raster::knownCellCount() const {
     return static_cast<std::size_t>(
-        std::count_if(heights_m.begin(), heights_m.end(), [](float height_m) { return !std::isnan(height_m); }));
+        std::ranges::count_if(heights_m, [](float height_m) { return !std::isnan(height_m); }));
 }
 
 std::vector<Raster> rastersOf(const HeightMap& map, std::size_t most) {

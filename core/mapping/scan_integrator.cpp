@@ -1,10 +1,11 @@
 #include "core/mapping/scan_integrator.h"
-#include "core/mapping/hit.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
+
+#include "core/mapping/hit.h"
 
 namespace usar::mapping {
 
@@ -85,10 +86,9 @@ void ScanIntegrator::integrate(const Beams& beams, const Pose& scanner_in_map, L
         previous_hits_.clear();
     strip_broken_ = false;
     computeHits(beams, scanner_in_map, hits_);
-    for (const Vec3& hit_m : hits_) {
+    for (const Vec3& hit_m : hits_)
         if (hit_m.allFinite())
             map.write(map.cellAt(hit_m.head<2>()), static_cast<float>(hit_m.z()), line);
-    }
 
     const Filler filler(map, line, gap_limit_m_);
     const bool continues = previous_hits_.size() == hits_.size();

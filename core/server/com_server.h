@@ -1,5 +1,6 @@
 // The ComServer, the older radio server inside the game (protocol.md 6.3): plain words, each request ended by a
-// semicolon.
+// semicolon; and the ComServerInterface (protocol.md 6.4), which tells an external wireless server where the radios are
+// and how many obstacles stand between them.
 #pragma once
 
 #include <map>
@@ -37,6 +38,23 @@ private:
     RadioRelay& relay_;
     std::map<std::string, std::string> addresses_;           ///< registered address, by robot
     std::vector<std::pair<std::string, quint16>> listening_; ///< robot and port, one entry per LISTEN
+};
+
+/// Answers GETPOS, and GETOBS between two points in the wire frame or between two robots by name (as the original
+/// wireless server asks). If GETOBS names a place that cannot be read, the answer is -1 obstacles; other requests get
+/// no answer. Runs in the simulator's thread; `simulation` and `field` must outlive it.
+class ComInterface : public RequestServer {
+    Q_OBJECT
+public:
+    ComInterface(const sim::Simulation& simulation, RadioField& field, QObject* parent = nullptr);
+
+private:
+    std::string answer(int client, std::string_view line) override;
+    std::string obstacles(std::string_view from, std::string_view to);
+    std::string positions();
+
+    const sim::Simulation& simulation_;
+    RadioField& field_;
 };
 
 } // namespace usar::server

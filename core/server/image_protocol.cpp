@@ -38,10 +38,6 @@ QByteArray rawOf(const sim::Picture& picture) {
     return bytes;
 }
 
-std::uint32_t bigEndian32(const char* bytes) {
-    return qFromBigEndian<quint32>(bytes);
-}
-
 } // namespace
 
 void ImageRequestReader::feed(std::string_view bytes, std::deque<ImageRequest>& found) {
@@ -56,9 +52,8 @@ void ImageRequestReader::feed(std::string_view bytes, std::deque<ImageRequest>& 
             found.emplace_back();
             pending_.clear();
         } else if (pending_.size() == part_bytes) {
-            const char* const numbers = pending_.constData() + 1;
-            found.push_back({ImageRequest::Part{bigEndian32(numbers), bigEndian32(numbers + 4),
-                                                bigEndian32(numbers + 8), bigEndian32(numbers + 12)}});
+            const auto number = [this](qsizetype at) { return qFromBigEndian<quint32>(pending_.constData() + at); };
+            found.push_back({ImageRequest::Part{number(1), number(5), number(9), number(13)}});
             pending_.clear();
         }
     }

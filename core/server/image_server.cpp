@@ -1,8 +1,14 @@
 #include "core/server/image_server.h"
 
+#include <algorithm>
+#include <atomic>
+#include <optional>
+
+#include <QList>
+#include <QTimer>
+
 #include "core/link/across_threads.h"
-#include "core/server/loopback.h"
-#include "core/server/picture_maker.h"
+#include "core/sim/camera/renderer.h"
 
 namespace usar::server {
 
@@ -12,6 +18,15 @@ constexpr std::size_t most_viewers = 32;
 constexpr std::size_t most_waiting = 16;
 constexpr qint64 frame_interval_ms = 33;
 constexpr qint64 unread_bytes = 4096;
+constexpr qsizetype most_kept = 4;
+
+/// An order for one client's next frame.
+struct PictureOrder {
+    std::shared_ptr<const sim::CameraScene> scene;
+    std::optional<sim::CameraChoice> camera; ///< nullopt: what the game's window shows
+    ImageRequest request;
+    link::ImageType type = link::ImageType::Good;
+};
 
 /// Returns the camera that was chosen on the bot port for the viewers at an address; nullopt if none was.
 std::optional<sim::CameraChoice> choiceFor(const sim::CameraScene& scene, const QHostAddress& viewer) {
@@ -33,18 +48,58 @@ struct ImageServer::Viewer {
     QTimer pause;                        ///< runs until its next frame may be begun
 };
 
+/// Makes frames of scenes, one after the other, in the server's second thread. Keeps the last four pictures, so that
+/// several clients, or a client that asks faster than the simulation ticks, share one.
+class ImageServer::PictureMaker : public QObject {
+public:
+    /// The frame; nullopt after `giveUp`. To be called in this object's thread.
+    std::optional<QByteArray> make(const PictureOrder& order) {
+        if (given_up_)
+            return std::nullopt;
+        const sim::Picture& whole = pictureFor(order);
+        const auto& part = order.request.part;
+        return part ? frameOf(sim::cut(whole, part->x, part->y, part->width, part->height), order.type)
+                    : frameOf(whole, order.type);
+    }
+    /// Cancels all orders that are still queued. May be called from any thread.
+    void giveUp() { given_up_ = true; }
+    /// Number of pictures made so far. May be called from any thread.
+    quint64 made() const { return made_; }
+
+private:
+    struct Kept {
+        std::uint64_t tick;
+        std::optional<sim::CameraChoice> camera;
+        sim::Picture picture;
+    };
+    const sim::Picture& pictureFor(const PictureOrder& order) {
+        const auto known = std::ranges::find_if(
+            kept_, [&](const Kept& one) { return one.tick == order.scene->tick && one.camera == order.camera; });
+        if (known != kept_.end())
+            return known->picture;
+        kept_.prepend({order.scene->tick, order.camera,
+                       sim::windowPicture(*order.scene, order.camera ? &*order.camera : nullptr)});
+        if (kept_.size() > most_kept)
+            kept_.removeLast();
+        ++made_;
+        return kept_.first().picture;
+    }
+
+    QList<Kept> kept_; ///< newest first
+    std::atomic<bool> given_up_ = false;
+    std::atomic<quint64> made_ = 0;
+};
+
 ImageServer::ImageServer(Look look, const ImageServerOptions& options, QObject* parent)
     : QObject(parent)
     , look_(std::move(look))
     , options_(options)
-    , server_(this)
     , maker_(new PictureMaker) {
     clock_.start();
     connect(&server_, &QTcpServer::newConnection, this, &ImageServer::acceptAll);
     thread_.setObjectName("pictures");
     maker_->moveToThread(&thread_);
     connect(&thread_, &QThread::finished, maker_, &QObject::deleteLater);
-    link::connectAcross(maker_, &PictureMaker::frameMade, this, &ImageServer::send);
     thread_.start(QThread::LowPriority); // Simulation ticks take precedence.
 }
 
@@ -54,10 +109,6 @@ ImageServer::~ImageServer() {
     maker_->giveUp();
     link::post(maker_, [this] { thread_.quit(); }); // Runs in the maker's thread, which then deletes the maker.
     thread_.wait();                                 // Waits for at most one picture.
-}
-
-Result<quint16> ImageServer::listen(quint16 port) {
-    return listenOnLoopback(server_, port, "--image-port");
 }
 
 quint64 ImageServer::picturesMade() const {
@@ -115,9 +166,12 @@ void ImageServer::serve(Viewer& viewer) {
     viewer.last_ms = clock_.elapsed();
     auto scene = std::make_shared<const sim::CameraScene>(look_());
     const auto camera = choiceFor(*scene, viewer.socket->peerAddress());
-    const PictureOrder order{viewer.id, std::move(scene), camera, viewer.waiting.front(), options_.type};
+    const PictureOrder order{std::move(scene), camera, viewer.waiting.front(), options_.type};
     viewer.waiting.pop_front();
-    link::post(maker_, [maker = maker_, order] { maker->make(order); });
+    link::post(maker_, [this, maker = maker_, id = viewer.id, order] {
+        if (const auto frame = maker->make(order))
+            link::post(this, [this, id, frame] { send(id, *frame); });
+    });
 }
 
 void ImageServer::send(quint64 id, const QByteArray& frame) {

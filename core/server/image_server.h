@@ -9,17 +9,13 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTcpServer>
-#include <QTcpSocket>
 #include <QThread>
-#include <QTimer>
 
-#include "core/base/result.h"
 #include "core/server/image_protocol.h"
+#include "core/server/loopback.h"
 #include "core/sim/camera/camera_scene.h"
 
 namespace usar::server {
-
-class PictureMaker;
 
 struct ImageServerOptions {
     link::ImageType type = link::ImageType::Good;
@@ -42,7 +38,7 @@ public:
 
     /// Loopback only; port 0 chooses a free one. Returns the port. A port in use is an error that says how to choose
     /// another.
-    Result<quint16> listen(quint16 port);
+    Result<quint16> listen(quint16 port) { return listenOnLoopback(server_, port, "--image-port"); }
     quint16 port() const { return server_.serverPort(); }
     std::size_t clientCount() const { return viewers_.size(); }
     /// Number of pictures made so far. Equal pictures of one tick are made once.
@@ -50,6 +46,7 @@ public:
 
 private:
     struct Viewer;
+    class PictureMaker;
 
     void acceptAll();
     void readFrom(Viewer& viewer);
@@ -58,7 +55,7 @@ private:
 
     Look look_;
     ImageServerOptions options_;
-    QTcpServer server_;
+    QTcpServer server_{this};
     QElapsedTimer clock_;
     std::map<quint64, std::unique_ptr<Viewer>> viewers_;
     quint64 last_viewer_ = 0;

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "core/base/numbers.h"
 #include "core/base/text.h"
 
 namespace usar::server {
@@ -16,11 +17,17 @@ constexpr qint64 most_unread_bytes = 64 << 10;
 
 } // namespace
 
+std::optional<quint16> readPort(std::string_view text) {
+    const auto port = readInteger(text);
+    if (!port || *port < 0 || *port > 65535)
+        return std::nullopt;
+    return static_cast<quint16>(*port);
+}
+
 RequestServer::RequestServer(std::string ends, std::string option, QObject* parent)
     : QObject(parent)
     , ends_(std::move(ends))
-    , option_(std::move(option))
-    , server_(this) {
+    , option_(std::move(option)) {
     connect(&server_, &QTcpServer::newConnection, this, &RequestServer::acceptAll);
 }
 
@@ -28,8 +35,6 @@ RequestServer::~RequestServer() {
     for (const auto& [id, client] : clients_)
         client.socket->disconnect(this);
 }
-
-void RequestServer::leave(int) {}
 
 void RequestServer::acceptAll() {
     while (QTcpSocket* const socket = server_.nextPendingConnection()) {

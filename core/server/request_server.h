@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,6 +13,9 @@
 #include "core/server/loopback.h"
 
 namespace usar::server {
+
+/// A port number in a request, from 0 to 65535; nullopt if the text is none.
+std::optional<quint16> readPort(std::string_view text);
 
 /// Bounded per client: 4 KiB per request (a longer one is dropped up to its end), 16 KiB per turn of the event loop,
 /// and nothing is read from a client that does not read its replies. When all places are taken, a client that has not
@@ -33,7 +37,7 @@ protected:
     /// Returns the reply exactly as it is to be sent; may be empty. `request` is trimmed and never empty.
     virtual std::string answer(int client, std::string_view request) = 0;
     /// Called when a client has disconnected, but not for one that was removed to make room.
-    virtual void leave(int client);
+    virtual void leave(int /*client*/) {}
 
 private:
     struct Client {
@@ -54,7 +58,7 @@ private:
 
     const std::string ends_;
     const std::string option_;
-    QTcpServer server_;
+    QTcpServer server_{this};
     std::map<int, Client> clients_;
     std::size_t most_clients_ = 256;
     int last_client_ = 0;

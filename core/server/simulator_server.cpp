@@ -23,9 +23,6 @@ constexpr double most_ticks_owed = 5.0;
 SimulatorServer::SimulatorServer(std::unique_ptr<sim::Simulation> simulation, QObject* parent)
     : QObject(parent)
     , simulation_(std::move(simulation))
-    , server_(this)
-    , pace_timer_(this)
-    , report_timer_(this)
     , tick_(simulation_->options().tick) {
     pace_timer_.setSingleShot(true);
     pace_timer_.setTimerType(Qt::PreciseTimer);
@@ -136,11 +133,9 @@ void SimulatorServer::advance() {
             tick();
         return;
     case Pace::Fast:
-        advanceFast();
-        return;
+        return advanceFast();
     case Pace::Factor:
-        advanceByClock();
-        return;
+        return advanceByClock();
     }
 }
 

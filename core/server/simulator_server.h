@@ -102,10 +102,10 @@ private:
     void report();
 
     std::unique_ptr<sim::Simulation> simulation_;
-    QTcpServer server_;
+    QTcpServer server_{this};
     std::map<sim::ClientId, QTcpSocket*> sockets_;
-    QTimer pace_timer_;
-    QTimer report_timer_;
+    QTimer pace_timer_{this};
+    QTimer report_timer_{this};
     QElapsedTimer wall_;
     Pace pace_ = Pace::Factor;
     double factor_ = 1.0;
@@ -123,5 +123,3 @@ private:
 };
 
 } // namespace usar::server
-
-Q_DECLARE_METATYPE(usar::server::SimulatorFigures)

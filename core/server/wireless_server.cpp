@@ -17,14 +17,6 @@ std::string error(std::string_view reason) {
     return "ERROR {Reason " + std::string(reason) + "}";
 }
 
-/// Reads a port number; nullopt if it is none. Nobody listens on port 0, which stands for any port.
-std::optional<quint16> readPort(std::string_view text) {
-    const auto port = readInteger(trimmed(text));
-    if (!port || *port < 0 || *port > 65535)
-        return std::nullopt;
-    return static_cast<quint16>(*port);
-}
-
 /// Reads a list such as "5000, 5001"; an empty one is valid, because a robot may only call.
 std::optional<std::vector<quint16>> readPorts(std::string_view text) {
     std::vector<quint16> ports;
@@ -70,8 +62,7 @@ std::string WirelessServer::reply(int client, std::string_view line) {
         return error("Robot.Name.Must.Not.Be.Empty");
     if (!asks_strength)
         return door(own->second.robot, robot, segments.value("Port"));
-    const std::string from(segments.value("From"));
-    return from.empty() ? strength(own->second.robot, robot) : strengthBetween(from, robot);
+    return strength(own->second.robot, std::string(segments.value("From")), robot);
 }
 
 std::string WirelessServer::init(int client, std::string_view robot, std::string_view ports_text) {
@@ -86,24 +77,17 @@ std::string WirelessServer::init(int client, std::string_view robot, std::string
     return "INITREPLY {Status OK}";
 }
 
-std::string WirelessServer::strength(const std::string& own, const std::string& other) {
-    const std::string head = "SS {Robot " + other + "} {Strength ";
-    if (other == own)
+std::string WirelessServer::strength(const std::string& own, const std::string& from, const std::string& to) {
+    const bool of_observer = !from.empty();
+    const std::string head = "SS {Robot " + to + (of_observer ? "} {From " + from : "") + "} {Strength ";
+    const std::string& other_end = of_observer ? from : own;
+    if (to == other_end)
         return head + "INF} {Error SS.To.Self}";
-    if (!member(other))
+    if (!of_observer && !member(to))
         return head + "NaN} {Error Robot.Does.Not.Exist}";
-    const auto strength_dbm = relay_.field().strength_dbm(own, other);
-    return strength_dbm ? head + fixed(*strength_dbm, written_decimals) + "}"
-                        : head + "NaN} {Error Model.Returned.NaN}";
-}
-
-std::string WirelessServer::strengthBetween(const std::string& from, const std::string& to) {
-    const std::string head = "SS {Robot " + to + "} {From " + from + "} {Strength ";
-    if (from == to)
-        return head + "INF} {Error SS.To.Self}";
-    const auto strength_dbm = relay_.field().strength_dbm(from, to);
-    return strength_dbm ? head + fixed(*strength_dbm, written_decimals) + "}"
-                        : head + "NaN} {Error Robot.Does.Not.Exist}";
+    if (const auto strength_dbm = relay_.field().strength_dbm(other_end, to))
+        return head + fixed(*strength_dbm, written_decimals) + "}";
+    return head + "NaN} {Error " + (of_observer ? "Robot.Does.Not.Exist}" : "Model.Returned.NaN}");
 }
 
 std::string WirelessServer::door(const std::string& own, const std::string& other, std::string_view port) {
@@ -112,7 +96,7 @@ std::string WirelessServer::door(const std::string& own, const std::string& othe
     if (!called || other == own)
         return head + "-1} {Error NoSuchRobot}";
     const quint16 wanted = readPort(port).value_or(0);
-    const bool any = wanted == 0;
+    const bool any = wanted == 0; // Nobody listens on port 0.
     if (any ? called->ports.empty() : !std::ranges::count(called->ports, wanted))
         return head + "-1} {Error RobotDoesNotListenOnThisPort}";
     const quint16 door = relay_.door(own, other, any ? called->ports.front() : wanted);

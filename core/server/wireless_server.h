@@ -33,8 +33,8 @@ private:
     /// The reply without its line end.
     std::string reply(int client, std::string_view line);
     std::string init(int client, std::string_view robot, std::string_view ports);
-    std::string strength(const std::string& own, const std::string& other);
-    std::string strengthBetween(const std::string& from, const std::string& to);
+    /// Between two robots of the world; `from` is empty if the robot that asks, `own`, is one of them.
+    std::string strength(const std::string& own, const std::string& from, const std::string& to);
     std::string door(const std::string& own, const std::string& other, std::string_view port);
     std::string caller(const std::string& own, std::string_view port);
     const Member* member(std::string_view robot) const;

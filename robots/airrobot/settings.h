@@ -1,7 +1,7 @@
 // The settings of the AirRobot's flight, and the parameters through which the user sets them.
 #pragma once
 
-#include "core/agent/parameter_table.h"
+#include "core/agent/parameters.h"
 #include "core/base/geometry.h"
 
 namespace usar::airrobot {

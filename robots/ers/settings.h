@@ -1,7 +1,7 @@
 // The settings of an ERS that follows a ball.
 #pragma once
 
-#include "core/agent/parameter_table.h"
+#include "core/agent/parameters.h"
 #include "core/base/geometry.h"
 
 namespace usar::ers {

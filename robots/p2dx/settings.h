@@ -1,7 +1,7 @@
 // The settings of an exploring P2DX.
 #pragma once
 
-#include "core/agent/parameter_table.h"
+#include "core/agent/parameters.h"
 #include "core/base/geometry.h"
 
 namespace usar::p2dx {

@@ -1,7 +1,7 @@
 // The settings of a Submarine that follows the bottom.
 #pragma once
 
-#include "core/agent/parameter_table.h"
+#include "core/agent/parameters.h"
 #include "core/base/geometry.h"
 
 namespace usar::submarine {

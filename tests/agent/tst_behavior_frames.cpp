@@ -52,18 +52,18 @@ private slots:
     void aStartCrossesWithoutLoss() {
         const Start start{
             .plugin_file = "/robots/a b.so",
-            .behavior_id = "a/b",
-            .task = {"R1", {{1.0, -2.0, 0.3}, 0.1, 0.2, 0.3}, {{-1.0, -2.0}, {3.0, 4.0}}},
-            .parameters = {{"flag", true}, {"whole", -7LL}, {"real", 0.1}, {"text", std::string("grüße\n")}},
-            .plan = PlanText{"own.lap", "((DC d))"}};
+            .job = {.behavior_id = "a/b",
+                    .task = {"R1", {{1.0, -2.0, 0.3}, 0.1, 0.2, 0.3}, {{-1.0, -2.0}, {3.0, 4.0}}},
+                    .parameters = {{"flag", true}, {"whole", -7LL}, {"real", 0.1}, {"text", std::string("grüße\n")}},
+                    .plan = PlanText{"own.lap", "((DC d))"}}};
         const auto read = readRequest(write(Request(start)));
         QVERIFY(read && std::holds_alternative<Start>(*read));
         const Start& got = std::get<Start>(*read);
         QCOMPARE(got.plugin_file, start.plugin_file);
-        QCOMPARE(got.behavior_id, start.behavior_id);
-        QVERIFY(got.task == start.task);
-        QVERIFY(got.parameters == start.parameters);
-        QVERIFY(got.plan == start.plan);
+        QCOMPARE(got.job.behavior_id, start.job.behavior_id);
+        QVERIFY(got.job.task == start.job.task);
+        QVERIFY(got.job.parameters == start.job.parameters);
+        QVERIFY(got.job.plan == start.job.plan);
     }
 
     void everyControlOfAPlanCrossesWithoutLoss() {

@@ -2,7 +2,7 @@
 
 #include <QTest>
 
-#include "core/agent/plugins/guarded_plugin.h"
+#include "core/agent/behavior_start.h"
 #include "tests/plugins/minimal_plugin.h"
 #include "tests/suite/suite.h"
 

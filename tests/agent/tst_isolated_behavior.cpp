@@ -25,11 +25,8 @@ const QString plugin = QStringLiteral(USAR_BINARY_DIR "/tests/plugins/faulty.so"
 
 std::unique_ptr<IsolatedBehavior> isolated(const std::string& id, double good_ticks = 3) {
     return std::make_unique<IsolatedBehavior>(
-        program, frames::Start{.plugin_file = plugin.toStdString(),
-                               .behavior_id = id,
-                               .task = {"R1", {}, {}},
-                               .parameters = {{"ticks", static_cast<long long>(good_ticks)}},
-                               .plan = {}});
+        program, frames::Start{plugin.toStdString(),
+                               {id, {"R1", {}, {}}, {{"ticks", static_cast<long long>(good_ticks)}}, /*plan=*/{}}});
 }
 
 /// The lines of a robot, one a tick.

@@ -1,7 +1,7 @@
 #include <QObject>
 #include <QTest>
 
-#include "core/agent/timed_run.h"
+#include "core/agent/timed_behavior.h"
 #include "tests/suite/suite.h"
 
 namespace tst_timed_run {

@@ -4,7 +4,6 @@
 
 #include "core/agent/behavior_host.h"
 #include "core/agent/behavior_start.h"
-#include "core/agent/plugins/guarded_plugin.h"
 #include "core/protocol/reader.h"
 
 namespace {

@@ -3,7 +3,7 @@
 
 #include <QTest>
 
-#include "core/link/clock_table.h"
+#include "core/link/play_clock.h"
 #include "tests/suite/suite.h"
 
 namespace tst_clock_table {

@@ -1,6 +1,6 @@
 #include <QTest>
 
-#include "core/link/greeting_check.h"
+#include "core/link/tcp_link.h"
 #include "tests/suite/suite.h"
 
 namespace tst_greeting_check {

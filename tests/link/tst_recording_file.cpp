@@ -12,7 +12,6 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/link/recording_convert.h"
 #include "core/link/recording_reader.h"
 #include "core/link/recording_text.h"
 #include "core/link/recording_writer.h"

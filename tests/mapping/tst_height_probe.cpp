@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "core/mapping/height_probe.h"
+#include "core/mapping/height_map.h"
 #include "tests/suite/suite.h"
 
 namespace tst_height_probe {

@@ -2,7 +2,7 @@
 #include <QObject>
 #include <QTest>
 
-#include "core/server/com_interface.h"
+#include "core/server/com_server.h"
 #include "tests/server/radio_world.h"
 #include "tests/suite/suite.h"
 

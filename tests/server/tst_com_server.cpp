@@ -2,7 +2,7 @@
 #include <QObject>
 #include <QTest>
 
-#include "core/server/com_frames.h"
+#include "core/server/relayed_link.h"
 #include "tests/server/radio_world.h"
 #include "tests/suite/suite.h"
 

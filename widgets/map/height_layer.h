@@ -10,7 +10,7 @@
 #include <QObject>
 #include <QThreadPool>
 
-#include "core/mapping/height_probe.h"
+#include "core/mapping/height_map.h"
 #include "widgets/models/map/height_page.h"
 
 namespace usar::widgets {

@@ -1,6 +1,5 @@
 #include "core/agent/plugins/isolated_plugin.h"
 
-#include <chrono>
 #include <utility>
 
 #include <QFileInfo>
@@ -8,14 +7,6 @@
 #include "core/base/numbers.h"
 
 namespace usar::agent {
-
-namespace {
-
-std::chrono::milliseconds forTimer(Seconds duration) {
-    return std::chrono::round<std::chrono::milliseconds>(duration);
-}
-
-} // namespace
 
 IsolatedPlugin::IsolatedPlugin(QString program, QString file, const IsolationPatience& patience)
     : program_(std::move(program))
@@ -43,7 +34,7 @@ void IsolatedPlugin::describe(Told<void> told) {
     begin();
 }
 
-void IsolatedPlugin::foretell(frames::Preview wanted, Told<TaskPreview> told) {
+void IsolatedPlugin::foretell(frames::Job wanted, Told<TaskPreview> told) {
     wanted_ = std::move(wanted);
     told_preview_ = std::move(told);
     if (doing_ == Doing::Nothing)
@@ -68,7 +59,7 @@ void IsolatedPlugin::begin() {
 
 void IsolatedPlugin::ask(const frames::Request& request, Doing doing) {
     doing_ = doing;
-    patience_.start(forTimer(doing == Doing::Loading ? allowed_.loading : allowed_.preview));
+    wait(doing == Doing::Loading ? allowed_.loading : allowed_.preview);
     if (!host_->tell(request))
         awaitEnd();
 }
@@ -117,7 +108,7 @@ void IsolatedPlugin::take(frames::Reply reply) {
 
 void IsolatedPlugin::awaitEnd() {
     ending_ = true;
-    patience_.start(forTimer(allowed_.end));
+    wait(allowed_.end);
     listenTo(host_->processHandle(), &IsolatedPlugin::runOut);
 }
 

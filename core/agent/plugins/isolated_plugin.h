@@ -1,6 +1,7 @@
 // A plugin whose code never runs in this program: a process of its own describes it and computes its previews.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -42,7 +43,7 @@ public:
     /// before this returns if the process cannot be started.
     void describe(Told<void> told);
     /// Computes a preview within the patience for previews. Replaces a request that has not been answered yet.
-    void foretell(frames::Preview wanted, Told<TaskPreview> told);
+    void foretell(frames::Job wanted, Told<TaskPreview> told);
     /// Cancels the callback of the last `foretell`.
     void forgetPreview();
 
@@ -59,6 +60,7 @@ private:
     void begin();
     /// Sends a request and starts the timer.
     void ask(const frames::Request& request, Doing doing);
+    void wait(Seconds patience) { patience_.start(std::chrono::round<std::chrono::milliseconds>(patience)); }
     /// Asks for the preview that is waiting, if any.
     void goOn();
     /// Handles a readable end handle.
@@ -84,9 +86,9 @@ private:
     std::unique_ptr<QSocketNotifier> ear_;
     QTimer patience_;
     Doing doing_ = Doing::Nothing;
-    bool ending_ = false;                   ///< the process has closed the connection
-    Told<void> told_;                       ///< until `describe` has been answered
-    std::optional<frames::Preview> wanted_; ///< to be requested as soon as the process is idle
+    bool ending_ = false;               ///< the process has closed the connection
+    Told<void> told_;                   ///< until `describe` has been answered
+    std::optional<frames::Job> wanted_; ///< to be requested as soon as the process is idle
     Told<TaskPreview> told_preview_;
 };
 

@@ -12,8 +12,7 @@
 #include <QLibrary>
 #include <QPluginLoader>
 
-#include "core/agent/plugins/guarded_plugin.h"
-#include "core/agent/plugins/isolated_plugin.h"
+#include "core/agent/behavior_start.h"
 
 namespace usar::agent {
 
@@ -67,7 +66,7 @@ QString complaintBeforeLoading(const QJsonObject& raw) {
     return complaintAboutMetadata(raw.value("MetaData").toObject());
 }
 
-std::optional<QString> complaintAboutParameters(const BehaviorDescription& behavior) {
+QString complaintAboutParameters(const BehaviorDescription& behavior) {
     std::map<std::string, ParameterValue> defaults;
     for (const ParameterSpec& spec : behavior.parameters)
         if (!defaults.emplace(spec.id, spec.default_value).second)
@@ -77,7 +76,7 @@ std::optional<QString> complaintAboutParameters(const BehaviorDescription& behav
     if (!set)
         return QString("A default of its behavior %1 is bad: %2")
             .arg(QString::fromStdString(behavior.id), QString::fromStdString(set.error().text()));
-    return std::nullopt;
+    return {};
 }
 
 QString listed(const std::set<QString>& words) {
@@ -88,10 +87,6 @@ QStringList textsIn(const QJsonObject& metadata, const char* key) {
     return metadata.value(QLatin1String(key)).toVariant().toStringList();
 }
 
-QStringList behaviorsIn(const QJsonObject& metadata) {
-    return textsIn(metadata, "behaviors");
-}
-
 /// Descriptions made from the metadata of a plugin that has not answered yet.
 std::vector<RobotDescription> robotsPromised(const QJsonObject& metadata) {
     std::vector<RobotDescription> robots;
@@ -99,7 +94,7 @@ std::vector<RobotDescription> robotsPromised(const QJsonObject& metadata) {
         RobotDescription& robot = robots.emplace_back();
         robot.class_name = class_name.toStdString();
         robot.name = class_name.section('.', -1).toStdString();
-        for (const QString& id : behaviorsIn(metadata))
+        for (const QString& id : textsIn(metadata, "behaviors"))
             robot.behaviors.push_back({.id = id.toStdString(),
                                        .name = id.toStdString() + " (asking…)",
                                        .help = "The process of its plugin is being asked what this behavior does.",
@@ -119,72 +114,52 @@ void join(std::vector<RobotDescription>& kinds, const RobotDescription& robot) {
 
 } // namespace
 
-/// An opened file: its library, or the reason why it was rejected.
+/// An opened file and its library.
 struct PluginLoader::Library {
-    /// Reads what can be known without running its code.
-    void look();
-    void open(const QString& copy);
-    QString load(const QString& path);
-    void describe();
-
-    QString file;
-    FileStamp stamp;
-    QJsonObject metadata;
-    QString complaint;                           ///< reason of the rejection; empty if there is none so far
-    const RobotPlugin* plugin = nullptr;         ///< not to be used if there is a complaint
-    std::optional<RobotDescription> description; ///< absent if rejected or not described yet
-    std::unique_ptr<QPluginLoader> loader;       ///< its destructor does not unload the library
-    std::unique_ptr<IsolatedPlugin> isolated;    ///< set instead of `loader`
-    bool apart = false;                          ///< isolated, even if it could not be loaded there
-    bool dangerous = false;
-};
-
-void PluginLoader::Library::look() {
-    const QJsonObject raw = QPluginLoader(file).metaData();
-    metadata = raw.value("MetaData").toObject();
-    complaint = complaintBeforeLoading(raw);
-}
-
-void PluginLoader::Library::open(const QString& copy) {
-    // If the copy cannot be loaded, try the original: a library that needs others in its own folder finds them only
-    // there.
-    if (!QFile::copy(file, copy) || !load(copy).isEmpty())
-        complaint = load(file);
-    if (complaint.isEmpty())
-        describe();
-}
-
-void PluginLoader::Library::describe() {
+    /// Loads the copy of the file, or, if that fails, the file itself, and asks the plugin for its description.
+    void open(const QString& copy) {
+        // If the copy cannot be loaded, try the original: a library that needs others in its own folder finds them only
+        // there.
+        if (!QFile::copy(record.file, copy) || !load(copy).isEmpty())
+            record.reason = load(record.file);
+        if (record.reason.isEmpty())
+            describe();
+    }
+    QString load(const QString& path) {
+        loader = std::make_unique<QPluginLoader>(path);
+        // Without this, a missing symbol would end the program at its first use instead of failing here.
+        loader->setLoadHints(QLibrary::ResolveAllSymbolsHint | QLibrary::PreventUnloadHint);
+        QObject* instance = nullptr;
+        try {
+            instance = loader->instance();
+        } catch (...) {
+            return "It failed while it was being made. Fix the constructor of its plugin class.";
+        }
+        if (!instance)
+            return "It cannot be loaded: " + loader->errorString() + " Build it again with all the libraries it needs.";
+        record.plugin = qobject_cast<RobotPlugin*>(instance);
+        if (!record.plugin)
+            return "It claims the robot plugin interface but does not implement it (Q_INTERFACES is missing). "
+                   "Add Q_INTERFACES(usar::agent::RobotPlugin) to its class.";
+        return {};
+    }
+} void describe() {
     try {
-        description = plugin->description();
+        description = record.plugin->description();
     } catch (const std::exception& thrown) {
-        complaint = QString("It failed while describing itself: %1. Fix its description().").arg(thrown.what());
+        record.reason = QString("It failed while describing itself: %1. Fix its description().").arg(thrown.what());
     } catch (...) {
-        complaint = "It failed while describing itself. Fix its description().";
+        record.reason = "It failed while describing itself. Fix its description().";
     }
 }
 
-QString PluginLoader::Library::load(const QString& path) {
-    loader = std::make_unique<QPluginLoader>(path);
-    // Without this, a missing symbol would end the program at its first use instead of failing here.
-    loader->setLoadHints(QLibrary::ResolveAllSymbolsHint | QLibrary::PreventUnloadHint);
-    QObject* instance = nullptr;
-    try {
-        instance = loader->instance();
-    } catch (...) {
-        return "It failed while it was being made. Fix the constructor of its plugin class.";
-    }
-    if (!instance)
-        return "It cannot be loaded: " + loader->errorString() + " Build it again with all the libraries it needs.";
-    plugin = qobject_cast<RobotPlugin*>(instance);
-    if (!plugin)
-        return "It claims the robot plugin interface but does not implement it (Q_INTERFACES is missing). "
-               "Add Q_INTERFACES(usar::agent::RobotPlugin) to its class.";
-    return {};
-}
-
-PluginLoader::PluginLoader() = default;
-PluginLoader::~PluginLoader() = default;
+/// Its reason is that of the rejection so far; its plugin must not be used if there is one. `judge` sets the state.
+PluginRecord record;
+FileStamp stamp;
+std::optional<RobotDescription> description; ///< absent if rejected or not described yet
+std::unique_ptr<QPluginLoader> loader;       ///< its destructor does not unload the library
+std::unique_ptr<IsolatedPlugin> isolated;    ///< set instead of `loader`
+};
 
 void PluginLoader::scan(const QStringList& folders) {
     folders_ = folders;
@@ -202,7 +177,7 @@ std::vector<PluginChange> PluginLoader::rescan() {
 
 void PluginLoader::forget(const QString& file) {
     for (const auto& library : libraries_)
-        if (library->file == file)
+        if (library->record.file == file)
             library->stamp = {};
 }
 
@@ -239,12 +214,7 @@ std::vector<PluginChange> PluginLoader::judge(bool first_time) {
 }
 
 PluginRecord PluginLoader::recordFor(const Library& library) {
-    PluginRecord record;
-    record.file = library.file;
-    record.metadata = library.metadata;
-    record.isolated = library.apart;
-    record.dangerous = library.dangerous;
-    record.reason = library.complaint;
+    PluginRecord record = library.record;
     if (record.reason.isEmpty() && !library.description) {
         record.state = PluginState::Asked;
         return record;
@@ -252,7 +222,8 @@ PluginRecord PluginLoader::recordFor(const Library& library) {
     if (record.reason.isEmpty())
         record.reason = admit(library);
     record.state = record.reason.isEmpty() ? PluginState::Loaded : PluginState::Rejected;
-    record.plugin = record.reason.isEmpty() ? library.plugin : nullptr;
+    if (record.state == PluginState::Rejected)
+        record.plugin = nullptr;
     return record;
 }
 
@@ -276,50 +247,53 @@ std::shared_ptr<PluginLoader::Library> PluginLoader::libraryOf(const QString& fi
                                                                const std::vector<std::shared_ptr<Library>>& known) {
     const FileStamp stamp = stampOf(file);
     for (const auto& library : known) {
-        const bool to_be_isolated = isToBeIsolated(library->metadata.value("name").toString());
-        const bool wants_to_move = to_be_isolated ? library->dangerous : library->apart;
-        if (library->file == file && library->stamp == stamp && !wants_to_move)
+        const bool to_be_isolated = isToBeIsolated(library->record.metadata);
+        const bool wants_to_move = to_be_isolated ? library->record.dangerous : library->record.isolated;
+        if (library->record.file == file && library->stamp == stamp && !wants_to_move)
             return library;
     }
     auto library = std::make_shared<Library>();
-    library->file = file;
+    library->record.file = file;
     library->stamp = stamp;
     openLibrary(*library);
     return library;
 }
 
-bool PluginLoader::isToBeIsolated(const QString& name) const {
-    return !policy_.host_program.isEmpty() && policy_.isolated.contains(name);
+bool PluginLoader::isToBeIsolated(const QJsonObject& metadata) const {
+    return !policy_.host_program.isEmpty() && policy_.isolated.contains(metadata.value("name").toString());
 }
 
 void PluginLoader::openLibrary(Library& library) {
-    library.look();
-    if (!library.complaint.isEmpty())
+    PluginRecord& record = library.record;
+    const QJsonObject raw = QPluginLoader(record.file).metaData();
+    record.metadata = raw.value("MetaData").toObject();
+    record.reason = complaintBeforeLoading(raw);
+    if (!record.reason.isEmpty())
         return;
-    if (isToBeIsolated(library.metadata.value("name").toString()))
+    if (isToBeIsolated(record.metadata))
         return isolate(library);
-    if (policy_.marks.endedTheProgram(library.file, library.stamp)) {
-        library.dangerous = true;
-        library.complaint = "It ended the program when it was loaded the last time. Build it again, or let it run in a "
-                            "process of its own.";
+    if (policy_.marks.endedTheProgram(record.file, library.stamp)) {
+        record.dangerous = true;
+        record.reason = "It ended the program when it was loaded the last time. Build it again, or let it run in a "
+                        "process of its own.";
         return;
     }
     const QString folder = QString::number(++copies_made_); // a path that was loaded once would not be loaded again
     QDir(copies_.path()).mkpath(folder);
-    policy_.marks.begin(library.file, library.stamp);
-    library.open(copies_.filePath(folder + '/' + QFileInfo(library.file).fileName()));
-    policy_.marks.end(library.file); // all code that runs during loading has run
+    policy_.marks.begin(record.file, library.stamp);
+    library.open(copies_.filePath(folder + '/' + QFileInfo(record.file).fileName()));
+    policy_.marks.end(record.file); // all code that runs during loading has run
 }
 
 void PluginLoader::isolate(Library& library) {
-    library.apart = true;
-    library.isolated = std::make_unique<IsolatedPlugin>(policy_.host_program, library.file, policy_.patience);
+    library.record.isolated = true;
+    library.isolated = std::make_unique<IsolatedPlugin>(policy_.host_program, library.record.file, policy_.patience);
     library.isolated->describe([this, &library](const Result<void>& told) {
         if (!told) {
-            library.complaint = QString::fromStdString(told.error().text());
+            library.record.reason = QString::fromStdString(told.error().text());
         } else {
-            library.plugin = library.isolated.get();
-            library.description = library.plugin->description();
+            library.record.plugin = library.isolated.get();
+            library.description = library.isolated->description();
         }
         const auto tell = [this] {
             if (const auto changes = judge(false); !changes.empty() && news_)
@@ -330,37 +304,34 @@ void PluginLoader::isolate(Library& library) {
 }
 
 QString PluginLoader::admit(const Library& library) {
-    std::set<QString> promised;
-    for (const QString& id : behaviorsIn(library.metadata))
-        promised.insert(id);
+    const QStringList ids = textsIn(library.record.metadata, "behaviors");
+    const std::set<QString> promised(ids.begin(), ids.end());
     std::set<QString> described;
     for (const BehaviorDescription& described_behavior : library.description->behaviors) {
         const QString id = QString::fromStdString(described_behavior.id);
         if (!described.insert(id).second || recordOf(described_behavior.id))
             return QString("The behavior %1 is there already. Give it another id.").arg(id);
-        if (const auto complaint = complaintAboutParameters(described_behavior))
-            return *complaint;
+        if (const QString complaint = complaintAboutParameters(described_behavior); !complaint.isEmpty())
+            return complaint;
     }
     if (promised != described)
         return QString("Its metadata promise the behaviors %1, but it describes %2. Make both the same.")
             .arg(listed(promised), described.empty() ? QString("none") : listed(described));
     robots_.push_back(*library.description);
-    owners_.push_back(library.plugin);
+    owners_.push_back(library.record.plugin);
     return {};
 }
 
 Result<const RobotPlugin*> PluginLoader::pluginFor(const std::string& behavior_id) const {
-    std::string known;
-    for (std::size_t i = 0; i < robots_.size(); ++i) {
-        for (const BehaviorDescription& behavior : robots_[i].behaviors) {
-            if (behavior.id == behavior_id)
-                return owners_[i];
-            known += (known.empty() ? "" : ", ") + behavior.id;
-        }
-    }
+    if (const PluginRecord* const record = recordOf(behavior_id); record && record->plugin)
+        return record->plugin;
     if (isAsked(behavior_id))
         return failure("its plugin is still being asked what it does", "behavior " + behavior_id,
                        "Wait until its process has answered");
+    std::string known;
+    for (const RobotDescription& robot : robots_)
+        for (const BehaviorDescription& behavior : robot.behaviors)
+            known += (known.empty() ? "" : ", ") + behavior.id;
     std::string mend = "There are: " + known;
     if (known.empty())
         mend = "No robot plugin could be loaded from " + folders_.join(" or ").toStdString() +
@@ -373,24 +344,20 @@ Result<const RobotPlugin*> PluginLoader::pluginFor(const std::string& behavior_i
 }
 
 const RobotDescription* PluginLoader::robotOf(const std::string& behavior_id) const {
-    for (const RobotDescription& robot : robots_)
-        if (std::ranges::find(robot.behaviors, behavior_id, &BehaviorDescription::id) != robot.behaviors.end())
-            return &robot;
-    return nullptr;
+    const auto robot = std::ranges::find_if(robots_, [&](const RobotDescription& one) {
+        return std::ranges::find(one.behaviors, behavior_id, &BehaviorDescription::id) != one.behaviors.end();
+    });
+    return robot == robots_.end() ? nullptr : &*robot;
 }
 
 const PluginRecord* PluginLoader::recordOf(const std::string& behavior_id) const {
-    for (std::size_t i = 0; i < robots_.size(); ++i)
-        if (std::ranges::find(robots_[i].behaviors, behavior_id, &BehaviorDescription::id) !=
-            robots_[i].behaviors.end())
-            if (const auto found = std::ranges::find(records_, owners_[i], &PluginRecord::plugin);
-                found != records_.end())
-                return &*found;
-    const auto asked = std::ranges::find_if(records_, [&](const PluginRecord& record) {
-        return record.state == PluginState::Asked &&
-               behaviorsIn(record.metadata).contains(QString::fromStdString(behavior_id));
+    const RobotDescription* const robot = robotOf(behavior_id);
+    const auto found = std::ranges::find_if(records_, [&](const PluginRecord& record) {
+        return robot ? record.plugin == owners_[static_cast<std::size_t>(robot - robots_.data())]
+                     : record.state == PluginState::Asked &&
+                           textsIn(record.metadata, "behaviors").contains(QString::fromStdString(behavior_id));
     });
-    return asked == records_.end() ? nullptr : &*asked;
+    return found == records_.end() ? nullptr : &*found;
 }
 
 bool PluginLoader::isAsked(const std::string& behavior_id) const {
@@ -417,7 +384,7 @@ void PluginLoader::preview(const std::string& behavior_id, const BehaviorContext
     if (!plugin)
         return told(tl::unexpected(plugin.error()));
     for (const auto& library : libraries_)
-        if (library->isolated && library->plugin == *plugin)
+        if (library->isolated && library->record.plugin == *plugin)
             return library->isolated->foretell({behavior_id, context.task, context.parameters.values(), context.plan},
                                                told);
     told(previewTask(**plugin, behavior_id, context));

@@ -66,9 +66,6 @@ public:
     using News = std::function<void(const std::vector<PluginChange>&)>;
     using Told = std::function<void(const Result<TaskPreview>&)>;
 
-    PluginLoader();
-    ~PluginLoader();
-
     /// Call it before a scan. A plugin already loaded into this program is isolated only after a restart.
     void setPolicy(PluginPolicy policy) { policy_ = std::move(policy); }
     /// Scans the folders and replaces all records. An entry may also be a file.
@@ -111,7 +108,7 @@ private:
     std::shared_ptr<Library> libraryOf(const QString& file, const std::vector<std::shared_ptr<Library>>& known);
     void openLibrary(Library& library);
     void isolate(Library& library);
-    bool isToBeIsolated(const QString& name) const;
+    bool isToBeIsolated(const QJsonObject& metadata) const;
 
     /// Rebuilds the records and returns the changes.
     std::vector<PluginChange> judge(bool first_time);

@@ -6,15 +6,9 @@
 
 namespace usar::agent {
 
-namespace {
-
-constexpr std::chrono::milliseconds calm{700};
-
-} // namespace
-
 PluginWatch::PluginWatch(QObject* parent) : QObject(parent) {
     calm_.setSingleShot(true);
-    calm_.setInterval(calm);
+    calm_.setInterval(std::chrono::milliseconds{700});
     connect(&watcher_, &QFileSystemWatcher::directoryChanged, &calm_, qOverload<>(&QTimer::start));
     connect(&watcher_, &QFileSystemWatcher::fileChanged, &calm_, qOverload<>(&QTimer::start));
     connect(&calm_, &QTimer::timeout, this, &PluginWatch::changed);

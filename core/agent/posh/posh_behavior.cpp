@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <QScopeGuard>
+
 #include "core/posh/language/plan_reader.h"
 
 namespace usar::agent {
@@ -92,7 +94,14 @@ void PoshBehavior::tick(const Tick& tick, CommandPort& port) {
         remark(port);
     }
     PoshBody& body = *parts_.body;
-    const PoshBody::Opening opening(body, tick, port);
+    body.port_ = &port;
+    body.modules_ = &tick.robot;
+    body.now_ = tick.now;
+    body.drive_.reset(); // from an act that was called outside a tick
+    const auto close = qScopeGuard([&body] {
+        body.port_ = nullptr;
+        body.modules_ = nullptr;
+    });
     body.begin(tick);
     std::optional<PlanHalted> halt;
     if (!paused_ && !landing_ && !debugger_.halted())
@@ -102,9 +111,11 @@ void PoshBehavior::tick(const Tick& tick, CommandPort& port) {
     publishStatus(tick, port);
     if (body.drive_)
         last_drive_ = {*body.drive_, {body.drive_source_, {}}};
-    if (halt)
-        return standStill(*std::move(halt), port);
-    body.sendDrive();
+    if (!halt)
+        return body.sendDrive();
+    body.drive_.reset(); // The robot gets `last_drive_` when the plan continues.
+    port.send(safeCommand(), "plan halted");
+    port.publish(*std::move(halt));
 }
 
 std::optional<PlanHalted> PoshBehavior::runCycle(const Tick& tick, CommandPort& port) {
@@ -240,13 +251,6 @@ void PoshBehavior::obey(PlanStep step, CommandPort& port) {
         debugger_.haltSoon(step == PlanStep::Cycle);
     if (step != PlanStep::Halt)
         goOn(port);
-}
-
-/// Does not send `last_drive_`: the robot gets it when the plan continues.
-void PoshBehavior::standStill(PlanHalted why, CommandPort& port) {
-    parts_.body->drive_.reset();
-    port.send(safeCommand(), "plan halted");
-    port.publish(std::move(why));
 }
 
 void PoshBehavior::goOn(CommandPort& port) {

@@ -95,8 +95,6 @@ private:
     PlanReplaced replacePlan(const PlanText& plan);
     /// Publishes a note if the plan asks for real time.
     void remark(CommandPort& port);
-    /// Halts: sends the safe command and publishes the reason.
-    void standStill(PlanHalted why, CommandPort& port);
     /// Continues a halted plan; no effect otherwise.
     void goOn(CommandPort& port);
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <set>
 
-#include "core/agent/posh/posh_arguments.h"
+#include "core/agent/posh_registry.h"
 #include "core/base/spelling.h"
 #include "core/base/text.h"
 #include "core/posh/language/plan_reader.h"
@@ -41,13 +41,94 @@ public:
         : plan_(plan)
         , primitives_(primitives) {}
 
-    posh::Findings check();
+    posh::Findings check() {
+        if (!posh::collectionOf(plan_))
+            complain(Code::NoCollection, {},
+                     "the plan has no drives and cannot run; add a form such as (DC name (drives …))");
+        for (const posh::Form& form : plan_.forms)
+            if (!std::holds_alternative<posh::Collection>(form))
+                checkName(form);
+        for (const posh::Form& form : plan_.forms)
+            posh::forEachCall(form, [this](const Call& call, bool is_sense) {
+                checkCall(call, is_sense ? PrimitiveKind::Sense : PrimitiveKind::Act);
+            });
+        std::ranges::stable_sort(findings_, {}, [](const posh::Finding& finding) { return finding.at.offset; });
+        return std::move(findings_);
+    }
 
 private:
-    void checkName(const posh::Form& form);
-    void checkCall(const Call& call, PrimitiveKind kind);
-    void checkArguments(const Call& call, const PrimitiveDescription& primitive);
-    std::string similarTo(const std::string& name, PrimitiveKind kind) const;
+    void checkName(const posh::Form& form) {
+        const posh::Name& name = posh::nameOf(form);
+        forms_.insert(name.text);
+        if (const PrimitiveDescription* const primitive = find(primitives_, name.text))
+            complain(Code::PrimitiveNamedAsForm, name.at,
+                     name.text + " is " + (primitive->kind == PrimitiveKind::Sense ? "a sense" : "an act") +
+                         " of the robot; give this form another name");
+    }
+
+    void checkCall(const Call& call, PrimitiveKind kind) {
+        const std::string& name = call.name.text;
+        const bool wants_sense = kind == PrimitiveKind::Sense;
+        if (forms_.contains(name)) {
+            if (wants_sense)
+                complain(Code::WrongUse, call.name.at,
+                         name + " is a form of the plan, and here a sense is asked; name one");
+            return;
+        }
+        const PrimitiveDescription* const primitive = find(primitives_, name);
+        if (!primitive && isBuiltIn(name, kind))
+            return;
+        if (!primitive)
+            return complain(Code::UnknownPrimitive, call.name.at,
+                            "the robot has no " + std::string(wants_sense ? "sense " : "act ") + posh::inQuotes(name) +
+                                "; " + similarTo(name, kind));
+        if (primitive->kind != kind)
+            return complain(
+                Code::WrongUse, call.name.at,
+                name +
+                    (wants_sense ? " is an act, and here a sense is asked" : " is a sense, and here an act is asked") +
+                    "; " + similarTo(name, kind));
+        checkArguments(call, *primitive);
+    }
+
+    void checkArguments(const Call& call, const PrimitiveDescription& primitive) {
+        for (std::size_t i = 0; i < call.arguments.size(); ++i) {
+            const posh::Argument& argument = call.arguments[i];
+            const PoshParameter* const parameter = parameterFor(primitive, i, argument.name);
+            if (!parameter) {
+                complain(Code::WrongUse, call.name.at,
+                         primitive.name + " takes " + std::to_string(primitive.parameters.size()) +
+                             " arguments and no " +
+                             (argument.name.empty() ? std::to_string(i + 1) + ". one" : "$" + argument.name) +
+                             "; take it out");
+                continue;
+            }
+            const auto* const literal = std::get_if<posh::Literal>(&argument.value);
+            if (!literal)
+                continue; // its value is known only when the plan is expanded
+            if (const auto value = convertArgument(*parameter, literal->value); !value)
+                complain(Code::WrongUse, call.name.at, primitive.name + " " + value.error() + "; write another value");
+        }
+    }
+
+    /// "did you mean A, B or C?", or advice without names if none is similar.
+    std::string similarTo(const std::string& name, PrimitiveKind kind) const {
+        std::vector<std::pair<std::size_t, std::string>> near;
+        for (const PrimitiveDescription& primitive : primitives_)
+            if (primitive.kind == kind)
+                near.emplace_back(editDistance(lowerCase(name), lowerCase(primitive.name)), primitive.name);
+        std::ranges::sort(near);
+        std::erase_if(near,
+                      [&name](const auto& pair) { return pair.first > std::max<std::size_t>(3, name.size() / 2); });
+        near.resize(std::min(near.size(), most_similar));
+        if (near.empty())
+            return "write one that it has";
+        std::string text = "did you mean ";
+        for (std::size_t i = 0; i < near.size(); ++i)
+            text += (i == 0 ? "" : i + 1 == near.size() ? " or " : ", ") + near[i].second;
+        return text + "?";
+    }
+
     void complain(Code code, const posh::Spot& at, std::string message) {
         findings_.push_back({code, at, std::move(message), {}});
     }
@@ -57,98 +138,6 @@ private:
     std::set<std::string, std::less<>> forms_;
     posh::Findings findings_;
 };
-
-posh::Findings Checker::check() {
-    if (!posh::collectionOf(plan_))
-        complain(Code::NoCollection, {},
-                 "the plan has no drives and cannot run; add a form such as (DC name (drives …))");
-    for (const posh::Form& form : plan_.forms)
-        if (!std::holds_alternative<posh::Collection>(form))
-            checkName(form);
-    for (const posh::Form& form : plan_.forms)
-        posh::forEachCall(form, [this](const Call& call, bool is_sense) {
-            checkCall(call, is_sense ? PrimitiveKind::Sense : PrimitiveKind::Act);
-        });
-    std::ranges::stable_sort(findings_, {}, [](const posh::Finding& finding) { return finding.at.offset; });
-    return std::move(findings_);
-}
-
-void Checker::checkName(const posh::Form& form) {
-    const posh::Name& name = posh::nameOf(form);
-    forms_.insert(name.text);
-    if (const PrimitiveDescription* const primitive = find(primitives_, name.text))
-        complain(Code::PrimitiveNamedAsForm, name.at,
-                 name.text + " is " + (primitive->kind == PrimitiveKind::Sense ? "a sense" : "an act") +
-                     " of the robot; give this form another name");
-}
-
-void Checker::checkCall(const Call& call, PrimitiveKind kind) {
-    const std::string& name = call.name.text;
-    const bool wants_sense = kind == PrimitiveKind::Sense;
-    if (forms_.contains(name)) {
-        if (wants_sense)
-            complain(Code::WrongUse, call.name.at,
-                     name + " is a form of the plan, and here a sense is asked; name one");
-        return;
-    }
-    const PrimitiveDescription* const primitive = find(primitives_, name);
-    if (!primitive && isBuiltIn(name, kind))
-        return;
-    if (!primitive)
-        return complain(Code::UnknownPrimitive, call.name.at,
-                        "the robot has no " + std::string(wants_sense ? "sense " : "act ") + posh::inQuotes(name) +
-                            "; " + similarTo(name, kind));
-    if (primitive->kind != kind)
-        return complain(
-            Code::WrongUse, call.name.at,
-            name + (wants_sense ? " is an act, and here a sense is asked" : " is a sense, and here an act is asked") +
-                "; " + similarTo(name, kind));
-    checkArguments(call, *primitive);
-}
-
-void Checker::checkArguments(const Call& call, const PrimitiveDescription& primitive) {
-    for (std::size_t i = 0; i < call.arguments.size(); ++i) {
-        const posh::Argument& argument = call.arguments[i];
-        const PoshParameter* const parameter = parameterFor(primitive, i, argument.name);
-        if (!parameter) {
-            complain(Code::WrongUse, call.name.at,
-                     primitive.name + " takes " + std::to_string(primitive.parameters.size()) + " arguments and no " +
-                         (argument.name.empty() ? std::to_string(i + 1) + ". one" : "$" + argument.name) +
-                         "; take it out");
-            continue;
-        }
-        const auto* const literal = std::get_if<posh::Literal>(&argument.value);
-        if (!literal)
-            continue; // its value is known only when the plan is expanded
-        if (const auto value = convertArgument(*parameter, literal->value); !value)
-            complain(Code::WrongUse, call.name.at, primitive.name + " " + value.error() + "; write another value");
-    }
-}
-
-/// "did you mean A, B or C?", or advice without names if none is similar.
-std::string Checker::similarTo(const std::string& name, PrimitiveKind kind) const {
-    std::vector<std::pair<std::size_t, std::string>> near;
-    for (const PrimitiveDescription& primitive : primitives_)
-        if (primitive.kind == kind)
-            near.emplace_back(editDistance(lowerCase(name), lowerCase(primitive.name)), primitive.name);
-    std::ranges::sort(near);
-    std::erase_if(near, [&name](const auto& pair) { return pair.first > std::max<std::size_t>(3, name.size() / 2); });
-    near.resize(std::min(near.size(), most_similar));
-    if (near.empty())
-        return "write one that it has";
-    std::string text = "did you mean ";
-    for (std::size_t i = 0; i < near.size(); ++i)
-        text += (i == 0 ? "" : i + 1 == near.size() ? " or " : ", ") + near[i].second;
-    return text + "?";
-}
-
-} // namespace
-
-posh::Findings checkBinding(const posh::Plan& plan, const std::vector<PrimitiveDescription>& primitives) {
-    return Checker(plan, primitives).check();
-}
-
-namespace {
 
 /// Checks the arguments that come from parameters of forms, which are known once the plan is expanded.
 void checkExpanded(const std::vector<posh::ProgramCall>& calls, const std::vector<PrimitiveDescription>& primitives,
@@ -163,6 +152,10 @@ void checkExpanded(const std::vector<posh::ProgramCall>& calls, const std::vecto
 }
 
 } // namespace
+
+posh::Findings checkBinding(const posh::Plan& plan, const std::vector<PrimitiveDescription>& primitives) {
+    return Checker(plan, primitives).check();
+}
 
 PlanForRobot bindPlan(std::string_view text, const std::vector<PrimitiveDescription>& primitives) {
     PlanForRobot made;

@@ -7,8 +7,6 @@
 
 namespace usar::agent {
 
-PoshBody::~PoshBody() = default;
-
 const posh::Value& PoshBody::read(const std::string& key) const {
     static const posh::Value nil;
     const auto found = blackboard_.find(key);
@@ -51,18 +49,6 @@ std::string PoshBody::source(std::string_view why) const {
     if (!why.empty())
         source.append(": ").append(why);
     return source;
-}
-
-PoshBody::Opening::Opening(PoshBody& body, const Tick& tick, CommandPort& port) : body_(body) {
-    body_.port_ = &port;
-    body_.modules_ = &tick.robot;
-    body_.now_ = tick.now;
-    body_.drive_.reset(); // from an act that was called outside a tick
-}
-
-PoshBody::Opening::~Opening() {
-    body_.port_ = nullptr;
-    body_.modules_ = nullptr;
 }
 
 void PoshBody::sendDrive() {

@@ -17,7 +17,7 @@ namespace usar::agent {
 /// it.
 class PoshBody {
 public:
-    virtual ~PoshBody();
+    virtual ~PoshBody() = default;
 
     /// For senses: the time of the tick, on the protocol's clock.
     Seconds now() const { return now_; }
@@ -65,20 +65,8 @@ private:
     /// Sends the last drive command of the cycle.
     void sendDrive();
 
-    /// Provides the tick's data and the output while it exists.
-    class Opening {
-    public:
-        Opening(PoshBody& body, const Tick& tick, CommandPort& port);
-        ~Opening();
-        Opening(const Opening&) = delete;
-        Opening& operator=(const Opening&) = delete;
-
-    private:
-        PoshBody& body_;
-    };
-
     posh::Engine* engine_ = nullptr;
-    CommandPort* port_ = nullptr;
+    CommandPort* port_ = nullptr; ///< during a tick only, like the next one
     modules::RobotModules* modules_ = nullptr;
     posh::Index place_ = 0; ///< place of the sense or act being called
     Seconds now_{0.0};

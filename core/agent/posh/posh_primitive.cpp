@@ -1,34 +1,8 @@
 #include "core/agent/posh/posh_primitive.h"
 
-#include <utility>
-
 #include "core/base/numbers.h"
 
 namespace usar::agent {
-
-PoshParameter PoshParameter::number(std::string name, double value, std::string unit, double minimum, double maximum,
-                                    std::string help) {
-    return {std::move(name), value, std::move(unit), minimum, maximum, {}, std::move(help)};
-}
-
-PoshParameter PoshParameter::whole(std::string name, std::int64_t value, std::int64_t minimum, std::int64_t maximum,
-                                   std::string help) {
-    return {std::move(name), value, {}, static_cast<double>(minimum), static_cast<double>(maximum), {},
-            std::move(help)};
-}
-
-PoshParameter PoshParameter::flag(std::string name, bool value, std::string help) {
-    return {std::move(name), value, {}, 0.0, 0.0, {}, std::move(help)};
-}
-
-PoshParameter PoshParameter::text(std::string name, std::string value, std::string help) {
-    return {std::move(name), std::move(value), {}, 0.0, 0.0, {}, std::move(help)};
-}
-
-PoshParameter PoshParameter::symbol(std::string name, std::string value, std::vector<std::string> choices,
-                                    std::string help) {
-    return {std::move(name), posh::Symbol{std::move(value)}, {}, 0.0, 0.0, std::move(choices), std::move(help)};
-}
 
 namespace {
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/posh/model/plan.h"
@@ -21,13 +22,24 @@ struct PoshParameter {
 
     /// Parameters of each type; `value` is the default.
     static PoshParameter number(std::string name, double value, std::string unit, double minimum, double maximum,
-                                std::string help = {});
+                                std::string help = {}) {
+        return {std::move(name), value, std::move(unit), minimum, maximum, {}, std::move(help)};
+    }
     static PoshParameter whole(std::string name, std::int64_t value, std::int64_t minimum, std::int64_t maximum,
-                               std::string help = {});
-    static PoshParameter flag(std::string name, bool value, std::string help = {});
-    static PoshParameter text(std::string name, std::string value, std::string help = {});
+                               std::string help = {}) {
+        return {std::move(name), value, {}, static_cast<double>(minimum), static_cast<double>(maximum), {},
+                std::move(help)};
+    }
+    static PoshParameter flag(std::string name, bool value, std::string help = {}) {
+        return {std::move(name), value, {}, 0.0, 0.0, {}, std::move(help)};
+    }
+    static PoshParameter text(std::string name, std::string value, std::string help = {}) {
+        return {std::move(name), std::move(value), {}, 0.0, 0.0, {}, std::move(help)};
+    }
     static PoshParameter symbol(std::string name, std::string value, std::vector<std::string> choices,
-                                std::string help = {});
+                                std::string help = {}) {
+        return {std::move(name), posh::Symbol{std::move(value)}, {}, 0.0, 0.0, std::move(choices), std::move(help)};
+    }
 };
 
 enum class PrimitiveKind { Sense, Act };

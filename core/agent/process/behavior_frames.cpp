@@ -42,9 +42,8 @@ struct FieldLists {
     static void pass(auto& io, Field<ActPin> auto& pin) { io(pin.call, pin.result); }
     static void pass(auto& io, Field<DriveOff> auto& off) { io(off.path, off.names); }
     static void pass(auto& io, Field<SetPins> auto& pins) { io(pins.senses, pins.acts, pins.drives_off); }
-    static void pass(auto& io, Field<Start> auto& start) {
-        io(start.plugin_file, start.behavior_id, start.task, start.parameters, start.plan);
-    }
+    static void pass(auto& io, Field<Job> auto& job) { io(job.behavior_id, job.task, job.parameters, job.plan); }
+    static void pass(auto& io, Field<Start> auto& start) { io(start.plugin_file, start.job); }
     static void pass(auto& io, Field<Line> auto& line) { io(line.number, line.text); }
     static void pass(auto& io, Field<Cause> auto& cause) { io(cause.source, cause.trigger); }
     static void pass(auto& io, Field<CausedCommand> auto& caused) { io(caused.command, caused.cause); }
@@ -77,9 +76,6 @@ struct FieldLists {
         io(robot.class_name, robot.name, robot.sensors_needed, robot.behaviors, robot.primitives);
     }
     static void pass(auto& io, Field<Description> auto& description) { io(description.robot); }
-    static void pass(auto& io, Field<Preview> auto& asked) {
-        io(asked.behavior_id, asked.task, asked.parameters, asked.plan);
-    }
     static void pass(auto& io, Field<TaskPreview> auto& preview) {
         io(preview.path_in_map_m, preview.length_m, preview.duration, preview.summary);
     }

@@ -17,13 +17,18 @@ namespace usar::agent::frames {
 /// Version of the format, which increases with every change of the frames below. Hosts of another version are refused.
 inline constexpr quint32 version = 3;
 
-/// The first frame to the host of a behavior: the behavior, its plugin and its task.
-struct Start {
-    std::string plugin_file;
+/// A behavior and what it is created with. As a request of its own, it asks for the preview of the task.
+struct Job {
     std::string behavior_id;
     Task task;
     std::map<std::string, ParameterValue> parameters;
     std::optional<PlanText> plan; ///< replaces the plan that comes with the robot
+};
+
+/// The first frame to the host of a behavior: the plugin, the behavior and its task.
+struct Start {
+    std::string plugin_file;
+    Job job;
 };
 
 /// An info line as received, to be read by the other side, so that forty kinds of messages need no second format.
@@ -32,28 +37,21 @@ struct Line {
     std::string text;
 };
 
-/// Sent instead of Start: asks for the plugin's description. Previews may follow.
+/// Sent instead of Start: asks for the plugin's description. Jobs, which ask for previews, may follow.
 struct Describe {
     std::string plugin_file;
 };
-/// Asks for the preview of a task, with the fields of Start.
-struct Preview {
-    std::string behavior_id;
-    Task task;
-    std::map<std::string, ParameterValue> parameters;
-    std::optional<PlanText> plan;
-};
 
 /// From the program to the host. The map contains new values of all parameters.
-using Request = std::variant<Start, Line, Order, PlanControl, std::map<std::string, ParameterValue>, Describe, Preview>;
+using Request = std::variant<Start, Line, Order, PlanControl, std::map<std::string, ParameterValue>, Describe, Job>;
 
 /// The reply to a request; the host sends one reply for each request, in the same order.
 using Answer = BehaviorAnswer;
-/// The reply to Describe. The reply to Preview is a TaskPreview.
+/// The reply to Describe. The reply to Job is a TaskPreview.
 struct Description {
     RobotDescription robot;
 };
-/// The reply to Start, Describe or Preview if they fail.
+/// The reply to Start, Describe or Job if they fail.
 struct Refusal {
     Error error;
 };

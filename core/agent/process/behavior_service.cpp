@@ -11,8 +11,7 @@
 #include <unistd.h>
 
 #include "core/agent/behavior_host.h"
-#include "core/agent/plugins/guarded_plugin.h"
-#include "core/agent/plugins/plugin_loader.h"
+#include "core/agent/behavior_start.h"
 #include "core/agent/process/behavior_frames.h"
 #include "core/agent/process/frame_channel.h"
 #include "core/protocol/reader.h"
@@ -74,79 +73,58 @@ void endWithTheOtherSide(int socket) {
     }).detach();
 }
 
-/// The behavior and its context, created from the first frame.
-struct Service {
-    static Result<Service> make(const frames::Start& start, PluginLoader& plugins);
-    RunningBehavior::Output answer(const frames::Request& request);
-
-    std::unique_ptr<BehaviorHost> host;
-    std::vector<ParameterSpec> parameters;
-    std::unique_ptr<protocol::Reader> reader = std::make_unique<protocol::Reader>();
-};
-
-Result<Service> Service::make(const frames::Start& start, PluginLoader& plugins) {
-    plugins.scan({QString::fromStdString(start.plugin_file)});
-    const auto plugin = plugins.pluginFor(start.behavior_id);
+/// What `call` returns for the plugin, id and context of a job; an error if no plugin has the behavior or a parameter
+/// is wrong.
+template <class Call>
+auto answerFor(const frames::Job& job, const PluginLoader& plugins, Call& call)
+    -> decltype(call(std::declval<const RobotPlugin&>(), job.behavior_id, BehaviorContext())) {
+    const auto plugin = plugins.pluginFor(job.behavior_id);
     if (!plugin)
         return tl::unexpected(plugin.error());
-    Service service;
-    service.parameters = plugins.behavior(start.behavior_id)->parameters;
-    auto parameters = ParameterSet::make(service.parameters, start.parameters);
+    auto parameters = ParameterSet::make(plugins.behavior(job.behavior_id)->parameters, job.parameters);
     if (!parameters)
         return tl::unexpected(parameters.error());
-    auto behavior = makeBehavior(**plugin, start.behavior_id, {start.task, *std::move(parameters), start.plan});
-    if (!behavior)
-        return tl::unexpected(behavior.error());
-    service.host = std::make_unique<BehaviorHost>(*std::move(behavior), start.behavior_id,
-                                                  plugins.robotOf(start.behavior_id)->sensors_needed);
-    return service;
+    return call(**plugin, job.behavior_id, {job.task, *std::move(parameters), job.plan});
 }
 
-RunningBehavior::Output Service::answer(const frames::Request& request) {
-    if (const auto* const line = std::get_if<frames::Line>(&request)) {
-        reader->continueAfter({line->number.value - 1});
-        return host->receive(reader->read(line->text));
+/// The behavior of the first frame, and what its requests are read with.
+struct Service {
+    std::unique_ptr<BehaviorHost> host;
+    std::vector<ParameterSpec> parameters;
+    protocol::Reader reader;
+
+    RunningBehavior::Output answer(const frames::Request& request) {
+        if (const auto* const line = std::get_if<frames::Line>(&request)) {
+            reader.continueAfter({line->number.value - 1});
+            return host->receive(reader.read(line->text));
+        }
+        if (const auto* const order = std::get_if<Order>(&request))
+            return host->order(*order);
+        if (const auto* const control = std::get_if<PlanControl>(&request))
+            return host->control(*control);
+        if (const auto* const values = std::get_if<std::map<std::string, ParameterValue>>(&request))
+            if (const auto set = ParameterSet::make(parameters, *values))
+                host->setParameters(*set);
+        return {};
     }
-    if (const auto* const order = std::get_if<Order>(&request))
-        return host->order(*order);
-    if (const auto* const control = std::get_if<PlanControl>(&request))
-        return host->control(*control);
-    if (const auto* const values = std::get_if<std::map<std::string, ParameterValue>>(&request))
-        if (const auto set = ParameterSet::make(parameters, *values))
-            host->setParameters(*set);
-    return {};
-}
-
-frames::Reply descriptionOf(const frames::Describe& asked, PluginLoader& plugins) {
-    plugins.scan({QString::fromStdString(asked.plugin_file)});
-    if (!plugins.robots().empty())
-        return frames::Description{plugins.robots().front()};
-    const QString reason = plugins.records().empty() ? QString("It is gone.") : plugins.records().front().reason;
-    return frames::Refusal{{reason.toStdString(), {}, {}}};
-}
-
-frames::Reply previewOf(const frames::Preview& asked, const PluginLoader& plugins) {
-    const auto plugin = plugins.pluginFor(asked.behavior_id);
-    if (!plugin)
-        return frames::Refusal{plugin.error()};
-    auto parameters = ParameterSet::make(plugins.behavior(asked.behavior_id)->parameters, asked.parameters);
-    if (!parameters)
-        return frames::Refusal{parameters.error()};
-    auto preview = previewTask(**plugin, asked.behavior_id, {asked.task, *std::move(parameters), asked.plan});
-    if (!preview)
-        return frames::Refusal{preview.error()};
-    return *std::move(preview);
-}
+};
 
 /// The reply to a request that needs no behavior; nullopt for other requests.
 std::optional<frames::Reply> answerAboutPlugin(const std::optional<frames::Request>& request, PluginLoader& plugins) {
     if (!request)
         return std::nullopt;
-    if (const auto* const describe = std::get_if<frames::Describe>(&*request))
-        return descriptionOf(*describe, plugins);
-    if (const auto* const preview = std::get_if<frames::Preview>(&*request))
-        return previewOf(*preview, plugins);
-    return std::nullopt;
+    if (const auto* const describe = std::get_if<frames::Describe>(&*request)) {
+        plugins.scan({QString::fromStdString(describe->plugin_file)});
+        if (!plugins.robots().empty())
+            return frames::Description{plugins.robots().front()};
+        const QString reason = plugins.records().empty() ? QString("It is gone.") : plugins.records().front().reason;
+        return frames::Refusal{{reason.toStdString(), {}, {}}};
+    }
+    const auto* const job = std::get_if<frames::Job>(&*request);
+    if (!job)
+        return std::nullopt;
+    auto preview = answerFor(*job, plugins, previewTask);
+    return preview ? frames::Reply(*std::move(preview)) : frames::Reply(frames::Refusal{preview.error()});
 }
 
 } // namespace
@@ -155,36 +133,41 @@ int serveBehavior(int socket) {
     prepareLastWords(socket);
     endWithTheOtherSide(socket);
     FrameChannel channel(socket);
+    const auto reply = [&](const frames::Reply& to_request) {
+        channel.send(frames::write(to_request), patience_to_answer);
+    };
     PluginLoader plugins;
     std::optional<Service> service;
     QByteArray frame;
     while (channel.receive(frame, std::nullopt) == FrameChannel::Received::Frame) {
         const auto request = frames::readRequest(frame);
         if (const auto about_plugin = answerAboutPlugin(request, plugins)) {
-            channel.send(frames::write(*about_plugin), patience_to_answer);
+            reply(*about_plugin);
             continue;
         }
         const auto* const start = request ? std::get_if<frames::Start>(&*request) : nullptr;
-        RunningBehavior::Output output;
         if (!request || (start == nullptr) != service.has_value()) {
-            channel.send(
-                frames::write(frames::Refusal{{"the program and its behavior host do not understand each other",
-                                               "usar-behavior-host", "Install both from the same version"}}),
-                patience_to_answer);
+            reply(frames::Refusal{{"the program and its behavior host do not understand each other",
+                                   "usar-behavior-host", "Install both from the same version"}});
             return 2;
         }
+        RunningBehavior::Output output;
         if (start) {
-            auto made = Service::make(*start, plugins);
-            if (!made) {
-                channel.send(frames::write(frames::Refusal{made.error()}), patience_to_answer);
+            const std::string& id = start->job.behavior_id;
+            plugins.scan({QString::fromStdString(start->plugin_file)});
+            auto behavior = answerFor(start->job, plugins, makeBehavior);
+            if (!behavior) {
+                reply(frames::Refusal{behavior.error()});
                 return 1;
             }
-            service = *std::move(made);
+            service.emplace().parameters = plugins.behavior(id)->parameters;
+            service->host =
+                std::make_unique<BehaviorHost>(*std::move(behavior), id, plugins.robotOf(id)->sensors_needed);
             output = service->host->begin();
         } else {
             output = service->answer(*request);
         }
-        channel.send(frames::write(answerOf(std::move(output), *service->host)), patience_to_answer);
+        reply(answerOf(std::move(output), *service->host));
     }
     return 0;
 }

@@ -49,23 +49,17 @@ std::optional<int> statusOf(int process, Seconds patience) {
     return ::waitpid(process, &status, WNOHANG) == process ? std::optional(status) : std::nullopt;
 }
 
-/// A copy of our environment with another folder for temporary files.
-class Environment {
-public:
-    explicit Environment(const QTemporaryDir& scratch) : folder_("TMPDIR=" + QFile::encodeName(scratch.path())) {
-        for (char** each = ::environ; *each; ++each)
-            if (std::strncmp(*each, "TMPDIR=", 7) != 0)
-                variables_.push_back(*each);
-        if (scratch.isValid())
-            variables_.push_back(folder_.data());
-        variables_.push_back(nullptr);
-    }
-    char** variables() { return variables_.data(); }
-
-private:
-    QByteArray folder_;
-    std::vector<char*> variables_;
-};
+/// Our environment with another folder for temporary files, unless there is none.
+std::vector<char*> environmentWith(QByteArray& temporary_folder) {
+    std::vector<char*> variables;
+    for (char** each = ::environ; *each; ++each)
+        if (std::strncmp(*each, "TMPDIR=", 7) != 0)
+            variables.push_back(*each);
+    if (!temporary_folder.isEmpty())
+        variables.push_back(temporary_folder.data());
+    variables.push_back(nullptr);
+    return variables;
+}
 
 /// Starts the program. Returns the process id, or the negated error number.
 int spawn(const QString& program, int socket, const QTemporaryDir& scratch) {
@@ -81,10 +75,10 @@ int spawn(const QString& program, int socket, const QTemporaryDir& scratch) {
     QByteArray path = QFile::encodeName(program);
     QByteArray option = QByteArray::number(host_socket);
     char* arguments[] = {path.data(), option.data(), nullptr};
-    Environment environment(scratch);
+    QByteArray folder = scratch.isValid() ? "TMPDIR=" + QFile::encodeName(scratch.path()) : QByteArray();
     int process = 0;
     const int error =
-        ::posix_spawn(&process, path.constData(), &actions, &attributes, arguments, environment.variables());
+        ::posix_spawn(&process, path.constData(), &actions, &attributes, arguments, environmentWith(folder).data());
     ::posix_spawnattr_destroy(&attributes);
     ::posix_spawn_file_actions_destroy(&actions);
     return error == 0 ? process : -error;
@@ -172,10 +166,6 @@ FrameChannel::Received HostProcess::ask(const frames::Request& request, Seconds 
 
 bool HostProcess::tell(const frames::Request& request) {
     return channel_->send(frames::write(request), Seconds{0.0});
-}
-
-FrameChannel::Received HostProcess::listen(std::optional<frames::Reply>& reply) {
-    return take(Seconds{0.0}, reply);
 }
 
 FrameChannel::Received HostProcess::take(std::optional<Seconds> patience, std::optional<frames::Reply>& reply) {

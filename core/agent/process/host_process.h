@@ -15,8 +15,8 @@ namespace usar::agent {
 
 /// The destructor closes the connection, waits up to 200 ms for the process to end, and then kills it. Use it from the
 /// owner's thread. POSIX only; on systems other than Linux, only the end of the connection shows that the process is
-/// gone. The process has its own folder for temporary files, which is deleted when the process has ended, because a killed
-/// process leaves its files behind.
+/// gone. The process has its own folder for temporary files, which is deleted when the process has ended, because a
+/// killed process leaves its files behind.
 class HostProcess {
 public:
     /// `program` is the path of usar-behavior-host. The error names `subject`, the behavior or plugin that needs the
@@ -32,7 +32,7 @@ public:
     /// process is gone. The request must fit into the socket's buffer (about 200 kB).
     bool tell(const frames::Request& request);
     /// Returns a reply that has arrived, without waiting. TimedOut if none, or only a part of one, has arrived.
-    FrameChannel::Received listen(std::optional<frames::Reply>& reply);
+    FrameChannel::Received listen(std::optional<frames::Reply>& reply) { return take(Seconds{0.0}, reply); }
 
     /// Process id; 0 if the process is known to have ended or has been given up.
     int id() const { return process_; }

@@ -16,11 +16,9 @@ constexpr std::size_t words_of_a_line = 60;
 } // namespace
 
 IsolatedBehavior::IsolatedBehavior(QString program, frames::Start start)
-    : RemoteBehavior(start.behavior_id)
+    : RemoteBehavior(start.job.behavior_id)
     , program_(std::move(program))
     , start_(std::move(start)) {}
-
-IsolatedBehavior::~IsolatedBehavior() = default;
 
 RunningBehavior::Output IsolatedBehavior::begin() {
     auto started = HostProcess::start(program_, "behavior " + behavior_id_);
@@ -63,9 +61,7 @@ RunningBehavior::Output IsolatedBehavior::ask(const frames::Request& request, Se
         return note(std::get<frames::Answer>(*reply));
     if (reply && std::holds_alternative<frames::Refusal>(*reply))
         return end(std::get<frames::Refusal>(*reply).error.text());
-    if (reply && std::holds_alternative<frames::Dying>(*reply))
-        return die(host_->howItEnded(std::get<frames::Dying>(*reply).signal), at_work);
-    return lose(at_work);
+    return lose(reply, at_work);
 }
 
 RunningBehavior::Output IsolatedBehavior::note(frames::Answer& answer) {
@@ -85,13 +81,12 @@ RunningBehavior::Output IsolatedBehavior::takeEnd() {
     std::optional<frames::Reply> reply;
     if (host_->listen(reply) == FrameChannel::Received::TimedOut)
         return {}; // nothing has arrived after all
-    const std::string at_work = "it waited after line";
-    if (reply && std::holds_alternative<frames::Dying>(*reply))
-        return die(host_->howItEnded(std::get<frames::Dying>(*reply).signal), at_work);
-    return lose(at_work);
+    return lose(reply, "it waited after line");
 }
 
-RunningBehavior::Output IsolatedBehavior::lose(const std::string& at_work) {
+RunningBehavior::Output IsolatedBehavior::lose(const std::optional<frames::Reply>& reply, const std::string& at_work) {
+    if (const auto* const dying = reply ? std::get_if<frames::Dying>(&*reply) : nullptr)
+        return die(host_->howItEnded(dying->signal), at_work);
     ending_ = true;
     halted_ = false;
     lost_at_work_ = at_work;

@@ -20,7 +20,6 @@ class IsolatedBehavior final : public RemoteBehavior {
 public:
     /// `program` is the path of usar-behavior-host. `begin` starts the process.
     IsolatedBehavior(QString program, frames::Start start);
-    ~IsolatedBehavior() override;
 
     Output begin() override;
     Output receive(const protocol::InfoLine& line) override;
@@ -40,8 +39,9 @@ private:
     Output ask(const frames::Request& request, Seconds patience, const std::string& at_work);
     /// Notes the state and the decision in an answer, for `die`, and returns its output.
     Output note(frames::Answer& answer);
-    /// Handles the loss of the process: returns the safe command now and leaves the reason to `takeEnd`.
-    Output lose(const std::string& at_work);
+    /// Handles the loss of the process: ends the behavior if the last reply says by which signal; else returns the safe
+    /// command now and leaves the reason to `takeEnd`.
+    Output lose(const std::optional<frames::Reply>& reply, const std::string& at_work);
     /// Ends the behavior with a reason that includes its last line, state and decision.
     Output die(const std::string& how, const std::string& at_work);
     /// Ends the behavior with the safe command and the reason.

@@ -9,7 +9,7 @@
 #include <QString>
 
 #include "core/agent/parameters.h"
-#include "core/mapping/height_probe.h"
+#include "core/mapping/height_map.h"
 #include "core/mission/session/session_orders.h"
 #include "core/mission/session/session_update.h"
 

@@ -6,7 +6,7 @@
 #include <QFile>
 
 #include "core/agent/plugins/plugin_loader.h"
-#include "core/link/recording_convert.h"
+#include "core/link/recording_text.h"
 #include "core/mission/files/plan_file.h"
 #include "core/mission/files/report_options.h"
 #include "core/mission/reports/line_report.h"

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "core/base/geometry.h"
-#include "core/mapping/height_probe.h"
+#include "core/mapping/height_map.h"
 #include "core/protocol/info/game_info.h"
 
 namespace usar::mission {

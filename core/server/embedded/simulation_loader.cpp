@@ -66,8 +66,6 @@ Result<LoadedSimulation> loadSimulation(const SimulatorSpec& spec, const sim::Si
                                                           .world_source = spec.world.toStdString()}));
 }
 
-SimulationLoader::SimulationLoader(QObject* parent) : QObject(parent) {}
-
 SimulationLoader::~SimulationLoader() {
     giveUp();
     for (QThread* thread : findChildren<QThread*>())

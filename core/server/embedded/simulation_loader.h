@@ -48,7 +48,7 @@ Result<LoadedSimulation> loadSimulation(const SimulatorSpec& spec, const sim::Si
 class SimulationLoader : public QObject {
     Q_OBJECT
 public:
-    explicit SimulationLoader(QObject* parent = nullptr);
+    using QObject::QObject;
     /// Waits until a snapshot's run has reached its next tick, or until the world has been read.
     ~SimulationLoader() override;
 

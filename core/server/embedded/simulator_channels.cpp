@@ -1,6 +1,5 @@
 #include "core/server/embedded/simulator_channels.h"
 
-#include "core/server/com_interface.h"
 #include "core/server/com_server.h"
 #include "core/server/radio_relay.h"
 #include "core/server/wireless_server.h"
@@ -26,29 +25,24 @@ quint16 listen(Server& server, quint16 wanted, const QString& name, QStringList&
     return port.value_or(0);
 }
 
-void openRadio(server::SimulatorServer& server, const ChannelPorts& wanted, OpenChannels& open) {
-    auto* relay = new server::RadioRelay(server.simulation(), &server);
-    auto* wireless = new server::WirelessServer(*relay, relay);
-    auto* comserver = new server::ComServer(*relay, relay);
-    auto* cominterface = new server::ComInterface(server.simulation(), relay->field(), relay);
-    // Figures are also reported while time stands still; robots can come and go then, too.
-    QObject::connect(&server, &server::SimulatorServer::ticked, relay, &server::RadioRelay::look);
-    QObject::connect(&server, &server::SimulatorServer::figuresChanged, relay, &server::RadioRelay::look);
-    QObject::connect(relay, &server::RadioRelay::logged, &server, &server::SimulatorServer::logged);
-    open.ports.wireless = listen(*wireless, wanted.wireless, QObject::tr("wireless server"), open.sentences);
-    open.ports.comserver = listen(*comserver, wanted.comserver, QObject::tr("ComServer"), open.sentences);
-    open.ports.cominterface =
-        listen(*cominterface, wanted.cominterface, QObject::tr("ComServerInterface"), open.sentences);
-}
-
 } // namespace
 
-OpenChannels openChannels(server::SimulatorServer& server, const ChannelPorts& wanted,
-                          const server::ImageServerOptions& images) {
+OpenChannels openChannels(SimulatorServer& server, const ChannelPorts& wanted, const ImageServerOptions& images) {
+    auto* image = new ImageServer([&server] { return server.simulation().cameraScene(); }, images, &server);
+    auto* relay = new RadioRelay(server.simulation(), &server);
+    auto* wireless = new WirelessServer(*relay, relay);
+    auto* comserver = new ComServer(*relay, relay);
+    auto* cominterface = new ComInterface(server.simulation(), relay->field(), relay);
+    // Figures are also reported while time stands still; robots can come and go then, too.
+    QObject::connect(&server, &SimulatorServer::ticked, relay, &RadioRelay::look);
+    QObject::connect(&server, &SimulatorServer::figuresChanged, relay, &RadioRelay::look);
+    QObject::connect(relay, &RadioRelay::logged, &server, &SimulatorServer::logged);
     OpenChannels open;
-    auto* image = new server::ImageServer([&server] { return server.simulation().cameraScene(); }, images, &server);
-    open.ports.image = listen(*image, wanted.image, QObject::tr("image server"), open.sentences);
-    openRadio(server, wanted, open);
+    auto& [ports, sentences] = open;
+    ports.image = listen(*image, wanted.image, QObject::tr("image server"), sentences);
+    ports.wireless = listen(*wireless, wanted.wireless, QObject::tr("wireless server"), sentences);
+    ports.comserver = listen(*comserver, wanted.comserver, QObject::tr("ComServer"), sentences);
+    ports.cominterface = listen(*cominterface, wanted.cominterface, QObject::tr("ComServerInterface"), sentences);
     return open;
 }
 

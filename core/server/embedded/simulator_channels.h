@@ -1,7 +1,6 @@
 // The servers of a simulator's other channels, besides the bot port (protocol.md 6).
 #pragma once
 
-#include <QMetaType>
 #include <QStringList>
 
 #include "core/protocol/usual_values.h"
@@ -31,9 +30,6 @@ struct OpenChannels {
 
 /// Opens the channels' servers as children of `server`, in whose thread it must be called. A port in use is not an
 /// error: a free one is used instead, and a sentence says so.
-OpenChannels openChannels(server::SimulatorServer& server, const ChannelPorts& wanted,
-                          const server::ImageServerOptions& images = {});
+OpenChannels openChannels(SimulatorServer& server, const ChannelPorts& wanted, const ImageServerOptions& images = {});
 
 } // namespace usar::server
-
-Q_DECLARE_METATYPE(usar::server::ChannelPorts)

@@ -76,21 +76,18 @@ Result<std::vector<sim::Fault>> readFaults(const QStringList& texts) {
 }
 
 QString faultHelp() {
+    const auto shown = [](std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); };
     QString help = "Faults, each a kind and what is said of it, as in \"sensor_bias robot=R1 sensor=INS x=0.5 from=60 "
                    "for=30\" (seconds; robot and sensor by name or type, all where none is said):\n";
     for (const sim::FaultDescription& kind : sim::faultKinds()) {
-        help += QString("  %1: %2")
-                    .arg(QString::fromUtf8(kind.word.data(), qsizetype(kind.word.size())),
-                         QString::fromUtf8(kind.help.data(), qsizetype(kind.help.size())));
+        help += QString("  %1: %2").arg(shown(kind.word), shown(kind.help));
         for (const sim::FaultNumber& number : kind.numbers)
             help += QString("; %1=%2 (%3 to %4%5)")
-                        .arg(QString::fromUtf8(number.name.data(), qsizetype(number.name.size())))
+                        .arg(shown(number.name))
                         .arg(number.usual)
                         .arg(number.smallest)
                         .arg(number.largest)
-                        .arg(number.unit.empty()
-                                 ? QString()
-                                 : ' ' + QString::fromUtf8(number.unit.data(), qsizetype(number.unit.size())));
+                        .arg(number.unit.empty() ? QString() : ' ' + shown(number.unit));
         help += '\n';
     }
     return help;

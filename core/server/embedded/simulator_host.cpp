@@ -4,11 +4,8 @@
 
 #include "core/link/across_threads.h"
 #include "core/server/embedded/simulator_files.h"
-#include "core/server/embedded/world_picture.h"
 
 namespace usar::server {
-
-SimulatorHost::SimulatorHost(QObject* parent) : QObject(parent) {}
 
 SimulatorHost::~SimulatorHost() {
     next_.reset();
@@ -71,7 +68,7 @@ void SimulatorHost::serve(const SimulatorSpec& spec, QObject* worker) {
     picture.robot_classes = loaded->robot_classes;
     picture.camera_classes = loaded->camera_classes;
     const std::vector<sim::Simulation::Orphan> waiting = loaded->simulation->orphans();
-    auto* server = new server::SimulatorServer(std::move(loaded->simulation), worker);
+    auto* server = new SimulatorServer(std::move(loaded->simulation), worker);
     Result<quint16> port = server->listen(spec.port);
     if (!port) {
         port = server->listen(0);
@@ -96,8 +93,8 @@ void SimulatorHost::serve(const SimulatorSpec& spec, QObject* worker) {
     });
 }
 
-void SimulatorHost::wire(const server::SimulatorServer& server) {
-    using Server = server::SimulatorServer;
+void SimulatorHost::wire(const SimulatorServer& server) {
+    using Server = SimulatorServer;
     link::connectAcross(&server, &Server::figuresChanged, this, &SimulatorHost::figuresChanged);
     link::connectAcross(&server, &Server::robotsChanged, this, &SimulatorHost::robotsChanged);
     link::connectAcross(&server, &Server::marksLeft, this, &SimulatorHost::marksLeft);
@@ -106,38 +103,38 @@ void SimulatorHost::wire(const server::SimulatorServer& server) {
     link::connectAcross(&server, &Server::faultTurned, this, &SimulatorHost::faultTurned);
 }
 
+/// Runs a call in the simulator's thread; does nothing while no simulator is ready.
+template <class Call>
+void SimulatorHost::post(Call call) {
+    if (server_)
+        link::post(server_, [server = server_, call] { call(*server); });
+}
+
 void SimulatorHost::learn(const QString& robot_file) {
-    if (!server_)
-        return;
-    link::post(server_, [this, server = server_, robot_file] {
+    post([this, robot_file](SimulatorServer& server) {
         auto robot = sim::readRobot(robot_file.toStdString());
         if (!robot)
             return emit robotRefused(QString::fromStdString(robot.error().text()));
         emit robotLearned(robot_file, QString::fromStdString(robot->class_name), hasCamera(*robot));
-        server->simulation().learn(*std::move(robot));
+        server.simulation().learn(*std::move(robot));
     });
 }
 
-void SimulatorHost::setPace(server::Pace pace, double factor) {
-    if (server_)
-        link::post(server_, [server = server_, pace, factor] { server->setPace(pace, factor); });
+void SimulatorHost::setPace(Pace pace, double factor) {
+    post([=](SimulatorServer& server) { server.setPace(pace, factor); });
 }
 
 void SimulatorHost::addFaults(const std::vector<sim::Fault>& faults) {
-    if (server_)
-        link::post(server_, [server = server_, faults] { server->addFaults(faults, true); });
+    post([faults](SimulatorServer& server) { server.addFaults(faults, true); });
 }
 
 void SimulatorHost::endFault(int id) {
-    if (server_)
-        link::post(server_, [server = server_, id] { server->endFault(id); });
+    post([id](SimulatorServer& server) { server.endFault(id); });
 }
 
 void SimulatorHost::saveSnapshot(const QString& path) {
-    if (!server_)
-        return;
-    link::post(server_, [this, server = server_, path] {
-        const auto saved = server::saveSnapshot(server->simulation(), path);
+    post([this, path](SimulatorServer& server) {
+        const auto saved = server::saveSnapshot(server.simulation(), path);
         if (saved)
             emit snapshotSaved(path);
         else
@@ -146,13 +143,11 @@ void SimulatorHost::saveSnapshot(const QString& path) {
 }
 
 void SimulatorHost::letOrphansGo() {
-    if (server_)
-        link::post(server_, [server = server_] { server->letOrphansGo(); });
+    post([](SimulatorServer& server) { server.letOrphansGo(); });
 }
 
 void SimulatorHost::stepOnce() {
-    if (server_)
-        link::post(server_, [server = server_] { server->stepOnce(); });
+    post([](SimulatorServer& server) { server.stepOnce(); });
 }
 
 } // namespace usar::server

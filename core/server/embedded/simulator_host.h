@@ -3,7 +3,6 @@
 
 #include <optional>
 
-#include <QImage>
 #include <QObject>
 #include <QThread>
 
@@ -20,7 +19,7 @@ namespace usar::server {
 class SimulatorHost : public QObject {
     Q_OBJECT
 public:
-    explicit SimulatorHost(QObject* parent = nullptr);
+    using QObject::QObject;
     ~SimulatorHost() override;
 
     /// Stops a running simulator without waiting for its end, then starts this one. `ready` or `failed` follows.
@@ -30,7 +29,7 @@ public:
     bool running() const { return server_ != nullptr; }
 
     /// `factor`: simulated seconds per real second, used with Pace::Factor.
-    void setPace(server::Pace pace, double factor);
+    void setPace(Pace pace, double factor);
     /// While paused, makes one tick.
     void stepOnce();
     /// The faults' times are relative to now.
@@ -72,15 +71,17 @@ signals:
 private:
     /// Loads and serves; runs in the simulator's thread.
     void serve(const SimulatorSpec& spec, QObject* worker);
-    void wire(const server::SimulatorServer& server);
+    void wire(const SimulatorServer& server);
     /// Starts a new thread for the simulator. There must be none.
     void launch(const SimulatorSpec& spec);
     void retire();
+    template <class Call>
+    void post(Call call);
 
-    QThread* thread_ = nullptr;                 ///< the simulator's thread; deleted when it has ended
-    QObject* worker_ = nullptr;                 ///< context object of the calls in thread_; null: none runs
-    server::SimulatorServer* server_ = nullptr; ///< belongs to thread_, owned by worker_
-    std::optional<SimulatorSpec> next_;         ///< to be started when the previous thread has ended
+    QThread* thread_ = nullptr;         ///< the simulator's thread; deleted when it has ended
+    QObject* worker_ = nullptr;         ///< context object of the calls in thread_; null: none runs
+    SimulatorServer* server_ = nullptr; ///< belongs to thread_, owned by worker_
+    std::optional<SimulatorSpec> next_; ///< to be started when the previous thread has ended
 };
 
 } // namespace usar::server

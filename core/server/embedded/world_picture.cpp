@@ -45,11 +45,6 @@ void paintGround(QImage& image, const sim::World& world, const Rectangle& extent
     }
 }
 
-/// True for floors and ceilings, which cover most of the world and would hide everything in it.
-bool coversTheWorld(const sim::Box& box, const Rectangle& extent) {
-    return box.size_m.x() * box.size_m.y() > 0.5 * extent.area_m2();
-}
-
 void paintBuildings(QImage& image, const sim::World& world, const Rectangle& extent) {
     QPainter painter(&image);
     painter.setRenderHint(QPainter::Antialiasing);
@@ -60,8 +55,8 @@ void paintBuildings(QImage& image, const sim::World& world, const Rectangle& ext
     painter.setPen(edge);
     painter.setBrush(building_color);
     for (const sim::Box& box : world.boxes) {
-        if (coversTheWorld(box, extent))
-            continue;
+        if (box.size_m.x() * box.size_m.y() > 0.5 * extent.area_m2())
+            continue; // Floors and ceilings cover most of the world and would hide everything in it.
         painter.save();
         painter.translate(box.center_in_map.position_m.x(), box.center_in_map.position_m.y());
         painter.rotate(degrees(box.center_in_map.yaw_rad));

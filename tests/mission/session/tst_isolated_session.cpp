@@ -20,11 +20,8 @@ namespace {
 std::shared_ptr<agent::IsolatedBehavior> climbing(const std::string& id) {
     return std::make_shared<agent::IsolatedBehavior>(
         QStringLiteral(USAR_BINARY_DIR "/bin/usar-behavior-host"),
-        agent::frames::Start{.plugin_file = USAR_BINARY_DIR "/tests/plugins/faulty.so",
-                             .behavior_id = id,
-                             .task = {},
-                             .parameters = {{"ticks", 3LL}},
-                             .plan = {}});
+        agent::frames::Start{USAR_BINARY_DIR "/tests/plugins/faulty.so",
+                             {id, /*task=*/{}, {{"ticks", 3LL}}, /*plan=*/{}}});
 }
 
 constexpr int tick_ms = 200;
