@@ -137,7 +137,7 @@ std::vector<PlanSpot> PlanRunDesk::selectedSpots() {
 
 bool PlanRunDesk::selectedIs(std::initializer_list<widgets::PlanNodeKind> kinds) const {
     const widgets::PlanView& view = views_.plan->view();
-    if (view.selected() < 0)
+    if (!view.selected().valid())
         return false;
     const widgets::PlanNodeKind kind = view.tree()[view.selected()].kind;
     return kinds.size() == 0 || std::ranges::find(kinds, kind) != kinds.end();
