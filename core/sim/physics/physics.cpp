@@ -1,6 +1,7 @@
 #include "core/sim/physics/physics.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <utility>
