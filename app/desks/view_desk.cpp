@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "widgets/commands/command_palette.h"
-#include "widgets/commands/gestures.h"
 #include "widgets/commands/shortcut_sheet.h"
 
 namespace usar::app {

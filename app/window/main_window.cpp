@@ -11,8 +11,7 @@
 
 #include "app/window/menus.h"
 #include "core/server/embedded/program_files.h"
-#include "widgets/commands/escape_twice.h"
-#include "widgets/commands/own_keys.h"
+#include "widgets/commands/key_filters.h"
 #include "widgets/models/figures.h"
 
 namespace usar::app {

@@ -8,13 +8,12 @@
 #include "tests/suite/suite.h"
 #include "tests/suite/waiting.h"
 #include "widgets/bars/connection_bar.h"
-#include "widgets/bars/progress_strip.h"
 #include "widgets/bars/stop_button.h"
+#include "widgets/bars/strips.h"
 #include "widgets/bars/time_bar.h"
-#include "widgets/map/layer_swatch.h"
 #include "widgets/map/layers_panel.h"
 #include "widgets/panels/area_form.h"
-#include "widgets/style/elided_label.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace tst_bars {

@@ -10,7 +10,7 @@
 #include "tests/suite/suite.h"
 #include "widgets/commands/command_palette.h"
 #include "widgets/commands/command_registry.h"
-#include "widgets/commands/escape_twice.h"
+#include "widgets/commands/key_filters.h"
 #include "widgets/commands/shortcut_sheet.h"
 
 namespace tst_command_registry {

@@ -9,7 +9,6 @@
 
 #include "tests/suite/suite.h"
 #include "widgets/messages/notification_center.h"
-#include "widgets/messages/toast.h"
 #include "widgets/messages/toast_stack.h"
 #include "widgets/style/empty_state.h"
 #include "widgets/style/theme.h"

@@ -12,8 +12,7 @@
 
 #include "core/base/clock.h"
 #include "widgets/bars/link_panel.h"
-#include "widgets/style/elided_label.h"
-#include "widgets/style/state_dot.h"
+#include "widgets/style/form_parts.h"
 
 namespace usar::widgets {
 

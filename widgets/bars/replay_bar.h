@@ -7,8 +7,7 @@
 #include <QToolButton>
 
 #include "core/base/clock.h"
-#include "widgets/bars/speed_box.h"
-#include "widgets/style/time_slider.h"
+#include "widgets/style/time_controls.h"
 
 namespace usar::widgets {
 

@@ -12,8 +12,8 @@
 
 #include "core/base/stick.h"
 #include "widgets/drive/control_badge.h"
-#include "widgets/style/elided_label.h"
 #include "widgets/style/empty_state.h"
+#include "widgets/style/form_parts.h"
 
 namespace usar::widgets {
 

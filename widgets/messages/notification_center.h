@@ -8,7 +8,7 @@
 #include <QWidget>
 
 #include "widgets/models/messages/notification_model.h"
-#include "widgets/style/elided_label.h"
+#include "widgets/style/form_parts.h"
 
 namespace usar::widgets {
 

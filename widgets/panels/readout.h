@@ -1,5 +1,7 @@
-// Instrument for one figure: a big number in a fixed place, its unit muted, its caption below.
+// Instruments for one figure: a big number with its unit, and a horizontal bar.
 #pragma once
+
+#include <optional>
 
 #include "widgets/style/sheet.h"
 
@@ -27,6 +29,32 @@ private:
     QString unit_;
     QString sample_;
     QString text_;
+};
+
+/// Caption on the left, figure on the right, the bar between them. An unknown value is drawn as an empty, hatched bar
+/// with a dash. The color changes to the caution and danger colors from those limits on, and a "!" precedes the figure.
+/// GUI thread.
+class Meter : public Instrument {
+    Q_OBJECT
+public:
+    explicit Meter(const QString& caption, QWidget* parent = nullptr);
+
+    /// In percent, 0..100; nullopt: unknown.
+    void setValue(std::optional<double> value_pct);
+    std::optional<double> value() const { return value_pct_; }
+    /// High values are bad from these limits on; above 100 means never.
+    void setLimits(double caution_pct, double danger_pct);
+    QSize sizeHint() const override { return {240, fontMetrics().height() + 2}; }
+    QSize minimumSizeHint() const override { return {160, fontMetrics().height() + 2}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    QString caption_;
+    std::optional<double> value_pct_;
+    double caution_pct_ = 101.0;
+    double danger_pct_ = 101.0;
 };
 
 } // namespace usar::widgets

@@ -5,9 +5,8 @@
 #include <QWidget>
 
 #include "core/agent/published.h"
-#include "widgets/panels/meter.h"
 #include "widgets/panels/readout.h"
-#include "widgets/style/state_dot.h"
+#include "widgets/style/form_parts.h"
 
 namespace usar::widgets {
 

@@ -3,12 +3,12 @@
 #include <utility>
 
 #include <QMenu>
+#include <QPainter>
 #include <QStyle>
 
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
-
 namespace {
 
 class ThemeWatch : public QObject {
@@ -87,6 +87,78 @@ void setUpPaintedRows(QListView* view, QAbstractItemModel* model, QAbstractItemD
 
 void onThemeChange(QWidget* widget, std::function<void()> repaint, QEvent::Type when) {
     new ThemeWatch(widget, std::move(repaint), when);
+}
+
+QString fittedText(const QString& text, const QFontMetrics& metrics, int width_px) {
+    QString shown = text;
+    for (auto part = shown.lastIndexOf(u" · "); part > 0 && metrics.horizontalAdvance(shown) > width_px;
+         part = shown.lastIndexOf(u" · "))
+        shown.truncate(part);
+    return metrics.elidedText(shown, Qt::ElideRight, width_px);
+}
+
+QSize ElidedLabel::sizeHint() const {
+    const QSize hint = QLabel::sizeHint();
+    return room_for_.isEmpty() ? hint : QSize(fontMetrics().horizontalAdvance(room_for_), hint.height());
+}
+
+void ElidedLabel::setRoomFor(const QString& text) {
+    room_for_ = text;
+    updateGeometry();
+}
+
+void ElidedLabel::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setPen(palette().color(isEnabled() ? QPalette::Active : QPalette::Disabled, QPalette::WindowText));
+    const QRect room = contentsRect();
+    painter.drawText(room, static_cast<int>(alignment() | Qt::TextSingleLine),
+                     fittedText(text(), fontMetrics(), room.width()));
+}
+
+StateDot::StateDot(QWidget* parent) : QWidget(parent) {
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+}
+
+void StateDot::setState(StateShape state) {
+    state_ = state;
+    update();
+}
+
+QColor stateColor(StateShape state) {
+    const Tokens& t = tokens();
+    const QColor colors[] = {t.text_muted, t.accent, t.ok, t.caution, t.danger};
+    return colors[static_cast<std::size_t>(state)];
+}
+
+void StateDot::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.translate(width() / 2.0, height() / 2.0);
+    const QColor color = stateColor(state_);
+    const QRectF circle(-5.0, -5.0, 10.0, 10.0);
+    painter.setPen(QPen(color, 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    switch (state_) {
+    case StateShape::Off:
+        painter.drawEllipse(circle);
+        break;
+    case StateShape::Busy:
+        painter.drawEllipse(circle);
+        painter.setBrush(color);
+        painter.drawChord(circle, 90 * 16, 180 * 16);
+        break;
+    case StateShape::Good:
+        painter.setBrush(color);
+        painter.drawEllipse(circle);
+        break;
+    case StateShape::Waiting:
+        painter.drawPolygon(QPolygonF({{0.0, -5.5}, {6.0, 5.0}, {-6.0, 5.0}}));
+        break;
+    case StateShape::Bad:
+        painter.drawEllipse(circle);
+        painter.drawLine(QPointF(-2.0, -2.0), QPointF(2.0, 2.0));
+        painter.drawLine(QPointF(2.0, -2.0), QPointF(-2.0, 2.0));
+        break;
+    }
 }
 
 } // namespace usar::widgets

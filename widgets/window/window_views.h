@@ -7,11 +7,10 @@
 #include <QMainWindow>
 
 #include "widgets/bars/connection_bar.h"
-#include "widgets/bars/hint_strip.h"
-#include "widgets/bars/progress_strip.h"
 #include "widgets/bars/record_badge.h"
 #include "widgets/bars/replay_bar.h"
 #include "widgets/bars/stop_button.h"
+#include "widgets/bars/strips.h"
 #include "widgets/bars/time_bar.h"
 #include "widgets/commands/command_palette.h"
 #include "widgets/drive/camera_view.h"

@@ -3,8 +3,8 @@
 
 #include "tests/widgets/gallery/pages.h"
 #include "widgets/bars/connection_bar.h"
-#include "widgets/bars/hint_strip.h"
 #include "widgets/bars/stop_button.h"
+#include "widgets/bars/strips.h"
 #include "widgets/bars/time_bar.h"
 #include "widgets/commands/command_palette.h"
 #include "widgets/commands/shortcut_sheet.h"
