@@ -1,7 +1,6 @@
 #include "app/desks/message_desk.h"
 
 #include "widgets/panels/dialogs.h"
-#include "widgets/window/message_commands.h"
 
 namespace usar::app {
 

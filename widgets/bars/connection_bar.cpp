@@ -22,32 +22,20 @@ QString retryWords(const ConnectionStatus& status, Seconds retry_in) {
 }
 
 QString words(const ConnectionStatus& status) {
-    switch (status.state) {
-    case ConnectionState::Disconnected:
-        return status.reason.isEmpty() ? ConnectionBar::tr("Not connected") : status.reason;
-    case ConnectionState::Connecting:
+    if (status.state == ConnectionState::Connecting)
         return ConnectionBar::tr("Connecting…");
-    case ConnectionState::Connected:
+    if (status.state == ConnectionState::Connected)
         return status.where.isEmpty() ? ConnectionBar::tr("Connected")
                                       : ConnectionBar::tr("Connected · %1").arg(status.where);
-    case ConnectionState::Waiting:
-        break;
-    }
-    return status.reason;
+    const bool off = status.state == ConnectionState::Disconnected && status.reason.isEmpty();
+    return off ? ConnectionBar::tr("Not connected") : status.reason;
 }
 
 StateShape shape(const ConnectionStatus& status) {
-    switch (status.state) {
-    case ConnectionState::Disconnected:
-        return status.reason.isEmpty() ? StateShape::Off : StateShape::Bad;
-    case ConnectionState::Connecting:
-        return StateShape::Busy;
-    case ConnectionState::Connected:
-        return StateShape::Good;
-    case ConnectionState::Waiting:
-        break;
-    }
-    return StateShape::Waiting;
+    if (status.state == ConnectionState::Disconnected && !status.reason.isEmpty())
+        return StateShape::Bad;
+    constexpr StateShape shapes[] = {StateShape::Off, StateShape::Busy, StateShape::Good, StateShape::Waiting};
+    return shapes[static_cast<std::size_t>(status.state)];
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 // Popup with the traffic counters of a link: lines, bytes and errors.
 #pragma once
 
-#include <vector>
+#include <array>
 
 #include <QFrame>
 #include <QLabel>
@@ -36,12 +36,11 @@ public:
     void openBelow(const QWidget* widget);
 
 private:
-    enum Row { LinesIn, LinesOut, BytesIn, BytesOut, Unknown, Malformed, Dropped, Replaced, NotShown, row_count };
-    void addRow(Row row, const QString& name, const QString& help);
+    static constexpr std::size_t row_count = 9;
 
     QLabel* title_ = new QLabel(this);
-    std::vector<QLabel*> totals_;
-    std::vector<QLabel*> rates_;
+    std::array<QLabel*, row_count> totals_;
+    std::array<QLabel*, row_count> rates_;
 };
 
 } // namespace usar::widgets

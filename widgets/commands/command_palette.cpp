@@ -6,8 +6,8 @@
 #include <QKeyEvent>
 #include <QPainter>
 #include <QStyledItemDelegate>
-#include <QVBoxLayout>
 
+#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
@@ -98,14 +98,11 @@ QVariant CommandListModel::data(const QModelIndex& index, int role) const {
 
 CommandPalette::CommandPalette(const CommandRegistry& registry, QWidget* window)
     : QFrame(window, Qt::Popup)
-    , model_(new CommandListModel(registry, this))
-    , line_(new QLineEdit(this))
-    , list_(new QListView(this)) {
+    , model_(new CommandListModel(registry, this)) {
     setProperty("role", "card");
     setAccessibleName(tr("Command palette"));
     line_->setPlaceholderText(tr("Type a command"));
-    line_->setAccessibleName(tr("Command"));
-    line_->setToolTip(tr("Finds commands by any part of their name; Return runs the marked one, Esc closes"));
+    named(line_, tr("Command"), tr("Finds commands by any part of their name; Return runs the marked one, Esc closes"));
     line_->setMinimumHeight(minimum_target);
     line_->setClearButtonEnabled(true);
     list_->setModel(model_);
@@ -113,11 +110,7 @@ CommandPalette::CommandPalette(const CommandRegistry& registry, QWidget* window)
     list_->setFocusPolicy(Qt::NoFocus);
     list_->setAccessibleName(tr("Matching commands"));
     list_->setFrameShape(QFrame::NoFrame);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
-    column->setSpacing(gap::small);
-    column->addWidget(line_);
-    column->addWidget(list_);
+    laidOut(new QVBoxLayout(this), {gap::small, gap::small, gap::small, gap::small}, gap::small, {line_, list_});
     line_->installEventFilter(this);
     connect(line_, &QLineEdit::textChanged, this, [this](const QString& text) {
         model_->setFilter(text);
@@ -143,17 +136,13 @@ bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
     if (watched == line_ && event->type() == QEvent::KeyPress) {
         switch (static_cast<QKeyEvent*>(event)->key()) {
         case Qt::Key_Down:
-            choose(1);
-            return true;
+            return choose(1), true;
         case Qt::Key_Up:
-            choose(-1);
-            return true;
+            return choose(-1), true;
         case Qt::Key_PageDown:
-            choose(8);
-            return true;
+            return choose(8), true;
         case Qt::Key_PageUp:
-            choose(-8);
-            return true;
+            return choose(-8), true;
         default:
             break;
         }

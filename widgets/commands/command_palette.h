@@ -60,8 +60,8 @@ private:
     void run();
 
     CommandListModel* model_;
-    QLineEdit* line_;
-    QListView* list_;
+    QLineEdit* line_ = new QLineEdit(this);
+    QListView* list_ = new QListView(this);
 };
 
 } // namespace usar::widgets

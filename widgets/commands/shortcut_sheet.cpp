@@ -2,12 +2,11 @@
 
 #include <algorithm>
 
-#include <QGridLayout>
 #include <QLabel>
 #include <QObject>
 #include <QScrollArea>
-#include <QVBoxLayout>
 
+#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
@@ -40,10 +39,7 @@ QList<Group> groupsOf(const CommandRegistry& registry) {
 
 QWidget* groupWidget(const Group& group) {
     auto* box = new QWidget;
-    auto* grid = new QGridLayout(box);
-    grid->setContentsMargins(0, 0, gap::large, gap::medium);
-    grid->setHorizontalSpacing(gap::medium);
-    grid->setVerticalSpacing(gap::tiny);
+    auto* grid = gridOf(box, {0, 0, gap::large, gap::medium}, gap::medium, gap::tiny);
     auto* title = new QLabel(group.name);
     title->setProperty("role", "title");
     grid->addWidget(title, 0, 0, 1, 2);
@@ -99,9 +95,7 @@ ShortcutSheet::ShortcutSheet(const CommandRegistry& registry, const QList<std::p
     scroll->setWidget(sheet);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(scroll);
+    laidOut(new QVBoxLayout(this), {}, 0, {scroll});
     constexpr int scroll_bar_px = 24;
     // Wide enough to never need horizontal scrolling.
     resize(std::max(820, sheet->sizeHint().width() + scroll_bar_px), 520);

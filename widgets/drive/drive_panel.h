@@ -119,7 +119,7 @@ private:
     ElidedLabel* echo_ = new ElidedLabel(content_);
     ElidedLabel* gamepad_ = new ElidedLabel(content_);
     QLabel* note_ = new QLabel(content_);
-    QPushButton* stop_ = new QPushButton(this);
+    QPushButton* stop_;
 };
 
 } // namespace usar::widgets

@@ -1,6 +1,5 @@
 #include "widgets/map/layers_panel.h"
 
-#include <QGridLayout>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QPainter>
@@ -125,10 +124,7 @@ void LayerSwatch::paintEvent(QPaintEvent*) {
 
 LayersPanel::LayersPanel(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Map layers"));
-    grid_ = new QGridLayout(this);
-    grid_->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
-    grid_->setHorizontalSpacing(gap::small);
-    grid_->setVerticalSpacing(gap::tiny);
+    grid_ = gridOf(this, {gap::small, gap::small, gap::small, gap::small}, gap::small, gap::tiny);
     grid_->setColumnStretch(3, 1);
     int line = 0;
     for (std::size_t i = map_layer_count; i-- > 0;) {

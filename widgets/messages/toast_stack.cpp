@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include <QEvent>
-#include <QGridLayout>
 #include <QLayout>
 #include <QMouseEvent>
 
@@ -30,10 +29,7 @@ Toast::Toast(const Notification& notification, int lifetime_ms, QWidget* parent)
     close->setCursor(Qt::ArrowCursor);
     close->setFixedSize(minimum_target, minimum_target);
     named(close, tr("Close this message"), tr("Close this message"));
-    auto* grid = new QGridLayout(this);
-    grid->setContentsMargins(gap::small, gap::tiny, gap::tiny, gap::small);
-    grid->setHorizontalSpacing(gap::small);
-    grid->setVerticalSpacing(0);
+    auto* grid = gridOf(this, {gap::small, gap::tiny, gap::tiny, gap::small}, gap::small, 0);
     grid->addWidget(sign_, 0, 0);
     grid->addWidget(word_, 0, 1);
     grid->addWidget(close, 0, 2);

@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QStyle>
 
+#include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
@@ -32,6 +33,21 @@ private:
 };
 
 } // namespace
+
+QGridLayout* gridOf(QWidget* parent, const QMargins& margins, int column_gap, int row_gap) {
+    auto* grid = new QGridLayout(parent);
+    grid->setContentsMargins(margins);
+    grid->setHorizontalSpacing(column_gap);
+    grid->setVerticalSpacing(row_gap);
+    return grid;
+}
+
+QPushButton* makeStopButton(const QString& text, const QString& help, QWidget* parent) {
+    auto* button = new QPushButton(icon(QStringLiteral("stop"), tokens().on_fill), text, parent);
+    button->setProperty("role", "stop");
+    button->setToolTip(help);
+    return button;
+}
 
 QLabel* mutedLabel(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);

@@ -1,5 +1,5 @@
-// What panels, bars and cards are made with: rows and columns, names for screen readers, roles, labels that shrink, state
-// symbols, and themes.
+// What panels, bars and cards are made with: rows and columns, names for screen readers, roles, labels that shrink,
+// state symbols, and themes.
 #pragma once
 
 #include <functional>
@@ -9,8 +9,10 @@
 #include <QAction>
 #include <QBoxLayout>
 #include <QEvent>
+#include <QGridLayout>
 #include <QLabel>
 #include <QListView>
+#include <QPushButton>
 #include <QToolButton>
 #include <QWidget>
 
@@ -32,6 +34,10 @@ Box* laidOut(Box* box, const QMargins& margins, int spacing, std::initializer_li
     return laidOut(box, spacing, widgets);
 }
 
+/// Makes a grid with these margins around it (left, top, right, bottom) and these gaps between its columns and rows,
+/// all in pixels.
+QGridLayout* gridOf(QWidget* parent, const QMargins& margins, int column_gap, int row_gap);
+
 /// Gives a widget its name for screen readers and its tooltip; returns the widget.
 template <class Widget>
 Widget* named(Widget* widget, const QString& name, const QString& help) {
@@ -39,6 +45,9 @@ Widget* named(Widget* widget, const QString& name, const QString& help) {
     widget->setToolTip(help);
     return widget;
 }
+
+/// Makes the red button that stops robots at once. It must never ask for confirmation.
+QPushButton* makeStopButton(const QString& text, const QString& help, QWidget* parent = nullptr);
 
 /// Makes a label in the color for units, captions and hints.
 QLabel* mutedLabel(const QString& text = {}, QWidget* parent = nullptr);

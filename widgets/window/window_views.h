@@ -9,7 +9,6 @@
 #include "widgets/bars/connection_bar.h"
 #include "widgets/bars/record_badge.h"
 #include "widgets/bars/replay_bar.h"
-#include "widgets/bars/stop_button.h"
 #include "widgets/bars/strips.h"
 #include "widgets/bars/time_bar.h"
 #include "widgets/commands/command_palette.h"
@@ -44,7 +43,7 @@ struct WindowViews {
     // Top bars.
     ConnectionBar* connection = nullptr;
     TimeBar* time = nullptr;
-    StopButton* stop_all = nullptr;
+    QPushButton* stop_all = nullptr;
     RecordBadge* record = nullptr;
     ControlBadge* driver = nullptr; ///< shows who drives the selected robot
     DrivePanel* drive = nullptr;    ///< in drive_dock
@@ -94,5 +93,9 @@ struct WindowViews {
 /// the left, the map in the center, what the selected robot perceives on the right, and history at the bottom. To be
 /// called once for a window.
 WindowViews makeViews(QMainWindow& window);
+
+/// Registers the actions of the message list as commands: gives each an id ("messages.copy") and its keys; texts and
+/// help are those of the actions.
+void adoptMessageActions(CommandRegistry& commands, const MessageActions& actions);
 
 } // namespace usar::widgets

@@ -55,7 +55,7 @@ bool MessageSieve::hasWords(const MessageRow& row) const {
     if (!expression_)
         return words_.isIn(row.text) || words_.isIn(row.type) || words_.isIn(row.note);
     const auto fits = [this](const std::string& text) {
-        return expression_->match(QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()))).hasMatch();
+        return expression_->match(QString::fromUtf8(text)).hasMatch();
     };
     return expression_->isValid() && (fits(row.text) || fits(row.type));
 }
