@@ -7,7 +7,6 @@
 #include <QMainWindow>
 
 #include "widgets/bars/connection_bar.h"
-#include "widgets/bars/record_badge.h"
 #include "widgets/bars/replay_bar.h"
 #include "widgets/bars/strips.h"
 #include "widgets/bars/time_bar.h"

@@ -6,7 +6,6 @@
 #include "widgets/map/map_view.h"
 #include "widgets/panels/behavior_panel.h"
 #include "widgets/panels/parameter_form.h"
-#include "widgets/panels/readout.h"
 #include "widgets/panels/sensor_panel.h"
 #include "widgets/panels/status_strip.h"
 #include "widgets/style/theme.h"
