@@ -3,7 +3,7 @@
 #include <QInputDialog>
 
 #include "core/mission/fleet/robot_words.h"
-#include "widgets/panels/file_choice.h"
+#include "widgets/panels/dialogs.h"
 
 namespace usar::app {
 

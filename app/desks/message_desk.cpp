@@ -1,7 +1,6 @@
 #include "app/desks/message_desk.h"
 
-#include "widgets/panels/file_choice.h"
-#include "widgets/window/message_commands.h"
+#include "widgets/panels/dialogs.h"
 
 namespace usar::app {
 

@@ -9,7 +9,7 @@
 #include "core/mission/files/mission_writer.h"
 #include "core/server/embedded/program_files.h"
 #include "core/server/embedded/simulator_files.h"
-#include "widgets/panels/file_choice.h"
+#include "widgets/panels/dialogs.h"
 
 namespace usar::app {
 

@@ -40,7 +40,7 @@ void NoticeDesk::complain(const QString& key, const Error& error) {
 void NoticeDesk::offer(Severity severity, const QString& key, const QString& text, const widgets::Offer& offer,
                        std::function<void()> accept) {
     offers_[key] = std::move(accept);
-    views_.notifications->push(key, severity, text, offer);
+    views_.notifications->push(key, severity, text, true, offer);
 }
 
 void NoticeDesk::cure(const QString& key) {

@@ -8,7 +8,7 @@
 #include "core/mission/fleet/robot_name.h"
 #include "widgets/models/figures.h"
 #include "widgets/models/plan/debug_marks.h"
-#include "widgets/panels/file_choice.h"
+#include "widgets/panels/dialogs.h"
 #include "widgets/plan/pin_dialog.h"
 #include "widgets/plan/plan_picture.h"
 

@@ -4,8 +4,7 @@
 
 #include "core/mission/fleet/robot_words.h"
 #include "core/mission/reports/run_report_text.h"
-#include "widgets/panels/file_choice.h"
-#include "widgets/panels/report_dialog.h"
+#include "widgets/panels/dialogs.h"
 
 namespace usar::app {
 

@@ -8,7 +8,7 @@
 
 #include "core/mission/files/mission_check.h"
 #include "core/posh/edit/plan_templates.h"
-#include "widgets/panels/file_choice.h"
+#include "widgets/panels/dialogs.h"
 
 namespace usar::app {
 

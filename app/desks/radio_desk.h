@@ -4,7 +4,7 @@
 #include "app/desks/desk.h"
 #include "core/link/wireless_client.h"
 #include "core/mission/fleet/own_thread.h"
-#include "widgets/models/radio_losses.h"
+#include "widgets/models/radio_links.h"
 
 namespace usar::app {
 

@@ -34,15 +34,15 @@ void RobotDesk::registerTraceCommands() {
                robot()->view().figures.dialect != protocol::Dialect::Udk;
     };
     add("robot.trace", traceable, [this](bool on) { trace(on); });
-    for (const protocol::TraceColor color : widgets::all_trace_colors) {
-        const QString name = widgets::traceColorName(color).toLower();
+    for (const auto& [word, color] : protocol::wire_words<protocol::TraceColor>) {
+        const QString name = QString::fromUtf8(word).toLower();
         add({"robot.trace_" + name,
              tr("Trace in %1").arg(name),
              tr("Robots"),
              tr("Makes the selected robot leave marks of this color from now on"),
              "",
              {}},
-            traceable, [this, color] {
+            traceable, [this, color = color] {
                 views_.world->setTraceColor(color);
                 trace(true);
             });
@@ -66,7 +66,7 @@ void RobotDesk::wire() {
     });
     connect(views_.robots, &widgets::RobotList::robotSelected, &selection_, &Selection::select);
     connect(views_.robots, &widgets::RobotList::removeRequested, &control_, &MissionControl::remove);
-    connect(views_.map, &widgets::MapView::robotClicked, this, &RobotDesk::select);
+    connect(&views_.map->gestures(), &widgets::MapGestures::robotClicked, this, &RobotDesk::select);
 }
 
 void RobotDesk::wireRobots() {

@@ -5,7 +5,7 @@
 #include <QFileInfo>
 
 #include "core/server/embedded/program_files.h"
-#include "widgets/panels/file_choice.h"
+#include "widgets/panels/dialogs.h"
 
 namespace usar::app {
 

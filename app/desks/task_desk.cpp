@@ -53,19 +53,19 @@ void TaskDesk::wire() {
 void TaskDesk::wireArea() {
     auto* const map = views_.map;
     auto* const panel = views_.behavior;
-    connect(map, &widgets::MapView::areaEdited, this, [this, panel](const Rectangle& area) {
+    connect(&map->gestures(), &widgets::MapGestures::areaEdited, this, [this, panel](const Rectangle& area) {
         panel->setArea(area);
         setArea(area);
     });
-    connect(map, &widgets::MapView::areaChanged, this, [this, map, panel](const Rectangle& area) {
+    connect(&map->gestures(), &widgets::MapGestures::areaChanged, this, [this, map, panel](const Rectangle& area) {
         panel->setArea(area);
         map->setTool(widgets::MapTool::Pan);
         notices_.cure("area");
         setArea(area);
     });
-    connect(map, &widgets::MapView::areaRefused, this,
+    connect(&map->gestures(), &widgets::MapGestures::areaRefused, this,
             [this](const QString& reason) { notices_.say(Severity::Warning, "area", reason); });
-    connect(map, &widgets::MapView::toolChanged, this, [this, panel](widgets::MapTool tool) {
+    connect(&map->gestures(), &widgets::MapGestures::toolChanged, this, [this, panel](widgets::MapTool tool) {
         const bool drawing = tool == widgets::MapTool::Area;
         panel->setAreaToolActive(drawing);
         action("mission.area")->setChecked(drawing);

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "widgets/commands/command_palette.h"
-#include "widgets/commands/gestures.h"
 #include "widgets/commands/shortcut_sheet.h"
 
 namespace usar::app {
@@ -14,6 +13,12 @@ ViewDesk::ViewDesk(const DeskContext& context, QMainWindow& window, std::optiona
     , theme_(theme) {}
 
 void ViewDesk::registerCommands() {
+    auto* const map = views_.map;
+    add("map.fit", [map] { map->fit(); });
+    add("map.fit_world", [map] { map->fitWorld(); });
+    add("map.follow", [map](bool on) { map->setFollowing(on); });
+    add("map.zoom_in", [map] { map->zoomIn(); });
+    add("map.zoom_out", [map] { map->zoomOut(); });
     add("view.dark", [this](bool dark) { setTheme(dark ? widgets::Theme::Dark : widgets::Theme::Light); });
     add("view.hint", [this] { views_.hint->show(); });
     auto* palette = new widgets::CommandPalette(commands_, &main_window_);
@@ -38,6 +43,11 @@ void ViewDesk::registerCommands() {
     }
 }
 
+void ViewDesk::wire() {
+    connect(views_.map, &widgets::MapView::followingChanged, action("map.follow"), &QAction::setChecked);
+    connect(views_.layers, &widgets::LayersPanel::layerChanged, views_.map, &widgets::MapView::setLayer);
+}
+
 void ViewDesk::setTheme(widgets::Theme theme) {
     widgets::applyTheme(theme);
     action("view.dark")->setChecked(theme == widgets::Theme::Dark);
@@ -56,6 +66,7 @@ void ViewDesk::restore(const QSettings& settings) {
     main_window_.restoreGeometry(settings.value("geometry").toByteArray());
     main_window_.restoreState(settings.value("layout").toByteArray(), layout_version);
     views_.hint->setVisible(!settings.value("hint_dismissed", false).toBool());
+    views_.layers->restoreState(settings.value("layers").toByteArray());
 }
 
 void ViewDesk::save(QSettings& settings) const {
@@ -63,6 +74,7 @@ void ViewDesk::save(QSettings& settings) const {
     settings.setValue("geometry", main_window_.saveGeometry());
     settings.setValue("layout", main_window_.saveState(layout_version));
     settings.setValue("hint_dismissed", views_.hint->isHidden());
+    settings.setValue("layers", views_.layers->saveState());
 }
 
 } // namespace usar::app

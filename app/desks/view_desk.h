@@ -1,4 +1,5 @@
-// Desk for the look of the window: theme, layouts of the docks, command palette and help.
+// Desk for the look of the window: theme, layouts of the docks, the view and layers of the map, command palette and
+// help.
 #pragma once
 
 #include <optional>
@@ -10,7 +11,8 @@
 
 namespace usar::app {
 
-/// Switches the theme and arranges the docks; both are kept in the settings. GUI thread.
+/// Switches the theme, arranges the docks, and fits, zooms and follows on the map. Theme, docks and visible layers are
+/// kept in the settings. GUI thread.
 class ViewDesk : public Desk {
     Q_OBJECT
 public:
@@ -19,6 +21,7 @@ public:
 
     /// Also registers one command per dock, which shows or hides it.
     void registerCommands() override;
+    void wire() override;
     /// Keeps the current layout, from which the layout commands start. To be called before `restore`.
     void keepFirstLayout() { first_layout_ = main_window_.saveState(layout_version); }
     void restore(const QSettings& settings) override;

@@ -32,7 +32,7 @@ ObjectForm formOf(const sim::ObjectKind& kind) {
 std::vector<widgets::PaletteKind> palette() {
     std::vector<widgets::PaletteKind> kinds;
     for (const sim::ObjectKind& kind : sim::objectKinds()) {
-        const QString name = QString::fromUtf8(kind.name.data(), qsizetype(kind.name.size()));
+        const QString name = QString::fromUtf8(kind.name);
         kinds.push_back({name, widgets::kindIcon(name), formOf(kind), kind.size_m, kind.conveyor});
     }
     return kinds;
@@ -150,12 +150,12 @@ void WorldEditor::wire() {
 }
 
 void WorldEditor::wireMap() {
-    connect(views_.map, &widgets::MapView::placeRequested, this, &WorldEditor::place);
-    connect(views_.map, &widgets::MapView::waypointAdded, this, &WorldEditor::addWaypoint);
-    connect(views_.map, &widgets::MapView::objectClicked, this, &WorldEditor::select);
-    connect(views_.map, &widgets::MapView::objectMoved, this, &WorldEditor::moveTo);
+    connect(&views_.map->gestures(), &widgets::MapGestures::placeRequested, this, &WorldEditor::place);
+    connect(&views_.map->gestures(), &widgets::MapGestures::waypointAdded, this, &WorldEditor::addWaypoint);
+    connect(&views_.map->gestures(), &widgets::MapGestures::objectClicked, this, &WorldEditor::select);
+    connect(&views_.map->gestures(), &widgets::MapGestures::objectMoved, this, &WorldEditor::moveTo);
     connect(views_.map, &widgets::MapView::objectRemovalRequested, this, &WorldEditor::remove);
-    connect(views_.map, &widgets::MapView::toolChanged, this, [this](MapTool tool) {
+    connect(&views_.map->gestures(), &widgets::MapGestures::toolChanged, this, [this](MapTool tool) {
         if (tool != MapTool::Place)
             views_.world->disarm();
         action("world.waypoints")->setChecked(tool == MapTool::Waypoint);

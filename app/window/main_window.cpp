@@ -11,8 +11,7 @@
 
 #include "app/window/menus.h"
 #include "core/server/embedded/program_files.h"
-#include "widgets/commands/escape_twice.h"
-#include "widgets/commands/own_keys.h"
+#include "widgets/commands/key_filters.h"
 #include "widgets/models/figures.h"
 
 namespace usar::app {
@@ -61,9 +60,8 @@ void MainWindow::registerCommands() {
     for (Desk* desk : std::initializer_list<Desk*>{&mission_, &task_, &files_})
         desk->registerCommands();
     commands_.add(widgets::commandSpec("file.quit"), [this](bool) { close(); });
-    for (Desk* desk :
-         std::initializer_list<Desk*>{&robots_, &map_, &view_, &server_, &time_, &messages_, &replay_, &faults_,
-                                      &workshop_, &plan_, &camera_, &drive_, &plugins_, &world_, &radio_})
+    for (Desk* desk : std::initializer_list<Desk*>{&robots_, &view_, &server_, &time_, &messages_, &replay_, &faults_,
+                                                   &workshop_, &plan_, &camera_, &drive_, &plugins_, &world_, &radio_})
         desk->registerCommands();
 }
 
@@ -83,7 +81,7 @@ void MainWindow::wireDesks() {
     // The desks receive each event in this order: a task is set before it is shown, and the title comes last.
     for (Desk* desk : std::initializer_list<Desk*>{&plugins_, &server_, &task_, &mission_, &robots_, &plan_, &workshop_,
                                                    &time_, &drive_, &camera_, &world_, &files_, &replay_, &messages_,
-                                                   &faults_, &radio_, &map_})
+                                                   &faults_, &radio_, &view_})
         desk->wire();
     connect(&selection_, &Selection::changed, this, &MainWindow::showTitle);
     connect(&control_, &MissionControl::behaviorFinished, this, &MainWindow::showTitle);
@@ -145,7 +143,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 
 void MainWindow::restoreSettings() {
     const QSettings settings;
-    for (Desk* desk : std::initializer_list<Desk*>{&view_, &messages_, &workshop_, &map_, &server_, &replay_, &plan_})
+    for (Desk* desk : std::initializer_list<Desk*>{&view_, &messages_, &workshop_, &server_, &replay_, &plan_})
         desk->restore(settings);
     if (options_.result_folder.isEmpty())
         files_.restore(settings);
@@ -153,8 +151,8 @@ void MainWindow::restoreSettings() {
 
 void MainWindow::saveSettings() {
     auto written = std::make_shared<QSettings>();
-    for (const Desk* desk : std::initializer_list<const Desk*>{&view_, &plugins_, &messages_, &workshop_, &map_,
-                                                               &server_, &replay_, &plan_})
+    for (const Desk* desk :
+         std::initializer_list<const Desk*>{&view_, &plugins_, &messages_, &workshop_, &server_, &replay_, &plan_})
         desk->save(*written);
     if (options_.result_folder.isEmpty())
         files_.save(*written);

@@ -8,7 +8,6 @@
 #include "app/desks/drive_desk.h"
 #include "app/desks/fault_desk.h"
 #include "app/desks/file_desk.h"
-#include "app/desks/map_desk.h"
 #include "app/desks/message_desk.h"
 #include "app/desks/mission_desk.h"
 #include "app/desks/plan_desk.h"
@@ -104,7 +103,6 @@ private:
     MessageDesk messages_{desk_};
     FaultDesk faults_{desk_};
     RadioDesk radio_{desk_};
-    MapDesk map_{desk_};
     ViewDesk view_;
     bool asking_ = false;    ///< the dialog of `askWhereToSave` is open
     bool may_close_ = false; ///< nothing is left to save, or the user gave it up

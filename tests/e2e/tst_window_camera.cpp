@@ -8,7 +8,7 @@
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/e2e/window_page.h"
 #include "tests/suite/suite.h"
-#include "widgets/drive/camera_canvas.h"
+#include "widgets/drive/camera_view.h"
 #include "widgets/style/empty_state.h"
 
 namespace tst_window_camera {

@@ -16,7 +16,7 @@
 #include "tests/e2e/scratch_files.h"
 #include "tests/e2e/window_page.h"
 #include "tests/suite/suite.h"
-#include "widgets/panels/report_dialog.h"
+#include "widgets/panels/dialogs.h"
 #include "widgets/style/theme.h"
 
 namespace tst_window_debugger {

@@ -15,7 +15,7 @@
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/e2e/window_page.h"
 #include "tests/suite/suite.h"
-#include "widgets/messages/toast.h"
+#include "widgets/messages/toast_stack.h"
 
 namespace tst_window_plugins {
 

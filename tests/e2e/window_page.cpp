@@ -11,7 +11,7 @@
 #include <QUrl>
 
 #include "core/link/recording_reader.h"
-#include "widgets/panels/parameter_row.h"
+#include "widgets/panels/parameter_form.h"
 
 using namespace usar;
 

@@ -8,13 +8,11 @@
 #include "tests/suite/suite.h"
 #include "tests/suite/waiting.h"
 #include "widgets/bars/connection_bar.h"
-#include "widgets/bars/progress_strip.h"
-#include "widgets/bars/stop_button.h"
+#include "widgets/bars/strips.h"
 #include "widgets/bars/time_bar.h"
-#include "widgets/map/layer_swatch.h"
 #include "widgets/map/layers_panel.h"
 #include "widgets/panels/area_form.h"
-#include "widgets/style/elided_label.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace tst_bars {
@@ -344,11 +342,13 @@ void tst_Bars::clockIsUnknownAtFirst() {
 }
 
 void tst_Bars::stopButtonIsReachedByKeys() {
-    StopButton button;
-    QSignalSpy clicked(&button, &QPushButton::clicked);
-    QTest::keyClick(&button, Qt::Key_Space);
+    const std::unique_ptr<QPushButton> button(makeStopButton(QStringLiteral("STOP"), QStringLiteral("Stops R1")));
+    QSignalSpy clicked(button.get(), &QPushButton::clicked);
+    QTest::keyClick(button.get(), Qt::Key_Space);
     QCOMPARE(clicked.count(), 1);
-    QVERIFY(button.toolTip().contains(QStringLiteral("Esc")));
+    QCOMPARE(button->text(), QStringLiteral("STOP"));
+    QCOMPARE(button->toolTip(), QStringLiteral("Stops R1"));
+    QCOMPARE(button->property("role").toString(), QStringLiteral("stop"));
 }
 
 void tst_Bars::progressIsSaidOfWhatTakesLong() {

@@ -9,7 +9,6 @@
 
 #include "core/base/geometry.h"
 #include "tests/suite/suite.h"
-#include "widgets/drive/camera_canvas.h"
 #include "widgets/drive/camera_view.h"
 #include "widgets/style/empty_state.h"
 #include "widgets/style/theme.h"

@@ -4,7 +4,7 @@
 #include <QTest>
 
 #include "tests/suite/suite.h"
-#include "widgets/commands/command_table.h"
+#include "widgets/commands/command_registry.h"
 #include "widgets/style/icons.h"
 
 namespace tst_command_table {

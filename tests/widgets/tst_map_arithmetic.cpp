@@ -3,8 +3,8 @@
 #include <QTest>
 
 #include "tests/suite/suite.h"
+#include "widgets/map/map_labels.h"
 #include "widgets/models/map/area_grip.h"
-#include "widgets/models/map/label_places.h"
 #include "widgets/models/map/map_transform.h"
 #include "widgets/models/map/trail.h"
 

@@ -177,8 +177,8 @@ void tst_MapView::wheelZoomsAtTheCursor() {
 }
 
 void tst_MapView::areaToolDrawsAnArea() {
-    QSignalSpy edited(view_.get(), &MapView::areaEdited);
-    QSignalSpy changed(view_.get(), &MapView::areaChanged);
+    QSignalSpy edited(&view_->gestures(), &MapGestures::areaEdited);
+    QSignalSpy changed(&view_->gestures(), &MapGestures::areaChanged);
     view_->setTool(MapTool::Area);
     drag(*view_, screen(*view_, 10, 20), screen(*view_, -30, -20));
     QCOMPARE(changed.count(), 1);
@@ -209,7 +209,7 @@ void tst_MapView::handleResizesAndMiddleMoves() {
 
 void tst_MapView::escapeGivesADragUp() {
     const Rectangle before{Vec2(-20, -20), Vec2(20, 20)};
-    QSignalSpy changed(view_.get(), &MapView::areaChanged);
+    QSignalSpy changed(&view_->gestures(), &MapGestures::areaChanged);
     view_->setArea(before);
     view_->setTool(MapTool::Area);
     QTest::mousePress(view_.get(), Qt::LeftButton, {}, screen(*view_, 20, 20));
@@ -222,7 +222,7 @@ void tst_MapView::escapeGivesADragUp() {
 }
 
 void tst_MapView::clickOnARobotSelectsIt() {
-    QSignalSpy clicked(view_.get(), &MapView::robotClicked);
+    QSignalSpy clicked(&view_->gestures(), &MapGestures::robotClicked);
     view_->setRobot({QStringLiteral("R2"), 2, {{-10, 10, 6}, 0, 0, 0}});
     QTest::mouseClick(view_.get(), Qt::LeftButton, {}, screen(*view_, -10, 10));
     QCOMPARE(clicked.count(), 1);
@@ -304,8 +304,8 @@ void tst_MapView::areaWithoutGroundIsRefused() {
     view_->setTransform({{}, Vec2::Zero(), 4.0, {}});
     view_->setArea(before);
     view_->setTool(MapTool::Area);
-    QSignalSpy refused(view_.get(), &MapView::areaRefused);
-    QSignalSpy changed(view_.get(), &MapView::areaChanged);
+    QSignalSpy refused(&view_->gestures(), &MapGestures::areaRefused);
+    QSignalSpy changed(&view_->gestures(), &MapGestures::areaChanged);
     drag(*view_, screen(*view_, from_m.x(), from_m.y()), screen(*view_, to_m.x(), to_m.y()));
     QCOMPARE(refused.count(), 1);
     QVERIFY2(refused[0][0].toString().contains(words), qPrintable(refused[0][0].toString()));
@@ -407,8 +407,8 @@ void tst_MapView::clearDuringADragBringsNoAreaBack() {
     view_->setTool(MapTool::Area);
     QTest::mousePress(view_.get(), Qt::LeftButton, {}, screen(*view_, 20, 20));
     QTest::mouseMove(view_.get(), screen(*view_, 35, 35));
-    QSignalSpy edited(view_.get(), &MapView::areaEdited);
-    QSignalSpy changed(view_.get(), &MapView::areaChanged);
+    QSignalSpy edited(&view_->gestures(), &MapGestures::areaEdited);
+    QSignalSpy changed(&view_->gestures(), &MapGestures::areaChanged);
     view_->clear();
     QTest::mouseMove(view_.get(), QPoint(30, 30));
     QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, QPoint(30, 30));

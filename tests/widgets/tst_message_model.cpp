@@ -8,7 +8,7 @@
 
 #include "core/protocol/reader.h"
 #include "tests/suite/suite.h"
-#include "widgets/models/messages/caseless_finder.h"
+#include "widgets/models/messages/message_filter.h"
 #include "widgets/models/messages/message_model.h"
 #include "widgets/models/messages/message_parts.h"
 #include "widgets/style/theme.h"

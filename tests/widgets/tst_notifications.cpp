@@ -9,7 +9,6 @@
 
 #include "tests/suite/suite.h"
 #include "widgets/messages/notification_center.h"
-#include "widgets/messages/toast.h"
 #include "widgets/messages/toast_stack.h"
 #include "widgets/style/empty_state.h"
 #include "widgets/style/theme.h"
@@ -175,20 +174,20 @@ void tst_Notifications::severitiesDifferInWordIconAndColor() {
 void tst_Notifications::seenIsRead() {
     NotificationCenter center;
     QSignalSpy unread(&center, &NotificationCenter::unreadChanged);
-    center.push(link_key, Severity::Error, no_answer, noon);
+    center.push(link_key, Severity::Error, no_answer, std::nullopt, {}, noon);
     QCOMPARE(center.unread(), 1);
     center.show();
     QCOMPARE(center.unread(), 0);
-    center.push(link_key, Severity::Error, no_answer, noon);
+    center.push(link_key, Severity::Error, no_answer, std::nullopt, {}, noon);
     QCOMPARE(center.unread(), 0);
     center.hide();
-    center.push(link_key, Severity::Error, no_answer, noon);
+    center.push(link_key, Severity::Error, no_answer, std::nullopt, {}, noon);
     QCOMPARE(center.unread(), 1);
 }
 
 void tst_Notifications::activatingNamesTheKey() {
     NotificationCenter center;
-    center.push(link_key, Severity::Error, no_answer, noon);
+    center.push(link_key, Severity::Error, no_answer, std::nullopt, {}, noon);
     center.show();
     QSignalSpy activated(&center, &NotificationCenter::activated);
     auto* view = center.findChild<QListView*>();
@@ -200,7 +199,7 @@ void tst_Notifications::activatingNamesTheKey() {
 
 void tst_Notifications::copyTakesTheSentence() {
     NotificationCenter center;
-    center.push(link_key, Severity::Error, no_answer, noon);
+    center.push(link_key, Severity::Error, no_answer, std::nullopt, {}, noon);
     auto* view = center.findChild<QListView*>();
     view->setCurrentIndex(center.model()->index(0));
     view->actions().constFirst()->trigger();
@@ -211,7 +210,7 @@ void tst_Notifications::emptyCenterSaysWhatComes() {
     NotificationCenter center;
     center.show();
     QVERIFY(center.emptyState()->isVisible());
-    center.push(link_key, Severity::Error, no_answer, noon);
+    center.push(link_key, Severity::Error, no_answer, std::nullopt, {}, noon);
     QVERIFY(!center.emptyState()->isVisible());
     center.clearAll();
     QVERIFY(center.emptyState()->isVisible());
@@ -219,7 +218,7 @@ void tst_Notifications::emptyCenterSaysWhatComes() {
 
 void tst_Notifications::longTextIsWrapped() {
     NotificationCenter center;
-    center.push(link_key, Severity::Error, no_answer, noon);
+    center.push(link_key, Severity::Error, no_answer, std::nullopt, {}, noon);
     center.show();
     auto* view = center.findChild<QListView*>();
     const QModelIndex first = center.model()->index(0);
@@ -396,7 +395,7 @@ void tst_Notifications::anOfferStaysUntilItIsTakenOrCured() {
 void tst_Notifications::anOfferIsTakenInItsRowByMouseAndKey() {
     NotificationCenter center;
     center.resize(400, 300);
-    center.push(QStringLiteral("r2"), Severity::Warning, QStringLiteral("It died."),
+    center.push(QStringLiteral("r2"), Severity::Warning, QStringLiteral("It died."), true,
                 Offer{QStringLiteral("Again"), {}});
     center.push(QStringLiteral("a"), Severity::Warning, QStringLiteral("It rains."));
     center.show();

@@ -13,8 +13,7 @@
 #include "tests/suite/suite.h"
 #include "tests/widgets/plan_samples.h"
 #include "widgets/bars/connection_bar.h"
-#include "widgets/bars/hint_strip.h"
-#include "widgets/bars/stop_button.h"
+#include "widgets/bars/strips.h"
 #include "widgets/bars/time_bar.h"
 #include "widgets/commands/command_palette.h"
 #include "widgets/drive/drive_panel.h"
@@ -24,7 +23,6 @@
 #include "widgets/map/world_panel.h"
 #include "widgets/messages/message_list.h"
 #include "widgets/messages/notification_center.h"
-#include "widgets/messages/toast.h"
 #include "widgets/messages/toast_stack.h"
 #include "widgets/panels/area_form.h"
 #include "widgets/panels/behavior_panel.h"
@@ -82,7 +80,7 @@ std::unique_ptr<QWidget> filledRobots() {
 
 std::unique_ptr<QWidget> filledNotifications() {
     auto center = std::make_unique<NotificationCenter>();
-    center->push(QStringLiteral("link"), Severity::Error, QStringLiteral("No answer."), QDateTime());
+    center->push(QStringLiteral("link"), Severity::Error, QStringLiteral("No answer."), std::nullopt, {}, QDateTime());
     return center;
 }
 
@@ -234,7 +232,6 @@ void tst_PanelReach::everything() {
     QTest::newRow("connection, embedded") << Maker(plain<ConnectionBar>);
     QTest::newRow("connection, real server") << Maker(realServerBar);
     QTest::newRow("time") << Maker(plain<TimeBar>);
-    QTest::newRow("stop") << Maker(plain<StopButton>);
     QTest::newRow("hints") << Maker(plain<HintStrip>);
     QTest::newRow("behavior") << Maker(runningBehavior);
     QTest::newRow("spawn card") << Maker(openSpawnCard);

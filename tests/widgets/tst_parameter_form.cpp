@@ -9,7 +9,6 @@
 #include "tests/suite/suite.h"
 #include "widgets/models/parameter_display.h"
 #include "widgets/panels/parameter_form.h"
-#include "widgets/panels/parameter_row.h"
 #include "widgets/panels/quantity_box.h"
 #include "widgets/style/empty_state.h"
 #include "widgets/style/theme.h"

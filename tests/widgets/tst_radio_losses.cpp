@@ -2,7 +2,7 @@
 #include <QTest>
 
 #include "tests/suite/suite.h"
-#include "widgets/models/radio_losses.h"
+#include "widgets/models/radio_links.h"
 
 namespace tst_radio_losses {
 

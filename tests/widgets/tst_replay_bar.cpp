@@ -5,7 +5,6 @@
 #include <QTest>
 
 #include "tests/suite/suite.h"
-#include "widgets/bars/record_badge.h"
 #include "widgets/bars/replay_bar.h"
 
 namespace tst_replay_bar {

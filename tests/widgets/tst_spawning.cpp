@@ -3,7 +3,7 @@
 #include <QToolButton>
 
 #include "tests/suite/suite.h"
-#include "widgets/bars/hint_strip.h"
+#include "widgets/bars/strips.h"
 #include "widgets/map/spawn_card.h"
 
 namespace tst_spawning {

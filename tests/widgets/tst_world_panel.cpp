@@ -159,8 +159,8 @@ private slots:
     void theMapTellsWhatIsDoneWithObjects() {
         const auto map = mapView();
         map->setObjects({object("Crate1", {0, 0}), object("Crate2", {5, 0})});
-        QSignalSpy clicked(map.get(), &MapView::objectClicked);
-        QSignalSpy moved(map.get(), &MapView::objectMoved);
+        QSignalSpy clicked(&map->gestures(), &MapGestures::objectClicked);
+        QSignalSpy moved(&map->gestures(), &MapGestures::objectMoved);
         QSignalSpy removal(map.get(), &MapView::objectRemovalRequested);
         QTest::mouseClick(map.get(), Qt::LeftButton, {}, QPoint(200, 200));
         QCOMPARE(clicked.last()[0].toString(), QString("Crate1"));
@@ -181,7 +181,7 @@ private slots:
     void escapeGivesADraggedObjectBack() {
         const auto map = mapView();
         map->setObjects({object("Crate1", {0, 0})});
-        QSignalSpy moved(map.get(), &MapView::objectMoved);
+        QSignalSpy moved(&map->gestures(), &MapGestures::objectMoved);
         QTest::mousePress(map.get(), Qt::LeftButton, {}, QPoint(200, 200));
         QTest::mouseMove(map.get(), QPoint(230, 200));
         QTest::mouseMove(map.get(), QPoint(260, 200));

@@ -8,8 +8,8 @@
 #include <QWidget>
 
 #include "core/base/clock.h"
-#include "widgets/bars/speed_box.h"
 #include "widgets/style/form_parts.h"
+#include "widgets/style/time_controls.h"
 
 namespace usar::widgets {
 

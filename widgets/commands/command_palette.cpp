@@ -1,14 +1,16 @@
 #include "widgets/commands/command_palette.h"
 
+#include <algorithm>
+
+#include <QIcon>
 #include <QKeyEvent>
 #include <QPainter>
 #include <QStyledItemDelegate>
-#include <QVBoxLayout>
 
+#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
-
 namespace {
 
 /// Paints the text on the left, group and shortcut muted on the right.
@@ -33,16 +35,74 @@ public:
 
 } // namespace
 
+std::optional<int> matchScore(const QString& typed, const QString& text) {
+    int score = 0;
+    for (const QString& word : typed.split(u' ', Qt::SkipEmptyParts)) {
+        const qsizetype at = text.indexOf(word, 0, Qt::CaseInsensitive);
+        if (at < 0)
+            return std::nullopt;
+        score += at == 0 ? 3 : !text[at - 1].isLetterOrNumber() ? 2 : 1;
+    }
+    return score;
+}
+
+CommandListModel::CommandListModel(const CommandRegistry& registry, QObject* parent)
+    : QAbstractListModel(parent)
+    , registry_(registry) {
+    setFilter({});
+}
+
+void CommandListModel::setFilter(const QString& typed) {
+    std::vector<std::pair<int, const CommandRegistry::Command*>> scored;
+    for (const auto& command : registry_.commands()) {
+        if (!command->action->isEnabled())
+            continue;
+        const QString text = command->spec.text + QStringLiteral(" ") + command->spec.group;
+        if (const auto score = matchScore(typed, text))
+            scored.emplace_back(*score, command.get());
+    }
+    std::ranges::stable_sort(scored, std::ranges::greater(), [](const auto& entry) { return entry.first; });
+    beginResetModel();
+    rows_.clear();
+    for (const auto& [score, command] : scored)
+        rows_.push_back(command);
+    endResetModel();
+}
+
+QAction* CommandListModel::actionAt(const QModelIndex& index) const {
+    return index.isValid() ? rows_[static_cast<std::size_t>(index.row())]->action : nullptr;
+}
+
+int CommandListModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+}
+
+QVariant CommandListModel::data(const QModelIndex& index, int role) const {
+    const auto& command = *rows_[static_cast<std::size_t>(index.row())];
+    switch (role) {
+    case Qt::DisplayRole:
+        return command.spec.text;
+    case Qt::DecorationRole:
+        return command.action->icon();
+    case Qt::ToolTipRole:
+        return command.action->toolTip();
+    case GroupRole:
+        return command.spec.group;
+    case ShortcutRole:
+        return command.spec.shortcuts.isEmpty() ? QString()
+                                                : command.spec.shortcuts.front().toString(QKeySequence::NativeText);
+    default:
+        return {};
+    }
+}
+
 CommandPalette::CommandPalette(const CommandRegistry& registry, QWidget* window)
     : QFrame(window, Qt::Popup)
-    , model_(new CommandListModel(registry, this))
-    , line_(new QLineEdit(this))
-    , list_(new QListView(this)) {
+    , model_(new CommandListModel(registry, this)) {
     setProperty("role", "card");
     setAccessibleName(tr("Command palette"));
     line_->setPlaceholderText(tr("Type a command"));
-    line_->setAccessibleName(tr("Command"));
-    line_->setToolTip(tr("Finds commands by any part of their name; Return runs the marked one, Esc closes"));
+    named(line_, tr("Command"), tr("Finds commands by any part of their name; Return runs the marked one, Esc closes"));
     line_->setMinimumHeight(minimum_target);
     line_->setClearButtonEnabled(true);
     list_->setModel(model_);
@@ -50,11 +110,7 @@ CommandPalette::CommandPalette(const CommandRegistry& registry, QWidget* window)
     list_->setFocusPolicy(Qt::NoFocus);
     list_->setAccessibleName(tr("Matching commands"));
     list_->setFrameShape(QFrame::NoFrame);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
-    column->setSpacing(gap::small);
-    column->addWidget(line_);
-    column->addWidget(list_);
+    laidOut(new QVBoxLayout(this), {gap::small, gap::small, gap::small, gap::small}, gap::small, {line_, list_});
     line_->installEventFilter(this);
     connect(line_, &QLineEdit::textChanged, this, [this](const QString& text) {
         model_->setFilter(text);
@@ -80,17 +136,13 @@ bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
     if (watched == line_ && event->type() == QEvent::KeyPress) {
         switch (static_cast<QKeyEvent*>(event)->key()) {
         case Qt::Key_Down:
-            choose(1);
-            return true;
+            return choose(1), true;
         case Qt::Key_Up:
-            choose(-1);
-            return true;
+            return choose(-1), true;
         case Qt::Key_PageDown:
-            choose(8);
-            return true;
+            return choose(8), true;
         case Qt::Key_PageUp:
-            choose(-8);
-            return true;
+            return choose(-8), true;
         default:
             break;
         }

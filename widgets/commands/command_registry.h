@@ -10,7 +10,6 @@
 #include <QKeySequence>
 #include <QMenu>
 #include <QObject>
-#include <QToolBar>
 
 namespace usar::widgets {
 
@@ -56,7 +55,6 @@ public:
 
     /// Appends these commands in order; an id "-" makes a separator.
     void fill(QMenu* menu, const QStringList& ids) const;
-    void fill(QToolBar* bar, const QStringList& ids) const;
 
 private:
     void list(const CommandSpec& spec, QAction* action, std::function<bool()> enabled);
@@ -68,5 +66,15 @@ private:
 
 /// "Help sentence (Ctrl+K)": the help, or the text if there is no help, with the first shortcut.
 QString tooltipText(const CommandSpec& spec);
+
+/// Reads a table of commands: an object of groups, each an object of commands by id, with `text`, `help`, and possibly
+/// `icon`, `keys` and `checkable`. A key is written as in a menu ("Ctrl+K"), or names one that differs by desktop
+/// ("StandardKey::Open"). Text that is no JSON object is read as an empty table.
+std::vector<CommandSpec> readCommandTable(const QByteArray& json);
+
+/// All commands of the program's own table, sorted by group and id.
+const std::vector<CommandSpec>& commandTable();
+/// The command with this id; an unknown id is a programming error (assertion).
+const CommandSpec& commandSpec(const QString& id);
 
 } // namespace usar::widgets

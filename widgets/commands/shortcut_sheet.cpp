@@ -2,15 +2,14 @@
 
 #include <algorithm>
 
-#include <QGridLayout>
 #include <QLabel>
+#include <QObject>
 #include <QScrollArea>
-#include <QVBoxLayout>
 
+#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
-
 namespace {
 
 struct Line {
@@ -40,10 +39,7 @@ QList<Group> groupsOf(const CommandRegistry& registry) {
 
 QWidget* groupWidget(const Group& group) {
     auto* box = new QWidget;
-    auto* grid = new QGridLayout(box);
-    grid->setContentsMargins(0, 0, gap::large, gap::medium);
-    grid->setHorizontalSpacing(gap::medium);
-    grid->setVerticalSpacing(gap::tiny);
+    auto* grid = gridOf(box, {0, 0, gap::large, gap::medium}, gap::medium, gap::tiny);
     auto* title = new QLabel(group.name);
     title->setProperty("role", "title");
     grid->addWidget(title, 0, 0, 1, 2);
@@ -62,6 +58,20 @@ QWidget* groupWidget(const Group& group) {
 }
 
 } // namespace
+
+QList<std::pair<QString, QString>> gestures() {
+    return {{QObject::tr("Double-click a start pose"), QObject::tr("Spawn a robot there")},
+            {QObject::tr("Click a start pose"), QObject::tr("Choose class, name and behavior first")},
+            {QObject::tr("Drag with the area tool"), QObject::tr("Draw the mission area; its handles change it")},
+            {QObject::tr("Wheel"), QObject::tr("Zoom at the cursor")},
+            {QObject::tr("Arrow keys, drag"), QObject::tr("Pan the map")},
+            {QObject::tr("W S, A D, Q E, R F held while you drive"),
+             QObject::tr("Forward and back, round, sideways, up and down; Shift slower, Space stops")},
+            {QObject::tr("Drag the camera's picture, wheel on it"), QObject::tr("Turn the camera, zoom it")},
+            {QObject::tr("Double-click a sensor value"), QObject::tr("Plot it")},
+            {QObject::tr("Press an object in the palette, click on the map"), QObject::tr("Put it into the world")},
+            {QObject::tr("Drag an object"), QObject::tr("Move it")}};
+}
 
 ShortcutSheet::ShortcutSheet(const CommandRegistry& registry, const QList<std::pair<QString, QString>>& gestures,
                              QWidget* window)
@@ -85,9 +95,7 @@ ShortcutSheet::ShortcutSheet(const CommandRegistry& registry, const QList<std::p
     scroll->setWidget(sheet);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(scroll);
+    laidOut(new QVBoxLayout(this), {}, 0, {scroll});
     constexpr int scroll_bar_px = 24;
     // Wide enough to never need horizontal scrolling.
     resize(std::max(820, sheet->sizeHint().width() + scroll_bar_px), 520);

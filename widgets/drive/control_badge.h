@@ -3,8 +3,8 @@
 
 #include <QWidget>
 
-#include "widgets/models/control_words.h"
-#include "widgets/style/state_dot.h"
+#include "widgets/models/robot_list_model.h"
+#include "widgets/style/form_parts.h"
 
 namespace usar::widgets {
 

@@ -9,7 +9,6 @@
 #include "widgets/drive/drive_pad.h"
 #include "widgets/models/figures.h"
 #include "widgets/style/form_parts.h"
-#include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
@@ -26,7 +25,9 @@ QLabel* smallLabel(const QString& text, QWidget* parent) {
 
 } // namespace
 
-DrivePanel::DrivePanel(QWidget* parent) : QWidget(parent) {
+DrivePanel::DrivePanel(QWidget* parent)
+    : QWidget(parent)
+    , stop_(makeStopButton({}, tr("Stops this robot at once, whoever drives it (Space while you drive)"), this)) {
     auto* scroll = new QScrollArea(this); // It also prevents changing figures from laying out the whole window again.
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setFocusPolicy(Qt::NoFocus);
@@ -44,9 +45,6 @@ DrivePanel::DrivePanel(QWidget* parent) : QWidget(parent) {
     makeFigures();
     take_->setMinimumHeight(minimum_target);
     connect(take_, &QPushButton::clicked, this, [this] { emit takeRequested(!state_.taken); });
-    stop_->setProperty("role", "stop");
-    stop_->setIcon(icon(QStringLiteral("stop"), tokens().on_fill));
-    stop_->setToolTip(tr("Stops this robot at once, whoever drives it (Space while you drive)"));
     connect(stop_, &QPushButton::clicked, this, &DrivePanel::stopRequested);
     empty_->raise();
     setState({});

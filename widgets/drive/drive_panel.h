@@ -12,8 +12,8 @@
 
 #include "core/base/stick.h"
 #include "widgets/drive/control_badge.h"
-#include "widgets/style/elided_label.h"
 #include "widgets/style/empty_state.h"
+#include "widgets/style/form_parts.h"
 
 namespace usar::widgets {
 
@@ -119,7 +119,7 @@ private:
     ElidedLabel* echo_ = new ElidedLabel(content_);
     ElidedLabel* gamepad_ = new ElidedLabel(content_);
     QLabel* note_ = new QLabel(content_);
-    QPushButton* stop_ = new QPushButton(this);
+    QPushButton* stop_;
 };
 
 } // namespace usar::widgets

@@ -1,28 +1,130 @@
 #include "widgets/map/layers_panel.h"
 
-#include <QGridLayout>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QPainter>
 #include <QSignalBlocker>
 
-#include "widgets/map/layer_swatch.h"
+#include "core/mapping/shading.h"
+#include "widgets/map/map_painter.h"
 #include "widgets/style/form_parts.h"
 #include "widgets/style/icons.h"
+#include "widgets/style/sheet.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
-
 namespace {
+
+const QRectF frame(-13.0, -7.0, 26.0, 14.0); // Around the middle.
+
+void paintGridSwatch(QPainter& painter) {
+    painter.setPen(QPen(tokens().text_muted, 1.0));
+    for (const double x : {-8.5, 0.5, 9.5})
+        painter.drawLine(QPointF(x, frame.top()), QPointF(x, frame.bottom()));
+    for (const double y : {-3.5, 3.5})
+        painter.drawLine(QPointF(frame.left(), y), QPointF(frame.right(), y));
+}
+
+void paintHeightSwatch(QPainter& painter) {
+    const mapping::HeightRange range{0.0f, static_cast<float>(frame.width() - 1.0)};
+    for (int i = 0; i < static_cast<int>(frame.width()); ++i)
+        painter.fillRect(QRectF(frame.left() + i, frame.top(), 1.0, frame.height()),
+                         QColor::fromRgba(mapping::shade(static_cast<float>(i), range, mapping::ColorMap::Gray)));
+}
+
+void paintLaneSwatch(QPainter& painter) {
+    painter.setPen(QPen(tokens().accent, 1.0));
+    for (const double y : {-4.5, 0.5, 5.5})
+        painter.drawLine(QPointF(frame.left(), y), QPointF(frame.right(), y));
+}
+
+void paintLaserSwatch(QPainter& painter) {
+    painter.setPen(QPen(tokens().laser, 2.0));
+    painter.drawPoints(QPolygonF({{-12, 1}, {-8, 2}, {-4, 1}, {0, -1}, {4, -3}, {8, -2}, {12, -3}}));
+}
+
+void paintGoalSwatch(QPainter& painter) {
+    painter.setPen(dashedPen(robotColor(1), 1.5, {2.0, 3.0}));
+    painter.drawLine(QPointF(frame.left(), 0.0), QPointF(1.0, 0.0));
+    painter.setPen(QPen(robotColor(1), 2.0));
+    painter.drawEllipse(QPointF(7.0, 0.0), 5.0, 5.0);
+}
+
+void paintTraceSwatch(QPainter& painter) {
+    painter.setPen(QPen(QColor(0, 0, 0, 150), 1.0));
+    for (const auto& [x, color] : {std::pair(-9.0, protocol::TraceColor::Red),
+                                   {-3.0, protocol::TraceColor::Red},
+                                   {3.0, protocol::TraceColor::Cyan},
+                                   {9.0, protocol::TraceColor::Cyan}}) {
+        painter.setBrush(traceColor(color));
+        painter.drawEllipse(QPointF(x, 0.0), 2.5, 2.5);
+    }
+}
+
+void paintLayer(QPainter& painter, MapLayer layer) {
+    switch (layer) {
+    case MapLayer::World:
+        painter.setPen(QPen(tokens().text_muted, 1.0));
+        painter.setBrush(tokens().ground);
+        return painter.drawRect(frame);
+    case MapLayer::Grid:
+        return paintGridSwatch(painter);
+    case MapLayer::Heights:
+        return paintHeightSwatch(painter);
+    case MapLayer::Area:
+        painter.setPen(dashedPen(tokens().accent, 1.5, {4.0, 2.5}));
+        return painter.drawRect(frame);
+    case MapLayer::Lanes:
+        return paintLaneSwatch(painter);
+    case MapLayer::Trails:
+        painter.setPen(QPen(robotColor(1), 1.5));
+        return painter.drawPolyline(QPolygonF({{-13, 3}, {-4, -3}, {4, 3}, {13, -2}}));
+    case MapLayer::Traces:
+        return paintTraceSwatch(painter);
+    case MapLayer::Objects:
+        return paintObjectSymbol(painter, QRectF(-7.0, -6.0, 12.0, 12.0), false);
+    case MapLayer::Marks:
+        paintMark(painter, agent::MarkKind::HighRisk, QPointF(-7.0, 0.0), 10.0);
+        return paintMark(painter, agent::MarkKind::Diversion, QPointF(7.0, 0.0), 10.0);
+    case MapLayer::StartPoses:
+        painter.translate(-6.0, 0.0);
+        painter.scale(0.8, 0.8);
+        return paintStartPoseSymbol(painter, pi / 2.0, false);
+    case MapLayer::Laser:
+        return paintLaserSwatch(painter);
+    case MapLayer::Goals:
+        return paintGoalSwatch(painter);
+    case MapLayer::Radio:
+        painter.setPen(QPen(tokens().ok, 2.0));
+        return painter.drawLine(QPointF(-12.0, 4.0), QPointF(12.0, -4.0));
+    case MapLayer::Robots:
+        painter.scale(0.8, 0.8);
+        return paintRobotSymbol(painter, pi / 2.0, robotColor(1), false);
+    }
+}
+
 const QString visible_key = QStringLiteral("visible");
 const QString opacity_key = QStringLiteral("opacity");
+
 } // namespace
+
+LayerSwatch::LayerSwatch(const What& what, QWidget* parent) : QWidget(parent), what_(what) {
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+}
+
+void LayerSwatch::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.translate(QRectF(rect()).center());
+    if (const auto* layer = std::get_if<MapLayer>(&what_))
+        paintLayer(painter, *layer);
+    else
+        paintMark(painter, std::get<agent::MarkKind>(what_), QPointF(), 10.0);
+}
 
 LayersPanel::LayersPanel(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Map layers"));
-    grid_ = new QGridLayout(this);
-    grid_->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
-    grid_->setHorizontalSpacing(gap::small);
-    grid_->setVerticalSpacing(gap::tiny);
+    grid_ = gridOf(this, {gap::small, gap::small, gap::small, gap::small}, gap::small, gap::tiny);
     grid_->setColumnStretch(3, 1);
     int line = 0;
     for (std::size_t i = map_layer_count; i-- > 0;) {

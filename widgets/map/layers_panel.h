@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <variant>
 
 #include <QSlider>
 #include <QToolButton>
@@ -12,6 +13,23 @@
 class QGridLayout;
 
 namespace usar::widgets {
+
+/// Drawn by the same functions and in the same colors as the map, in both themes. Whatever takes its color from a robot
+/// is shown in the color of robot 1. Takes no focus, because assistive tools read the name beside it. GUI thread.
+class LayerSwatch : public QWidget {
+    Q_OBJECT
+public:
+    /// The layer or the kind of mark that is shown.
+    using What = std::variant<MapLayer, agent::MarkKind>;
+    explicit LayerSwatch(const What& what, QWidget* parent = nullptr);
+    QSize sizeHint() const override { return {32, 20}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    What what_;
+};
 
 /// The top layer comes first; below the marks, each kind of mark is listed with its color and shape. Starts with the
 /// layers of a new map. For a dock or a popup below the layers button. GUI thread.

@@ -17,8 +17,8 @@ enum class MapTool { Pan, Area, Place, Waypoint };
 inline constexpr const char* object_mime = "application/x-usar-thing";
 
 /// Takes all events of the mouse, and drags out of the palette, over a widget. During a drag, the content previews
-/// its effect; the signals report the user's requests, as do those of MapView with the same names. Moving the ground is
-/// left to the owner. Sets the widget's cursor and repaints it. GUI thread.
+/// its effect; the signals report the user's requests. Moving the ground is left to the owner. Sets the widget's cursor
+/// and repaints it. GUI thread.
 class MapGestures : public QObject {
     Q_OBJECT
 public:
@@ -48,13 +48,19 @@ signals:
     void panned(const QPointF& by_px);
     void startPoseClicked(std::size_t start_pose);
     void spawnRequested(int start_pose);
+    /// The robot is already selected in the content.
     void robotClicked(const QString& name);
+    /// Many times during a drag, then areaChanged once at its end. Empty: a canceled drag has left no area.
     void areaEdited(const usar::Rectangle& area_in_map);
     void areaChanged(const usar::Rectangle& area_in_map);
+    /// The drawn area has no size or is outside the world, so all stays as it was; `reason` includes the remedy.
     void areaRefused(const QString& reason);
+    /// The user wants an object here; `again`: the tool should stay active for another one (Shift).
     void placeRequested(const usar::Vec2& point_in_map_m, bool again);
     void waypointAdded(const usar::Vec2& point_in_map_m);
+    /// The object is already selected in the content; empty: none.
     void objectClicked(const QString& name);
+    /// The object was dragged so that its center is here; the map shows it here until the next setObjects.
     void objectMoved(const QString& name, const usar::Vec2& center_in_map_m);
     void toolChanged(usar::widgets::MapTool tool);
 

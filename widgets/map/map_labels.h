@@ -1,12 +1,31 @@
-// Places all names on the map for one frame, and defines the sizes of the symbols that they label.
+// Places all names on the map for one frame so that none covers another, and defines the sizes of the symbols that they
+// label.
 #pragma once
 
 #include <map>
+#include <optional>
+#include <vector>
+
+#include <QPointF>
+#include <QRectF>
 
 #include "widgets/map/map_content.h"
 #include "widgets/models/map/map_transform.h"
 
 namespace usar::widgets {
+
+/// A label that needs a place. All lengths are in pixels of the screen.
+struct LabelWish {
+    QPointF anchor_px;      ///< middle of its symbol
+    double clear_px = 0.0;  ///< distance from there to the nearest edge of the label
+    QSizeF size_px;         ///< size of the label's box
+    bool must_show = false; ///< without free room it is placed below, over whatever is there
+};
+
+/// Returns a box for each wish, or nullopt if there is no room. Earlier wishes take precedence. Tries below, right,
+/// left and above, first near and then a little farther away, because a symbol may lie under a larger one. `taken_px`
+/// are boxes that no label may cover.
+std::vector<std::optional<QRectF>> placeLabels(const std::vector<LabelWish>& wishes, std::vector<QRectF> taken_px);
 
 /// Half the size of each symbol on the screen, in pixels, independent of the map's scale.
 namespace symbol {

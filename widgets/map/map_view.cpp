@@ -16,15 +16,6 @@ MapView::MapView(QWidget* parent) : QWidget(parent) {
     connect(&gestures_, &MapGestures::panned, this, &MapView::panBy);
     connect(&gestures_, &MapGestures::startPoseClicked, this, &MapView::askAbout);
     connect(&gestures_, &MapGestures::spawnRequested, this, &MapView::spawnRequested);
-    connect(&gestures_, &MapGestures::robotClicked, this, &MapView::robotClicked);
-    connect(&gestures_, &MapGestures::areaEdited, this, &MapView::areaEdited);
-    connect(&gestures_, &MapGestures::areaChanged, this, &MapView::areaChanged);
-    connect(&gestures_, &MapGestures::areaRefused, this, &MapView::areaRefused);
-    connect(&gestures_, &MapGestures::placeRequested, this, &MapView::placeRequested);
-    connect(&gestures_, &MapGestures::waypointAdded, this, &MapView::waypointAdded);
-    connect(&gestures_, &MapGestures::objectClicked, this, &MapView::objectClicked);
-    connect(&gestures_, &MapGestures::objectMoved, this, &MapView::objectMoved);
-    connect(&gestures_, &MapGestures::toolChanged, this, &MapView::toolChanged);
     showContent();
 }
 

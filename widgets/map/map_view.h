@@ -73,7 +73,9 @@ public:
     // The view.
     void setLayer(MapLayer layer, const LayerState& state);
     const LayerState& layer(MapLayer layer) const { return content_.layer(layer); }
-    /// Cancels a drag in progress; emits toolChanged if the tool changed.
+    /// The gestures of the mouse, whose signals report what the user does on the map; owned by the map.
+    MapGestures& gestures() { return gestures_; }
+    /// Cancels a drag in progress; the gestures emit toolChanged if the tool changed.
     void setTool(MapTool tool) { gestures_.setTool(tool); }
     MapTool tool() const { return gestures_.tool(); }
     /// Rotates the picture by a quarter turn and fits it again.
@@ -101,22 +103,8 @@ signals:
     void spawnRequested(int start_pose);
     /// Single click or Space; `at` is in global coordinates, beside the diamond.
     void startPoseClicked(int start_pose, const QPoint& at);
-    void robotClicked(const QString& name); ///< the view has already selected it
-    /// Many times during a drag, then areaChanged once at its end. Empty: a canceled drag has left no area.
-    void areaEdited(const usar::Rectangle& area_in_map);
-    void areaChanged(const usar::Rectangle& area_in_map);
-    /// The drawn area has no size or is outside the world, so all stays as it was; `reason` includes the remedy.
-    void areaRefused(const QString& reason);
-    /// The user wants an object here; `again`: the tool should stay active for another one (Shift).
-    void placeRequested(const usar::Vec2& point_in_map_m, bool again);
-    void waypointAdded(const usar::Vec2& point_in_map_m);
-    /// The view has already selected it; empty: none.
-    void objectClicked(const QString& name);
-    /// The object was dragged so that its center is here; the map shows it here until the next setObjects.
-    void objectMoved(const QString& name, const usar::Vec2& center_in_map_m);
     void objectRemovalRequested(const QString& name);
     void followingChanged(bool following);
-    void toolChanged(usar::widgets::MapTool tool);
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -135,8 +135,8 @@ QHBoxLayout* WorldPanel::makeTraceRow() {
     trace_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     trace_color_ = named(new QComboBox(this), tr("Color of the trace"),
                          tr("Color of the marks that the selected robot leaves from now on"));
-    for (const protocol::TraceColor color : all_trace_colors)
-        trace_color_->addItem(colorIcon(color), traceColorName(color));
+    for (const auto& [word, color] : protocol::wire_words<protocol::TraceColor>)
+        trace_color_->addItem(colorIcon(color), QString::fromUtf8(word));
     auto* row = laidOut(new QHBoxLayout, gap::tiny, {trace_, trace_color_});
     row->addStretch(1);
     connect(trace_color_, &QComboBox::activated, this,

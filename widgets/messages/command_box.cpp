@@ -5,6 +5,8 @@
 #include <QAbstractItemView>
 #include <QFrame>
 #include <QKeyEvent>
+#include <QPainter>
+#include <QPainterPath>
 
 #include "core/base/text.h"
 #include "core/protocol/command_grammar.h"
@@ -13,8 +15,17 @@
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
-
 namespace {
+
+/// Paints a wave two pixels high, as in other editors.
+void paintWave(QPainter& painter, double from_px, double to_px, double base_px) {
+    constexpr double step_px = 2.0;
+    QPainterPath wave(QPointF(from_px, base_px));
+    bool up = true;
+    for (double x = from_px + step_px; x <= std::max(to_px, from_px + 3 * step_px); x += step_px, up = !up)
+        wave.lineTo(x, base_px - (up ? 2.0 : 0.0));
+    painter.drawPath(wave);
+}
 
 constexpr int idle_ms = 500;                ///< time without typing after which the line is checked
 constexpr int from_role = Qt::UserRole + 1; ///< role of the first byte that a completion replaces
@@ -38,6 +49,85 @@ QString ending(const std::string& before, std::string_view completed) {
 }
 
 } // namespace
+
+void LineHistory::setLines(const QStringList& lines) {
+    lines_ = lines.mid(std::max<qsizetype>(0, lines.size() - limit));
+    endWalk();
+}
+
+void LineHistory::add(const QString& line) {
+    lines_.removeAll(line);
+    lines_ << line;
+    if (lines_.size() > limit)
+        lines_.removeFirst();
+    endWalk();
+}
+
+bool LineHistory::walk(qsizetype step) {
+    for (qsizetype at = at_.value_or(lines_.size()) + step; at >= 0 && at < lines_.size(); at += step)
+        if (lines_[at].contains(typed_, Qt::CaseInsensitive)) {
+            at_ = at;
+            return true;
+        }
+    return false;
+}
+
+std::optional<QString> LineHistory::older(const QString& typed) {
+    if (!at_)
+        typed_ = typed;
+    return walk(-1) ? std::optional(lines_[*at_]) : std::nullopt;
+}
+
+std::optional<QString> LineHistory::newer() {
+    if (!at_)
+        return std::nullopt;
+    if (walk(1))
+        return lines_[*at_];
+    endWalk();
+    return typed_;
+}
+
+CommandLine::CommandLine(QWidget* parent) : QLineEdit(parent) {
+    setFont(codeFont());
+    setMinimumHeight(minimum_target);
+    setClearButtonEnabled(true);
+}
+
+void CommandLine::setDiagnostics(const Diagnostics& diagnostics) {
+    if (diagnostics == diagnostics_)
+        return;
+    diagnostics_ = diagnostics;
+    update();
+}
+
+std::size_t CommandLine::wordEnd(std::size_t offset) const {
+    const std::string bytes = text().toStdString();
+    std::size_t end = std::min(offset, bytes.size());
+    while (end < bytes.size() && !isSpace(bytes[end]) && bytes[end] != '}' && (bytes[end] != '{' || end == offset))
+        ++end;
+    return end;
+}
+
+void CommandLine::paintEvent(QPaintEvent* event) {
+    QLineEdit::paintEvent(event);
+    if (diagnostics_.empty())
+        return;
+    const QByteArray bytes = text().toUtf8();
+    const QFontMetricsF metrics(font());
+    const auto advance = [&](std::size_t byte) {
+        return metrics.horizontalAdvance(QString::fromUtf8(bytes.left(static_cast<qsizetype>(byte))));
+    };
+    const double zero_px = cursorRect().center().x() - advance(cursorByte());
+    const double base_px = cursorRect().bottom() + 1.0;
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setClipRect(rect().adjusted(3, 0, -3, 0));
+    for (const Diagnostic& diagnostic : diagnostics_) {
+        painter.setPen(QPen(diagnostic.severity == Severity::Error ? tokens().danger : tokens().caution, 1.2));
+        const std::size_t end = wordEnd(diagnostic.offset);
+        paintWave(painter, zero_px + advance(diagnostic.offset), zero_px + advance(end), base_px);
+    }
+}
 
 CommandBox::CommandBox(QWidget* parent) : QWidget(parent) {
     auto* column = laidOut(new QVBoxLayout(this), {gap::tiny, gap::tiny, gap::tiny, gap::tiny}, 2);

@@ -19,7 +19,7 @@ constexpr std::size_t most_rows = 200;     ///< limit for the rows of a table
 constexpr int pointer_width = 48;
 
 QString html(std::string_view text) {
-    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())).toHtmlEscaped();
+    return QString::fromUtf8(text).toHtmlEscaped();
 }
 
 QString link(std::uint64_t serial, const QString& text) {

@@ -1,16 +1,55 @@
-// Tool bar above the list of traffic: search text and filters.
+// Tool bar above the list of traffic: search text, choice of types, and filters.
 #pragma once
+
+#include <functional>
 
 #include <QAction>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLineEdit>
+#include <QListWidget>
+#include <QToolButton>
 #include <QWidget>
 
-#include "widgets/messages/type_choice_button.h"
 #include "widgets/models/messages/message_filter.h"
 
 namespace usar::widgets {
+
+/// The list opens below the button and stays open while boxes are checked. GUI thread.
+class TypeChoiceButton : public QToolButton {
+    Q_OBJECT
+public:
+    /// Number of lines of each type; queried whenever the list opens.
+    using Counts = std::map<std::string, int, std::less<>>;
+
+    explicit TypeChoiceButton(QWidget* parent = nullptr);
+
+    void setCounts(std::function<Counts()> counts) { counts_ = std::move(counts); }
+    const TypeChoice& choice() const { return choice_; }
+    /// Sets the choice without emitting choiceChanged.
+    void setChoice(const TypeChoice& choice);
+    /// Lists the types seen so far and those already chosen, with check boxes.
+    void openList();
+    /// The list of the popup; owned by the button.
+    QListWidget* list() const { return list_; }
+    QSize sizeHint() const override;
+
+signals:
+    /// By the user.
+    void choiceChanged();
+
+private:
+    QWidget* makePopup();
+    void fill();
+    void choose(const TypeChoice& choice);
+    void takeTick(const QListWidgetItem* item);
+    void showChoice();
+
+    std::function<Counts()> counts_;
+    TypeChoice choice_;
+    QListWidget* list_ = nullptr; ///< made with the popup
+    QWidget* popup_;
+};
 
 /// Filters by text, name, types and direction; the filter for lines with errors is the action passed in. An invalid
 /// regular expression is reported at its field and does not filter. GUI thread.

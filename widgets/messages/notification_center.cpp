@@ -180,19 +180,9 @@ QWidget* NotificationCenter::makeTools() {
     return tools;
 }
 
-void NotificationCenter::push(const QString& key, Severity severity, const QString& text, bool toast) {
-    push(key, severity, text, QDateTime::currentDateTime(), toast);
-}
-
-void NotificationCenter::push(const QString& key, Severity severity, const QString& text, const QDateTime& when,
-                              std::optional<bool> toast) {
-    model_->push(key, severity, text, when, toast);
-    if (isVisible())
-        model_->markRead();
-}
-
-void NotificationCenter::push(const QString& key, Severity severity, const QString& text, const Offer& offer) {
-    model_->push(key, severity, text, QDateTime::currentDateTime(), true, offer);
+void NotificationCenter::push(const QString& key, Severity severity, const QString& text, std::optional<bool> toast,
+                              const Offer& offer, const QDateTime& when) {
+    model_->push(key, severity, text, when, toast, offer);
     if (isVisible())
         model_->markRead();
 }

@@ -8,7 +8,7 @@
 #include <QWidget>
 
 #include "widgets/models/messages/notification_model.h"
-#include "widgets/style/elided_label.h"
+#include "widgets/style/form_parts.h"
 
 namespace usar::widgets {
 
@@ -30,15 +30,14 @@ public:
     QSize sizeHint() const override { return {400, 220}; }
 
 public slots:
-    /// `key` identifies the problem: further reports with the same key are counted, not listed separately. `when` is
-    /// wall time. Warnings and errors are also shown as toasts, unless `toast` says otherwise.
+    /// `key` identifies the problem: further reports with the same key are counted, not listed separately. Warnings and
+    /// errors are also shown as toasts, unless `toast` says otherwise; a note that the user waits for ("Saved 5 files")
+    /// deserves one. An `offer` is a button beside the sentence; NotificationModel::offerTaken is emitted when it is
+    /// clicked. `when` is wall time.
     void push(const QString& key, usar::Severity severity, const QString& text,
-              const QDateTime& when = QDateTime::currentDateTime(), std::optional<bool> toast = std::nullopt);
-    /// The same with the current time; a note that the user waits for ("Saved 5 files") deserves a toast.
-    void push(const QString& key, usar::Severity severity, const QString& text, bool toast);
-    /// The same with the current time and a button beside the sentence; NotificationModel::offerTaken is emitted when
-    /// it is clicked.
-    void push(const QString& key, usar::Severity severity, const QString& text, const usar::widgets::Offer& offer);
+              std::optional<bool> toast = std::nullopt, const usar::widgets::Offer& offer = {},
+              const QDateTime& when = QDateTime::currentDateTime());
+
     /// The problem with this key is over; its row stays, grayed out.
     void cured(const QString& key) { model_->cure(key); }
     /// Removes all rows, also open ones.

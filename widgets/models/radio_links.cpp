@@ -3,17 +3,32 @@
 #include <algorithm>
 #include <limits>
 
+#include <QObject>
+
 #include "widgets/models/figures.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
-
 namespace {
 
 constexpr int most_bars = 4;
 
 bool samePair(const RadioLink& one, const RadioLink& other) {
     return one.a == other.a && one.b == other.b;
+}
+
+QString keyOf(const std::pair<QString, QString>& pair) {
+    return QStringLiteral("radio/%1/%2").arg(pair.first, pair.second);
+}
+
+QString whyLost(const RadioLink& link) {
+    return link.strength_dbm
+               ? QObject::tr("%1 and %2 have lost their radio link: %3 dBm, and %4 dBm are needed. Bring them closer "
+                             "together, or out from behind what stands between.")
+                     .arg(link.a, link.b, figure(*link.strength_dbm, 1), figure(radio_cutoff_dbm, 0))
+               : QObject::tr("%1 and %2 do not hear each other any more: one of them has left the world, or its "
+                             "battery is empty. Look at their states in the list of robots.")
+                     .arg(link.a, link.b);
 }
 
 } // namespace
@@ -82,6 +97,28 @@ QVariant RadioLinkModel::data(const QModelIndex& index, int role) const {
     if (!link.strength_dbm)
         return tr("%1 and %2: %3").arg(link.a, link.b, word);
     return tr("%1 and %2: %3 dBm, %4").arg(link.a, link.b, figure(*link.strength_dbm, 1), word);
+}
+
+std::vector<RadioLosses::News> RadioLosses::take(const std::vector<RadioLink>& links, const QStringList& robots) {
+    std::vector<News> news;
+    for (const RadioLink& link : links) {
+        const bool linked = link.strength_dbm && *link.strength_dbm >= radio_cutoff_dbm;
+        const auto known = linked_.find({link.a, link.b});
+        if (known == linked_.end()) {
+            if (linked)
+                linked_[{link.a, link.b}] = true;
+        } else if (std::exchange(known->second, linked) != linked) {
+            news.push_back({keyOf(known->first), linked ? QString() : whyLost(link)});
+        }
+    }
+    std::erase_if(linked_, [&](const auto& one) {
+        const auto& [pair, linked] = one;
+        const bool gone = !robots.contains(pair.first) || !robots.contains(pair.second);
+        if (gone && !linked)
+            news.push_back({keyOf(pair), {}});
+        return gone;
+    });
+    return news;
 }
 
 } // namespace usar::widgets

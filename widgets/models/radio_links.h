@@ -1,12 +1,15 @@
-// Radio links between robots as list rows: current strength and its history over the last minutes.
+// Radio links between robots as list rows: current strength, its history over the last minutes, and links that were lost.
 #pragma once
 
+#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <QAbstractListModel>
 #include <QColor>
 #include <QString>
+#include <QStringList>
 
 namespace usar::widgets {
 
@@ -57,6 +60,23 @@ public:
 
 private:
     std::vector<RadioRow> rows_;
+};
+
+/// Compares each report of signal strengths with the one before. A pair that was never linked has lost nothing. A plain
+/// value.
+class RadioLosses {
+public:
+    /// A change of one link.
+    struct News {
+        QString key;    ///< the same for each change of one pair
+        QString reason; ///< why the link was lost and what to do; empty: it is back, or one of the robots is gone
+    };
+
+    /// Takes the newest strengths of all pairs; `robots` are the names of those that still exist.
+    std::vector<News> take(const std::vector<RadioLink>& links, const QStringList& robots);
+
+private:
+    std::map<std::pair<QString, QString>, bool> linked_; ///< last reported state; only pairs that have been linked
 };
 
 } // namespace usar::widgets

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
+#include <QObject>
 #include <QStringList>
 
 #include "widgets/models/figures.h"
 
 namespace usar::widgets {
-
 namespace {
 
 bool before(const RobotRow& a, const RobotRow& b) {
@@ -15,6 +15,18 @@ bool before(const RobotRow& a, const RobotRow& b) {
 }
 
 } // namespace
+
+QString controlText(const ControlWords& words) {
+    switch (words.driver) {
+    case Driver::Behavior:
+        return words.by.isEmpty() ? QObject::tr("a behavior drives") : QObject::tr("%1 drives").arg(words.by);
+    case Driver::Person:
+        return words.by.isEmpty() ? QObject::tr("you drive") : QObject::tr("you drive · %1").arg(words.by);
+    case Driver::Nobody:
+        break;
+    }
+    return QObject::tr("nobody drives");
+}
 
 void RobotListModel::setRobots(std::vector<RobotRow> robots) {
     std::ranges::sort(robots, before);

@@ -1,4 +1,4 @@
-// List model of the robots: one row per robot, in the order of their numbers.
+// List model of the robots: one row per robot, in the order of their numbers, with the words for who drives it.
 #pragma once
 
 #include <optional>
@@ -7,9 +7,21 @@
 #include <QAbstractListModel>
 #include <QString>
 
-#include "widgets/models/control_words.h"
-
 namespace usar::widgets {
+
+/// The one in control of a robot; Person is the user, at keys, pad or gamepad.
+enum class Driver { Nobody, Behavior, Person };
+
+/// Content of the chip, for example {"R1", Person, "keys"}.
+struct ControlWords {
+    QString robot{}; ///< empty: no robot is selected
+    Driver driver = Driver::Nobody;
+    QString by{}; ///< the behavior's name, or the device that the user holds; may be empty
+    bool operator==(const ControlWords&) const = default;
+};
+
+/// "nobody drives", "Terrain survey drives", "you drive · keys".
+QString controlText(const ControlWords& words);
 
 /// A robot as the list needs it. `id` is assigned by the window; `number` 1..9 selects color and key.
 struct RobotRow {

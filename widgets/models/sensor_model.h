@@ -1,13 +1,19 @@
-// Tree model of the values that a robot sends: one branch per source, one leaf per value, each with age and rate.
+// Tree model of the values that a robot sends: one branch per source, one leaf per value, each with age and rate; and
+// the buffer that it is fed from.
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <optional>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
 #include <QAbstractItemModel>
 
+#include "core/base/clock.h"
 #include "core/protocol/fields.h"
+#include "core/protocol/info_message.h"
 
 namespace usar::widgets {
 
@@ -89,6 +95,31 @@ private:
     std::unordered_map<std::string, std::size_t> leaf_rows_; ///< row by path, within the source
     Seconds now_{0.0};
     bool linked_ = true;
+};
+
+/// Key that distinguishes the streams of one connection: "SEN Sonar F1", "STA", "GEO RangeScanner".
+std::string streamOf(const protocol::InfoMessage& message);
+
+/// The newest line of a stream, and how many lines of the stream came since the last fetch, this one included.
+struct CountedLine {
+    protocol::InfoLine line;
+    /// Clock at arrival, as passed to take().
+    Seconds now{0.0};
+    int count = 0;
+};
+
+/// Bounds the work of a slow or hidden view: a thousand lines of one stream cost as much as one. A line that is the
+/// only one of its stream is never lost. A value with one owner.
+class NewestLines {
+public:
+    /// Stores a line; it replaces the previous line of the same stream.
+    void take(const protocol::InfoLine& line, Seconds now);
+    /// Removes and returns all lines, in the order in which their streams first appeared since the last call.
+    std::vector<CountedLine> takeAll();
+
+private:
+    std::map<std::string, std::size_t> places_;
+    std::vector<CountedLine> lines_;
 };
 
 } // namespace usar::widgets

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include <QGridLayout>
 #include <QSignalBlocker>
 
 #include "widgets/models/figures.h"
@@ -45,10 +44,7 @@ std::array<QDoubleSpinBox*, 2> addAxis(QGridLayout* grid, int row, const QString
 
 AreaForm::AreaForm(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Mission area"));
-    auto* grid = new QGridLayout(this);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(gap::small);
-    grid->setVerticalSpacing(gap::tiny);
+    auto* grid = gridOf(this, {}, gap::small, gap::tiny);
     x_ = addAxis(grid, 0, QStringLiteral("x"), {tr("Lowest x"), tr("Highest x")});
     y_ = addAxis(grid, 1, QStringLiteral("y"), {tr("Lowest y"), tr("Highest y")});
     grid->addWidget(size_, 2, 0, 1, 4);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <QGridLayout>
 #include <QSignalBlocker>
 
 #include "widgets/style/form_parts.h"
@@ -71,9 +70,7 @@ void BehaviorPanel::makeAreaBox() {
 
 QWidget* BehaviorPanel::makeButtons() {
     auto* box = new QWidget;
-    auto* grid = new QGridLayout(box);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setSpacing(gap::tiny);
+    auto* grid = gridOf(box, {}, gap::tiny, gap::tiny);
     start_->setProperty("role", "primary");
     start_->setIcon(icon("play", tokens().on_fill));
     pause_->setIcon(icon("pause"));

@@ -5,7 +5,6 @@
 #include "widgets/panels/quantity_box.h"
 #include "widgets/style/empty_state.h"
 #include "widgets/style/form_parts.h"
-#include "widgets/style/state_dot.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {

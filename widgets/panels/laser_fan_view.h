@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/protocol/usual_values.h"
-#include "widgets/models/laser_section.h"
+#include "widgets/models/ranges.h"
 #include "widgets/style/sheet.h"
 
 namespace usar::widgets {

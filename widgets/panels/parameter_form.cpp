@@ -1,14 +1,177 @@
 #include "widgets/panels/parameter_form.h"
 
 #include <algorithm>
+#include <cmath>
 
-#include "widgets/panels/parameter_row.h"
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QPainter>
+#include <QSignalBlocker>
+#include <QWheelEvent>
+
+#include "widgets/models/parameter_display.h"
+#include "widgets/panels/quantity_box.h"
 #include "widgets/style/empty_state.h"
 #include "widgets/style/form_parts.h"
+#include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 #include "widgets/style/tool_button.h"
 
 namespace usar::widgets {
+namespace {
+
+constexpr int editor_width_px = 112;
+
+/// A bar in the accent color at the row's left edge.
+class Mark : public QWidget {
+public:
+    using QWidget::QWidget;
+
+protected:
+    void paintEvent(QPaintEvent*) override { QPainter(this).fillRect(rect(), tokens().accent); }
+};
+
+/// A combo box whose wheel scrolls the form, not its choices, until it has the focus.
+class QuietComboBox : public QComboBox {
+public:
+    using QComboBox::QComboBox;
+
+protected:
+    void wheelEvent(QWheelEvent* event) override { event->ignore(); }
+};
+
+} // namespace
+
+ParameterRow::ParameterRow(agent::ParameterSpec spec, QWidget* parent)
+    : QWidget(parent)
+    , spec_(std::move(spec))
+    , value_(spec_.default_value) {
+    mark_ = new Mark(this);
+    mark_->setFixedWidth(3);
+    label_ = new QLabel(QString::fromStdString(spec_.label), this);
+    label_->setTextFormat(Qt::PlainText);
+    label_->setWordWrap(true);
+    editor_ = makeEditor();
+    editor_->setObjectName(QString::fromStdString(spec_.id));
+    editor_->setFixedWidth(editor_width_px);
+    editor_->setAccessibleName(QString::fromStdString(spec_.label));
+    editor_->setAccessibleDescription(QString::fromStdString(spec_.help));
+    label_->setBuddy(editor_);
+    reset_ = new QToolButton(this);
+    reset_->setObjectName(QStringLiteral("reset"));
+    reset_->setAutoRaise(true);
+    reset_->setIcon(icon(QStringLiteral("reset")));
+    reset_->setFixedSize(minimum_target, minimum_target);
+    const QString to_default = tr("Reset to the default, %1").arg(valueText(spec_, spec_.default_value));
+    named(reset_, to_default, to_default);
+    connect(reset_, &QToolButton::clicked, this, [this] {
+        take(spec_.default_value);
+        showValue();
+    });
+    for (QWidget* shy : {mark_, static_cast<QWidget*>(reset_)}) {
+        QSizePolicy policy = shy->sizePolicy();
+        policy.setRetainSizeWhenHidden(true);
+        shy->setSizePolicy(policy);
+    }
+    setToolTip(parameterToolTip(spec_));
+    laidOut(new QHBoxLayout(this), {}, gap::tiny, {mark_, label_, editor_, reset_})->setStretchFactor(label_, 1);
+    showValue();
+}
+
+QWidget* ParameterRow::makeEditor() {
+    if (std::holds_alternative<bool>(spec_.default_value))
+        return makeSwitch();
+    if (!std::holds_alternative<std::string>(spec_.default_value))
+        return makeNumber();
+    return spec_.choices.empty() ? makeText() : makeChoice();
+}
+
+QWidget* ParameterRow::makeSwitch() {
+    auto* box = new QCheckBox(tr("on"), this);
+    box->setMinimumHeight(minimum_target);
+    connect(box, &QCheckBox::toggled, this, [this](bool on) { take(on); });
+    return box;
+}
+
+QWidget* ParameterRow::makeNumber() {
+    auto* box = new QuantityBox(this);
+    const DisplayUnit unit = displayUnit(spec_.unit);
+    box->setDecimals(decimalsFor(spec_));
+    box->setRange(spec_.minimum * unit.factor, spec_.maximum * unit.factor);
+    box->setSingleStep(stepFor(spec_));
+    if (!unit.text.isEmpty())
+        box->setSuffix(QChar(0x00a0) + unit.text);
+    connect(box, &QDoubleSpinBox::valueChanged, this, [this, unit](double shown) {
+        if (std::holds_alternative<long long>(spec_.default_value))
+            take(static_cast<long long>(std::llround(shown)));
+        else
+            take(std::clamp(shown / unit.factor, spec_.minimum, spec_.maximum));
+    });
+    return box;
+}
+
+QWidget* ParameterRow::makeChoice() {
+    auto* box = new QuietComboBox(this);
+    box->setMinimumHeight(minimum_target);
+    for (const std::string& choice : spec_.choices)
+        box->addItem(QString::fromStdString(choice));
+    connect(box, &QComboBox::currentTextChanged, this, [this](const QString& text) { take(text.toStdString()); });
+    return box;
+}
+
+QWidget* ParameterRow::makeText() {
+    auto* edit = new QLineEdit(this);
+    edit->setMinimumHeight(minimum_target);
+    connect(edit, &QLineEdit::editingFinished, this, [this, edit] { take(edit->text().toStdString()); });
+    return edit;
+}
+
+void ParameterRow::setValue(const agent::ParameterValue& value) {
+    value_ = fitted(spec_, value);
+    showValue();
+}
+
+bool ParameterRow::modified() const {
+    return !sameValue(value_, spec_.default_value);
+}
+
+bool ParameterRow::matches(const QString& words) const {
+    const std::string* const texts[] = {&spec_.label, &spec_.id, &spec_.group, &spec_.help};
+    return std::ranges::any_of(texts, [&](const std::string* text) {
+        return QString::fromStdString(*text).contains(words, Qt::CaseInsensitive);
+    });
+}
+
+void ParameterRow::take(const agent::ParameterValue& value) {
+    if (sameValue(value, value_))
+        return;
+    value_ = value;
+    showMark();
+    emit edited();
+}
+
+void ParameterRow::showValue() {
+    const QSignalBlocker quiet(editor_);
+    if (auto* box = qobject_cast<QCheckBox*>(editor_))
+        box->setChecked(std::get<bool>(value_));
+    else if (auto* combo = qobject_cast<QComboBox*>(editor_))
+        combo->setCurrentText(QString::fromStdString(std::get<std::string>(value_)));
+    else if (auto* edit = qobject_cast<QLineEdit*>(editor_))
+        edit->setText(QString::fromStdString(std::get<std::string>(value_)));
+    else if (auto* number = qobject_cast<QuantityBox*>(editor_)) {
+        const auto* integer = std::get_if<long long>(&value_);
+        const double si = integer ? static_cast<double>(*integer) : std::get<double>(value_);
+        number->setValue(si * displayUnit(spec_.unit).factor);
+    }
+    showMark();
+}
+
+void ParameterRow::showMark() {
+    mark_->setVisible(modified());
+    reset_->setVisible(modified());
+    label_->setFont(themeFont(FontRole::Body, modified() ? QFont::DemiBold : QFont::Normal));
+}
 
 ParameterForm::ParameterForm(QWidget* parent)
     : QWidget(parent)

@@ -9,7 +9,6 @@
 #include <QTreeView>
 #include <QWidget>
 
-#include "widgets/models/newest_lines.h"
 #include "widgets/models/sensor_model.h"
 #include "widgets/style/empty_state.h"
 

@@ -1,7 +1,7 @@
 // Instrument that shows each sonar as a column, with the risk zones drawn into it (thesis 4.2).
 #pragma once
 
-#include "widgets/models/sonar_columns.h"
+#include "widgets/models/ranges.h"
 #include "widgets/style/sheet.h"
 
 namespace usar::widgets {

@@ -10,7 +10,7 @@
 #include "widgets/models/figures.h"
 #include "widgets/plan/plan_parts.h"
 #include "widgets/style/theme.h"
-#include "widgets/style/time_slider.h"
+#include "widgets/style/time_controls.h"
 #include "widgets/style/tool_button.h"
 
 namespace usar::widgets {

@@ -3,12 +3,13 @@
 #include <utility>
 
 #include <QMenu>
+#include <QPainter>
 #include <QStyle>
 
+#include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
-
 namespace {
 
 class ThemeWatch : public QObject {
@@ -32,6 +33,21 @@ private:
 };
 
 } // namespace
+
+QGridLayout* gridOf(QWidget* parent, const QMargins& margins, int column_gap, int row_gap) {
+    auto* grid = new QGridLayout(parent);
+    grid->setContentsMargins(margins);
+    grid->setHorizontalSpacing(column_gap);
+    grid->setVerticalSpacing(row_gap);
+    return grid;
+}
+
+QPushButton* makeStopButton(const QString& text, const QString& help, QWidget* parent) {
+    auto* button = new QPushButton(icon(QStringLiteral("stop"), tokens().on_fill), text, parent);
+    button->setProperty("role", "stop");
+    button->setToolTip(help);
+    return button;
+}
 
 QLabel* mutedLabel(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
@@ -87,6 +103,78 @@ void setUpPaintedRows(QListView* view, QAbstractItemModel* model, QAbstractItemD
 
 void onThemeChange(QWidget* widget, std::function<void()> repaint, QEvent::Type when) {
     new ThemeWatch(widget, std::move(repaint), when);
+}
+
+QString fittedText(const QString& text, const QFontMetrics& metrics, int width_px) {
+    QString shown = text;
+    for (auto part = shown.lastIndexOf(u" · "); part > 0 && metrics.horizontalAdvance(shown) > width_px;
+         part = shown.lastIndexOf(u" · "))
+        shown.truncate(part);
+    return metrics.elidedText(shown, Qt::ElideRight, width_px);
+}
+
+QSize ElidedLabel::sizeHint() const {
+    const QSize hint = QLabel::sizeHint();
+    return room_for_.isEmpty() ? hint : QSize(fontMetrics().horizontalAdvance(room_for_), hint.height());
+}
+
+void ElidedLabel::setRoomFor(const QString& text) {
+    room_for_ = text;
+    updateGeometry();
+}
+
+void ElidedLabel::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setPen(palette().color(isEnabled() ? QPalette::Active : QPalette::Disabled, QPalette::WindowText));
+    const QRect room = contentsRect();
+    painter.drawText(room, static_cast<int>(alignment() | Qt::TextSingleLine),
+                     fittedText(text(), fontMetrics(), room.width()));
+}
+
+StateDot::StateDot(QWidget* parent) : QWidget(parent) {
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+}
+
+void StateDot::setState(StateShape state) {
+    state_ = state;
+    update();
+}
+
+QColor stateColor(StateShape state) {
+    const Tokens& t = tokens();
+    const QColor colors[] = {t.text_muted, t.accent, t.ok, t.caution, t.danger};
+    return colors[static_cast<std::size_t>(state)];
+}
+
+void StateDot::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.translate(width() / 2.0, height() / 2.0);
+    const QColor color = stateColor(state_);
+    const QRectF circle(-5.0, -5.0, 10.0, 10.0);
+    painter.setPen(QPen(color, 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    switch (state_) {
+    case StateShape::Off:
+        painter.drawEllipse(circle);
+        break;
+    case StateShape::Busy:
+        painter.drawEllipse(circle);
+        painter.setBrush(color);
+        painter.drawChord(circle, 90 * 16, 180 * 16);
+        break;
+    case StateShape::Good:
+        painter.setBrush(color);
+        painter.drawEllipse(circle);
+        break;
+    case StateShape::Waiting:
+        painter.drawPolygon(QPolygonF({{0.0, -5.5}, {6.0, 5.0}, {-6.0, 5.0}}));
+        break;
+    case StateShape::Bad:
+        painter.drawEllipse(circle);
+        painter.drawLine(QPointF(-2.0, -2.0), QPointF(2.0, 2.0));
+        painter.drawLine(QPointF(2.0, -2.0), QPointF(-2.0, 2.0));
+        break;
+    }
 }
 
 } // namespace usar::widgets

@@ -240,17 +240,10 @@ QColor inkOn(const QColor& fill) {
 }
 
 QColor traceColor(protocol::TraceColor color) {
-    static const std::array<QColor, all_trace_colors.size()> colors = {
+    static const std::array<QColor, protocol::wire_words<protocol::TraceColor>.size()> colors = {
         QColor(0xf0443c), QColor(0xf5d90a), QColor(0x2fbf4f), QColor(0x25c9d8),
         QColor(0xf4f6f8), QColor(0x3d7eff), QColor(0xb25cff)};
     return colors[static_cast<std::size_t>(color)];
-}
-
-QString traceColorName(protocol::TraceColor color) {
-    static const std::array<QString, all_trace_colors.size()> names = {
-        QStringLiteral("Red"),   QStringLiteral("Yellow"), QStringLiteral("Green"), QStringLiteral("Cyan"),
-        QStringLiteral("White"), QStringLiteral("Blue"),   QStringLiteral("Purple")};
-    return names[static_cast<std::size_t>(color)];
 }
 
 QColor markColor(agent::MarkKind kind) {
@@ -258,8 +251,7 @@ QColor markColor(agent::MarkKind kind) {
 }
 
 QString markName(agent::MarkKind kind) {
-    const std::string_view name = agent::styleOf(kind).name;
-    return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+    return QString::fromUtf8(agent::styleOf(kind).name);
 }
 
 QColor lineColor(LineFamily family, Theme theme) {

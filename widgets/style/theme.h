@@ -52,11 +52,6 @@ QColor inkOn(const QColor& fill);
 QColor markColor(agent::MarkKind kind);
 /// Colors of the protocol's TRACE; the same in both themes. On the map each mark has a dark rim.
 QColor traceColor(protocol::TraceColor color);
-/// "Red": the protocol's name of the color.
-QString traceColorName(protocol::TraceColor color);
-inline constexpr std::array all_trace_colors = {
-    protocol::TraceColor::Red,   protocol::TraceColor::Yellow, protocol::TraceColor::Green, protocol::TraceColor::Cyan,
-    protocol::TraceColor::White, protocol::TraceColor::Blue,   protocol::TraceColor::Purple};
 /// Topic of a line of traffic. `Other`: none of these.
 enum class LineFamily { State, Range, Pose, Sensor, Answer, Drive, Command, Other };
 inline constexpr std::array all_line_families = {LineFamily::State,   LineFamily::Range,  LineFamily::Pose,

@@ -1,8 +1,8 @@
 #include "widgets/window/window_views.h"
 
 #include <QToolBar>
-#include <QVBoxLayout>
 
+#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
@@ -38,25 +38,22 @@ void makeTopBars(QMainWindow& window, WindowViews& views) {
     bar->addSeparator();
     bar->addWidget(views.record = new RecordBadge);
     auto* always = new QWidget;
-    auto* row = new QHBoxLayout(always);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(gap::small);
+    auto* row = laidOut(new QHBoxLayout(always), {}, gap::small);
     row->addStretch(1);
     row->addWidget(views.driver = new ControlBadge);
-    row->addWidget(views.stop_all = new StopButton);
+    views.stop_all = named(makeStopButton(QObject::tr("STOP ALL"), {}), QObject::tr("Stop all robots"),
+                           QObject::tr("Stops every robot at once (Esc twice)"));
+    row->addWidget(views.stop_all);
     addBar(window, "control_bar", QObject::tr("Who drives, and the stop"))->addWidget(always);
 }
 
 void makeCenter(QMainWindow& window, WindowViews& views) {
     auto* center = new QWidget;
-    auto* layout = new QVBoxLayout(center);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
-    layout->addWidget(views.hint = new HintStrip);
-    layout->addWidget(views.progress = new ProgressStrip);
-    layout->addWidget(views.replay = new ReplayBar);
+    laidOut(new QVBoxLayout(center), {}, 0,
+            {views.hint = new HintStrip, views.progress = new ProgressStrip, views.replay = new ReplayBar,
+             views.map = new MapView})
+        ->setStretchFactor(views.map, 1);
     views.replay->hide();
-    layout->addWidget(views.map = new MapView, 1);
     views.map->setOrientation(MapOrientation::YUp); // As in exported pictures and in GIS.
     views.spawn_card = new SpawnCard(views.map);
     window.setCentralWidget(center);
@@ -64,9 +61,7 @@ void makeCenter(QMainWindow& window, WindowViews& views) {
 
 QWidget* makeInstruments(WindowViews& views) {
     auto* box = new QWidget;
-    auto* layout = new QVBoxLayout(box);
-    layout->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
-    layout->setSpacing(gap::small);
+    auto* layout = laidOut(new QVBoxLayout(box), {gap::small, gap::small, gap::small, gap::small}, gap::small);
     layout->addWidget(views.status = new StatusStrip);
     views.status->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed); // Figures are never squeezed.
     layout->addWidget(views.laser = new LaserFanView, 3);
@@ -78,11 +73,9 @@ QWidget* makeInstruments(WindowViews& views) {
 /// Makes the message list, the box for raw commands below it, and a row with their counts.
 QWidget* makeInspector(WindowViews& views) {
     auto* box = new QWidget;
-    auto* column = new QVBoxLayout(box);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(views.messages = new MessageList, 1);
-    column->addWidget(views.command_box = new CommandBox);
+    auto* column =
+        laidOut(new QVBoxLayout(box), {}, 0, {views.messages = new MessageList, views.command_box = new CommandBox});
+    column->setStretchFactor(views.messages, 1);
     auto* row = new QHBoxLayout;
     row->setContentsMargins(gap::small, 0, gap::tiny, gap::tiny);
     row->addWidget(views.message_count = new QLabel);
@@ -160,6 +153,29 @@ WindowViews makeViews(QMainWindow& window) {
     window.resizeDocks({views.docks[1], views.docks[2]}, {280, 350}, Qt::Horizontal);
     window.resizeDocks({views.docks[4]}, {215}, Qt::Vertical);
     return views;
+}
+
+void adoptMessageActions(CommandRegistry& commands, const MessageActions& actions) {
+    const auto adopt = [&](const QString& id, QAction* action, const QList<QKeySequence>& keys = {}) {
+        commands.adopt({"messages." + id, action->text(), QObject::tr("Messages"), action->toolTip(), "", keys},
+                       action);
+    };
+    adopt("pause", actions.pause, {QKeySequence("F8")});
+    adopt("follow", actions.follow, {QKeySequence("Ctrl+Shift+End")});
+    adopt("details", actions.details, {QKeySequence("Ctrl+I")});
+    adopt("cause", actions.cause, {QKeySequence("Ctrl+J")});
+    adopt("resend", actions.resend, {QKeySequence("Ctrl+Shift+R")});
+    adopt("only_trouble", actions.only_trouble, {QKeySequence("Ctrl+Shift+F")});
+    adopt("only_type", actions.only_type);
+    adopt("hide_type", actions.hide_type);
+    adopt("no_filter", actions.no_filter, {QKeySequence("Ctrl+Shift+A")});
+    adopt("all_robots", actions.all_robots);
+    adopt("copy", actions.copy, {QKeySequence::Copy});
+    adopt("copy_text", actions.copy_text, {QKeySequence("Ctrl+Shift+C")});
+    adopt("copy_json", actions.copy_json);
+    adopt("copy_shown", actions.copy_shown);
+    adopt("save", actions.save);
+    adopt("clear", actions.clear);
 }
 
 } // namespace usar::widgets

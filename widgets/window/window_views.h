@@ -7,11 +7,8 @@
 #include <QMainWindow>
 
 #include "widgets/bars/connection_bar.h"
-#include "widgets/bars/hint_strip.h"
-#include "widgets/bars/progress_strip.h"
-#include "widgets/bars/record_badge.h"
 #include "widgets/bars/replay_bar.h"
-#include "widgets/bars/stop_button.h"
+#include "widgets/bars/strips.h"
 #include "widgets/bars/time_bar.h"
 #include "widgets/commands/command_palette.h"
 #include "widgets/drive/camera_view.h"
@@ -45,7 +42,7 @@ struct WindowViews {
     // Top bars.
     ConnectionBar* connection = nullptr;
     TimeBar* time = nullptr;
-    StopButton* stop_all = nullptr;
+    QPushButton* stop_all = nullptr;
     RecordBadge* record = nullptr;
     ControlBadge* driver = nullptr; ///< shows who drives the selected robot
     DrivePanel* drive = nullptr;    ///< in drive_dock
@@ -95,5 +92,9 @@ struct WindowViews {
 /// the left, the map in the center, what the selected robot perceives on the right, and history at the bottom. To be
 /// called once for a window.
 WindowViews makeViews(QMainWindow& window);
+
+/// Registers the actions of the message list as commands: gives each an id ("messages.copy") and its keys; texts and
+/// help are those of the actions.
+void adoptMessageActions(CommandRegistry& commands, const MessageActions& actions);
 
 } // namespace usar::widgets

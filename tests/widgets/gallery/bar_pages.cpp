@@ -3,8 +3,7 @@
 
 #include "tests/widgets/gallery/pages.h"
 #include "widgets/bars/connection_bar.h"
-#include "widgets/bars/hint_strip.h"
-#include "widgets/bars/stop_button.h"
+#include "widgets/bars/strips.h"
 #include "widgets/bars/time_bar.h"
 #include "widgets/commands/command_palette.h"
 #include "widgets/commands/shortcut_sheet.h"
@@ -34,7 +33,7 @@ QWidget* topBar(ServerChoice choice, const ConnectionStatus& status) {
     time->setSteerable(choice == ServerChoice::Embedded);
     row->addWidget(connection, 1);
     row->addWidget(time);
-    row->addWidget(new StopButton);
+    row->addWidget(makeStopButton(QStringLiteral("STOP ALL"), {}));
     return bar;
 }
 

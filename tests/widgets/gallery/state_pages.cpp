@@ -5,7 +5,6 @@
 #include "tests/widgets/gallery/pages.h"
 #include "widgets/map/map_view.h"
 #include "widgets/panels/behavior_panel.h"
-#include "widgets/panels/meter.h"
 #include "widgets/panels/parameter_form.h"
 #include "widgets/panels/sensor_panel.h"
 #include "widgets/panels/status_strip.h"

@@ -3,6 +3,32 @@
 #include "core/base/text.h"
 
 namespace usar::widgets {
+namespace {
+
+unsigned char byteOf(char c) {
+    return static_cast<unsigned char>(lowerCase(c));
+}
+
+} // namespace
+
+CaselessFinder::CaselessFinder(std::string_view needle) : needle_(lowerCase(needle)) {
+    shift_.fill(needle_.size());
+    for (std::size_t i = 0; i + 1 < needle_.size(); ++i)
+        shift_[byteOf(needle_[i])] = needle_.size() - 1 - i;
+}
+
+std::size_t CaselessFinder::placeIn(std::string_view text) const {
+    if (needle_.empty())
+        return 0;
+    for (std::size_t end = needle_.size() - 1; end < text.size(); end += shift_[byteOf(text[end])]) {
+        std::size_t back = 0;
+        while (back < needle_.size() && lowerCase(text[end - back]) == needle_[needle_.size() - 1 - back])
+            ++back;
+        if (back == needle_.size())
+            return end + 1 - needle_.size();
+    }
+    return std::string_view::npos;
+}
 
 std::optional<QRegularExpression> expressionOf(const QString& words) {
     if (words.size() < 3 || !words.startsWith(u'/') || !words.endsWith(u'/'))
@@ -29,7 +55,7 @@ bool MessageSieve::hasWords(const MessageRow& row) const {
     if (!expression_)
         return words_.isIn(row.text) || words_.isIn(row.type) || words_.isIn(row.note);
     const auto fits = [this](const std::string& text) {
-        return expression_->match(QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()))).hasMatch();
+        return expression_->match(QString::fromUtf8(text)).hasMatch();
     };
     return expression_->isValid() && (fits(row.text) || fits(row.type));
 }

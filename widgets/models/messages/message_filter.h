@@ -1,17 +1,36 @@
-// Filter for lines of traffic, and the test that applies it to a hundred thousand of them.
+// Filter for lines of traffic, and the search that applies it to a hundred thousand of them.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 
 #include <QRegularExpression>
 #include <QString>
 
-#include "widgets/models/messages/caseless_finder.h"
 #include "widgets/models/messages/message_row.h"
 
 namespace usar::widgets {
+
+/// Searches for one needle with Horspool's algorithm; bytes beyond ASCII must match exactly. An empty needle is found
+/// in every text.
+class CaselessFinder {
+public:
+    explicit CaselessFinder(std::string_view needle);
+
+    /// True if the needle occurs in `text`.
+    bool isIn(std::string_view text) const { return placeIn(text) != std::string_view::npos; }
+    /// Returns the offset, in bytes, of the first occurrence, or npos.
+    std::size_t placeIn(std::string_view text) const;
+    bool empty() const { return needle_.empty(); }
+
+private:
+    std::string needle_;                   ///< in lower case
+    std::array<std::size_t, 256> shift_{}; ///< by the byte at the end of the window, in either case
+};
 
 /// Choice of types by name, as in MessageRow::type: either the listed ones are hidden (types never seen before are
 /// shown), or only the listed ones are shown. The default shows all.

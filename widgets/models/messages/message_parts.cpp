@@ -29,22 +29,18 @@ const char* wordOf(Severity severity) {
     return severity == Severity::Error ? "error" : severity == Severity::Warning ? "warning" : "note";
 }
 
-QString qtText(std::string_view text) {
-    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
-
 QJsonArray jsonOf(const std::vector<protocol::Field>& fields) {
     QJsonArray array;
     for (const protocol::Field& field : fields) {
-        QJsonObject object{{"field", qtText(field.field)}};
+        QJsonObject object{{"field", QString::fromUtf8(field.field)}};
         if (!field.item.empty())
-            object["item"] = qtText(field.item);
+            object["item"] = QString::fromUtf8(field.item);
         if (field.number)
             object["value"] = *field.number;
         else
-            object["value"] = qtText(field.text);
+            object["value"] = QString::fromUtf8(field.text);
         if (!field.unit.empty())
-            object["unit"] = qtText(field.unit);
+            object["unit"] = QString::fromUtf8(field.unit);
         array.append(object);
     }
     return array;
@@ -55,7 +51,7 @@ QJsonArray jsonOf(const Diagnostics& diagnostics) {
     for (const Diagnostic& diagnostic : diagnostics)
         array.append(QJsonObject{{"severity", wordOf(diagnostic.severity)},
                                  {"offset", static_cast<qint64>(diagnostic.offset)},
-                                 {"message", qtText(diagnostic.message)}});
+                                 {"message", QString::fromUtf8(diagnostic.message)}});
     return array;
 }
 
@@ -87,22 +83,22 @@ MessageParts partsOf(const MessageRow& row) {
 
 QString valueText(const protocol::Field& field) {
     if (!field.number)
-        return qtText(field.text);
+        return QString::fromUtf8(field.text);
     const QString number = QString::number(*field.number, 'g', 6);
     if (field.unit == "rad")
         return QStringLiteral("%1 rad (%2°)").arg(number, figure(*field.number * 180.0 / std::numbers::pi, 1));
-    return field.unit.empty() ? number : number + u' ' + qtText(field.unit);
+    return field.unit.empty() ? number : number + u' ' + QString::fromUtf8(field.unit);
 }
 
 QString tabbedText(const MessageRow& row, const QString& robot) {
     if (row.not_shown > 0)
-        return qtText(row.text);
+        return QString::fromUtf8(row.text);
     const QStringList cells{QString::number(row.number),
                             std::isfinite(row.time.count()) ? QString::number(row.time.count(), 'f', 2) : QString(),
                             robot,
                             row.direction == Direction::In ? QStringLiteral("in") : QStringLiteral("out"),
-                            qtText(row.type),
-                            qtText(row.text)};
+                            QString::fromUtf8(row.type),
+                            QString::fromUtf8(row.text)};
     return cells.join(u'\t');
 }
 
@@ -110,10 +106,10 @@ QJsonObject jsonOf(const MessageRow& row, const QString& robot) {
     if (row.not_shown > 0)
         return {{"lines_not_shown", static_cast<qint64>(row.not_shown)}};
     const MessageParts parts = partsOf(row);
-    QJsonObject object{{"line", qtText(row.text)},
+    QJsonObject object{{"line", QString::fromUtf8(row.text)},
                        {"direction", row.direction == Direction::In ? "in" : "out"},
                        {"number", static_cast<qint64>(row.number)},
-                       {"type", qtText(row.type)},
+                       {"type", QString::fromUtf8(row.type)},
                        {"fields", jsonOf(parts.fields)},
                        {"diagnostics", jsonOf(parts.diagnostics)}};
     if (std::isfinite(row.time.count()))
@@ -121,7 +117,7 @@ QJsonObject jsonOf(const MessageRow& row, const QString& robot) {
     if (!robot.isEmpty())
         object["robot"] = robot;
     if (row.direction == Direction::Out)
-        object["cause"] = qtText(row.note);
+        object["cause"] = QString::fromUtf8(row.note);
     if (row.trigger > 0)
         object["trigger"] = static_cast<qint64>(row.trigger);
     return object;

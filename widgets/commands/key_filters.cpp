@@ -1,5 +1,9 @@
-#include "widgets/commands/escape_twice.h"
+#include "widgets/commands/key_filters.h"
 
+#include <QAbstractItemView>
+#include <QAbstractSlider>
+#include <QApplication>
+#include <QComboBox>
 #include <QCoreApplication>
 #include <QKeyEvent>
 
@@ -28,6 +32,23 @@ void EscapeTwice::take(const QKeyEvent& event) {
     last_press_ms_ = event.timestamp();
     if (twice)
         emit pressedTwice();
+}
+
+OwnKeys::OwnKeys(QObject* parent) : QObject(parent) {
+    qApp->installEventFilter(this);
+}
+
+bool OwnKeys::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() != QEvent::ShortcutOverride)
+        return false;
+    const auto& key = static_cast<const QKeyEvent&>(*event);
+    const bool to_an_end = key.key() == Qt::Key_Home || key.key() == Qt::Key_End;
+    const bool has_ends = qobject_cast<QAbstractSlider*>(watched) || qobject_cast<QAbstractItemView*>(watched) ||
+                          qobject_cast<QComboBox*>(watched);
+    if (!to_an_end || !has_ends || (key.modifiers() & ~Qt::KeypadModifier) != Qt::NoModifier)
+        return false;
+    event->accept(); // It is not a shortcut then.
+    return true;
 }
 
 } // namespace usar::widgets

@@ -1,15 +1,28 @@
-#include "widgets/panels/report_dialog.h"
+#include "widgets/panels/dialogs.h"
 
 #include <QClipboard>
 #include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QFontDatabase>
 #include <QGuiApplication>
 #include <QPushButton>
+#include <QRegularExpression>
 
 #include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
+
+QString withSuffix(const QString& path, const QString& suffix) {
+    return path.isEmpty() || !QFileInfo(path).suffix().isEmpty() ? path : path + suffix;
+}
+
+QString askWhereToSave(QWidget* parent, const QString& title, const QString& proposal, const QString& filters) {
+    QString chosen = filters.section(QStringLiteral(";;"), 0, 0);
+    const QString path = QFileDialog::getSaveFileName(parent, title, proposal, filters, &chosen);
+    return withSuffix(path, QRegularExpression(QStringLiteral("\\.\\w+")).match(chosen).captured());
+}
 
 ReportDialog::ReportDialog(const QString& title, const QString& text, QWidget* parent)
     : QDialog(parent)

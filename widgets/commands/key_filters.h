@@ -1,4 +1,4 @@
-// Recognizes a double press of Escape, which stops everything, anywhere in the application.
+// Keys that are watched in the whole application: Escape pressed twice, and Home and End in widgets that use them.
 #pragma once
 
 #include <QObject>
@@ -33,6 +33,16 @@ private:
     quint64 last_press_ms_ = 0;
     /// The next press within the interval completes a pair.
     bool armed_ = false;
+};
+
+/// Sliders, lists and combo boxes go to their ends with these keys; in other widgets the key triggers the window's
+/// command. Event filter on the application for as long as this object exists. GUI thread.
+class OwnKeys : public QObject {
+public:
+    explicit OwnKeys(QObject* parent);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
 };
 
 } // namespace usar::widgets
