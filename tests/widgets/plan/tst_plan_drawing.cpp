@@ -106,7 +106,7 @@ void tst_PlanDrawing::refoldTellsHowFarTheHeldCardMoved() {
 void tst_PlanDrawing::refoldWithoutChangeKeepsTheLayout() {
     Drawn drawn;
     drawn.drawing.layout();
-    QVERIFY(!drawn.drawing.refold(0, [](PlanFolds&) { return false; }));
+    QVERIFY(!drawn.drawing.refold({0}, [](PlanFolds&) { return false; }));
     QCOMPARE(drawn.layouts, 1);
 }
 

@@ -155,7 +155,7 @@ void tst_PlanLayout::rectangleGivesWhatItTouches() {
             const PlanLayout layout = drawn.layout();
             const QRectF all = layout.bounds();
             const QRectF area(all.width() * 0.3, all.height() * 0.4, all.width() * 0.25, all.height() * 0.2);
-            const std::vector<int> found = layout.nodesIn(drawn.tree, area);
+            const std::vector<PlanNodeId> found = layout.nodesIn(drawn.tree, area);
             QVERIFY(std::is_sorted(found.begin(), found.end()));
             for (const PlanNodeId node : drawn.tree.nodes())
                 if (layout.shown(node) && layout.box(drawn.tree, node).intersects(area))

@@ -316,9 +316,9 @@ void tst_PlanView::hiddenViewTakesNoNews() {
     view_->setSnapshot(running({root}));
     const test::Beats frames(16);
     QVERIFY(test::holdsUntil([&] { return refreshed.isEmpty(); }, [&] { return frames.count() >= 3; }));
-    QVERIFY(!view_->states()[0].running);
+    QVERIFY(!view_->states()[PlanNodeId{0}].running);
     view_->show();
-    QTRY_VERIFY(view_->states()[0].running);
+    QTRY_VERIFY(view_->states()[PlanNodeId{0}].running);
 }
 
 void tst_PlanView::runningPartsAreWalkedByKey() {

@@ -118,8 +118,8 @@ QRectF PlanLayout::box(const PlanTree& tree, PlanNodeId node) const {
     const QRectF& card = boxes_[what.parent.index()];
     if (card.isNull())
         return {};
-    const int row =
-        node.value - what.parent.value; // Senses directly follow their card, the first one is below its title.
+    // Senses directly follow their card, the first one is below its title.
+    const int row = node.value - what.parent.value;
     return {card.left(), card.top() + plan_card::padding_px / 2.0 + row_px_ * row, card.width(), row_px_};
 }
 

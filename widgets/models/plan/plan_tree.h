@@ -104,8 +104,7 @@ private:
     std::vector<PlanNodeId> children_;
     std::vector<int> first_child_; ///< index into children_; has one entry more than there are nodes
     std::unordered_map<std::uint64_t, PlanNodeId> by_path_;
-    std::unordered_map<std::uint64_t, PlanNodeId>
-        by_reference_; ///< forms by the path of the reference to them: "…/A:0"
+    std::unordered_map<std::uint64_t, PlanNodeId> by_reference_; ///< forms by the path of what refers to them: "…/A:0"
     bool truncated_ = false;
 };
 

@@ -75,7 +75,7 @@ private:
     /// True if the node can be dragged from that place.
     bool canBeTaken(PlanNodeId node, const QPointF& on_screen);
     void startDrag(PlanNodeId node);
-    /// The dragged piece or node number; nullopt if the data is neither.
+    /// The dragged piece or node; nullopt if the data is neither.
     std::optional<std::variant<PlanPiece, PlanNodeId>> sourceOf(const QMimeData& mime) const;
     Hover hoverAt(const std::variant<PlanPiece, PlanNodeId>& source, const QPointF& on_screen);
     /// Closes the line editor; reports changed words if `keep`.
