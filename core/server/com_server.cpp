@@ -13,17 +13,9 @@ namespace usar::server {
 namespace {
 
 constexpr std::size_t most_names = 256;
-constexpr int strength_decimals = 2;
 
 std::string fail(const std::string& reason) {
     return "Fail: " + reason + ";";
-}
-
-std::vector<std::string> wordsOf(std::string_view text) {
-    std::vector<std::string> words;
-    for (std::string_view word = takeWord(text); !word.empty(); word = takeWord(text))
-        words.emplace_back(word);
-    return words;
 }
 
 /// Reads "1,2,3" (meters in the wire frame) as a point in the map frame; nullopt if it is malformed or not finite.
@@ -54,7 +46,9 @@ ComServer::ComServer(RadioRelay& relay, QObject* parent)
     , relay_(relay) {}
 
 std::string ComServer::answer(int, std::string_view request) {
-    const Words words = wordsOf(request);
+    Words words;
+    for (std::string_view word = takeWord(request); !word.empty(); word = takeWord(request))
+        words.emplace_back(word);
     struct Method {
         const char* word;
         std::size_t words;
@@ -129,8 +123,7 @@ std::string ComServer::strength(const Words& words) {
     if (!addresses_.contains(words[1]) && !addresses_.contains(words[2]))
         return fail("Server does not accept third party requests");
     const auto strength_dbm = relay_.field().strength_dbm(words[1], words[2]);
-    return strength_dbm ? "OK:" + fixed(*strength_dbm, strength_decimals) + ";"
-                        : fail("Could not calculate signal strength");
+    return strength_dbm ? "OK:" + fixed(*strength_dbm, 2) + ";" : fail("Could not calculate signal strength");
 }
 
 ComInterface::ComInterface(const sim::Simulation& simulation, RadioField& field, QObject* parent)

@@ -13,7 +13,6 @@ namespace usar::server {
 namespace {
 
 constexpr qint64 most_held_bytes = 64 << 10;
-constexpr int farewell_ms = 5000; ///< time that an end has to read the last bytes
 
 constexpr std::size_t word_bytes = 5; ///< length of "SEND " and of "CLOSE"
 constexpr std::size_t most_digits = 9;
@@ -147,7 +146,7 @@ void RelayedLink::finish(QTcpSocket& gone, QTcpSocket& other, std::size_t way) {
     if (other.state() == QAbstractSocket::UnconnectedState)
         end();
     else
-        QTimer::singleShot(farewell_ms, this, &RelayedLink::drop);
+        QTimer::singleShot(5000, this, &RelayedLink::drop); // The other end may read the last bytes until then.
 }
 
 void RelayedLink::drop() {

@@ -11,8 +11,6 @@ namespace usar::server {
 
 namespace {
 
-constexpr int written_decimals = 4;
-
 std::string error(std::string_view reason) {
     return "ERROR {Reason " + std::string(reason) + "}";
 }
@@ -86,7 +84,7 @@ std::string WirelessServer::strength(const std::string& own, const std::string& 
     if (!of_observer && !member(to))
         return head + "NaN} {Error Robot.Does.Not.Exist}";
     if (const auto strength_dbm = relay_.field().strength_dbm(other_end, to))
-        return head + fixed(*strength_dbm, written_decimals) + "}";
+        return head + fixed(*strength_dbm, 4) + "}";
     return head + "NaN} {Error " + (of_observer ? "Robot.Does.Not.Exist}" : "Model.Returned.NaN}");
 }
 

@@ -143,22 +143,22 @@ struct PluginLoader::Library {
                    "Add Q_INTERFACES(usar::agent::RobotPlugin) to its class.";
         return {};
     }
-} void describe() {
-    try {
-        description = record.plugin->description();
-    } catch (const std::exception& thrown) {
-        record.reason = QString("It failed while describing itself: %1. Fix its description().").arg(thrown.what());
-    } catch (...) {
-        record.reason = "It failed while describing itself. Fix its description().";
+    void describe() {
+        try {
+            description = record.plugin->description();
+        } catch (const std::exception& thrown) {
+            record.reason = QString("It failed while describing itself: %1. Fix its description().").arg(thrown.what());
+        } catch (...) {
+            record.reason = "It failed while describing itself. Fix its description().";
+        }
     }
-}
 
-/// Its reason is that of the rejection so far; its plugin must not be used if there is one. `judge` sets the state.
-PluginRecord record;
-FileStamp stamp;
-std::optional<RobotDescription> description; ///< absent if rejected or not described yet
-std::unique_ptr<QPluginLoader> loader;       ///< its destructor does not unload the library
-std::unique_ptr<IsolatedPlugin> isolated;    ///< set instead of `loader`
+    /// Its reason is that of the rejection so far; its plugin must not be used if there is one. `judge` sets the state.
+    PluginRecord record;
+    FileStamp stamp;
+    std::optional<RobotDescription> description; ///< absent if rejected or not described yet
+    std::unique_ptr<QPluginLoader> loader;       ///< its destructor does not unload the library
+    std::unique_ptr<IsolatedPlugin> isolated;    ///< set instead of `loader`
 };
 
 void PluginLoader::scan(const QStringList& folders) {
@@ -215,15 +215,13 @@ std::vector<PluginChange> PluginLoader::judge(bool first_time) {
 
 PluginRecord PluginLoader::recordFor(const Library& library) {
     PluginRecord record = library.record;
-    if (record.reason.isEmpty() && !library.description) {
-        record.state = PluginState::Asked;
-        return record;
-    }
-    if (record.reason.isEmpty())
+    if (record.reason.isEmpty() && library.description)
         record.reason = admit(library);
-    record.state = record.reason.isEmpty() ? PluginState::Loaded : PluginState::Rejected;
-    if (record.state == PluginState::Rejected)
+    record.state = library.description ? PluginState::Loaded : PluginState::Asked;
+    if (!record.reason.isEmpty()) {
+        record.state = PluginState::Rejected;
         record.plugin = nullptr;
+    }
     return record;
 }
 

@@ -18,9 +18,9 @@ void PoshHost::bind(const posh::Program& program) {
     senses_.clear();
     acts_.clear();
     for (const posh::ProgramCall& call : program.sense_calls) {
-        senses_.push_back(boundTo(call));
-        if (senses_.back().refusal.empty() && !senses_.back().primitive->sense)
-            senses_.back().refusal = call.name + " is no sense";
+        BoundCall& bound = senses_.emplace_back(boundTo(call));
+        if (bound.refusal.empty() && !bound.primitive->sense)
+            bound.refusal = call.name + " is no sense";
     }
     for (const posh::ProgramCall& call : program.act_calls) {
         BoundCall& bound = acts_.emplace_back(boundTo(call));
