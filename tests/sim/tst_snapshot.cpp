@@ -195,7 +195,7 @@ private slots:
         const QByteArray good = QByteArray::fromStdString(write(run.simulation->snapshot().value()));
         QTest::newRow("empty") << QByteArray() << "this is not a snapshot";
         QTest::newRow("something else") << QByteArray("hello\n") << "this is not a snapshot";
-        QTest::newRow("cut short") << good.chopped(20) << "bytes are missing";
+        QTest::newRow("cut short") << good.chopped(20) << "the file is cut short";
         QTest::newRow("unknown word") << QByteArray(good).replace("\nseed", "\nsead") << "line 3: unknown word 'sead'";
         QTest::newRow("no number") << QByteArray(good).replace("\nticks 1", "\nticks x")
                                    << "'x' is not a valid number of ticks";
@@ -206,7 +206,7 @@ private slots:
         QTest::newRow("wrong kind") << QByteArray(good).replace("\nc 0 1 0\n", "\nz 0 1 0\n")
                                     << "'z' is not a kind of entry";
         QTest::newRow("wrong count") << QByteArray(good).replace("\nc 0 1 0\n", "\nc 0 1 999999999999\n")
-                                     << "bytes are missing";
+                                     << "the file is cut short";
     }
     void damagedFilesAreRefusedWithTheirLine() {
         QFETCH(const QByteArray, file);
