@@ -99,12 +99,6 @@ void BehaviorHost::askForSensors() {
             modules_.configuration.query(type);
 }
 
-void BehaviorHost::askQuestions() {
-    ask(modules_.geometry, "geometry");
-    if (!finished_)
-        ask(modules_.configuration, "configuration");
-}
-
 RunningBehavior::Output BehaviorHost::receive(const protocol::InfoLine& line) {
     last_line_ = line.number;
     port_.setTrigger(line.number);
@@ -117,7 +111,9 @@ RunningBehavior::Output BehaviorHost::receive(const protocol::InfoLine& line) {
     if (!finished_ && !sensors_missed_.empty() && std::holds_alternative<protocol::RobotState>(line.message))
         askForSensors();
     if (!finished_)
-        askQuestions();
+        ask(modules_.geometry, "geometry");
+    if (!finished_)
+        ask(modules_.configuration, "configuration");
     return takeOutput();
 }
 

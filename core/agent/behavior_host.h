@@ -39,7 +39,6 @@ private:
     void askForSensors();
     template <class Module>
     void ask(Module& module, const std::string& subject);
-    void askQuestions();
     /// Empties the port, completes the sources of the causes, and notes the end or halt of the behavior.
     Output takeOutput();
 

@@ -8,14 +8,6 @@
 
 namespace usar::agent {
 
-namespace {
-
-posh::Milliseconds wholeMilliseconds(Seconds time) {
-    return posh::Milliseconds(std::llround(time.count() * 1000.0));
-}
-
-} // namespace
-
 void PoshBehavior::Reporter::takeProgram(const std::shared_ptr<const posh::Program>& program) {
     program_ = program;
     reported_.clear();
@@ -56,6 +48,7 @@ Result<std::unique_ptr<PoshBehavior>> PoshBehavior::make(PoshParts parts) {
     PlanForRobot plan = bindPlan(parts.plan_text, parts.registry.descriptions());
     if (!plan.program)
         return tl::unexpected(planRefusal(parts.plan_name, plan.findings));
+    parts.options.on_goal = posh::OnGoal::Stop;
     return std::unique_ptr<PoshBehavior>(new PoshBehavior(std::move(parts), std::move(plan.program)));
 }
 
@@ -64,10 +57,7 @@ PoshBehavior::PoshBehavior(PoshParts parts, std::shared_ptr<const posh::Program>
     , host_(parts_.registry, *parts_.body)
     , debugger_(host_)
     , reporter_(parts_.plan_text, debugger_.observer())
-    , engine_(debugger_.host(), std::move(program), [this] {
-        parts_.options.on_goal = posh::OnGoal::Stop;
-        return parts_.options;
-    }()) {
+    , engine_(debugger_.host(), std::move(program), parts_.options) {
     parts_.body->engine_ = &engine_;
     engine_.watch(&reporter_);
 }
@@ -122,7 +112,7 @@ std::optional<PlanHalted> PoshBehavior::runCycle(const Tick& tick, CommandPort& 
     PoshBody& body = *parts_.body;
     reporter_.needs_safety = false;
     body.cycle_ = engine_.cycleNumber() + 1;
-    const posh::Outcome outcome = engine_.cycle(wholeMilliseconds(tick.now));
+    const posh::Outcome outcome = engine_.cycle(posh::Milliseconds(std::llround(tick.now.count() * 1000.0)));
     body.place_ = 0;
     const bool is_idle = outcome == posh::Outcome::Idle;
     const bool undriven = debugger_.takeActed() && !body.drive_; // otherwise it would keep obeying the act before

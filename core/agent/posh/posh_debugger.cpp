@@ -77,24 +77,18 @@ std::optional<PlanHalted> PoshDebugger::afterCycle(const posh::Engine& engine, S
     if (hits.empty() && soon == Soon::No)
         return std::nullopt;
     halted_ = true;
-    PlanHalted news;
-    if (!hits.empty())
-        news = describe(hits.front(), *engine.program());
-    else
+    PlanHalted news{.cycle = engine.cycleNumber(), .time = now};
+    if (hits.empty()) {
         news.reason = soon == Soon::Step ? "one cycle further" : "as asked";
-    news.cycle = engine.cycleNumber();
-    news.time = now;
-    return news;
-}
-
-PlanHalted PoshDebugger::describe(const posh::BreakHit& hit, const posh::Program& program) const {
-    PlanHalted news;
+        return news;
+    }
+    const posh::BreakHit& hit = hits.front();
     for (const auto& [id, known] : known_)
         if (known.number == hit.breakpoint) {
             news.breakpoint = id;
-            news.reason = reasonOf(known.asked.what, posh::namePathOf(program, hit.record.place), hit.text);
+            news.reason = reasonOf(known.asked.what, posh::namePathOf(*engine.program(), hit.record.place), hit.text);
         }
-    news.path = posh::pathOf(program, hit.record.place);
+    news.path = posh::pathOf(*engine.program(), hit.record.place);
     return news;
 }
 

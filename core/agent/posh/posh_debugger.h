@@ -50,7 +50,6 @@ private:
         PlanBreakpoint asked;
         std::size_t number = 0; ///< its key in breakpoints_
     };
-    PlanHalted describe(const posh::BreakHit& hit, const posh::Program& program) const;
 
     posh::PinnedHost pins_;
     posh::Breakpoints breakpoints_;

@@ -6,15 +6,6 @@
 
 namespace usar::agent {
 
-namespace {
-
-/// Time limit for starting the process, loading its libraries and the plugin, and creating the behavior.
-constexpr Seconds patience_at_start{15.0};
-/// Number of bytes of a line that messages quote.
-constexpr std::size_t words_of_a_line = 60;
-
-} // namespace
-
 IsolatedBehavior::IsolatedBehavior(QString program, frames::Start start)
     : RemoteBehavior(start.job.behavior_id)
     , program_(std::move(program))
@@ -25,12 +16,13 @@ RunningBehavior::Output IsolatedBehavior::begin() {
     if (!started)
         return end(started.error().text());
     host_ = *std::move(started);
-    return ask(start_, patience_at_start, "it was being made");
+    constexpr Seconds patience{15.0}; // for starting, loading libraries and the plugin, and creating the behavior
+    return ask(start_, patience, "it was being made");
 }
 
 RunningBehavior::Output IsolatedBehavior::receive(const protocol::InfoLine& line) {
     last_line_ = line.number;
-    last_text_ = line.text.substr(0, words_of_a_line);
+    last_text_ = line.text.substr(0, 60); // enough for a message
     if (last_text_.size() < line.text.size())
         last_text_ += "…";
     return ask(frames::Line{line.number, line.text}, patience_, "it worked on line");
