@@ -1,5 +1,5 @@
-// The scan preview of the thesis (4.2) as the map's height layer: tiles go in; finished pictures of squares of 4 x 4 tiles,
-// with mip levels, come out.
+// The scan preview of the thesis (4.2) as the map's height layer: tiles go in; finished pictures of squares of 4 x 4
+// tiles, with mip levels, come out.
 #pragma once
 
 #include <array>
