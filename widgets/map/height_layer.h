@@ -74,8 +74,6 @@ public:
     /// rendered before the first range is known; nullopt leaves the range unchanged.
     void take(const std::vector<std::shared_ptr<const mapping::HeightTile>>& tiles,
               const std::optional<mapping::HeightRange>& range);
-    /// Recolors every page.
-    void setColorMap(mapping::ColorMap color_map);
     /// Renders every page again.
     void setOrientation(MapOrientation orientation);
 
