@@ -34,8 +34,6 @@ public:
     QString world() const;
     /// Cancels the loading of a world or snapshot, if any.
     void cancelLoading();
-    /// State of the link to the server.
-    link::LinkState linkState() const { return link_state_; }
 
 signals:
     /// The old world is left, for the embedded simulator or a real server.

@@ -11,7 +11,7 @@
 #include "widgets/bars/strips.h"
 #include "widgets/bars/time_bar.h"
 #include "widgets/map/layers_panel.h"
-#include "widgets/panels/area_form.h"
+#include "widgets/panels/behavior_parts.h"
 #include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 

@@ -3,10 +3,8 @@
 #include <QTest>
 
 #include "tests/suite/suite.h"
-#include "widgets/panels/laser_fan_view.h"
-#include "widgets/panels/sonar_columns_view.h"
+#include "widgets/panels/instruments.h"
 #include "widgets/panels/status_strip.h"
-#include "widgets/panels/terrain_profile_view.h"
 #include "widgets/style/theme.h"
 
 namespace tst_instruments {

@@ -1,5 +1,5 @@
-// The bar that always shows the state of the link: which server, whether it is connected, and why not; and its popup with
-// the traffic counters: lines, bytes and errors.
+// The bar that always shows the state of the link: which server, whether it is connected, and why not; and its popup
+// with the traffic counters: lines, bytes and errors.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// Bar that shows the position of a replay, with controls to move through the recording; and the badge that shows whether a
-// recording is being written, for how long, and how large it is.
+// Bar that shows the position of a replay, with controls to move through the recording; and the badge that shows
+// whether a recording is being written, for how long, and how large it is.
 #pragma once
 
 #include <cstdint>

@@ -148,11 +148,6 @@ void HeightLayer::take(const std::vector<std::shared_ptr<const HeightTile>>& til
     renderNext();
 }
 
-void HeightLayer::setColorMap(mapping::ColorMap color_map) {
-    restyle(&HeightStyle::color_map, color_map);
-    renderNext();
-}
-
 void HeightLayer::setOrientation(MapOrientation orientation) {
     restyle(&HeightStyle::orientation, orientation);
     renderNext();

@@ -1,5 +1,5 @@
-// The scan preview of the thesis (4.2) as the map's height layer: tiles go in; finished pictures of squares of 4 x 4 tiles,
-// with mip levels, come out.
+// The scan preview of the thesis (4.2) as the map's height layer: tiles go in; finished pictures of squares of 4 x 4
+// tiles, with mip levels, come out.
 #pragma once
 
 #include <array>
@@ -73,8 +73,6 @@ public:
     /// rendered before the first range is known; nullopt leaves the range unchanged.
     void take(const std::vector<std::shared_ptr<const mapping::HeightTile>>& tiles,
               const std::optional<mapping::HeightRange>& range);
-    /// Recolors every page.
-    void setColorMap(mapping::ColorMap color_map);
     /// Renders every page again.
     void setOrientation(MapOrientation orientation);
 

@@ -1,4 +1,5 @@
-// Radio links between robots as list rows: current strength, its history over the last minutes, and links that were lost.
+// Radio links between robots as list rows: current strength, its history over the last minutes, and links that were
+// lost.
 #pragma once
 
 #include <map>

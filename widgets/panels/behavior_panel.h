@@ -14,8 +14,7 @@
 
 #include "core/agent/robot_plugin.h"
 #include "core/base/geometry.h"
-#include "widgets/panels/area_form.h"
-#include "widgets/panels/plan_choice.h"
+#include "widgets/panels/behavior_parts.h"
 #include "widgets/style/form_parts.h"
 
 class QAction;

@@ -1,5 +1,5 @@
-// Figures of the running behavior, like the left stripe of the thesis's preview (4.2), and the instruments for one figure
-// that it consists of.
+// Figures of the running behavior, like the left stripe of the thesis's preview (4.2), and the instruments for one
+// figure that it consists of.
 #pragma once
 
 #include <optional>

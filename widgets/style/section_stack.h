@@ -30,8 +30,6 @@ public:
     /// Brings this section to the front; has a visible effect only with tabs.
     void show(const QWidget* body);
     using QWidget::show;
-    /// True while sections are shown one at a time.
-    bool tabbed() const { return tabbed_; }
 
     QSize minimumSizeHint() const override { return {120, least_px + 24}; }
 
@@ -54,7 +52,7 @@ private:
     std::vector<Section> sections_;
     QVBoxLayout* column_ = new QVBoxLayout(this);
     QTabBar* tabs_ = new QTabBar(this); ///< one per shown section; the tab's data is the index in `sections_`
-    bool tabbed_ = false;
+    bool tabbed_ = false;               ///< sections are shown one at a time
 };
 
 } // namespace usar::widgets

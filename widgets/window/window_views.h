@@ -24,15 +24,13 @@
 #include "widgets/messages/toast_stack.h"
 #include "widgets/panels/behavior_panel.h"
 #include "widgets/panels/fault_panel.h"
-#include "widgets/panels/laser_fan_view.h"
+#include "widgets/panels/instruments.h"
 #include "widgets/panels/parameter_form.h"
 #include "widgets/panels/plot_view.h"
 #include "widgets/panels/radio_view.h"
 #include "widgets/panels/robot_list.h"
 #include "widgets/panels/sensor_panel.h"
-#include "widgets/panels/sonar_columns_view.h"
 #include "widgets/panels/status_strip.h"
-#include "widgets/panels/terrain_profile_view.h"
 #include "widgets/plan/plan_panel.h"
 
 namespace usar::widgets {

@@ -9,7 +9,7 @@
 #include "widgets/commands/shortcut_sheet.h"
 #include "widgets/map/layers_panel.h"
 #include "widgets/map/spawn_card.h"
-#include "widgets/panels/area_form.h"
+#include "widgets/panels/behavior_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::gallery {

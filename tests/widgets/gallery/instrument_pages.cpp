@@ -3,11 +3,9 @@
 #include <QVBoxLayout>
 
 #include "tests/widgets/gallery/pages.h"
-#include "widgets/panels/laser_fan_view.h"
+#include "widgets/panels/instruments.h"
 #include "widgets/panels/sensor_panel.h"
-#include "widgets/panels/sonar_columns_view.h"
 #include "widgets/panels/status_strip.h"
-#include "widgets/panels/terrain_profile_view.h"
 #include "widgets/style/theme.h"
 
 namespace usar::gallery {

@@ -39,7 +39,6 @@ struct TypeChoice {
     bool only_these = false;
     /// True if lines of this type are shown.
     bool shows(std::string_view type) const { return types.contains(type) == only_these; }
-    bool showsAll() const { return types.empty() && !only_these; }
     bool operator==(const TypeChoice&) const = default;
 };
 
