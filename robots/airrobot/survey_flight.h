@@ -66,7 +66,8 @@ public:
     /// Plans the lanes over the area; ends the flight if that fails.
     void planSurvey(agent::CommandPort& port);
     void beginReset();
-    ResetState stepReset(const agent::Tick& tick, agent::CommandPort& port);
+    /// Returns true once the INS is set or all attempts have failed.
+    bool stepReset(const agent::Tick& tick, agent::CommandPort& port);
     /// Starts from the ground, after the launch or a charge. Forgets all places, which belong to the old estimate.
     void setOut();
 
