@@ -28,7 +28,10 @@ public:
     const agent::Tick& tick() const { return *tick_; }
 
     void begin(const agent::Tick& tick) override;
-    void end(const agent::Tick&) override;
+    void end(const agent::Tick&) override {
+        acting_ = false;
+        tick_ = nullptr;
+    }
     bool order(agent::Order order) override;
     void setParameters(const agent::ParameterSet& parameters) override { flight_.setParameters(parameters); }
     void describe(agent::BehaviorStatus& status) const override { status = flight_.status(); }

@@ -194,9 +194,7 @@ void SurveyFlight::nextGoal(agent::CommandPort& port) {
 }
 
 void SurveyFlight::skipGoal(agent::CommandPort& port) {
-    const Vec2 goal_m = leg().goal_m;
-    craft_.log.mark(agent::MarkKind::GoalGivenUp, Vec3(goal_m.x(), goal_m.y(), craft_.senses.position_m().z()),
-                    craft_.senses, port);
+    craft_.log.mark(agent::MarkKind::GoalGivenUp, leg().goal_m, craft_.senses, port);
     port.publish(agent::BehaviorEvent{Severity::Warning, "A goal could not be reached in time and is left out."});
     craft_.startAnew();
     afterGoal(survey_.giveUp(craft_.settings), port);
@@ -225,17 +223,13 @@ void SurveyFlight::endPause(const std::string& why, agent::CommandPort& port) {
     port.publish(agent::BehaviorEvent{Severity::Warning, "The pause ends, for " + why + "."});
 }
 
-void SurveyFlight::markRecharge(agent::CommandPort& port) const {
-    craft_.log.mark(agent::MarkKind::Recharge, craft_.senses.position_m(), craft_.senses, port);
-}
-
 void SurveyFlight::returnToCharge(agent::CommandPort& port) {
-    markRecharge(port);
+    craft_.log.mark(agent::MarkKind::Recharge, craft_.senses.position2_m(), craft_.senses, port);
     goHome(Errand::Recharge, "The battery's reserve is near; home for a charge.", port);
 }
 
 void SurveyFlight::abortScan(agent::CommandPort& port) {
-    markRecharge(port);
+    craft_.log.mark(agent::MarkKind::Recharge, craft_.senses.position2_m(), craft_.senses, port);
     end_reason_ = "The place to resume at is out of the battery's range; raise the range or move the base.";
     goHome(Errand::GivenUp, end_reason_, port);
 }
@@ -269,7 +263,7 @@ bool SurveyFlight::land(agent::CommandPort& port) {
     if (!craft_.descend(*landing_m_, port))
         return false;
     craft_.rest(port, "landed");
-    craft_.log.mark(agent::MarkKind::Landing, craft_.senses.position_m(), craft_.senses, port);
+    craft_.log.mark(agent::MarkKind::Landing, craft_.senses.position2_m(), craft_.senses, port);
     craft_.log.goal(std::nullopt, port);
     phase_ = Phase::Ground;
     at_work_ = false;

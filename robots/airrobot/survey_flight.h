@@ -120,7 +120,6 @@ private:
     void goHome(Errand errand, const std::string& why, agent::CommandPort& port);
     void landAt(const Vec2& near_m);
     void endPause(const std::string& why, agent::CommandPort& port);
-    void markRecharge(agent::CommandPort& port) const;
     double beelineHome_m() const;
     std::string words() const;
     std::optional<Seconds> timeLeft() const;

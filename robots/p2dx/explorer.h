@@ -66,9 +66,7 @@ private:
     void takeReadings();
     /// Notices a frozen scanner.
     void watchForIce();
-    void chooseThird();
     void watchScanner();
-    void watchClock();
     void stepManeuver(Seconds dt);
     void stepTurn();
     bool frozen() const;

@@ -55,10 +55,6 @@ std::string wordsFor(const Question& question) {
 
 } // namespace
 
-bool LaunchChecklist::geometryKnown() const {
-    return question_ == questions.size();
-}
-
 bool LaunchChecklist::answered(modules::RobotModules& robot, agent::CommandPort& port) {
     for (; question_ < questions.size(); ++question_) {
         const auto taken = settle(questions[question_], robot, layout_);
