@@ -1,12 +1,129 @@
 #include "robots/airrobot/descriptions.h"
 
-#include "core/mapping/coverage_path.h"
-#include "robots/airrobot/survey_behavior.h"
 #include "robots/airrobot/survey_body.h"
 
 namespace usar::airrobot {
 
 extern const char survey_plan_text[]; // Contents of resources/plans/airrobot.lap
+
+namespace {
+
+/// The terrain survey of the thesis's chapter 4 as a state machine. Goes through launch checklist, INS reset (which
+/// also gives the INS its rest before the start), take-off and lanes. Returns home for a charge, after each quadrant
+/// and at the end; resets the INS and recharges on the ground; then resumes where it stopped. In every tick it checks,
+/// in the order of the thesis's drive collection: silent sensors, battery, stuck, sonars, goal.
+class SurveyBehavior : public agent::Behavior {
+public:
+    explicit SurveyBehavior(agent::BehaviorContext context) : flight_(std::move(context)) {}
+
+    void tick(const agent::Tick& tick, agent::CommandPort& port) override {
+        if (flight_.finished())
+            return;
+        flight_.perceive(tick, port);
+        if (flight_.phase() == Phase::Launch)
+            launch(tick, port);
+        else if (flight_.sensorsSilent() && flight_.phase() != Phase::Ground)
+            flight_.awaitSensors(port);
+        else
+            act(tick, port);
+        port.publish(flight_.status());
+        publishEnding(port);
+    }
+
+    void order(agent::Order order, agent::CommandPort& port) override {
+        if (flight_.finished())
+            return;
+        flight_.order(order, port);
+        publishEnding(port);
+    }
+
+    void setParameters(const agent::ParameterSet& parameters) override { flight_.setParameters(parameters); }
+    protocol::Command safeCommand() const override { return protocol::AerialDrive{0.0, 0.0, 0.0, 0.0}; }
+
+private:
+    void publishEnding(agent::CommandPort& port) const {
+        if (flight_.ending())
+            port.publish(*flight_.ending());
+    }
+
+    void launch(const agent::Tick& tick, agent::CommandPort& port) {
+        if (flight_.checkLaunch(tick, port) != LaunchState::Ready)
+            return;
+        flight_.planSurvey(port);
+        flight_.beginReset();
+    }
+
+    void act(const agent::Tick& tick, agent::CommandPort& port) {
+        watchBattery(port);
+        const Phase phase = flight_.phase();
+        if (flight_.paused() && phase != Phase::Landing && phase != Phase::Ground)
+            return flight_.holdPlace(port);
+        switch (phase) {
+        case Phase::TakeOff:
+            if (flight_.climb(flight_.craft().settings.scan_altitude_m, port))
+                flight_.beginWork();
+            return;
+        case Phase::ToLane:
+        case Phase::Lane:
+            return survey(port);
+        case Phase::Home:
+            return flyHome(port);
+        case Phase::Landing:
+            if (flight_.land(port))
+                flight_.beginReset();
+            return;
+        case Phase::Ground:
+            return onGround(tick, port);
+        case Phase::Launch:
+        case Phase::Finished:
+            return;
+        }
+    }
+
+    /// Sends the robot home if a battery runs low.
+    void watchBattery(agent::CommandPort& port) {
+        if (flight_.phase() == Phase::Ground || flight_.phase() == Phase::Landing)
+            return;
+        if (flight_.robotBatteryLow())
+            flight_.obeyRobotBattery(port);
+        if (flight_.phase() != Phase::ToLane && flight_.phase() != Phase::Lane)
+            return;
+        if (flight_.batteryMargin() > 0.0)
+            return;
+        if (flight_.resumedGoalReached())
+            flight_.returnToCharge(port);
+        else
+            flight_.abortScan(port);
+    }
+
+    void survey(agent::CommandPort& port) {
+        if (flight_.goalReached())
+            flight_.nextGoal(port);
+        if (!flight_.returning() && flight_.fly(port) == FlightState::Unreachable)
+            flight_.skipGoal(port);
+    }
+
+    void flyHome(agent::CommandPort& port) {
+        if (flight_.atBase())
+            flight_.beginLanding();
+        else if (flight_.fly(port) == FlightState::Unreachable)
+            flight_.landHere(port);
+    }
+
+    void onGround(const agent::Tick& tick, agent::CommandPort& port) {
+        if (flight_.scanOver())
+            return flight_.conclude(port);
+        if (!flight_.stepReset(tick, port) || flight_.paused() || !flight_.charged())
+            return;
+        if (flight_.returning())
+            flight_.recharge();
+        flight_.setOut();
+    }
+
+    SurveyFlight flight_;
+};
+
+} // namespace
 
 AirRobot::AirRobot() : ListedRobot("USARBot.AirRobot", "AirRobot", {"INS", "GroundTruth", "RangeScanner", "Sonar"}) {
     add<SurveyBehavior>({.id = "airrobot/cpp",
@@ -16,24 +133,22 @@ AirRobot::AirRobot() : ListedRobot("USARBot.AirRobot", "AirRobot", {"INS", "Grou
                          .needs_area = true,
                          .parameters = Settings::parameters.specs()});
     addPlanned<SurveyBody>("airrobot/posh", "Terrain survey (POSH)", {"airrobot.lap", survey_plan_text},
-                           agent::registryOf<SurveyBody>({addSurveySenses, addSurveyActs}));
+                           surveyPrimitives());
 }
 
 Result<agent::TaskPreview> AirRobot::preview(const std::string&, const agent::BehaviorContext& context) const {
     const Settings settings = Settings::parameters.settings(context.parameters);
-    const Vec2 base_m = context.task.start_in_map.position_m.head<2>();
-    const auto plan =
-        mapping::planCoverage(context.task.area_in_map, base_m, {settings.lane_spacing_m, settings.quadrant_limit_m});
-    if (!plan)
-        return tl::unexpected(plan.error());
+    const auto survey = Survey::make(context.task, settings);
+    if (!survey)
+        return tl::unexpected(survey.error());
+    const mapping::CoveragePlan& plan = survey->plan();
     agent::TaskPreview preview;
-    for (const mapping::Lane& lane : plan->lanes)
-        preview.path_in_map_m.insert(preview.path_in_map_m.end(), {lane.start_m, lane.end_m});
-    preview.length_m = plan->lane_length_m + plan->transit_length_m;
-    preview.duration = mapping::estimatedTime(*plan, settings.scan_speed_m_s, settings.transit_speed_m_s);
-    const std::size_t parts = plan->quadrants.size();
-    preview.summary = std::to_string(plan->lanes.size()) + (plan->lanes.size() == 1 ? " lane" : " lanes") +
-                      (parts > 1 ? " in " + std::to_string(parts) + " parts" : "");
+    preview.path_in_map_m = survey->corners_m();
+    preview.length_m = plan.lane_length_m + plan.transit_length_m;
+    preview.duration = mapping::estimatedTime(plan, settings.scan_speed_m_s, settings.transit_speed_m_s);
+    preview.summary = std::to_string(plan.lanes.size()) + (plan.lanes.size() == 1 ? " lane" : " lanes");
+    if (plan.quadrants.size() > 1)
+        preview.summary += " in " + std::to_string(plan.quadrants.size()) + " parts";
     return preview;
 }
 

@@ -12,6 +12,14 @@ constexpr double end_passing_m = 3.0;
 constexpr double resume_back_m = 1.0;
 } // namespace
 
+Result<Survey> Survey::make(const agent::Task& task, const Settings& settings) {
+    auto plan = mapping::planCoverage(task.area_in_map, task.start_in_map.position_m.head<2>(),
+                                      {settings.lane_spacing_m, settings.quadrant_limit_m});
+    if (!plan)
+        return tl::unexpected(plan.error());
+    return Survey(std::move(*plan));
+}
+
 double Survey::length_m() const {
     const mapping::Lane& lane = plan_.lanes[lane_];
     return (lane.end_m - lane.start_m).norm();
@@ -78,9 +86,7 @@ SurveyEvent Survey::next(const Settings& settings) {
 
 SurveyEvent Survey::endPiece(const Settings& settings) {
     piece_start_m_ = pieceEnd_m(settings);
-    if (piece_start_m_ < length_m())
-        return SurveyEvent::GoalReached;
-    return nextLane();
+    return piece_start_m_ < length_m() ? SurveyEvent::GoalReached : nextLane();
 }
 
 SurveyEvent Survey::nextLane() {
@@ -120,10 +126,8 @@ double Survey::doneLength_m() const {
 
 std::vector<Vec2> Survey::corners_m() const {
     std::vector<Vec2> corners;
-    for (const mapping::Lane& lane : plan_.lanes) {
-        corners.push_back(lane.start_m);
-        corners.push_back(lane.end_m);
-    }
+    for (const mapping::Lane& lane : plan_.lanes)
+        corners.insert(corners.end(), {lane.start_m, lane.end_m});
     return corners;
 }
 

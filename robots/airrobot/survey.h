@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/agent/behavior.h"
 #include "core/mapping/coverage_path.h"
 #include "robots/airrobot/settings.h"
 
@@ -18,6 +19,8 @@ class Survey {
 public:
     Survey() = default;
     explicit Survey(mapping::CoveragePlan plan) : plan_(std::move(plan)) {}
+    /// Plans lanes over the area of the task, starting near its start pose. Returns an error if none fit into the area.
+    static Result<Survey> make(const agent::Task& task, const Settings& settings);
 
     bool done() const { return lane_ >= plan_.lanes.size(); }
     /// Whether the robot flies along the lane; false on its way there.

@@ -5,15 +5,6 @@
 
 namespace usar::airrobot {
 
-namespace {
-
-const char* wordOf(Phase phase) {
-    constexpr std::array words{"launch", "take-off", "to-lane", "lane", "home", "landing", "ground", "finished"};
-    return words[static_cast<std::size_t>(phase)];
-}
-
-} // namespace
-
 void SurveyBody::begin(const agent::Tick& tick) {
     tick_ = &tick;
     with([&tick](SurveyFlight& flight, agent::CommandPort& port) {
@@ -22,11 +13,6 @@ void SurveyBody::begin(const agent::Tick& tick) {
             flight.look();
     });
     acting_ = true;
-}
-
-void SurveyBody::end(const agent::Tick&) {
-    acting_ = false;
-    tick_ = nullptr;
 }
 
 bool SurveyBody::order(agent::Order order) {
@@ -50,7 +36,8 @@ void SurveyBody::passOn() {
 /// Writes the state that the acts share to the blackboard, so that the user can see it and set breakpoints on its
 /// changes.
 void SurveyBody::noteState() {
-    write("phase", posh::Symbol{wordOf(flight_.phase())});
+    static constexpr std::array words{"launch", "take-off", "to-lane", "lane", "home", "landing", "ground", "finished"};
+    write("phase", posh::Symbol{words[static_cast<std::size_t>(flight_.phase())]});
     write("lane", static_cast<std::int64_t>(flight_.lane()));
     write("returning", flight_.returning());
 }

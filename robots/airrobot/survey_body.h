@@ -18,7 +18,7 @@ public:
     /// the flight sends and publishes. Returns the result of `act`.
     template <class Act>
     auto with(const Act& act) {
-        const Forward forward(*this);
+        const Forward forward{*this};
         if constexpr (std::is_invocable_v<const Act&, SurveyFlight&>)
             return std::invoke(act, flight_);
         else
@@ -28,7 +28,10 @@ public:
     const agent::Tick& tick() const { return *tick_; }
 
     void begin(const agent::Tick& tick) override;
-    void end(const agent::Tick&) override;
+    void end(const agent::Tick&) override {
+        acting_ = false;
+        tick_ = nullptr;
+    }
     bool order(agent::Order order) override;
     void setParameters(const agent::ParameterSet& parameters) override { flight_.setParameters(parameters); }
     void describe(agent::BehaviorStatus& status) const override { status = flight_.status(); }
@@ -38,11 +41,8 @@ public:
 private:
     /// Passes on what the flight sent and published when the act that caused it returns.
     struct Forward {
-        explicit Forward(SurveyBody& owner) : body(owner) {}
-        ~Forward() { body.passOn(); }
-        Forward(const Forward&) = delete;
-        Forward& operator=(const Forward&) = delete;
         SurveyBody& body;
+        ~Forward() { body.passOn(); }
     };
     /// Moves the commands and published values from `port_` to the engine.
     void passOn();
@@ -54,10 +54,7 @@ private:
     bool acting_ = false;               ///< acts are running, so the state is written to the blackboard
 };
 
-using SurveyPrimitives = agent::PoshPrimitives<SurveyBody>;
-
-// These register all senses and all acts.
-void addSurveySenses(SurveyPrimitives& primitives);
-void addSurveyActs(SurveyPrimitives& primitives);
+/// All senses and acts.
+agent::PoshRegistry surveyPrimitives();
 
 } // namespace usar::airrobot

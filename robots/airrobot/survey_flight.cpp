@@ -115,13 +115,10 @@ LaunchState SurveyFlight::checkLaunch(const agent::Tick& tick, agent::CommandPor
 }
 
 void SurveyFlight::planSurvey(agent::CommandPort& port) {
-    const Vec2 base_m = task_.start_in_map.position_m.head<2>();
-    const Settings& settings = craft_.settings;
-    const auto plan =
-        mapping::planCoverage(task_.area_in_map, base_m, {settings.lane_spacing_m, settings.quadrant_limit_m});
-    if (!plan)
-        return finish(false, plan.error().text(), port);
-    survey_ = Survey(*plan);
+    const auto planned = Survey::make(task_, craft_.settings);
+    if (!planned)
+        return finish(false, planned.error().text(), port);
+    survey_ = *planned;
     port.publish(agent::PlannedPath{survey_.corners_m()});
     phase_ = Phase::Ground;
 }
@@ -130,7 +127,7 @@ void SurveyFlight::beginReset() {
     ins_reset_.start(craft_.senses.now);
 }
 
-ResetState SurveyFlight::stepReset(const agent::Tick& tick, agent::CommandPort& port) {
+bool SurveyFlight::stepReset(const agent::Tick& tick, agent::CommandPort& port) {
     const ResetState before = ins_reset_.state();
     const ResetState reset = ins_reset_.step(tick.now, tick.robot, port, craft_.settings);
     if (reset != before && reset == ResetState::Failed)
@@ -138,7 +135,7 @@ ResetState SurveyFlight::stepReset(const agent::Tick& tick, agent::CommandPort& 
             agent::BehaviorEvent{Severity::Warning, "The INS could not be set; the flight goes on with its drift."});
     if (reset != before && reset == ResetState::Done)
         port.publish(agent::BehaviorEvent{Severity::Note, "The INS was set from ground truth."});
-    return reset;
+    return reset == ResetState::Done || reset == ResetState::Failed;
 }
 
 void SurveyFlight::setOut() {
@@ -197,9 +194,7 @@ void SurveyFlight::nextGoal(agent::CommandPort& port) {
 }
 
 void SurveyFlight::skipGoal(agent::CommandPort& port) {
-    const Vec2 goal_m = leg().goal_m;
-    craft_.log.mark(agent::MarkKind::GoalGivenUp, Vec3(goal_m.x(), goal_m.y(), craft_.senses.position_m().z()),
-                    craft_.senses, port);
+    craft_.log.mark(agent::MarkKind::GoalGivenUp, leg().goal_m, craft_.senses, port);
     port.publish(agent::BehaviorEvent{Severity::Warning, "A goal could not be reached in time and is left out."});
     craft_.startAnew();
     afterGoal(survey_.giveUp(craft_.settings), port);
@@ -228,17 +223,13 @@ void SurveyFlight::endPause(const std::string& why, agent::CommandPort& port) {
     port.publish(agent::BehaviorEvent{Severity::Warning, "The pause ends, for " + why + "."});
 }
 
-void SurveyFlight::markRecharge(agent::CommandPort& port) const {
-    craft_.log.mark(agent::MarkKind::Recharge, craft_.senses.position_m(), craft_.senses, port);
-}
-
 void SurveyFlight::returnToCharge(agent::CommandPort& port) {
-    markRecharge(port);
+    craft_.log.mark(agent::MarkKind::Recharge, craft_.senses.position2_m(), craft_.senses, port);
     goHome(Errand::Recharge, "The battery's reserve is near; home for a charge.", port);
 }
 
 void SurveyFlight::abortScan(agent::CommandPort& port) {
-    markRecharge(port);
+    craft_.log.mark(agent::MarkKind::Recharge, craft_.senses.position2_m(), craft_.senses, port);
     end_reason_ = "The place to resume at is out of the battery's range; raise the range or move the base.";
     goHome(Errand::GivenUp, end_reason_, port);
 }
@@ -272,7 +263,7 @@ bool SurveyFlight::land(agent::CommandPort& port) {
     if (!craft_.descend(*landing_m_, port))
         return false;
     craft_.rest(port, "landed");
-    craft_.log.mark(agent::MarkKind::Landing, craft_.senses.position_m(), craft_.senses, port);
+    craft_.log.mark(agent::MarkKind::Landing, craft_.senses.position2_m(), craft_.senses, port);
     craft_.log.goal(std::nullopt, port);
     phase_ = Phase::Ground;
     at_work_ = false;
@@ -321,6 +312,62 @@ void SurveyFlight::finish(bool success, const std::string& reason, agent::Comman
     phase_ = Phase::Finished;
     craft_.rest(port, "finished");
     ending_ = agent::BehaviorFinished{success, reason};
+}
+
+std::string SurveyFlight::words() const {
+    const std::string lane =
+        "lane " + std::to_string(survey_.laneIndex() + 1) + " of " + std::to_string(survey_.laneCount());
+    switch (phase_) {
+    case Phase::Launch:
+        return checklist_.words();
+    case Phase::TakeOff:
+        return "taking off";
+    case Phase::ToLane:
+        return "flying to " + lane;
+    case Phase::Lane:
+        return "scanning " + lane;
+    case Phase::Home:
+        return errand_ == Errand::Recharge ? "returning to charge" : "returning to base";
+    case Phase::Landing:
+        return "landing";
+    case Phase::Ground:
+        return ins_reset_.state() == ResetState::Done && errand_ != Errand::Start ? "charging"
+                                                                                  : "at rest, setting the INS";
+    case Phase::Finished:
+        return "finished";
+    }
+    return {};
+}
+
+std::optional<Seconds> SurveyFlight::timeLeft() const {
+    if (survey_.laneCount() == 0)
+        return std::nullopt;
+    const Settings& settings = craft_.settings;
+    const double done_m = survey_.doneLength_m();
+    const Seconds elapsed = craft_.senses.now - *started_;
+    const Seconds planned = mapping::estimatedTime(survey_.plan(), settings.scan_speed_m_s, settings.transit_speed_m_s);
+    const double part = done_m / survey_.totalLength_m();
+    const Seconds by_plan = planned * (1.0 - part);
+    if (part < 0.05)
+        return by_plan;
+    const Seconds by_pace = elapsed * ((1.0 - part) / part);
+    return by_plan * (1.0 - part) + by_pace * part + Seconds(beelineHome_m() / settings.transit_speed_m_s) * part;
+}
+
+agent::BehaviorStatus SurveyFlight::status() const {
+    agent::BehaviorStatus status;
+    status.time = craft_.senses.now;
+    status.elapsed = craft_.senses.now - *started_;
+    status.state = silent_ ? "waiting for sensors" : paused_ ? "paused, " + words() : words();
+    status.distance_to_goal_m = goal_distance_m_;
+    status.battery_used_pct = craft_.battery.used_pct(craft_.settings);
+    status.range_left_m = craft_.battery.rangeLeft_m(beelineHome_m(), craft_.settings);
+    status.progress_pct = planned() ? 100.0 * survey_.doneLength_m() / survey_.totalLength_m() : 0.0;
+    status.time_left = timeLeft();
+    status.distance_flown_m = craft_.battery.flown_m();
+    status.charges = craft_.battery.charges();
+    status.paused = paused_;
+    return status;
 }
 
 } // namespace usar::airrobot

@@ -66,7 +66,8 @@ public:
     /// Plans the lanes over the area; ends the flight if that fails.
     void planSurvey(agent::CommandPort& port);
     void beginReset();
-    ResetState stepReset(const agent::Tick& tick, agent::CommandPort& port);
+    /// Returns true once the INS is set or all attempts have failed.
+    bool stepReset(const agent::Tick& tick, agent::CommandPort& port);
     /// Starts from the ground, after the launch or a charge. Forgets all places, which belong to the old estimate.
     void setOut();
 
@@ -119,7 +120,6 @@ private:
     void goHome(Errand errand, const std::string& why, agent::CommandPort& port);
     void landAt(const Vec2& near_m);
     void endPause(const std::string& why, agent::CommandPort& port);
-    void markRecharge(agent::CommandPort& port) const;
     double beelineHome_m() const;
     std::string words() const;
     std::optional<Seconds> timeLeft() const;

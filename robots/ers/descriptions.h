@@ -5,7 +5,7 @@
 
 namespace usar::ers {
 
-/// The behavior "ers/cpp": see KickerBehavior.
+/// The behavior "ers/cpp": it walks to a ball and kicks it.
 class ErsRobot : public agent::ListedRobot {
 public:
     ErsRobot();

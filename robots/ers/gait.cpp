@@ -3,9 +3,29 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/agent/leg_kinematics.h"
+
 namespace usar::ers {
 
 namespace {
+
+constexpr double spread_rad = 0.1; ///< outward angle of the legs, so that the robot does not tip over
+constexpr double deepest_nod_rad = 0.25;
+
+struct JointNames {
+    protocol::Token swing;
+    protocol::Token spread;
+    protocol::Token knee;
+};
+
+/// The joint names of the embedded simulator (robots-and-worlds.md 3.4); the names in UT2004 are unknown.
+const JointNames& namesOf(Leg leg) {
+    static const std::array<JointNames, 4> names{{{"LFLeg1", "LFLeg2", "LFLeg3"},
+                                                  {"RFLeg1", "RFLeg2", "RFLeg3"},
+                                                  {"LHLeg1", "LHLeg2", "LHLeg3"},
+                                                  {"RHLeg1", "RHLeg2", "RHLeg3"}}};
+    return names[static_cast<std::size_t>(leg)];
+}
 
 constexpr Seconds between_moves{0.19}; ///< slightly less than a tick, because the times of ticks are rounded
 constexpr int moves = 4;
@@ -13,19 +33,29 @@ constexpr PawPlace middle = standing_paw; ///< place of the paw halfway through 
 
 /// Returns the place of a paw that is `move` moves into its step.
 PawPlace placeAt(int move, double stride_m, double lift_m) {
-    switch (move % moves) {
-    case 0:
-        return {middle.forward_m, middle.down_m - (stride_m == 0.0 ? 0.0 : lift_m)};
-    case 1:
-        return {middle.forward_m + stride_m / 2.0, middle.down_m};
-    case 3:
-        return {middle.forward_m - stride_m / 2.0, middle.down_m};
-    default:
-        return middle;
-    }
+    static constexpr std::array forward_shares{0.0, 0.5, 0.0, -0.5}; // Of the stride
+    const bool lifted = move % moves == 0 && stride_m != 0.0;
+    return {middle.forward_m + forward_shares[static_cast<std::size_t>(move % moves)] * stride_m,
+            middle.down_m - (lifted ? lift_m : 0.0)};
 }
 
 } // namespace
+
+void putPaw(protocol::MultiDrive& drive, Leg leg, const PawPlace& paw) {
+    const agent::LegAngles angles = agent::legAngles(agent::ers_leg, paw.forward_m, paw.down_m);
+    const JointNames& names = namesOf(leg);
+    drive.joints.push_back({names.swing, angles.hip_rad});
+    drive.joints.push_back({names.spread, spread_rad});
+    drive.joints.push_back({names.knee, angles.knee_rad});
+}
+
+/// Uses the nod first and the neck only for the rest, because leaning the neck forward shifts the weight.
+void bowHead(protocol::MultiDrive& drive, double down_rad) {
+    const double nod_rad = std::clamp(down_rad, 0.0, deepest_nod_rad);
+    drive.joints.push_back({"HeadNod", -nod_rad});
+    drive.joints.push_back({"HeadTilt", nod_rad - std::clamp(down_rad, 0.0, deepest_bow_rad)});
+    drive.joints.push_back({"HeadPan", 0.0});
+}
 
 bool Gait::next(Seconds now, const Strides& strides, double lift_m, protocol::MultiDrive& drive) {
     if (moved_at_ && now - *moved_at_ < between_moves)

@@ -25,7 +25,9 @@ void Kicker::perceive(const agent::Tick& tick) {
     run_.step(tick.now);
     lookForBall();
     watchBalance(tick.robot.sensors);
-    watchClock();
+    if (const Seconds whole(settings_.play_time_s); run_.isOver(whole))
+        run_.ending = {true, "Played for " + fixed(whole.count(), 0) + " s; the ball was at the paws " +
+                                 std::to_string(kicks_) + " times."};
 }
 
 /// Finds the ball in the newest reading. A near ball that leaves the picture is between the paws, and the robot kicks
@@ -67,13 +69,6 @@ void Kicker::watchBalance(const modules::SensorModule& sensors) {
         way_m_ += run_.now == *run_.began ? 0.0 : step_m;
         way_from_m_ = here_m;
     }
-}
-
-void Kicker::watchClock() {
-    const Seconds whole(settings_.play_time_s);
-    if (run_.isOver(whole))
-        run_.ending = {true, "Played for " + fixed(whole.count(), 0) + " s; the ball was at the paws " +
-                                 std::to_string(kicks_) + " times."};
 }
 
 std::optional<protocol::MultiDrive> Kicker::walk() {

@@ -39,7 +39,6 @@ private:
 
     void lookForBall();
     void watchBalance(const modules::SensorModule& sensors);
-    void watchClock();
     Strides strides();
     Strides circle();
     Strides steer(double turn_right) const;

@@ -63,7 +63,9 @@ void Explorer::perceive(const agent::Tick& tick) {
     const Seconds dt = run_.step(tick.now);
     takeReadings();
     watchScanner();
-    watchClock();
+    if (const Seconds whole(settings_.drive_time_s); run_.isOver(whole))
+        run_.ending = {true,
+                       "Drove for " + fixed(whole.count(), 0) + " s and " + fixed(track_.distance_m(), 1) + " m."};
     if (waiting() || blind())
         track_.forgetPlaces();
     else
@@ -82,7 +84,10 @@ void Explorer::takeReadings() {
     const Pose base_in_map = track_.base_in_map();
     const Fence fence{ins_in_map_ ? area_in_map_ : Rectangle{}, base_in_map.position_m.head<2>(), base_in_map.yaw_rad};
     around_ = look(*scan_, sonars_, fence, settings_);
-    chooseThird();
+    const Third best = around_.mostOpen();
+    const double lead = 1.0 + settings_.side_lead_pct / 100.0;
+    if (around_.meanOf(best) > lead * around_.meanOf(chosen_))
+        chosen_ = best;
 }
 
 /// Ignores scans with nothing in reach, which are all alike; see the class comment.
@@ -90,21 +95,12 @@ void Explorer::watchForIce() {
     const bool sees = std::ranges::any_of(scan_->ranges_m, [](double range_m) { return range_m < scanner_reach_m; });
     const bool same = sees && scan_->ranges_m == former_ranges_m_;
     former_ranges_m_ = scan_->ranges_m;
-    if (same)
-        moved_with_same_scan_m_ += track_.lastStep_m() + hull_radius_m * std::abs(track_.lastTurn_rad());
-    else
-        moved_with_same_scan_m_ = 0.0;
+    const double step_m = track_.lastStep_m() + hull_radius_m * std::abs(track_.lastTurn_rad());
+    moved_with_same_scan_m_ = same ? moved_with_same_scan_m_ + step_m : 0.0;
 }
 
 bool Explorer::frozen() const {
     return moved_with_same_scan_m_ > frozen_after_m;
-}
-
-void Explorer::chooseThird() {
-    const Third best = around_.mostOpen();
-    const double lead = 1.0 + settings_.side_lead_pct / 100.0;
-    if (around_.meanOf(best) > lead * around_.meanOf(chosen_))
-        chosen_ = best;
 }
 
 void Explorer::watchScanner() {
@@ -115,13 +111,6 @@ void Explorer::watchScanner() {
                                            "robot stands until it says something else."
                                          : "The range scanner is silent; the robot stands until it speaks."});
     blind_told_ = silent;
-}
-
-void Explorer::watchClock() {
-    const Seconds whole(settings_.drive_time_s);
-    if (run_.isOver(whole))
-        run_.ending = {true,
-                       "Drove for " + fixed(whole.count(), 0) + " s and " + fixed(track_.distance_m(), 1) + " m."};
 }
 
 Seconds Explorer::scanAge() const {
@@ -203,10 +192,7 @@ void Explorer::beginTurn(double angle_rad) {
 protocol::SkidDrive Explorer::drive(double left_m_s, double right_m_s, Motion motion, const char* state) {
     motion_ = motion;
     run_.state = state;
-    protocol::SkidDrive drive;
-    drive.left_rad_s = left_m_s / wheel_radius_m;
-    drive.right_rad_s = right_m_s / wheel_radius_m;
-    return drive;
+    return {.left_rad_s = left_m_s / wheel_radius_m, .right_rad_s = right_m_s / wheel_radius_m};
 }
 
 protocol::SkidDrive Explorer::halt() {

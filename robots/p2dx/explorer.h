@@ -10,9 +10,6 @@
 
 namespace usar::p2dx {
 
-/// If the newest scan is older than this, the robot stops.
-inline constexpr Seconds blind_after{2.0};
-
 /// Senses describe the situation and acts return the DRIVE command of a tick; call `perceive` once per tick before
 /// them. The robot roams until it is in danger. Then it backs away as far as it knows the ground there, turns away from
 /// the nearer side until the way is free, and drives straight on for a moment. Owned by one behavior.
@@ -36,6 +33,8 @@ public:
     // Senses.
     /// Time since the newest scan; huge before the first scan and while the scanner is frozen.
     Seconds scanAge() const;
+    /// Whether the newest scan is older than 2 s, so that the robot must stop.
+    bool blind() const { return scanAge() > Seconds{2.0}; }
     /// Whether the user paused the robot or it has not rested long enough to start.
     bool waiting() const;
     /// Whether something ahead is too close, the ground falls too steeply, or the robot is still backing away from
@@ -67,12 +66,9 @@ private:
     void takeReadings();
     /// Notices a frozen scanner.
     void watchForIce();
-    void chooseThird();
     void watchScanner();
-    void watchClock();
     void stepManeuver(Seconds dt);
     void stepTurn();
-    bool blind() const { return scanAge() > blind_after; }
     bool frozen() const;
     bool tooClose() const;
     bool wayIsFree() const;

@@ -61,11 +61,8 @@ double Fence::distance_m(double angle_rad) const {
 }
 
 Third Surroundings::mostOpen() const {
-    Third best = Third::Ahead;
-    for (const Third third : {Third::Left, Third::Right})
-        if (meanOf(third) > meanOf(best))
-            best = third;
-    return best;
+    return std::ranges::max({Third::Ahead, Third::Left, Third::Right}, {},
+                            [this](Third third) { return meanOf(third); });
 }
 
 bool Surroundings::betterToTheLeft() const {

@@ -1,6 +1,7 @@
 #include "hop.h"
 
 #include <algorithm>
+#include <array>
 
 namespace usar::sample {
 
@@ -112,17 +113,8 @@ protocol::Command Hop::safeCommand() const {
 }
 
 const char* Hop::inWords() const {
-    switch (state_) {
-    case State::Climb:
-        return "climbing";
-    case State::Fly:
-        return "flying forward";
-    case State::Land:
-        return "landing";
-    case State::Done:
-        break;
-    }
-    return "on the ground";
+    static constexpr std::array words{"climbing", "flying forward", "landing", "on the ground"};
+    return words[static_cast<std::size_t>(state_)];
 }
 
 } // namespace usar::sample

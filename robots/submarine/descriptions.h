@@ -5,7 +5,7 @@
 
 namespace usar::submarine {
 
-/// The behavior "submarine/cpp": see DiverBehavior.
+/// The behavior "submarine/cpp": it follows the bottom of the sea.
 class SubmarineRobot : public agent::ListedRobot {
 public:
     SubmarineRobot();

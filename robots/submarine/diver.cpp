@@ -42,7 +42,8 @@ void Diver::perceive(const agent::Tick& tick, const std::optional<Limits>& limit
         return;
     watchRay();
     watchSearch(dt);
-    watchClock();
+    if (const Seconds whole(settings_.dive_time_s); run_.isOver(whole))
+        run_.ending = {true, "Dived for " + fixed(whole.count(), 0) + " s, about " + fixed(way_m_, 0) + " m."};
     watchLevel();
     stepManeuver();
 }
@@ -102,12 +103,6 @@ void Diver::watchSearch(Seconds dt) {
     searched_m_ = echoes_.present_m ? 0.0 : searched_m_ + sink_m;
     if (searched_m_ > settings_.deepest_search_m && !run_.ending)
         run_.ending = {false, "There is no bottom within " + fixed(settings_.deepest_search_m, 0) + " m."};
-}
-
-void Diver::watchClock() {
-    const Seconds whole(settings_.dive_time_s);
-    if (run_.isOver(whole))
-        run_.ending = {true, "Dived for " + fixed(whole.count(), 0) + " s, about " + fixed(way_m_, 0) + " m."};
 }
 
 /// Measures how long the robot has been too low, and how long too high without coming down. Remembers the places where
@@ -203,17 +198,13 @@ protocol::NauticDrive Diver::decide() {
 }
 
 protocol::NauticDrive Diver::keepLevel() {
-    const char* const turning = side() > 0.0 ? "turning right" : "turning left";
-    switch (levelOf(heights_, settings_)) {
-    case Level::Descend:
-        return drive(divesInVain() ? 100.0 / settings_.propeller_pct : 1.0, 0.0, plane_rad(),
-                     heights_.present_m ? "descending" : "looking for the bottom");
-    case Level::Ascend:
+    const Level level = levelOf(heights_, settings_);
+    if (level == Level::Keep)
+        return drive(1.0, side(), plane_rad(), side() > 0.0 ? "level, turning right" : "level, turning left");
+    if (level == Level::Ascend)
         return drive(1.0, 0.0, plane_rad(), "ascending");
-    case Level::Keep:
-        break;
-    }
-    return drive(1.0, side(), plane_rad(), std::string("level, ") + turning);
+    return drive(divesInVain() ? 100.0 / settings_.propeller_pct : 1.0, 0.0, plane_rad(),
+                 heights_.present_m ? "descending" : "looking for the bottom");
 }
 
 /// Brakes with the nose up until the robot stands, then moves backward over the ground that it has crossed.
@@ -240,15 +231,13 @@ protocol::NauticDrive Diver::halt(const char* state) {
     return drive(brake, 0.0, 0.0, state);
 }
 
-protocol::NauticDrive Diver::drive(double share, double rudder_share, double plane_rad, const std::string& state) {
+protocol::NauticDrive Diver::drive(double share, double rudder_share, double plane_rad, const char* state) {
     const Limits limits = limits_.value_or(Limits{});
     run_.state = state;
     propeller_share_ = share * settings_.propeller_pct / 100.0;
-    protocol::NauticDrive drive;
-    drive.propeller_rad_s = propeller_share_ * limits.propeller_rad_s;
-    drive.rudder_rad = rudder_share * limits.rudder_rad;
-    drive.stern_plane_rad = std::clamp(plane_rad, -limits.stern_plane_rad, limits.stern_plane_rad);
-    return drive;
+    return {.propeller_rad_s = propeller_share_ * limits.propeller_rad_s,
+            .rudder_rad = rudder_share * limits.rudder_rad,
+            .stern_plane_rad = std::clamp(plane_rad, -limits.stern_plane_rad, limits.stern_plane_rad)};
 }
 
 agent::BehaviorStatus Diver::status() const {

@@ -2,13 +2,12 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "core/agent/timed_behavior.h"
 #include "core/modules/queued_sensor.h"
+#include "robots/submarine/dead_reckoning.h"
 #include "robots/submarine/level_rule.h"
 #include "robots/submarine/limits.h"
-#include "robots/submarine/trail.h"
 
 namespace usar::submarine {
 
@@ -38,7 +37,6 @@ private:
     void takeReadings();
     void watchRay();
     void watchSearch(Seconds dt);
-    void watchClock();
     void stepManeuver();
     void begin(Maneuver maneuver);
     void beginGoingBack();
@@ -53,7 +51,7 @@ private:
     protocol::NauticDrive keepLevel();
     protocol::NauticDrive backOff();
     protocol::NauticDrive goBack();
-    protocol::NauticDrive drive(double share, double rudder_share, double plane_rad, const std::string& state);
+    protocol::NauticDrive drive(double share, double rudder_share, double plane_rad, const char* state);
 
     static constexpr Seconds blind_after{2.0};
     static constexpr double unknown_m = 1e9;

@@ -20,16 +20,11 @@ Level levelOf(const Echoes& echoes, const Settings& settings) {
 }
 
 double plumbPlane_rad(const Echoes& echoes, const Settings& settings, double plane_rad, double plane_limit_rad) {
-    const double climb_m_s = echoes.climb_m_s();
-    switch (levelOf(echoes, settings)) {
-    case Level::Descend:
-        return climb_m_s < 0.0 ? plane_rad : -plane_limit_rad;
-    case Level::Ascend:
-        return climb_m_s > 0.0 ? plane_rad : plane_limit_rad;
-    case Level::Keep:
-        break;
-    }
-    return 0.0;
+    const Level level = levelOf(echoes, settings);
+    if (level == Level::Keep)
+        return 0.0;
+    const double wanted_sign = level == Level::Ascend ? 1.0 : -1.0;
+    return wanted_sign * echoes.climb_m_s() > 0.0 ? plane_rad : wanted_sign * plane_limit_rad;
 }
 
 Echoes plumb(Echoes echoes, double last_pitch_rad, double pitch_rad) {
@@ -50,9 +45,8 @@ double wantedPitch_rad(const Echoes& heights, double bottom_rise_m_s, double spe
 }
 
 bool tooNear(const Echoes& heights, double bottom_rise_m_s, Seconds foresight, const Settings& settings) {
-    if (!heights.present_m)
-        return false;
-    return *heights.present_m - std::max(0.0, bottom_rise_m_s) * foresight.count() < settings.least_height_m;
+    return heights.present_m &&
+           *heights.present_m - std::max(0.0, bottom_rise_m_s) * foresight.count() < settings.least_height_m;
 }
 
 } // namespace usar::submarine

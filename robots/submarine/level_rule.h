@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "core/base/clock.h"
-#include "robots/submarine/pitch_model.h"
 #include "robots/submarine/settings.h"
 
 namespace usar::submarine {

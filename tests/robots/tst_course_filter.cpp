@@ -2,7 +2,7 @@
 #include <QTest>
 
 #include "core/base/random.h"
-#include "robots/airrobot/flight/course_filter.h"
+#include "robots/airrobot/flight/pose_estimate.h"
 #include "tests/suite/suite.h"
 
 namespace tst_course_filter {

@@ -1,7 +1,7 @@
 #include <QObject>
 #include <QTest>
 
-#include "robots/airrobot/flight/pose_history.h"
+#include "robots/airrobot/flight/pose_estimate.h"
 #include "tests/suite/suite.h"
 
 namespace tst_pose_history {

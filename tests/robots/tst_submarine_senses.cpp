@@ -5,9 +5,9 @@
 #include "core/agent/behavior_host.h"
 #include "core/protocol/reader.h"
 #include "robots/submarine/camera_sweep.h"
+#include "robots/submarine/dead_reckoning.h"
 #include "robots/submarine/descriptions.h"
 #include "robots/submarine/level_rule.h"
-#include "robots/submarine/trail.h"
 #include "tests/suite/suite.h"
 
 namespace tst_submarine_senses {

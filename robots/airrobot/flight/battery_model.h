@@ -1,6 +1,9 @@
 // The simulated battery of the thesis (4.1). The simulator cannot charge batteries, so the capacity is a distance.
 #pragma once
 
+#include <algorithm>
+#include <optional>
+
 #include "core/base/geometry.h"
 #include "robots/airrobot/settings.h"
 
@@ -9,12 +12,22 @@ namespace usar::airrobot {
 /// Adds up the distance flown since the last charge, according to the INS. Owned by one robot.
 class BatteryModel {
 public:
-    /// Adds the distance from the last position. Ignores moves of a few centimeters, which are noise of the protocol
-    /// while the robot stands still.
-    void moveTo(const Vec3& position_in_map_m);
+    /// Adds the distance from the last position. Ignores moves of less than 3 cm, which are noise of the protocol while
+    /// the robot stands still.
+    void moveTo(const Vec3& position_in_map_m) {
+        const double move_m = last_m_ ? (position_in_map_m - *last_m_).norm() : 0.0;
+        if (last_m_ && !(move_m >= 0.03))
+            return;
+        since_charge_m_ += move_m;
+        total_m_ += move_m;
+        last_m_ = position_in_map_m;
+    }
     /// Makes the next move start at its own position, because the position estimate has jumped.
-    void forgetPosition() { has_position_ = false; }
-    void recharge();
+    void forgetPosition() { last_m_.reset(); }
+    void recharge() {
+        since_charge_m_ = 0.0;
+        ++charges_;
+    }
 
     double flownSinceCharge_m() const { return since_charge_m_; }
     /// The total distance flown.
@@ -22,14 +35,18 @@ public:
     /// The number of recharges.
     int charges() const { return charges_; }
     /// The used share of the battery's range, 0 to 100.
-    double used_pct(const Settings& settings) const;
+    double used_pct(const Settings& settings) const {
+        return std::clamp(100.0 * since_charge_m_ / settings.battery_range_m, 0.0, 100.0);
+    }
     /// Returns the distance that can be flown before the reserve is needed: range - reserve - flown - beeline home.
     /// Negative means that the way home already needs the reserve.
-    double rangeLeft_m(double beeline_home_m, const Settings& settings) const;
+    double rangeLeft_m(double beeline_home_m, const Settings& settings) const {
+        const double usable_m = settings.battery_range_m * (1.0 - settings.battery_reserve_pct / 100.0);
+        return usable_m - since_charge_m_ - beeline_home_m;
+    }
 
 private:
-    Vec3 last_m_ = Vec3::Zero();
-    bool has_position_ = false;
+    std::optional<Vec3> last_m_; ///< place of the last move; nullopt before the first
     double since_charge_m_ = 0.0;
     double total_m_ = 0.0;
     int charges_ = 0;

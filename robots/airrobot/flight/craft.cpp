@@ -103,11 +103,8 @@ Motion Craft::evade(const EvasionDecision& decision, const Leg& leg, FlightState
     state = FlightState::Evading;
     const Vec2 here_m = senses.position2_m();
     if (decision.mode == EvasionMode::Flee) {
-        Motion motion;
-        motion.sudden = true;
-        motion.velocity_in_map_m_s =
-            settings.evasion_speed_m_s * Vec2(std::cos(decision.flee_bearing_rad), std::sin(decision.flee_bearing_rad));
-        return motion;
+        const Vec2 away(std::cos(decision.flee_bearing_rad), std::sin(decision.flee_bearing_rad));
+        return {.velocity_in_map_m_s = settings.evasion_speed_m_s * away, .sudden = true};
     }
     if (decision.mode == EvasionMode::Divert && (decision.diversion_m - here_m).norm() > hold_still_m)
         return toward(senses, bearingOf(decision.diversion_m - here_m), settings.evasion_speed_m_s, settings);
@@ -143,7 +140,6 @@ Motion Craft::cruise(const Leg& leg, FlightState& state) {
 Motion Craft::climbOver(const Leg& leg, FlightState& state) {
     state = FlightState::ClimbingOver;
     const ClimbStep step = climb_over_.step(senses, threats, obstacles_, leg.aim_m, settings);
-    const Vec2 here_m = senses.position2_m();
     Motion motion = holding(senses, step.place_m);
     if (step.state == ClimbState::Over) {
         climbed_at_ = senses.position_m();
@@ -151,7 +147,7 @@ Motion Craft::climbOver(const Leg& leg, FlightState& state) {
     }
     motion.climb_m_s = step.climb_m_s;
     if (step.state == ClimbState::Climbing)
-        motion.yaw_rate_rad_s = turnRate_rad_s(senses, bearingOf(leg.aim_m - here_m), settings);
+        motion.yaw_rate_rad_s = turnRate_rad_s(senses, bearingOf(leg.aim_m - senses.position2_m()), settings);
     return motion;
 }
 

@@ -1,5 +1,6 @@
 #include "robots/airrobot/flight/evasion.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace usar::airrobot {
@@ -10,15 +11,15 @@ constexpr double berth_half_width_m = 0.8;
 constexpr double escape_way_m = 1.6;
 constexpr double bearing_step_rad = radians(15.0);
 
-double sumOfRanges(const ThreatPicture& picture, std::size_t first, std::size_t end) {
-    double sum = 0.0;
-    for (std::size_t i = first; i < end; ++i)
-        sum += picture.zones[i].range_m;
-    return sum;
+bool isFree(const agent::SonarZone& zone) {
+    return zone.risk == agent::Risk::None;
 }
 
-Vec2 pointAt(const Vec2& from_m, double bearing_rad, double distance_m) {
-    return from_m + distance_m * Vec2(std::cos(bearing_rad), std::sin(bearing_rad));
+double sumOfRanges(std::span<const agent::SonarZone> zones) {
+    double sum = 0.0;
+    for (const agent::SonarZone& zone : zones)
+        sum += zone.range_m;
+    return sum;
 }
 
 } // namespace
@@ -26,21 +27,17 @@ Vec2 pointAt(const Vec2& from_m, double bearing_rad, double distance_m) {
 std::optional<double> freeBearing(const ThreatPicture& picture) {
     if (!picture.greatest)
         return std::nullopt;
-    const std::size_t threat = *picture.greatest;
-    std::optional<std::size_t> left;
-    std::optional<std::size_t> right;
-    for (std::size_t i = threat; i-- > 0 && !left;)
-        if (picture.zones[i].risk == agent::Risk::None)
-            left = i;
-    for (std::size_t i = threat + 1; i < picture.zones.size() && !right; ++i)
-        if (picture.zones[i].risk == agent::Risk::None)
-            right = i;
-    if (!left && !right)
+    const std::span zones(picture.zones);
+    const auto to_the_left = zones.first(*picture.greatest);
+    const auto to_the_right = zones.subspan(*picture.greatest + 1);
+    const auto left = std::find_if(to_the_left.rbegin(), to_the_left.rend(), isFree);
+    const auto right = std::ranges::find_if(to_the_right, isFree);
+    const bool left_free = left != to_the_left.rend();
+    const bool right_free = right != to_the_right.end();
+    if (!left_free && !right_free)
         return std::nullopt;
-    const double left_sum = sumOfRanges(picture, 0, threat);
-    const double right_sum = sumOfRanges(picture, threat + 1, picture.zones.size());
-    const bool go_left = left && (!right || left_sum >= right_sum);
-    return picture.zones[go_left ? *left : *right].bearing_rad;
+    const bool go_left = left_free && (!right_free || sumOfRanges(to_the_left) >= sumOfRanges(to_the_right));
+    return go_left ? left->bearing_rad : right->bearing_rad;
 }
 
 bool mayIgnore(const ThreatPicture& picture, double free_bearing_rad, double goal_bearing_rad, double goal_distance_m) {
@@ -71,7 +68,7 @@ void Evasion::observe(const Senses& senses, const ThreatPicture& picture, const 
     matters_ = picture.risk == agent::Risk::High;
     if (picture.risk == agent::Risk::Low) {
         const Vec2 way_m = goal_m - senses.position2_m();
-        const double goal_rad = normalizedAngle(bearingOf(goal_m - senses.position2_m()) - senses.base_in_map.yaw_rad);
+        const double goal_rad = normalizedAngle(bearingOf(way_m) - senses.base_in_map.yaw_rad);
         const auto free_rad = freeBearing(picture);
         matters_ = !free_rad || !mayIgnore(picture, *free_rad, goal_rad, way_m.norm());
     }
@@ -90,40 +87,27 @@ std::optional<double> Evasion::escape_rad(const Senses& senses, const ThreatPict
 }
 
 EvasionDecision Evasion::flee(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles) {
-    EvasionDecision decision;
     const auto escape = escape_rad(senses, picture, obstacles);
-    decision.mode = escape ? EvasionMode::Flee : EvasionMode::Enclosed;
-    decision.flee_bearing_rad = escape.value_or(0.0);
-    decision.new_high_risk = last_risk_ != agent::Risk::High;
-    mode_ = decision.mode;
-    return decision;
+    mode_ = escape ? EvasionMode::Flee : EvasionMode::Enclosed;
+    return {.mode = mode_, .flee_bearing_rad = escape.value_or(0.0), .new_high_risk = last_risk_ != agent::Risk::High};
 }
 
 EvasionDecision Evasion::divert(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles,
                                 const Settings& settings) {
     const Vec2 here_m = senses.position2_m();
-    const double yaw_rad = senses.base_in_map.yaw_rad;
     const auto free_rad = freeBearing(picture);
-    EvasionDecision decision;
-    decision.new_low_risk = last_risk_ == agent::Risk::None;
+    const double bearing_rad = senses.base_in_map.yaw_rad + free_rad.value_or(0.0);
     const double wanted_m = settings.diversion_distance_m;
-    const bool open = free_rad && clearance_m(obstacles, here_m, yaw_rad + *free_rad, settings.side_clearance_m,
-                                              wanted_m) >= wanted_m;
-    decision.mode = open ? EvasionMode::Divert : EvasionMode::Enclosed;
+    const bool open =
+        free_rad && clearance_m(obstacles, here_m, bearing_rad, settings.side_clearance_m, wanted_m) >= wanted_m;
+    EvasionDecision decision{.mode = open ? EvasionMode::Divert : EvasionMode::Enclosed,
+                             .new_low_risk = last_risk_ == agent::Risk::None};
     if (open) {
-        const Vec2 point_m = pointAt(here_m, yaw_rad + *free_rad, wanted_m);
-        decision.new_diversion = mode_ != EvasionMode::Divert || (point_m - diversion_m_).norm() > 1.0;
-        diversion_m_ = point_m;
-        decision.diversion_m = point_m;
+        decision.diversion_m = here_m + wanted_m * Vec2(std::cos(bearing_rad), std::sin(bearing_rad));
+        decision.new_diversion = mode_ != EvasionMode::Divert || (decision.diversion_m - diversion_m_).norm() > 1.0;
+        diversion_m_ = decision.diversion_m;
     }
     mode_ = decision.mode;
-    return decision;
-}
-
-EvasionDecision Evasion::keep() const {
-    EvasionDecision decision;
-    decision.mode = mode_;
-    decision.diversion_m = diversion_m_;
     return decision;
 }
 
@@ -131,7 +115,9 @@ EvasionDecision Evasion::decide(const Senses& senses, const ThreatPicture& pictu
                                 const Settings& settings) {
     if (picture.risk == agent::Risk::High)
         return flee(senses, picture, obstacles);
-    return matters_ ? divert(senses, picture, obstacles, settings) : keep();
+    if (matters_)
+        return divert(senses, picture, obstacles, settings);
+    return {.mode = mode_, .diversion_m = diversion_m_};
 }
 
 void Evasion::calm(Seconds now, const Settings& settings) {

@@ -66,7 +66,6 @@ private:
     EvasionDecision flee(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles);
     EvasionDecision divert(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles,
                            const Settings& settings);
-    EvasionDecision keep() const;
     void calm(Seconds now, const Settings& settings);
 
     EvasionMode mode_ = EvasionMode::None;

@@ -20,9 +20,9 @@ bool goodForMap(const Senses& senses, bool airborne, const Settings& settings) {
            std::abs(senses.yaw_rate_rad_s) <= settings.maximum_scan_turn_rad_s;
 }
 
-void FlightLog::mark(agent::MarkKind kind, const Vec3& position_in_map_m, const Senses& senses,
-                     agent::CommandPort& port) const {
-    port.publish(agent::MapMark{kind, position_in_map_m, senses.now, senses.line});
+void FlightLog::mark(agent::MarkKind kind, const Vec2& place_m, const Senses& senses, agent::CommandPort& port) const {
+    const Vec3 position_m(place_m.x(), place_m.y(), senses.position_m().z());
+    port.publish(agent::MapMark{kind, position_m, senses.now, senses.line});
 }
 
 void FlightLog::tick(const Senses& senses, bool airborne, const Settings& settings, agent::CommandPort& port) {
@@ -31,18 +31,17 @@ void FlightLog::tick(const Senses& senses, bool airborne, const Settings& settin
         port.publish(agent::ScanPlacement{senses.scan->line, senses.scan->scanner_in_map});
     if (airborne && (!last_path_m_ || (senses.position_m() - *last_path_m_).norm() >= path_step_m)) {
         last_path_m_ = senses.position_m();
-        mark(agent::MarkKind::Path, senses.position_m(), senses, port);
+        mark(agent::MarkKind::Path, senses.position2_m(), senses, port);
     }
 }
 
 void FlightLog::risks(const Senses& senses, const EvasionDecision& decision, agent::CommandPort& port) const {
     if (decision.new_high_risk)
-        mark(agent::MarkKind::HighRisk, senses.position_m(), senses, port);
+        mark(agent::MarkKind::HighRisk, senses.position2_m(), senses, port);
     if (decision.new_low_risk)
-        mark(agent::MarkKind::LowRisk, senses.position_m(), senses, port);
+        mark(agent::MarkKind::LowRisk, senses.position2_m(), senses, port);
     if (decision.new_diversion)
-        mark(agent::MarkKind::Diversion,
-             Vec3(decision.diversion_m.x(), decision.diversion_m.y(), senses.position_m().z()), senses, port);
+        mark(agent::MarkKind::Diversion, decision.diversion_m, senses, port);
 }
 
 void FlightLog::goal(std::optional<Vec3> goal_in_map_m, agent::CommandPort& port) {

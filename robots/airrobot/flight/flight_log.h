@@ -18,8 +18,8 @@ bool goodForMap(const Senses& senses, bool airborne, const Settings& settings);
 /// Publishes only what changed. Owned by one robot.
 class FlightLog {
 public:
-    void mark(agent::MarkKind kind, const Vec3& position_in_map_m, const Senses& senses,
-              agent::CommandPort& port) const;
+    /// Marks a place (map frame) at the robot's present height.
+    void mark(agent::MarkKind kind, const Vec2& place_m, const Senses& senses, agent::CommandPort& port) const;
     /// Publishes the pose, a path mark every meter, and the scan if it is good for the map.
     void tick(const Senses& senses, bool airborne, const Settings& settings, agent::CommandPort& port);
     /// Marks new risks and diversions.

@@ -1,6 +1,7 @@
 #include "robots/airrobot/flight/launch_checklist.h"
 
 #include <array>
+#include <variant>
 
 namespace usar::airrobot {
 
@@ -8,70 +9,63 @@ namespace {
 
 constexpr Seconds first_data_time{10.0};
 
-enum class Kind { Geometry, Configuration };
+using TakeGeometry = bool (*)(SensorLayout&, const protocol::GeometryInfo&);
+using TakeConfiguration = bool (*)(SensorLayout&, const protocol::ConfigurationInfo&);
 
 struct Question {
-    Kind kind;
     const char* type;
-    bool (*take_geometry)(SensorLayout&, const protocol::GeometryInfo&);
-    bool (*take_configuration)(SensorLayout&, const protocol::ConfigurationInfo&);
+    std::variant<TakeGeometry, TakeConfiguration> take; ///< stores the answer; false if it has no usable value
 };
 
 constexpr std::array questions{
-    Question{Kind::Configuration, "Robot", nullptr, takeRobotLimits},
-    Question{Kind::Geometry, "Sonar", takeSonarGeometry, nullptr},
-    Question{Kind::Configuration, "Sonar", nullptr, takeSonarLimits},
-    Question{Kind::Geometry, "RangeScanner", takeScannerGeometry, nullptr},
-    Question{Kind::Configuration, "RangeScanner", nullptr, takeScannerLimits},
+    Question{"Robot", takeRobotLimits},          Question{"Sonar", takeSonarGeometry},
+    Question{"Sonar", takeSonarLimits},          Question{"RangeScanner", takeScannerGeometry},
+    Question{"RangeScanner", takeScannerLimits},
 };
 
-modules::QueryState stateOf(const Question& question, const modules::RobotModules& robot) {
-    return question.kind == Kind::Geometry ? robot.geometry.state(question.type)
-                                           : robot.configuration.state(question.type);
+modules::GeometryModule& moduleFor(TakeGeometry, modules::RobotModules& robot) {
+    return robot.geometry;
 }
 
-void ask(const Question& question, modules::RobotModules& robot) {
-    if (question.kind == Kind::Geometry)
-        robot.geometry.query(question.type);
-    else
-        robot.configuration.query(question.type);
+modules::ConfigurationModule& moduleFor(TakeConfiguration, modules::RobotModules& robot) {
+    return robot.configuration;
 }
 
-bool take(const Question& question, const modules::RobotModules& robot, SensorLayout& layout) {
-    if (question.kind == Kind::Geometry) {
-        const auto* answer = robot.geometry.answer(question.type);
-        return answer && question.take_geometry(layout, *answer);
-    }
-    const auto* answer = robot.configuration.answer(question.type);
-    return answer && question.take_configuration(layout, *answer);
+/// Asks the question if that has not been done before. Returns nullopt while the answer may still come, and then
+/// whether it had a usable value.
+std::optional<bool> settle(const Question& question, modules::RobotModules& robot, SensorLayout& layout) {
+    return std::visit(
+        [&](auto take) -> std::optional<bool> {
+            auto& module = moduleFor(take, robot);
+            const modules::QueryState state = module.state(question.type);
+            if (state == modules::QueryState::Unknown)
+                module.query(question.type);
+            if (state == modules::QueryState::Unknown || state == modules::QueryState::Pending)
+                return std::nullopt;
+            const auto* const answer = module.answer(question.type);
+            return answer && take(layout, *answer);
+        },
+        question.take);
 }
 
 std::string wordsFor(const Question& question) {
-    return std::string(question.type) + (question.kind == Kind::Geometry ? " geometry" : " configuration");
+    const bool geometry = std::holds_alternative<TakeGeometry>(question.take);
+    return std::string(question.type) + (geometry ? " geometry" : " configuration");
 }
 
 } // namespace
 
-bool LaunchChecklist::geometryKnown() const {
-    return question_ == questions.size();
-}
-
 bool LaunchChecklist::answered(modules::RobotModules& robot, agent::CommandPort& port) {
-    while (question_ < questions.size()) {
-        const Question& question = questions[question_];
-        const modules::QueryState state = stateOf(question, robot);
-        if (state == modules::QueryState::Unknown) {
-            ask(question, robot);
-            break;
-        }
-        if (state == modules::QueryState::Pending)
-            break;
-        if (!take(question, robot, layout_))
-            port.publish(agent::BehaviorEvent{Severity::Warning, "The server did not say its " + wordsFor(question) +
+    for (; question_ < questions.size(); ++question_) {
+        const auto taken = settle(questions[question_], robot, layout_);
+        if (!taken)
+            return false;
+        if (!*taken)
+            port.publish(agent::BehaviorEvent{Severity::Warning, "The server did not say its " +
+                                                                     wordsFor(questions[question_]) +
                                                                      "; the stock AirRobot's is taken."});
-        ++question_;
     }
-    return question_ == questions.size();
+    return true;
 }
 
 std::string LaunchChecklist::missingSensor(const modules::RobotModules& robot) const {

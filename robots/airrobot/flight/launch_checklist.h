@@ -24,7 +24,7 @@ public:
     /// Whether the question for the robot's configuration is settled, with or without an answer.
     bool configurationKnown() const { return question_ > 0; }
     /// Whether all questions are settled.
-    bool geometryKnown() const;
+    bool geometryKnown() const { return asked_all_.has_value(); }
     /// Whether every sensor has also sent a first reading.
     bool ready() const { return ready_; }
     /// Says what it is waiting for or what failed: "waiting for Sonar geometry".

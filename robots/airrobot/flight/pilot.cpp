@@ -30,11 +30,9 @@ double turnRate_rad_s(const Senses& senses, double bearing_rad, const Settings& 
 
 Motion toward(const Senses& senses, double bearing_rad, double speed_m_s, const Settings& settings) {
     const double error_rad = std::abs(normalizedAngle(bearing_rad - senses.base_in_map.yaw_rad));
-    Motion motion;
-    motion.yaw_rate_rad_s = turnRate_rad_s(senses, bearing_rad, settings);
     const double part = std::max(0.0, 1.0 - error_rad / stop_to_turn_rad);
-    motion.velocity_in_map_m_s = speed_m_s * part * Vec2(std::cos(bearing_rad), std::sin(bearing_rad));
-    return motion;
+    return {.velocity_in_map_m_s = speed_m_s * part * Vec2(std::cos(bearing_rad), std::sin(bearing_rad)),
+            .yaw_rate_rad_s = turnRate_rad_s(senses, bearing_rad, settings)};
 }
 
 Motion holding(const Senses& senses, const Vec2& place_m) {
@@ -61,11 +59,10 @@ void Pilot::fly(const Motion& motion, const Senses& senses, agent::CommandPort& 
         motion.sudden ? motion.velocity_in_map_m_s : commanded_m_s_ + limited(change_m_s, rate_m_s2 * ramp_s);
     const double cosine = std::cos(senses.base_in_map.yaw_rad);
     const double sine = std::sin(senses.base_in_map.yaw_rad);
-    protocol::AerialDrive drive;
-    drive.climb_m_s = motion.climb_m_s;
-    drive.forward_m_s = cosine * commanded_m_s_.x() + sine * commanded_m_s_.y();
-    drive.left_m_s = -sine * commanded_m_s_.x() + cosine * commanded_m_s_.y();
-    drive.yaw_rate_rad_s = motion.yaw_rate_rad_s;
+    const protocol::AerialDrive drive{.climb_m_s = motion.climb_m_s,
+                                      .forward_m_s = cosine * commanded_m_s_.x() + sine * commanded_m_s_.y(),
+                                      .left_m_s = -sine * commanded_m_s_.x() + cosine * commanded_m_s_.y(),
+                                      .yaw_rate_rad_s = motion.yaw_rate_rad_s};
     if (last_ == drive)
         return;
     last_ = drive;

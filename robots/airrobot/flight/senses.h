@@ -12,8 +12,7 @@
 #include "core/base/geometry.h"
 #include "core/modules/robot_modules.h"
 #include "core/protocol/usual_values.h"
-#include "robots/airrobot/flight/course_filter.h"
-#include "robots/airrobot/flight/pose_history.h"
+#include "robots/airrobot/flight/pose_estimate.h"
 #include "robots/airrobot/flight/sensor_layout.h"
 
 namespace usar::airrobot {

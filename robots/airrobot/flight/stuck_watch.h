@@ -11,12 +11,29 @@ namespace usar::airrobot {
 /// Owned by one robot; call `update` or `wait` once per tick. Positions are in the map frame.
 class StuckWatch {
 public:
-    /// `hindered` means that the robot is evading, enclosed or has no open direction. Another goal, or progress of one
-    /// meter, restarts both times.
-    void update(Seconds now, const Vec2& position_m, const Vec2& goal_m, bool hindered);
-    void reset();
+    /// `hindered` means that the robot is evading, enclosed or has no open direction. Another goal (farther than half a
+    /// meter from the last one), or progress of one meter, restarts both times.
+    void update(Seconds now, const Vec2& position_m, const Vec2& goal_m, bool hindered) {
+        const double distance_m = (goal_m - position_m).norm();
+        const Seconds step = goal_m_ ? now - now_ : Seconds(0.0);
+        now_ = now;
+        if (!goal_m_ || (*goal_m_ - goal_m).norm() > 0.5 || distance_m < best_m_ - 1.0) {
+            goal_m_ = goal_m;
+            best_m_ = distance_m;
+            progress_at_ = now;
+            hindered_ = Seconds(0.0);
+        } else if (hindered) {
+            hindered_ += step;
+        }
+    }
+    void reset() { *this = {}; }
     /// Replaces `update` while the robot waits on purpose; this time does not count.
-    void wait(Seconds now);
+    void wait(Seconds now) {
+        if (!goal_m_)
+            return;
+        progress_at_ += now - now_;
+        now_ = now;
+    }
     /// Restarts only the hindered time, because a maneuver may have solved the problem.
     void clearHindered() { hindered_ = Seconds(0.0); }
 
