@@ -3,7 +3,10 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include <QString>
 
 #include "core/agent/published.h"
 #include "core/mapping/raster_export.h"
@@ -38,5 +41,13 @@ inline std::size_t knownCellCount(const ScanRecord& record) {
         count += far.knownCellCount();
     return count;
 }
+
+/// Keys and values, in this order: level, robot, behavior, axes, units, cell size, center of the upper left cell
+/// (meters, map frame), faults if there were any, lowest and highest height (missing for an empty map). Keys carry
+/// their unit.
+std::vector<std::pair<QString, QString>> metadataOf(const ScanRecord& record);
+
+/// Formats a number with up to twelve significant digits; C locale.
+QString numberText(double value);
 
 } // namespace usar::mission

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/mission/hand/hand_cause.h"
+#include "core/mission/hand/control_state.h"
 
 namespace usar::mission {
 
