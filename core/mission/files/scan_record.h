@@ -1,4 +1,5 @@
-// Results of a mission: the height map, the path and the marks, and the robot and behavior that made them.
+// Results of a mission: the height map, the path and the marks, the robot and behavior that made them, and the metadata
+// in every file, so that each can be understood on its own years later.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The robots of a fleet by id, and the rules for the names and ids of new robots.
+// The robots of a fleet by id, and the rules for the names, ids and places of new robots.
 #pragma once
 
 #include <map>

@@ -1,4 +1,4 @@
-// Converts the user's stick into the DRIVE of a robot, according to its kind and its known limits.
+// Makes a robot's DRIVE of the user's stick: smooths the stick, then converts it according to the robot's kind and limits.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,5 @@
-// Quality of a scan, measured against a truth that only a simulator knows.
+// Quality of a scan, measured against a truth that only a simulator knows, and which cells of a height map count as a
+// mission area: the one rule for every coverage that is shown or saved.
 #pragma once
 
 #include <cstdint>

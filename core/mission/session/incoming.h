@@ -1,4 +1,5 @@
-// Input from one robot's server: parses, numbers and counts its lines, and derives the time and the robot's state.
+// Input from one robot's server: parses, numbers and counts its lines, reports what is wrong in them once per kind, and
+// derives the time and the robot's state.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,5 @@
 #include "core/mission/session/vigil.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

@@ -1,6 +1,5 @@
 #include <cmath>
 #include <string>
-#include <utility>
 
 #include "core/base/numbers.h"
 #include "core/protocol/readers/info_readers.h"
