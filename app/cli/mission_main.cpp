@@ -12,7 +12,6 @@
 #include "app/host/true_figures.h"
 #include "core/mission/files/mission_options.h"
 #include "core/mission/reports/progress_bar.h"
-#include "core/mission/reports/refused_run.h"
 #include "core/mission/runs/mission_runner.h"
 #include "core/server/embedded/program_files.h"
 #include "core/server/embedded/quit_signals.h"

@@ -4,7 +4,7 @@
 
 #include "app/desks/robot_presenter.h"
 #include "core/mission/fleet/robot_words.h"
-#include "core/mission/hand/hand_cause.h"
+#include "core/mission/hand/control_state.h"
 #include "core/protocol/commands/spawn.h"
 
 namespace usar::app {

@@ -1,6 +1,6 @@
 #include "app/desks/radio_desk.h"
 
-#include "core/mission/fleet/station_place.h"
+#include "core/mission/fleet/roster.h"
 #include "widgets/style/empty_state.h"
 
 namespace usar::app {

@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "core/mission/fleet/newest.h"
 #include "core/mission/fleet/robot_name.h"
 #include "core/mission/fleet/robot_words.h"
+#include "core/mission/session/session_update.h"
 #include "core/protocol/commands/spawn.h"
 #include "core/protocol/fields.h"
 #include "core/protocol/usual_values.h"

@@ -4,7 +4,7 @@
 #include <exception>
 
 #include "core/base/text.h"
-#include "core/protocol/sensors/silence.h"
+#include "core/protocol/info_message.h"
 #include "core/protocol/zero_drives.h"
 
 namespace usar::agent {

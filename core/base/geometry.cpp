@@ -1,7 +1,6 @@
 #include "core/base/geometry.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace usar {
 

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <list>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "core/modules/sensor_stores.h"

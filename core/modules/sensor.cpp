@@ -30,32 +30,4 @@ void SensorModule::take(const protocol::InfoLine& line, Seconds now) {
     });
 }
 
-const Stamped<protocol::NamedRange>* SensorModule::sonar(const std::string& name) const {
-    return newest<protocol::SonarReadings>(name);
-}
-
-const Stamped<protocol::RangeScan>* SensorModule::scan(const std::string& name) const {
-    return newest<protocol::RangeScan>(name);
-}
-
-const Stamped<protocol::InsReading>* SensorModule::ins() const {
-    return newest<protocol::InsReading>();
-}
-
-const Stamped<protocol::GroundTruthReading>* SensorModule::groundTruth() const {
-    return newest<protocol::GroundTruthReading>();
-}
-
-const Stamped<protocol::OdometryReading>* SensorModule::odometry() const {
-    return newest<protocol::OdometryReading>();
-}
-
-const Stamped<protocol::EncoderTicks>* SensorModule::encoder(const std::string& name) const {
-    return newest<protocol::EncoderReadings>(name);
-}
-
-const Stamped<protocol::GenericMessage>* SensorModule::generic(const std::string& type, const std::string& name) const {
-    return stores_.of<protocol::GenericMessage>().find(name, type);
-}
-
 } // namespace usar::modules

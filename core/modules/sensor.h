@@ -32,14 +32,16 @@ public:
         return stores_.of<Sensor>().all();
     }
 
-    const Stamped<protocol::NamedRange>* sonar(const std::string& name) const;
-    const Stamped<protocol::RangeScan>* scan(const std::string& name = {}) const;
-    const Stamped<protocol::InsReading>* ins() const;
-    const Stamped<protocol::GroundTruthReading>* groundTruth() const;
-    const Stamped<protocol::OdometryReading>* odometry() const;
-    const Stamped<protocol::EncoderTicks>* encoder(const std::string& name) const;
+    auto* sonar(const std::string& name) const { return newest<protocol::SonarReadings>(name); }
+    auto* scan(const std::string& name = {}) const { return newest<protocol::RangeScan>(name); }
+    auto* ins() const { return newest<protocol::InsReading>(); }
+    auto* groundTruth() const { return newest<protocol::GroundTruthReading>(); }
+    auto* odometry() const { return newest<protocol::OdometryReading>(); }
+    auto* encoder(const std::string& name) const { return newest<protocol::EncoderReadings>(name); }
     /// The newest line of a sensor of unknown type, or the newest damaged line of one of known type.
-    const Stamped<protocol::GenericMessage>* generic(const std::string& type, const std::string& name) const;
+    auto* generic(const std::string& type, const std::string& name) const {
+        return stores_.of<protocol::GenericMessage>().find(name, type);
+    }
 
 private:
     SensorStores<Stamped, protocol::SensorTypes> stores_;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "core/protocol/line_writer.h"
 #include "core/protocol/schema.h"

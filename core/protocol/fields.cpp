@@ -8,7 +8,6 @@
 #include "core/base/type_name.h"
 #include "core/protocol/described_fields.h"
 #include "core/protocol/field_list.h"
-#include "core/protocol/generic_fields.h"
 #include "core/protocol/segments.h"
 #include "core/protocol/vehicle_words.h"
 

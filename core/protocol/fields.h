@@ -32,6 +32,12 @@ struct Field {
 /// All values of `message` except its time, in the server's order. A vector gives one field per axis. A long list, such
 /// as a scan, gives its count and the minimum, mean and maximum of its finite values.
 std::vector<Field> fieldsOf(const InfoMessage& message);
+/// Lists all values of a message of unknown type except Type and Time. Follows the grouping rule of protocol.md 1.4: a
+/// segment belongs to the last group-opening key before it (Name, then Link, ID, PartName, Object, WheelNumber or
+/// ViewportN within it), which gives the item its name: "CameraPanTilt Link 1". Values stay in the wire's frame and
+/// units: numbers as numbers, vectors by axis, everything else as text.
+std::vector<Field> genericFieldsOf(const GenericMessage& message);
+
 /// The name of the struct that holds the message: "RangeScan", "GenericMessage".
 std::string_view containerOf(const InfoMessage& message);
 /// The message's own time stamp on the server's clock; nullopt if it carries none.

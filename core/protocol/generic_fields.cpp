@@ -1,4 +1,4 @@
-#include "core/protocol/generic_fields.h"
+#include "core/protocol/fields.h"
 
 #include <algorithm>
 #include <array>

@@ -3,8 +3,6 @@
 
 #include <string>
 #include <string_view>
-#include <type_traits>
-#include <utility>
 #include <variant>
 
 #include "core/base/cause.h"
@@ -34,6 +32,11 @@ using InfoMessage = Sealed<InfoVariant>;
 
 /// True if the sensor table has a row for this value of a SEN line's Type, in upper or lower case.
 bool isKnownSensor(std::string_view type);
+
+/// False for the types of sensors that send nothing while there is nothing to report (protocol.md 4.5), so that their
+/// silence means nothing; true for all others, also for unknown ones. Ignores case. Such a sensor says so in its own
+/// struct: `static constexpr bool speaks_always = false`.
+bool speaksAlways(std::string_view type);
 
 /// One info line: its number on the connection, its raw text without the line end, its value, and the problems found
 /// while reading it.

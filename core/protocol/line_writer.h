@@ -104,6 +104,12 @@ public:
         if (time)
             segment("Time", time->count(), decimals);
     }
+    /// The head of a sensor's line: SEN, Time, Type.
+    void sensor(const std::optional<Seconds>& at, std::string_view type) {
+        text("SEN");
+        time(at, Decimals::FourCut);
+        segment("Type", type);
+    }
 
 private:
     std::string& out_;

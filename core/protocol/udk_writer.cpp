@@ -22,12 +22,6 @@ struct Context {
     const std::string& robot_class;
 };
 
-void head(LineWriter& line, const std::optional<Seconds>& time, std::string_view type) {
-    line.text("SEN");
-    line.time(time, Decimals::FourCut);
-    line.segment("Type", type);
-}
-
 /// Writes a line for each of the sensors that UT2004 puts into one line.
 template <NamedGroups Sensor>
 void writeInto(const Context& context, const Sensor& sensor) {
@@ -35,7 +29,7 @@ void writeInto(const Context& context, const Sensor& sensor) {
     LineWriter line(context.out);
     for (const auto& element : elements) {
         line.text(&element == &elements.front() ? "" : line_end);
-        head(line, sensor.time.value_or(context.now), wireTypeOf(sensor));
+        line.sensor(sensor.time.value_or(context.now), wireTypeOf(sensor));
         line.segment("Name", element.name);
         writeItems(line, element);
     }
@@ -48,13 +42,13 @@ requires(SensorMessage<Sensor>&& Described<Sensor> && !NamedGroups<Sensor>) void
     std::optional<Seconds> time = sensor.time.value_or(context.now);
     if constexpr (std::is_same_v<Sensor, InsReading>)
         time.reset();
-    head(line, time, wireTypeOf(sensor));
+    line.sensor(time, wireTypeOf(sensor));
     writeDescribed(line, sensor);
 }
 
 void writeInto(const Context& context, const RangeScan& scan) {
     LineWriter line(context.out);
-    head(line, scan.time.value_or(context.now), scan.type);
+    line.sensor(scan.time.value_or(context.now), scan.type);
     writeScan(line, scan, Decimals::TwoRounded);
 }
 
@@ -104,8 +98,7 @@ void writeInto(const Context& context, const GeometryInfo& geometry) {
 }
 
 void writeInto(const Context& context, const ConfigurationInfo& configuration) {
-    const bool empty = configuration.items.empty() || configuration.items.front().settings.empty();
-    if (empty)
+    if (configuration.items.empty() || configuration.items.front().settings.empty())
         return;
     const bool of_robot = vehicleKindOf(configuration.type) != VehicleKind::Unknown;
     LineWriter line(context.out);

@@ -9,9 +9,14 @@
 namespace usar::protocol {
 
 /// Converts a position or direction from the wire's frame to ours, or back: (x, y, z) becomes (x, -y, -z).
-Vec3 acrossWire(const Vec3& position_m);
+inline Vec3 acrossWire(const Vec3& position_m) {
+    return {position_m.x(), -position_m.y(), -position_m.z()};
+}
 /// Converts a pose; the resulting angles are normalized to (-pi, pi].
-Pose acrossWire(const Pose& pose);
+inline Pose acrossWire(const Pose& pose) {
+    return {acrossWire(pose.position_m), normalizedAngle(pose.roll_rad), normalizedAngle(-pose.pitch_rad),
+            normalizedAngle(-pose.yaw_rad)};
+}
 /// Converts a yaw angle, a yaw rate or a sideways velocity (positive is right on the wire, left for us).
 constexpr double acrossWire(double yaw_or_sideways) {
     return -yaw_or_sideways;

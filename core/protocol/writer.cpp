@@ -120,9 +120,7 @@ void writeInto(LineWriter& line, const WorldObjects& world) {
 template <SensorMessage Sensor>
 void writeInto(LineWriter& line, const Sensor& sensor) {
     if constexpr (Described<Sensor>) {
-        line.text("SEN");
-        line.time(sensor.time, Decimals::FourCut);
-        line.segment("Type", wireTypeOf(sensor));
+        line.sensor(sensor.time, wireTypeOf(sensor));
         writeDescribed(line, sensor);
     } else {
         write(line, sensor);

@@ -14,31 +14,29 @@ void keep(std::optional<T>& term, const std::optional<T>& old) {
         term = old;
 }
 
+template <class Drive, class... Terms>
+void keepEach(Drive& newer, const Drive& older, Terms Drive::*... terms) {
+    (keep(newer.*terms, older.*terms), ...);
+}
+
 void keepTerms(DriveSwitches& newer, const DriveSwitches& older) {
-    keep(newer.light_on, older.light_on);
-    keep(newer.flip, older.flip);
+    keepEach(newer, older, &DriveSwitches::light_on, &DriveSwitches::flip);
 }
 void keepTerms(SkidDrive& newer, const SkidDrive& older) {
-    keep(newer.left_rad_s, older.left_rad_s);
-    keep(newer.right_rad_s, older.right_rad_s);
+    keepEach(newer, older, &SkidDrive::left_rad_s, &SkidDrive::right_rad_s);
 }
 void keepTerms(AckermannDrive& newer, const AckermannDrive& older) {
-    keep(newer.speed_rad_s, older.speed_rad_s);
-    keep(newer.front_steer_rad, older.front_steer_rad);
-    keep(newer.rear_steer_rad, older.rear_steer_rad);
+    using Drive = AckermannDrive;
+    keepEach(newer, older, &Drive::speed_rad_s, &Drive::front_steer_rad, &Drive::rear_steer_rad);
 }
 void keepTerms(AerialDrive& newer, const AerialDrive& older) {
-    keep(newer.climb_m_s, older.climb_m_s);
-    keep(newer.forward_m_s, older.forward_m_s);
-    keep(newer.left_m_s, older.left_m_s);
-    keep(newer.yaw_rate_rad_s, older.yaw_rate_rad_s);
-    keep(newer.pitch_rad, older.pitch_rad);
-    keep(newer.roll_rad, older.roll_rad);
+    using Drive = AerialDrive;
+    keepEach(newer, older, &Drive::climb_m_s, &Drive::forward_m_s, &Drive::left_m_s, &Drive::yaw_rate_rad_s,
+             &Drive::pitch_rad, &Drive::roll_rad);
 }
 void keepTerms(NauticDrive& newer, const NauticDrive& older) {
-    keep(newer.propeller_rad_s, older.propeller_rad_s);
-    keep(newer.rudder_rad, older.rudder_rad);
-    keep(newer.stern_plane_rad, older.stern_plane_rad);
+    using Drive = NauticDrive;
+    keepEach(newer, older, &Drive::propeller_rad_s, &Drive::rudder_rad, &Drive::stern_plane_rad);
 }
 void keepTerms(OmniDrive& newer, const OmniDrive& older) {
     for (const WheelDrive& old : older.wheels) {

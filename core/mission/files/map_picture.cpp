@@ -8,7 +8,6 @@
 
 #include "core/mapping/shading.h"
 #include "core/mission/files/picture_legend.h"
-#include "core/mission/files/scan_metadata.h"
 
 namespace usar::mission {
 

@@ -3,7 +3,6 @@
 
 #include <optional>
 
-#include <QColor>
 #include <QPointF>
 #include <QRect>
 #include <QString>

@@ -15,7 +15,6 @@
 #include "core/agent/mark_style.h"
 #include "core/base/numbers.h"
 #include "core/mission/files/map_picture.h"
-#include "core/mission/files/scan_metadata.h"
 
 namespace usar::mission {
 

@@ -1,9 +1,13 @@
-// Results of a mission: the height map, the path and the marks, and the robot and behavior that made them.
+// Results of a mission: the height map, the path and the marks, the robot and behavior that made them, and the metadata
+// in every file, so that each can be understood on its own years later.
 #pragma once
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include <QString>
 
 #include "core/agent/published.h"
 #include "core/mapping/raster_export.h"
@@ -38,5 +42,13 @@ inline std::size_t knownCellCount(const ScanRecord& record) {
         count += far.knownCellCount();
     return count;
 }
+
+/// Keys and values, in this order: level, robot, behavior, axes, units, cell size, center of the upper left cell
+/// (meters, map frame), faults if there were any, lowest and highest height (missing for an empty map). Keys carry
+/// their unit.
+std::vector<std::pair<QString, QString>> metadataOf(const ScanRecord& record);
+
+/// Formats a number with up to twelve significant digits; C locale.
+QString numberText(double value);
 
 } // namespace usar::mission

@@ -1,13 +1,43 @@
 // Receives and decodes pictures from an image server in a thread of its own.
 #pragma once
 
+#include <atomic>
+
+#include <QByteArray>
 #include <QImage>
 #include <QObject>
 
-#include "core/mission/fleet/camera_receiver.h"
+#include "core/base/result.h"
+#include "core/link/image_client.h"
+#include "core/link/image_type.h"
 #include "core/mission/fleet/own_thread.h"
 
 namespace usar::mission {
+
+/// Decodes the data of a frame, JPEG or raw (protocol.md 6.1). Data that cannot be read, or a picture larger than
+/// 4096 pixels a side, is an error.
+Result<QImage> cameraPictureOf(link::ImageType type, const QByteArray& data);
+
+/// Decodes the frames of its client. Owned by a CameraFeed; apart from `unseen`, it is used in the receiving thread
+/// only.
+class CameraReceiver : public QObject {
+    Q_OBJECT
+public:
+    CameraReceiver();
+
+    link::ImageClient client{this};
+    std::atomic<int> unseen = 0; ///< number of pictures that the GUI thread has not taken yet
+
+signals:
+    /// Counts as unseen until the receiver decrements `unseen`.
+    void pictureArrived(const QImage& picture, double frames_per_s);
+    /// The frame could not be decoded; `reason` is one sentence.
+    void unreadable(const QString& reason);
+
+private:
+    /// Decodes a frame, or drops it if too many pictures are unseen.
+    void take(link::ImageType type, const QByteArray& data);
+};
 
 /// Belongs to the GUI thread. Calls are queued to the receiving thread and never wait; only the destructor waits for
 /// that thread to end. Pictures are requested only while they are wanted.

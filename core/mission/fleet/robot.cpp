@@ -4,7 +4,7 @@
 
 #include "core/base/numbers.h"
 #include "core/link/across_threads.h"
-#include "core/mission/runs/area_cells.h"
+#include "core/mission/runs/mission_score.h"
 
 namespace usar::mission {
 

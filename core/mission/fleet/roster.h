@@ -1,4 +1,4 @@
-// The robots of a fleet by id, and the rules for the names and ids of new robots.
+// The robots of a fleet by id, and the rules for the names, ids and places of new robots.
 #pragma once
 
 #include <map>
@@ -8,6 +8,8 @@
 #include <QString>
 
 #include "core/mission/fleet/robot.h"
+#include "core/mission/session/session_orders.h"
+#include "core/protocol/info/game_info.h"
 
 namespace usar::mission {
 
@@ -46,5 +48,10 @@ private:
 
     std::map<int, std::unique_ptr<Robot>> robots_;
 };
+
+/// Returns a request for a base station at the first start pose at which none of the present robots was spawned, or at
+/// the first one if all are taken. Its name is new: "Base", "Base2" and so on. `poses` must not be empty; `present`:
+/// how the present robots were spawned.
+SpawnRequest stationRequest(const std::vector<protocol::StartPose>& poses, const std::vector<SpawnRequest>& present);
 
 } // namespace usar::mission

@@ -11,7 +11,6 @@
 #include <QPointer>
 #include <QString>
 #include <QThreadPool>
-#include <QTimer>
 
 #include "core/mission/fleet/robot.h"
 #include "core/mission/runs/run_summary.h"

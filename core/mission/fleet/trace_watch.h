@@ -1,7 +1,6 @@
 // Marks of a robot under TRACE, derived from the updates of its session: works with any server, and in a replay.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "core/mission/session/session_update.h"

@@ -1,16 +1,67 @@
 #include "core/mission/hand/hand_driver.h"
 
+#include <algorithm>
 #include <utility>
-
-#include "core/mission/hand/stick_drive.h"
 
 namespace usar::mission {
 
 namespace {
 
 const std::string robot_type = "Robot";
+constexpr Seconds shortest_silence{1.0};
+constexpr Seconds longest_spacing{3.0}; // Longest time between two STA, at the slowest speed of a simulator.
 
 } // namespace
+
+std::string wordOf(HandSource source) {
+    constexpr std::array words{"keys", "pad", "gamepad"};
+    return words[static_cast<std::size_t>(source)];
+}
+
+std::string lettingGo(HandSource source) {
+    return "the " + wordOf(source) + (source == HandSource::Keys ? " were" : " was") + " let go";
+}
+
+void HandControl::setOn(bool on) {
+    letGo();
+    on_ = on;
+}
+
+HandControl::Verdict HandControl::accept(const HandIntent& intent, Seconds wall) {
+    Hand& hand = hands_[static_cast<std::size_t>(intent.source)];
+    const bool holds = holder_ && holder_->source == intent.source;
+    hand.moved = !clamped(intent.stick).centered();
+    if (!hand.moved) {
+        hand.spent = false;
+        if (!holds)
+            return Verdict::Ignored;
+        holder_.reset();
+        return Verdict::Released;
+    }
+    if (!on_ || (holder_ && !holds))
+        hand.spent = true;
+    if (hand.spent)
+        return Verdict::Ignored;
+    holder_ = intent;
+    last_word_ = wall;
+    return Verdict::Held;
+}
+
+void HandControl::letGo() {
+    holder_.reset();
+    for (Hand& hand : hands_)
+        hand.spent = hand.moved;
+}
+
+bool HandControl::overdue(Seconds wall, Seconds patience) const {
+    return holder_ && wall - last_word_ > patience;
+}
+
+void HandDriver::beginConnection() {
+    const Ticks ticks = ticks_;
+    *this = {};
+    ticks_ = ticks;
+}
 
 void HandDriver::take(const protocol::InfoLine& line) {
     limits_.take(line.message);
@@ -21,12 +72,20 @@ void HandDriver::take(const protocol::InfoLine& line) {
     (void)geometry_.takeFailures(); // Without geometry, turns are cautious.
 }
 
-std::optional<protocol::Command> HandDriver::question(Seconds now) {
+void HandDriver::tick(Seconds wall) {
+    ticks_ = {wall, std::min(wall - ticks_.last, longest_spacing)};
+}
+
+HandCommands HandDriver::question(Seconds now) {
+    HandCommands asked{{}, handCause("how it is driven")};
     if (!on())
-        return std::nullopt;
-    if (auto asked = configuration_.next(now))
         return asked;
-    return geometry_.next(now);
+    auto question = configuration_.next(now);
+    if (!question)
+        question = geometry_.next(now);
+    if (question)
+        asked.commands.push_back(*std::move(question));
+    return asked;
 }
 
 void HandDriver::setOn(bool on) {
@@ -41,57 +100,75 @@ void HandDriver::setOn(bool on) {
     geometry_.query(robot_type);
 }
 
-std::string HandDriver::holderText() const {
-    const auto& holder = hands_.holder();
-    if (!holder)
-        return "nobody";
-    return wordOf(holder->source) + (holder->device.empty() ? "" : ' ' + holder->device);
-}
-
-HandControl::Verdict HandDriver::accept(const HandIntent& intent, Seconds wall) {
+HandDriver::Change HandDriver::accept(const HandIntent& intent, Seconds wall) {
+    using Verdict = HandControl::Verdict;
     HandIntent followed = intent;
     followed.stick = limits_.known() ? masked(intent.stick, limits_.axes()) : intent.stick;
-    return hands_.accept(followed, wall);
+    const bool held_before = holding();
+    const Verdict verdict = hands_.accept(followed, wall);
+    if (verdict == Verdict::Released)
+        return Change::Ends;
+    return verdict == Verdict::Held && !held_before ? Change::Begins : Change::None;
 }
 
-HandDriver::Commands HandDriver::advance(Seconds dt) {
+std::optional<std::string> HandDriver::reasonToStop(Seconds wall, Seconds patience,
+                                                    std::optional<Seconds> robot_silent_for,
+                                                    const std::string& robot_name) const {
+    if (hands_.overdue(wall, patience))
+        return "nothing was heard from the input device";
+    if (robot_silent_for && *robot_silent_for > std::max(shortest_silence, 4.0 * ticks_.spacing))
+        return robot_name + " is silent";
+    return std::nullopt;
+}
+
+HandCommands HandDriver::byHolder(std::vector<protocol::Command> commands) const {
+    const auto& holder = hands_.holder();
+    const std::string name =
+        !holder ? "nobody" : wordOf(holder->source) + (holder->device.empty() ? "" : ' ' + holder->device);
+    return {std::move(commands), handCause(name)};
+}
+
+HandCommands HandDriver::driveNow() const {
+    if (auto drive = driveOf(limits_, shaper_.now(), said_share_))
+        return byHolder({*std::move(drive)});
+    return byHolder();
+}
+
+HandCommands HandDriver::advance() {
     if (!holding() || !limits_.known())
-        return {};
+        return byHolder();
     const Stick before = shaper_.now();
-    const Stick now = shaper_.follow(hands_.holder()->stick, dt);
+    const Stick now = shaper_.follow(hands_.holder()->stick, beat);
     if (now == before && speedShare() == said_share_)
-        return {};
+        return byHolder();
     said_share_ = speedShare();
     return driveNow();
 }
 
-HandDriver::Commands HandDriver::driveNow() const {
-    if (auto drive = driveOf(limits_, shaper_.now(), said_share_))
-        return {*std::move(drive)};
-    return {};
-}
-
-HandDriver::Commands HandDriver::repeat(Seconds now) {
+HandCommands HandDriver::repeat(Seconds now) {
     if (!holding())
-        return {};
+        return byHolder();
     if (limits_.style != DriveStyle::Walker)
-        return shaper_.now().centered() ? Commands{} : driveNow();
+        return shaper_.now().centered() ? byHolder() : driveNow();
     auto step = gait_.step(shaper_.now(), said_share_, now);
     if (!step)
-        return {};
+        return byHolder();
     walked_ = true;
-    return {*std::move(step)};
+    return byHolder({*std::move(step)});
 }
 
-HandDriver::Commands HandDriver::stop(const std::string& reason) {
+HandCommands HandDriver::stop(const std::string& reason) {
     hands_.letGo();
     shaper_.reset();
     last_stop_ = reason;
-    if (limits_.style != DriveStyle::Walker) {
-        const auto rest = driveOf(limits_, {}, 1.0);
-        return rest ? Commands{*rest} : Commands{};
+    HandCommands rest{{}, handCause("stop, " + reason)};
+    if (limits_.style == DriveStyle::Walker) {
+        if (std::exchange(walked_, false))
+            rest.commands.push_back(gait_.stand());
+    } else if (auto drive = driveOf(limits_, {}, 1.0)) {
+        rest.commands.push_back(*std::move(drive));
     }
-    return std::exchange(walked_, false) ? Commands{gait_.stand()} : Commands{};
+    return rest;
 }
 
 ControlState HandDriver::state() const {

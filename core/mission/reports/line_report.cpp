@@ -13,7 +13,6 @@
 #include "core/protocol/command_grammar.h"
 #include "core/protocol/command_reader.h"
 #include "core/protocol/fields.h"
-#include "core/protocol/generic_fields.h"
 #include "core/protocol/line_splitter.h"
 
 namespace usar::mission {

@@ -1,15 +1,53 @@
 #include "core/mission/reports/progress_bar.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
+
+#include "core/base/numbers.h"
 
 namespace usar::mission {
 
 namespace {
 
+std::string twoDigits(long long value) {
+    return (value < 10 ? "0" : "") + std::to_string(value);
+}
+
 const std::string to_line_start = "\r";
 const std::string clear_to_line_end = "\x1b[K";
 
 } // namespace
+
+std::optional<Seconds> wallTimeLeft(const Progress& progress, Seconds wall_elapsed) {
+    if (progress.time_left && progress.speed_x > 0.0)
+        return *progress.time_left / progress.speed_x;
+    if (progress.percent >= 1.0)
+        return wall_elapsed * (100.0 - progress.percent) / progress.percent;
+    return std::nullopt;
+}
+
+std::string clockText(Seconds span) {
+    const auto total = static_cast<long long>(std::ceil(std::max(0.0, span.count())));
+    const long long hours = total / 3600;
+    const std::string minutes = std::to_string(total / 60 % 60);
+    const std::string head = hours > 0 ? std::to_string(hours) + ":" + twoDigits(total / 60 % 60) : minutes;
+    return head + ":" + twoDigits(total % 60);
+}
+
+std::string progressLine(const Progress& progress, Seconds wall_elapsed) {
+    constexpr int width = 20;
+    const double percent = std::clamp(progress.percent, 0.0, 100.0);
+    const auto filled = static_cast<std::size_t>(std::lround(percent / 100.0 * width));
+    std::string line = "[" + std::string(filled, '#') + std::string(width - filled, '-') + "] ";
+    const std::string number = fixed(std::floor(percent), 0);
+    line += std::string(number.size() < 3 ? 3 - number.size() : 0, ' ') + number + " %  " + progress.state;
+    if (progress.speed_x > 0.0)
+        line += "  " + fixed(progress.speed_x, progress.speed_x < 10.0 ? 1 : 0) + "x";
+    if (const auto left = wallTimeLeft(progress, wall_elapsed))
+        line += "  ETA " + clockText(*left);
+    return line;
+}
 
 std::string ProgressBar::show(const Progress& progress, Seconds wall) {
     const int tenth = static_cast<int>(progress.percent / 10.0);

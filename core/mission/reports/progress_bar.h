@@ -1,11 +1,22 @@
 // The progress display of a run, for a terminal or for a file that standard error is redirected to.
 #pragma once
 
+#include <optional>
 #include <string>
 
-#include "core/mission/runs/progress_text.h"
+#include "core/mission/runs/mission_runner.h"
 
 namespace usar::mission {
+
+/// Wall time until the end, from the behavior's own estimate, or else from the percentage so far; nullopt if neither
+/// helps.
+std::optional<Seconds> wallTimeLeft(const Progress& progress, Seconds wall_elapsed);
+
+/// Formats a line such as "[########------------]  40 %  scanning lane 4 of 9  120x  ETA 0:12".
+std::string progressLine(const Progress& progress, Seconds wall_elapsed);
+
+/// Formats a duration as "1:02:03" or "2:03", rounded up to whole seconds.
+std::string clockText(Seconds span);
 
 /// A bar that is redrawn in place on a terminal; otherwise one line for every 10 %. It only returns the bytes; its
 /// owner writes them.

@@ -1,6 +1,5 @@
 #include "core/mission/reports/recorded_runs.h"
 
-#include <algorithm>
 #include <utility>
 
 #include <QFile>

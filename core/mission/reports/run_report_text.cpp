@@ -1,6 +1,5 @@
 #include "core/mission/reports/run_report_text.h"
 
-#include <algorithm>
 #include <array>
 
 #include <QJsonObject>

@@ -11,7 +11,9 @@
 #include <QObject>
 
 #include "core/agent/plugins/plugin_loader.h"
+#include "core/base/result.h"
 #include "core/mission/files/mission_file.h"
+#include "core/mission/files/mission_options.h"
 #include "core/mission/runs/mission_score.h"
 #include "core/mission/runs/run_summary.h"
 #include "core/mission/session/robot_session.h"
@@ -88,5 +90,9 @@ private:
     struct Private;
     std::unique_ptr<Private> d_;
 };
+
+/// Returns a summary with the reason and whatever is known about the run; a null pointer stands for an argument that
+/// could not be read.
+RunSummary refusedRun(const Error& error, const MissionOptions* options = nullptr, const Mission* mission = nullptr);
 
 } // namespace usar::mission

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <utility>
 
-#include "core/mission/hand/hand_cause.h"
+#include "core/mission/hand/control_state.h"
 
 namespace usar::mission {
 
@@ -14,7 +14,7 @@ Helm::Helm(QObject& qobject, HelmOwner& owner, const HelmView& view)
         owner.writeLine(command, std::move(text));
     })
     , hand_timer_(&qobject) {
-    hand_timer_.setInterval(toMilliseconds(HandHold::beat));
+    hand_timer_.setInterval(toMilliseconds(HandDriver::beat));
     hand_timer_.setTimerType(Qt::PreciseTimer);
     QObject::connect(&hand_timer_, &QTimer::timeout, &hand_timer_, [this] { beat(); });
 }
@@ -236,10 +236,10 @@ void Helm::endControl(const std::string& reason) {
 }
 
 void Helm::drive(const HandIntent& intent) {
-    const HandHold::Change change = hand_.accept(intent, owner_.wall());
-    if (change == HandHold::Change::Ends) {
+    const HandDriver::Change change = hand_.accept(intent, owner_.wall());
+    if (change == HandDriver::Change::Ends) {
         endHold(lettingGo(intent.source));
-    } else if (change == HandHold::Change::Begins) {
+    } else if (change == HandDriver::Change::Begins) {
         hand_timer_.start();
         beat();
     }

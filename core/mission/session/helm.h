@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,7 +12,7 @@
 
 #include "core/agent/running_behavior.h"
 #include "core/mission/commands/outgoing.h"
-#include "core/mission/session/hand_hold.h"
+#include "core/mission/hand/hand_driver.h"
 #include "core/mission/session/incoming.h"
 #include "core/mission/session/notices.h"
 #include "core/mission/session/spawn_life.h"
@@ -117,7 +116,7 @@ private:
     HelmView view_;
     SessionLimits limits_;
     Outgoing outgoing_;
-    HandHold hand_;
+    HandDriver hand_;
     QTimer hand_timer_; ///< runs while an input device holds the robot
     std::shared_ptr<agent::RunningBehavior> host_;
     std::unique_ptr<QSocketNotifier> end_watch_; ///< for a behavior that may end between two calls

@@ -1,8 +1,73 @@
 #include "core/mission/session/incoming.h"
 
+#include <algorithm>
+#include <utility>
 #include <variant>
 
+#include "core/mission/session/stream_name.h"
+
 namespace usar::mission {
+
+namespace {
+
+bool isWordByte(char c) {
+    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+/// Returns the message without its numbers and quoted words.
+std::string kindOf(std::string_view message) {
+    std::string kind;
+    bool quoted = false;
+    for (const char c : message) {
+        if (c == '"' || c == '\'')
+            quoted = !quoted;
+        else if (!quoted && (c < '0' || c > '9') && c != '.' && c != '-')
+            kind += c;
+    }
+    return kind;
+}
+
+bool isNoMessage(const protocol::InfoMessage& message) {
+    const auto* generic = std::get_if<protocol::GenericMessage>(&message);
+    return generic && (generic->type_word.empty() || !std::ranges::all_of(generic->type_word, isWordByte));
+}
+
+/// Describes what is wrong with the line; nullopt if nothing is.
+std::optional<std::string> wrongIn(const protocol::InfoLine& line) {
+    if (isNoMessage(line.message))
+        return "this is not a message of the protocol";
+    const auto bad = std::ranges::find_if(
+        line.diagnostics, [](const Diagnostic& diagnostic) { return diagnostic.severity != Severity::Note; });
+    if (bad != line.diagnostics.end())
+        return bad->message;
+    return std::nullopt;
+}
+
+/// Returns enough of the line to recognize it; bytes that are not plain text become '?', as they would spoil a notice.
+std::string excerpt(std::string_view text) {
+    constexpr std::size_t length = 60;
+    std::string plain(text.substr(0, length));
+    std::ranges::replace_if(
+        plain, [](char c) { return c < ' ' || c > '~'; }, '?');
+    return text.size() > length ? plain + "..." : plain;
+}
+
+} // namespace
+
+std::optional<Complaint> ComplaintBook::take(const protocol::InfoLine& line) {
+    const auto wrong = wrongIn(line);
+    if (!wrong)
+        return std::nullopt;
+    ++count_;
+    const std::string stream = isNoMessage(line.message) ? "" : streamName(line.message);
+    const std::string kind = (stream.empty() ? "" : stream + ": ") + kindOf(*wrong);
+    if (kinds_.size() >= kind_limit || !kinds_.insert(kind).second)
+        return std::nullopt;
+    std::string text = "Line " + std::to_string(line.number.value) + " from the server is damaged: " + *wrong + " (\"" +
+                       excerpt(line.text) +
+                       "\"). What could be read of it is used; more of this kind are only counted.";
+    return Complaint{kind, std::move(text)};
+}
 
 void Incoming::beginConnection() {
     state_.emplace();

@@ -1,7 +1,6 @@
 // Implementation of RobotSession: its parts, and what they tell one another. Included by its own .cpp files only.
 #pragma once
 
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>

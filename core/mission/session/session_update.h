@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "core/agent/command_port.h"
@@ -92,5 +93,23 @@ struct Notice {
     bool over = false;
     bool operator==(const Notice&) const = default;
 };
+
+/// Returns the newest message of a type in this update, or nullptr.
+template <class Message>
+const Message* newest(const mission::SessionUpdate& update) {
+    for (auto line = update.lines.rbegin(); line != update.lines.rend(); ++line)
+        if (const auto* message = std::get_if<Message>(&line->message))
+            return message;
+    return nullptr;
+}
+
+/// Returns the newest value of a type that the behavior published in this update, or nullptr.
+template <class Value>
+const Value* newestPublished(const mission::SessionUpdate& update) {
+    for (auto value = update.published.rbegin(); value != update.published.rend(); ++value)
+        if (const auto* found = std::get_if<Value>(&*value))
+            return found;
+    return nullptr;
+}
 
 } // namespace usar::mission

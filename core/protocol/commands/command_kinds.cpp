@@ -1,6 +1,7 @@
 #include "core/protocol/commands/command_kinds.h"
 
 #include "core/protocol/commands/line_rules.h"
+#include "core/protocol/sensors/table.h"
 
 namespace usar::protocol {
 
@@ -33,7 +34,20 @@ std::vector<CommandKind> kindsOf(const std::variant<RawCommand, Commands...>*) {
     return kinds;
 }
 
+template <class... Sensors>
+std::vector<std::string_view> typesWith(TypeList<Sensors...>) {
+    std::vector<std::string_view> types = {"Robot", "MisPkg", "Actuator"};
+    (forEachType(Sensors::wire_types, [&types](std::string_view word) { types.push_back(word); }), ...);
+    types.insert(types.end(), {"Camera", "Battery", "Gripper", "ToolChanger", "Effecter"});
+    return types;
+}
+
 } // namespace
+
+std::span<const std::string_view> askedTypes() {
+    static const std::vector<std::string_view> types = typesWith(SensorTypes{});
+    return types;
+}
 
 std::span<const CommandKind> commandKinds() {
     static const std::vector<CommandKind> kinds = kindsOf(static_cast<const CommandVariant*>(nullptr));

@@ -14,7 +14,6 @@
 
 #include <array>
 #include <span>
-#include <string>
 #include <string_view>
 
 namespace usar::protocol {

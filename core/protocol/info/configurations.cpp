@@ -93,6 +93,14 @@ CameraConfiguration cameraOf(const ConfiguredItem& item) {
 
 } // namespace
 
+std::optional<double> ConfiguredItem::number(const std::string& key) const {
+    for (const Setting& setting : settings) {
+        if (setting.number && sameWord(setting.key, key))
+            return setting.number;
+    }
+    return std::nullopt;
+}
+
 std::optional<RobotConfiguration> robotConfigurationOf(const ConfigurationInfo& info) {
     if (!isRobot(info) || info.items.size() != 1)
         return std::nullopt;

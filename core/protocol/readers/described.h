@@ -6,10 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <type_traits>
-#include <utility>
-#include <vector>
 
 #include "core/protocol/readers/line_reading.h"
 #include "core/protocol/refill.h"
@@ -86,8 +83,7 @@ template <class Owner, class Element>
 bool readGroups(LineReading& line, Pairs pairs, Owner& owner, const Groups<Owner, Element>& groups) {
     Refill<Element> elements(owner.*groups.member);
     const auto opens = [&groups](const KeyedText& pair) {
-        return sameWord(pair.key, groups.opening_key) ||
-               (!groups.other_key.empty() && sameWord(pair.key, groups.other_key));
+        return findPair({&pair, 1}, groups.opening_key, groups.other_key) != nullptr;
     };
     bool good = true;
     while (!pairs.empty()) {
@@ -123,13 +119,10 @@ bool readDescribed(LineReading& line, T& out) {
     bool any = false;
     if constexpr (HasGroups<T>) {
         constexpr auto groups = T::groups();
-        const auto first = std::ranges::find_if(pairs, [&groups](const KeyedText& pair) {
-            return sameWord(pair.key, groups.opening_key) ||
-                   (!groups.other_key.empty() && sameWord(pair.key, groups.other_key));
-        });
-        head = pairs.first(static_cast<std::size_t>(first - pairs.begin()));
+        const KeyedText* const first = findPair(pairs, groups.opening_key, groups.other_key);
+        head = pairs.first(first ? static_cast<std::size_t>(first - pairs.data()) : pairs.size());
         // A sensor without a name: its values follow no opening key.
-        const bool nameless = NamedGroups<T> && first == pairs.end();
+        const bool nameless = NamedGroups<T> && !first;
         if (!readGroups(line, nameless ? pairs : pairs.subspan(head.size()), out, groups))
             return false;
         any = !(out.*groups.member).empty();
@@ -137,9 +130,7 @@ bool readDescribed(LineReading& line, T& out) {
     if constexpr (HasItems<T>) {
         const ItemsFound found = readItems(line, head, out);
         any |= found.any;
-        if (found.any && !found.usable())
-            return false;
-        if (!found.missing.empty())
+        if (found.damaged || !found.missing.empty())
             return false;
     }
     return any;

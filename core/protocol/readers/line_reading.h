@@ -1,11 +1,11 @@
 // The input of the reading functions: one tokenized info line, and the list of its problems.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "core/base/clock.h"
@@ -117,5 +117,10 @@ bool takeNumbers(std::string_view& text, std::span<double> numbers);
 
 /// Accepts true and false in any case, 1 and 0; nullopt for anything else.
 std::optional<bool> readBoolean(std::string_view text);
+
+/// Replaces the content of `numbers` by the comma-separated list in `text`. A comma may follow the last element,
+/// because UDK's imagers send one. An element that is not a number, is infinite or is too large for any sensor becomes
+/// NaN. Returns how many elements were not clean numbers.
+std::size_t readNumberList(std::string_view text, std::vector<double>& numbers);
 
 } // namespace usar::protocol

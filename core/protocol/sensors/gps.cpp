@@ -66,9 +66,7 @@ bool read(LineReading& line, GpsReading& out) {
 }
 
 void write(LineWriter& line, const GpsReading& reading) {
-    line.text("SEN");
-    line.time(reading.time, Decimals::FourCut);
-    line.segment("Type", GpsReading::wire_types);
+    line.sensor(reading.time, GpsReading::wire_types);
     line.segment("Name", reading.name);
     if (reading.latitude_rad)
         writeAngle(line, "Latitude", *reading.latitude_rad, "NS");

@@ -1,7 +1,6 @@
 #include "core/protocol/sensors/point_clouds.h"
 
 #include <array>
-#include <cmath>
 
 #include "core/base/text.h"
 #include "core/protocol/field_list.h"
@@ -74,9 +73,7 @@ bool read(LineReading& line, PointCloud& out) {
 }
 
 void write(LineWriter& line, const PointCloud& cloud) {
-    line.text("SEN");
-    line.time(cloud.time, Decimals::FourCut);
-    line.segment("Type", PointCloud::wire_types);
+    line.sensor(cloud.time, PointCloud::wire_types);
     line.segment("Name", cloud.name);
     line.text(" {");
     for (std::size_t i = 0; i < cloud.points_in_sensor_m.size(); ++i) {
@@ -109,9 +106,7 @@ bool read(LineReading& line, LineLaserReading& out) {
 
 void write(LineWriter& line, const LineLaserReading& reading) {
     const Pose on_wire = acrossWire(reading.sensor_in_map);
-    line.text("SEN");
-    line.time(reading.time, Decimals::FourCut);
-    line.segment("Type", LineLaserReading::wire_types);
+    line.sensor(reading.time, LineLaserReading::wire_types);
     line.segment("Name", reading.name);
     line.segment("Location", on_wire.position_m, Decimals::FourCut);
     line.segment("Orientation", {on_wire.roll_rad, on_wire.pitch_rad, on_wire.yaw_rad}, Decimals::FourCut);

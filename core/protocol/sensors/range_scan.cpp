@@ -3,7 +3,6 @@
 #include "core/base/numbers.h"
 #include "core/protocol/field_list.h"
 #include "core/protocol/readers/line_reading.h"
-#include "core/protocol/readers/number_list.h"
 #include "core/protocol/writer_parts.h"
 
 namespace usar::protocol {

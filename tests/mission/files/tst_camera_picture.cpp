@@ -3,7 +3,7 @@
 #include <QImage>
 #include <QTest>
 
-#include "core/mission/files/camera_picture.h"
+#include "core/mission/fleet/camera_feed.h"
 #include "tests/suite/suite.h"
 
 namespace tst_camera_picture {

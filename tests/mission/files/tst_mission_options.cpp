@@ -2,7 +2,7 @@
 #include <QTest>
 
 #include "core/mission/files/mission_options.h"
-#include "core/mission/runs/progress_text.h"
+#include "core/mission/reports/progress_bar.h"
 #include "tests/suite/suite.h"
 
 namespace tst_mission_options {

@@ -2,7 +2,7 @@
 #include <QTest>
 
 #include "core/mission/fleet/robot_words.h"
-#include "core/mission/fleet/station_place.h"
+#include "core/mission/fleet/roster.h"
 #include "core/protocol/commands/spawn.h"
 #include "tests/suite/suite.h"
 

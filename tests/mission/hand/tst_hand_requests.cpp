@@ -1,7 +1,7 @@
 // What a person asks for by hand, before any session hears of it.
 #include <QTest>
 
-#include "core/mission/hand/hand_cause.h"
+#include "core/mission/hand/control_state.h"
 #include "core/mission/hand/hand_requests.h"
 #include "tests/suite/suite.h"
 

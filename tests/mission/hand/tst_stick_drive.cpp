@@ -5,7 +5,6 @@
 #include <QTest>
 
 #include "core/mission/hand/stick_drive.h"
-#include "core/mission/hand/stick_shaper.h"
 #include "core/mission/hand/walking_gait.h"
 #include "core/protocol/command_writer.h"
 #include "core/protocol/reader.h"

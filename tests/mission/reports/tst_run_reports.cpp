@@ -2,7 +2,7 @@
 #include <QTest>
 
 #include "core/mission/reports/progress_bar.h"
-#include "core/mission/reports/refused_run.h"
+#include "core/mission/runs/mission_runner.h"
 #include "tests/suite/suite.h"
 
 namespace tst_run_reports {

@@ -1,6 +1,5 @@
 #include <QTest>
 
-#include "core/mission/runs/area_cells.h"
 #include "core/mission/runs/mission_score.h"
 #include "tests/suite/suite.h"
 

@@ -1,7 +1,7 @@
 // A robot that is driven by hand, on a fake server that records what it receives.
 #pragma once
 
-#include "core/mission/hand/hand_control.h"
+#include "core/mission/hand/hand_driver.h"
 #include "tests/mission/session/session_fixture.h"
 
 namespace usar::test {

@@ -1,7 +1,7 @@
 // Driving by hand through a session: who has control, and every way in which a hold ends with a stop on the wire.
 #include <QTest>
 
-#include "core/mission/hand/hand_control.h"
+#include "core/mission/hand/hand_driver.h"
 #include "tests/mission/session/held_robot.h"
 #include "tests/suite/suite.h"
 

@@ -3,9 +3,9 @@
 
 #include <QTest>
 
-#include "core/mission/session/complaint_book.h"
-#include "core/mission/session/sensor_watch.h"
+#include "core/mission/session/incoming.h"
 #include "core/mission/session/stream_name.h"
+#include "core/mission/session/vigil.h"
 #include "tests/suite/suite.h"
 
 namespace tst_session_watchers {

@@ -1,4 +1,4 @@
-#include "core/mission/files/scan_metadata.h"
+#include "core/mission/files/scan_record.h"
 
 #include <QStringList>
 

@@ -1,6 +1,7 @@
+#include <cmath>
 #include <string>
-#include <utility>
 
+#include "core/base/numbers.h"
 #include "core/protocol/readers/info_readers.h"
 #include "core/protocol/refill.h"
 #include "core/protocol/vehicle_words.h"
@@ -117,6 +118,36 @@ bool readRobot(LineReading& line, GeometryInfo& out) {
     return true;
 }
 
+std::optional<double> finite(std::optional<double> number) {
+    return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
+/// Each Status belongs to the thing before it. A thing begins with the first key on the line or the first key after a
+/// Status, except ID and Mem.
+void readParts(LineReading& line, Response& out) {
+    Refill<ResponsePart> parts(out.parts);
+    ResponsePart* part = nullptr;
+    bool closed = true;
+    for (const KeyedText& pair : line.pairs(false)) {
+        if (sameWord(pair.key, "Status")) {
+            if (part)
+                part->ok = sameWord(pair.value, "OK");
+            out.ok &= sameWord(pair.value, "OK");
+            closed = true;
+        } else if (sameWord(pair.key, "FOV")) {
+            if (part)
+                part->fov_rad = line.numberIn(pair.value);
+        } else if (closed && !sameWord(pair.key, "ID") && !sameWord(pair.key, "Mem")) {
+            part = &parts.next();
+            part->key = pair.key;
+            part->value = pair.value;
+            part->ok = false;
+            part->fov_rad.reset();
+            closed = false;
+        }
+    }
+}
+
 } // namespace
 
 bool read(LineReading& line, GeometryInfo& out) {
@@ -128,6 +159,45 @@ bool read(LineReading& line, GeometryInfo& out) {
     if (out.type.empty() || vehicleKindOf(out.type) != VehicleKind::Unknown || segments.find("Dimensions"))
         return readRobot(line, out);
     return readItems(line, out.items);
+}
+
+bool read(LineReading& line, ConfigurationInfo& out) {
+    const Segments& segments = line.segments();
+    if (!segments.find("Type") && !segments.find("Name"))
+        return false;
+    out.type = segments.value("Type");
+    out.items.clear();
+    for (const Segment& segment : segments.all()) {
+        if (sameWord(segment.key, "Type"))
+            continue;
+        if (sameWord(segment.key, "Name")) {
+            out.items.push_back({std::string(segment.value), {}});
+            continue;
+        }
+        if (out.items.empty())
+            out.items.emplace_back();
+        out.items.back().settings.push_back(
+            {std::string(segment.key), std::string(segment.value), finite(readNumber(segment.value))});
+    }
+    return true;
+}
+
+bool read(LineReading& line, Response& out) {
+    const Segments& segments = line.segments();
+    if (!segments.find("Status")) {
+        line.error(segments.line(), "a result without Status");
+        return false;
+    }
+    out.time = line.time();
+    out.type = segments.value("Type");
+    out.name = segments.value("Name");
+    out.ok = true;
+    readParts(line, out);
+    const Segment* const id = segments.find("ID");
+    out.tag_id = id ? readInteger(id->value) : std::nullopt;
+    const Segment* const memory = segments.find("Mem");
+    out.memory = memory ? std::optional<std::string>(memory->value) : std::nullopt;
+    return true;
 }
 
 } // namespace usar::protocol

@@ -1,14 +1,14 @@
 // Holds by hand, by a clock of the test.
 #include <QTest>
 
-#include "core/mission/session/hand_hold.h"
+#include "core/mission/hand/hand_driver.h"
 #include "tests/suite/suite.h"
 
-namespace tst_hand_hold {
+namespace tst_hand_driver {
 
 using namespace usar;
 using namespace usar::mission;
-using Change = HandHold::Change;
+using Change = HandDriver::Change;
 
 namespace {
 
@@ -27,12 +27,12 @@ struct Held {
     std::optional<std::string> reason(Seconds wall, std::optional<Seconds> silent = std::nullopt) const {
         return hand.reasonToStop(wall, Seconds{0.3}, silent, "R1");
     }
-    HandHold hand;
+    HandDriver hand;
 };
 
 } // namespace
 
-class tst_HandHold : public QObject {
+class tst_HandDriver : public QObject {
     Q_OBJECT
 private slots:
     void aHoldBeginsAndEndsWithTheDevice() {
@@ -98,8 +98,8 @@ private slots:
     }
 };
 
-USAR_TEST(tst_HandHold)
+USAR_TEST(tst_HandDriver)
 
-} // namespace tst_hand_hold
+} // namespace tst_hand_driver
 
-#include "tst_hand_hold.moc"
+#include "tst_hand_driver.moc"
