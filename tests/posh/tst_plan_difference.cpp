@@ -123,6 +123,26 @@ void tst_PlanDifference::changesAreToldInALineEach_data() {
     row("an equal is added", with(source, "((work pick))", "((work pick) (play wave))"), "drive \"play\" added");
     row("two become equals", with(source, "wave (seconds 2)))\n      ((work", "wave (seconds 2))\n      (work"),
         "drive \"work\" is an equal of \"safe\" now");
+    row("a comment of an element", with(source, "close 3", "close 3 \"quick\""),
+        "element \"grab\" of \"pick\": comment was none, is \"quick\"");
+    row("a comment of a form", with(source, "up down up)", "up down up) \"hello\""),
+        "pattern \"wave\": comment was none, is \"hello\"");
+    row("a time of a pattern", with(source, "(AP wave", "(AP wave (seconds 3)"),
+        "pattern \"wave\": time was none, is (seconds 3)");
+    row("a time of a competence", with(source, "(C pick", "(C pick (minutes 1)"),
+        "competence \"pick\": time was none, is (minutes 1)");
+    row("parameters", with(source, "(AD rest", "(AD rest vars($x=1)"),
+        "adopt \"rest\": parameters was none, is vars($x=1)");
+    row("arguments", with(source, "drive))", "drive(2)))"), "element \"go\" of \"pick\": act was drive, is drive(2)");
+    row("a goal taken away", with(source, " (goal ((holding)))", ""),
+        "competence \"pick\": goal was ((holding)), is none");
+    row("a goal of the collection", with(source, "(DC me", "(DC me (goal ((done)))"),
+        "collection \"me\": goal was none, is ((done))");
+    row("collection renamed", with(source, "(DC me", "(DC you"), "collection \"me\" renamed to \"you\"");
+    row("drive renamed", with(source, "(safe", "(rescue"), "drive \"safe\" renamed to \"rescue\"");
+    row("a keyword in small letters", with(source, "(DC", "(dc"), "");
+    row("a sense as a step", with(source, "up down up", "up (near) up"),
+        "pattern \"wave\": step (near) added\npattern \"wave\": step down removed");
     row("documentation", with(source, "(C pick", "(documentation \"a\" \"b\" \"c\") (C pick"), "documentation added");
 }
 

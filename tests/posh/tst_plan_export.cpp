@@ -42,6 +42,7 @@ class tst_PlanExport : public QObject {
 private slots:
     void eachLossIsTold_data();
     void eachLossIsTold();
+    void aCollectionIsExported();
     void exportsAreReadAndLoseNothingMore_data();
     void exportsAreReadAndLoseNothingMore();
     void randomPlansAreExported();
@@ -84,6 +85,17 @@ void tst_PlanExport::eachLossIsTold_data() {
         "2:18 value \"a.b-c\"; it becomes \"'a.b_c\"");
     row("senses as steps", yaposh, "(AP p ((s) a(1, $x=2)))", "(AP p (a(1, $x=2)))",
         "2:9 sense as a step; the step is left out");
+    row("a digit in the classic dialect", classic, "(AP p (3act))", "(AP p (_3act))",
+        "2:8 name like \"3act\"; it becomes \"_3act\"");
+    row("a text that starts with a digit", classic, "(AP p ((s \"3 m\")))", "(AP p ((s '_3-m)))",
+        "2:11 value \"\"3 m\"\"; it becomes \"'_3-m\"");
+    row("nil", classic, "(AP p ((s nil)))", "(AP p ((s nil)))", "");
+    row("a competence without elements", classic, "(C k (elements))", "(C k\n    (elements))",
+        "2:4 competence without elements, and nothing was added");
+    row("only senses as steps", yaposh, "(AP p ((s)))", "(AP p (doNothing))",
+        "2:9 sense as a step; the step is left out");
+    row("an adopt without a goal", yaposh, "(AD d ((goal nil) (act)))",
+        "(AD d ((goal ((cz.cuni.amis.pogamut.sposh.executor.Fail))) (act)))", "");
     row("comments with #", yaposh, "# why\n(AP p (a)) # so", "; why\n  (AP p (a))  ; so", "");
 }
 
@@ -99,6 +111,20 @@ void tst_PlanExport::eachLossIsTold() {
     QCOMPARE(QString::fromStdString(result.text),
              "(\n  " + exported + "\n  (" + kind + " life\n    (drives\n      ((x y))))\n)\n");
     QCOMPARE(lossesOf(result), losses);
+}
+
+void tst_PlanExport::aCollectionIsExported() {
+    const Plan plan = readPlan("((RDC d (drives ((a b (ticks 3))))))").plan;
+    const PlanExport classic = exportPlan(plan, Dialect::Classic);
+    QCOMPARE(classic.text, std::string("(\n  (SRDC d\n    (drives\n      ((a b))))\n)\n"));
+    QCOMPARE(lossesOf(classic), QString("1:24 frequency in ticks, which is left out"));
+    const PlanExport yaposh = exportPlan(plan, Dialect::Yaposh);
+    QCOMPARE(yaposh.text, std::string("(\n  (RDC d\n    (drives\n      ((a b))))\n)\n"));
+    QCOMPARE(lossesOf(yaposh), lossesOf(classic));
+    const Plan fragment = readPlan("((AP p (a)))").plan;
+    QCOMPARE(lossesOf(exportPlan(fragment, Dialect::Classic)), QString());
+    QCOMPARE(lossesOf(exportPlan(fragment, Dialect::Yaposh)),
+             QString("1:1 plan without a drive collection, and nothing was added"));
 }
 
 void tst_PlanExport::exportsAreReadAndLoseNothingMore_data() {

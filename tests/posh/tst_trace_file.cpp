@@ -1,6 +1,8 @@
 // Recorded traces: what was recorded comes out again, from any cycle, while it grows, and when it is damaged.
 #include <QTest>
 
+#include <cstdlib>
+
 #include "core/base/random.h"
 #include "core/posh/language/plan_reader.h"
 #include "core/posh/language/plan_writer.h"
@@ -92,6 +94,13 @@ private slots:
     void everyPrefixIsReadAsFarAsItGoes();
     void damagedBytesNeverCrash();
     void aDamagedFrameBehindACycleIsLeftOut();
+    void cyclesBeforeADamagedByteStay();
+    void numbersAreCodedAsShortAsTheyAre_data();
+    void numbersAreCodedAsShortAsTheyAre();
+    void wordsAreCodedWithoutTheirZeros_data();
+    void wordsAreCodedWithoutTheirZeros();
+    void malformedValuesFail_data();
+    void malformedValuesFail();
     void rejectsWhatIsNoTrace();
 };
 
@@ -249,6 +258,119 @@ void tst_TraceFile::aDamagedFrameBehindACycleIsLeftOut() {
 void tst_TraceFile::rejectsWhatIsNoTrace() {
     QVERIFY(!TraceFile::open(""));
     QVERIFY(!TraceFile::open("USARPOSH2\nof another version"));
+}
+
+/// Puts five other values at each byte. Whatever comes after it, the cycles whose frames end before it are as they
+/// were.
+void tst_TraceFile::cyclesBeforeADamagedByteStay() {
+    const Recording run = recorded(somePlan(), 7, 12);
+    const auto eventsOf = [](const std::string& bytes, std::size_t cycles) {
+        const auto file = TraceFile::open(bytes);
+        std::string text;
+        TraceFile::Cursor cursor = file->begin();
+        while (cycles-- > 0)
+            if (const TracedCycle* const cycle = cursor.next(); cycle && cycle->program)
+                for (const trace_codec::Entry& entry : cycle->events)
+                    appendLine(text, *cycle->program, entry.record, cycle->textOf(entry), TraceDetail::Full);
+        return text;
+    };
+    std::size_t most = 0;
+    for (std::size_t at = trace_codec::magic.size(); at < run.bytes.size(); ++at) {
+        const std::string before = run.bytes.substr(0, at);
+        const std::size_t whole = TraceFile::open(before)->cycleCount();
+        const std::string expected = eventsOf(run.bytes, whole);
+        most = std::max(most, whole);
+        for (const int change : {0x01, 0x08, 0x40, 0x80, 0xFF}) {
+            std::string damaged = run.bytes;
+            damaged[at] = static_cast<char>(damaged[at] ^ change);
+            if (eventsOf(damaged, whole) != expected)
+                QFAIL(qPrintable(QString("byte %1 changed by %2").arg(at).arg(change)));
+        }
+    }
+    QVERIFY(most >= 11);
+}
+
+void tst_TraceFile::numbersAreCodedAsShortAsTheyAre_data() {
+    QTest::addColumn<quint64>("number");
+    QTest::addColumn<int>("bytes");
+    QTest::newRow("zero") << quint64(0) << 1;
+    QTest::newRow("seven bits") << quint64(127) << 1;
+    QTest::newRow("eight bits") << quint64(128) << 2;
+    QTest::newRow("fourteen bits") << quint64(16383) << 2;
+    QTest::newRow("fifteen bits") << quint64(16384) << 3;
+    QTest::newRow("33 bits") << (quint64(1) << 32) << 5;
+    QTest::newRow("63 bits") << (quint64(1) << 63) - 1 << 9;
+    QTest::newRow("64 bits") << (quint64(1) << 63) << 10;
+    QTest::newRow("all bits") << ~quint64(0) << 10;
+}
+
+void tst_TraceFile::numbersAreCodedAsShortAsTheyAre() {
+    QFETCH(quint64, number);
+    QFETCH(int, bytes);
+    std::string coded;
+    trace_codec::appendVarint(coded, number);
+    QCOMPARE(coded.size(), std::size_t(bytes));
+    trace_codec::Bytes reader(coded);
+    QCOMPARE(quint64(reader.varint()), number);
+    QVERIFY(reader.empty() && !reader.failed());
+    const std::int64_t back = trace_codec::unzigzag(number); // Each number stands for one with a sign
+    QCOMPARE(quint64(trace_codec::zigzag(back)), number);
+    QVERIFY(number > 200 || std::abs(back) <= 100);
+    for (std::size_t size = 0; size < coded.size(); ++size) {
+        trace_codec::Bytes cut(std::string_view(coded).substr(0, size));
+        cut.varint();
+        QVERIFY(cut.failed());
+    }
+}
+
+void tst_TraceFile::wordsAreCodedWithoutTheirZeros_data() {
+    QTest::addColumn<quint64>("word");
+    QTest::addColumn<int>("bytes");
+    QTest::newRow("zero") << quint64(0) << 1;
+    QTest::newRow("one byte") << quint64(1) << 2;
+    QTest::newRow("the highest byte") << (quint64(0x80) << 56) << 2;
+    QTest::newRow("a byte in the middle") << quint64(0xFF00) << 2;
+    QTest::newRow("a zero between two bytes") << quint64(0x10'0001) << 4;
+    QTest::newRow("both ends") << ((quint64(1) << 63) | 1) << 9;
+    QTest::newRow("the float 2.0") << quint64(payloadOf(2.0)) << 2;
+    QTest::newRow("the float 0.1") << quint64(payloadOf(0.1)) << 9;
+}
+
+void tst_TraceFile::wordsAreCodedWithoutTheirZeros() {
+    QFETCH(quint64, word);
+    QFETCH(int, bytes);
+    std::string coded;
+    trace_codec::appendBits(coded, word);
+    QCOMPARE(coded.size(), std::size_t(bytes));
+    trace_codec::Bytes reader(coded);
+    QCOMPARE(quint64(reader.bits()), word);
+    QVERIFY(reader.empty() && !reader.failed());
+}
+
+void tst_TraceFile::malformedValuesFail_data() {
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::addColumn<bool>("varint");
+    QTest::addColumn<bool>("bits");
+    QTest::newRow("nothing") << QByteArray() << false << false;
+    QTest::newRow("one that goes on") << QByteArray("\x80") << false << true; // All eight bytes are left out
+    QTest::newRow("ten bytes that go on") << QByteArray(10, '\xFF') << false << false;
+    QTest::newRow("more zeros than a word has") << QByteArray("\x45") << true << false;
+    QTest::newRow("a byte that is missing") << QByteArray("\x52\x01\x02") << true << true;
+    QTest::newRow("two bytes that are missing") << QByteArray("\x32\x01") << true << false;
+}
+
+void tst_TraceFile::malformedValuesFail() {
+    QFETCH(QByteArray, bytes);
+    const std::string_view view(bytes.data(), static_cast<std::size_t>(bytes.size()));
+    trace_codec::Bytes number(view);
+    number.varint();
+    QTEST(!number.failed(), "varint");
+    trace_codec::Bytes word(view);
+    word.bits();
+    QTEST(!word.failed(), "bits");
+    trace_codec::Bytes text(view);
+    QVERIFY(text.text(view.size() + 1).empty() && text.failed());
+    QVERIFY(text.text(0).empty() && text.failed()); // It stays failed
 }
 
 USAR_TEST(tst_TraceFile)

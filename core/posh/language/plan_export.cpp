@@ -93,7 +93,7 @@ public:
             exportForm(form);
         if (isYaposh()) {
             if (!collectionOf(plan_))
-                lose({1, 1, 0, 0}, "a plan without a drive collection, and nothing was added");
+                lose({1, 1, 0, 0}, "plan without a drive collection, and nothing was added");
             useSemicolons();
         }
         return {writePlan(plan_), std::move(losses_)};
