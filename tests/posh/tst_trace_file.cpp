@@ -299,7 +299,7 @@ void tst_TraceFile::numbersAreCodedAsShortAsTheyAre_data() {
     QTest::newRow("fourteen bits") << quint64(16383) << 2;
     QTest::newRow("fifteen bits") << quint64(16384) << 3;
     QTest::newRow("33 bits") << (quint64(1) << 32) << 5;
-    QTest::newRow("63 bits") << (quint64(1) << 63) - 1 << 9;
+    QTest::newRow("63 bits") << ((quint64(1) << 63) - 1) << 9;
     QTest::newRow("64 bits") << (quint64(1) << 63) << 10;
     QTest::newRow("all bits") << ~quint64(0) << 10;
 }
@@ -355,7 +355,7 @@ void tst_TraceFile::malformedValuesFail_data() {
     QTest::newRow("one that goes on") << QByteArray("\x80") << false << true; // All eight bytes are left out
     QTest::newRow("ten bytes that go on") << QByteArray(10, '\xFF') << false << false;
     QTest::newRow("more zeros than a word has") << QByteArray("\x45") << true << false;
-    QTest::newRow("a byte that is missing") << QByteArray("\x52\x01\x02") << true << true;
+    QTest::newRow("one byte of two is used") << QByteArray("\x52\x01\x02") << true << true;
     QTest::newRow("two bytes that are missing") << QByteArray("\x32\x01") << true << false;
 }
 

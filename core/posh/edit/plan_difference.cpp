@@ -28,7 +28,7 @@ struct MemberView {
     std::string content() const { return trigger + '\n' + action + '\n' + limit; }
 };
 
-/// Returns what a function of plan_text.h appends, without the blank before it.
+/// Returns what a function of plan_writer.h appends, without the blank before it.
 template <class Part>
 std::string textOf(void (*append)(std::string&, const Part&), const Part& part) {
     std::string text;

@@ -47,8 +47,8 @@ std::optional<std::partial_ordering> orderOf(const Value& a, const Value& b) {
     return a_text && b_text ? std::optional<std::partial_ordering>(*a_text <=> *b_text) : std::nullopt;
 }
 
-/// Returns whether a predicate other than Equal and NotEqual holds for values of this order.
-bool holds(std::partial_ordering order, Predicate predicate) {
+/// Returns whether a predicate other than Equal and NotEqual holds for two values of this order.
+bool isOrdered(std::partial_ordering order, Predicate predicate) {
     switch (predicate) {
     case Predicate::Less:
         return order < 0;
@@ -76,7 +76,7 @@ Comparison compare(const Value& answer, Predicate predicate, const Value& operan
     if (predicate == Predicate::Equal || predicate == Predicate::NotEqual)
         return verdict(equal(answer, operand) == (predicate == Predicate::Equal));
     const auto order = orderOf(answer, operand);
-    return order ? verdict(holds(*order, predicate)) : Comparison::Unlike;
+    return order ? verdict(isOrdered(*order, predicate)) : Comparison::Unlike;
 }
 
 } // namespace usar::posh

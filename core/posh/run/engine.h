@@ -8,7 +8,6 @@
 #include "core/posh/run/drive_states.h"
 #include "core/posh/run/engagements.h"
 #include "core/posh/run/host.h"
-#include "core/posh/run/profiler.h"
 #include "core/posh/run/sense_memo.h"
 #include "core/posh/run/tracer.h"
 

@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "core/posh/run/profiler.h"
 #include "core/posh/run/tracer.h"
 
 namespace usar::posh {
