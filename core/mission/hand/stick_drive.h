@@ -1,4 +1,5 @@
-// Makes a robot's DRIVE of the user's stick: smooths the stick, then converts it according to the robot's kind and limits.
+// Makes a robot's DRIVE of the user's stick: smooths the stick, then converts it according to the robot's kind and
+// limits.
 #pragma once
 
 #include <optional>
