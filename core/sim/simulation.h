@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/clock.h"
+#include "core/base/id.h"
 #include "core/base/result.h"
 #include "core/protocol/dialect.h"
 #include "core/sim/camera/camera_scene.h"
@@ -43,10 +44,7 @@ struct SimulationOptions {
 };
 
 /// Identifies one connection of a Simulation, from 1; never reused.
-struct ClientId {
-    std::uint32_t value = 0;
-    auto operator<=>(const ClientId&) const = default;
-};
+using ClientId = Id<struct ClientTag, 0U>;
 
 /// Ground truth about a robot for viewers other than the wire (tests, scoring, figures).
 struct RobotTruth : RobotFigures {

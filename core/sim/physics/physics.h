@@ -2,24 +2,20 @@
 // No engine header is visible here; see robots-and-worlds.md 6 for the choice of Bullet.
 #pragma once
 
-#include <compare>
-#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "core/base/clock.h"
 #include "core/base/geometry.h"
+#include "core/base/id.h"
 #include "core/sim/world/articulation.h"
 #include "core/sim/world/world.h"
 
 namespace usar::sim {
 
-/// Identifies a body of one Physics; never reused. 0 is no body.
-struct BodyId {
-    std::uint32_t value = 0;
-    auto operator<=>(const BodyId&) const = default;
-};
+/// Identifies a body of one Physics, from 1; never reused.
+using BodyId = Id<struct BodyTag, 0U>;
 
 /// State of a body or link at its center of mass, map frame.
 struct BodyState {
