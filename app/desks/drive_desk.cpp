@@ -4,7 +4,6 @@
 
 #include "app/desks/robot_presenter.h"
 #include "core/mission/fleet/robot_words.h"
-#include "core/mission/hand/hand_cause.h"
 #include "core/protocol/commands/spawn.h"
 
 namespace usar::app {
@@ -177,7 +176,7 @@ void DriveDesk::take(const mission::SessionUpdate& update) {
         showControl();
     velocity_.take(update);
     for (const mission::SentCommand& command : update.commands)
-        if (mission::isHandCause(command.cause.source) && protocol::isDrive(command.command))
+        if (std::holds_alternative<by::Hand>(command.cause.source) && protocol::isDrive(command.command))
             views_.drive->setEcho(QString::fromStdString(command.text));
     widgets::BodyVelocity shown;
     if (const auto twist = velocity_.twist()) {

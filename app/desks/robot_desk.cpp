@@ -163,9 +163,9 @@ void RobotDesk::trace(bool on) {
     if (!robot)
         return;
     if (on)
-        robot->send(protocol::Trace{true, interval, views_.world->traceColor()}, "operator: trace");
+        robot->send(protocol::Trace{true, interval, views_.world->traceColor()}, by::Operator{"trace"});
     else
-        robot->send(protocol::Trace{false, {}, {}}, "operator: trace");
+        robot->send(protocol::Trace{false, {}, {}}, by::Operator{"trace"});
 }
 
 void RobotDesk::showTrace() {

@@ -28,7 +28,7 @@ public:
     Output control(const PlanControl& control) override;
     bool halted() const override { return halted_; }
     void setParameters(const ParameterSet& parameters) override;
-    CausedCommand safeCommand(const std::string& source) const override;
+    CausedCommand safeCommand(const by::Source& source) const override;
     bool finished() const override { return finished_; }
     bool broke() const override { return broke_; }
     const std::string& behaviorId() const override { return behavior_id_; }

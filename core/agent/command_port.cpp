@@ -4,7 +4,11 @@
 
 namespace usar::agent {
 
-void CommandPort::send(protocol::Command command, std::string source) {
+void CommandPort::send(protocol::Command command, std::string state) {
+    send(std::move(command), by::Behavior{{}, std::move(state)});
+}
+
+void CommandPort::send(protocol::Command command, by::Source source) {
     commands_.push_back({std::move(command), {std::move(source), trigger_}});
 }
 

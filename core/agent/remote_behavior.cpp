@@ -22,10 +22,10 @@ RunningBehavior::Output RemoteBehavior::take(BehaviorAnswer answer) {
     return std::exchange(owed_, {});
 }
 
-RunningBehavior::Output RemoteBehavior::finish(const std::string& source, std::string reason) {
+RunningBehavior::Output RemoteBehavior::finish(const std::string& state, std::string reason) {
     finished_ = true;
     halted_ = false;
-    owed_.commands = {safeCommand(behavior_id_ + ": " + source)};
+    owed_.commands = {safeCommand(by::Behavior{behavior_id_, state})};
     owed_.published.push_back(BehaviorFinished{false, std::move(reason)});
     return std::exchange(owed_, {});
 }

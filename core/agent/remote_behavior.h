@@ -21,7 +21,7 @@ BehaviorAnswer answerOf(RunningBehavior::Output output, const RunningBehavior& b
 /// Keeps, in the owner's thread, what the behavior answered last, so that nothing here waits for it.
 class RemoteBehavior : public RunningBehavior {
 public:
-    CausedCommand safeCommand(const std::string& source) const override { return {safe_, {source, last_line_}}; }
+    CausedCommand safeCommand(const by::Source& source) const override { return {safe_, {source, last_line_}}; }
     bool halted() const override { return halted_; }
     bool finished() const override { return finished_; }
     bool broke() const override { return broke_; }
@@ -32,9 +32,9 @@ protected:
     explicit RemoteBehavior(std::string behavior_id);
     /// Takes over the state in an answer and returns its output, after the output owed from before.
     Output take(BehaviorAnswer answer);
-    /// Marks the behavior as finished. Returns the published values owed from before, the safe command with `source` as
+    /// Marks the behavior as finished. Returns the published values owed from before, the safe command with `state` as
     /// its cause, and the reason.
-    Output finish(const std::string& source, std::string reason);
+    Output finish(const std::string& state, std::string reason);
 
     std::string behavior_id_;
     LineNumber last_line_; ///< number of the last info line that it got

@@ -18,7 +18,7 @@ public:
                              for (const usar::mission::SentCommand& command : update->commands)
                                  if (usar::protocol::isDrive(command.command)) {
                                      drives_[id] << QString::fromStdString(command.text);
-                                     causes_[id] << QString::fromStdString(command.cause.source);
+                                     causes_[id] << QString::fromStdString(toText(command.cause.source));
                                  }
                              pressAgainAfterAStall(id);
                          });

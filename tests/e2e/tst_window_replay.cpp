@@ -129,7 +129,7 @@ void tst_WindowReplay::nothingCanBeSentAndTheLiveRobotGoesOn() {
     const int replay = page.window().selectedRobot();
     QCOMPARE(replay, 2);
     QVERIFY(!page.window().commands().action("mission.start")->isEnabled());
-    page.window().control().robot(replay)->send(protocol::GetStartPoses{}, "operator: box");
+    page.window().control().robot(replay)->send(protocol::GetStartPoses{}, by::Operator{"box"});
     QTRY_VERIFY_WITH_TIMEOUT(page.notified("This is a replay").contains("Connect"), soon_ms);
     QVERIFY(page.robot(1)->figures.spawned);
     page.pressKey(Qt::Key_1);

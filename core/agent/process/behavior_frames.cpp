@@ -46,6 +46,12 @@ struct FieldLists {
         io(start.plugin_file, start.behavior_id, start.task, start.parameters, start.plan);
     }
     static void pass(auto& io, Field<Line> auto& line) { io(line.number, line.text); }
+    static void pass(auto& io, Field<by::Other> auto& other) { io(other.name); }
+    static void pass(auto& io, Field<by::Behavior> auto& behavior) { io(behavior.behavior_id, behavior.state); }
+    static void pass(auto& io, Field<by::Plan> auto& plan) { io(plan.behavior_id, plan.path, plan.why); }
+    static void pass(auto& io, Field<by::Hand> auto& hand) { io(hand.what); }
+    static void pass(auto& io, Field<by::Session> auto& session) { io(session.why); }
+    static void pass(auto& io, Field<by::Operator> auto& user) { io(user.what); }
     static void pass(auto& io, Field<Cause> auto& cause) { io(cause.source, cause.trigger); }
     static void pass(auto& io, Field<CausedCommand> auto& caused) { io(caused.command, caused.cause); }
     static void pass(auto& io, Field<RunningBehavior::Output> auto& output) { io(output.commands, output.published); }

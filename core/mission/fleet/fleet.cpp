@@ -231,7 +231,7 @@ Result<void> Fleet::checkLine(int connection) const {
     return {};
 }
 
-Result<void> Fleet::sendLine(int connection, const QString& line, const std::string& source) {
+Result<void> Fleet::sendLine(int connection, const QString& line, const by::Source& source) {
     if (const auto sendable = checkLine(connection); !sendable)
         return sendable;
     d_->robotOn(connection)->send(protocol::RawCommand{line.toStdString()}, source);

@@ -63,7 +63,7 @@ public:
     /// RobotView::connection of the robot, or of the spare connection if `id` is 0; 0 if there is none.
     int connectionOf(int id) const;
     Result<void> checkLine(int connection) const; ///< an error says why no line can be sent there now
-    Result<void> sendLine(int connection, const QString& line, const std::string& source); ///< unchanged
+    Result<void> sendLine(int connection, const QString& line, const by::Source& source); ///< unchanged
     /// Stops the robot, closes its connection and saves its scan.
     void remove(int id);
     /// Sends the original INIT again, for a robot that never appeared or was lost with its link.

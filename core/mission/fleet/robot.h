@@ -61,7 +61,7 @@ public:
     void giveControlBack() { call(&RobotSession::giveControlBack); }
     void drive(const HandIntent& intent) { call(&RobotSession::drive, intent); }
     void stopDriving(const QString& reason) { call(&RobotSession::stopDriving, reason); }
-    void send(const protocol::Command& command, const std::string& source) {
+    void send(const protocol::Command& command, const by::Source& source) {
         call(&RobotSession::sendCommand, command, source);
     }
     void requestRecord() { call(&RobotSession::requestRecord); }

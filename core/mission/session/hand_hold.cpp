@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/mission/hand/hand_cause.h"
-
 namespace usar::mission {
 
 namespace {
@@ -43,7 +41,7 @@ std::optional<std::string> HandHold::reasonToStop(Seconds wall, Seconds patience
 }
 
 HandCommands HandHold::question(Seconds now) {
-    HandCommands asked{{}, handCause("how it is driven")};
+    HandCommands asked{{}, {"how it is driven"}};
     if (auto question = driver_.question(now))
         asked.commands.push_back(*std::move(question));
     return asked;
@@ -51,16 +49,16 @@ HandCommands HandHold::question(Seconds now) {
 
 HandCommands HandHold::advance() {
     HandDriver::Commands commands = driver_.advance(beat);
-    return {std::move(commands), handCause(driver_.holderText())};
+    return {std::move(commands), {driver_.holderText()}};
 }
 
 HandCommands HandHold::repeat(Seconds now) {
     HandDriver::Commands commands = driver_.repeat(now);
-    return {std::move(commands), handCause(driver_.holderText())};
+    return {std::move(commands), {driver_.holderText()}};
 }
 
 HandCommands HandHold::stop(const std::string& reason) {
-    return {driver_.stop(reason), handCause("stop, " + reason)};
+    return {driver_.stop(reason), {"stop, " + reason}};
 }
 
 } // namespace usar::mission

@@ -12,7 +12,7 @@ namespace usar::mission {
 /// Manual driving commands and the source that is named as the cause of each.
 struct HandCommands {
     HandDriver::Commands commands;
-    std::string source;
+    by::Hand source;
 };
 
 /// Sends nothing itself, and reads no clock: wall times are arguments and count from any moment that stays the same.

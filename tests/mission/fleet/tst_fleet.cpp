@@ -101,7 +101,7 @@ private slots:
     void linesGoWhereAConnectionIs() {
         QVERIFY(textOf(fleet_->checkLine(fleet_->connectionOf(0))).startsWith("There is no connection to send it on"));
         QVERIFY(connectNow());
-        QVERIFY(fleet_->sendLine(fleet_->connectionOf(0), "GETGEO {Type Robot}", "test"));
+        QVERIFY(fleet_->sendLine(fleet_->connectionOf(0), "GETGEO {Type Robot}", by::Other{"test"}));
         QTRY_COMPARE(server_->heardOf("GETGEO {Type Robot}").size(), 1);
     }
 

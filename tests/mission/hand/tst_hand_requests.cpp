@@ -1,7 +1,6 @@
 // What a person asks for by hand, before any session hears of it.
 #include <QTest>
 
-#include "core/mission/hand/hand_cause.h"
 #include "core/mission/hand/hand_requests.h"
 #include "tests/suite/suite.h"
 
@@ -113,13 +112,6 @@ private slots:
         QVERIFY(requests.intentOf(HandSource::Gamepad, "Trusty", 0.5) ==
                 (HandIntent{HandSource::Gamepad, "Trusty", forward, 0.5}));
         QVERIFY(requests.intentOf(HandSource::Keys, "Trusty", 0.5) == (HandIntent{HandSource::Keys, {}, {}, 0.5}));
-    }
-
-    void causesByHandAreKnownByTheirBeginning() {
-        QCOMPARE(handCause("keys"), std::string("by hand: keys"));
-        QVERIFY(isHandCause(handCause("stop, the keys were let go")));
-        QVERIFY(!isHandCause("airrobot/posh"));
-        QVERIFY(!isHandCause(""));
     }
 };
 

@@ -66,8 +66,8 @@ std::unique_ptr<QWidget> messagesPage() {
         const double time = 751.2 + i * 0.2;
         in("STA {Type AerialVehicle} {Time 751.20} {Battery 1134}", time);
         in("SEN {Time 751.20} {Type Sonar} {Name F1 Range 4.5210} {Name F2 Range 5.0000} {Name F3 Range 1.2000}", time);
-        list->takeCommand("DRIVE {AltitudeVelocity 0} {LinearVelocity 2.5}", {"airrobot/cpp: scanning lane 4", {12}},
-                          Seconds(time));
+        list->takeCommand("DRIVE {AltitudeVelocity 0} {LinearVelocity 2.5}",
+                          {by::Behavior{"airrobot/cpp", "scanning lane 4"}, {12}}, Seconds(time));
     }
     in("SEN {Time 752.00} {Type INS} {Name INS {Location 1,2", 752.0);
     return list;
