@@ -7,6 +7,7 @@
 
 namespace usar::app {
 
+using agent::BreakpointId;
 using posh::BreakOn;
 using widgets::PlanNodeKind;
 
@@ -38,14 +39,14 @@ void BreakpointDesk::registerCommands() {
 void BreakpointDesk::wire() {
     widgets::PlanPanel& panel = *views_.plan;
     connect(&panel, &widgets::PlanPanel::keyActivated, this, &BreakpointDesk::toggleKey);
-    connect(&panel, &widgets::PlanPanel::breakpointSwitched, this, [this](int id, bool on) {
+    connect(&panel, &widgets::PlanPanel::breakpointSwitched, this, [this](BreakpointId id, bool on) {
         if (!list_.find(id))
             return;
         list_.enable(id, on);
         passOn();
     });
     connect(&panel, &widgets::PlanPanel::breakpointEditRequested, this, &BreakpointDesk::edit);
-    connect(&panel, &widgets::PlanPanel::breakpointRemoved, this, [this](int id) {
+    connect(&panel, &widgets::PlanPanel::breakpointRemoved, this, [this](BreakpointId id) {
         list_.remove(id);
         passOn();
     });
@@ -85,7 +86,7 @@ void BreakpointDesk::show() {
     std::vector<widgets::BreakpointRow> rows;
     QStringList keys;
     if (run_.watch().program())
-        for (const int id : list_.ofPlan(planName())) {
+        for (const BreakpointId id : list_.ofPlan(planName())) {
             const posh::Breakpoint& breakpoint = *list_.find(id);
             QString help = QString::fromStdString(breakpoint.names);
             if (breakpoint.on == BreakOn::Written)
@@ -103,7 +104,7 @@ std::string BreakpointDesk::planName() {
     return program ? program->title : std::string();
 }
 
-std::vector<int> BreakpointDesk::selected() {
+std::vector<BreakpointId> BreakpointDesk::selected() {
     return list_.atSpots(planName(), run_.selectedSpots());
 }
 
@@ -126,7 +127,7 @@ void BreakpointDesk::clear() {
     passOn();
 }
 
-void BreakpointDesk::edit(int id) {
+void BreakpointDesk::edit(BreakpointId id) {
     const posh::Breakpoint* const known = list_.find(id);
     if (!known)
         return;
@@ -143,7 +144,7 @@ void BreakpointDesk::edit(int id) {
 void BreakpointDesk::editSelected() {
     if (selected().empty())
         toggle(BreakOn::Before);
-    if (const std::vector<int> ids = selected(); !ids.empty())
+    if (const std::vector<BreakpointId> ids = selected(); !ids.empty())
         edit(ids.front());
 }
 
@@ -162,7 +163,7 @@ void BreakpointDesk::dropTemporary() {
     passOn();
 }
 
-void BreakpointDesk::takeHalt(std::optional<int> id) {
+void BreakpointDesk::takeHalt(std::optional<BreakpointId> id) {
     if (const auto* const known = id ? list_.find(*id) : nullptr;
         known && known->once && !std::ranges::count(temporary_, *id))
         list_.enable(*id, false);

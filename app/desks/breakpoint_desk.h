@@ -30,7 +30,7 @@ public:
     /// Sets a breakpoint before the selected part that lasts until a plan halts.
     void setTemporary();
     /// A plan has halted, at the breakpoint with this id if one is given.
-    void takeHalt(std::optional<int> id);
+    void takeHalt(std::optional<agent::BreakpointId> id);
 
 signals:
     /// The list has changed and was sent to the robots.
@@ -41,18 +41,18 @@ private:
     void passOn();
     void toggle(posh::BreakOn on);
     void toggleKey();
-    void edit(int id);
+    void edit(agent::BreakpointId id);
     void editSelected();
     void clear();
     void dropTemporary();
     /// Ids of the breakpoints at the selected part.
-    std::vector<int> selected();
+    std::vector<agent::BreakpointId> selected();
     /// Name of the plan that is shown; empty if there is none.
     std::string planName();
 
     PlanRunDesk& run_;
     widgets::BreakpointList list_;
-    std::vector<int> temporary_; ///< ids of the breakpoints of "run to here"
+    std::vector<agent::BreakpointId> temporary_; ///< those of "run to here"
 };
 
 } // namespace usar::app

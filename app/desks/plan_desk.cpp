@@ -106,7 +106,7 @@ void PlanDesk::wire() {
     });
 }
 
-void PlanDesk::openMenu(int, const QPoint& at) {
+void PlanDesk::openMenu(widgets::PlanNodeId, const QPoint& at) {
     commands_.refresh();
     auto* const menu = new QMenu(window_);
     menu->setAttribute(Qt::WA_DeleteOnClose);

@@ -53,7 +53,7 @@ private:
     void select();
     void showHalt();
     void showMarks();
-    void openMenu(int node, const QPoint& at);
+    void openMenu(widgets::PlanNodeId node, const QPoint& at);
     void chooseWhereToSavePicture();
     void stepEpoch();
     void pinSelected();

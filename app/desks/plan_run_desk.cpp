@@ -90,7 +90,7 @@ std::vector<PlanSpot> PlanRunDesk::selectedSpots() {
 
 bool PlanRunDesk::selectedIs(const std::vector<widgets::PlanNodeKind>& kinds) const {
     const widgets::PlanView& view = views_.plan->view();
-    if (view.selected() < 0)
+    if (!view.selected().valid())
         return false;
     return kinds.empty() || std::ranges::count(kinds, view.tree()[view.selected()].kind) > 0;
 }

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/agent/published.h"
 #include "core/posh/run/breakpoints.h"
 #include "core/posh/run/host.h"
 
@@ -26,7 +27,7 @@ struct ReplacePlan {
 
 /// A breakpoint. The sender chooses `id`, by which PlanHalted refers to it.
 struct PlanBreakpoint {
-    int id = 0;
+    BreakpointId id;
     posh::Breakpoint what;
     bool operator==(const PlanBreakpoint&) const = default;
 };

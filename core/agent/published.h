@@ -11,6 +11,7 @@
 #include "core/base/clock.h"
 #include "core/base/diagnostics.h"
 #include "core/base/geometry.h"
+#include "core/base/id.h"
 #include "core/base/sealed.h"
 #include "core/posh/model/finding.h"
 
@@ -107,14 +108,17 @@ struct PlanTrace {
     bool operator==(const PlanTrace&) const = default;
 };
 
+/// Identifies one of the user's breakpoints, from 1. The one who sets it chooses the number.
+using BreakpointId = Id<struct BreakpointTag, 0>;
+
 /// The plan has halted after a cycle at the user's request, and the robot has its safe command. A server in lockstep
 /// gets no STEP, so that its time stands still as well.
 struct PlanHalted {
-    std::uint64_t cycle = 0;         ///< number of the last cycle
-    Seconds time{0.0};               ///< time of that cycle, protocol clock
-    std::optional<int> breakpoint{}; ///< id of the breakpoint; absent after a step or a requested halt
-    std::string path{};              ///< place of the event; empty without a breakpoint
-    std::string reason{};            ///< "before robot ▸ work": part of a sentence
+    std::uint64_t cycle = 0;                  ///< number of the last cycle
+    Seconds time{0.0};                        ///< time of that cycle, protocol clock
+    std::optional<BreakpointId> breakpoint{}; ///< absent after a step or a requested halt
+    std::string path{};                       ///< place of the event; empty without a breakpoint
+    std::string reason{};                     ///< "before robot ▸ work": part of a sentence
     bool operator==(const PlanHalted&) const = default;
 };
 /// The halted plan continues.

@@ -15,7 +15,7 @@ struct Id {
     decltype(None) value = None;
 
     constexpr bool valid() const { return value != None; }
-    /// For the ids of things that are stored in a vector in the order of their numbers. Call it on valid ids only.
+    /// Place in a vector that holds the things in the order of their numbers; meaningless for none.
     constexpr std::size_t index() const { return static_cast<std::size_t>(value); }
     auto operator<=>(const Id&) const = default;
 };

@@ -222,7 +222,7 @@ void tst_PoshBehavior::whatGoesOnDoesAsItDidBefore() {
     run.host->control(breakBefore("rover ▸ work ▸ DriveFor"));
     auto output = run.tick();
     const auto halted = thePublished<PlanHalted>(output);
-    QCOMPARE(halted.breakpoint, std::optional<int>(7));
+    QCOMPARE(halted.breakpoint, std::optional(BreakpointId{7}));
     QCOMPARE(halted.cycle, std::uint64_t(1));
     QCOMPARE(halted.time, Seconds(0.2));
     QCOMPARE(halted.path, std::string("/P:0/DC:0/DE:1/A:0"));
@@ -352,7 +352,7 @@ void tst_PoshBehavior::aWrittenKeyHaltsIt() {
     breakpoint.condition = "(count 2 =)";
     run.host->control(SetBreakpoints{{{7, breakpoint}}});
     const PlanHalted halted = thePublished<PlanHalted>(run.tick());
-    QCOMPARE(halted.breakpoint, std::optional(7));
+    QCOMPARE(halted.breakpoint, std::optional(BreakpointId{7}));
     QCOMPARE(halted.reason, std::string("d ▸ a ▸ Tick wrote count: 1 -> 2"));
 }
 

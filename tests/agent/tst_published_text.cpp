@@ -50,8 +50,8 @@ void tst_PublishedText::readsBackWhatItWrote_data() {
         agent::SonarZones{{{"F1", 0.5, 4.0, 5.0, 2.0, 1.0, agent::Risk::Low}, {"a b", -0.5, 1, 5, 2, 1, {}}}});
     QTest::newRow("event") << agent::Published(agent::BehaviorEvent{Severity::Error, "The wind,\nthe wind"});
     QTest::newRow("trace") << agent::Published(agent::PlanTrace{std::string("USAR\0\xff\n\"", 8)});
-    QTest::newRow("halted at a breakpoint")
-        << agent::Published(agent::PlanHalted{1234, Seconds{80.2}, 3, "/P:0/DC:0", "before robot ▸ work"});
+    QTest::newRow("halted at a breakpoint") << agent::Published(
+        agent::PlanHalted{1234, Seconds{80.2}, agent::BreakpointId{3}, "/P:0/DC:0", "before robot ▸ work"});
     QTest::newRow("halted behind a step")
         << agent::Published(agent::PlanHalted{.cycle = 5, .time = Seconds{1.0}, .reason = "one cycle further"});
     QTest::newRow("resumed") << agent::Published(agent::PlanResumed{});

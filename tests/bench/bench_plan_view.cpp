@@ -48,14 +48,14 @@ posh::Plan broadPlan() {
 
 widgets::PlanSnapshot news(const widgets::PlanTree& tree, int cycle) {
     const auto paths = std::make_shared<std::vector<std::string>>();
-    for (int node = 0; node < tree.size(); ++node)
+    for (const widgets::PlanNodeId node : tree.nodes())
         paths->push_back(tree.path(node));
     widgets::PlanSnapshot snapshot{paths, std::vector<widgets::PlanActivity>(paths->size()), Seconds(0.2 * cycle)};
     for (std::size_t i = 0; i < paths->size(); ++i) {
         widgets::PlanActivity& part = snapshot.activities[i];
         part.started = static_cast<std::uint64_t>(cycle);
         part.last_active = Seconds(0.01 * static_cast<double>(i % 100));
-        if (tree[static_cast<int>(i)].kind == widgets::PlanNodeKind::Sense)
+        if (tree[{static_cast<int>(i)}].kind == widgets::PlanNodeKind::Sense)
             part.answer = widgets::SenseAnswer{QStringLiteral("0.31"), i % 2 == 0, Seconds(0.0), snapshot.now};
     }
     return snapshot;

@@ -37,13 +37,13 @@ public:
     /// A click on the part of that name.
     bool select(const QString& name, PlanNodeKind kind) {
         widgets::PlanView& view = panel_.view();
-        for (int node = 0; node < view.tree().size(); ++node) {
+        for (const widgets::PlanNodeId node : view.tree().nodes()) {
             if (view.tree()[node].name != name || view.tree()[node].kind != kind)
                 continue;
-            view.select(-1);
+            view.select({});
             view.unfoldAll();
             view.select(node); // into view, as a search would
-            view.select(-1);
+            view.select({});
             const QPointF title = view.layout().box(view.tree(), node).topLeft() + QPointF(40.0, 12.0);
             QTest::mouseClick(&view, Qt::LeftButton, {}, view.toScreen(title).toPoint());
             return view.selected() == node;
@@ -194,7 +194,7 @@ void tst_WindowDebugger::whatAPlanDidIsLookedBackOn() {
     QVERIFY(debugger.select("ClimbTo", PlanNodeKind::Act));
     page.pressKey(Qt::Key_F6);
     QTRY_VERIFY_WITH_TIMEOUT(debugger.halted(), flight_ms);
-    const int climb = debugger.panel().view().selected();
+    const widgets::PlanNodeId climb = debugger.panel().view().selected();
     QTRY_VERIFY(debugger.panel().view().states()[climb].running);
     QVERIFY(debugger.time().live);
     page.pressKey(Qt::Key_PageUp, Qt::AltModifier);
@@ -419,7 +419,7 @@ void tst_WindowDebugger::whatIsRecordedFromTheMiddleOnShowsThePlan() {
     const auto drives = [&] { // how often each began
         std::vector<std::uint64_t> counts;
         const widgets::PlanView& view = debugger.panel().view();
-        for (int node = 0; node < view.tree().size(); ++node)
+        for (const widgets::PlanNodeId node : view.tree().nodes())
             if (view.tree()[node].kind == PlanNodeKind::Drive)
                 counts.push_back(view.states()[node].started);
         return counts;

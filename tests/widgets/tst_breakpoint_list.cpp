@@ -9,6 +9,7 @@ namespace tst_breakpoint_list {
 
 using namespace usar;
 using namespace usar::widgets;
+using agent::BreakpointId;
 using posh::BreakOn;
 using posh::Breakpoint;
 
@@ -39,9 +40,9 @@ private slots:
 
 void tst_BreakpointList::numbersAreNeverGivenTwice() {
     BreakpointList list;
-    const int first = list.add(at("d ▸ a"));
+    const BreakpointId first = list.add(at("d ▸ a"));
     list.remove(first);
-    const int second = list.add(at("d ▸ b"));
+    const BreakpointId second = list.add(at("d ▸ b"));
     QVERIFY(first != second);
     QVERIFY(!list.find(first));
     QCOMPARE(list.find(second)->names, std::string("d ▸ b"));
@@ -53,14 +54,14 @@ void tst_BreakpointList::numbersAreNeverGivenTwice() {
 
 void tst_BreakpointList::eachPlanHasItsOwn() {
     BreakpointList list;
-    const int air = list.add(at("Air ▸ work"));
+    const BreakpointId air = list.add(at("Air ▸ work"));
     list.add(at("AirRobot ▸ work"));
-    const int root = list.add(at("Air"));
-    QCOMPARE(list.ofPlan("Air"), (std::vector<int>{air, root}));
+    const BreakpointId root = list.add(at("Air"));
+    QCOMPARE(list.ofPlan("Air"), (std::vector<BreakpointId>{air, root}));
     Breakpoint placed = at("Air ▸ rest");
     placed.path = "/P:0/DC:0/DE:1";
-    const int rest = list.add(placed);
-    QCOMPARE(list.atPath("Air", placed.path), std::vector<int>{rest});
+    const BreakpointId rest = list.add(placed);
+    QCOMPARE(list.atPath("Air", placed.path), std::vector<BreakpointId>{rest});
     QVERIFY(list.atPath("AirRobot", placed.path).empty());
 }
 
@@ -134,9 +135,9 @@ void tst_BreakpointList::aSecondTimeRemovesWhatTheFirstSet() {
 
 void tst_BreakpointList::allAreSwitchedTogether() {
     BreakpointList list;
-    const std::vector<int> ids{list.add(at("d ▸ a")), list.add(at("d ▸ b"))};
+    const std::vector<BreakpointId> ids{list.add(at("d ▸ a")), list.add(at("d ▸ b"))};
     list.enable(ids.front(), false);
-    list.enable(99, false);
+    list.enable({99}, false);
     list.toggleEnabled(ids);
     QVERIFY(!list.find(ids.front())->enabled && !list.find(ids.back())->enabled);
     list.toggleEnabled(ids);

@@ -52,8 +52,8 @@ bool PlanDrawing::turn() {
     return true;
 }
 
-std::optional<QPointF> PlanDrawing::refold(int held, const std::function<bool(PlanFolds&)>& change) {
-    const bool known = valid_ && held >= 0;
+std::optional<QPointF> PlanDrawing::refold(PlanNodeId held, const std::function<bool(PlanFolds&)>& change) {
+    const bool known = valid_ && held.valid();
     const QPointF before = known ? layout_.box(tree_, held).topLeft() : QPointF();
     if (!change(folds_))
         return std::nullopt;
@@ -61,13 +61,14 @@ std::optional<QPointF> PlanDrawing::refold(int held, const std::function<bool(Pl
     return known && !hides(held) ? layout_.box(tree_, held).topLeft() - before : QPointF();
 }
 
-int PlanDrawing::nodeAt(const QPointF& place, PlanDetail detail) {
-    const int node = layout().nodeAt(tree_, place);
-    return node >= 0 && tree_[node].in_card && detail != PlanDetail::Full ? tree_[node].parent : node;
+PlanNodeId PlanDrawing::nodeAt(const QPointF& place, PlanDetail detail) {
+    const PlanNodeId node = layout().nodeAt(tree_, place);
+    return node.valid() && tree_[node].in_card && detail != PlanDetail::Full ? tree_[node].parent : node;
 }
 
-bool PlanDrawing::onFoldMark(int node, const QPointF& place, PlanDetail detail) {
-    if (tree_[node].in_card || (tree_.children(node).empty() && tree_[node].link < 0) || detail != PlanDetail::Full)
+bool PlanDrawing::onFoldMark(PlanNodeId node, const QPointF& place, PlanDetail detail) {
+    if (tree_[node].in_card || (tree_.children(node).empty() && !tree_[node].link.valid()) ||
+        detail != PlanDetail::Full)
         return false;
     const QRectF box = layout().box(tree_, node);
     return QRectF(box.right() - plan_card::fold_px, box.top(), plan_card::fold_px, row_px_ + plan_card::padding_px)

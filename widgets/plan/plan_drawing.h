@@ -33,15 +33,15 @@ public:
     /// Forgets the layout and returns true if another flow is now wanted.
     bool turn();
     /// Changes what is folded. If `change` returns true, lays out again and returns by how much the node `held` has
-    /// moved; 0 for -1, and if it is folded away or was not laid out before. Else returns nullopt.
-    std::optional<QPointF> refold(int held, const std::function<bool(PlanFolds&)>& change);
+    /// moved; 0 for none, and if it is folded away or was not laid out before. Else returns nullopt.
+    std::optional<QPointF> refold(PlanNodeId held, const std::function<bool(PlanFolds&)>& change);
 
     /// True if the node is folded away.
-    bool hides(int node) { return layout().box(tree_, node).isNull(); }
-    /// The node at that place, or its card if its row is not drawn at this level of detail; -1: none.
-    int nodeAt(const QPointF& place, PlanDetail detail);
+    bool hides(PlanNodeId node) { return layout().box(tree_, node).isNull(); }
+    /// The node at that place, or its card if its row is not drawn at this level of detail.
+    PlanNodeId nodeAt(const QPointF& place, PlanDetail detail);
     /// True if that place is on the node's fold mark or link arrow, and it is drawn at this level of detail.
-    bool onFoldMark(int node, const QPointF& place, PlanDetail detail);
+    bool onFoldMark(PlanNodeId node, const QPointF& place, PlanDetail detail);
 
 private:
     PlanTree remake();

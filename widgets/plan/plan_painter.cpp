@@ -63,24 +63,24 @@ PlanPainter::PlanPainter(QPainter& painter, const PlanScene& scene, double scale
 
 void PlanPainter::paint(const QRectF& area) {
     painter_.setRenderHint(QPainter::Antialiasing, detail_ == PlanDetail::Full);
-    std::vector<int> nodes = scene_.layout.nodesIn(scene_.tree, area);
+    std::vector<PlanNodeId> nodes = scene_.layout.nodesIn(scene_.tree, area);
     paintLines(nodes, area);
-    std::erase_if(nodes, [&](int node) { return !boxOf(node).intersects(area); });
-    for (const int node : nodes) {
+    std::erase_if(nodes, [&](PlanNodeId node) { return !boxOf(node).intersects(area); });
+    for (const PlanNodeId node : nodes) {
         paintEquals(node);
         paintCard(node);
     }
-    for (const int node : nodes) {
+    for (const PlanNodeId node : nodes) {
         paintMarks(node);
         paintFrames(node);
     }
 }
 
 /// Draws one trunk per parent, however many children it has; lines to running nodes are drawn on top.
-void PlanPainter::paintLines(const std::vector<int>& nodes, const QRectF& area) {
+void PlanPainter::paintLines(const std::vector<PlanNodeId>& nodes, const QRectF& area) {
     std::vector<QLineF> lines;
-    std::vector<int> running;
-    for (const int node : nodes) {
+    std::vector<PlanNodeId> running;
+    for (const PlanNodeId node : nodes) {
         if (const auto children = scene_.tree.children(node);
             !children.empty() && scene_.layout.shown(children.back())) {
             const QPointF from = scene_.layout.exit(node);
@@ -92,9 +92,9 @@ void PlanPainter::paintLines(const std::vector<int>& nodes, const QRectF& area) 
                 lines.emplace_back(from, QPointF(x, from.y()));
             if (scene_.states[node].running) // The line to a running child outside the area may cross it.
                 std::ranges::copy_if(children, std::back_inserter(running),
-                                     [this](int child) { return scene_.states[child].running; });
+                                     [this](PlanNodeId child) { return scene_.states[child].running; });
         }
-        if (const int parent = scene_.tree[node].parent; parent >= 0) {
+        if (const PlanNodeId parent = scene_.tree[node].parent; parent.valid()) {
             const QPointF from = scene_.layout.exit(parent);
             const QPointF to = scene_.layout.entry(node);
             lines.emplace_back(trunkOf(from, to), to.y(), to.x(), to.y());
@@ -103,7 +103,7 @@ void PlanPainter::paintLines(const std::vector<int>& nodes, const QRectF& area) 
     painter_.setPen(QPen(colors_.line, thin()));
     painter_.drawLines(lines.data(), static_cast<int>(lines.size()));
     painter_.setPen(QPen(colors_.accent, std::max(2.5, 2.0 * thin()), Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
-    for (const int node : running) {
+    for (const PlanNodeId node : running) {
         const QPointF from = scene_.layout.exit(scene_.tree[node].parent);
         const QPointF to = scene_.layout.entry(node);
         const double x = trunkOf(from, to);
@@ -116,19 +116,19 @@ double PlanPainter::trunkOf(const QPointF& from, const QPointF& to) const {
 }
 
 /// Paints a bar beside the members of one level, which have equal priority.
-void PlanPainter::paintEquals(int node) {
+void PlanPainter::paintEquals(PlanNodeId node) {
     if (!scene_.tree[node].has_equals)
         return;
     const QRectF box = boxOf(node);
-    const int next = scene_.tree[node].end;
-    const bool goes_on = next < scene_.tree.size() && scene_.tree[next].parent == scene_.tree[node].parent &&
+    const PlanNodeId next = scene_.tree[node].end;
+    const bool goes_on = scene_.tree.contains(next) && scene_.tree[next].parent == scene_.tree[node].parent &&
                          scene_.tree[next].level == scene_.tree[node].level;
     const double bottom = goes_on ? boxOf(next).top() : box.bottom();
     painter_.fillRect(QRectF(box.left() - 6.0, box.top(), std::max(3.0, thin()), bottom - box.top()),
                       colors_.text_muted);
 }
 
-QColor PlanPainter::fillOf(int node) const {
+QColor PlanPainter::fillOf(PlanNodeId node) const {
     const double glow = scene_.states.recency(node);
     const QColor ground = scene_.tree[node].kind == PlanNodeKind::Act || scene_.tree[node].kind == PlanNodeKind::Sense
                               ? colors_.surface
@@ -136,13 +136,13 @@ QColor PlanPainter::fillOf(int node) const {
     return mixed(node == scene_.hot ? mixed(ground, colors_.text, 0.06) : ground, colors_.accent, 0.38 * glow);
 }
 
-void PlanPainter::paintCard(int node) {
+void PlanPainter::paintCard(PlanNodeId node) {
     const QRectF box = boxOf(node);
     const double glow = scene_.states.recency(node);
     const bool running = scene_.states[node].running;
     if (detail_ == PlanDetail::Full) {
         painter_.setPen(QPen(mixed(colors_.line, colors_.accent, glow), running ? 2.0 : 1.0,
-                             scene_.tree[node].link >= 0 ? Qt::DashLine : Qt::SolidLine));
+                             scene_.tree[node].link.valid() ? Qt::DashLine : Qt::SolidLine));
         painter_.setBrush(fillOf(node));
         painter_.drawRoundedRect(box, corner_px, corner_px);
     } else {
@@ -158,12 +158,12 @@ void PlanPainter::paintCard(int node) {
         return;
     const double row_px = (box.height() - plan_card::padding_px) / (1 + scene_.tree[node].senses);
     paintTitle(node, {box.left(), box.top() + plan_card::padding_px / 2.0, box.width(), row_px});
-    for (int sense = node + 1; sense <= node + scene_.tree[node].senses; ++sense)
+    for (const PlanNodeId sense : scene_.tree.senses(node))
         paintSenseRow(sense);
 }
 
 /// Uses a font as large as the block allows; blocks of the same height have the same size if their names fit.
-void PlanPainter::paintBlockName(int node, const QRectF& box) {
+void PlanPainter::paintBlockName(PlanNodeId node, const QRectF& box) {
     const QString& name = scene_.tree[node].name;
     const double fitting_px = box.width() * 1.7 / std::max(1.0, double(name.size()));
     const double size_px = std::min({box.height() * 0.7, 30.0, fitting_px});
@@ -176,7 +176,7 @@ void PlanPainter::paintBlockName(int node, const QRectF& box) {
     painter_.drawText(QPointF(box.left() + 5.0, box.center().y() + 0.36 * size_px), name);
 }
 
-void PlanPainter::paintTitle(int node, const QRectF& row) {
+void PlanPainter::paintTitle(PlanNodeId node, const QRectF& row) {
     using namespace plan_card;
     const PlanNode& what = scene_.tree[node];
     paintKindMark(node, {row.left() + padding_px, row.top(), glyph_px, row.height()});
@@ -201,7 +201,7 @@ void PlanPainter::paintNameAndDetail(const PlanNode& what, const QFont& name_fon
 }
 
 /// Paints the priority in a circle for drives (filled) and elements (hollow), and a letter for other kinds.
-void PlanPainter::paintKindMark(int node, const QRectF& place) {
+void PlanPainter::paintKindMark(PlanNodeId node, const QRectF& place) {
     const PlanNode& what = scene_.tree[node];
     const QPointF middle(place.left() + 7.0, place.center().y());
     const QRectF round(middle - QPointF(8.0, 8.0), QSizeF(16.0, 16.0));
@@ -235,7 +235,7 @@ void PlanPainter::paintKindMark(int node, const QRectF& place) {
 }
 
 /// Paints the counters; returns the right edge of the room for the name.
-double PlanPainter::paintCounters(int node, const QRectF& row, double right) {
+double PlanPainter::paintCounters(PlanNodeId node, const QRectF& row, double right) {
     const PlanActivity& state = scene_.states[node];
     if (scene_.tree[node].kind == PlanNodeKind::Plan)
         return right;
@@ -260,20 +260,20 @@ double PlanPainter::paintCounters(int node, const QRectF& row, double right) {
 }
 
 /// Paints a chevron, the number of folded parts, or the arrow of a link; returns the right edge of the room before it.
-double PlanPainter::paintFoldMark(int node, const QRectF& row, double right) {
+double PlanPainter::paintFoldMark(PlanNodeId node, const QRectF& row, double right) {
     const PlanNode& what = scene_.tree[node];
-    if (scene_.tree.children(node).empty() && what.link < 0)
+    if (scene_.tree.children(node).empty() && !what.link.valid())
         return right;
     const double y = row.center().y();
     painter_.setPen(QPen(colors_.text_muted, 1.6));
     painter_.setBrush(Qt::NoBrush);
-    if (what.link >= 0) {
+    if (what.link.valid()) {
         painter_.drawLine(QPointF(right - 9.0, y + 4.0), QPointF(right - 1.0, y - 4.0));
         painter_.drawPolyline(QPolygonF({{right - 7.0, y - 4.0}, {right - 1.0, y - 4.0}, {right - 1.0, y + 2.0}}));
     } else if (scene_.folds.folded(scene_.tree, node)) {
         painter_.setFont(text_font_);
         text({right - plan_card::fold_px, row.top(), plan_card::fold_px, row.height()},
-             u'+' + shortCount(static_cast<std::uint64_t>(what.end - node - 1 - what.senses)), colors_.accent,
+             u'+' + shortCount(static_cast<std::uint64_t>(scene_.tree.countBelow(node))), colors_.accent,
              Qt::AlignRight);
     } else {
         painter_.drawPolyline(QPolygonF({{right - 10.0, y - 2.0}, {right - 6.0, y + 2.0}, {right - 2.0, y - 2.0}}));
@@ -281,7 +281,7 @@ double PlanPainter::paintFoldMark(int node, const QRectF& row, double right) {
     return right - plan_card::fold_px;
 }
 
-void PlanPainter::paintSenseRow(int sense) {
+void PlanPainter::paintSenseRow(PlanNodeId sense) {
     using namespace plan_card;
     const PlanNode& what = scene_.tree[sense];
     const QRectF row = boxOf(sense);
@@ -299,7 +299,7 @@ void PlanPainter::paintSenseRow(int sense) {
 }
 
 /// Paints the answer right-aligned, bold if it holds; returns the right edge of the room before it.
-double PlanPainter::paintAnswer(int sense, const QRectF& row) {
+double PlanPainter::paintAnswer(PlanNodeId sense, const QRectF& row) {
     const PlanActivity& state = scene_.states[sense];
     const double right = row.right() - plan_card::padding_px;
     const double left = right - plan_card::answer_px;
@@ -317,7 +317,7 @@ double PlanPainter::paintAnswer(int sense, const QRectF& row) {
 
 /// Paints a filled circle with a check (holds), a hollow one with a bar (does not hold), or a small dot (not asked
 /// yet).
-void PlanPainter::paintVerdict(int sense, const QRectF& place) {
+void PlanPainter::paintVerdict(PlanNodeId sense, const QRectF& place) {
     const auto& answer = scene_.states[sense].answer;
     const QPointF middle(place.left() + 7.0, place.center().y());
     painter_.setPen(Qt::NoPen);
@@ -343,9 +343,9 @@ void PlanPainter::paintVerdict(int sense, const QRectF& place) {
 }
 
 /// Paints the frames of search matches and of the selection, above all cards.
-void PlanPainter::paintFrames(int node) {
-    for (int what = node; what <= node + scene_.tree[node].senses; ++what) {
-        if (!scene_.found.empty() && scene_.found[static_cast<std::size_t>(what)])
+void PlanPainter::paintFrames(PlanNodeId node) {
+    for (const PlanNodeId what : scene_.tree.rows(node)) {
+        if (!scene_.found.empty() && scene_.found[what.index()])
             frame(boxOf(what), colors_.caution, Qt::DotLine);
         if (what == scene_.selected)
             frame(boxOf(what), scene_.focused ? colors_.text : colors_.text_muted, Qt::SolidLine);
@@ -353,11 +353,11 @@ void PlanPainter::paintFrames(int node) {
 }
 
 /// Paints marks on the edges of a card, where nothing else is drawn.
-void PlanPainter::paintMarks(int node) {
+void PlanPainter::paintMarks(PlanNodeId node) {
     if (!scene_.marks || scene_.marks->empty())
         return;
     painter_.setRenderHint(QPainter::Antialiasing);
-    for (int what = node; what <= node + scene_.tree[node].senses; ++what) {
+    for (const PlanNodeId what : scene_.tree.rows(node)) {
         const PlanMark* const mark = scene_.marks->at(what);
         if (!mark)
             continue;

@@ -21,9 +21,9 @@ struct PlanScene {
     const PlanFolds& folds;
     const PlanStates& states;
     const Tokens& colors;
-    std::vector<bool> found{};        ///< by node: true if it matches the search; empty: no search
-    int selected = -1;                ///< -1: none
-    int hot = -1;                     ///< under the mouse; -1: none
+    std::vector<bool> found{}; ///< by node: true if it matches the search; empty: no search
+    PlanNodeId selected{};
+    PlanNodeId hot{};                 ///< under the mouse
     bool focused = false;             ///< the view has the keyboard focus
     const PlanMarks* marks = nullptr; ///< nullptr: no marks
 };
@@ -49,24 +49,24 @@ public:
 
 private:
     /// Paints the lines from these cards to their parents and children.
-    void paintLines(const std::vector<int>& nodes, const QRectF& area);
+    void paintLines(const std::vector<PlanNodeId>& nodes, const QRectF& area);
     /// The x of the vertical part of a line from a card to one of its children.
     double trunkOf(const QPointF& from, const QPointF& to) const;
-    void paintEquals(int node);
-    void paintCard(int node);
-    void paintBlockName(int node, const QRectF& box);
-    void paintTitle(int node, const QRectF& row);
+    void paintEquals(PlanNodeId node);
+    void paintCard(PlanNodeId node);
+    void paintBlockName(PlanNodeId node, const QRectF& box);
+    void paintTitle(PlanNodeId node, const QRectF& row);
     void paintNameAndDetail(const PlanNode& what, const QFont& name_font, const QRectF& room, double gap_px,
                             double least_px);
-    void paintKindMark(int node, const QRectF& place);
+    void paintKindMark(PlanNodeId node, const QRectF& place);
     /// The two return the right edge of the room that is left for the title.
-    double paintCounters(int node, const QRectF& row, double right);
-    double paintFoldMark(int node, const QRectF& row, double right);
-    void paintSenseRow(int sense);
-    double paintAnswer(int sense, const QRectF& row);
-    void paintVerdict(int sense, const QRectF& place);
-    void paintFrames(int node);
-    void paintMarks(int node);
+    double paintCounters(PlanNodeId node, const QRectF& row, double right);
+    double paintFoldMark(PlanNodeId node, const QRectF& row, double right);
+    void paintSenseRow(PlanNodeId sense);
+    double paintAnswer(PlanNodeId sense, const QRectF& row);
+    void paintVerdict(PlanNodeId sense, const QRectF& place);
+    void paintFrames(PlanNodeId node);
+    void paintMarks(PlanNodeId node);
     /// These paint one mark each, centered on a point of the card's edge.
     void paintBreakpoint(const PlanMark& mark, const QPointF& middle);
     void paintStand(const QPointF& middle);
@@ -75,8 +75,8 @@ private:
     void frame(const QRectF& box, const QColor& color, Qt::PenStyle style);
     void text(const QRectF& place, const QString& words, const QColor& color, Qt::Alignment align = Qt::AlignLeft);
     /// Background of a card: brighter under the mouse, tinted while it runs and for some time afterwards.
-    QColor fillOf(int node) const;
-    QRectF boxOf(int node) const { return scene_.layout.box(scene_.tree, node); }
+    QColor fillOf(PlanNodeId node) const;
+    QRectF boxOf(PlanNodeId node) const { return scene_.layout.box(scene_.tree, node); }
     /// Line width of at least one device pixel.
     double thin() const { return 1.0 / std::min(scale_, 1.0); }
     /// Scale of marks, which shrink less than cards do.

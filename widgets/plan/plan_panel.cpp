@@ -28,7 +28,7 @@ constexpr int breakpoint_role = Qt::UserRole + 2; // On items of the breakpoint 
 
 struct Row {
     QString text;
-    int node = -1;
+    PlanNodeId node{};
     QIcon icon{};
     int mark = 0; ///< rows with different marks differ even if their text is the same
 };
@@ -51,7 +51,7 @@ void fill(QListWidget& list, const std::vector<Row>& rows) {
             item->setText(row.text);
         if (item->data(node_role).isNull() || item->data(node_role + 1).toInt() != row.mark)
             item->setIcon(row.icon);
-        item->setData(node_role, row.node);
+        item->setData(node_role, row.node.value);
         item->setData(node_role + 1, row.mark);
     }
 }
@@ -60,6 +60,10 @@ QIcon verdictIcon(PlanVerdict verdict) {
     return verdict == PlanVerdict::Yes  ? icon(QStringLiteral("check"), tokens().ok)
            : verdict == PlanVerdict::No ? icon(QStringLiteral("clear"), tokens().danger)
                                         : icon(QStringLiteral("help"), tokens().text_muted);
+}
+
+agent::BreakpointId breakpointOf(const QListWidgetItem& item) {
+    return {item.data(breakpoint_role).toInt()};
 }
 
 /// `run` is called when the key is pressed in the widget itself.
@@ -100,14 +104,14 @@ PlanPanel::PlanPanel(QWidget* parent)
     connect(view_, &PlanView::selectionChanged, this, [this] {
         showReasons();
         // With the focus in one of the lists, the user is still reading there.
-        if (view_->selected() >= 0 && !side_->isAncestorOf(QApplication::focusWidget()))
+        if (view_->selected().valid() && !side_->isAncestorOf(QApplication::focusWidget()))
             side_->show(reasons_);
     });
     connect(view_, &PlanView::selectionChanged, this, &PlanPanel::showFound);
     connect(view_, &PlanView::treeChanged, this, &PlanPanel::showTree);
     connect(view_, &PlanView::refreshed, this, &PlanPanel::showRunningLines);
     connect(view_, &PlanView::selectionChanged, this, &PlanPanel::showTextPlace);
-    connect(view_, &PlanView::activated, this, [this](int node) {
+    connect(view_, &PlanView::activated, this, [this](PlanNodeId node) {
         if (text_shown_->isEnabled())
             text_shown_->setChecked(true);
         emit textRequested(view_->tree()[node].at);
@@ -207,7 +211,7 @@ QWidget* PlanPanel::makeText() {
     connect(text_shown_, &QToolButton::toggled, pane, &QWidget::setVisible);
     connect(text_, &PlanTextEdit::placeEntered, this, [this](int line, int column_number) {
         const QScopedValueRollback from_text(from_text_, true);
-        if (const int node = nodeAtPlace(view_->tree(), line, column_number); node >= 0)
+        if (const PlanNodeId node = nodeAtPlace(view_->tree(), line, column_number); node.valid())
             view_->select(node);
         showFinding();
     });
@@ -258,8 +262,10 @@ void PlanPanel::showBoard() {
     std::vector<Row> rows;
     for (const BoardValue& one : board_values_) {
         const bool is_watched = watched_keys_.contains(one.key);
-        rows.push_back({one.key + " = " + one.value, -1,
-                        is_watched ? icon(QStringLiteral("record"), tokens().danger) : QIcon(), is_watched ? 2 : 1});
+        rows.push_back({one.key + " = " + one.value,
+                        {},
+                        is_watched ? icon(QStringLiteral("record"), tokens().danger) : QIcon(),
+                        is_watched ? 2 : 1});
     }
     fill(*board_, rows);
     for (int i = 0; i < board_->count(); ++i)
@@ -269,13 +275,13 @@ void PlanPanel::showBoard() {
 
 void PlanPanel::connectBreakpoints() {
     connect(breakpoints_, &QListWidget::itemChanged, this, [this](const QListWidgetItem* item) {
-        emit breakpointSwitched(item->data(breakpoint_role).toInt(), item->checkState() == Qt::Checked);
+        emit breakpointSwitched(breakpointOf(*item), item->checkState() == Qt::Checked);
     });
     connect(breakpoints_, &QListWidget::itemDoubleClicked, this,
-            [this](const QListWidgetItem* item) { emit breakpointEditRequested(item->data(breakpoint_role).toInt()); });
+            [this](const QListWidgetItem* item) { emit breakpointEditRequested(breakpointOf(*item)); });
     addKey(breakpoints_, QKeySequence::Delete, [this] {
         if (const QListWidgetItem* const item = breakpoints_->currentItem())
-            emit breakpointRemoved(item->data(breakpoint_role).toInt());
+            emit breakpointRemoved(breakpointOf(*item));
     });
 }
 
@@ -290,8 +296,8 @@ void PlanPanel::setBreakpoints(const std::vector<BreakpointRow>& rows) {
         item->setToolTip(row.help);
         item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
         item->setCheckState(row.enabled ? Qt::Checked : Qt::Unchecked);
-        item->setData(node_role, row.path.empty() ? -1 : view_->tree().find(row.path));
-        item->setData(breakpoint_role, row.id);
+        item->setData(node_role, row.path.empty() ? -1 : view_->tree().find(row.path).value);
+        item->setData(breakpoint_role, row.id.value);
         item->setForeground(row.path.empty() ? tokens().stale : tokens().text);
     }
 }
@@ -328,14 +334,14 @@ void PlanPanel::clear() {
 }
 
 void PlanPanel::showTextPlace() {
-    const int node = view_->selected();
+    const PlanNodeId node = view_->selected();
     if (!from_text_)
-        text_->showPlace(node < 0 ? posh::Spot() : view_->tree()[node].at);
+        text_->showPlace(node.valid() ? view_->tree()[node].at : posh::Spot());
 }
 
 void PlanPanel::showRunningLines() {
     std::set<int> lines;
-    for (const int node : view_->states().running(view_->tree()))
+    for (const PlanNodeId node : view_->states().running(view_->tree()))
         if (const auto line = view_->tree()[node].at.line; line > 0)
             lines.insert(static_cast<int>(line));
     text_->setRunningLines(lines);
@@ -366,7 +372,7 @@ void PlanPanel::showFound() {
 void PlanPanel::showRunning() {
     const PlanTree& tree = view_->tree();
     std::vector<Row> rows;
-    for (const int node : view_->states().running(tree))
+    for (const PlanNodeId node : view_->states().running(tree))
         rows.push_back({QString(2 * tree[node].depth, u' ') + tree[node].name, node});
     const bool idle = rows.empty();
     running_title_->setText(idle ? tr("Nothing runs now") : tr("Running now"));
@@ -375,8 +381,8 @@ void PlanPanel::showRunning() {
 }
 
 void PlanPanel::showReasons() {
-    const int node = view_->selected();
-    if (node < 0) {
+    const PlanNodeId node = view_->selected();
+    if (!node.valid()) {
         verdict_->setText(tr("Why?"));
         fill(*reasons_,
              {{view_->tree().empty() ? QString()
@@ -391,7 +397,7 @@ void PlanPanel::showReasons() {
 }
 
 void PlanPanel::jumpTo(const QListWidgetItem* item) {
-    if (const int node = item->data(node_role).toInt(); node >= 0)
+    if (const PlanNodeId node{item->data(node_role).toInt()}; node.valid())
         view_->select(node);
 }
 

@@ -10,6 +10,7 @@
 #include <QSplitter>
 #include <QToolButton>
 
+#include "core/agent/published.h"
 #include "widgets/plan/plan_halt_bar.h"
 #include "widgets/plan/plan_text_edit.h"
 #include "widgets/plan/plan_time_bar.h"
@@ -20,7 +21,7 @@ namespace usar::widgets {
 
 /// A breakpoint in the panel's list.
 struct BreakpointRow {
-    int id = 0;
+    agent::BreakpointId id;
     QString text;
     QString help;
     std::string path; ///< path in the plan; empty: the plan has no such place
@@ -64,11 +65,11 @@ signals:
     /// The user wants to save the drawing as a picture.
     void exportRequested();
     /// The user enabled or disabled a breakpoint in the list.
-    void breakpointSwitched(int id, bool on);
+    void breakpointSwitched(usar::agent::BreakpointId id, bool on);
     /// The user wants to edit this breakpoint.
-    void breakpointEditRequested(int id);
+    void breakpointEditRequested(usar::agent::BreakpointId id);
     /// The user wants to remove this breakpoint.
-    void breakpointRemoved(int id);
+    void breakpointRemoved(usar::agent::BreakpointId id);
     /// The selection in the blackboard's list changed; see selectedKey.
     void keySelected();
     /// Double-click or Return: toggles whether the plan stops when the selected key is written.

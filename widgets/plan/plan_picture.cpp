@@ -24,7 +24,7 @@ constexpr double longest_page_pt = 14'400.0; ///< PDF viewers refuse larger page
 constexpr int pdf_dots_per_inch = 600;
 
 QByteArray svg(PlanView& view) {
-    SvgPaint device(view.drawingSize(), view.tree()[0].name);
+    SvgPaint device(view.drawingSize(), view.tree()[PlanNodeId{0}].name);
     QPainter painter(&device);
     view.paintDrawing(painter);
     painter.end();
@@ -37,7 +37,7 @@ QByteArray pdf(PlanView& view) {
     QBuffer bytes;
     bytes.open(QIODevice::WriteOnly);
     QPdfWriter writer(&bytes);
-    writer.setTitle(view.tree()[0].name);
+    writer.setTitle(view.tree()[PlanNodeId{0}].name);
     writer.setResolution(pdf_dots_per_inch);
     writer.setPageSize(QPageSize(size_pt * shrunk, QPageSize::Point, QString(), QPageSize::ExactMatch));
     writer.setPageMargins({});

@@ -56,7 +56,7 @@ void PlanView::takeTree(const PlanTree& before) {
     selection_.moveTo(tree(), before);
     states_.reset(tree());
     marks_ = PlanMarks(tree(), marks_by_path_);
-    hot_ = -1;
+    hot_ = {};
     empty_state_->setVisible(tree().empty());
     news_ = snapshot_.paths != nullptr;
     emit treeChanged();
@@ -100,7 +100,7 @@ void PlanView::setFlow(std::optional<PlanFlow> flow) {
         showBeginning();
 }
 
-void PlanView::refold(int held, const std::function<bool(PlanFolds&)>& change) {
+void PlanView::refold(PlanNodeId held, const std::function<bool(PlanFolds&)>& change) {
     const auto moved = drawing_.refold(held, change);
     if (!moved)
         return;
@@ -109,7 +109,7 @@ void PlanView::refold(int held, const std::function<bool(PlanFolds&)>& change) {
     update();
 }
 
-void PlanView::setFolded(int node, bool folded) {
+void PlanView::setFolded(PlanNodeId node, bool folded) {
     refold(node, [&](PlanFolds& folds) { return folds.set(tree(), node, folded), true; });
     if (selectionIsHidden())
         select(node);
@@ -117,10 +117,10 @@ void PlanView::setFolded(int node, bool folded) {
 }
 
 void PlanView::foldAll() {
-    drawing_.refold(-1, [&](PlanFolds& folds) { return folds.foldAll(tree()), true; });
+    drawing_.refold({}, [&](PlanFolds& folds) { return folds.foldAll(tree()), true; });
     showBeginning();
     if (selectionIsHidden())
-        select(-1);
+        select({});
 }
 
 void PlanView::unfoldAll() {
@@ -128,17 +128,17 @@ void PlanView::unfoldAll() {
 }
 
 void PlanView::showRunning() {
-    const std::vector<int> running = states_.running(tree());
-    drawing_.refold(-1, [&](PlanFolds& folds) { return folds.showOnly(tree(), running), true; });
+    const std::vector<PlanNodeId> running = states_.running(tree());
+    drawing_.refold({}, [&](PlanFolds& folds) { return folds.showOnly(tree(), running), true; });
     if (selectionIsHidden())
-        select(-1);
+        select({});
     showBeginning();
     if (!running.empty())
         bringIntoView(running.back());
 }
 
-void PlanView::select(int node) {
-    if (node >= 0) {
+void PlanView::select(PlanNodeId node) {
+    if (node.valid()) {
         refold(selected(), [&](PlanFolds& folds) { return folds.reveal(tree(), node); });
         bringIntoView(node);
     }
@@ -149,10 +149,10 @@ void PlanView::select(int node) {
 }
 
 bool PlanView::selectPath(const std::string& path) {
-    const int node = tree().find(path);
-    if (node >= 0)
+    const PlanNodeId node = tree().find(path);
+    if (node.valid())
         select(node);
-    return node >= 0;
+    return node.valid();
 }
 
 int PlanView::find(const QString& words) {
@@ -164,7 +164,7 @@ int PlanView::find(const QString& words) {
 }
 
 void PlanView::findNext(bool backward) {
-    if (const int node = selection_.nextFound(backward); node >= 0)
+    if (const PlanNodeId node = selection_.nextFound(backward); node.valid())
         select(node);
 }
 
@@ -204,21 +204,21 @@ void PlanView::panBy(const QPointF& by_px) {
     update();
 }
 
-void PlanView::bringIntoView(int node) {
+void PlanView::bringIntoView(PlanNodeId node) {
     if (zoom_.bringIntoView(layout().box(tree(), node), size()))
         framing_ = Framing::Own;
     update();
 }
 
-QString PlanView::nodeText(int node) const {
+QString PlanView::nodeText(PlanNodeId node) const {
     return planNodeText(tree(), states_, folds(), marks_, node);
 }
 
 void PlanView::describe() {
     setAccessibleDescription(
-        selected() >= 0 ? nodeText(selected())
-                        : tr("Ctrl with arrow keys walks over the parts, arrow keys pan, plus and minus zoom, Space "
-                             "folds, N goes to what runs."));
+        selected().valid() ? nodeText(selected())
+                           : tr("Ctrl with arrow keys walks over the parts, arrow keys pan, plus and minus zoom, Space "
+                                "folds, N goes to what runs."));
 }
 
 QSizeF PlanView::drawingSize() {

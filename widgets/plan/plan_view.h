@@ -38,23 +38,23 @@ public:
     /// Direction of growth; nullopt: across if the view is wide enough, else as an outline.
     void setFlow(std::optional<PlanFlow> flow);
 
-    /// Node numbers are valid until the next plan or sharing.
+    /// Node ids are valid until the next plan or sharing.
     const PlanTree& tree() const { return drawing_.tree(); }
     const PlanStates& states() const { return states_; }
     const PlanFolds& folds() const { return drawing_.folds(); }
     const PlanLayout& layout() { return drawing_.layout(); }
-    int selected() const { return selection_.node(); }
-    /// Selects a node (-1: none), unfolds the way to it and scrolls there; emits selectionChanged if it is another one.
-    void select(int node);
+    PlanNodeId selected() const { return selection_.node(); }
+    /// Selects a node or none, unfolds the way to it and scrolls there; emits selectionChanged if it is another one.
+    void select(PlanNodeId node);
     /// Selects the node of an engine's path; returns false if there is none.
     bool selectPath(const std::string& path);
-    void setFolded(int node, bool folded);
+    void setFolded(PlanNodeId node, bool folded);
 
     /// Marks what matches and selects the next match, unless one is selected. Returns how many match; 0 without words.
     int find(const QString& words);
     /// Selects the next or previous match; wraps around.
     void findNext(bool backward = false);
-    const std::vector<int>& found() const { return selection_.found(); }
+    const std::vector<PlanNodeId>& found() const { return selection_.found(); }
 
     /// Screen pixels per layout pixel.
     double scale() const { return zoom_.scale; }
@@ -65,7 +65,7 @@ public:
     /// Keeps scale and position when the plan changes, until fit() or showBeginning() is called.
     void holdStill() { framing_ = Framing::Own; }
     /// Description of a node, as in its tooltip and for screen readers.
-    QString nodeText(int node) const;
+    QString nodeText(PlanNodeId node) const;
     /// Number of snapshots taken; stands still while the view is hidden.
     int newsTaken() const { return news_taken_; }
 
@@ -86,15 +86,15 @@ public slots:
     void showRunning();
 
 signals:
-    /// -1: nothing is selected.
-    void selectionChanged(int node);
+    /// None: nothing is selected.
+    void selectionChanged(usar::widgets::PlanNodeId node);
     /// Double-click or Return on a part that is not a link.
-    void activated(int node);
-    /// The user wants the context menu of a part, which is selected already, or of the background (-1).
-    void menuRequested(int node, const QPoint& at_global);
+    void activated(usar::widgets::PlanNodeId node);
+    /// The user wants the context menu of a part, which is selected already, or of the background (none).
+    void menuRequested(usar::widgets::PlanNodeId node, const QPoint& at_global);
     /// A snapshot was taken: states() changed.
     void refreshed();
-    /// The plan or the sharing changed: node numbers changed.
+    /// The plan or the sharing changed: node ids changed.
     void treeChanged();
 
 protected:
@@ -112,22 +112,22 @@ protected:
     void changeEvent(QEvent* event) override;
     bool event(QEvent* event) override;
 
-    /// The node at that place, or its card if the scale is too small for sense rows; -1: none.
-    int nodeAt(const QPointF& on_screen) { return drawing_.nodeAt(toLayout(on_screen), planDetailAt(scale())); }
+    /// The node at that place, or its card if the scale is too small for sense rows.
+    PlanNodeId nodeAt(const QPointF& on_screen) { return drawing_.nodeAt(toLayout(on_screen), planDetailAt(scale())); }
 
 private:
     void takeTree(const PlanTree& before);
     void takeNews();
     /// Lays out again if `change` returns true, and keeps the node in its place on the screen.
-    void refold(int held, const std::function<bool(PlanFolds&)>& change);
-    bool selectionIsHidden() { return selected() >= 0 && drawing_.hides(selected()); }
-    bool onFoldMark(int node, const QPointF& on_screen);
-    void bringIntoView(int node);
+    void refold(PlanNodeId held, const std::function<bool(PlanFolds&)>& change);
+    bool selectionIsHidden() { return selected().valid() && drawing_.hides(selected()); }
+    bool onFoldMark(PlanNodeId node, const QPointF& on_screen);
+    void bringIntoView(PlanNodeId node);
     void zoomAt(const QPointF& on_screen, double factor);
     void panBy(const QPointF& by_px);
     bool actByKey(const QKeyEvent& event);
-    void open(int node); ///< follows a link, else folds or unfolds
-    void describe();     ///< for screen readers: the selected part, or the keys if there is none
+    void open(PlanNodeId node); ///< follows a link, else folds or unfolds
+    void describe();            ///< for screen readers: the selected part, or the keys if there is none
 
     PlanDrawing drawing_;
     PlanSelection selection_;
@@ -140,7 +140,7 @@ private:
     QTimer tick_;
     PanZoom zoom_;
     enum class Framing { Beginning, Whole, Own } framing_ = Framing::Beginning; ///< kept when the view is resized
-    int hot_ = -1;
+    PlanNodeId hot_;
     enum class Gesture { None, Pressed, Panning } gesture_ = Gesture::None;
     QPointF pressed_at_;
     QPointF last_at_;

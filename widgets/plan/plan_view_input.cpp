@@ -54,7 +54,7 @@ void PlanView::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
 }
 
-bool PlanView::onFoldMark(int node, const QPointF& on_screen) {
+bool PlanView::onFoldMark(PlanNodeId node, const QPointF& on_screen) {
     return drawing_.onFoldMark(node, toLayout(on_screen), planDetailAt(scale()));
 }
 
@@ -72,12 +72,12 @@ void PlanView::mouseMoveEvent(QMouseEvent* event) {
     if (gesture_ == Gesture::Panning) {
         setCursor(Qt::ClosedHandCursor);
         panBy(at - last_at_);
-    } else if (const int node = nodeAt(at); node != hot_) {
+    } else if (const PlanNodeId node = nodeAt(at); node != hot_) {
         hot_ = node;
         update();
     }
     if (gesture_ != Gesture::Panning)
-        setCursor(hot_ >= 0 && onFoldMark(hot_, at) ? Qt::PointingHandCursor : Qt::ArrowCursor);
+        setCursor(hot_.valid() && onFoldMark(hot_, at) ? Qt::PointingHandCursor : Qt::ArrowCursor);
     last_at_ = at;
 }
 
@@ -86,8 +86,8 @@ void PlanView::mouseReleaseEvent(QMouseEvent* event) {
     setCursor(Qt::ArrowCursor);
     if (!clicked)
         return;
-    const int node = nodeAt(event->position());
-    if (node >= 0 && onFoldMark(node, event->position()))
+    const PlanNodeId node = nodeAt(event->position());
+    if (node.valid() && onFoldMark(node, event->position()))
         open(node);
     else
         select(node);
@@ -95,19 +95,19 @@ void PlanView::mouseReleaseEvent(QMouseEvent* event) {
 
 void PlanView::mouseDoubleClickEvent(QMouseEvent* event) {
     // No gesture begins, so that the second release does not count as a click.
-    const int node = nodeAt(event->position());
-    if (event->button() != Qt::LeftButton || node < 0)
+    const PlanNodeId node = nodeAt(event->position());
+    if (event->button() != Qt::LeftButton || !node.valid())
         return;
     if (onFoldMark(node, event->position()))
         open(node);
-    else if (tree()[node].link >= 0)
+    else if (tree()[node].link.valid())
         select(tree()[node].link);
     else
         emit activated(node);
 }
 
-void PlanView::open(int node) {
-    if (tree()[node].link >= 0)
+void PlanView::open(PlanNodeId node) {
+    if (tree()[node].link.valid())
         select(tree()[node].link);
     else
         setFolded(node, !folds().folded(tree(), node));
@@ -123,7 +123,7 @@ void PlanView::keyPressEvent(QKeyEvent* event) {
     if (tree().empty())
         return QWidget::keyPressEvent(event);
     if (const auto step = stepOf(*event)) {
-        if (const int node = planStep(tree(), selected(), *step); node >= 0)
+        if (const PlanNodeId node = planStep(tree(), selected(), *step); node.valid())
             select(node);
     } else if (const auto by_px = panOf(*event, size())) {
         panBy(*by_px);
@@ -144,34 +144,34 @@ bool PlanView::actByKey(const QKeyEvent& event) {
     case Qt::Key_F:
         return fit(), true;
     case Qt::Key_Home:
-        return select(0), true;
+        return select(PlanNodeId{0}), true;
     case Qt::Key_End:
-        return select(tree().size() - 1), true;
+        return select(PlanNodeId{tree().size() - 1}), true;
     case Qt::Key_N:
-        if (const int node = nextOf(states_.running(tree()), selected(), event.modifiers() & Qt::ShiftModifier);
-            node >= 0)
+        if (const PlanNodeId node = nextOf(states_.running(tree()), selected(), event.modifiers() & Qt::ShiftModifier);
+            node.valid())
             select(node);
         return true;
     case Qt::Key_Space:
-        if (selected() >= 0)
+        if (selected().valid())
             open(tree()[selected()].in_card ? tree()[selected()].parent : selected());
         return true;
     case Qt::Key_Return:
     case Qt::Key_Enter:
-        if (selected() >= 0 && tree()[selected()].link >= 0)
+        if (selected().valid() && tree()[selected()].link.valid())
             select(tree()[selected()].link);
-        else if (selected() >= 0)
+        else if (selected().valid())
             emit activated(selected());
         return true;
     case Qt::Key_Escape:
-        return selected() >= 0 ? (select(-1), true) : false;
+        return selected().valid() ? (select({}), true) : false;
     default:
         return false;
     }
 }
 
 void PlanView::leaveEvent(QEvent*) {
-    hot_ = -1;
+    hot_ = {};
     update();
 }
 
@@ -181,7 +181,7 @@ void PlanView::contextMenuEvent(QContextMenuEvent* event) {
     if (event->reason() == QContextMenuEvent::Mouse)
         select(nodeAt(event->pos()));
     QPoint at = event->globalPos();
-    if (event->reason() == QContextMenuEvent::Keyboard && selected() >= 0)
+    if (event->reason() == QContextMenuEvent::Keyboard && selected().valid())
         at = mapToGlobal(toScreen(layout().box(tree(), selected()).center()).toPoint());
     emit menuRequested(selected(), at);
 }
@@ -197,8 +197,8 @@ void PlanView::changeEvent(QEvent* event) {
 bool PlanView::event(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         const auto* const help = static_cast<QHelpEvent*>(event);
-        const int node = tree().empty() ? -1 : nodeAt(help->pos());
-        QToolTip::showText(help->globalPos(), node < 0 ? QString() : nodeText(node), this);
+        const PlanNodeId node = tree().empty() ? PlanNodeId{} : nodeAt(help->pos());
+        QToolTip::showText(help->globalPos(), node.valid() ? nodeText(node) : QString(), this);
         return true;
     }
     return QWidget::event(event);

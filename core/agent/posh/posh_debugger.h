@@ -54,7 +54,7 @@ private:
 
     posh::PinnedHost pins_;
     posh::Breakpoints breakpoints_;
-    std::map<int, Known> known_; ///< by id
+    std::map<BreakpointId, Known> known_;
     std::vector<DriveOff> drives_off_;
     Soon soon_ = Soon::No;
     bool halted_ = false;

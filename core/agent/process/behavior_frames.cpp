@@ -36,7 +36,7 @@ struct FieldLists {
     static void pass(auto& io, Field<posh::Breakpoint> auto& one) {
         io(one.path, one.names, one.on, one.result, one.key, one.condition, one.skip, one.once, one.enabled);
     }
-    static void pass(auto& io, Field<PlanBreakpoint> auto& one) { io(one.id, one.what); }
+    static void pass(auto& io, Field<PlanBreakpoint> auto& one) { io(one.id.value, one.what); }
     static void pass(auto& io, Field<SetBreakpoints> auto& asked) { io(asked.breakpoints); }
     static void pass(auto& io, Field<SensePin> auto& pin) { io(pin.call, pin.answer); }
     static void pass(auto& io, Field<ActPin> auto& pin) { io(pin.call, pin.result); }

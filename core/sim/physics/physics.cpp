@@ -1,8 +1,8 @@
 #include "core/sim/physics/physics.h"
 
 #include <algorithm>
-#include <limits>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <utility>
 

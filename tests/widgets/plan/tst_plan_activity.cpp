@@ -127,7 +127,7 @@ void tst_PlanActivity::fewerActivitiesThanPathsAreNoTrouble() {
     PlanSnapshot snapshot = scene.snapshot();
     snapshot.activities.clear();
     states_.take(tree_, snapshot);
-    QVERIFY(!states_[0].running);
+    QVERIFY(!states_[PlanNodeId{0}].running);
     snapshot.paths.reset();
     states_.take(tree_, snapshot);
 }
@@ -138,7 +138,7 @@ void tst_PlanActivity::runningCardsAreListedInOrder() {
         scene[root + part].running = true;
     states_.take(tree_, scene.snapshot());
     QStringList names;
-    for (const int node : states_.running(tree_))
+    for (const PlanNodeId node : states_.running(tree_))
         names << tree_[node].name;
     QCOMPARE(names.mid(0, 4).join(u' '), QStringLiteral("courier work fetch go"));
     QCOMPARE(names.size(), 5);
@@ -185,7 +185,7 @@ void tst_PlanActivity::reasons() {
     scene.answer(root + "/DE:0/S:0", "false", false, 99.0);
     scene[root + "/DE:0"].hold_back = QStringLiteral("its frequency: 1.2 s left");
     states_.take(tree_, scene.snapshot());
-    const int node = tree_.find(path);
+    const PlanNodeId node = tree_.find(path);
     QCOMPARE(planVerdict(tree_, states_, node), verdict);
     QStringList found;
     for (const PlanReason& said : planReasons(tree_, states_, node))

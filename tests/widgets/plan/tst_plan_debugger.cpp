@@ -119,7 +119,7 @@ void tst_PlanDebugger::eachKindOfMarkIsDrawn() {
 void tst_PlanDebugger::marksAreSaidInWords() {
     PlanView& view = panel_->view();
     view.setMarks({{.path = root + "/DE:0", .breakpoints = 1, .words = {QStringLiteral("Breakpoint: before")}}});
-    const int node = view.tree().find(root + "/DE:0");
+    const PlanNodeId node = view.tree().find(root + "/DE:0");
     QVERIFY(view.nodeText(node).contains(QStringLiteral("Breakpoint: before")));
     view.setPlan(planOf(courier_plan)); // as after an edit
     QVERIFY(view.marks().at(view.tree().find(root + "/DE:0")));
@@ -128,16 +128,16 @@ void tst_PlanDebugger::marksAreSaidInWords() {
 void tst_PlanDebugger::theMenuIsAskedForByMouseAndKey() {
     PlanView& view = panel_->view();
     QSignalSpy asked(&view, &PlanView::menuRequested);
-    const int node = view.tree().find(root + "/DE:1");
+    const PlanNodeId node = view.tree().find(root + "/DE:1");
     const QPoint at = view.toScreen(view.layout().box(view.tree(), node).center()).toPoint();
     QContextMenuEvent by_mouse(QContextMenuEvent::Mouse, at, view.mapToGlobal(at));
     QApplication::sendEvent(&view, &by_mouse);
     QCOMPARE(asked.count(), 1);
-    QCOMPARE(asked.at(0).at(0).toInt(), view.selected());
+    QCOMPARE(asked.at(0).at(0).value<PlanNodeId>(), view.selected());
     view.select(node);
     QContextMenuEvent by_key(QContextMenuEvent::Keyboard, {}, {});
     QApplication::sendEvent(&view, &by_key);
-    QCOMPARE(asked.at(1).at(0).toInt(), node);
+    QCOMPARE(asked.at(1).at(0).value<PlanNodeId>(), node);
     QVERIFY(QRect(view.mapToGlobal(QPoint()), view.size()).contains(asked.at(1).at(1).toPoint()));
 }
 
@@ -309,7 +309,7 @@ void tst_PlanDebugger::breakpointsAreSwitchedAndTakenAwayInTheList() {
     panel_->setBreakpoints(rows);
     QSignalSpy switched(panel_.get(), &PlanPanel::breakpointSwitched);
     QSignalSpy removed(panel_.get(), &PlanPanel::breakpointRemoved);
-    connect(panel_.get(), &PlanPanel::breakpointSwitched, this, [&](int, bool on) {
+    connect(panel_.get(), &PlanPanel::breakpointSwitched, this, [&](agent::BreakpointId, bool on) {
         rows[0].enabled = on;
         panel_->setBreakpoints(rows); // in the midst of it, as the window does
     });
@@ -322,7 +322,7 @@ void tst_PlanDebugger::breakpointsAreSwitchedAndTakenAwayInTheList() {
     list->setCurrentRow(1);
     QTest::keyClick(list, Qt::Key_Delete);
     QCOMPARE(removed.count(), 1);
-    QCOMPARE(removed.at(0).at(0).toInt(), 5);
+    QCOMPARE(removed.at(0).at(0).value<agent::BreakpointId>(), agent::BreakpointId{5});
 }
 
 void tst_PlanDebugger::theDialogTakesNoConditionThatIsNone() {

@@ -23,9 +23,9 @@ struct Drawn {
     }};
 
     Drawn() { static_cast<void>(drawing.setPlan(planOf(courier_plan))); }
-    int node(const std::string& path) const { return drawing.tree().find(path); }
-    QRectF box(int node) { return drawing.layout().box(drawing.tree(), node); }
-    std::optional<QPointF> fold(int node, int held) {
+    PlanNodeId node(const std::string& path) const { return drawing.tree().find(path); }
+    QRectF box(PlanNodeId node) { return drawing.layout().box(drawing.tree(), node); }
+    std::optional<QPointF> fold(PlanNodeId node, PlanNodeId held) {
         return drawing.refold(held, [&](PlanFolds& folds) { return folds.set(drawing.tree(), node, true), true; });
     }
 };
@@ -58,7 +58,7 @@ void tst_PlanDrawing::isLaidOutOnlyAfterAChange() {
 
 void tst_PlanDrawing::anotherPlanKeepsFoldsAndReturnsTheTreeBefore() {
     Drawn drawn;
-    drawn.fold(drawn.node(root + "/DE:0"), -1);
+    drawn.fold(drawn.node(root + "/DE:0"), {});
     const int size = drawn.drawing.tree().size();
     std::string text(courier_plan);
     text.replace(text.find("((grab"), 0, "((look Look))\n      ");
@@ -91,51 +91,51 @@ void tst_PlanDrawing::flowIsTheUsualOneUnlessChosen() {
 
 void tst_PlanDrawing::refoldTellsHowFarTheHeldCardMoved() {
     Drawn drawn;
-    const int work = drawn.node(root + "/DE:1");
-    const int rest = drawn.node(root + "/DE:2");
+    const PlanNodeId work = drawn.node(root + "/DE:1");
+    const PlanNodeId rest = drawn.node(root + "/DE:2");
     QCOMPARE(drawn.fold(drawn.node(root + "/DE:0"), rest), std::optional(QPointF())); // never laid out before
     const QPointF before = drawn.box(rest).topLeft();
     const auto moved = drawn.fold(work, rest);
     QVERIFY(moved && moved->y() < 0.0);
     QCOMPARE(drawn.box(rest).topLeft(), before + *moved);
-    QVERIFY(drawn.drawing.hides(work + 3) && !drawn.drawing.hides(work));
-    QCOMPARE(drawn.fold(0, rest), std::optional(QPointF())); // now it is folded away itself
+    QVERIFY(drawn.drawing.hides({work.value + 3}) && !drawn.drawing.hides(work));
+    QCOMPARE(drawn.fold({0}, rest), std::optional(QPointF())); // now it is folded away itself
     QVERIFY(drawn.drawing.hides(rest));
 }
 
 void tst_PlanDrawing::refoldWithoutChangeKeepsTheLayout() {
     Drawn drawn;
     drawn.drawing.layout();
-    QVERIFY(!drawn.drawing.refold(0, [](PlanFolds&) { return false; }));
+    QVERIFY(!drawn.drawing.refold({0}, [](PlanFolds&) { return false; }));
     QCOMPARE(drawn.layouts, 1);
 }
 
 void tst_PlanDrawing::sensesAreHitOnlyWhereTheyAreDrawn() {
     Drawn drawn;
-    const int sense = drawn.node(root + "/DE:1/S:1");
+    const PlanNodeId sense = drawn.node(root + "/DE:1/S:1");
     const QPointF there = drawn.box(sense).center();
     QCOMPARE(drawn.drawing.nodeAt(there, PlanDetail::Full), sense);
     QCOMPARE(drawn.drawing.nodeAt(there, PlanDetail::Names), drawn.node(root + "/DE:1"));
     QCOMPARE(drawn.drawing.nodeAt(drawn.drawing.layout().bounds().bottomRight() + QPointF(50, 50), PlanDetail::Full),
-             -1);
+             PlanNodeId{});
 }
 
 void tst_PlanDrawing::foldMarkIsAtTheRightOfTheTitle() {
     Drawn drawn;
-    const int work = drawn.node(root + "/DE:1");
+    const PlanNodeId work = drawn.node(root + "/DE:1");
     const QRectF box = drawn.box(work);
     const QPointF mark = box.topRight() + QPointF(-14, 12);
     QVERIFY(drawn.drawing.onFoldMark(work, mark, PlanDetail::Full));
     QVERIFY2(!drawn.drawing.onFoldMark(work, mark, PlanDetail::Names), "it is not drawn then");
     QVERIFY(!drawn.drawing.onFoldMark(work, box.topLeft() + QPointF(8, 12), PlanDetail::Full));
-    const int sense = drawn.node(root + "/DE:1/S:1");
+    const PlanNodeId sense = drawn.node(root + "/DE:1/S:1");
     QVERIFY(!drawn.drawing.onFoldMark(sense, mark, PlanDetail::Full));
 }
 
 void tst_PlanDrawing::emptyPlanHasAnEmptyDrawing() {
     PlanDrawing drawing([] { return PlanFlow::Down; });
     QVERIFY(drawing.tree().empty() && drawing.layout().bounds().isEmpty());
-    QCOMPARE(drawing.nodeAt({5, 5}, PlanDetail::Full), -1);
+    QCOMPARE(drawing.nodeAt({5, 5}, PlanDetail::Full), PlanNodeId{});
     QCOMPARE(drawing.setPlan({}).size(), 0);
 }
 

@@ -56,11 +56,11 @@ private slots:
     void noRunOfEditsEndsInErrors();
 
 private:
-    int node(const QString& name) const;
+    PlanNodeId node(const QString& name) const;
     void select(const QString& name) { editor_->canvas().select(node(name)); }
     void run(const char* command) { editor_->action(QString::fromLatin1(command))->trigger(); }
     QString said() const;
-    void drag(const QMimeData& data, int target, double share);
+    void drag(const QMimeData& data, PlanNodeId target, double share);
     std::unique_ptr<PlanEditor> editor_;
 };
 
@@ -77,12 +77,12 @@ void tst_PlanEditor::cleanup() {
     editor_.reset();
 }
 
-int tst_PlanEditor::node(const QString& name) const {
+PlanNodeId tst_PlanEditor::node(const QString& name) const {
     const PlanTree& tree = editor_->canvas().tree();
-    for (int i = 0; i < tree.size(); ++i)
-        if (tree[i].name == name && tree[i].link < 0)
-            return i;
-    return -1;
+    for (const PlanNodeId node : tree.nodes())
+        if (tree[node].name == name && !tree[node].link.valid())
+            return node;
+    return {};
 }
 
 QString tst_PlanEditor::said() const {
@@ -93,7 +93,7 @@ QString tst_PlanEditor::said() const {
 }
 
 /// As if a piece came from the palette: over the card, and let go at that share of its height.
-void tst_PlanEditor::drag(const QMimeData& data, int target, double share) {
+void tst_PlanEditor::drag(const QMimeData& data, PlanNodeId target, double share) {
     PlanCanvas& canvas = editor_->canvas();
     const QRectF box = canvas.layout().box(canvas.tree(), target);
     const QPoint at = canvas.toScreen({box.left() + 30.0, box.top() + share * box.height()}).toPoint();
@@ -118,10 +118,10 @@ void tst_PlanEditor::typingIsDrawnAndUndone() {
     PlanCodeEdit& text = editor_->textEdit();
     text.setCursorOffset(editor_->text().find("Beep") + 4);
     QTest::keyClicks(&text, QStringLiteral("Twice"));
-    QTRY_VERIFY(node(QStringLiteral("BeepTwice")) >= 0);
+    QTRY_VERIFY(node(QStringLiteral("BeepTwice")).valid());
     QVERIFY(editor_->isModified());
     run("undo");
-    QTRY_VERIFY(node(QStringLiteral("BeepTwice")) < 0);
+    QTRY_VERIFY(!node(QStringLiteral("BeepTwice")).valid());
     QCOMPARE(QString::fromStdString(editor_->text()),
              QString::fromUtf8(courier_plan.data(), qsizetype(courier_plan.size())));
 }
@@ -137,7 +137,7 @@ void tst_PlanEditor::errorsKeepTheDrawingAndRefuseEditsOfIt() {
     QCOMPARE(editor_->text(), std::string("((AP a (b)"));
     editor_->textEdit().applyText("((AP a (b)))");
     editor_->catchUp();
-    QVERIFY(node(QStringLiteral("a")) >= 0);
+    QVERIFY(node(QStringLiteral("a")).valid());
 }
 
 void tst_PlanEditor::oneHistoryForTextAndDrawing() {
@@ -198,7 +198,7 @@ void tst_PlanEditor::keysMoveAddAndDelete() {
     canvas.setFocus();
     select(QStringLiteral("grab"));
     QTest::keyClick(&canvas, Qt::Key_Delete);
-    QVERIFY(node(QStringLiteral("grab")) < 0);
+    QVERIFY(!node(QStringLiteral("grab")).valid());
     select(QStringLiteral("safety"));
     QTest::keyClick(&canvas, Qt::Key_Insert);
     QVERIFY(canvas.openLine());
@@ -236,7 +236,7 @@ void tst_PlanEditor::wordsAreChangedWhereTheyStand() {
     run("edit");
     QTest::keyClicks(canvas.openLine(), QStringLiteral("nothing of this"));
     QTest::keyClick(canvas.openLine(), Qt::Key_Escape);
-    QVERIFY(node(QStringLiteral("safety")) >= 0);
+    QVERIFY(node(QStringLiteral("safety")).valid());
 }
 
 void tst_PlanEditor::valuesAreChangedInTheirDialog() {
@@ -257,7 +257,7 @@ void tst_PlanEditor::valuesAreChangedInTheirDialog() {
     QVERIFY(!posh::hasErrors(editor_->findings()));
     run("undo");
     QCOMPARE(editor_->text(), std::string(courier_plan));
-    editor_->canvas().select(-1);
+    editor_->canvas().select({});
     QVERIFY(!editor_->action("values")->isEnabled());
 }
 
@@ -286,7 +286,7 @@ void tst_PlanEditor::neighborsAreWrappedTogether() {
     PlanCanvas& canvas = editor_->canvas();
     canvas.setFocus();
     QTest::keyClick(&canvas, Qt::Key_Down, Qt::ShiftModifier);
-    QCOMPARE(canvas.range(), (std::vector<int>{node("Stop"), node("Brake")}));
+    QCOMPARE(canvas.range(), (std::vector<PlanNodeId>{node("Stop"), node("Brake")}));
     QTest::keyClick(&canvas, Qt::Key_Down, Qt::ShiftModifier);
     QCOMPARE(canvas.range().size(), std::size_t(3));
     QTest::keyClick(&canvas, Qt::Key_Up, Qt::ShiftModifier);
@@ -299,9 +299,9 @@ void tst_PlanEditor::neighborsAreWrappedTogether() {
     QCOMPARE(canvas.range().size(), std::size_t(1));
     const QPointF brake = canvas.layout().box(canvas.tree(), node("Brake")).topLeft() + QPointF(20.0, 10.0);
     QTest::mouseClick(&canvas, Qt::LeftButton, Qt::ShiftModifier, canvas.toScreen(brake).toPoint());
-    QCOMPARE(canvas.range(), (std::vector<int>{node("Brake"), node("Rest")}));
+    QCOMPARE(canvas.range(), (std::vector<PlanNodeId>{node("Brake"), node("Rest")}));
     select("Stop");
-    QCOMPARE(canvas.range(), std::vector<int>{node("Stop")});
+    QCOMPARE(canvas.range(), std::vector<PlanNodeId>{node("Stop")});
 }
 
 void tst_PlanEditor::whatFailsIsSaid() {
@@ -358,7 +358,7 @@ void tst_PlanEditor::piecesAreAddedFromThePalette() {
     select(QStringLiteral("halt"));
     emit editor_->palette().pieceRequested({false, QStringLiteral("Beep")});
     QVERIFY2(editor_->text().find("(AP halt (Stop Brake Beep))") != std::string::npos, editor_->text().c_str());
-    editor_->canvas().select(-1);
+    editor_->canvas().select({});
     emit editor_->palette().pieceRequested({false, QStringLiteral("approach")});
     QVERIFY(editor_->text().find("((approach approach))") != std::string::npos);
     QVERIFY(!posh::hasErrors(editor_->findings()));
@@ -403,7 +403,7 @@ void tst_PlanEditor::dropsSwapAndInsert() {
     std::unique_ptr<QMimeData> data;
     if (piece.startsWith(QStringLiteral("node:"))) {
         data = std::make_unique<QMimeData>();
-        data->setData(QStringLiteral("application/x-usar-plan-node"), QByteArray::number(node(piece.mid(5))));
+        data->setData(QStringLiteral("application/x-usar-plan-node"), QByteArray::number(node(piece.mid(5)).value));
     } else {
         const bool is_sense = piece.startsWith(QStringLiteral("sense:"));
         data.reset(mimeOf({is_sense, is_sense ? piece.mid(6) : piece}));
@@ -428,7 +428,7 @@ void tst_PlanEditor::anEditLeavesTheDrawingWhereItIs() {
 
 void tst_PlanEditor::commandsThatMeanNothingAreOff() {
     const auto isOn = [this](const char* name) { return editor_->action(QString::fromLatin1(name))->isEnabled(); };
-    editor_->canvas().select(-1);
+    editor_->canvas().select({});
     QVERIFY(!isOn("edit") && !isOn("delete") && !isOn("swap") && isOn("new_pattern") && !isOn("new_collection"));
     select(QStringLiteral("safety"));
     QVERIFY(isOn("edit") && isOn("trigger") && isOn("limit") && isOn("wrap_pattern") && isOn("join_down"));
@@ -583,7 +583,7 @@ void tst_PlanEditor::noRunOfEditsEndsInErrors() {
     unsigned chance = 7;
     for (int i = 0; i < 400; ++i) {
         chance = chance * 1664525U + 1013904223U;
-        editor_->canvas().select(static_cast<int>((chance >> 8U) % unsigned(editor_->canvas().tree().size())));
+        editor_->canvas().select({static_cast<int>((chance >> 8U) % unsigned(editor_->canvas().tree().size()))});
         run(commands[(chance >> 20U) % std::size(commands)]);
         if (posh::hasErrors(editor_->findings()))
             QFAIL((std::to_string(i) + ": " + editor_->text()).c_str());

@@ -55,14 +55,14 @@ void tst_PlanEditorFiles::everyDropLeavesASoundPlanOrIsRefused() {
     const posh::Plan plan = posh::readPlan(text).plan;
     const PlanTree tree(plan);
     const PlanGestures gestures(text, plan, tree);
-    std::vector<std::variant<PlanPiece, int>> sources{PlanPiece{true, QStringLiteral("Distance 0.0 >")},
-                                                      PlanPiece{false, QStringLiteral("DriveTo(\"x\")")},
-                                                      PlanPiece{false, QStringLiteral("no act (")}};
-    for (int i = 0; i < tree.size(); ++i)
-        sources.emplace_back(i);
+    std::vector<std::variant<PlanPiece, PlanNodeId>> sources{PlanPiece{true, QStringLiteral("Distance 0.0 >")},
+                                                             PlanPiece{false, QStringLiteral("DriveTo(\"x\")")},
+                                                             PlanPiece{false, QStringLiteral("no act (")}};
+    for (const PlanNodeId node : tree.nodes())
+        sources.emplace_back(node);
     int done = 0;
     for (const auto& source : sources)
-        for (int target = -1; target < tree.size(); ++target)
+        for (const PlanNodeId target : planNodes(-1, tree.size()))
             for (const DropZone zone : {DropZone::Before, DropZone::Onto, DropZone::After}) {
                 const auto deed = gestures.drop(source, target, zone);
                 const auto edit = deed ? deed->edit() : Result<posh::PlanEdit>();

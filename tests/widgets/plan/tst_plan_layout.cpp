@@ -78,10 +78,10 @@ void tst_PlanLayout::cardsNeverOverlap() {
         Drawn drawn{PlanTree(randomPlan(seed), PlanSharing::Expanded), {}, static_cast<PlanFlow>(flow)};
         std::mt19937 random(seed);
         for (int node = 0; node < drawn.tree.size(); node += 1 + static_cast<int>(random() % 17))
-            drawn.folds.set(drawn.tree, node, true);
+            drawn.folds.set(drawn.tree, {node}, true);
         const PlanLayout layout = drawn.layout();
         std::vector<QRectF> cards;
-        for (int node = 0; node < drawn.tree.size(); ++node)
+        for (const PlanNodeId node : drawn.tree.nodes())
             if (layout.shown(node))
                 cards.push_back(layout.box(drawn.tree, node));
         for (std::size_t i = 0; i < cards.size(); ++i) {
@@ -95,9 +95,9 @@ void tst_PlanLayout::cardsNeverOverlap() {
 void tst_PlanLayout::childrenStandInOrderBehindTheirParent() {
     const Drawn drawn{PlanTree(planOf(courier_plan)), {}};
     const PlanLayout layout = drawn.layout();
-    for (int node = 0; node < drawn.tree.size(); ++node) {
+    for (const PlanNodeId node : drawn.tree.nodes()) {
         double bottom = -1.0;
-        for (const int child : drawn.tree.children(node)) {
+        for (const PlanNodeId child : drawn.tree.children(node)) {
             const QRectF box = layout.box(drawn.tree, child);
             QVERIFY(box.left() > layout.box(drawn.tree, node).right());
             QVERIFY(box.top() > bottom);
@@ -109,14 +109,14 @@ void tst_PlanLayout::childrenStandInOrderBehindTheirParent() {
 
 void tst_PlanLayout::foldingTakesAwayWhatIsBelow() {
     Drawn drawn{PlanTree(planOf(courier_plan)), {}};
-    const int work = drawn.tree.find("/P:0/DC:0/DE:1");
+    const PlanNodeId work = drawn.tree.find("/P:0/DC:0/DE:1");
     const double whole_px = drawn.layout().bounds().height();
     drawn.folds.set(drawn.tree, work, true);
     const PlanLayout layout = drawn.layout();
     QVERIFY(layout.bounds().height() < whole_px);
     QVERIFY(layout.shown(work));
-    QVERIFY(!layout.box(drawn.tree, work + 1).isNull()); // its trigger
-    for (int node = work + 1; node < drawn.tree[work].end; ++node)
+    QVERIFY(!layout.box(drawn.tree, {work.value + 1}).isNull()); // its trigger
+    for (const PlanNodeId node : planNodes(work.value + 1, drawn.tree[work].end.value))
         QVERIFY(!layout.shown(node));
     QVERIFY(layout.shown(drawn.tree.find("/P:0/DC:0/DE:2/A:0/AD:0")));
 }
@@ -124,11 +124,11 @@ void tst_PlanLayout::foldingTakesAwayWhatIsBelow() {
 void tst_PlanLayout::senseRowsLieInTheirCardInOrder() {
     const Drawn drawn{PlanTree(planOf(courier_plan)), {}};
     const PlanLayout layout = drawn.layout();
-    const int work = drawn.tree.find("/P:0/DC:0/DE:1");
+    const PlanNodeId work = drawn.tree.find("/P:0/DC:0/DE:1");
     QCOMPARE(drawn.tree[work].senses, 2);
     const QRectF card = layout.box(drawn.tree, work);
-    const QRectF first = layout.box(drawn.tree, work + 1);
-    const QRectF second = layout.box(drawn.tree, work + 2);
+    const QRectF first = layout.box(drawn.tree, {work.value + 1});
+    const QRectF second = layout.box(drawn.tree, {work.value + 2});
     QVERIFY(card.contains(first) && card.contains(second));
     QVERIFY(first.top() >= card.top() + metrics.row_px);
     QVERIFY(second.top() >= first.bottom());
@@ -138,13 +138,13 @@ void tst_PlanLayout::everyCardAndRowIsHit() {
     for (const PlanFlow flow : {PlanFlow::Across, PlanFlow::Down}) {
         const Drawn drawn{PlanTree(randomPlan(3), PlanSharing::Expanded), {}, flow};
         const PlanLayout layout = drawn.layout();
-        for (int node = 0; node < drawn.tree.size(); ++node) {
+        for (const PlanNodeId node : drawn.tree.nodes()) {
             const QRectF box = layout.box(drawn.tree, node);
             const QPointF in_title(box.center().x(), box.top() + 8.0);
             QCOMPARE(layout.nodeAt(drawn.tree, in_title), node);
         }
-        QCOMPARE(layout.nodeAt(drawn.tree, layout.bounds().topLeft() - QPointF(5, 5)), -1);
-        QCOMPARE(layout.nodeAt(drawn.tree, layout.bounds().bottomRight() + QPointF(5, 5)), -1);
+        QCOMPARE(layout.nodeAt(drawn.tree, layout.bounds().topLeft() - QPointF(5, 5)), PlanNodeId{});
+        QCOMPARE(layout.nodeAt(drawn.tree, layout.bounds().bottomRight() + QPointF(5, 5)), PlanNodeId{});
     }
 }
 
@@ -155,9 +155,9 @@ void tst_PlanLayout::rectangleGivesWhatItTouches() {
             const PlanLayout layout = drawn.layout();
             const QRectF all = layout.bounds();
             const QRectF area(all.width() * 0.3, all.height() * 0.4, all.width() * 0.25, all.height() * 0.2);
-            const std::vector<int> found = layout.nodesIn(drawn.tree, area);
+            const std::vector<PlanNodeId> found = layout.nodesIn(drawn.tree, area);
             QVERIFY(std::is_sorted(found.begin(), found.end()));
-            for (int node = 0; node < drawn.tree.size(); ++node)
+            for (const PlanNodeId node : drawn.tree.nodes())
                 if (layout.shown(node) && layout.box(drawn.tree, node).intersects(area))
                     QVERIFY(std::binary_search(found.begin(), found.end(), node));
         }
@@ -167,7 +167,7 @@ void tst_PlanLayout::sameInputGivesTheSamePicture() {
     const Drawn drawn{PlanTree(randomPlan(7), PlanSharing::Expanded), {}};
     const PlanLayout a = drawn.layout();
     const PlanLayout b = drawn.layout();
-    for (int node = 0; node < drawn.tree.size(); ++node)
+    for (const PlanNodeId node : drawn.tree.nodes())
         QCOMPARE(a.box(drawn.tree, node), b.box(drawn.tree, node));
 }
 
@@ -188,7 +188,7 @@ void tst_PlanLayout::longNamesAreCut() {
 void tst_PlanLayout::emptyTreeHasNoSize() {
     const Drawn drawn{PlanTree(), {}};
     QVERIFY(drawn.layout().bounds().isNull());
-    QCOMPARE(drawn.layout().nodeAt(drawn.tree, {0, 0}), -1);
+    QCOMPARE(drawn.layout().nodeAt(drawn.tree, {0, 0}), PlanNodeId{});
 }
 
 USAR_TEST(tst_PlanLayout)

@@ -163,7 +163,7 @@ void tst_PlanPanel::listsOfALowPanelStandBehindTabs() {
 void tst_PlanPanel::nothingSelectedSaysWhatToDo() {
     QVERIFY(list("Reasons")->item(0)->text().contains(QStringLiteral("Select a part")));
     QTest::mouseClick(list("Reasons")->viewport(), Qt::LeftButton, {}, QPoint(20, 10));
-    QCOMPARE(panel_->view().selected(), -1);
+    QCOMPARE(panel_->view().selected(), PlanNodeId{});
     panel_->clear();
     QCOMPARE(list("Running now")->count(), 0);
     QVERIFY(!list("Reasons")->isVisible()); // the sheet of the view says all there is to say
@@ -195,7 +195,7 @@ void tst_PlanPanel::returnStepsAndEscapeGoesBack() {
     QTest::keyClick(&panel_->view(), Qt::Key_F, Qt::ControlModifier);
     QVERIFY(line->hasFocus());
     QTest::keyClicks(line, QStringLiteral("distance"));
-    const int first = panel_->view().selected();
+    const PlanNodeId first = panel_->view().selected();
     QTest::keyClick(line, Qt::Key_Return);
     QVERIFY(panel_->view().selected() > first);
     QTest::keyClick(line, Qt::Key_Return, Qt::ShiftModifier);
@@ -224,7 +224,7 @@ void tst_PlanPanel::sharedPartsAreSwitched() {
 
 void tst_PlanPanel::buttonsFoldAndUnfold() {
     PlanView& view = panel_->view();
-    const int grab = view.tree().find(root + "/DE:1/A:0/C:0/CE:0");
+    const PlanNodeId grab = view.tree().find(root + "/DE:1/A:0/C:0/CE:0");
     button(QStringLiteral("Folds everything"))->click();
     QVERIFY(!view.layout().shown(grab));
     button(QStringLiteral("Unfolds everything"))->click();

@@ -72,7 +72,7 @@ void tst_PlanPicture::svgIsWellFormedAndHoldsTheNames() {
         if (xml.readNext() == QXmlStreamReader::StartElement && xml.name() == u"text")
             texts << xml.readElementText();
     QVERIFY2(!xml.hasError(), qPrintable(xml.errorString()));
-    for (int node = 0; node < view_->tree().size(); ++node)
+    for (const PlanNodeId node : view_->tree().nodes())
         QVERIFY2(texts.contains(view_->tree()[node].name), qPrintable(view_->tree()[node].name));
 }
 

@@ -30,8 +30,8 @@ struct Run {
     }();
 
     std::vector<PlanSpot> spots(std::string_view names) const {
-        const int node = tree.find(posh::pathOf(*program, posh::findPlace(*program, {}, std::string(names))));
-        return spotsOfNode(*program, paths, tree, tree[node].link >= 0 ? tree[node].link : node);
+        const PlanNodeId node = tree.find(posh::pathOf(*program, posh::findPlace(*program, {}, std::string(names))));
+        return spotsOfNode(*program, paths, tree, tree[node].link.valid() ? tree[node].link : node);
     }
     PlanSpot spot(std::string_view names) const { return spots(names).front(); }
 };
@@ -71,8 +71,8 @@ void tst_PlanPins::spotsSayHowBreakpointsReferToThem() {
 
 void tst_PlanPins::nothingSelectedHasNoSpots() {
     const Run run;
-    QVERIFY(spotsOfNode(*run.program, run.paths, run.tree, -1).empty());
-    QVERIFY(spotsOfNode(*run.program, {}, run.tree, 0).empty());
+    QVERIFY(spotsOfNode(*run.program, run.paths, run.tree, {}).empty());
+    QVERIFY(spotsOfNode(*run.program, {}, run.tree, {0}).empty());
 }
 
 void tst_PlanPins::aPinIsReleasedByItsCall() {

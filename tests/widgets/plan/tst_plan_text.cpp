@@ -100,8 +100,8 @@ void tst_PlanText::placesLeadToParts() {
     QFETCH(int, column);
     QFETCH(QString, name);
     const PlanTree tree(planOf(courier_plan));
-    const int node = nodeAtPlace(tree, line, column);
-    QCOMPARE(node < 0 ? QString() : tree[node].name, name);
+    const PlanNodeId node = nodeAtPlace(tree, line, column);
+    QCOMPARE(node.valid() ? tree[node].name : QString(), name);
 }
 
 void tst_PlanText::findingsAreMarkedWhereTheyStand() {

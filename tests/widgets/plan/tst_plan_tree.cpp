@@ -41,8 +41,8 @@ private slots:
 namespace {
 
 QString nameAt(const PlanTree& tree, std::string_view path) {
-    const int node = tree.find(path);
-    return node < 0 ? QStringLiteral("nothing") : tree[node].name;
+    const PlanNodeId node = tree.find(path);
+    return node.valid() ? tree[node].name : QStringLiteral("nothing");
 }
 
 } // namespace
@@ -84,8 +84,8 @@ void tst_PlanTree::everyPartHasItsPathKindAndPlace() {
     QFETCH(QString, detail);
     QFETCH(int, line);
     const PlanTree tree(planOf(courier_plan), PlanSharing::Expanded);
-    const int node = tree.find(path);
-    QVERIFY(node >= 0);
+    const PlanNodeId node = tree.find(path);
+    QVERIFY(node.valid());
     QCOMPARE(tree[node].kind, kind);
     QCOMPARE(tree[node].name, name);
     QCOMPARE(tree[node].detail, detail);
@@ -102,23 +102,23 @@ void tst_PlanTree::pathsAndNodesAgree() {
     QFETCH(bool, expanded);
     const PlanTree tree(planOf(courier_plan), expanded ? PlanSharing::Expanded : PlanSharing::Once);
     std::set<std::string> paths;
-    for (int node = 0; node < tree.size(); ++node) {
+    for (const PlanNodeId node : tree.nodes()) {
         QCOMPARE(tree.find(tree.path(node)), node);
         QVERIFY(paths.insert(tree.path(node)).second);
-        for (const int child : tree.children(node))
+        for (const PlanNodeId child : tree.children(node))
             QVERIFY(child > node && child < tree[node].end && tree[child].parent == node && !tree[child].in_card);
     }
-    QCOMPARE(tree.find("/P:0/DC:0/DE:7"), -1);
-    QCOMPARE(tree.find(""), -1);
-    QCOMPARE(tree.find("/"), -1);
-    QCOMPARE(tree.find("no path"), -1);
+    QCOMPARE(tree.find("/P:0/DC:0/DE:7"), PlanNodeId{});
+    QCOMPARE(tree.find(""), PlanNodeId{});
+    QCOMPARE(tree.find("/"), PlanNodeId{});
+    QCOMPARE(tree.find("no path"), PlanNodeId{});
 }
 
 void tst_PlanTree::referencesToTheSameFormAreDrawnOnce() {
     const PlanTree tree(planOf(courier_plan));
-    const int first = tree.find("/P:0/DC:0/DE:0/A:0/AP:1");
-    const int again = tree.find("/P:0/DC:0/DE:1/A:0/C:0/CE:1/A:0/AP:0/A:2/AP:1");
-    QCOMPARE(tree[first].link, -1);
+    const PlanNodeId first = tree.find("/P:0/DC:0/DE:0/A:0/AP:1");
+    const PlanNodeId again = tree.find("/P:0/DC:0/DE:1/A:0/C:0/CE:1/A:0/AP:0/A:2/AP:1");
+    QCOMPARE(tree[first].link, PlanNodeId{});
     QCOMPARE(tree.children(first).size(), std::size_t(2));
     QCOMPARE(tree[again].link, first);
     QVERIFY(tree.children(again).empty());
@@ -127,18 +127,18 @@ void tst_PlanTree::referencesToTheSameFormAreDrawnOnce() {
 
 void tst_PlanTree::pathsThroughALinkLeadToTheDrawnPart() {
     const PlanTree tree(planOf(courier_plan));
-    const int brake = tree.find("/P:0/DC:0/DE:0/A:0/AP:1/A:1");
+    const PlanNodeId brake = tree.find("/P:0/DC:0/DE:0/A:0/AP:1/A:1");
     QCOMPARE(tree[brake].name, QStringLiteral("Brake"));
     QCOMPARE(tree.find("/P:0/DC:0/DE:1/A:0/C:0/CE:1/A:0/AP:0/A:2/AP:1/A:1"), brake);
-    QCOMPARE(tree.find("/P:0/DC:0/DE:1/A:0/C:0/CE:1/A:0/AP:0/A:2/AP:1/A:2"), -1);
+    QCOMPARE(tree.find("/P:0/DC:0/DE:1/A:0/C:0/CE:1/A:0/AP:0/A:2/AP:1/A:2"), PlanNodeId{});
 }
 
 void tst_PlanTree::expandedDrawsTheFormAtEachPlace() {
     const PlanTree once(planOf(courier_plan));
     const PlanTree expanded(planOf(courier_plan), PlanSharing::Expanded);
     QCOMPARE(expanded.size(), once.size() + 2);
-    for (int node = 0; node < expanded.size(); ++node)
-        QCOMPARE(expanded[node].link, -1);
+    for (const PlanNodeId node : expanded.nodes())
+        QCOMPARE(expanded[node].link, PlanNodeId{});
     QCOMPARE(nameAt(expanded, "/P:0/DC:0/DE:1/A:0/C:0/CE:1/A:0/AP:0/A:2/AP:1/A:1"), QStringLiteral("Brake"));
 }
 
@@ -163,8 +163,8 @@ void tst_PlanTree::trailNamesTheWay() {
 
 void tst_PlanTree::fragmentShowsAllItsForms() {
     const PlanTree tree(planOf("((C top (elements ((a below)))) (AP below (X Y)) (AP alone (Z)))"));
-    QCOMPARE(tree[0].kind, PlanNodeKind::Plan);
-    QCOMPARE(tree.children(0).size(), std::size_t(2));
+    QCOMPARE(tree[PlanNodeId{0}].kind, PlanNodeKind::Plan);
+    QCOMPARE(tree.children(PlanNodeId{0}).size(), std::size_t(2));
     QCOMPARE(nameAt(tree, "/P:0/C:0"), QStringLiteral("top"));
     QCOMPARE(nameAt(tree, "/P:0/AP:1"), QStringLiteral("alone"));
     QCOMPARE(nameAt(tree, "/P:0/C:0/CE:0/A:0/AP:0/A:1"), QStringLiteral("Y"));
@@ -172,8 +172,8 @@ void tst_PlanTree::fragmentShowsAllItsForms() {
 
 void tst_PlanTree::unusedFormsStandBesideTheCollection() {
     const PlanTree tree(planOf("((AP spare (X)) (DC life (drives ((d Act)))))"));
-    QCOMPARE(tree[0].kind, PlanNodeKind::Plan);
-    QCOMPARE(tree[tree.children(0)[0]].kind, PlanNodeKind::Collection);
+    QCOMPARE(tree[PlanNodeId{0}].kind, PlanNodeKind::Plan);
+    QCOMPARE(tree[tree.children(PlanNodeId{0})[0]].kind, PlanNodeKind::Collection);
     QCOMPARE(nameAt(tree, "/P:0/DC:0/DE:0/A:0"), QStringLiteral("Act"));
     QCOMPARE(nameAt(tree, "/P:0/AP:0/A:0"), QStringLiteral("X"));
 }
@@ -181,8 +181,8 @@ void tst_PlanTree::unusedFormsStandBesideTheCollection() {
 void tst_PlanTree::circleOfReferencesEndsInALink() {
     for (const PlanSharing sharing : {PlanSharing::Once, PlanSharing::Expanded}) {
         const PlanTree tree(planOf("((AP a (X b)) (AP b (a Y)) (DC life (drives ((d a)))))"), sharing);
-        const int again = tree.find("/P:0/DC:0/DE:0/A:0/AP:0/A:1/AP:1/A:0/AP:0");
-        QVERIFY(again >= 0);
+        const PlanNodeId again = tree.find("/P:0/DC:0/DE:0/A:0/AP:0/A:1/AP:1/A:0/AP:0");
+        QVERIFY(again.valid());
         QVERIFY(tree[again].recursive);
         QCOMPARE(tree[again].link, tree.find("/P:0/DC:0/DE:0/A:0/AP:0"));
     }
@@ -210,8 +210,9 @@ void tst_PlanTree::longChainsNeedNoStack() {
     }
     const PlanTree tree(plan, PlanSharing::Expanded);
     QCOMPARE(tree.size(), length + 3);
-    QCOMPARE(tree[tree.size() - 1].kind, PlanNodeKind::Act);
-    QCOMPARE(tree.find(tree.path(tree.size() - 1)), tree.size() - 1);
+    const PlanNodeId last{tree.size() - 1};
+    QCOMPARE(tree[last].kind, PlanNodeKind::Act);
+    QCOMPARE(tree.find(tree.path(last)), last);
 }
 
 void tst_PlanTree::searchFindsByNameKindAndDetail_data() {
@@ -236,7 +237,7 @@ void tst_PlanTree::searchFindsByNameKindAndDetail() {
     QFETCH(QStringList, found);
     const PlanTree tree(planOf(courier_plan));
     QStringList names;
-    for (const int node : tree.search(words))
+    for (const PlanNodeId node : tree.search(words))
         names << tree[node].name;
     QCOMPARE(names, found);
 }
@@ -250,7 +251,7 @@ void tst_PlanTree::foldsOutliveAnEdit() {
     text.replace(text.find("((grab"), 0, "((look Look))\n      ");
     const PlanTree after(planOf(text));
     QCOMPARE(nameAt(after, "/P:0/DC:0/DE:2/A:0/C:0/CE:2"), QStringLiteral("near"));
-    for (int node = 0; node < after.size(); ++node)
+    for (const PlanNodeId node : after.nodes())
         QCOMPARE(folds.folded(after, node), after[node].name == u"near");
 }
 
@@ -265,10 +266,10 @@ void tst_PlanTree::namesakesFoldApart() {
 
 void tst_PlanTree::showOnlyOpensTheWay() {
     const PlanTree tree(planOf(courier_plan));
-    const int brake = tree.find("/P:0/DC:0/DE:0/A:0/AP:1/A:1");
+    const PlanNodeId brake = tree.find("/P:0/DC:0/DE:0/A:0/AP:1/A:1");
     PlanFolds folds;
     folds.showOnly(tree, {brake});
-    for (int at = tree[brake].parent; at >= 0; at = tree[at].parent)
+    for (PlanNodeId at = tree[brake].parent; at.valid(); at = tree[at].parent)
         QVERIFY(!folds.folded(tree, at));
     QVERIFY(folds.folded(tree, tree.find("/P:0/DC:0/DE:1")));
     QVERIFY(folds.reveal(tree, tree.find("/P:0/DC:0/DE:1/A:0")));
@@ -280,7 +281,7 @@ void tst_PlanTree::showOnlyOpensTheWay() {
 void tst_PlanTree::emptyPlanIsAnEmptyTree() {
     const PlanTree tree{posh::Plan()};
     QVERIFY(tree.empty());
-    QCOMPARE(tree.find("/P:0/DC:0"), -1);
+    QCOMPARE(tree.find("/P:0/DC:0"), PlanNodeId{});
     QVERIFY(tree.search(QStringLiteral("a")).empty());
 }
 

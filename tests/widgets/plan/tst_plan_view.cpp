@@ -91,7 +91,7 @@ private slots:
 
 private:
     QPoint middle(const std::string& path) const;
-    int node(const std::string& path) const { return view_->tree().find(path); }
+    PlanNodeId node(const std::string& path) const { return view_->tree().find(path); }
     std::unique_ptr<PlanView> view_;
 };
 
@@ -140,7 +140,7 @@ void tst_PlanView::keysWithoutPlanDoNoHarm() {
     view_->foldAll();
     view_->unfoldAll();
     QCOMPARE(view_->find(QStringLiteral("a")), 0);
-    QCOMPARE(view_->selected(), -1);
+    QCOMPARE(view_->selected(), PlanNodeId{});
 }
 
 void tst_PlanView::wheelZoomsAtTheCursor() {
@@ -160,7 +160,7 @@ void tst_PlanView::dragPansAndClickDoesNot() {
     QCOMPARE(view_->toScreen({0, 0}), before);
     drag(*view_, {500, 300}, {460, 320});
     QVERIFY((view_->toScreen({0, 0}) - before - QPointF(-40, 20)).manhattanLength() < 1e-6);
-    QCOMPARE(view_->selected(), -1);
+    QCOMPARE(view_->selected(), PlanNodeId{});
 }
 
 void tst_PlanView::arrowKeysPan_data() {
@@ -208,19 +208,19 @@ void tst_PlanView::clickSelectsCardsAndSenses() {
     QTest::mouseClick(view_.get(), Qt::LeftButton, {}, middle(root + "/DE:1/S:1"));
     QCOMPARE(view_->selected(), node(root + "/DE:1/S:1"));
     QTest::keyClick(view_.get(), Qt::Key_Escape);
-    QCOMPARE(view_->selected(), -1);
+    QCOMPARE(view_->selected(), PlanNodeId{});
     QCOMPARE(selected.count(), 3);
 }
 
 void tst_PlanView::clickOnTheMarkFoldsAndTheCardStays() {
-    const int work = node(root + "/DE:1");
+    const PlanNodeId work = node(root + "/DE:1");
     const QPointF before = view_->toScreen(view_->layout().box(view_->tree(), work).topLeft());
     const QRectF box = view_->layout().box(view_->tree(), work);
     QTest::mouseClick(view_.get(), Qt::LeftButton, {}, view_->toScreen(box.topRight() + QPointF(-14, 12)).toPoint());
     QVERIFY(view_->folds().folded(view_->tree(), work));
-    QVERIFY(!view_->layout().shown(work + 3));
+    QVERIFY(!view_->layout().shown({work.value + 3}));
     QVERIFY((view_->toScreen(view_->layout().box(view_->tree(), work).topLeft()) - before).manhattanLength() < 1e-6);
-    QCOMPARE(view_->selected(), -1);
+    QCOMPARE(view_->selected(), PlanNodeId{});
 }
 
 void tst_PlanView::spaceFoldsAndUnfolds() {
@@ -248,12 +248,12 @@ void tst_PlanView::returnFollowsALinkAndAsksForTheText() {
 void tst_PlanView::everyPartIsReachedByKeys() {
     std::vector<bool> reached(static_cast<std::size_t>(view_->tree().size()), false);
     QTest::keyClick(view_.get(), Qt::Key_Right, Qt::ControlModifier);
-    QCOMPARE(view_->selected(), 0);
+    QCOMPARE(view_->selected(), PlanNodeId{0});
     // Depth first: into each part, over its senses and siblings, and back out.
     const std::function<void()> visit = [&] {
         for (;;) {
-            const int here = view_->selected();
-            reached[static_cast<std::size_t>(here)] = true;
+            const PlanNodeId here = view_->selected();
+            reached[here.index()] = true;
             const QRectF box = view_->layout().box(view_->tree(), here);
             QVERIFY(QRectF(view_->rect()).contains(view_->toScreen(box.center())));
             if (!view_->tree().children(here).empty()) {
@@ -271,10 +271,10 @@ void tst_PlanView::everyPartIsReachedByKeys() {
     visit();
     QVERIFY(std::all_of(reached.begin(), reached.end(), [](bool was) { return was; }));
     QTest::keyClick(view_.get(), Qt::Key_End);
-    QCOMPARE(view_->selected(), view_->tree().size() - 1);
+    QCOMPARE(view_->selected(), PlanNodeId{view_->tree().size() - 1});
     for (int i = 0; i < 50; ++i)
         QTest::keyClick(view_.get(), i % 2 ? Qt::Key_Up : Qt::Key_Left, Qt::ControlModifier);
-    QCOMPARE(view_->selected(), 0);
+    QCOMPARE(view_->selected(), PlanNodeId{0});
 }
 
 void tst_PlanView::foldedSelectionMovesToWhatIsSeen() {
@@ -282,13 +282,13 @@ void tst_PlanView::foldedSelectionMovesToWhatIsSeen() {
     view_->setFolded(node(root + "/DE:1"), true);
     QCOMPARE(view_->selected(), node(root + "/DE:1"));
     view_->foldAll();
-    QVERIFY(view_->selected() < 0 || view_->layout().shown(view_->selected()));
+    QVERIFY(!view_->selected().valid() || view_->layout().shown(view_->selected()));
 }
 
 void tst_PlanView::searchGoesRoundAndOpensTheWay() {
     view_->foldAll();
     QCOMPARE(view_->find(QStringLiteral("distance")), 3);
-    const int first = node(fetch + "/CE:0/S:0");
+    const PlanNodeId first = node(fetch + "/CE:0/S:0");
     QCOMPARE(view_->selected(), first);
     QVERIFY(!view_->layout().box(view_->tree(), first).isNull());
     view_->findNext();
@@ -316,9 +316,9 @@ void tst_PlanView::hiddenViewTakesNoNews() {
     view_->setSnapshot(running({root}));
     const test::Beats frames(16);
     QVERIFY(test::holdsUntil([&] { return refreshed.isEmpty(); }, [&] { return frames.count() >= 3; }));
-    QVERIFY(!view_->states()[0].running);
+    QVERIFY(!view_->states()[PlanNodeId{0}].running);
     view_->show();
-    QTRY_VERIFY(view_->states()[0].running);
+    QTRY_VERIFY(view_->states()[PlanNodeId{0}].running);
 }
 
 void tst_PlanView::runningPartsAreWalkedByKey() {
@@ -419,7 +419,7 @@ void tst_PlanView::selectionAndFoldsOutliveAnEdit() {
     QVERIFY(view_->folds().folded(view_->tree(), node(root + "/DE:0")));
     text.replace(text.find("((go"), 4, "((gone");
     view_->setPlan(planOf(text));
-    QVERIFY(view_->selected() < view_->tree().size());
+    QVERIFY(!view_->selected().valid() || view_->tree().contains(view_->selected()));
 }
 
 void tst_PlanView::otherSharingKeepsSelectionAndNews() {
@@ -472,7 +472,7 @@ void tst_PlanView::drawingIsPaintedWholeForPaper() {
     QPainter painter(&image);
     view_->paintDrawing(painter);
     painter.end();
-    const int last = view_->tree().size() - 1;
+    const PlanNodeId last{view_->tree().size() - 1};
     const QPointF at = view_->layout().box(view_->tree(), last).topLeft() + QPointF(16.0, 17.0);
     QVERIFY(image.pixelColor(at.toPoint()) != QColor(Qt::white));
     QCOMPARE(image.pixelColor(2, 2), QColor(Qt::white));

@@ -59,18 +59,18 @@ void tst_PlanWalk::stepsLeadToNeighbors() {
     QFETCH(int, step);
     QFETCH(QString, to);
     const PlanTree tree(planOf(courier_plan));
-    const int start = tree.find(from.toStdString());
-    QVERIFY(start >= 0);
-    const int wanted = to.isEmpty() ? -1 : tree.find(to.toStdString());
-    QVERIFY(to.isEmpty() || wanted >= 0);
+    const PlanNodeId start = tree.find(from.toStdString());
+    QVERIFY(start.valid());
+    const PlanNodeId wanted = to.isEmpty() ? PlanNodeId{} : tree.find(to.toStdString());
+    QVERIFY(to.isEmpty() || wanted.valid());
     QCOMPARE(planStep(tree, start, static_cast<PlanStep>(step)), wanted);
 }
 
 void tst_PlanWalk::firstStepLeadsToTheRoot() {
     const PlanTree tree(planOf(courier_plan));
     for (const PlanStep step : {PlanStep::Out, PlanStep::In, PlanStep::Before, PlanStep::After}) {
-        QCOMPARE(planStep(tree, -1, step), 0);
-        QCOMPARE(planStep(PlanTree(), -1, step), -1);
+        QCOMPARE(planStep(tree, {}, step), PlanNodeId{0});
+        QCOMPARE(planStep(PlanTree(), {}, step), PlanNodeId{});
     }
 }
 
@@ -91,17 +91,18 @@ void tst_PlanWalk::nextGoesRound() {
     QFETCH(int, from);
     QFETCH(bool, backward);
     QFETCH(int, to);
-    QCOMPARE(nextOf({2, 5, 9}, from, backward), to);
-    QCOMPARE(nextOf({}, from, backward), -1);
+    const std::vector<PlanNodeId> nodes{{2}, {5}, {9}};
+    QCOMPARE(nextOf(nodes, {from}, backward), PlanNodeId{to});
+    QCOMPARE(nextOf({}, {from}, backward), PlanNodeId{});
 }
 
 void tst_PlanWalk::selectionTellsWhetherItChanged() {
     PlanSelection selection;
-    QCOMPARE(selection.node(), -1);
-    QVERIFY(!selection.set(-1));
-    QVERIFY(selection.set(3));
-    QVERIFY(!selection.set(3));
-    QCOMPARE(selection.node(), 3);
+    QCOMPARE(selection.node(), PlanNodeId{});
+    QVERIFY(!selection.set({}));
+    QVERIFY(selection.set({3}));
+    QVERIFY(!selection.set({3}));
+    QCOMPARE(selection.node(), PlanNodeId{3});
 }
 
 void tst_PlanWalk::selectionMovesToTheSamePart() {
@@ -111,7 +112,7 @@ void tst_PlanWalk::selectionMovesToTheSamePart() {
     const PlanTree edited(planOf(text));
     PlanSelection selection;
     selection.moveTo(edited, before);
-    QCOMPARE(selection.node(), -1);
+    QCOMPARE(selection.node(), PlanNodeId{});
     selection.set(before.find(fetch + "/CE:3"));
     selection.moveTo(edited, before);
     QCOMPARE(edited[selection.node()].name, QStringLiteral("go"));
@@ -121,7 +122,7 @@ void tst_PlanWalk::selectionMovesToTheSamePart() {
     selection.moveTo(before, expanded);
     QCOMPARE(selection.node(), before.find(brake));
     selection.moveTo(PlanTree(), before);
-    QCOMPARE(selection.node(), -1);
+    QCOMPARE(selection.node(), PlanNodeId{});
 }
 
 void tst_PlanWalk::searchIsRememberedUntilTheTreeChanges() {
@@ -131,7 +132,7 @@ void tst_PlanWalk::searchIsRememberedUntilTheTreeChanges() {
     const auto found = selection.found();
     QCOMPARE(found.size(), std::size_t(3));
     QCOMPARE(selection.foundByNode().size(), static_cast<std::size_t>(tree.size()));
-    QVERIFY(selection.foundByNode()[static_cast<std::size_t>(found[1])]);
+    QVERIFY(selection.foundByNode()[found[1].index()]);
     QVERIFY(!selection.foundByNode()[0] && !selection.isFound());
     QCOMPARE(selection.nextFound(false), found[0]);
     QCOMPARE(selection.nextFound(true), found[2]);
@@ -140,7 +141,7 @@ void tst_PlanWalk::searchIsRememberedUntilTheTreeChanges() {
     QCOMPARE(selection.nextFound(false), found[1]);
     selection.search(tree, QStringLiteral("zebra"));
     QVERIFY(selection.found().empty() && selection.foundByNode().empty());
-    QCOMPARE(selection.nextFound(false), -1);
+    QCOMPARE(selection.nextFound(false), PlanNodeId{});
     selection.search(tree, QStringLiteral("distance"));
     selection.moveTo(tree, tree);
     QVERIFY(selection.found().empty());

@@ -16,6 +16,7 @@ namespace usar::widgets {
 
 namespace {
 
+using agent::BreakpointId;
 using posh::ActResult;
 using posh::BreakOn;
 using posh::Breakpoint;
@@ -84,8 +85,8 @@ bool isOfPlan(const Breakpoint& breakpoint, std::string_view name) {
 
 /// Returns the ids of the breakpoints of a plan for which `fits` is true.
 template <class Fits>
-std::vector<int> idsOf(const std::vector<agent::PlanBreakpoint>& all, std::string_view plan_name, Fits fits) {
-    std::vector<int> ids;
+std::vector<BreakpointId> idsOf(const std::vector<agent::PlanBreakpoint>& all, std::string_view plan_name, Fits fits) {
+    std::vector<BreakpointId> ids;
     for (const auto& [id, what] : all)
         if (isOfPlan(what, plan_name) && fits(what))
             ids.push_back(id);
@@ -94,32 +95,32 @@ std::vector<int> idsOf(const std::vector<agent::PlanBreakpoint>& all, std::strin
 
 } // namespace
 
-const Breakpoint* BreakpointList::find(int id) const {
+const Breakpoint* BreakpointList::find(BreakpointId id) const {
     const auto found = std::ranges::find(all_, id, &agent::PlanBreakpoint::id);
     return found == all_.end() ? nullptr : &found->what;
 }
 
-int BreakpointList::add(Breakpoint breakpoint) {
-    all_.push_back({next_id_, std::move(breakpoint)});
-    return next_id_++;
+BreakpointId BreakpointList::add(Breakpoint breakpoint) {
+    all_.push_back({{next_id_++}, std::move(breakpoint)});
+    return all_.back().id;
 }
 
-void BreakpointList::change(int id, Breakpoint breakpoint) {
+void BreakpointList::change(BreakpointId id, Breakpoint breakpoint) {
     if (const auto found = std::ranges::find(all_, id, &agent::PlanBreakpoint::id); found != all_.end())
         found->what = std::move(breakpoint);
 }
 
-void BreakpointList::remove(int id) {
+void BreakpointList::remove(BreakpointId id) {
     std::erase_if(all_, [id](const agent::PlanBreakpoint& one) { return one.id == id; });
 }
 
-void BreakpointList::remove(const std::vector<int>& ids) {
-    for (const int id : ids)
+void BreakpointList::remove(const std::vector<BreakpointId>& ids) {
+    for (const BreakpointId id : ids)
         remove(id);
 }
 
 void BreakpointList::toggle(std::string_view plan_name, const std::vector<PlanSpot>& spots, BreakOn on) {
-    const std::vector<int> known = atSpots(plan_name, spots, on);
+    const std::vector<BreakpointId> known = atSpots(plan_name, spots, on);
     remove(known);
     if (known.empty())
         for (const PlanSpot& spot : spots)
@@ -127,7 +128,7 @@ void BreakpointList::toggle(std::string_view plan_name, const std::vector<PlanSp
 }
 
 void BreakpointList::toggleKey(const posh::Program& program, const std::string& key) {
-    const std::vector<int> known = ofKey(program.title, key);
+    const std::vector<BreakpointId> known = ofKey(program.title, key);
     remove(known);
     if (known.empty())
         add({.path = posh::pathOf(program, 0),
@@ -137,36 +138,36 @@ void BreakpointList::toggleKey(const posh::Program& program, const std::string& 
              .condition = {}});
 }
 
-void BreakpointList::enable(int id, bool on) {
+void BreakpointList::enable(BreakpointId id, bool on) {
     if (const auto found = std::ranges::find(all_, id, &agent::PlanBreakpoint::id); found != all_.end())
         found->what.enabled = on;
 }
 
-void BreakpointList::toggleEnabled(const std::vector<int>& ids) {
-    const bool any_on = std::ranges::any_of(ids, [this](int id) { return find(id) && find(id)->enabled; });
-    for (const int id : ids)
+void BreakpointList::toggleEnabled(const std::vector<BreakpointId>& ids) {
+    const bool any_on = std::ranges::any_of(ids, [this](BreakpointId id) { return find(id) && find(id)->enabled; });
+    for (const BreakpointId id : ids)
         enable(id, !any_on);
 }
 
-std::vector<int> BreakpointList::ofPlan(std::string_view name) const {
+std::vector<BreakpointId> BreakpointList::ofPlan(std::string_view name) const {
     return idsOf(all_, name, [](const Breakpoint&) { return true; });
 }
 
-std::vector<int> BreakpointList::ofKey(std::string_view plan_name, std::string_view key) const {
+std::vector<BreakpointId> BreakpointList::ofKey(std::string_view plan_name, std::string_view key) const {
     return idsOf(all_, plan_name,
                  [key](const Breakpoint& what) { return what.on == BreakOn::Written && what.key == key; });
 }
 
-std::vector<int> BreakpointList::atPath(std::string_view plan_name, std::string_view path) const {
+std::vector<BreakpointId> BreakpointList::atPath(std::string_view plan_name, std::string_view path) const {
     return idsOf(all_, plan_name,
                  [path](const Breakpoint& what) { return what.on != BreakOn::Written && what.path == path; });
 }
 
-std::vector<int> BreakpointList::atSpots(std::string_view plan_name, const std::vector<PlanSpot>& spots,
-                                         std::optional<BreakOn> on) const {
-    std::vector<int> ids;
+std::vector<BreakpointId> BreakpointList::atSpots(std::string_view plan_name, const std::vector<PlanSpot>& spots,
+                                                  std::optional<BreakOn> on) const {
+    std::vector<BreakpointId> ids;
     for (const PlanSpot& spot : spots)
-        for (const int id : atPath(plan_name, spot.path))
+        for (const BreakpointId id : atPath(plan_name, spot.path))
             if (!on || find(id)->on == *on)
                 ids.push_back(id);
     return ids;

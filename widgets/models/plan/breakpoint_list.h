@@ -19,30 +19,30 @@ public:
     /// All breakpoints with their ids; the reference is valid until the list changes.
     const std::vector<agent::PlanBreakpoint>& all() const { return all_; }
     /// Returns nullptr if no breakpoint has this id. The pointer is valid until the list changes.
-    const posh::Breakpoint* find(int id) const;
+    const posh::Breakpoint* find(agent::BreakpointId id) const;
     /// Returns the id of the new breakpoint.
-    int add(posh::Breakpoint breakpoint);
+    agent::BreakpointId add(posh::Breakpoint breakpoint);
     /// Changing or removing an unknown id has no effect.
-    void change(int id, posh::Breakpoint breakpoint);
-    void remove(int id);
-    void remove(const std::vector<int>& ids);
+    void change(agent::BreakpointId id, posh::Breakpoint breakpoint);
+    void remove(agent::BreakpointId id);
+    void remove(const std::vector<agent::BreakpointId>& ids);
     /// Removes the breakpoints of this kind at these places of a plan; sets one at each place if there are none.
     void toggle(std::string_view plan_name, const std::vector<PlanSpot>& spots, posh::BreakOn on);
     /// The same for a key of the program's blackboard.
     void toggleKey(const posh::Program& program, const std::string& key);
     /// Enables or disables a breakpoint; an unknown id has no effect.
-    void enable(int id, bool on);
+    void enable(agent::BreakpointId id, bool on);
     /// Disables these breakpoints if one of them is enabled, else enables them.
-    void toggleEnabled(const std::vector<int>& ids);
+    void toggleEnabled(const std::vector<agent::BreakpointId>& ids);
     /// Ids of the breakpoints of a plan, by the plan's name.
-    std::vector<int> ofPlan(std::string_view name) const;
+    std::vector<agent::BreakpointId> ofPlan(std::string_view name) const;
     /// Ids of the breakpoints on a key of the plan's blackboard; those have no path.
-    std::vector<int> ofKey(std::string_view plan_name, std::string_view key) const;
+    std::vector<agent::BreakpointId> ofKey(std::string_view plan_name, std::string_view key) const;
     /// Ids of the breakpoints at one path of a plan.
-    std::vector<int> atPath(std::string_view plan_name, std::string_view path) const;
+    std::vector<agent::BreakpointId> atPath(std::string_view plan_name, std::string_view path) const;
     /// Ids of the breakpoints at these places of a plan, of all kinds or of one.
-    std::vector<int> atSpots(std::string_view plan_name, const std::vector<PlanSpot>& spots,
-                             std::optional<posh::BreakOn> on = std::nullopt) const;
+    std::vector<agent::BreakpointId> atSpots(std::string_view plan_name, const std::vector<PlanSpot>& spots,
+                                             std::optional<posh::BreakOn> on = std::nullopt) const;
     /// Finds the places of this program's breakpoints again by their names and updates their paths; the path becomes
     /// empty if the program has no such place.
     void repairPaths(const posh::Program& program);
@@ -53,7 +53,7 @@ public:
 
 private:
     std::vector<agent::PlanBreakpoint> all_;
-    int next_id_ = 1;
+    int next_id_ = 1; ///< number of the next id
 };
 
 /// When the breakpoint stops: "before", "when it answers: failed".

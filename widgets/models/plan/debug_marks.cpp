@@ -19,7 +19,7 @@ PlanMark& markAt(std::vector<PlanMark>& marks, const std::string& path) {
 } // namespace
 
 void markBreakpoints(const BreakpointList& list, const std::string& plan_name, std::vector<PlanMark>& marks) {
-    for (const int id : list.ofPlan(plan_name)) {
+    for (const agent::BreakpointId id : list.ofPlan(plan_name)) {
         const posh::Breakpoint& breakpoint = *list.find(id);
         if (breakpoint.path.empty() || breakpoint.on == posh::BreakOn::Written)
             continue;

@@ -37,22 +37,22 @@ void PlanStates::take(const PlanTree& tree, const PlanSnapshot& snapshot) {
         if (paths_)
             for (const std::string& path : *paths_)
                 node_of_path_.push_back(tree.find(path));
-        strangers_ = static_cast<int>(std::ranges::count(node_of_path_, -1));
+        strangers_ = static_cast<int>(std::ranges::count(node_of_path_, PlanNodeId{}));
     }
     now_ = snapshot.now;
     states_.assign(static_cast<std::size_t>(tree.size()), {});
     const std::size_t count = std::min(node_of_path_.size(), snapshot.activities.size());
     for (std::size_t i = 0; i < count; ++i) {
-        const int node = node_of_path_[i];
-        if (node < 0)
+        const PlanNodeId node = node_of_path_[i];
+        if (!node.valid())
             continue;
-        merge(states_[static_cast<std::size_t>(node)], snapshot.activities[i]);
-        if (const int drawn = tree[node].link; drawn >= 0)
-            merge(states_[static_cast<std::size_t>(drawn)], snapshot.activities[i]);
+        merge(states_[node.index()], snapshot.activities[i]);
+        if (const PlanNodeId drawn = tree[node].link; drawn.valid())
+            merge(states_[drawn.index()], snapshot.activities[i]);
     }
 }
 
-double PlanStates::recency(int node) const {
+double PlanStates::recency(PlanNodeId node) const {
     const PlanActivity& state = (*this)[node];
     if (state.running)
         return 1.0;
@@ -63,9 +63,9 @@ double PlanStates::recency(int node) const {
     return left < 0.02 ? 0.0 : left;
 }
 
-std::vector<int> PlanStates::running(const PlanTree& tree) const {
-    std::vector<int> nodes;
-    for (int node = 0; node < tree.size(); ++node)
+std::vector<PlanNodeId> PlanStates::running(const PlanTree& tree) const {
+    std::vector<PlanNodeId> nodes;
+    for (const PlanNodeId node : tree.nodes())
         if ((*this)[node].running && !tree[node].in_card)
             nodes.push_back(node);
     return nodes;

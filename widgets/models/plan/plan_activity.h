@@ -63,21 +63,21 @@ public:
     /// Takes over a snapshot; the nodes of its paths are looked up only when the paths have changed.
     void take(const PlanTree& tree, const PlanSnapshot& snapshot);
 
-    const PlanActivity& operator[](int node) const { return states_[static_cast<std::size_t>(node)]; }
+    const PlanActivity& operator[](PlanNodeId node) const { return states_[node.index()]; }
     Seconds now() const { return now_; }
     /// 1 while the node runs, then halved every `half_life`; 0 when that falls below 2 %.
-    double recency(int node) const;
+    double recency(PlanNodeId node) const;
     /// Time after which the glow of a card has faded to one half.
     static constexpr Seconds half_life{2.0};
     /// Number of paths without a node; they belong to a different plan than the drawn one.
     int strangers() const { return strangers_; }
     /// The cards that run, in the order of the tree.
-    std::vector<int> running(const PlanTree& tree) const;
+    std::vector<PlanNodeId> running(const PlanTree& tree) const;
 
 private:
     std::vector<PlanActivity> states_;
     std::shared_ptr<const std::vector<std::string>> paths_;
-    std::vector<int> node_of_path_;
+    std::vector<PlanNodeId> node_of_path_;
     int strangers_ = 0;
     Seconds now_{0.0};
 };

@@ -2,7 +2,7 @@
 
 namespace usar::widgets {
 
-void PlanFolds::set(const PlanTree& tree, int node, bool folded) {
+void PlanFolds::set(const PlanTree& tree, PlanNodeId node, bool folded) {
     if (folded && !tree.children(node).empty())
         keys_.insert(tree[node].key);
     else
@@ -10,21 +10,21 @@ void PlanFolds::set(const PlanTree& tree, int node, bool folded) {
 }
 
 void PlanFolds::foldAll(const PlanTree& tree) {
-    for (int node = 0; node < tree.size(); ++node)
-        if (tree[node].parent >= 0)
+    for (const PlanNodeId node : tree.nodes())
+        if (tree[node].parent.valid())
             set(tree, node, true);
 }
 
-void PlanFolds::showOnly(const PlanTree& tree, const std::vector<int>& nodes) {
+void PlanFolds::showOnly(const PlanTree& tree, const std::vector<PlanNodeId>& nodes) {
     foldAll(tree);
-    for (const int node : nodes)
+    for (const PlanNodeId node : nodes)
         reveal(tree, node);
 }
 
-bool PlanFolds::reveal(const PlanTree& tree, int node) {
-    const int card = tree[node].in_card ? tree[node].parent : node; // A sense is visible if its card is.
+bool PlanFolds::reveal(const PlanTree& tree, PlanNodeId node) {
+    const PlanNodeId card = tree[node].in_card ? tree[node].parent : node; // A sense is visible if its card is.
     bool changed = false;
-    for (int at = tree[card].parent; at >= 0; at = tree[at].parent)
+    for (PlanNodeId at = tree[card].parent; at.valid(); at = tree[at].parent)
         changed = keys_.erase(tree[at].key) > 0 || changed;
     return changed;
 }

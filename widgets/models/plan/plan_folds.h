@@ -12,16 +12,16 @@ namespace usar::widgets {
 class PlanFolds {
 public:
     /// True if the node's children are hidden.
-    bool folded(const PlanTree& tree, int node) const { return keys_.contains(tree[node].key); }
+    bool folded(const PlanTree& tree, PlanNodeId node) const { return keys_.contains(tree[node].key); }
     /// Folds or unfolds; folding a node without children unfolds it.
-    void set(const PlanTree& tree, int node, bool folded);
+    void set(const PlanTree& tree, PlanNodeId node, bool folded);
     void unfoldAll() { keys_.clear(); }
     /// Folds everything except the roots.
     void foldAll(const PlanTree& tree);
     /// Folds everything except the paths to these nodes.
-    void showOnly(const PlanTree& tree, const std::vector<int>& nodes);
+    void showOnly(const PlanTree& tree, const std::vector<PlanNodeId>& nodes);
     /// Unfolds everything that contains the node. Returns true if something was folded.
-    bool reveal(const PlanTree& tree, int node);
+    bool reveal(const PlanTree& tree, PlanNodeId node);
     bool operator==(const PlanFolds&) const = default;
 
 private:

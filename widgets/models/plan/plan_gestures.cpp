@@ -50,18 +50,18 @@ bool hasMembers(const Form& form) {
 
 } // namespace
 
-std::optional<PlanPart> partOfNode(const Plan& plan, const PlanTree& tree, int node) {
-    if (node < 0 || node >= tree.size() || tree[node].at.line == 0)
+std::optional<PlanPart> partOfNode(const Plan& plan, const PlanTree& tree, PlanNodeId node) {
+    if (!tree.contains(node) || tree[node].at.line == 0)
         return std::nullopt;
     const auto part = partAt(plan, tree[node].at.offset);
     return part && nameOf(plan, *part)->at.offset == tree[node].at.offset ? part : std::nullopt;
 }
 
-std::optional<PlanPart> callOfNode(const Plan& plan, const PlanTree& tree, int node) {
+std::optional<PlanPart> callOfNode(const Plan& plan, const PlanTree& tree, PlanNodeId node) {
     const auto part = partOfNode(plan, tree, node);
     if (!part || part->kind == PartKind::Action)
         return part;
-    if (part->kind != PartKind::Whole || tree[node].parent < 0)
+    if (part->kind != PartKind::Whole || !tree[node].parent.valid())
         return std::nullopt;
     const auto parent = partOfNode(plan, tree, tree[node].parent);
     if (!parent)
@@ -73,14 +73,14 @@ std::optional<PlanPart> callOfNode(const Plan& plan, const PlanTree& tree, int n
     return callOf(plan, call) ? std::optional(call) : std::nullopt;
 }
 
-int nodeOfPart(const Plan& plan, const PlanTree& tree, const PlanPart& part) {
+PlanNodeId nodeOfPart(const Plan& plan, const PlanTree& tree, const PlanPart& part) {
     const Name* const name = nameOf(plan, part);
     if (!name)
-        return -1;
-    int link = -1;
-    for (int node = 0; node < tree.size(); ++node) {
+        return {};
+    PlanNodeId link;
+    for (const PlanNodeId node : tree.nodes()) {
         if (tree[node].at.offset == name->at.offset && tree[node].at.line > 0) {
-            if (tree[node].link < 0)
+            if (!tree[node].link.valid())
                 return node;
             link = node;
         } else if (part.kind == PartKind::Action && callOfNode(plan, tree, node) == part) {
@@ -109,7 +109,7 @@ struct PlanGestures::Target {
     QString name;
 };
 
-std::optional<PlanGestures::Dragged> PlanGestures::dragged(const std::variant<PlanPiece, int>& source) const {
+std::optional<PlanGestures::Dragged> PlanGestures::dragged(const std::variant<PlanPiece, PlanNodeId>& source) const {
     Dragged what;
     if (const auto* const piece = std::get_if<PlanPiece>(&source)) {
         const std::string words = piece->words.toStdString();
@@ -120,7 +120,7 @@ std::optional<PlanGestures::Dragged> PlanGestures::dragged(const std::variant<Pl
         return Dragged{piece->is_sense ? PartKind::Sense : PartKind::Action, *sense, *call, std::nullopt,
                        piece->words.section(u' ', 0, 0).section(u'(', 0, 0)};
     }
-    const int node = std::get<int>(source);
+    const PlanNodeId node = std::get<PlanNodeId>(source);
     const auto part = partOfNode(plan_, tree_, node);
     if (!part)
         return std::nullopt;
@@ -139,7 +139,7 @@ std::optional<PlanGestures::Dragged> PlanGestures::dragged(const std::variant<Pl
     return what;
 }
 
-PlanGestures::Target PlanGestures::targetAt(int node, DropZone zone) const {
+PlanGestures::Target PlanGestures::targetAt(PlanNodeId node, DropZone zone) const {
     Target to;
     to.part = partOfNode(plan_, tree_, node);
     to.call = callOfNode(plan_, tree_, node);
@@ -184,18 +184,18 @@ Senses PlanGestures::firstTrigger(const MemberPlace& place) const {
     return {SenseTest{Call{{"fail", {}}, {}}, std::nullopt, std::nullopt}};
 }
 
-std::optional<PlanDeed> PlanGestures::drop(const std::variant<PlanPiece, int>& source, int target,
+std::optional<PlanDeed> PlanGestures::drop(const std::variant<PlanPiece, PlanNodeId>& source, PlanNodeId target,
                                            DropZone zone) const {
-    const auto* const node = std::get_if<int>(&source);
+    const auto* const node = std::get_if<PlanNodeId>(&source);
     const auto what = node && *node == target ? std::nullopt : dragged(source);
     if (!what)
         return std::nullopt;
     // Only senses can be dropped on a sense row; others mean its card.
-    if (target >= 0 && tree_[target].in_card && what->kind != PartKind::Sense) {
+    if (target.valid() && tree_[target].in_card && what->kind != PartKind::Sense) {
         target = tree_[target].parent;
         zone = DropZone::Onto;
     }
-    if (target < 0 && collectionOf(plan_) && what->kind == PartKind::Action) {
+    if (!target.valid() && collectionOf(plan_) && what->kind == PartKind::Action) {
         for (std::size_t i = 0; i < plan_.forms.size(); ++i)
             if (std::holds_alternative<Collection>(plan_.forms[i]))
                 return putInto(*what, i);
@@ -213,9 +213,9 @@ std::optional<PlanDeed> PlanGestures::drop(const std::variant<PlanPiece, int>& s
     }
 }
 
-std::optional<PlanDeed> PlanGestures::add(const PlanPiece& piece, int selected) const {
-    const bool is_row = selected >= 0 && tree_[selected].in_card;
-    const bool is_card = selected >= 0 && !piece.is_sense &&
+std::optional<PlanDeed> PlanGestures::add(const PlanPiece& piece, PlanNodeId selected) const {
+    const bool is_row = selected.valid() && tree_[selected].in_card;
+    const bool is_card = selected.valid() && !piece.is_sense &&
                          (tree_[selected].kind == PlanNodeKind::Drive ||
                           tree_[selected].kind == PlanNodeKind::Element || targetAt(selected, DropZone::After).is_step);
     return drop(piece, selected, is_row || is_card ? DropZone::After : DropZone::Onto);

@@ -32,11 +32,11 @@ struct PlanDeed {
 };
 
 /// The part of the plan that a node of its drawing stands for; nullopt for the common root of several forms.
-std::optional<posh::PlanPart> partOfNode(const posh::Plan& plan, const PlanTree& tree, int node);
+std::optional<posh::PlanPart> partOfNode(const posh::Plan& plan, const PlanTree& tree, PlanNodeId node);
 /// The call that leads to the node: the call of an act, or the call of a form at this place.
-std::optional<posh::PlanPart> callOfNode(const posh::Plan& plan, const PlanTree& tree, int node);
-/// The node that draws a part; -1 if it is not drawn. Prefers the full drawing over links.
-int nodeOfPart(const posh::Plan& plan, const PlanTree& tree, const posh::PlanPart& part);
+std::optional<posh::PlanPart> callOfNode(const posh::Plan& plan, const PlanTree& tree, PlanNodeId node);
+/// The node that draws a part; none if it is not drawn. Prefers the full drawing over links.
+PlanNodeId nodeOfPart(const posh::Plan& plan, const PlanTree& tree, const posh::PlanPart& part);
 
 /// Refers to text, plan and drawing of one moment, which must outlive it. A new drive or element gets a trigger that
 /// never holds, unless it is placed last, so that it does not preempt the parts after it before the user has written
@@ -48,20 +48,21 @@ public:
         , plan_(plan)
         , tree_(tree) {}
 
-    /// The edit that dropping `source`, a piece or the number of a node, on a zone of `target` would make; nullopt if
+    /// The edit that dropping `source`, a piece or a node, on a zone of `target` would make; nullopt if
     /// there is none.
-    std::optional<PlanDeed> drop(const std::variant<PlanPiece, int>& source, int target, DropZone zone) const;
+    std::optional<PlanDeed> drop(const std::variant<PlanPiece, PlanNodeId>& source, PlanNodeId target,
+                                 DropZone zone) const;
     /// The edit that adds a piece without naming a place: at the selected node, or at the end of the drives if there is
-    /// none (-1).
-    std::optional<PlanDeed> add(const PlanPiece& piece, int selected) const;
+    /// none.
+    std::optional<PlanDeed> add(const PlanPiece& piece, PlanNodeId selected) const;
 
 private:
     struct Dragged;
     struct Target;
     /// The sense, member or call that is dragged; nullopt if it cannot be.
-    std::optional<Dragged> dragged(const std::variant<PlanPiece, int>& source) const;
+    std::optional<Dragged> dragged(const std::variant<PlanPiece, PlanNodeId>& source) const;
     /// The target with the part that it draws.
-    Target targetAt(int node, DropZone zone) const;
+    Target targetAt(PlanNodeId node, DropZone zone) const;
     /// The following return the edit for a sense, a member or a call; nullopt if the drop means nothing.
     std::optional<PlanDeed> dropSense(const Dragged& what, const Target& to) const;
     std::optional<PlanDeed> dropMember(const Dragged& what, const Target& to) const;

@@ -11,11 +11,7 @@ constexpr double indent_px = 24.0;
 constexpr double equals_gap_px = 4.0; ///< between members of a level, and between steps
 constexpr double level_gap_px = 12.0;
 
-std::size_t at(int node) {
-    return static_cast<std::size_t>(node);
-}
-
-double widthOf(const PlanTree& tree, int node, const PlanMetrics& metrics) {
+double widthOf(const PlanTree& tree, PlanNodeId node, const PlanMetrics& metrics) {
     using namespace plan_card;
     const PlanNode& card = tree[node];
     double width = 2.0 * padding_px + glyph_px + metrics.name_px(card.name);
@@ -23,9 +19,9 @@ double widthOf(const PlanTree& tree, int node, const PlanMetrics& metrics) {
         width += padding_px + metrics.text_px(card.detail);
     if (card.kind != PlanNodeKind::Plan)
         width += padding_px + (card.kind == PlanNodeKind::Sense ? answer_px : counters_px);
-    if (!tree.children(node).empty() || card.link >= 0)
+    if (!tree.children(node).empty() || card.link.valid())
         width += fold_px;
-    for (int sense = node + 1; sense <= node + card.senses; ++sense) {
+    for (const PlanNodeId sense : tree.senses(node)) {
         double row = 2.0 * padding_px + glyph_px + metrics.text_px(tree[sense].name) + padding_px + answer_px;
         if (tree[sense].of_goal)
             row += goal_px;
@@ -39,11 +35,11 @@ double widthOf(const PlanTree& tree, int node, const PlanMetrics& metrics) {
 } // namespace
 
 std::vector<QSizeF> measurePlan(const PlanTree& tree, const PlanMetrics& metrics) {
-    std::vector<QSizeF> sizes(at(tree.size()));
-    for (int node = 0; node < tree.size(); ++node)
+    std::vector<QSizeF> sizes(static_cast<std::size_t>(tree.size()));
+    for (const PlanNodeId node : tree.nodes())
         if (!tree[node].in_card)
-            sizes[at(node)] = {widthOf(tree, node, metrics),
-                               metrics.row_px * (1 + tree[node].senses) + plan_card::padding_px};
+            sizes[node.index()] = {widthOf(tree, node, metrics),
+                                   metrics.row_px * (1 + tree[node].senses) + plan_card::padding_px};
     return sizes;
 }
 
@@ -51,18 +47,18 @@ PlanLayout::PlanLayout(const PlanTree& tree, const PlanFolds& folds, const std::
                        PlanFlow flow)
     : flow_(flow)
     , row_px_(row_px)
-    , boxes_(at(tree.size()))
-    , bands_(at(tree.size())) {
-    for (int node = 0; node < tree.size(); node = tree[node].end)
+    , boxes_(static_cast<std::size_t>(tree.size()))
+    , bands_(static_cast<std::size_t>(tree.size())) {
+    for (PlanNodeId node{0}; tree.contains(node); node = tree[node].end)
         roots_.push_back(node);
     place(tree, folds, sizes, bandHeights(tree, folds, sizes));
     uniteBands(tree);
-    for (const int root : roots_)
-        bounds_ = bounds_.united(bands_[at(root)]);
+    for (const PlanNodeId root : roots_)
+        bounds_ = bounds_.united(bands_[root.index()]);
 }
 
 /// Returns the gap above the sibling at index `before`.
-double PlanLayout::gap(const PlanTree& tree, std::span<const int> siblings, std::size_t before) const {
+double PlanLayout::gap(const PlanTree& tree, std::span<const PlanNodeId> siblings, std::size_t before) const {
     if (before == 0)
         return flow_ == PlanFlow::Across ? 0.0 : equals_gap_px;
     const bool same_level = tree[siblings[before]].level == tree[siblings[before - 1]].level;
@@ -71,33 +67,33 @@ double PlanLayout::gap(const PlanTree& tree, std::span<const int> siblings, std:
 
 std::vector<double> PlanLayout::bandHeights(const PlanTree& tree, const PlanFolds& folds,
                                             const std::vector<QSizeF>& sizes) const {
-    std::vector<double> heights(at(tree.size()), 0.0);
-    for (int node = tree.size(); node-- > 0;) {
+    std::vector<double> heights(static_cast<std::size_t>(tree.size()), 0.0);
+    for (const PlanNodeId node : tree.nodes() | std::views::reverse) {
         double below = 0.0;
         if (const auto children = tree.children(node); !children.empty() && !folds.folded(tree, node))
             for (std::size_t i = 0; i < children.size(); ++i)
-                below += gap(tree, children, i) + heights[at(children[i])];
-        const double own = sizes[at(node)].height();
-        heights[at(node)] = flow_ == PlanFlow::Across ? std::max(own, below) : own + below;
+                below += gap(tree, children, i) + heights[children[i].index()];
+        const double own = sizes[node.index()].height();
+        heights[node.index()] = flow_ == PlanFlow::Across ? std::max(own, below) : own + below;
     }
     return heights;
 }
 
 void PlanLayout::place(const PlanTree& tree, const PlanFolds& folds, const std::vector<QSizeF>& sizes,
                        const std::vector<double>& heights) {
-    const auto placeColumn = [&](std::span<const int> cards, QPointF corner) {
+    const auto placeColumn = [&](std::span<const PlanNodeId> cards, QPointF corner) {
         double width = 0.0;
-        for (const int card : cards)
-            width = std::max(width, sizes[at(card)].width());
+        for (const PlanNodeId card : cards)
+            width = std::max(width, sizes[card.index()].width());
         for (std::size_t i = 0; i < cards.size(); ++i) {
             corner.ry() += gap(tree, cards, i);
-            boxes_[at(cards[i])] = {corner, QSizeF(width, sizes[at(cards[i])].height())};
-            corner.ry() += heights[at(cards[i])];
+            boxes_[cards[i].index()] = {corner, QSizeF(width, sizes[cards[i].index()].height())};
+            corner.ry() += heights[cards[i].index()];
         }
     };
     placeColumn(roots_, {});
-    for (int node = 0; node < tree.size(); ++node) {
-        const QRectF& box = boxes_[at(node)];
+    for (const PlanNodeId node : tree.nodes()) {
+        const QRectF& box = boxes_[node.index()];
         if (box.isNull() || tree.children(node).empty() || folds.folded(tree, node))
             continue;
         placeColumn(tree.children(node), flow_ == PlanFlow::Across ? QPointF(box.right() + column_gap_px, box.top())
@@ -106,71 +102,72 @@ void PlanLayout::place(const PlanTree& tree, const PlanFolds& folds, const std::
 }
 
 void PlanLayout::uniteBands(const PlanTree& tree) {
-    for (int node = tree.size(); node-- > 0;) {
+    for (const PlanNodeId node : tree.nodes() | std::views::reverse) {
         if (!shown(node))
             continue;
-        bands_[at(node)] = bands_[at(node)].united(boxes_[at(node)]);
-        if (const int parent = tree[node].parent; parent >= 0)
-            bands_[at(parent)] = bands_[at(parent)].united(bands_[at(node)]);
+        bands_[node.index()] = bands_[node.index()].united(boxes_[node.index()]);
+        if (const PlanNodeId parent = tree[node].parent; parent.valid())
+            bands_[parent.index()] = bands_[parent.index()].united(bands_[node.index()]);
     }
 }
 
-QRectF PlanLayout::box(const PlanTree& tree, int node) const {
+QRectF PlanLayout::box(const PlanTree& tree, PlanNodeId node) const {
     const PlanNode& what = tree[node];
     if (!what.in_card)
-        return boxes_[at(node)];
-    const QRectF& card = boxes_[at(what.parent)];
+        return boxes_[node.index()];
+    const QRectF& card = boxes_[what.parent.index()];
     if (card.isNull())
         return {};
-    const int row = node - what.parent; // Senses directly follow their card, the first one is below its title.
+    // Senses directly follow their card, the first one is below its title.
+    const int row = node.value - what.parent.value;
     return {card.left(), card.top() + plan_card::padding_px / 2.0 + row_px_ * row, card.width(), row_px_};
 }
 
-QPointF PlanLayout::exit(int node) const {
-    const QRectF& box = boxes_[at(node)];
+QPointF PlanLayout::exit(PlanNodeId node) const {
+    const QRectF& box = boxes_[node.index()];
     const double title_middle = box.top() + (plan_card::padding_px + row_px_) / 2.0;
     return flow_ == PlanFlow::Across ? QPointF(box.right(), title_middle)
                                      : QPointF(box.left() + indent_px / 2.0, box.bottom());
 }
 
-QPointF PlanLayout::entry(int node) const {
-    const QRectF& box = boxes_[at(node)];
+QPointF PlanLayout::entry(PlanNodeId node) const {
+    const QRectF& box = boxes_[node.index()];
     return {box.left(), box.top() + (plan_card::padding_px + row_px_) / 2.0};
 }
 
-std::size_t PlanLayout::firstBelow(std::span<const int> children, double top) const {
-    const auto first = std::partition_point(
-        children.begin(), children.end(), [&](int child) { return shown(child) && bands_[at(child)].bottom() < top; });
+std::size_t PlanLayout::firstBelow(std::span<const PlanNodeId> children, double top) const {
+    const auto first = std::partition_point(children.begin(), children.end(), [&](PlanNodeId child) {
+        return shown(child) && bands_[child.index()].bottom() < top;
+    });
     return static_cast<std::size_t>(first - children.begin());
 }
 
-int PlanLayout::nodeAt(const PlanTree& tree, const QPointF& point) const {
-    int found = -1;
-    for (const int node : nodesIn(tree, QRectF(point - QPointF(0.25, 0.25), QSizeF(0.5, 0.5))))
-        if (boxes_[at(node)].contains(point))
+PlanNodeId PlanLayout::nodeAt(const PlanTree& tree, const QPointF& point) const {
+    PlanNodeId found;
+    for (const PlanNodeId node : nodesIn(tree, QRectF(point - QPointF(0.25, 0.25), QSizeF(0.5, 0.5))))
+        if (boxes_[node.index()].contains(point))
             found = node;
-    if (found < 0)
-        return -1;
-    const int senses = tree[found].senses;
-    for (int sense = found + 1; sense <= found + senses; ++sense)
+    if (!found.valid())
+        return {};
+    for (const PlanNodeId sense : tree.senses(found))
         if (box(tree, sense).contains(point))
             return sense;
     return found;
 }
 
-std::vector<int> PlanLayout::nodesIn(const PlanTree& tree, const QRectF& area) const {
-    std::vector<int> nodes;
-    std::vector<int> open(roots_.rbegin(), roots_.rend());
+std::vector<PlanNodeId> PlanLayout::nodesIn(const PlanTree& tree, const QRectF& area) const {
+    std::vector<PlanNodeId> nodes;
+    std::vector<PlanNodeId> open(roots_.rbegin(), roots_.rend());
     while (!open.empty()) {
-        const int node = open.back();
+        const PlanNodeId node = open.back();
         open.pop_back();
-        if (!shown(node) || !bands_[at(node)].intersects(area))
+        if (!shown(node) || !bands_[node.index()].intersects(area))
             continue;
         nodes.push_back(node);
-        const std::span<const int> children = tree.children(node);
+        const std::span<const PlanNodeId> children = tree.children(node);
         const std::size_t first = firstBelow(children, area.top());
         std::size_t end = first;
-        while (end < children.size() && bands_[at(children[end])].top() <= area.bottom() && shown(children[end]))
+        while (end < children.size() && bands_[children[end].index()].top() <= area.bottom() && shown(children[end]))
             ++end;
         for (std::size_t i = end; i-- > first;)
             open.push_back(children[i]);

@@ -53,22 +53,22 @@ public:
     /// Bounding box of all cards.
     const QRectF& bounds() const { return bounds_; }
     /// Box of a card, or of a sense's row in its card; null if it is folded away.
-    QRectF box(const PlanTree& tree, int node) const;
+    QRectF box(const PlanTree& tree, PlanNodeId node) const;
     /// False for folded nodes and for senses inside a card.
-    bool shown(int node) const { return !boxes_[static_cast<std::size_t>(node)].isNull(); }
+    bool shown(PlanNodeId node) const { return !boxes_[node.index()].isNull(); }
     /// Points where the line from a card to its children starts, and where the line from its parent ends.
-    QPointF exit(int node) const;
-    QPointF entry(int node) const;
+    QPointF exit(PlanNodeId node) const;
+    QPointF entry(PlanNodeId node) const;
 
-    /// The sense row or card at that point; -1 if there is none. Logarithmic in the number of siblings.
-    int nodeAt(const PlanTree& tree, const QPointF& point) const;
+    /// The sense row or card at that point, if there is one. Logarithmic in the number of siblings.
+    PlanNodeId nodeAt(const PlanTree& tree, const QPointF& point) const;
     /// The cards whose subtree touches the rectangle, in the order of the tree; this includes cards that only have
     /// lines to children in it. The cost is proportional to the number of cards found.
-    std::vector<int> nodesIn(const PlanTree& tree, const QRectF& area) const;
+    std::vector<PlanNodeId> nodesIn(const PlanTree& tree, const QRectF& area) const;
 
 private:
     /// Vertical gap above the sibling at index `before`.
-    double gap(const PlanTree& tree, std::span<const int> siblings, std::size_t before) const;
+    double gap(const PlanTree& tree, std::span<const PlanNodeId> siblings, std::size_t before) const;
     /// Height of each node's subtree.
     std::vector<double> bandHeights(const PlanTree& tree, const PlanFolds& folds,
                                     const std::vector<QSizeF>& sizes) const;
@@ -78,13 +78,13 @@ private:
     /// Computes the bands from the boxes.
     void uniteBands(const PlanTree& tree);
     /// Index of the first child whose band does not end above `top`.
-    std::size_t firstBelow(std::span<const int> children, double top) const;
+    std::size_t firstBelow(std::span<const PlanNodeId> children, double top) const;
 
     PlanFlow flow_ = PlanFlow::Across;
     double row_px_ = 20.0;
     std::vector<QRectF> boxes_; ///< null: folded away, or inside a card
     std::vector<QRectF> bands_; ///< bounding box of the card and everything below it
-    std::vector<int> roots_;
+    std::vector<PlanNodeId> roots_;
     QRectF bounds_;
 };
 

@@ -20,16 +20,16 @@ void merge(PlanMark& into, const PlanMark& from) {
 
 PlanMarks::PlanMarks(const PlanTree& tree, const std::vector<PlanMark>& marks) {
     for (const PlanMark& mark : marks) {
-        const int node = tree.find(mark.path);
-        if (node < 0)
+        const PlanNodeId node = tree.find(mark.path);
+        if (!node.valid())
             continue;
         merge(by_node_[node], mark);
-        if (const int drawn = tree[node].link; drawn >= 0)
+        if (const PlanNodeId drawn = tree[node].link; drawn.valid())
             merge(by_node_[drawn], mark);
     }
 }
 
-const PlanMark* PlanMarks::at(int node) const {
+const PlanMark* PlanMarks::at(PlanNodeId node) const {
     const auto found = by_node_.find(node);
     return found == by_node_.end() ? nullptr : &found->second;
 }

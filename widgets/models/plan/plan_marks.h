@@ -32,11 +32,11 @@ public:
     PlanMarks(const PlanTree& tree, const std::vector<PlanMark>& marks);
 
     /// Returns nullptr for a node without marks.
-    const PlanMark* at(int node) const;
+    const PlanMark* at(PlanNodeId node) const;
     bool empty() const { return by_node_.empty(); }
 
 private:
-    std::map<int, PlanMark> by_node_;
+    std::map<PlanNodeId, PlanMark> by_node_;
 };
 
 } // namespace usar::widgets

@@ -8,7 +8,7 @@
 namespace usar::widgets {
 
 QString planNodeText(const PlanTree& tree, const PlanStates& states, const PlanFolds& folds, const PlanMarks& marks,
-                     int node) {
+                     PlanNodeId node) {
     const PlanNode& what = tree[node];
     const PlanActivity& state = states[node];
     QStringList lines{planKindWord(what.kind) + u' ' + what.name +
@@ -27,11 +27,11 @@ QString planNodeText(const PlanTree& tree, const PlanStates& states, const PlanF
         lines << counters;
     if (const PlanMark* const mark = marks.at(node))
         lines << mark->words;
-    if (what.link >= 0)
+    if (what.link.valid())
         lines << (what.recursive ? QObject::tr("Leads back to a part that contains it, so the plan cannot run")
                                  : QObject::tr("Drawn in full elsewhere; press Return to go there"));
     if (folds.folded(tree, node))
-        lines << QObject::tr("Folded parts: %1").arg(what.end - node - 1 - what.senses);
+        lines << QObject::tr("Folded parts: %1").arg(tree.countBelow(node));
     if (what.at.line > 0)
         lines << QObject::tr("Line %1, column %2").arg(what.at.line).arg(what.at.column);
     return lines.join(u'\n');

@@ -12,7 +12,7 @@ namespace usar::widgets {
 /// Several lines: what it is, its priority and comment, its newest answer or last run, counters, marks, where a link
 /// leads, what is folded away, and its place in the text.
 QString planNodeText(const PlanTree& tree, const PlanStates& states, const PlanFolds& folds, const PlanMarks& marks,
-                     int node);
+                     PlanNodeId node);
 /// Says in which respect a drawing of this state is incomplete; empty if it is complete.
 QString planReservation(const PlanTree& tree, const PlanStates& states);
 

@@ -49,15 +49,15 @@ int columnOf(const QString& line, int position) {
     return column;
 }
 
-int nodeAtPlace(const PlanTree& tree, int line, int column) {
+PlanNodeId nodeAtPlace(const PlanTree& tree, int line, int column) {
     const std::pair place(static_cast<std::uint32_t>(std::max(0, line)),
                           static_cast<std::uint32_t>(std::max(0, column)));
-    int found = -1;
+    PlanNodeId found;
     std::pair<std::uint32_t, std::uint32_t> found_at;
-    for (int node = 0; node < tree.size(); ++node) {
+    for (const PlanNodeId node : tree.nodes()) {
         const PlanNode& what = tree[node];
         const std::pair at(what.at.line, what.at.column);
-        if (at.first > 0 && at <= place && what.link < 0 && (found < 0 || at > found_at)) {
+        if (at.first > 0 && at <= place && !what.link.valid() && (!found.valid() || at > found_at)) {
             found = node;
             found_at = at;
         }

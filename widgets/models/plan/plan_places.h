@@ -27,8 +27,8 @@ TextRange rangeOf(const posh::Spot& spot, const QString& line);
 /// Column of a position in a line, in code points from 1.
 int columnOf(const QString& line, int position);
 
-/// The node whose text begins last at or before this place (line and column count from 1); -1 if there is none or the
+/// The node whose text begins last at or before this place (line and column count from 1); none if there is none or the
 /// plan was not read from text.
-int nodeAtPlace(const PlanTree& tree, int line, int column);
+PlanNodeId nodeAtPlace(const PlanTree& tree, int line, int column);
 
 } // namespace usar::widgets

@@ -15,9 +15,9 @@ class ReasonCollector {
 public:
     ReasonCollector(const PlanTree& tree, const PlanStates& states) : tree_(tree), states_(states) {}
 
-    std::vector<PlanReason> collect(int node) {
-        std::vector<int> way;
-        for (int at = node; at >= 0; at = tree_[at].parent)
+    std::vector<PlanReason> collect(PlanNodeId node) {
+        std::vector<PlanNodeId> way;
+        for (PlanNodeId at = node; at.valid(); at = tree_[at].parent)
             way.push_back(at);
         for (auto at = way.rbegin(); at != way.rend(); ++at)
             explain(*at);
@@ -25,29 +25,29 @@ public:
     }
 
 private:
-    void say(PlanVerdict verdict, int node, const QString& text) { reasons_.push_back({verdict, text, node}); }
+    void say(PlanVerdict verdict, PlanNodeId node, const QString& text) { reasons_.push_back({verdict, text, node}); }
 
-    void explain(int node) {
+    void explain(PlanNodeId node) {
         if (!states_[node].running) {
             explainRival(node);
             if (!states_[node].hold_back.isEmpty())
                 say(PlanVerdict::No, node,
                     QObject::tr("%1 is held back by %2").arg(tree_[node].name, states_[node].hold_back));
         }
-        for (int sense = node + 1; sense <= node + tree_[node].senses; ++sense)
+        for (const PlanNodeId sense : tree_.senses(node))
             explainSense(node, sense);
-        const int parent = tree_[node].parent;
+        const PlanNodeId parent = tree_[node].parent;
         // A sense that is a step of a pattern; those in the card of the parent were explained with it.
-        if (tree_[node].kind == PlanNodeKind::Sense && node > parent + tree_[parent].senses)
+        if (tree_[node].kind == PlanNodeKind::Sense && !tree_[node].in_card)
             explainSense(parent, node);
     }
 
     /// Only one of several siblings runs, so another one may have taken precedence.
-    void explainRival(int node) {
-        const int parent = tree_[node].parent;
-        if (parent < 0)
+    void explainRival(PlanNodeId node) {
+        const PlanNodeId parent = tree_[node].parent;
+        if (!parent.valid())
             return;
-        for (const int sibling : tree_.children(parent)) {
+        for (const PlanNodeId sibling : tree_.children(parent)) {
             if (sibling == node || !states_[sibling].running)
                 continue;
             if (tree_[node].level < 0)
@@ -64,7 +64,7 @@ private:
         }
     }
 
-    void explainSense(int owner, int sense) {
+    void explainSense(PlanNodeId owner, PlanNodeId sense) {
         const PlanNode& what = tree_[sense];
         const PlanActivity& state = states_[sense];
         // A goal ends its owner, so a goal that holds is a reason against running, and one that does not hold is no
@@ -88,11 +88,11 @@ private:
 
 } // namespace
 
-std::vector<PlanReason> planReasons(const PlanTree& tree, const PlanStates& states, int node) {
+std::vector<PlanReason> planReasons(const PlanTree& tree, const PlanStates& states, PlanNodeId node) {
     return ReasonCollector(tree, states).collect(node);
 }
 
-QString planVerdict(const PlanTree& tree, const PlanStates& states, int node) {
+QString planVerdict(const PlanTree& tree, const PlanStates& states, PlanNodeId node) {
     const QString& name = tree[node].name;
     const PlanActivity& state = states[node];
     if (tree[node].kind == PlanNodeKind::Sense && tree[node].in_card)

@@ -16,14 +16,14 @@ enum class PlanVerdict { Yes, No, Open };
 struct PlanReason {
     PlanVerdict verdict = PlanVerdict::Open;
     QString text;
-    int node = -1;
+    PlanNodeId node{};
     bool operator==(const PlanReason&) const = default;
 };
 
 /// The verdict in one sentence: "avoid does not run, for one reason:".
-QString planVerdict(const PlanTree& tree, const PlanStates& states, int node);
+QString planVerdict(const PlanTree& tree, const PlanStates& states, PlanNodeId node);
 /// The causes, in order from the root to the node.
-std::vector<PlanReason> planReasons(const PlanTree& tree, const PlanStates& states, int node);
+std::vector<PlanReason> planReasons(const PlanTree& tree, const PlanStates& states, PlanNodeId node);
 
 /// "no, it is 0.12, for 8.0 s": the sense's newest answer, and how long this has been the verdict.
 QString answerText(const PlanActivity& state, Seconds now);

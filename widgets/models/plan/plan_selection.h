@@ -7,12 +7,12 @@
 
 namespace usar::widgets {
 
-/// A value. Node numbers are those of the tree that it was last used with; -1 is no node.
+/// A value. Nodes are those of the tree that it was last used with.
 class PlanSelection {
 public:
-    int node() const { return node_; }
+    PlanNodeId node() const { return node_; }
     /// Returns true if another node was selected before.
-    bool set(int node);
+    bool set(PlanNodeId node);
     /// Selects the same part in another tree, found by its names; if that part is now drawn elsewhere, by its path.
     /// Forgets the search.
     void moveTo(const PlanTree& to, const PlanTree& from);
@@ -20,16 +20,16 @@ public:
     /// Replaces the search; finds nothing if `words` is empty.
     void search(const PlanTree& tree, const QString& words);
     /// The nodes that were found, in ascending order.
-    const std::vector<int>& found() const { return found_; }
+    const std::vector<PlanNodeId>& found() const { return found_; }
     /// The same by node: true if it was found; empty if none was.
     const std::vector<bool>& foundByNode() const { return found_by_node_; }
     bool isFound() const;
-    /// The found node after or before the selected one, wrapping around at both ends; -1 if none was found.
-    int nextFound(bool backward) const;
+    /// The found node after or before the selected one, wrapping around at both ends; none if none was found.
+    PlanNodeId nextFound(bool backward) const;
 
 private:
-    int node_ = -1;
-    std::vector<int> found_;
+    PlanNodeId node_;
+    std::vector<PlanNodeId> found_;
     std::vector<bool> found_by_node_;
 };
 

@@ -19,8 +19,8 @@ struct PlanSpot {
 };
 
 /// The places that a node draws, in the order of the program: more than one if the plan uses the part at several places
-/// and draws it once; none if `node` is -1. `paths` are the paths of all places, by place.
+/// and draws it once; none if `node` is none. `paths` are the paths of all places, by place.
 std::vector<PlanSpot> spotsOfNode(const posh::Program& program, const std::vector<std::string>& paths,
-                                  const PlanTree& tree, int node);
+                                  const PlanTree& tree, PlanNodeId node);
 
 } // namespace usar::widgets

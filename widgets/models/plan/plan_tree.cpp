@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include <QObject>
 #include <QStringList>
@@ -27,34 +28,33 @@ QString planKindWord(PlanNodeKind kind) {
     return QObject::tr(words[static_cast<std::size_t>(kind)]);
 }
 
-std::span<const int> PlanTree::children(int node) const {
-    const auto at = static_cast<std::size_t>(node);
-    const auto first = static_cast<std::size_t>(first_child_[at]);
-    const auto end = static_cast<std::size_t>(first_child_[at + 1]);
+std::span<const PlanNodeId> PlanTree::children(PlanNodeId node) const {
+    const auto first = static_cast<std::size_t>(first_child_[node.index()]);
+    const auto end = static_cast<std::size_t>(first_child_[node.index() + 1]);
     return std::span(children_).subspan(first, end - first);
 }
 
-int PlanTree::find(std::string_view path) const {
+PlanNodeId PlanTree::find(std::string_view path) const {
     std::uint64_t state = plan_hash_start;
-    int found = -1;
+    PlanNodeId found;
     for (std::size_t begin = 0; begin < path.size();) {
         std::size_t end = path.find('/', begin + 1);
         end = end == std::string_view::npos ? path.size() : end;
-        if (found >= 0 && (*this)[found].link >= 0) // Nodes below a link are drawn elsewhere.
+        if (found.valid() && (*this)[found].link.valid()) // Nodes below a link are drawn elsewhere.
             state = planHash(plan_hash_start, this->path((*this)[found].link));
         state = planHash(state, path.substr(begin, end - begin));
         const auto known = by_path_.find(state);
-        found = known == by_path_.end() ? -1 : known->second;
+        found = known == by_path_.end() ? PlanNodeId{} : known->second;
         begin = end;
     }
-    if (const auto form = by_reference_.find(state); found < 0 && form != by_reference_.end())
+    if (const auto form = by_reference_.find(state); !found.valid() && form != by_reference_.end())
         return form->second;
     return found;
 }
 
-std::string PlanTree::path(int node) const {
-    std::vector<int> way;
-    for (int at = node; at >= 0; at = (*this)[at].parent)
+std::string PlanTree::path(PlanNodeId node) const {
+    std::vector<PlanNodeId> way;
+    for (PlanNodeId at = node; at.valid(); at = (*this)[at].parent)
         way.push_back(at);
     std::string path;
     for (auto at = way.rbegin(); at != way.rend(); ++at)
@@ -62,24 +62,24 @@ std::string PlanTree::path(int node) const {
     return path;
 }
 
-QString PlanTree::trail(int node) const {
+QString PlanTree::trail(PlanNodeId node) const {
     QStringList names;
-    for (int at = node; at >= 0; at = (*this)[at].parent)
+    for (PlanNodeId at = node; at.valid(); at = (*this)[at].parent)
         names.prepend((*this)[at].name);
     return names.join(QStringLiteral(" ▸ "));
 }
 
-int PlanTree::findKey(std::uint64_t key) const {
+PlanNodeId PlanTree::findKey(std::uint64_t key) const {
     const auto found = std::ranges::find(nodes_, key, &PlanNode::key);
-    return found == nodes_.end() ? -1 : static_cast<int>(found - nodes_.begin());
+    return found == nodes_.end() ? PlanNodeId{} : PlanNodeId{static_cast<int>(found - nodes_.begin())};
 }
 
-std::vector<int> PlanTree::search(const QString& words) const {
+std::vector<PlanNodeId> PlanTree::search(const QString& words) const {
     const QStringList parts = words.split(u' ', Qt::SkipEmptyParts);
-    std::vector<int> found;
-    for (int node = 0; !parts.isEmpty() && node < size(); ++node)
-        if (fits((*this)[node], parts))
-            found.push_back(node);
+    std::vector<PlanNodeId> found;
+    if (!parts.isEmpty())
+        std::ranges::copy_if(nodes(), std::back_inserter(found),
+                             [&](PlanNodeId node) { return fits((*this)[node], parts); });
     return found;
 }
 

@@ -101,8 +101,8 @@ public:
         : tree_(tree)
         , plan_(plan)
         , sharing_(sharing)
-        , drawn_at_(plan.forms.size(), -1)
-        , open_at_(plan.forms.size(), -1) {
+        , drawn_at_(plan.forms.size())
+        , open_at_(plan.forms.size()) {
         std::array<int, 4> count{};
         for (std::size_t i = 0; i < plan.forms.size(); ++i) {
             number_of_form_.push_back(count[plan.forms[i].index()]++);
@@ -116,12 +116,12 @@ public:
         if (plan_.forms.empty())
             return;
         std::vector<std::size_t> roots = unreachedForms();
-        const int parent = roots.empty() ? -1 : addPlan();
+        const PlanNodeId parent = roots.empty() ? PlanNodeId{} : addPlan();
         for (std::size_t i = 0; i < plan_.forms.size(); ++i)
             if (isCollection(i))
                 roots.insert(roots.begin(), i);
         for (const std::size_t root : roots)
-            later([=, this] { addForm(parent, root, parent < 0 ? "/P:0" : ""); });
+            later([=, this] { addForm(parent, root, parent.valid() ? "" : "/P:0"); });
         for (pushComing(); !stack_.empty(); pushComing()) {
             const auto task = std::move(stack_.back());
             stack_.pop_back();
@@ -132,7 +132,7 @@ public:
 
 private:
     bool isCollection(std::size_t form) const { return std::holds_alternative<Collection>(plan_.forms[form]); }
-    PlanNode& nodeAt(int number) { return tree_.nodes_[static_cast<std::size_t>(number)]; }
+    PlanNode& nodeAt(PlanNodeId node) { return tree_.nodes_[node.index()]; }
 
     /// Returns the indices of the forms that a form calls.
     std::vector<std::size_t> formsCalledBy(std::size_t form) const {
@@ -186,24 +186,24 @@ private:
         coming_.clear();
     }
 
-    /// Appends a node and sets its depth, key and path; returns its number.
-    int add(PlanNode node) {
-        const bool is_root = node.parent < 0;
-        const auto parent = static_cast<std::size_t>(node.parent);
+    /// Appends a node and sets its depth, key and path; returns its id.
+    PlanNodeId add(PlanNode node) {
+        const bool is_root = !node.parent.valid();
+        const std::size_t parent = node.parent.index();
         node.depth = is_root ? 0 : tree_.nodes_[parent].depth + 1;
         const std::uint64_t name_key =
             planHash(is_root ? plan_hash_start : tree_.nodes_[parent].key, "/" + node.name.toStdString());
         const int namesakes = seen_keys_[name_key]++;
         node.key = namesakes == 0 ? name_key : planHash(name_key, "#" + std::to_string(namesakes));
         path_hash_.push_back(planHash(is_root ? plan_hash_start : path_hash_[parent], node.segment));
-        const int number = tree_.size();
-        tree_.by_path_.emplace(path_hash_.back(), number);
+        const PlanNodeId id{tree_.size()};
+        tree_.by_path_.emplace(path_hash_.back(), id);
         tree_.nodes_.push_back(std::move(node));
-        return number;
+        return id;
     }
 
     /// Adds the common root of several forms.
-    int addPlan() {
+    PlanNodeId addPlan() {
         return add(
             {.segment = "/P:0",
              .name = plan_.documentation ? textOf(plan_.documentation->title) : QObject::tr("Plan"),
@@ -211,7 +211,7 @@ private:
     }
 
     /// Adds what a call leads to: a form with the arguments of the call, or an act.
-    void addCall(int parent, const Call& call, const std::string& segment) {
+    void addCall(PlanNodeId parent, const Call& call, const std::string& segment) {
         const auto known = form_of_name_.find(call.name.text);
         if (known == form_of_name_.end()) {
             add({.kind = PlanNodeKind::Act,
@@ -221,39 +221,41 @@ private:
                  .at = call.name.at});
             return;
         }
-        const int number = tree_.size();
+        const PlanNodeId added{tree_.size()};
         addForm(parent, known->second, segment);
-        PlanNode& form = nodeAt(number);
+        PlanNode& form = nodeAt(added);
         form.detail = joined(argumentsOf(call), form.detail);
-        tree_.by_reference_.emplace(planHash(path_hash_[static_cast<std::size_t>(parent)], segment), number);
+        tree_.by_reference_.emplace(planHash(path_hash_[parent.index()], segment), added);
     }
 
     /// Adds the node of a form, or a link to it; `before` is the part of its path before the form's own segment.
-    void addForm(int parent, std::size_t form, const std::string& before) {
+    void addForm(PlanNodeId parent, std::size_t form, const std::string& before) {
         constexpr std::array kinds{PlanNodeKind::Competence, PlanNodeKind::Pattern, PlanNodeKind::Adopt,
                                    PlanNodeKind::Collection};
         constexpr std::array letters{"/C:", "/AP:", "/AD:", "/DC:"};
         const Form& what = plan_.forms[form];
-        const bool too_many = tree_.size() >= PlanTree::most_nodes && drawn_at_[form] >= 0;
+        const bool too_many = tree_.size() >= PlanTree::most_nodes && drawn_at_[form].valid();
         tree_.truncated_ = tree_.truncated_ || (too_many && sharing_ == PlanSharing::Expanded);
-        const bool recursive = open_at_[form] >= 0;
-        const int link = recursive ? open_at_[form] : too_many || sharing_ == PlanSharing::Once ? drawn_at_[form] : -1;
-        const int number = add({.kind = kinds[what.index()],
-                                .parent = parent,
-                                .link = link,
-                                .recursive = recursive,
-                                .segment = before + letters[what.index()] + std::to_string(number_of_form_[form]),
-                                .name = QString::fromStdString(nameOf(what).text),
-                                .detail = std::visit([](const auto& any) { return detailOf(any); }, what),
-                                .comment = std::visit([](const auto& any) { return commentOf(any); }, what),
-                                .at = nameOf(what).at});
-        if (link < 0)
-            openForm(number, form);
+        const bool recursive = open_at_[form].valid();
+        const PlanNodeId link = recursive                                   ? open_at_[form]
+                                : too_many || sharing_ == PlanSharing::Once ? drawn_at_[form]
+                                                                            : PlanNodeId{};
+        const PlanNodeId card = add({.kind = kinds[what.index()],
+                                     .parent = parent,
+                                     .link = link,
+                                     .recursive = recursive,
+                                     .segment = before + letters[what.index()] + std::to_string(number_of_form_[form]),
+                                     .name = QString::fromStdString(nameOf(what).text),
+                                     .detail = std::visit([](const auto& any) { return detailOf(any); }, what),
+                                     .comment = std::visit([](const auto& any) { return commentOf(any); }, what),
+                                     .at = nameOf(what).at});
+        if (!link.valid())
+            openForm(card, form);
     }
 
     /// Schedules the contents of a form.
-    void openForm(int card, std::size_t form) {
-        if (drawn_at_[form] < 0)
+    void openForm(PlanNodeId card, std::size_t form) {
+        if (!drawn_at_[form].valid())
             drawn_at_[form] = card;
         open_at_[form] = card;
         std::visit(
@@ -269,10 +271,10 @@ private:
                         later([=, this, &any] { addStep(card, any.steps[i], "/A:" + std::to_string(i)); });
             },
             plan_.forms[form]);
-        later([=, this] { open_at_[form] = -1; });
+        later([=, this] { open_at_[form] = {}; });
     }
 
-    void scheduleMembers(int card, const posh::Levels& levels) {
+    void scheduleMembers(PlanNodeId card, const posh::Levels& levels) {
         int number = 0; // Counts all members of the form.
         for (std::size_t level = 0; level < levels.size(); ++level)
             for (const auto& member : levels[level]) {
@@ -284,22 +286,22 @@ private:
     }
 
     /// Adds a drive of a collection or an element of a competence.
-    void addMember(int parent, const posh::Member& part, int level, bool has_equals, int number) {
+    void addMember(PlanNodeId parent, const posh::Member& part, int level, bool has_equals, int number) {
         const bool is_drive = nodeAt(parent).kind == PlanNodeKind::Collection;
-        const int card = add({.kind = is_drive ? PlanNodeKind::Drive : PlanNodeKind::Element,
-                              .parent = parent,
-                              .level = level,
-                              .has_equals = has_equals,
-                              .segment = (is_drive ? "/DE:" : "/CE:") + std::to_string(number),
-                              .name = QString::fromStdString(part.name.text),
-                              .detail = is_drive ? driveDetail(part.frequency) : elementDetail(part),
-                              .comment = commentOf(part),
-                              .at = part.name.at});
+        const PlanNodeId card = add({.kind = is_drive ? PlanNodeKind::Drive : PlanNodeKind::Element,
+                                     .parent = parent,
+                                     .level = level,
+                                     .has_equals = has_equals,
+                                     .segment = (is_drive ? "/DE:" : "/CE:") + std::to_string(number),
+                                     .name = QString::fromStdString(part.name.text),
+                                     .detail = is_drive ? driveDetail(part.frequency) : elementDetail(part),
+                                     .comment = commentOf(part),
+                                     .at = part.name.at});
         addSenses(card, part.trigger, false);
         later([=, this, &part] { addCall(card, part.action, "/A:0"); });
     }
 
-    void addStep(int parent, const Step& step, const std::string& segment) {
+    void addStep(PlanNodeId parent, const Step& step, const std::string& segment) {
         if (const auto* const test = std::get_if<SenseTest>(&step))
             add(senseNode(parent, *test, segment));
         else
@@ -307,7 +309,7 @@ private:
     }
 
     /// Adds the senses of a trigger or goal to the card of `parent`.
-    void addSenses(int parent, const Senses& senses, bool of_goal) {
+    void addSenses(PlanNodeId parent, const Senses& senses, bool of_goal) {
         for (std::size_t i = 0; i < senses.size(); ++i) {
             PlanNode sense = senseNode(parent, senses[i], "/S:" + std::to_string(i));
             sense.in_card = true;
@@ -317,7 +319,7 @@ private:
         nodeAt(parent).senses = static_cast<int>(senses.size());
     }
 
-    static PlanNode senseNode(int parent, const SenseTest& test, const std::string& segment) {
+    static PlanNode senseNode(PlanNodeId parent, const SenseTest& test, const std::string& segment) {
         return {.kind = PlanNodeKind::Sense,
                 .parent = parent,
                 .segment = segment,
@@ -328,34 +330,33 @@ private:
 
     /// Sets the end of each subtree and the list of cards below each card.
     void finish() {
-        auto& nodes = tree_.nodes_;
         auto& first_child = tree_.first_child_;
-        first_child.assign(nodes.size() + 1, 0);
-        for (std::size_t i = nodes.size(); i-- > 0;) {
-            nodes[i].end = std::max(nodes[i].end, static_cast<int>(i) + 1);
-            if (nodes[i].parent < 0)
+        first_child.assign(tree_.nodes_.size() + 1, 0);
+        for (const PlanNodeId node : tree_.nodes() | std::views::reverse) {
+            PlanNode& what = nodeAt(node);
+            what.end = std::max(what.end, PlanNodeId{node.value + 1});
+            if (!what.parent.valid())
                 continue;
-            PlanNode& parent = nodeAt(nodes[i].parent);
-            parent.end = std::max(parent.end, nodes[i].end);
-            if (!nodes[i].in_card)
-                ++first_child[static_cast<std::size_t>(nodes[i].parent) + 1];
+            PlanNode& parent = nodeAt(what.parent);
+            parent.end = std::max(parent.end, what.end);
+            if (!what.in_card)
+                ++first_child[what.parent.index() + 1];
         }
         std::partial_sum(first_child.begin(), first_child.end(), first_child.begin());
         tree_.children_.resize(static_cast<std::size_t>(first_child.back()));
         std::vector<int> next = first_child;
-        for (std::size_t i = 0; i < nodes.size(); ++i)
-            if (nodes[i].parent >= 0 && !nodes[i].in_card)
-                tree_.children_[static_cast<std::size_t>(next[static_cast<std::size_t>(nodes[i].parent)]++)] =
-                    static_cast<int>(i);
+        for (const PlanNodeId node : tree_.nodes())
+            if (const PlanNode& what = nodeAt(node); what.parent.valid() && !what.in_card)
+                tree_.children_[static_cast<std::size_t>(next[what.parent.index()]++)] = node;
     }
 
     PlanTree& tree_;
     const Plan& plan_;
     PlanSharing sharing_;
     std::unordered_map<std::string, std::size_t> form_of_name_;
-    std::vector<int> number_of_form_; ///< by form: its number among forms of its kind
-    std::vector<int> drawn_at_;       ///< by form: the node that draws it, or -1
-    std::vector<int> open_at_;        ///< by form: the node that is being expanded now, or -1
+    std::vector<int> number_of_form_;  ///< by form: its number among forms of its kind
+    std::vector<PlanNodeId> drawn_at_; ///< by form: the node that draws it, or none
+    std::vector<PlanNodeId> open_at_;  ///< by form: the node that is being expanded now, or none
     std::vector<std::uint64_t> path_hash_;
     std::vector<std::function<void()>> stack_;
     std::vector<std::function<void()>> coming_;        ///< scheduled by the running task, in order

@@ -7,28 +7,28 @@ namespace usar::widgets {
 namespace {
 
 /// Steps down from a card to its senses, and from the last of them to the next card; and in reverse.
-int sibling(const PlanTree& tree, int node, int by) {
+PlanNodeId sibling(const PlanTree& tree, PlanNodeId node, int by) {
     const PlanNode& what = tree[node];
     if (by > 0 && what.senses > 0)
-        return node + 1;
-    if (what.in_card && (by < 0 || node + by <= what.parent + tree[what.parent].senses))
-        return node + by;
-    const int card = what.in_card ? what.parent : node;
-    if (tree[card].parent < 0)
-        return -1;
+        return {node.value + 1};
+    if (what.in_card && (by < 0 || node.value + by <= what.parent.value + tree[what.parent].senses))
+        return {node.value + by};
+    const PlanNodeId card = what.in_card ? what.parent : node;
+    if (!tree[card].parent.valid())
+        return {};
     const auto cards = tree.children(tree[card].parent);
     const auto here = std::find(cards.begin(), cards.end(), card) - cards.begin() + by;
     if (here < 0 || here >= std::ssize(cards))
-        return -1;
-    const int next = cards[static_cast<std::size_t>(here)];
-    return by < 0 ? next + tree[next].senses : next;
+        return {};
+    const PlanNodeId next = cards[static_cast<std::size_t>(here)];
+    return by < 0 ? PlanNodeId{next.value + tree[next].senses} : next;
 }
 
 } // namespace
 
-int planStep(const PlanTree& tree, int node, PlanStep step) {
-    if (node < 0)
-        return tree.empty() ? -1 : 0;
+PlanNodeId planStep(const PlanTree& tree, PlanNodeId node, PlanStep step) {
+    if (!node.valid())
+        return tree.empty() ? PlanNodeId{} : PlanNodeId{0};
     switch (step) {
     case PlanStep::Out:
         return tree[node].parent;
@@ -39,12 +39,12 @@ int planStep(const PlanTree& tree, int node, PlanStep step) {
     case PlanStep::After:
         return sibling(tree, node, 1);
     }
-    return -1;
+    return {};
 }
 
-int nextOf(const std::vector<int>& nodes, int node, bool backward) {
+PlanNodeId nextOf(const std::vector<PlanNodeId>& nodes, PlanNodeId node, bool backward) {
     if (nodes.empty())
-        return -1;
+        return {};
     if (backward) {
         const auto here = std::lower_bound(nodes.begin(), nodes.end(), node);
         return here == nodes.begin() ? nodes.back() : *(here - 1);

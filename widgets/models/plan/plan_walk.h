@@ -11,11 +11,11 @@ namespace usar::widgets {
 /// the same depth, where the senses of a card follow the card.
 enum class PlanStep { Out, In, Before, After };
 
-/// Returns the node that a step leads to: the first node if `node` is -1; -1 if there is none in that direction.
-int planStep(const PlanTree& tree, int node, PlanStep step);
+/// Returns the node that a step leads to: the first node if `node` is none; none if there is none in that direction.
+PlanNodeId planStep(const PlanTree& tree, PlanNodeId node, PlanStep step);
 
-/// Returns the entry of `nodes` (in ascending order) after or before `node`, wrapping around at both ends; -1 if
-/// `nodes` is empty. `node` need not be among them; -1 is before all of them.
-int nextOf(const std::vector<int>& nodes, int node, bool backward);
+/// Returns the entry of `nodes` (in ascending order) after or before `node`, wrapping around at both ends; none if
+/// `nodes` is empty. `node` need not be among them; none is before all of them.
+PlanNodeId nextOf(const std::vector<PlanNodeId>& nodes, PlanNodeId node, bool backward);
 
 } // namespace usar::widgets

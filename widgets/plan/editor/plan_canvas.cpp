@@ -36,24 +36,25 @@ PlanCanvas::PlanCanvas(QWidget* parent) : PlanView(parent), line_(new QLineEdit(
     connect(this, &PlanView::treeChanged, this, [this] {
         closeLine(false);
         hover_.reset();
-        taken_ = range_end_ = -1;
+        taken_ = range_end_ = {};
     });
-    connect(this, &PlanView::selectionChanged, this, [this] { range_end_ = -1; });
+    connect(this, &PlanView::selectionChanged, this, [this] { range_end_ = {}; });
 }
 
 /// False for the root, for the collection, and on a fold mark.
-bool PlanCanvas::canBeTaken(int node, const QPointF& on_screen) {
-    if (node < 0 || tree()[node].kind == PlanNodeKind::Plan || tree()[node].kind == PlanNodeKind::Collection)
+bool PlanCanvas::canBeTaken(PlanNodeId node, const QPointF& on_screen) {
+    if (!node.valid() || tree()[node].kind == PlanNodeKind::Plan || tree()[node].kind == PlanNodeKind::Collection)
         return false;
-    const bool has_mark = !tree().children(node).empty() || tree()[node].link >= 0;
+    const bool has_mark = !tree().children(node).empty() || tree()[node].link.valid();
     return !has_mark || toLayout(on_screen).x() < layout().box(tree(), node).right() - plan_card::fold_px;
 }
 
 void PlanCanvas::mousePressEvent(QMouseEvent* event) {
     closeLine(true);
-    taken_ = -1;
-    const int node = nodeAt(event->position());
-    if (event->button() == Qt::LeftButton && event->modifiers() == Qt::ShiftModifier && selected() >= 0 && node >= 0)
+    taken_ = {};
+    const PlanNodeId node = nodeAt(event->position());
+    if (event->button() == Qt::LeftButton && event->modifiers() == Qt::ShiftModifier && selected().valid() &&
+        node.valid())
         return extendTo(node);
     if (event->button() == Qt::LeftButton && gestures_ && gestures_() && canBeTaken(node, event->position())) {
         taken_ = node;
@@ -63,11 +64,11 @@ void PlanCanvas::mousePressEvent(QMouseEvent* event) {
 }
 
 void PlanCanvas::mouseMoveEvent(QMouseEvent* event) {
-    if (taken_ < 0 || !(event->buttons() & Qt::LeftButton))
+    if (!taken_.valid() || !(event->buttons() & Qt::LeftButton))
         return PlanView::mouseMoveEvent(event);
     if ((event->position() - taken_at_).manhattanLength() < QApplication::startDragDistance())
         return;
-    const int node = std::exchange(taken_, -1);
+    const PlanNodeId node = std::exchange(taken_, {});
     QMouseEvent release(QEvent::MouseButtonRelease, taken_at_, mapToGlobal(taken_at_), Qt::LeftButton, Qt::NoButton,
                         Qt::NoModifier);
     PlanView::mouseReleaseEvent(&release); // The view sees a click, which selects the node.
@@ -75,7 +76,7 @@ void PlanCanvas::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void PlanCanvas::mouseReleaseEvent(QMouseEvent* event) {
-    taken_ = -1;
+    taken_ = {};
     PlanView::mouseReleaseEvent(event);
 }
 
@@ -91,9 +92,9 @@ void PlanCanvas::wheelEvent(QWheelEvent* event) {
     PlanView::wheelEvent(event);
 }
 
-void PlanCanvas::startDrag(int node) {
+void PlanCanvas::startDrag(PlanNodeId node) {
     auto* mime = new QMimeData;
-    mime->setData(QString::fromLatin1(node_mime_type), QByteArray::number(node));
+    mime->setData(QString::fromLatin1(node_mime_type), QByteArray::number(node.value));
     mime->setText(tree()[node].name);
     QDrag drag(this);
     drag.setMimeData(mime);
@@ -104,30 +105,30 @@ void PlanCanvas::startDrag(int node) {
 
 void PlanCanvas::contextMenuEvent(QContextMenuEvent* event) {
     const bool by_key = event->reason() == QContextMenuEvent::Keyboard;
-    const int node = by_key ? selected() : nodeAt(event->pos());
-    if (!by_key && node >= 0)
+    const PlanNodeId node = by_key ? selected() : nodeAt(event->pos());
+    if (!by_key && node.valid())
         select(node);
     QPoint at = event->globalPos();
-    if (by_key && node >= 0)
+    if (by_key && node.valid())
         at = mapToGlobal(toScreen(layout().box(tree(), node).bottomLeft()).toPoint());
     emit menuRequested(node, at);
 }
 
-std::optional<std::variant<PlanPiece, int>> PlanCanvas::sourceOf(const QMimeData& mime) const {
+std::optional<std::variant<PlanPiece, PlanNodeId>> PlanCanvas::sourceOf(const QMimeData& mime) const {
     if (const auto piece = pieceOf(mime))
         return *piece;
     bool good = false;
-    const int node = mime.data(QString::fromLatin1(node_mime_type)).toInt(&good);
-    if (!good || node < 0 || node >= tree().size())
+    const PlanNodeId node{mime.data(QString::fromLatin1(node_mime_type)).toInt(&good)};
+    if (!good || !tree().contains(node))
         return std::nullopt;
     return node;
 }
 
-PlanCanvas::Hover PlanCanvas::hoverAt(const std::variant<PlanPiece, int>& source, const QPointF& on_screen) {
+PlanCanvas::Hover PlanCanvas::hoverAt(const std::variant<PlanPiece, PlanNodeId>& source, const QPointF& on_screen) {
     Hover hover;
     hover.at = on_screen;
     hover.node = nodeAt(on_screen);
-    if (hover.node >= 0) {
+    if (hover.node.valid()) {
         const QRectF box = layout().box(tree(), hover.node);
         const double share = (toLayout(on_screen).y() - box.top()) / std::max(1.0, box.height());
         hover.zone = share < edge_share         ? DropZone::Before
@@ -173,39 +174,39 @@ void PlanCanvas::dropEvent(QDropEvent* event) {
         emit dropRefused();
 }
 
-int PlanCanvas::cardOf(int node) const {
-    return node >= 0 && tree()[node].in_card ? tree()[node].parent : node;
+PlanNodeId PlanCanvas::cardOf(PlanNodeId node) const {
+    return node.valid() && tree()[node].in_card ? tree()[node].parent : node;
 }
 
 /// A range consists of siblings: the steps of a pattern, or the members of a form.
-void PlanCanvas::extendTo(int node) {
-    const int from = cardOf(selected());
-    const int to = cardOf(node);
-    if (from < 0 || to < 0 || tree()[from].parent != tree()[to].parent)
+void PlanCanvas::extendTo(PlanNodeId node) {
+    const PlanNodeId from = cardOf(selected());
+    const PlanNodeId to = cardOf(node);
+    if (!from.valid() || !to.valid() || tree()[from].parent != tree()[to].parent)
         return;
-    range_end_ = to == from ? -1 : to;
+    range_end_ = to == from ? PlanNodeId{} : to;
     update();
     emit rangeChanged();
 }
 
-std::vector<int> PlanCanvas::range() const {
-    if (selected() < 0 || range_end_ < 0)
-        return selected() < 0 ? std::vector<int>() : std::vector<int>{selected()};
+std::vector<PlanNodeId> PlanCanvas::range() const {
+    if (!selected().valid() || !range_end_.valid())
+        return selected().valid() ? std::vector<PlanNodeId>{selected()} : std::vector<PlanNodeId>();
     const auto [first, last] = std::minmax({cardOf(selected()), range_end_});
-    std::vector<int> nodes;
-    for (const int card : tree().children(tree()[first].parent))
+    std::vector<PlanNodeId> nodes;
+    for (const PlanNodeId card : tree().children(tree()[first].parent))
         if (card >= first && card <= last)
             nodes.push_back(card);
     return nodes;
 }
 
 void PlanCanvas::keyPressEvent(QKeyEvent* event) {
-    const bool extends = event->modifiers() == Qt::ShiftModifier && selected() >= 0 &&
+    const bool extends = event->modifiers() == Qt::ShiftModifier && selected().valid() &&
                          (event->key() == Qt::Key_Up || event->key() == Qt::Key_Down);
     if (!extends)
         return PlanView::keyPressEvent(event);
-    const int end = range_end_ < 0 ? cardOf(selected()) : range_end_;
-    if (tree()[end].parent < 0)
+    const PlanNodeId end = range_end_.valid() ? range_end_ : cardOf(selected());
+    if (!tree()[end].parent.valid())
         return;
     const auto cards = tree().children(tree()[end].parent);
     const auto here =
@@ -214,7 +215,7 @@ void PlanCanvas::keyPressEvent(QKeyEvent* event) {
         extendTo(cards[static_cast<std::size_t>(here)]);
 }
 
-QRectF PlanCanvas::frameOf(int node) {
+QRectF PlanCanvas::frameOf(PlanNodeId node) {
     const QRectF box = layout().box(tree(), node);
     return QRectF(toScreen(box.topLeft()), toScreen(box.bottomRight())).adjusted(-3, -3, 3, 3);
 }
@@ -226,12 +227,12 @@ void PlanCanvas::paintEvent(QPaintEvent* event) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(tokens().accent, 2.0, Qt::DashLine));
-    if (range_end_ >= 0)
-        for (const int node : range())
+    if (range_end_.valid())
+        for (const PlanNodeId node : range())
             painter.drawRoundedRect(frameOf(node), 8, 8);
     if (!hover_)
         return;
-    if (hover_->node >= 0 && hover_->deed) {
+    if (hover_->node.valid() && hover_->deed) {
         const QRectF frame = frameOf(hover_->node);
         painter.setPen(QPen(tokens().accent, 3.0));
         if (hover_->zone == DropZone::Onto)
@@ -253,8 +254,8 @@ void PlanCanvas::paintEvent(QPaintEvent* event) {
     painter.drawText(note, Qt::AlignCenter, words);
 }
 
-void PlanCanvas::editInPlace(int node, const QString& words, int what) {
-    if (node < 0)
+void PlanCanvas::editInPlace(PlanNodeId node, const QString& words, int what) {
+    if (!node.valid())
         return;
     select(node);
     const QRectF box = layout().box(tree(), node);
@@ -275,9 +276,9 @@ void PlanCanvas::editInPlace(int node, const QString& words, int what) {
 
 /// Does nothing when called again: hiding the line moves the focus, which closes the line once more.
 void PlanCanvas::closeLine(bool keep) {
-    if (line_node_ < 0)
+    if (!line_node_.valid())
         return;
-    const int node = std::exchange(line_node_, -1);
+    const PlanNodeId node = std::exchange(line_node_, {});
     const bool changed = line_->isModified();
     const bool had_focus = line_->hasFocus();
     line_->hide();

@@ -28,14 +28,14 @@ public:
     using Gestures = std::function<const PlanGestures*()>;
     void setGestures(Gestures gestures) { gestures_ = std::move(gestures); }
 
-    /// End of a range of siblings that starts at the selection, set with Shift and a click, Up or Down; -1: only the
+    /// End of a range of siblings that starts at the selection, set with Shift and a click, Up or Down; none: only the
     /// selected node. Any other change of the selection resets it.
-    int rangeEnd() const { return range_end_; }
+    PlanNodeId rangeEnd() const { return range_end_; }
     /// The nodes of the range in the order of the drawing, or the selected node alone; empty without a selection.
-    std::vector<int> range() const;
+    std::vector<PlanNodeId> range() const;
 
     /// Opens a line editor with these words over the node; `what` is passed through to wordsEntered.
-    void editInPlace(int node, const QString& words, int what);
+    void editInPlace(PlanNodeId node, const QString& words, int what);
     /// The open line editor; nullptr if there is none.
     QLineEdit* openLine() const { return line_->isVisible() ? line_ : nullptr; }
 
@@ -45,7 +45,7 @@ signals:
     /// Something was dropped where it has no meaning.
     void dropRefused();
     /// The user changed the words of the line editor and closed it with Return, or by leaving it.
-    void wordsEntered(int node, const QString& words, int what);
+    void wordsEntered(usar::widgets::PlanNodeId node, const QString& words, int what);
     /// The end of the range changed.
     void rangeChanged();
 
@@ -67,32 +67,32 @@ protected:
 private:
     /// A drag over the canvas and the edit that a drop would make.
     struct Hover {
-        int node = -1;
+        PlanNodeId node;
         DropZone zone = DropZone::Onto;
         QPointF at;
         std::optional<PlanDeed> deed;
     };
     /// True if the node can be dragged from that place.
-    bool canBeTaken(int node, const QPointF& on_screen);
-    void startDrag(int node);
-    /// The dragged piece or node number; nullopt if the data is neither.
-    std::optional<std::variant<PlanPiece, int>> sourceOf(const QMimeData& mime) const;
-    Hover hoverAt(const std::variant<PlanPiece, int>& source, const QPointF& on_screen);
+    bool canBeTaken(PlanNodeId node, const QPointF& on_screen);
+    void startDrag(PlanNodeId node);
+    /// The dragged piece or node; nullopt if the data is neither.
+    std::optional<std::variant<PlanPiece, PlanNodeId>> sourceOf(const QMimeData& mime) const;
+    Hover hoverAt(const std::variant<PlanPiece, PlanNodeId>& source, const QPointF& on_screen);
     /// Closes the line editor; reports changed words if `keep`.
     void closeLine(bool keep);
     /// Sets the end of the range if the node is a sibling of the selection.
-    void extendTo(int node);
+    void extendTo(PlanNodeId node);
     /// The card that contains the node, which may be a sense row.
-    int cardOf(int node) const;
+    PlanNodeId cardOf(PlanNodeId node) const;
     /// The frame of a node on the screen, with some distance from it.
-    QRectF frameOf(int node);
+    QRectF frameOf(PlanNodeId node);
 
     Gestures gestures_;
     QLineEdit* line_;
-    int line_node_ = -1;
+    PlanNodeId line_node_;
     int line_what_ = 0;
-    int range_end_ = -1;
-    int taken_ = -1; ///< pressed, but not dragged yet; -1: none
+    PlanNodeId range_end_;
+    PlanNodeId taken_; ///< pressed, but not dragged yet
     QPointF taken_at_;
     std::optional<Hover> hover_;
 };

@@ -114,11 +114,11 @@ void PlanEditor::connectAll() {
         if (const auto count = canvas_->range().size(); count > 1)
             say(tr("%1 parts are selected; they can be wrapped in one.").arg(count));
     });
-    connect(canvas_, &PlanCanvas::menuRequested, this, [this](int, const QPoint& global) {
+    connect(canvas_, &PlanCanvas::menuRequested, this, [this](PlanNodeId, const QPoint& global) {
         enableCommands();
         part_commands_->showMenu(global);
     });
-    connect(canvas_, &PlanView::activated, this, [this](int node) { jumpTo(canvas_->tree()[node].at); });
+    connect(canvas_, &PlanView::activated, this, [this](PlanNodeId node) { jumpTo(canvas_->tree()[node].at); });
     connect(parts_, &PlanPartEditor::editRequested, this, &PlanEditor::apply);
     connect(parts_, &PlanPartEditor::said, this, &PlanEditor::say);
     connect(parts_, &PlanPartEditor::drawingWanted, head_, &PlanEditorHead::showDrawing);
@@ -130,7 +130,7 @@ void PlanEditor::connectAll() {
         head_->showLists();
     });
     connect(part_commands_, &PlanPartCommands::textRequested, this, [this] {
-        if (const int node = canvas_->selected(); node >= 0)
+        if (const PlanNodeId node = canvas_->selected(); node.valid())
             jumpTo(canvas_->tree()[node].at);
     });
 }
@@ -157,7 +157,7 @@ void PlanEditor::startWith(const std::string& text) {
     offer_->hide();
     text_->resetText(text);
     catchUp();
-    canvas_->select(-1);
+    canvas_->select({});
     canvas_->showBeginning();
     showState();
     emit titleChanged();
@@ -316,15 +316,15 @@ void PlanEditor::followCursor(int line, int column) {
     if (!parts_->isDrawn())
         return;
     const QScopedValueRollback from_text(from_text_, true);
-    if (const int node = nodeAtPlace(canvas_->tree(), line, column); node >= 0)
+    if (const PlanNodeId node = nodeAtPlace(canvas_->tree(), line, column); node.valid())
         canvas_->select(node);
     enableCommands();
 }
 
 void PlanEditor::followSelection() {
-    const int node = canvas_->selected();
+    const PlanNodeId node = canvas_->selected();
     if (!from_text_ && parts_->isDrawn())
-        text_->showPlace(node < 0 ? posh::Spot() : canvas_->tree()[node].at);
+        text_->showPlace(node.valid() ? canvas_->tree()[node].at : posh::Spot());
     enableCommands();
 }
 
@@ -345,7 +345,7 @@ void PlanEditor::apply(const posh::PlanEdit& edit) {
     const QScopedValueRollback from_drawing(from_drawing_, true);
     text_->applyText(edit.text);
     catchUp();
-    if (const int node = nodeOfPart(parts_->plan(), canvas_->tree(), edit.part); node >= 0)
+    if (const PlanNodeId node = nodeOfPart(parts_->plan(), canvas_->tree(), edit.part); node.valid())
         canvas_->select(node);
     followSelection();
 }

@@ -122,7 +122,7 @@ void PlanPartCommands::enable() {
     actions_.enable("add_before", is_member || is_step);
     actions_.enable({"add_after", "duplicate"}, is_member || is_step || is_form);
     actions_.enable({"wrap_competence", "wrap_pattern", "wrap_adopt"}, call.has_value() || is_member);
-    if (canvas_.rangeEnd() >= 0) {
+    if (canvas_.rangeEnd().valid()) {
         actions_.enable("wrap_competence", is_member);
         actions_.enable("wrap_pattern", is_step);
         actions_.enable("wrap_adopt", false);

@@ -50,7 +50,7 @@ std::optional<PlanPart> PlanPartEditor::selectedCallOrPart() const {
     return call ? call : selectedPart();
 }
 
-std::optional<PlanPart> PlanPartEditor::partMeant(int node) const {
+std::optional<PlanPart> PlanPartEditor::partMeant(PlanNodeId node) const {
     const auto call = callOfNode(plan_, canvas_.tree(), node);
     return call && posh::isStep(plan_, *call) ? call : partOfNode(plan_, canvas_.tree(), node);
 }
@@ -82,12 +82,12 @@ void PlanPartEditor::addPiece(const PlanPiece& piece) {
 void PlanPartEditor::addForm(posh::FormKind kind, const std::string& base_name) {
     const std::string free = posh::freeFormName(plan_, base_name);
     perform(posh::addForm(text_.planText(), kind, free, posh::readCallPhrase("doNothing").value()));
-    if (canvas_.selected() >= 0)
+    if (canvas_.selected().valid())
         editInPlace(InPlace::Rename);
 }
 
 void PlanPartEditor::wrap(posh::FormKind kind) {
-    if (canvas_.rangeEnd() >= 0)
+    if (canvas_.rangeEnd().valid())
         return wrapRange(kind);
     if (const auto part = selectedCallOrPart(); part && gestures())
         perform(posh::wrapCall(drawn_text_, *part, kind));
@@ -95,7 +95,7 @@ void PlanPartEditor::wrap(posh::FormKind kind) {
 
 /// Wraps all parts of the range that is selected in the drawing.
 void PlanPartEditor::wrapRange(posh::FormKind kind) {
-    const std::vector<int> nodes = canvas_.range();
+    const std::vector<PlanNodeId> nodes = canvas_.range();
     const auto first = gestures() ? partMeant(nodes.front()) : std::nullopt;
     const auto last = gestures() ? partMeant(nodes.back()) : std::nullopt;
     if (first && last)
@@ -108,9 +108,9 @@ void PlanPartEditor::inlineSelected() {
 }
 
 void PlanPartEditor::editInPlace(InPlace what) {
-    const int node = canvas_.selected();
+    const PlanNodeId node = canvas_.selected();
     const auto part = gestures() ? selectedPart() : std::nullopt;
-    if (node < 0 || !part)
+    if (!node.valid() || !part)
         return;
     const posh::Plan& plan = plan_;
     const PlanNode& drawn = canvas_.tree()[node];
@@ -131,7 +131,7 @@ void PlanPartEditor::editInPlace(InPlace what) {
     canvas_.editInPlace(node, words, static_cast<int>(what));
 }
 
-void PlanPartEditor::enterWords(int node, const QString& entered, int what) {
+void PlanPartEditor::enterWords(PlanNodeId node, const QString& entered, int what) {
     const auto part = gestures() ? partOfNode(plan_, canvas_.tree(), node) : std::nullopt;
     if (!part)
         return;
@@ -196,7 +196,7 @@ void PlanPartEditor::editValues() {
 
 void PlanPartEditor::addMember(bool before) {
     const PlanGestures* const can = gestures();
-    const int node = canvas_.selected();
+    const PlanNodeId node = canvas_.selected();
     const auto part = can ? selectedPart() : std::nullopt;
     if (!part)
         return;
@@ -206,14 +206,14 @@ void PlanPartEditor::addMember(bool before) {
     if (!deed)
         return emit said(tr("Nothing can be added here; choose a drive, an element, a step or a form."), true);
     perform(deed->edit());
-    const int made = canvas_.selected();
-    const bool is_card = made >= 0 && !canvas_.tree().children(made).empty();
+    const PlanNodeId made = canvas_.selected();
+    const bool is_card = made.valid() && !canvas_.tree().children(made).empty();
     canvas_.select(is_card ? canvas_.tree().children(made).front() : made);
     editInPlace(InPlace::Words);
 }
 
 void PlanPartEditor::swap() {
-    const int node = canvas_.selected();
+    const PlanNodeId node = canvas_.selected();
     const auto part = selectedCallOrPart();
     if (!gestures() || !part)
         return;

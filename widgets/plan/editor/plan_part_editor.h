@@ -70,10 +70,10 @@ signals:
 
 private:
     /// The part of a node; for a form called in a pattern, the step that calls it.
-    std::optional<posh::PlanPart> partMeant(int node) const;
+    std::optional<posh::PlanPart> partMeant(PlanNodeId node) const;
     /// Requests an edit, or says why it is impossible.
     void perform(const Result<posh::PlanEdit>& edit);
-    void enterWords(int node, const QString& entered, int what);
+    void enterWords(PlanNodeId node, const QString& entered, int what);
     void wrapRange(posh::FormKind kind);
     agent::PrimitiveDescription describe(const posh::Call& call, agent::PrimitiveKind kind) const;
 
