@@ -64,7 +64,7 @@ void DriveDesk::setSpeedShare(double share) {
     views_.drive->setSpeedShare(std::clamp(share, 0.05, 1.0));
 }
 
-void DriveDesk::select(int id) {
+void DriveDesk::select(RobotId id) {
     if (id != selected_)
         leave();
     selected_ = id;
