@@ -65,7 +65,7 @@ void BreakpointDesk::save(QSettings& settings) const {
 }
 
 /// Sends the breakpoints to a newly spawned robot.
-void BreakpointDesk::welcome(int id) {
+void BreakpointDesk::welcome(RobotId id) {
     if (Robot* robot = control_.robot(id); robot && !robot->isReplay())
         robot->control(agent::SetBreakpoints{list_.all()});
 }

@@ -37,7 +37,7 @@ signals:
     void changed();
 
 private:
-    void welcome(int id);
+    void welcome(RobotId id);
     void passOn();
     void toggle(posh::BreakOn on);
     void toggleKey();

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double zoom_step = 1.25;
 constexpr double turn_step = 0.125; ///< as a fraction of the angle of view
-const std::string cause = "camera";
+const by::Other cause{"camera"};
 
 QString classOf(const Robot& robot) {
     return QString::fromStdString(robot.view().spawn.class_name).section('.', -1);

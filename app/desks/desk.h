@@ -76,7 +76,7 @@ protected:
     /// Calls `take` with each update of the selected robot.
     template <class Take>
     void connectUpdates(Take take) {
-        connect(&control_, &MissionControl::robotUpdated, this, [this, take](int id, const auto& update) {
+        connect(&control_, &MissionControl::robotUpdated, this, [this, take](RobotId id, const auto& update) {
             if (id == selection_.id())
                 take(*update);
         });

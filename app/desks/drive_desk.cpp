@@ -65,7 +65,7 @@ void DriveDesk::setSpeedShare(double share) {
     views_.drive->setSpeedShare(std::clamp(share, 0.05, 1.0));
 }
 
-void DriveDesk::select(int id) {
+void DriveDesk::select(RobotId id) {
     if (id != selected_)
         leave();
     selected_ = id;
@@ -177,7 +177,7 @@ void DriveDesk::take(const mission::SessionUpdate& update) {
         showControl();
     velocity_.take(update);
     for (const mission::SentCommand& command : update.commands)
-        if (mission::isHandCause(command.cause.source) && protocol::isDrive(command.command))
+        if (std::holds_alternative<by::Hand>(command.cause.source) && protocol::isDrive(command.command))
             views_.drive->setEcho(QString::fromStdString(command.text));
     widgets::BodyVelocity shown;
     if (const auto twist = velocity_.twist()) {

@@ -36,7 +36,7 @@ signals:
     void realTimeWanted();
 
 private:
-    void select(int id);
+    void select(RobotId id);
     void take(const mission::SessionUpdate& update);
     void refresh();
     /// The robot that the devices drive; still the old one while another one is being selected.
@@ -62,7 +62,7 @@ private:
     mission::HandRequests requests_;
     mission::VelocityWatch velocity_;
     QElapsedTimer clock_; ///< wall time
-    int selected_ = 0;    ///< id of the selected robot; 0: none
+    RobotId selected_;    ///< the selected robot
 };
 
 } // namespace usar::app

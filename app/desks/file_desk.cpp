@@ -15,13 +15,13 @@ FileDesk::FileDesk(const DeskContext& context, ServerDesk& server, MissionDesk& 
 
 void FileDesk::registerCommands() {
     add(
-        "file.export", [this] { return selection_.id() != 0; }, [this] { control_.exportResults(selection_.id()); });
+        "file.export", [this] { return selection_.id().valid(); }, [this] { control_.exportResults(selection_.id()); });
     add("file.folder", [this] { chooseResultFolder(); });
     add("file.show_folder", [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(control_.resultFolder())); });
 }
 
 void FileDesk::wire() {
-    connect(&control_, &MissionControl::resultsWritten, this, [this](int, const QStringList& files) {
+    connect(&control_, &MissionControl::resultsWritten, this, [this](RobotId, const QStringList& files) {
         notices_.note("saved", tr("Saved %n file(s): %1", "", static_cast<int>(files.size())).arg(files.value(0)));
     });
 }

@@ -48,14 +48,14 @@ void MessageDesk::chooseWhereToSave() {
 
 void MessageDesk::sendAgain(int connection, const QStringList& lines) {
     for (const QString& line : lines)
-        if (const auto sent = control_.sendLine(connection, line, "operator: resend"); !sent)
+        if (const auto sent = control_.sendLine(connection, line, by::Operator{"resend"}); !sent)
             return notices_.complain("resend", sent.error());
     notices_.cure("resend");
 }
 
 void MessageDesk::sendTyped(const QString& line) {
     const int connection = control_.connectionOf(selection_.id());
-    if (const auto sent = control_.sendLine(connection, line, "operator: command box"); !sent)
+    if (const auto sent = control_.sendLine(connection, line, by::Operator{"command box"}); !sent)
         views_.command_box->complain(Severity::Error, QString::fromStdString(sent.error().text()));
 }
 

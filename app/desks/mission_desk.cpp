@@ -77,7 +77,7 @@ void MissionDesk::setUp(const mission::Mission& mission) {
     notices_.cure("mission");
     const QString name = QString::fromStdString(mission.name);
     notices_.say(Severity::Note, "mission-ready",
-                 selection_.id() == 0
+                 !selection_.id().valid()
                      ? tr("Mission %1 is ready. Double-click the start pose %2 to spawn a %3, then press Start.")
                            .arg(name, QString::fromStdString(mission.start),
                                 QString::fromStdString(mission.robot_class).section('.', -1))
@@ -94,7 +94,7 @@ void MissionDesk::selectRobotFor(const std::string& robot_class) {
     const auto idle = std::ranges::find_if(robots, [&](const Robot* one) { return fits(one) && !one->running(); });
     task_.preferClass(robot_class);
     views_.spawn_card->chooseClass(QString::fromStdString(robot_class));
-    selection_.select(idle == robots.end() ? 0 : (*idle)->view().id);
+    selection_.select(idle == robots.end() ? RobotId{} : (*idle)->view().id);
 }
 
 std::string MissionDesk::startName() const {

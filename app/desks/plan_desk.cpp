@@ -80,7 +80,8 @@ void PlanDesk::wire() {
     widgets::PlanPanel& panel = *views_.plan;
     panel.haltBar().setActions({action("plan.continue"), action("plan.step_cycle"), action("plan.step_epoch")});
     connect(&selection_, &Selection::changed, this, &PlanDesk::select);
-    connect(&control_, &MissionControl::robotUpdated, this, [this](int id, const auto& update) { take(id, *update); });
+    connect(&control_, &MissionControl::robotUpdated, this,
+            [this](RobotId id, const auto& update) { take(id, *update); });
     connect(&run_, &PlanRunDesk::planShown, this, [this](const std::string& text) {
         breakpoints_.repairPaths();
         showMarks();
@@ -95,7 +96,7 @@ void PlanDesk::wire() {
         if (!anyHalted())
             emit timeWanted(true);
     });
-    connect(&control_, &MissionControl::behaviorFinished, this, [this](int id) {
+    connect(&control_, &MissionControl::behaviorFinished, this, [this](RobotId id) {
         stepping_ = false;
         if (!anyHalted())
             emit timeWanted(true);
@@ -122,13 +123,13 @@ void PlanDesk::openMenu(widgets::PlanNodeId, const QPoint& at) {
     menu->popup(at);
 }
 
-void PlanDesk::begin(int id) {
+void PlanDesk::begin(RobotId id) {
     pins_.erase(control_.connectionOf(id));
     if (id == selection_.id())
         showMarks();
 }
 
-void PlanDesk::take(int id, const mission::SessionUpdate& update) {
+void PlanDesk::take(RobotId id, const mission::SessionUpdate& update) {
     const Robot* const robot = control_.robot(id);
     if (!robot)
         return;
@@ -185,7 +186,7 @@ bool PlanDesk::anyHalted() const {
                                [](const Robot* robot) { return robot->running() && robot->view().halted; });
 }
 
-void PlanDesk::takeNews(int id, const agent::PlanHalted& halted) {
+void PlanDesk::takeNews(RobotId id, const agent::PlanHalted& halted) {
     const Robot& robot = *control_.robot(id);
     breakpoints_.takeHalt(halted.breakpoint);
     stepping_ = false;
@@ -203,7 +204,7 @@ void PlanDesk::takeNews(int id, const agent::PlanHalted& halted) {
         views_.plan->view().selectPath(halted.path);
 }
 
-void PlanDesk::takeNews(int id, const agent::PlanResumed&) {
+void PlanDesk::takeNews(RobotId id, const agent::PlanResumed&) {
     views_.notifications->cured("plan-halted/" + nameOf(*control_.robot(id)));
     if (!anyHalted() && !stepping_)
         emit timeWanted(true);
@@ -213,7 +214,7 @@ void PlanDesk::takeNews(int id, const agent::PlanResumed&) {
     showMarks();
 }
 
-void PlanDesk::takeNews(int id, const agent::PlanReplaced& replaced) {
+void PlanDesk::takeNews(RobotId id, const agent::PlanReplaced& replaced) {
     const QString who = nameOf(*control_.robot(id));
     const QString plan = QString::fromStdString(replaced.plan_name);
     const QString key = "plan-replaced/" + who;

@@ -23,7 +23,7 @@ public:
     void save(QSettings& settings) const override { breakpoints_.save(settings); }
 
     /// The robot's behavior is started again: its pins are removed.
-    void begin(int id);
+    void begin(RobotId id);
 
     /// True if the plan of a live robot is halted.
     bool anyHalted() const;
@@ -44,11 +44,11 @@ private:
     void registerRunCommands();
     void registerPinCommands();
 
-    void take(int id, const mission::SessionUpdate& update);
-    void takeNews(int id, const agent::PlanHalted& halted);
-    void takeNews(int id, const agent::PlanResumed&);
-    void takeNews(int id, const agent::PlanReplaced& replaced);
-    void takeNews(int, const auto&) {}
+    void take(RobotId id, const mission::SessionUpdate& update);
+    void takeNews(RobotId id, const agent::PlanHalted& halted);
+    void takeNews(RobotId id, const agent::PlanResumed&);
+    void takeNews(RobotId id, const agent::PlanReplaced& replaced);
+    void takeNews(RobotId, const auto&) {}
 
     void select();
     void showHalt();

@@ -14,7 +14,7 @@ void PlanRunDesk::registerCommands() {
     const auto known = [this] { return watch().time().cycle > 0; };
     add("plan.back", known, [this] { stepBy(-1); });
     add("plan.forward", known, [this] { stepBy(1); });
-    const auto not_now = [this] { return !watch().live() || control_.lookedBackOn(selection_.id()) != 0; };
+    const auto not_now = [this] { return !watch().live() || control_.lookedBackOn(selection_.id()).valid(); };
     add("plan.live", not_now, [this] { backToNow(); });
     add(
         "plan.look_back", [this] { return whyNoLookBack().isEmpty(); }, [this] { lookBack(); });
@@ -25,8 +25,8 @@ void PlanRunDesk::wire() {
     views_.plan->timeBar().setActions(action("plan.halt"), action("plan.back"), action("plan.forward"),
                                       action("plan.look_back"), action("plan.live"));
     connect(&views_.plan->timeBar(), &widgets::PlanTimeBar::timeWanted, this, &PlanRunDesk::goTo);
-    connect(&control_, &MissionControl::replayAdded, this, [this](int id) {
-        if (const int flies = control_.lookedBackOn(id))
+    connect(&control_, &MissionControl::replayAdded, this, [this](RobotId id) {
+        if (const RobotId flies = control_.lookedBackOn(id); flies.valid())
             watches_[control_.connectionOf(id)].expect(watches_[control_.connectionOf(flies)]);
     });
 }
@@ -119,7 +119,7 @@ void PlanRunDesk::lookBack() {
 }
 
 void PlanRunDesk::backToNow() {
-    if (control_.lookedBackOn(selection_.id()) != 0)
+    if (control_.lookedBackOn(selection_.id()).valid())
         control_.remove(selection_.id()); // the live robot is selected instead
     show(watch().goLive());
 }

@@ -9,22 +9,23 @@ RobotDesk::RobotDesk(const DeskContext& context) : Desk(context), presenter_(con
 }
 
 void RobotDesk::registerCommands() {
-    for (int id = 1; id <= 9; ++id)
+    for (int number = 1; number <= 9; ++number)
         add(
-            {QString("robot.select_%1").arg(id),
-             tr("Select robot %1").arg(id),
+            {QString("robot.select_%1").arg(number),
+             tr("Select robot %1").arg(number),
              tr("Robots"),
              tr("Shows its instruments, sensors and map"),
              "",
-             {QKeySequence(QString::number(id))}},
-            [this, id] { return control_.robot(id) != nullptr; }, [this, id] { selection_.select(id); });
+             {QKeySequence(QString::number(number))}},
+            [this, number] { return control_.robot({number}) != nullptr; },
+            [this, number] { selection_.select({number}); });
     const auto lost = [this] {
         return robot() && !robot()->isReplay() && !robot()->view().figures.spawned &&
                robot()->view().link.state == link::LinkState::Connected;
     };
     add("robot.spawn_again", lost, [this] { control_.spawnAgain(selection_.id()); });
     add(
-        "robot.remove", [this] { return selection_.id() != 0; }, [this] { control_.remove(selection_.id()); });
+        "robot.remove", [this] { return selection_.id().valid(); }, [this] { control_.remove(selection_.id()); });
     registerTraceCommands();
 }
 
@@ -59,7 +60,7 @@ void RobotDesk::wire() {
     wireRobots();
     wireSpawning();
     wireMarks();
-    connect(&selection_, &Selection::changed, this, [this](int id) {
+    connect(&selection_, &Selection::changed, this, [this](RobotId id) {
         presenter_.select(id);
         views_.robots->selectRobot(id);
         showTrace();
@@ -72,16 +73,17 @@ void RobotDesk::wire() {
 void RobotDesk::wireRobots() {
     connect(&control_, &MissionControl::robotAdded, this, &RobotDesk::welcome);
     connect(&control_, &MissionControl::robotRemoved, this, &RobotDesk::dismiss);
-    connect(&control_, &MissionControl::robotLinkChanged, this, [this](int id) {
+    connect(&control_, &MissionControl::robotLinkChanged, this, [this](RobotId id) {
         presenter_.showRow(id);
         if (id == selection_.id())
             presenter_.showLinkState(id);
     });
-    connect(&control_, &MissionControl::behaviorFinished, this, [this](int id) { presenter_.showRow(id); });
+    connect(&control_, &MissionControl::behaviorFinished, this, [this](RobotId id) { presenter_.showRow(id); });
     connect(&control_, &MissionControl::linkUpdated, this, [this](const auto& update) {
-        presenter_.showLink(control_.connectionOf(0), *update, selection_.id() == 0);
+        presenter_.showLink(control_.connectionOf({}), *update, !selection_.id().valid());
     });
-    connect(&control_, &MissionControl::robotUpdated, this, [this](int id, const auto& update) { show(id, *update); });
+    connect(&control_, &MissionControl::robotUpdated, this,
+            [this](RobotId id, const auto& update) { show(id, *update); });
 }
 
 void RobotDesk::wireSpawning() {
@@ -117,14 +119,14 @@ void RobotDesk::listClasses() {
     views_.spawn_card->setRobots(control_.robotsToSpawn());
 }
 
-void RobotDesk::welcome(int id) {
+void RobotDesk::welcome(RobotId id) {
     presenter_.showRow(id);
     selection_.select(id);
     if (!control_.robot(id)->isReplay())
         views_.hint->setDone(0, true);
 }
 
-void RobotDesk::dismiss(int id, const QString& name, int instead) {
+void RobotDesk::dismiss(RobotId id, const QString& name, RobotId instead) {
     views_.robots->removeRobot(id);
     presenter_.remove(name);
     if (id == selection_.id())
@@ -150,7 +152,7 @@ void RobotDesk::select(const QString& name) {
             selection_.select(robot->view().id);
 }
 
-void RobotDesk::show(int id, const mission::SessionUpdate& update) {
+void RobotDesk::show(RobotId id, const mission::SessionUpdate& update) {
     const bool selected = id == selection_.id();
     presenter_.show(id, update, selected);
     if (selected)
@@ -163,13 +165,13 @@ void RobotDesk::trace(bool on) {
     if (!robot)
         return;
     if (on)
-        robot->send(protocol::Trace{true, interval, views_.world->traceColor()}, "operator: trace");
+        robot->send(protocol::Trace{true, interval, views_.world->traceColor()}, by::Operator{"trace"});
     else
-        robot->send(protocol::Trace{false, {}, {}}, "operator: trace");
+        robot->send(protocol::Trace{false, {}, {}}, by::Operator{"trace"});
 }
 
 void RobotDesk::showTrace() {
-    const int id = selection_.id();
+    const RobotId id = selection_.id();
     action("robot.trace")->setChecked(presenter_.tracing(id));
     if (const auto color = presenter_.traceColor(id); color && presenter_.tracing(id))
         views_.world->setTraceColor(*color);

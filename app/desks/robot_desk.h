@@ -17,7 +17,7 @@ public:
     /// Offers the classes that can be spawned now in the spawn card.
     void listClasses();
     /// Updates the robot's row in the list and its arrow on the map.
-    void showRow(int id) { presenter_.showRow(id); }
+    void showRow(RobotId id) { presenter_.showRow(id); }
     /// Sends TRACE for the selected robot, with the color chosen in the palette.
     void trace(bool on);
 
@@ -27,11 +27,11 @@ private:
     void wireSpawning();
     void wireMarks();
     /// Shows and selects a new robot.
-    void welcome(int id);
+    void welcome(RobotId id);
     /// Removes a robot from the views; `instead` is selected if the robot was.
-    void dismiss(int id, const QString& name, int instead);
+    void dismiss(RobotId id, const QString& name, RobotId instead);
     void spawn(const widgets::SpawnChoice& choice);
-    void show(int id, const mission::SessionUpdate& update);
+    void show(RobotId id, const mission::SessionUpdate& update);
     /// Shows the selected robot's trace state in the command and the palette.
     void showTrace();
     void select(const QString& name);

@@ -15,8 +15,9 @@ namespace usar::app {
 namespace {
 
 widgets::MapRobot onMap(const RobotView& view) {
-    return {QString::fromStdString(view.spawn.robot_name), view.id, view.base_in_map.value_or(view.spawn.start_in_map),
-            mission::isStale(view), protocol::isStation(view.spawn.class_name)};
+    return {QString::fromStdString(view.spawn.robot_name), view.id.value,
+            view.base_in_map.value_or(view.spawn.start_in_map), mission::isStale(view),
+            protocol::isStation(view.spawn.class_name)};
 }
 
 /// True if a sensor that was heard has been silent for the time of five messages of the slowest server.
@@ -47,7 +48,7 @@ widgets::ControlWords controlWords(const MissionControl& control, const Robot* r
     return {nameOf(*robot), Driver::Behavior, QString::fromStdString(behavior ? behavior->name : state.behavior_id)};
 }
 
-void RobotPresenter::show(int id, const mission::SessionUpdate& update, bool selected) {
+void RobotPresenter::show(RobotId id, const mission::SessionUpdate& update, bool selected) {
     const RobotView& view = control_.robot(id)->view();
     if (update.rewound)
         restart(view, selected);
@@ -66,14 +67,14 @@ void RobotPresenter::show(int id, const mission::SessionUpdate& update, bool sel
     feedPanels(update);
 }
 
-bool RobotPresenter::tracing(int id) const {
+bool RobotPresenter::tracing(RobotId id) const {
     const auto trace = traces_.find(control_.connectionOf(id));
-    return id != 0 && trace != traces_.end() && trace->second.on();
+    return id.valid() && trace != traces_.end() && trace->second.on();
 }
 
-std::optional<protocol::TraceColor> RobotPresenter::traceColor(int id) const {
+std::optional<protocol::TraceColor> RobotPresenter::traceColor(RobotId id) const {
     const auto trace = traces_.find(control_.connectionOf(id));
-    return id == 0 || trace == traces_.end() ? std::nullopt : std::optional(trace->second.color());
+    return !id.valid() || trace == traces_.end() ? std::nullopt : std::optional(trace->second.color());
 }
 
 void RobotPresenter::restart(const RobotView& view, bool selected) {
@@ -85,7 +86,7 @@ void RobotPresenter::restart(const RobotView& view, bool selected) {
     views_.status->clear(QObject::tr("Replay"));
 }
 
-void RobotPresenter::showRow(int id) {
+void RobotPresenter::showRow(RobotId id) {
     const Robot* robot = control_.robot(id);
     if (!robot)
         return;
@@ -93,7 +94,7 @@ void RobotPresenter::showRow(int id) {
     views_.map->setRobot(onMap(view));
     widgets::RobotRow row;
     row.id = id;
-    row.number = id;
+    row.number = id.value;
     row.name = QString::fromStdString(view.spawn.robot_name);
     row.class_name = QString::fromStdString(view.spawn.class_name).section('.', -1);
     row.state = mission::stateText(view);
@@ -109,7 +110,7 @@ void RobotPresenter::showOnMap(const RobotView& view, const mission::SessionUpda
     // All poses of a fast simulation belong to the trail, not only the newest one, which is painted.
     for (const agent::Published& published : update.published)
         if (const auto* estimate = std::get_if<agent::PoseEstimate>(&published))
-            views_.map->setRobot({name, view.id, estimate->base_in_map, false});
+            views_.map->setRobot({name, view.id.value, estimate->base_in_map, false});
     if (mission::newestPublished<agent::CurrentGoal>(update))
         views_.map->setGoal(name, view.goal_m);
     if (!update.last_hits.empty())
@@ -152,7 +153,7 @@ void RobotPresenter::showInstruments(const RobotView& view, const mission::Sessi
     showLinkState(view.id);
 }
 
-void RobotPresenter::showLinkState(int id) {
+void RobotPresenter::showLinkState(RobotId id) {
     const Robot* robot = control_.robot(id);
     const bool stale = robot && robot->view().link.state != link::LinkState::Connected;
     const Seconds now = robot ? robot->view().figures.now : Seconds(0.0);
@@ -209,7 +210,7 @@ void RobotPresenter::showTraffic(const mission::SessionFigures& figures) {
     views_.traffic->setText(widgets::trafficSummary(figures.traffic));
 }
 
-void RobotPresenter::select(int id) {
+void RobotPresenter::select(RobotId id) {
     views_.map->clearMarks();
     views_.sensors->clear();
     views_.sonars->clear();

@@ -13,21 +13,21 @@ public:
     RobotPresenter(MissionControl& control, widgets::WindowViews& views) : control_(control), views_(views) {}
 
     /// Shows an update of the robot `id`, which must exist. `selected`: it is the selected one.
-    void show(int id, const mission::SessionUpdate& update, bool selected);
+    void show(RobotId id, const mission::SessionUpdate& update, bool selected);
     /// Shows the lines of a connection that has no robot yet. `selected`: no robot is selected, so its figures are
     /// shown, too.
     void showLink(int connection, const mission::SessionUpdate& update, bool selected);
     /// Grays out what is out of date about the selected robot: everything without a link, otherwise each instrument
     /// whose sensor is silent. To be called when the link changes, because a lost link sends no updates.
-    void showLinkState(int id);
+    void showLinkState(RobotId id);
     /// Updates the robot's row in the list and its arrow on the map.
-    void showRow(int id);
+    void showRow(RobotId id);
     /// Replaces height map, marks and path on the map, and all instruments, by those of this robot; 0 clears them.
-    void select(int id);
+    void select(RobotId id);
     /// True while the robot leaves trace marks; false for id 0.
-    bool tracing(int id) const;
+    bool tracing(RobotId id) const;
     /// Color of the robot's trace marks; nullopt if it has sent no update yet.
-    std::optional<protocol::TraceColor> traceColor(int id) const;
+    std::optional<protocol::TraceColor> traceColor(RobotId id) const;
     void remove(const QString& name) { views_.map->removeRobot(name); }
 
 private:

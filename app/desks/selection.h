@@ -14,23 +14,23 @@ class Selection : public QObject {
 public:
     explicit Selection(const MissionControl& control) : control_(control) {}
 
-    int id() const { return id_; }
+    RobotId id() const { return id_; }
     /// Returns nullptr while no robot is selected.
     Robot* robot() const { return control_.robot(id_); }
     /// Selects this robot, or none if there is no such robot. Selecting the current one again makes all desks show it
     /// again.
-    void select(int id) {
-        id_ = control_.robot(id) ? id : 0;
+    void select(RobotId id) {
+        id_ = control_.robot(id) ? id : RobotId{};
         emit changed(id_);
     }
 
 signals:
     /// Emitted by every `select`, even with the same id. 0: no robot.
-    void changed(int id);
+    void changed(usar::RobotId id);
 
 private:
     const MissionControl& control_;
-    int id_ = 0;
+    RobotId id_;
 };
 
 } // namespace usar::app

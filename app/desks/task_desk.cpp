@@ -23,7 +23,7 @@ void TaskDesk::registerCommands() {
                control_.plugins().behavior(drafts_.shown().behavior_id);
     };
     add("mission.start", ready, [this] { start(); });
-    const auto broke = [this] { return brokenRobot() != 0; };
+    const auto broke = [this] { return brokenRobot().valid(); };
     add("mission.start_again", broke, [this] { startAgain(brokenRobot()); });
     add("mission.pause", runs,
         [this] { give(robot() && robot()->view().paused ? agent::Order::Resume : agent::Order::Pause); });
@@ -85,10 +85,10 @@ void TaskDesk::wireRun() {
     });
     connect(&control_, &MissionControl::behaviorFinished, this, &TaskDesk::refreshRunState);
     connect(&control_, &MissionControl::behaviorBroke, this, &TaskDesk::offerToStartAgain);
-    connect(&control_, &MissionControl::replayAdded, this, [this](int id) {
+    connect(&control_, &MissionControl::replayAdded, this, [this](RobotId id) {
         drafts_.copy(control_.lookedBackOn(id), id); // the selected task was not set up for the replay
     });
-    connect(&control_, &MissionControl::robotRemoved, this, [this](int id) {
+    connect(&control_, &MissionControl::robotRemoved, this, [this](RobotId id) {
         if (notices_.offers(missionKey(id)))
             notices_.cure(missionKey(id));
         drafts_.forget(id);
@@ -101,7 +101,7 @@ void TaskDesk::leaveWorld() {
     drafts_.forgetAreas();
 }
 
-void TaskDesk::show(int robot_id) {
+void TaskDesk::show(RobotId robot_id) {
     drafts_.show(robot_id);
     const mission::TaskDraft draft = drafts_.shown(); // a copy: another list may choose another behavior for a moment
     const Robot* robot = selection_.robot();
@@ -221,7 +221,7 @@ void TaskDesk::clearPreview(const QString& instead) {
 }
 
 void TaskDesk::start() {
-    const int id = selection_.id();
+    const RobotId id = selection_.id();
     const mission::TaskDraft& draft = drafts_.shown();
     if (robot() && robot()->setCellSize(draft.cell_size_m))
         views_.map->heights().clear(draft.cell_size_m);
@@ -239,14 +239,14 @@ void TaskDesk::start() {
     refreshRunState();
 }
 
-void TaskDesk::begin(int id) {
+void TaskDesk::begin(RobotId id) {
     notices_.cure("start");
     if (notices_.offers(missionKey(id)))
         notices_.cure(missionKey(id));
     emit begun(id);
 }
 
-void TaskDesk::startAgain(int id) {
+void TaskDesk::startAgain(RobotId id) {
     if (const auto started = control_.startAgain(id); !started)
         return notices_.complain("start", started.error());
     begin(id);
@@ -254,16 +254,16 @@ void TaskDesk::startAgain(int id) {
     commands_.refresh();
 }
 
-int TaskDesk::brokenRobot() const {
+RobotId TaskDesk::brokenRobot() const {
     const auto broke = [](const Robot* robot) { return robot && robot->view().broke && robot->view().figures.spawned; };
     if (broke(selection_.robot()))
         return selection_.id();
     const auto robots = control_.robots();
     const auto found = std::ranges::find_if(robots, broke);
-    return found == robots.end() ? 0 : (*found)->view().id;
+    return found == robots.end() ? RobotId{} : (*found)->view().id;
 }
 
-void TaskDesk::offerToStartAgain(int id, const QString& key, const QString& text) {
+void TaskDesk::offerToStartAgain(RobotId id, const QString& key, const QString& text) {
     const QString name = QString::fromStdString(control_.robot(id)->view().spawn.robot_name);
     const bool was_isolated = control_.robot(id)->started()->isolated;
     QString help = was_isolated ? tr("The same behavior with the same parameters")

@@ -36,7 +36,7 @@ public:
 
 signals:
     /// The selected robot's behavior was started, by whichever command.
-    void begun(int id);
+    void begun(usar::RobotId id);
     /// A mission's faults are to be injected; their times count from now.
     void faultsWanted(const QStringList& faults);
     /// Another behavior was chosen, or the behavior has started or ended.
@@ -45,7 +45,7 @@ signals:
 private:
     void wireArea();
     void wireRun();
-    void show(int robot);
+    void show(RobotId robot);
     void showChosenBehavior();
     void showIsolation();
     void setArea(const Rectangle& area_in_map);
@@ -56,11 +56,11 @@ private:
     void clearPreview(const QString& instead);
     void start();
     /// Starts the behavior that broke on this robot again.
-    void startAgain(int id);
-    void offerToStartAgain(int id, const QString& key, const QString& text);
-    void begin(int id);
+    void startAgain(RobotId id);
+    void offerToStartAgain(RobotId id, const QString& key, const QString& text);
+    void begin(RobotId id);
     /// Id of a robot whose behavior broke and was not started again, preferably the selected robot; 0: none.
-    int brokenRobot() const;
+    RobotId brokenRobot() const;
     void give(agent::Order order);
     void refreshRunState();
     void applyParameters(const std::map<std::string, agent::ParameterValue>& values);

@@ -39,7 +39,7 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
     resize(QSize(1280, 800).boundedTo(screen()->availableSize() - QSize(0, frame_px)));
     view_.keepFirstLayout();
     restoreSettings();
-    selection_.select(0);
+    selection_.select({});
     plugins_.tellRefused();
 }
 
@@ -68,7 +68,7 @@ void MainWindow::registerCommands() {
 void MainWindow::wire() {
     connect(&control_, &MissionControl::readyToClose, this, &MainWindow::closeAtOnce);
     connect(&control_, &MissionControl::exportFailed, this,
-            [this](int, const QString& reason) { askWhereToSave(reason); });
+            [this](RobotId, const QString& reason) { askWhereToSave(reason); });
     connect(views_.stop_all, &QPushButton::clicked, &control_, &MissionControl::stopAll);
     connect(new widgets::EscapeTwice(this), &widgets::EscapeTwice::pressedTwice, &control_, &MissionControl::stopAll);
     connect(views_.hint, &widgets::HintStrip::dismissed, views_.hint, &QWidget::hide);
@@ -85,7 +85,7 @@ void MainWindow::wireDesks() {
         desk->wire();
     connect(&selection_, &Selection::changed, this, &MainWindow::showTitle);
     connect(&control_, &MissionControl::behaviorFinished, this, &MainWindow::showTitle);
-    connect(&control_, &MissionControl::robotUpdated, this, [this](int id) {
+    connect(&control_, &MissionControl::robotUpdated, this, [this](RobotId id) {
         if (id == selection_.id())
             showTitle();
     });

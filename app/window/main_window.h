@@ -49,7 +49,7 @@ public:
     CameraDesk& camera() { return camera_; }
     const PlanWorkshop& workshop() const { return workshop_; }
     /// Id of the selected robot; 0 while none is selected.
-    int selectedRobot() const { return selection_.id(); }
+    RobotId selectedRobot() const { return selection_.id(); }
 
 protected:
     /// Closes at once if nothing is left to save. Otherwise robots are stopped and scans saved first, and the window

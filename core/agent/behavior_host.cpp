@@ -24,6 +24,14 @@ struct SensorType {
     std::string_view operator()(const auto&) const { return {}; }
 };
 
+/// Says which behavior decided.
+void addId(by::Source& source, const std::string& behavior_id) {
+    if (auto* const behavior = std::get_if<by::Behavior>(&source))
+        behavior->behavior_id = behavior_id;
+    else if (auto* const plan = std::get_if<by::Plan>(&source))
+        plan->behavior_id = behavior_id;
+}
+
 } // namespace
 
 protocol::Command lastResort(protocol::VehicleKind kind) {
@@ -57,7 +65,7 @@ void BehaviorHost::guarded(Call&& call) {
 void BehaviorHost::fail(const std::string& reason) {
     finished_ = true;
     port_.takeCommands(); // its output before the fault cannot be trusted
-    CausedCommand safe = safeCommand("stopped after a fault");
+    CausedCommand safe = safeCommand({});
     port_.send(std::move(safe.command), "stopped after a fault");
     port_.publish(BehaviorFinished{false, "The behavior " + behavior_id_ + " " + reason});
 }
@@ -131,7 +139,7 @@ void BehaviorHost::setParameters(const ParameterSet& parameters) {
     guarded([&] { behavior_->setParameters(parameters); });
 }
 
-CausedCommand BehaviorHost::safeCommand(const std::string& source) const {
+CausedCommand BehaviorHost::safeCommand(const by::Source& source) const {
     const Cause cause{source, last_line_};
     try {
         return {behavior_->safeCommand(), cause};
@@ -144,7 +152,7 @@ CausedCommand BehaviorHost::safeCommand(const std::string& source) const {
 RunningBehavior::Output BehaviorHost::takeOutput() {
     Output output{port_.takeCommands(), port_.takePublished()};
     for (CausedCommand& caused : output.commands)
-        caused.cause.source.insert(0, behavior_id_ + ": ");
+        addId(caused.cause.source, behavior_id_);
     for (const Published& value : output.published) {
         finished_ = finished_ || std::holds_alternative<BehaviorFinished>(value);
         if (std::holds_alternative<PlanHalted>(value) || std::holds_alternative<PlanResumed>(value))

@@ -25,7 +25,7 @@ public:
     Output order(Order order) override;
     Output control(const PlanControl& control) override;
     void setParameters(const ParameterSet& parameters) override;
-    CausedCommand safeCommand(const std::string& source) const override;
+    CausedCommand safeCommand(const by::Source& source) const override;
 
 private:
     /// Makes the call unless the behavior has finished, and stops the behavior if it throws.

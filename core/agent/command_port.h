@@ -21,8 +21,11 @@ struct CausedCommand {
 /// Collects the output of one call of a behavior. The owner empties it afterwards; nothing is sent during the call.
 class CommandPort {
 public:
-    /// `source` names the state or plan node that decided; the host adds the behavior's id and the triggering line.
-    void send(protocol::Command command, std::string source) {
+    /// `state` is what the behavior was doing when it decided; the host adds the behavior's id.
+    void send(protocol::Command command, std::string state) {
+        send(std::move(command), by::Behavior{{}, std::move(state)});
+    }
+    void send(protocol::Command command, by::Source source) {
         commands_.push_back({std::move(command), {std::move(source), trigger_}});
     }
     /// Values are delivered in the order of publication.

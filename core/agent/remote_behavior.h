@@ -25,7 +25,7 @@ inline BehaviorAnswer answerOf(RunningBehavior::Output output, const RunningBeha
 /// Keeps, in the owner's thread, what the behavior answered last, so that nothing here waits for it.
 class RemoteBehavior : public RunningBehavior {
 public:
-    CausedCommand safeCommand(const std::string& source) const override { return {safe_, {source, last_line_}}; }
+    CausedCommand safeCommand(const by::Source& source) const override { return {safe_, {source, last_line_}}; }
     void setPatience(Seconds patience) override { patience_ = patience; }
 
 protected:
@@ -41,12 +41,12 @@ protected:
         owed_.append(std::move(answer.output));
         return std::exchange(owed_, {});
     }
-    /// Marks the behavior as finished. Returns the published values owed from before, the safe command with `source` as
+    /// Marks the behavior as finished. Returns the published values owed from before, the safe command with `state` as
     /// its cause, and the reason.
-    Output finish(const std::string& source, std::string reason) {
+    Output finish(const std::string& state, std::string reason) {
         finished_ = true;
         halted_ = false;
-        owed_.commands = {safeCommand(behavior_id_ + ": " + source)};
+        owed_.commands = {safeCommand(by::Behavior{behavior_id_, state})};
         owed_.published.push_back(BehaviorFinished{false, std::move(reason)});
         return std::exchange(owed_, {});
     }

@@ -39,7 +39,7 @@ public:
     /// The next call returns the output, such as the report of a failure.
     virtual void setParameters(const ParameterSet& parameters) = 0;
     /// The command that makes the robot safe, with `source` as its cause. Never waits for the behavior.
-    virtual CausedCommand safeCommand(const std::string& source) const = 0;
+    virtual CausedCommand safeCommand(const by::Source& source) const = 0;
 
     /// True if its plan is halted; simulated time should stand still, too.
     bool halted() const { return halted_; }

@@ -23,9 +23,9 @@ bool SurveyBody::order(agent::Order order) {
 void SurveyBody::passOn() {
     for (agent::CausedCommand& caused : port_.takeCommands()) {
         if (protocol::isDrive(caused.command))
-            drive(std::move(caused.command), caused.cause.source);
+            drive(std::move(caused.command), toText(caused.cause.source));
         else
-            send(std::move(caused.command), caused.cause.source);
+            send(std::move(caused.command), toText(caused.cause.source));
     }
     for (agent::Published& value : port_.takePublished())
         publish(std::move(value));

@@ -20,7 +20,7 @@ PlanControl passed(const PlanControl& control) {
 
 Answer fullAnswer() {
     Answer answer;
-    const Cause cause{"robot/posh: work ▸ fly", {41}};
+    const Cause cause{by::Plan{"robot/posh", "work ▸ fly", "low"}, {41}};
     answer.output.commands = {{protocol::AerialDrive{0.1, 1.0 / 3.0, {}, -0.25}, cause},
                               {protocol::GetConfiguration{.type = "Sonar", .name = "F1"}, cause},
                               {protocol::RawCommand{"DRIVE {Left 1.0} {Right 2.0}"}, cause}};

@@ -133,7 +133,7 @@ private slots:
         };
         const auto output = host->receive(state(7, 1.0));
         QCOMPARE(output.commands.size(), std::size_t(1));
-        QCOMPARE(output.commands[0].cause.source, std::string("test/scripted: taking off"));
+        QCOMPARE(toText(output.commands[0].cause.source), std::string("test/scripted: taking off"));
         QCOMPARE(output.commands[0].cause.trigger.value, std::uint64_t(7));
     }
 
@@ -256,9 +256,9 @@ private slots:
     void hasASafeCommandWhateverTheBehaviorSays() {
         host->receive(state(9, 1.0));
         script.safe_throws = true;
-        const CausedCommand safe = host->safeCommand("operator");
+        const CausedCommand safe = host->safeCommand(by::Other{"operator"});
         QVERIFY(safe.command == protocol::Command(protocol::AerialDrive{0.0, 0.0, 0.0, 0.0}));
-        QCOMPARE(safe.cause.source, std::string("operator"));
+        QCOMPARE(toText(safe.cause.source), std::string("operator"));
         QCOMPARE(safe.cause.trigger.value, std::uint64_t(9));
     }
 
@@ -267,7 +267,7 @@ private slots:
             protocol::InfoLine line = state(9, 1.0);
             std::get<protocol::RobotState>(line.message).kind = kind;
             host->receive(line);
-            return host->safeCommand("operator").command;
+            return host->safeCommand(by::Other{"operator"}).command;
         };
         script.safe_throws = true;
         QVERIFY(lastResort(protocol::VehicleKind::Ground) == protocol::Command(protocol::SkidDrive{0.0, 0.0}));

@@ -47,7 +47,8 @@ void tst_PoshBehavior::sendsWhatItsActsWantWithTheirPath() {
     auto output = run.tick();
     QCOMPARE(output.commands.size(), std::size_t(1));
     QCOMPARE(output.commands.front().command, wheels(1.0, 1.0));
-    QCOMPARE(output.commands.front().cause, (Cause{"toy/posh: rover ▸ work ▸ DriveFor", LineNumber{1}}));
+    QCOMPARE(output.commands.front().cause,
+             (Cause{by::Plan{"toy/posh", "rover ▸ work ▸ DriveFor", {}}, LineNumber{1}}));
     QCOMPARE(published<BehaviorStatus>(output).front().state, std::string("rover ▸ work ▸ DriveFor"));
     run.rover->nearest_m = 0.3;
     output = run.tick();
@@ -228,12 +229,12 @@ void tst_PoshBehavior::whatGoesOnDoesAsItDidBefore() {
     QCOMPARE(halted.reason, std::string("before rover ▸ work ▸ DriveFor"));
     QCOMPARE(output.commands.size(), std::size_t(1));
     QCOMPARE(output.commands.front().command, wheels(0.0, 0.0));
-    QCOMPARE(output.commands.front().cause.source, std::string("toy/posh: plan halted"));
+    QCOMPARE(toText(output.commands.front().cause.source), std::string("toy/posh: plan halted"));
     output = run.host->control(PlanStep::Continue);
     QCOMPARE(published<PlanResumed>(output).size(), std::size_t(1));
     QCOMPARE(output.commands.size(), std::size_t(1));
     QCOMPARE(output.commands.front().command, wheels(1.0, 1.0));
-    QCOMPARE(output.commands.front().cause.source, std::string("toy/posh: rover ▸ work ▸ DriveFor"));
+    QCOMPARE(toText(output.commands.front().cause.source), std::string("toy/posh: rover ▸ work ▸ DriveFor"));
     QVERIFY(!run.host->halted());
     QVERIFY(run.host->control(PlanStep::Continue).published.empty());
     QCOMPARE(run.tick().commands.front().command, wheels(1.0, 1.0));

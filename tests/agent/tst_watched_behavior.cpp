@@ -51,7 +51,7 @@ private slots:
         const auto output = behavior.receive(stateLine(7, 1.5));
         QCOMPARE(output.commands.size(), std::size_t(1));
         QVERIFY(output.commands[0].command == protocol::Command(protocol::AerialDrive{1.5, {}, {}, {}}));
-        QCOMPARE(output.commands[0].cause.source, std::string("test/scripted: climbing"));
+        QCOMPARE(toText(output.commands[0].cause.source), std::string("test/scripted: climbing"));
         QCOMPARE(output.commands[0].cause.trigger.value, std::uint64_t(7));
         QCOMPARE(output.published.size(), std::size_t(1));
         QVERIFY(decided_in != std::this_thread::get_id());
@@ -104,7 +104,8 @@ private slots:
         const QString reason = QString::fromStdString(finished.reason);
         QVERIFY2(reason.contains("test/scripted hangs") && reason.contains(words), qPrintable(reason));
         QVERIFY(behavior.receive(stateLine(3, 1.4)).commands.empty()); // it is left alone
-        QVERIFY(behavior.safeCommand("operator").command == protocol::Command(protocol::SkidDrive{0.0, 0.0}));
+        QVERIFY(behavior.safeCommand(by::Other{"operator"}).command ==
+                protocol::Command(protocol::SkidDrive{0.0, 0.0}));
         *let_go = true;
     }
 

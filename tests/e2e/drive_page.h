@@ -14,11 +14,12 @@ class DrivePage : public WindowPage {
 public:
     explicit DrivePage(const WindowSetup& setup = {}) : WindowPage(setup) {
         QObject::connect(&window().control(), &usar::app::MissionControl::robotUpdated, &window(),
-                         [this](int id, const auto& update) {
+                         [this](usar::RobotId robot, const auto& update) {
+                             const int id = robot.value;
                              for (const usar::mission::SentCommand& command : update->commands)
                                  if (usar::protocol::isDrive(command.command)) {
                                      drives_[id] << QString::fromStdString(command.text);
-                                     causes_[id] << QString::fromStdString(command.cause.source);
+                                     causes_[id] << QString::fromStdString(toText(command.cause.source));
                                  }
                              pressAgainAfterAStall(id);
                          });

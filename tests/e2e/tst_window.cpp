@@ -121,7 +121,7 @@ void tst_Window::anUnwritableFolderIsNamedAndNothingIsLost() {
     QTRY_VERIFY_WITH_TIMEOUT(page.knownTiles() >= 1, flight_ms);
     QString said;
     QObject::connect(&page.window().control(), &app::MissionControl::exportFailed,
-                     [&said](int, const QString& reason) { said = reason; });
+                     [&said](RobotId, const QString& reason) { said = reason; });
     page.pressKey(Qt::Key_E, Qt::ControlModifier);
     QTRY_VERIFY_WITH_TIMEOUT(said.contains("taken"), soon_ms);
     QVERIFY(page.robot(1)->unsaved);

@@ -336,7 +336,7 @@ void tst_WindowDebugger::allOfTheWindowLooksBackWhileTheRobotFlies() {
                std::abs((replay->figures.now - moment).count()) < 0.25 && debugger.time().shown == moment;
     };
     QTRY_VERIFY_WITH_TIMEOUT(arrived(), soon_ms);
-    QCOMPARE(page.window().selectedRobot(), 2);
+    QCOMPARE(page.window().selectedRobot(), RobotId{2});
     QAbstractItemView* const sensors = page.window().views().sensors->findChild<QTreeView*>();
     QTRY_VERIFY_WITH_TIMEOUT(sensors && sensors->isVisible() && sensors->model()->rowCount() > 2, soon_ms);
     page.screenshot("debugger-look-back");
@@ -365,7 +365,7 @@ void tst_WindowDebugger::allOfTheWindowLooksBackWhileTheRobotFlies() {
     QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->figures.now > flown_until + Seconds{1.0}, soon_ms);
 
     page.pressKey(Qt::Key_End, Qt::AltModifier);
-    QTRY_COMPARE(page.window().selectedRobot(), 1);
+    QTRY_COMPARE(page.window().selectedRobot(), RobotId{1});
     QVERIFY(!page.robot(2) && debugger.time().live && offer.isEnabled());
     page.pressKey(Qt::Key_R, Qt::ControlModifier | Qt::AltModifier); // no more recording
     QTRY_VERIFY(!offer.isEnabled());
@@ -379,11 +379,11 @@ void tst_WindowDebugger::aReplayGoesWhereThePlansSliderSays() {
     QVERIFY(takeOff(page));
     page.chooseSpeed("max");
     QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->finished, flight_ms);
-    page.window().control().remove(1);
+    page.window().control().remove({1});
     QTRY_VERIFY_WITH_TIMEOUT(!page.endedRecording().isEmpty(), soon_ms);
     page.window().control().openRecording(page.endedRecording());
     QTRY_VERIFY_WITH_TIMEOUT(page.robot(1) && page.robot(1)->figures.replay, soon_ms);
-    page.window().control().robot(1)->orderReplay({.seek = Seconds{1e6}});
+    page.window().control().robot({1})->orderReplay({.seek = Seconds{1e6}});
     QTRY_VERIFY_WITH_TIMEOUT(debugger.time().cycle > 100 && !page.robot(1)->figures.replay->seeking, flight_ms);
     const Seconds end = debugger.time().shown;
     const auto agree = [&] { // within a cycle, while the plan ran
@@ -435,15 +435,15 @@ void tst_WindowDebugger::whatIsRecordedFromTheMiddleOnShowsThePlan() {
     const std::uint64_t last = debugger.time().cycle;
     QVERIFY(std::ranges::any_of(started, [](std::uint64_t count) { return count > 0; }));
     QVERIFY(debugger.sees("Blackboard"));
-    page.window().control().remove(1);
+    page.window().control().remove({1});
     QTRY_VERIFY_WITH_TIMEOUT(!page.endedRecording().isEmpty(), soon_ms);
     page.window().control().openRecording(page.endedRecording());
     QTRY_VERIFY_WITH_TIMEOUT(page.robot(1) && page.robot(1)->figures.replay, soon_ms);
-    page.window().control().robot(1)->orderReplay({.seek = Seconds{0.1}});
+    page.window().control().robot({1})->orderReplay({.seek = Seconds{0.1}});
     QTRY_VERIFY_WITH_TIMEOUT(!debugger.panel().view().tree().empty(), soon_ms);
     const std::uint64_t first = debugger.time().cycle; // the recording began somewhere between the two
     QVERIFY2(first >= before && first <= begun + 5, qPrintable(QString::number(first)));
-    page.window().control().robot(1)->orderReplay({.seek = Seconds{1e6}});
+    page.window().control().robot({1})->orderReplay({.seek = Seconds{1e6}});
     QTRY_COMPARE_WITH_TIMEOUT(debugger.time().cycle, last, soon_ms);
     QTRY_COMPARE(drives(), started); // also what was before the recording
     QVERIFY(debugger.sees("Blackboard"));

@@ -125,7 +125,7 @@ void tst_WindowDrive::everyOtherEndOfAHoldStops() {
     } else {
         QVERIFY(page.spawnClass("P2DX"));
     }
-    const int id = page.window().selectedRobot();
+    const int id = page.window().selectedRobot().value;
     QVERIFY(page.takeControl());
     page.hold(Qt::Key_W);
     QTRY_VERIFY(page.state(id).held && !page.standsStill(id));

@@ -122,11 +122,11 @@ private slots:
         page.pressKey(Qt::Key_A);
         page.drawArea({{-20, -15}, {20, 15}});
         page.press("Start");
-        QTRY_VERIFY_WITH_TIMEOUT(page.window().control().robot(1)->running(), soon_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(page.window().control().robot({1})->running(), soon_ms);
         QVERIFY(page.dropFile(writeWorld()));
         QVERIFY(!page.notified("A robot is on its mission").isEmpty());
         QVERIFY(page.goesOn());
-        QVERIFY(page.window().control().robot(1)->running());
+        QVERIFY(page.window().control().robot({1})->running());
     }
 
     void aBrokenRobotIsRefusedAndNothingElseChanges() {
@@ -158,7 +158,7 @@ private slots:
         QVERIFY(spawnsMine());
         QVERIFY(page.dropFile(writeWorld()));
         QTRY_COMPARE_WITH_TIMEOUT(page.window().control().level(), QString("wood"), soon_ms);
-        QTRY_VERIFY_WITH_TIMEOUT(page.window().control().checkLine(page.window().control().connectionOf(0)), soon_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(page.window().control().checkLine(page.window().control().connectionOf({})), soon_ms);
         QVERIFY(spawnsMine());
     }
 

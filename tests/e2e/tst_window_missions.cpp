@@ -69,11 +69,11 @@ void tst_WindowMissions::aMissionForAnotherRobotWaitsForOne() {
     page.window().mission().openMission(shipped("p2dx_meadow"));
     QTRY_VERIFY2_WITH_TIMEOUT(page.notified("is ready").contains("spawn a P2DX"), qPrintable(page.notified({})),
                               soon_ms);
-    QCOMPARE(page.window().selectedRobot(), 0);
+    QCOMPARE(page.window().selectedRobot(), RobotId{0});
     const auto mission = mission::readMissionFile(shipped("p2dx_meadow"));
     QVERIFY(page.spawnAt(mission->start));
     QCOMPARE(page.robot(2)->spawn.class_name, "USARBot.P2DX");
-    QCOMPARE(page.window().selectedRobot(), 2);
+    QCOMPARE(page.window().selectedRobot(), RobotId{2});
     QCOMPARE(page.window().views().behavior->behaviorId(), "p2dx/cpp");
     page.pressKey(Qt::Key_1); // and the first one has kept what it had
     QCOMPARE(page.window().views().behavior->behaviorId(), "airrobot/cpp");

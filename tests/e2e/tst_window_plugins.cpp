@@ -221,7 +221,7 @@ void tst_WindowPlugins::aBehaviorKilledInFlightCostsItsRobotABehaviorAndNobodyEl
     QVERIFY(startFlight(page, "faulty/none")); // the other one, in this process
     QVERIFY(hosts().isEmpty());
     QVERIFY(page.spawnAt(page.map().content().start_poses.back().name));
-    QCOMPARE(page.window().selectedRobot(), 2);
+    QCOMPARE(page.window().selectedRobot(), RobotId{2});
     page.window().views().behavior->chooseBehavior(behavior);
     isolationBox(page)->click();
     page.press("Start");
@@ -281,13 +281,13 @@ void tst_WindowPlugins::whatBrokeIsStartedAgainByTheButtonInItsMessage() {
     QVERIFY(!page.robot(2)->figures.behavior_running);
     page.pressKey(Qt::Key_1); // to another robot, with another behavior's form: the offer is for whom it names
     QVERIFY(page.typeParameter("ticks", "3"));
-    QCOMPARE(page.window().selectedRobot(), 1);
+    QCOMPARE(page.window().selectedRobot(), RobotId{1});
 
     const Seconds then = page.robot(2)->figures.now;
     takeOffer(page, "Start R2 again", by);
     QTRY_VERIFY_WITH_TIMEOUT(page.robot(2)->figures.behavior_running, soon_ms);
     QCOMPARE(hosts().size(), 1); // wherever it ran before
-    const auto& started = *page.window().control().robot(2)->started();
+    const auto& started = *page.window().control().robot({2})->started();
     QCOMPARE(started.id, behavior);
     QCOMPARE(std::get<long long>(started.parameters.at("ticks")), 7LL);
     QTRY_VERIFY_WITH_TIMEOUT(page.robot(2)->status && page.robot(2)->status->time > then, soon_ms); // it flies on
@@ -313,7 +313,7 @@ void tst_WindowPlugins::theOfferOfARobotGoesWithItAndWithAnotherStart() {
     page.window().views().behavior->chooseBehavior("faulty/throw");
     page.press("Start");
     QTRY_VERIFY_WITH_TIMEOUT(offerButton(page, "Start R1 again"), soon_ms);
-    page.window().control().remove(1);
+    page.window().control().remove({1});
     QVERIFY(!offerButton(page, "Start R1 again"));
 }
 

@@ -85,7 +85,7 @@ void tst_WindowRadio::aRobotAndABaseStationHearEachOther() {
     QVERIFY(page.robot(2)->figures.spawned); // it says nothing, and nobody waits for it to
     QVERIFY(page.notified("Nothing from Base").isEmpty());
     QVERIFY(!page.window().commands().action("mission.start")->isEnabled()); // it flies no mission
-    QCOMPARE(page.window().selectedRobot(), 2);
+    QCOMPARE(page.window().selectedRobot(), RobotId{2});
     const auto clockRuns = [&] { // it hears no time; the simulator has one
         const QRegularExpression time("^\\d\\d:\\d\\d:\\d\\d");
         for (const QLabel* label : page.window().views().time->findChildren<QLabel*>())
@@ -101,7 +101,7 @@ void tst_WindowRadio::aRobotAndABaseStationHearEachOther() {
     QTRY_COMPARE(page.map().content().radio_links.size(), std::size_t(1));
     QVERIFY(page.map().grab().toImage() != without);
     page.screenshot("radio");
-    page.window().control().remove(2);
+    page.window().control().remove({2});
     QTRY_VERIFY_WITH_TIMEOUT(radio(page).emptyState()->isVisible(), soon_ms);
     QTRY_VERIFY(page.map().content().radio_links.empty());
 }

@@ -55,7 +55,7 @@ void tst_WindowReplay::initTestCase() {
     tiles_ = page.knownTiles();
     marks_ = page.robot(1)->marks.size();
     QVERIFY(tiles_ > 0);
-    page.window().control().remove(1);
+    page.window().control().remove({1});
     QTRY_VERIFY_WITH_TIMEOUT(!page.endedRecording().isEmpty(), soon_ms);
     recording_ = page.endedRecording();
     QCOMPARE(recordingsIn(folder_.path()).size(), 1);
@@ -75,7 +75,7 @@ bool tst_WindowReplay::opens(WindowPage& page) {
 void tst_WindowReplay::theReplayShowsWhatTheFlightShowed() {
     WindowPage page;
     QVERIFY(opens(page));
-    const int id = page.window().selectedRobot();
+    const RobotId id = page.window().selectedRobot();
     QVERIFY(page.window().views().replay->isVisible());
     QVERIFY(!page.robot(id)->figures.replay->playing);
     page.pressKey(Qt::Key_Space);
@@ -126,10 +126,10 @@ void tst_WindowReplay::nothingCanBeSentAndTheLiveRobotGoesOn() {
     QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
     QVERIFY(page.spawnAt("PlayerStart"));
     QVERIFY(opens(page));
-    const int replay = page.window().selectedRobot();
-    QCOMPARE(replay, 2);
+    const RobotId replay = page.window().selectedRobot();
+    QCOMPARE(replay.value, 2);
     QVERIFY(!page.window().commands().action("mission.start")->isEnabled());
-    page.window().control().robot(replay)->send(protocol::GetStartPoses{}, "operator: box");
+    page.window().control().robot(replay)->send(protocol::GetStartPoses{}, by::Operator{"box"});
     QTRY_VERIFY_WITH_TIMEOUT(page.notified("This is a replay").contains("Connect"), soon_ms);
     QVERIFY(page.robot(1)->figures.spawned);
     page.pressKey(Qt::Key_1);

@@ -83,11 +83,11 @@ void tst_WindowRobots::eachRobotKeepsItsSettingsAndItsPause() {
     const auto* other_pose = &page.map().content().start_poses.back();
     QVERIFY(other_pose->name != "PlayerStart");
     QVERIFY(page.spawnAt(other_pose->name));
-    QCOMPARE(page.window().selectedRobot(), 2);
+    QCOMPARE(page.window().selectedRobot(), RobotId{2});
     QVERIFY(!page.robot(2)->paused);
     page.typeArea({{30, 30}, {50, 40}});
     page.pressKey(Qt::Key_1);
-    QCOMPARE(page.window().selectedRobot(), 1);
+    QCOMPARE(page.window().selectedRobot(), RobotId{1});
     QCOMPARE(page.map().area()->max_m.x(), 20.0);
     page.press("Resume");
     QTRY_VERIFY(!page.robot(1)->paused);

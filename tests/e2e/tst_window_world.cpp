@@ -278,11 +278,13 @@ private slots:
         QVERIFY(page.window().commands().action("robot.trace")->isEnabled());
         page.pressKey(Qt::Key_M, Qt::ControlModifier);
         QTRY_VERIFY_WITH_TIMEOUT(page.window().commands().action("robot.trace")->isChecked(), soon_ms);
-        QVERIFY(page.window().control().sendLine(page.robot(1)->connection, "DRIVE {Left 6} {Right 6}", "test"));
+        QVERIFY(
+            page.window().control().sendLine(page.robot(1)->connection, "DRIVE {Left 6} {Right 6}", by::Other{"test"}));
         QTRY_VERIFY_WITH_TIMEOUT(page.isNear(0, page.placeOf(0)) && page.placeOf(0).x() > start_m.x() + 2.2, soon_ms);
         QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->base_in_map->position_m.x() > start_m.x() + 4.0, soon_ms);
         QTRY_VERIFY_WITH_TIMEOUT(page.map().traces().count() >= 5, soon_ms);
-        QVERIFY(page.window().control().sendLine(page.robot(1)->connection, "DRIVE {Left 0} {Right 0}", "test"));
+        QVERIFY(
+            page.window().control().sendLine(page.robot(1)->connection, "DRIVE {Left 0} {Right 0}", by::Other{"test"}));
         page.screenshot("world_trace");
         const QColor red = widgets::traceColor(protocol::TraceColor::Red);
         const int seen = countColor(page.map(), red);

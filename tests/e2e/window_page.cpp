@@ -199,7 +199,7 @@ std::size_t WindowPage::knownTiles() const {
     return view ? view->tiles.size() : 0;
 }
 
-const mission::RobotView* WindowPage::robot(int id) const {
+const mission::RobotView* WindowPage::robot(RobotId id) const {
     const mission::Robot* robot = window_->control().robot(id);
     return robot ? &robot->view() : nullptr;
 }

@@ -75,7 +75,8 @@ public:
 
     QString connectionText() { return window_->views().connection->statusText(); }
     std::size_t knownTiles() const;
-    const usar::mission::RobotView* robot(int id) const;
+    const usar::mission::RobotView* robot(usar::RobotId id) const;
+    const usar::mission::RobotView* robot(int number) const { return robot(usar::RobotId{number}); }
 
 private:
     QPoint onMap(const usar::Vec2& point_in_map_m);

@@ -289,7 +289,7 @@ private slots:
         QVERIFY(!toy.commands().empty());
         for (const CausedCommand& caused : toy.commands()) {
             QVERIFY(caused.cause.trigger.value > 0);
-            QVERIFY(caused.cause.source.size() > std::string("p2dx/test: ").size());
+            QVERIFY(toText(caused.cause.source).size() > std::string("p2dx/test: ").size());
         }
     }
 

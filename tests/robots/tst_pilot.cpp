@@ -125,7 +125,7 @@ private slots:
         pilot.stop(port, "landed");
         const auto commands = port.takeCommands();
         QCOMPARE(commands.size(), std::size_t(1));
-        QCOMPARE(commands[0].cause.source, std::string("landed"));
+        QCOMPARE(toText(commands[0].cause.source), std::string("landed"));
     }
 
     void comesBackToAPlaceThatItHolds() {

@@ -365,7 +365,7 @@ private slots:
         QVERIFY(!toy.commands().empty());
         for (const CausedCommand& caused : toy.commands()) {
             QVERIFY(caused.cause.trigger.value > 0);
-            QVERIFY(caused.cause.source.size() > std::string("airrobot/test: ").size());
+            QVERIFY(toText(caused.cause.source).size() > std::string("airrobot/test: ").size());
         }
     }
 

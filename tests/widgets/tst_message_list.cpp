@@ -103,7 +103,7 @@ void tst_MessageList::feed(int count) {
 
 void tst_MessageList::showsLinesInAndOut() {
     feed(1);
-    list_->takeCommand("GETSTARTPOSES", {"session", {1}}, Seconds(2));
+    list_->takeCommand("GETSTARTPOSES", {by::Other{"session"}, {1}}, Seconds(2));
     QTRY_COMPARE(list_->model().rowCount(), 2);
     QVERIFY(list_->model().index(0, MessageModel::Way).data().toString().contains(QStringLiteral("in")));
     QVERIFY(list_->model().index(1, MessageModel::Way).data().toString().contains(QStringLiteral("out")));
@@ -264,8 +264,8 @@ void tst_MessageList::aFileThatCannotBeSavedIsNamed() {
 
 void tst_MessageList::onlyCommandsAreSentAgain() {
     feed(1);
-    list_->takeCommand("DRIVE {Left 1}", {"test", {1}}, Seconds(1), 0);
-    list_->takeCommand("STEP", {"test", {1}}, Seconds(1), 0);
+    list_->takeCommand("DRIVE {Left 1}", {by::Other{"test"}, {1}}, Seconds(1), 0);
+    list_->takeCommand("STEP", {by::Other{"test"}, {1}}, Seconds(1), 0);
     QTRY_COMPARE(list_->model().rowCount(), 3);
     QSignalSpy resent(list_.get(), &MessageList::resendRequested);
     list_->view()->selectRow(0);
@@ -280,7 +280,7 @@ void tst_MessageList::onlyCommandsAreSentAgain() {
 void tst_MessageList::aCommandLeadsToItsCauseAndBack() {
     list_->takeLine(reader_.read("STA {Time 1}"), Seconds(1), 7);
     list_->takeLine(reader_.read("SEN {Type INS}"), Seconds(1), 7);
-    list_->takeCommand("DRIVE {Left 1}", {"test: rising", {1}}, Seconds(1), 7);
+    list_->takeCommand("DRIVE {Left 1}", {by::Behavior{"test", "rising"}, {1}}, Seconds(1), 7);
     list_->selectConnection(7);
     QTRY_COMPARE(list_->model().rowCount(), 3);
     list_->actions().details->setChecked(true);

@@ -131,7 +131,7 @@ void tst_MessageModel::badLineCarriesItsReason() {
 }
 
 void tst_MessageModel::commandSaysWhyItWasSent() {
-    const MessageRow row = rowOf("GETSTARTPOSES", {"airrobot/cpp: scanning", {1234}}, 3, Seconds(9));
+    const MessageRow row = rowOf("GETSTARTPOSES", {by::Behavior{"airrobot/cpp", "scanning"}, {1234}}, 3, Seconds(9));
     QVERIFY(row.direction == Direction::Out);
     QCOMPARE(row.type, std::string("GETSTARTPOSES"));
     QCOMPARE(row.note, std::string("airrobot/cpp: scanning, on line 1234"));
@@ -341,7 +341,7 @@ void tst_MessageModel::typesAreCountedWhileTheirLinesAreKept() {
 
 void tst_MessageModel::commandsAndTheirCausesAreFound() {
     MessageModel model(nullptr, 100);
-    MessageRow drive = rowOf("DRIVE {Left 1}", {"test", {2}}, 1, Seconds(1));
+    MessageRow drive = rowOf("DRIVE {Left 1}", {by::Other{"test"}, {2}}, 1, Seconds(1));
     MessageRow elsewhere = drive;
     elsewhere.connection = 3;
     model.append({line(1, "STA {Time 1}"), line(2, "STA {Time 2}"), elsewhere, drive});

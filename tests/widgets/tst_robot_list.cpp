@@ -10,12 +10,13 @@
 
 namespace tst_robot_list {
 
+using namespace usar;
 using namespace usar::widgets;
 
 namespace {
 
 RobotRow robot(int id, int number, const char* state = "idle") {
-    return {id,   number, QStringLiteral("R%1").arg(number), QStringLiteral("AirRobot"), QString::fromLatin1(state),
+    return {{id}, number, QStringLiteral("R%1").arg(number), QStringLiteral("AirRobot"), QString::fromLatin1(state),
             71.4, false};
 }
 
@@ -68,7 +69,7 @@ void tst_RobotList::rowsAreInTheOrderOfNumbers() {
     for (int i = 0; i < 3; ++i)
         QCOMPARE(list_->model().row(i).number, i + 1);
     list_->updateRobot(robot(11, 5));
-    QCOMPARE(list_->model().row(2).id, 11);
+    QCOMPARE(list_->model().row(2).id.value, 11);
 }
 
 void tst_RobotList::modelIsSoundThroughAllChanges() {
@@ -78,8 +79,8 @@ void tst_RobotList::modelIsSoundThroughAllChanges() {
     model.updateRobot(robot(3, 3));
     model.updateRobot(robot(1, 1, "scanning"));
     model.updateRobot(robot(1, 4));
-    model.removeRobot(2);
-    model.removeRobot(99);
+    model.removeRobot({2});
+    model.removeRobot({99});
     model.setRobots({robot(3, 3), robot(1, 4, "landed")});
     QCOMPARE(model.rowCount(), 2);
     QCOMPARE(model.row(1).state, QStringLiteral("landed"));
@@ -111,42 +112,42 @@ void tst_RobotList::clickSelects() {
     QSignalSpy selected(list_.get(), &RobotList::robotSelected);
     QTest::mouseClick(view()->viewport(), Qt::LeftButton, {}, center(1));
     QCOMPARE(selected.count(), 1);
-    QCOMPARE(selected[0][0].toInt(), 8);
+    QCOMPARE(selected[0][0].value<RobotId>().value, 8);
     QTest::keyClick(view(), Qt::Key_Up);
-    QCOMPARE(selected.last()[0].toInt(), 7);
+    QCOMPARE(selected.last()[0].value<RobotId>().value, 7);
 }
 
 void tst_RobotList::selectingByTheWindowIsSilent() {
     list_->setRobots({robot(7, 1), robot(8, 2)});
     QSignalSpy selected(list_.get(), &RobotList::robotSelected);
-    list_->selectRobot(8);
-    QCOMPARE(list_->selectedRobot(), std::optional(8));
-    list_->selectRobot(99);
-    QCOMPARE(list_->selectedRobot(), std::optional<int>());
+    list_->selectRobot({8});
+    QCOMPARE(list_->selectedRobot(), std::optional(RobotId{8}));
+    list_->selectRobot({99});
+    QCOMPARE(list_->selectedRobot(), std::optional<RobotId>());
     QCOMPARE(selected.count(), 0);
 }
 
 void tst_RobotList::selectionSurvivesUpdates() {
     list_->setRobots({robot(7, 1), robot(8, 2)});
-    list_->selectRobot(8);
+    list_->selectRobot({8});
     QSignalSpy selected(list_.get(), &RobotList::robotSelected);
     list_->updateRobot(robot(8, 2, "scanning"));
-    QCOMPARE(list_->selectedRobot(), std::optional(8));
+    QCOMPARE(list_->selectedRobot(), std::optional(RobotId{8}));
     list_->updateRobot(robot(8, 4));
-    QCOMPARE(list_->selectedRobot(), std::optional(8));
+    QCOMPARE(list_->selectedRobot(), std::optional(RobotId{8}));
     list_->setRobots({robot(9, 3), robot(8, 2), robot(6, 1)});
-    QCOMPARE(list_->selectedRobot(), std::optional(8));
+    QCOMPARE(list_->selectedRobot(), std::optional(RobotId{8}));
     QCOMPARE(selected.count(), 0);
 }
 
 void tst_RobotList::removingTheSelectedRobotSelectsANeighbor() {
     list_->setRobots({robot(7, 1), robot(8, 2)});
-    list_->selectRobot(8);
+    list_->selectRobot({8});
     QSignalSpy selected(list_.get(), &RobotList::robotSelected);
-    list_->removeRobot(8);
-    QCOMPARE(list_->selectedRobot(), std::optional(7));
+    list_->removeRobot({8});
+    QCOMPARE(list_->selectedRobot(), std::optional(RobotId{7}));
     QCOMPARE(selected.count(), 1);
-    QCOMPARE(selected[0][0].toInt(), 7);
+    QCOMPARE(selected[0][0].value<RobotId>().value, 7);
 }
 
 void tst_RobotList::deleteAsksForRemovalAndRemovesNothing() {
@@ -155,10 +156,10 @@ void tst_RobotList::deleteAsksForRemovalAndRemovesNothing() {
     list_->activateWindow();
     view()->setFocus();
     QTRY_VERIFY(view()->hasFocus());
-    list_->selectRobot(7);
+    list_->selectRobot({7});
     QTest::keyClick(view(), Qt::Key_Delete);
     QCOMPARE(asked.count(), 1);
-    QCOMPARE(asked[0][0].toInt(), 7);
+    QCOMPARE(asked[0][0].value<RobotId>().value, 7);
     QCOMPARE(list_->model().rowCount(), 1);
 }
 
@@ -166,7 +167,7 @@ void tst_RobotList::emptyListSaysHowToSpawn() {
     QVERIFY(list_->emptyState()->isVisible());
     list_->updateRobot(robot(1, 1));
     QVERIFY(!list_->emptyState()->isVisible());
-    list_->removeRobot(1);
+    list_->removeRobot({1});
     QVERIFY(list_->emptyState()->isVisible());
 }
 

@@ -58,7 +58,7 @@ void RobotListModel::updateRobot(const RobotRow& robot) {
     endInsertRows();
 }
 
-void RobotListModel::removeRobot(int id) {
+void RobotListModel::removeRobot(RobotId id) {
     const std::optional<int> at = indexOf(id);
     if (!at)
         return;
@@ -67,7 +67,7 @@ void RobotListModel::removeRobot(int id) {
     endRemoveRows();
 }
 
-std::optional<int> RobotListModel::indexOf(int id) const {
+std::optional<int> RobotListModel::indexOf(RobotId id) const {
     const auto found = std::ranges::find(rows_, id, &RobotRow::id);
     return found == rows_.end() ? std::nullopt : std::optional(static_cast<int>(found - rows_.begin()));
 }

@@ -7,6 +7,8 @@
 #include <QAbstractListModel>
 #include <QString>
 
+#include "core/base/robot_id.h"
+
 namespace usar::widgets {
 
 /// The one in control of a robot; Person is the user, at keys, pad or gamepad.
@@ -25,7 +27,7 @@ QString controlText(const ControlWords& words);
 
 /// A robot as the list needs it. `id` is assigned by the window; `number` 1..9 selects color and key.
 struct RobotRow {
-    int id = 0;
+    RobotId id{};
     int number = 1;
     QString name;
     QString class_name;                ///< "AirRobot"
@@ -47,12 +49,12 @@ public:
     /// Updates the robot with this id, or adds it. Emits nothing if nothing changed.
     void updateRobot(const RobotRow& robot);
     /// An unknown id changes nothing.
-    void removeRobot(int id);
+    void removeRobot(RobotId id);
 
     /// `index` 0 is at the top; the reference is valid until the next change.
     const RobotRow& row(int index) const { return rows_[static_cast<std::size_t>(index)]; }
     /// Row of that robot; nullopt if it is not listed.
-    std::optional<int> indexOf(int id) const;
+    std::optional<int> indexOf(RobotId id) const;
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
 

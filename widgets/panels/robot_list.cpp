@@ -133,7 +133,7 @@ RobotList::RobotList(QWidget* parent) : QWidget(parent) {
     view_->setMouseTracking(true);
     view_->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(addRowAction(view_, tr("Remove this robot"), QKeySequence::Delete), &QAction::triggered, this, [this] {
-        if (const std::optional<int> id = selectedRobot())
+        if (const std::optional<RobotId> id = selectedRobot())
             emit removeRequested(*id);
     });
     connect(view_, &QWidget::customContextMenuRequested, this, [this](const QPoint& at) { popUpRowMenu(view_, at); });
@@ -145,7 +145,7 @@ RobotList::RobotList(QWidget* parent) : QWidget(parent) {
 }
 
 void RobotList::setRobots(const std::vector<RobotRow>& robots) {
-    const std::optional<int> selected = selectedRobot();
+    const std::optional<RobotId> selected = selectedRobot();
     {
         const QScopedValueRollback quiet(quiet_, true);
         model_->setRobots(robots);
@@ -157,25 +157,25 @@ void RobotList::setRobots(const std::vector<RobotRow>& robots) {
 
 void RobotList::updateRobot(const RobotRow& robot) {
     const QScopedValueRollback quiet(quiet_, true);
-    const std::optional<int> selected = selectedRobot();
+    const std::optional<RobotId> selected = selectedRobot();
     model_->updateRobot(robot);
     if (selected && selectedRobot() != selected)
         selectRobot(*selected);
     updateEmptyState();
 }
 
-void RobotList::removeRobot(int id) {
+void RobotList::removeRobot(RobotId id) {
     model_->removeRobot(id);
     updateEmptyState();
 }
 
-void RobotList::selectRobot(int id) {
+void RobotList::selectRobot(RobotId id) {
     const QScopedValueRollback quiet(quiet_, true);
     const std::optional<int> at = model_->indexOf(id);
     view_->setCurrentIndex(at ? model_->index(*at) : QModelIndex());
 }
 
-std::optional<int> RobotList::selectedRobot() const {
+std::optional<RobotId> RobotList::selectedRobot() const {
     const QModelIndex current = view_->currentIndex();
     return current.isValid() ? std::optional(model_->row(current.row()).id) : std::nullopt;
 }

@@ -21,11 +21,11 @@ public:
     /// Updates the robot with this id, or adds it.
     void updateRobot(const RobotRow& robot);
     /// If the robot was selected, its neighbor is selected and robotSelected emitted.
-    void removeRobot(int id);
+    void removeRobot(RobotId id);
     /// Emits nothing; an unknown id clears the selection.
-    void selectRobot(int id);
+    void selectRobot(RobotId id);
     /// Id of the selected robot; nullopt if none is.
-    std::optional<int> selectedRobot() const;
+    std::optional<RobotId> selectedRobot() const;
 
     const RobotListModel& model() const { return *model_; }
     /// The sheet that is shown while there is no robot; set the action that spawns one on it.
@@ -35,9 +35,9 @@ public:
 
 signals:
     /// By mouse or keys, or because the selected robot was removed.
-    void robotSelected(int id);
+    void robotSelected(usar::RobotId id);
     /// From the context menu or by Delete; the list itself removes nothing before `removeRobot` is called.
-    void removeRequested(int id);
+    void removeRequested(usar::RobotId id);
 
 private:
     void updateEmptyState();

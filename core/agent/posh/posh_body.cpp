@@ -44,11 +44,8 @@ void PoshBody::note(posh::TraceEvent event, std::string_view text) {
         engine_->note(event, place_, text);
 }
 
-std::string PoshBody::source(std::string_view why) const {
-    std::string source = engine_ ? posh::namePathOf(*engine_->program(), place_) : std::string("plan");
-    if (!why.empty())
-        source.append(": ").append(why);
-    return source;
+by::Plan PoshBody::source(std::string_view why) const {
+    return {{}, engine_ ? posh::namePathOf(*engine_->program(), place_) : std::string("plan"), std::string(why)};
 }
 
 void PoshBody::sendDrive() {

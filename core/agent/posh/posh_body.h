@@ -30,7 +30,7 @@ public:
     /// For acts. Of the drive commands in a cycle only the last is sent; other commands are sent at once. Outside a
     /// tick, commands and published values are discarded.
     modules::RobotModules& modules() { return *modules_; }
-    /// `why` is appended to the path of the act in the command's cause: "scanning lane 1 of 4".
+    /// `why` stands beside the path of the act in the command's cause: "scanning lane 1 of 4".
     void drive(protocol::Command command, std::string_view why = {});
     void send(protocol::Command command, std::string_view why = {});
     void publish(Published value);
@@ -61,7 +61,7 @@ private:
 
     void note(posh::TraceEvent event, std::string_view text);
     /// The path of the sense or act being called, and the reason, for the cause of a command.
-    std::string source(std::string_view why) const;
+    by::Plan source(std::string_view why) const;
     /// Sends the last drive command of the cycle.
     void sendDrive();
 
@@ -72,7 +72,7 @@ private:
     Seconds now_{0.0};
     std::uint64_t cycle_ = 0;
     std::optional<protocol::Command> drive_;
-    std::string drive_source_;
+    by::Plan drive_source_;
     std::map<std::string, posh::Value> blackboard_;
 };
 

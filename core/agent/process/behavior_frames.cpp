@@ -45,6 +45,12 @@ struct FieldLists {
     static void pass(auto& io, Field<Job> auto& job) { io(job.behavior_id, job.task, job.parameters, job.plan); }
     static void pass(auto& io, Field<Start> auto& start) { io(start.plugin_file, start.job); }
     static void pass(auto& io, Field<Line> auto& line) { io(line.number, line.text); }
+    static void pass(auto& io, Field<by::Other> auto& other) { io(other.name); }
+    static void pass(auto& io, Field<by::Behavior> auto& behavior) { io(behavior.behavior_id, behavior.state); }
+    static void pass(auto& io, Field<by::Plan> auto& plan) { io(plan.behavior_id, plan.path, plan.why); }
+    static void pass(auto& io, Field<by::Hand> auto& hand) { io(hand.what); }
+    static void pass(auto& io, Field<by::Session> auto& session) { io(session.why); }
+    static void pass(auto& io, Field<by::Operator> auto& user) { io(user.what); }
     static void pass(auto& io, Field<Cause> auto& cause) { io(cause.source, cause.trigger); }
     static void pass(auto& io, Field<CausedCommand> auto& caused) { io(caused.command, caused.cause); }
     static void pass(auto& io, Field<RunningBehavior::Output> auto& output) { io(output.commands, output.published); }

@@ -58,7 +58,7 @@ RunningBehavior::Output IsolatedBehavior::ask(const frames::Request& request, Se
 
 RunningBehavior::Output IsolatedBehavior::note(frames::Answer& answer) {
     if (!answer.output.commands.empty())
-        last_decision_ = answer.output.commands.back().cause.source;
+        last_decision_ = toText(answer.output.commands.back().cause.source);
     for (const Published& value : answer.output.published)
         if (const auto* const status = std::get_if<BehaviorStatus>(&value))
             last_state_ = status->state;
@@ -83,7 +83,7 @@ RunningBehavior::Output IsolatedBehavior::lose(const std::optional<frames::Reply
     halted_ = false;
     lost_at_work_ = at_work;
     host_->becomeDeaf(); // otherwise its handle would stay readable forever
-    owed_.commands = {safeCommand(behavior_id_ + ": its process has ended")};
+    owed_.commands = {safeCommand(by::Behavior{behavior_id_, "its process has ended"})};
     return std::exchange(owed_, {});
 }
 

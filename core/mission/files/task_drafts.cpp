@@ -36,16 +36,16 @@ const TaskDraft& TaskDrafts::shown() const {
     return found == drafts_.end() ? none : found->second;
 }
 
-void TaskDrafts::show(int robot) {
+void TaskDrafts::show(RobotId robot) {
     if (!drafts_.contains(robot))
         drafts_[robot] = shown();
     shown_ = robot;
 }
 
-void TaskDrafts::copy(int from, int to) {
+void TaskDrafts::copy(RobotId from, RobotId to) {
     const auto found = drafts_.find(from);
     drafts_[to] = found == drafts_.end() ? TaskDraft{} : found->second;
-    if (from == 0)
+    if (!from.valid())
         drafts_[to].area_in_map.reset();
 }
 

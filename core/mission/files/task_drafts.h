@@ -8,6 +8,7 @@
 
 #include "core/agent/parameters.h"
 #include "core/base/geometry.h"
+#include "core/base/robot_id.h"
 #include "core/mission/files/mission_file.h"
 
 namespace usar::mission {
@@ -40,16 +41,16 @@ public:
     TaskDraft& shown() { return drafts_[shown_]; }
     const TaskDraft& shown() const;
     /// Shows another robot's draft. A robot without a draft starts from the one that was shown before.
-    void show(int robot);
+    void show(RobotId robot);
     /// Copies the draft of a replayed robot to its replay. With `from` 0 (no such robot) the area is left out.
-    void copy(int from, int to);
-    void forget(int robot) { drafts_.erase(robot); }
+    void copy(RobotId from, RobotId to);
+    void forget(RobotId robot) { drafts_.erase(robot); }
     /// Clears the areas of all drafts; call it when the world changes, because they refer to the old one.
     void forgetAreas();
 
 private:
-    std::map<int, TaskDraft> drafts_{{0, {}}};
-    int shown_ = 0;
+    std::map<RobotId, TaskDraft> drafts_{{RobotId{}, {}}};
+    RobotId shown_;
 };
 
 } // namespace usar::mission

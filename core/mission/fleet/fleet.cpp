@@ -28,12 +28,12 @@ Fleet::Private::Private(Fleet& fleet, const QString& host_program)
         keeper.giveUpWaiting();
         emit q.readyToClose();
     });
-    connect(&keeper, &ScanKeeper::saved, &q, [this](int id, const QStringList& files) {
+    connect(&keeper, &ScanKeeper::saved, &q, [this](RobotId id, const QStringList& files) {
         emit q.cured("export");
         emit q.resultsWritten(id, files);
         closeWhenSaved();
     });
-    connect(&keeper, &ScanKeeper::failed, &q, [this](int id, const QString& reason) {
+    connect(&keeper, &ScanKeeper::failed, &q, [this](RobotId id, const QString& reason) {
         patience.stop();
         q.note(Severity::Error, "export", reason);
         emit q.exportFailed(id, reason);
@@ -186,13 +186,13 @@ QString Fleet::nextRobotName() const {
     return d_->roster.nextName();
 }
 
-Result<int> Fleet::spawn(SpawnRequest request) {
+Result<RobotId> Fleet::spawn(SpawnRequest request) {
     if (!d_->next || d_->next->view().link.state != link::LinkState::Connected)
         return failure("there is no link to a server yet", request.robot_name, "Connect first, then spawn");
     const auto accepted = d_->roster.accept(std::move(request));
     if (!accepted)
         return tl::unexpected(accepted.error());
-    const int id = d_->roster.nextId();
+    const RobotId id = d_->roster.nextId();
     if (d_->recording)
         d_->record(*d_->next, *accepted);
     d_->next->spawn(id, *accepted);
@@ -202,7 +202,7 @@ Result<int> Fleet::spawn(SpawnRequest request) {
     return id;
 }
 
-Robot* Fleet::robot(int id) const {
+Robot* Fleet::robot(RobotId id) const {
     return d_->roster.robot(id);
 }
 
@@ -210,8 +210,8 @@ std::vector<Robot*> Fleet::robots() const {
     return d_->roster.robots();
 }
 
-int Fleet::connectionOf(int id) const {
-    const Robot* found = id == 0 ? d_->next.get() : robot(id);
+int Fleet::connectionOf(RobotId id) const {
+    const Robot* found = !id.valid() ? d_->next.get() : robot(id);
     return found ? found->view().connection : 0;
 }
 
@@ -231,14 +231,14 @@ Result<void> Fleet::checkLine(int connection) const {
     return {};
 }
 
-Result<void> Fleet::sendLine(int connection, const QString& line, const std::string& source) {
+Result<void> Fleet::sendLine(int connection, const QString& line, const by::Source& source) {
     if (const auto sendable = checkLine(connection); !sendable)
         return sendable;
     d_->robotOn(connection)->send(protocol::RawCommand{line.toStdString()}, source);
     return {};
 }
 
-void Fleet::remove(int id) {
+void Fleet::remove(RobotId id) {
     std::unique_ptr<Robot> robot = d_->roster.take(id);
     if (!robot)
         return;
@@ -246,33 +246,36 @@ void Fleet::remove(int id) {
     const QString name = nameOf(*robot);
     const Robot* const looked_back_on = d_->robotOn(robot->view().looks_back_on);
     const std::vector<Robot*> rest = robots();
-    const int instead = looked_back_on ? looked_back_on->view().id : rest.empty() ? 0 : rest.front()->view().id;
+    const RobotId instead = looked_back_on ? looked_back_on->view().id
+                            : rest.empty() ? RobotId{}
+                                           : rest.front()->view().id;
     d_->keeper.takeLeave(std::move(robot));
     d_->truths.erase(id);
     emit robotRemoved(id, name, instead);
 }
 
-void Fleet::spawnAgain(int id) {
+void Fleet::spawnAgain(RobotId id) {
     if (Robot* robot = this->robot(id); robot && !robot->isReplay())
         robot->spawn(id, robot->view().spawn);
 }
 
-Result<void> Fleet::startBehavior(int id, const std::string& behavior_id, const Rectangle& area_in_map,
+Result<void> Fleet::startBehavior(RobotId id, const std::string& behavior_id, const Rectangle& area_in_map,
                                   const std::map<std::string, agent::ParameterValue>& values, const QString& plan_path,
                                   bool isolate) {
     Robot* robot = this->robot(id);
     if (!robot)
-        return failure("there is no such robot", std::to_string(id), "Spawn one on a start pose first");
+        return failure("there is no such robot", std::to_string(id.value), "Spawn one on a start pose first");
     const auto plan = readOwnPlan(plan_path, behavior_id, plugins());
     if (!plan)
         return tl::unexpected(plan.error());
     return d_->start(*robot, {behavior_id, area_in_map, values, *plan, isolate});
 }
 
-Result<void> Fleet::startAgain(int id) {
+Result<void> Fleet::startAgain(RobotId id) {
     Robot* robot = this->robot(id);
     if (!robot || !robot->started())
-        return failure("no behavior has been started on it", std::to_string(id), "Choose a behavior, then start it");
+        return failure("no behavior has been started on it", std::to_string(id.value),
+                       "Choose a behavior, then start it");
     if (!robot->view().figures.spawned)
         return failure("the robot is gone", robot->view().spawn.robot_name, "Spawn it again first");
     StartedBehavior start = *robot->started();
@@ -296,7 +299,7 @@ void Fleet::stopAll() {
         robot->stop();
 }
 
-void Fleet::preview(int id, const std::string& behavior_id, const Rectangle& area_in_map,
+void Fleet::preview(RobotId id, const std::string& behavior_id, const Rectangle& area_in_map,
                     const std::map<std::string, agent::ParameterValue>& values,
                     const agent::PluginLoader::Told& told) const {
     const auto parameters = checkParameters(behavior_id, values, plugins());
@@ -319,13 +322,13 @@ bool Fleet::resultFolderChosen() const {
     return d_->keeper.folderChosen();
 }
 
-void Fleet::exportResults(int id) {
+void Fleet::exportResults(RobotId id) {
     if (Robot* robot = this->robot(id))
         d_->keeper.save(*robot);
 }
 
 void Fleet::Private::finished(Robot* robot, bool success, const QString& reason) {
-    const int id = robot->view().id;
+    const RobotId id = robot->view().id;
     const QString key = missionKey(id);
     const QString text = QString("%1: %2").arg(nameOf(*robot), reason);
     if (robot->view().broke)

@@ -17,8 +17,8 @@
 namespace usar::mission {
 
 /// Notification key for the end of this robot's behavior.
-inline QString missionKey(int id) {
-    return QString("mission-%1").arg(id);
+inline QString missionKey(RobotId id) {
+    return QString("mission-%1").arg(id.value);
 }
 
 /// Owns the plugins, the robots' sessions and the ScanKeeper. Belongs to the GUI thread and never blocks it. Each
@@ -57,28 +57,28 @@ public:
 
     QString nextRobotName() const;
     /// Returns the id, the lowest free key 1-9; an error if all are taken or there is no link.
-    Result<int> spawn(SpawnRequest request);
-    Robot* robot(int id) const; ///< nullptr if there is none
+    Result<RobotId> spawn(SpawnRequest request);
+    Robot* robot(RobotId id) const; ///< nullptr if there is none
     std::vector<Robot*> robots() const;
     /// RobotView::connection of the robot, or of the spare connection if `id` is 0; 0 if there is none.
-    int connectionOf(int id) const;
+    int connectionOf(RobotId id) const;
     Result<void> checkLine(int connection) const; ///< an error says why no line can be sent there now
-    Result<void> sendLine(int connection, const QString& line, const std::string& source); ///< unchanged
+    Result<void> sendLine(int connection, const QString& line, const by::Source& source); ///< unchanged
     /// Stops the robot, closes its connection and saves its scan.
-    void remove(int id);
+    void remove(RobotId id);
     /// Sends the original INIT again, for a robot that never appeared or was lost with its link.
-    void spawnAgain(int id);
+    void spawnAgain(RobotId id);
     /// `plan_path`: the user's own POSH plan; empty: the robot's. `isolate`: run in a separate process.
-    Result<void> startBehavior(int id, const std::string& behavior_id, const Rectangle& area_in_map,
+    Result<void> startBehavior(RobotId id, const std::string& behavior_id, const Rectangle& area_in_map,
                                const std::map<std::string, agent::ParameterValue>& values, const QString& plan_path,
                                bool isolate = false);
     /// Restarts the behavior that broke, with the same parameters, area and plan, in a separate process.
-    Result<void> startAgain(int id);
+    Result<void> startAgain(RobotId id);
     Result<std::map<std::string, agent::ParameterValue>> prepareMission(const Mission& mission) const; ///< checkMission
     void stopAll();
     /// Asks what the behavior would do with this task, before it starts. If `id` is 0, the task starts at the map's
     /// origin. As with PluginLoader, `told` is called at once or later.
-    void preview(int id, const std::string& behavior_id, const Rectangle& area_in_map,
+    void preview(RobotId id, const std::string& behavior_id, const Rectangle& area_in_map,
                  const std::map<std::string, agent::ParameterValue>& values,
                  const agent::PluginLoader::Told& told) const;
 
@@ -86,7 +86,7 @@ public:
     QString resultFolder() const;
     bool resultFolderChosen() const;
     bool anythingToSave() const;
-    void exportResults(int id);
+    void exportResults(RobotId id);
     /// Records each live robot, present or future, to its own file in the result folder. Initially on.
     void setRecording(bool on);
     bool recording() const;
@@ -95,9 +95,9 @@ public:
     void openRecording(const QString& path);
     /// Opens the live robot's recording at `moment` (protocol clock); the robot is not interrupted. An earlier replay
     /// that was opened for it in this way is closed.
-    void lookBack(int id, Seconds moment);
+    void lookBack(RobotId id, Seconds moment);
     /// Id of the live robot that this replay was opened for by `lookBack`; 0 if there is none, or none any longer.
-    int lookedBackOn(int id) const;
+    RobotId lookedBackOn(RobotId id) const;
     /// Stops every robot and saves every unsaved scan; `readyToClose` follows. Waits up to five seconds for a session
     /// that hangs. After `exportFailed` nothing more happens until this or `stayOpen` is called.
     void prepareToClose();
@@ -114,20 +114,20 @@ signals:
     /// Emitted by `disconnectFromServer`, before `linkChanged`: the server is no longer needed.
     void serverLeft();
     void startPosesKnown(const usar::protocol::StartPoses& poses, const QString& level);
-    void robotAdded(int id);
+    void robotAdded(usar::RobotId id);
     /// Emitted before `robotAdded`.
-    void replayAdded(int id);
+    void replayAdded(usar::RobotId id);
     /// `instead`: id to select if the removed robot was selected; 0 if none remain.
-    void robotRemoved(int id, const QString& name, int instead);
-    void robotLinkChanged(int id);
+    void robotRemoved(usar::RobotId id, const QString& name, usar::RobotId instead);
+    void robotLinkChanged(usar::RobotId id);
     /// An update from the spare connection's session.
     void linkUpdated(std::shared_ptr<const usar::mission::SessionUpdate> update);
-    void robotUpdated(int id, std::shared_ptr<const usar::mission::SessionUpdate> update);
-    void behaviorFinished(int id, bool success, const QString& reason);
+    void robotUpdated(usar::RobotId id, std::shared_ptr<const usar::mission::SessionUpdate> update);
+    void behaviorFinished(usar::RobotId id, bool success, const QString& reason);
     /// The behavior threw, hung or died, as `text` says; `startAgain` may help. Replaces `noticed`; same kind of `key`.
-    void behaviorBroke(int id, const QString& key, const QString& text);
-    void resultsWritten(int id, const QStringList& files);
-    void exportFailed(int id, const QString& reason); ///< the scan is still in memory
+    void behaviorBroke(usar::RobotId id, const QString& key, const QString& text);
+    void resultsWritten(usar::RobotId id, const QStringList& files);
+    void exportFailed(usar::RobotId id, const QString& reason); ///< the scan is still in memory
     /// `key` groups repeats and lets a cure clear them.
     void noticed(const QString& key, const usar::mission::Notice& notice);
     void cured(const QString& key);

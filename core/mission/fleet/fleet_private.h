@@ -43,7 +43,7 @@ struct Fleet::Private {
     std::unique_ptr<Robot> next; ///< connected, not spawned
     ReplayOpener replays;
     std::map<int, Seconds> wanted_moments; ///< by connection: moment to look back on, once the file contains it
-    std::map<int, TrueFigures> truths;     ///< by robot id
+    std::map<RobotId, TrueFigures> truths; ///< by robot id
     std::optional<std::uint64_t> seed;
     bool recording = true;
     bool silence_expected = false;

@@ -44,7 +44,7 @@ void Fleet::Private::openReplay(const QString& path, int looks_back_on, std::opt
     connectRobot(&replays.open(path, looks_back_on, moment));
 }
 
-void Fleet::lookBack(int id, Seconds moment) {
+void Fleet::lookBack(RobotId id, Seconds moment) {
     Robot* const flies = robot(id);
     if (!flies || flies->isReplay())
         return;
@@ -55,10 +55,10 @@ void Fleet::lookBack(int id, Seconds moment) {
     flies->flushRecording();
 }
 
-int Fleet::lookedBackOn(int id) const {
+RobotId Fleet::lookedBackOn(RobotId id) const {
     const Robot* const replay = robot(id);
     const Robot* const flies = replay ? d_->robotOn(replay->view().looks_back_on) : nullptr;
-    return flies ? flies->view().id : 0;
+    return flies ? flies->view().id : RobotId{};
 }
 
 void Fleet::Private::addReplay(std::unique_ptr<Robot> robot, const RecordingFacts& facts, const QString& complaint) {
@@ -68,7 +68,7 @@ void Fleet::Private::addReplay(std::unique_ptr<Robot> robot, const RecordingFact
         robot.release()->deleteLater();
         return;
     }
-    const int id = roster.nextId();
+    const RobotId id = roster.nextId();
     const auto name = facts.find("robot");
     const QString recorded = name == facts.end() ? QString() : QString::fromStdString(name->second);
     robot->becomeReplay(id, roster.unusedName(recorded.isEmpty() ? tr("Replay") : tr("%1 replay").arg(recorded)),

@@ -66,7 +66,7 @@ void Robot::connectSession() {
     link::connectAcross(session_, &RobotSession::replayFailed, this, &Robot::replayFailed);
 }
 
-void Robot::spawn(int id, const SpawnRequest& request) {
+void Robot::spawn(RobotId id, const SpawnRequest& request) {
     view_.id = id;
     view_.spawn = request;
     call(&RobotSession::spawn, request);
@@ -150,7 +150,7 @@ void Robot::openRecording(const QString& path, int looks_back_on) {
     call(&RobotSession::openRecording, path);
 }
 
-void Robot::becomeReplay(int id, const QString& robot_name, const RecordingFacts& facts) {
+void Robot::becomeReplay(RobotId id, const QString& robot_name, const RecordingFacts& facts) {
     view_.id = id;
     view_.spawn.robot_name = robot_name.toStdString();
     if (const auto found = facts.find("class"); found != facts.end())

@@ -28,7 +28,7 @@ public:
 
     const RobotView& view() const { return view_; }
     /// True once `spawn` or `becomeReplay` was called; the server may not have confirmed the robot yet.
-    bool spawned() const { return view_.id != 0; }
+    bool spawned() const { return view_.id.valid(); }
     /// Percentage of the mission area whose height is known, 0..100; nullopt without an area.
     std::optional<double> coverage_pct() const;
     /// Wall time from the start of the newest behavior to its end, or until now; 0 before the first.
@@ -40,7 +40,7 @@ public:
     /// `lockstep`: ask the server to wait for our STEP after each tick.
     void open(const QString& host, quint16 port, bool lockstep) { call(&RobotSession::open, host, port, lockstep); }
     void close() { call(&RobotSession::close); }
-    void spawn(int id, const SpawnRequest& request);
+    void spawn(RobotId id, const SpawnRequest& request);
     /// `parameters`: those of `start`, checked. `host_program`: runs a behavior that is isolated. Plugins are
     /// third-party code: if one throws or refuses, this returns an error.
     Result<void> startBehavior(const agent::PluginLoader& plugins, const StartedBehavior& start,
@@ -61,7 +61,7 @@ public:
     void giveControlBack() { call(&RobotSession::giveControlBack); }
     void drive(const HandIntent& intent) { call(&RobotSession::drive, intent); }
     void stopDriving(const QString& reason) { call(&RobotSession::stopDriving, reason); }
-    void send(const protocol::Command& command, const std::string& source) {
+    void send(const protocol::Command& command, const by::Source& source) {
         call(&RobotSession::sendCommand, command, source);
     }
     void requestRecord() { call(&RobotSession::requestRecord); }
@@ -76,7 +76,7 @@ public:
     void openRecording(const QString& path, int looks_back_on = 0);
     void orderReplay(const ReplayOrder& order) { call(&RobotSession::orderReplay, order); }
     /// Turns this object into the robot of the opened recording.
-    void becomeReplay(int id, const QString& robot_name, const RecordingFacts& facts);
+    void becomeReplay(RobotId id, const QString& robot_name, const RecordingFacts& facts);
     void markSaved() { view_.unsaved = false; }
     void markUnsaved() { view_.unsaved = true; }
 

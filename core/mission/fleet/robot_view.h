@@ -9,6 +9,7 @@
 #include <QString>
 
 #include "core/agent/parameters.h"
+#include "core/base/robot_id.h"
 #include "core/mapping/height_map.h"
 #include "core/mission/session/session_orders.h"
 #include "core/mission/session/session_update.h"
@@ -18,7 +19,7 @@ namespace usar::mission {
 /// What makes a robot this one: it stays when its replay is rewound.
 struct RobotIdentity {
     int connection = 0; ///< number of the session, unique while the program runs
-    int id = 0;         ///< 1-9, the key that selects it; 0 while no robot is spawned
+    RobotId id;         ///< 1-9, the key that selects it; 0 while no robot is spawned
     SpawnRequest spawn;
     link::LinkStatus link;
     double cell_size_m = 0.25; ///< edge of a height map cell

@@ -7,10 +7,10 @@
 
 namespace usar::mission {
 
-int Roster::nextId() const {
-    int id = 1;
+RobotId Roster::nextId() const {
+    RobotId id{1};
     while (robots_.contains(id))
-        ++id;
+        ++id.value;
     return id;
 }
 
@@ -39,16 +39,16 @@ Result<SpawnRequest> Roster::accept(SpawnRequest request) const {
 }
 
 void Roster::add(std::unique_ptr<Robot> robot) {
-    const int id = robot->view().id;
+    const RobotId id = robot->view().id;
     robots_[id] = std::move(robot);
 }
 
-std::unique_ptr<Robot> Roster::take(int id) {
+std::unique_ptr<Robot> Roster::take(RobotId id) {
     auto node = robots_.extract(id);
     return node.empty() ? nullptr : std::move(node.mapped());
 }
 
-Robot* Roster::robot(int id) const {
+Robot* Roster::robot(RobotId id) const {
     const auto found = robots_.find(id);
     return found == robots_.end() ? nullptr : found->second.get();
 }

@@ -19,11 +19,11 @@ class Roster {
 public:
     static constexpr int most_robots = 9; ///< one key each
 
-    bool full() const { return nextId() > most_robots; }
+    bool full() const { return nextId().value > most_robots; }
     /// The lowest free id; more than `most_robots` if it is full.
-    int nextId() const;
+    RobotId nextId() const;
     /// "R1": the name that the next robot gets if the user gives none.
-    QString nextName() const { return QString("R%1").arg(nextId()); }
+    QString nextName() const { return QString("R%1").arg(nextId().value); }
     /// Returns `name`, followed by a number if a robot already has that name.
     QString unusedName(const QString& name) const;
     /// Returns the request, with a name if it had none. An error for a request without a class, for a tenth robot, and
@@ -33,11 +33,11 @@ public:
     /// Adds a robot under its `view().id`, which must be free.
     void add(std::unique_ptr<Robot> robot);
     /// Removes the robot and returns it; null if there is none.
-    std::unique_ptr<Robot> take(int id);
+    std::unique_ptr<Robot> take(RobotId id);
     void clear() { robots_.clear(); }
 
     /// Null if there is none.
-    Robot* robot(int id) const;
+    Robot* robot(RobotId id) const;
     /// The robot with that RobotView::connection; null if there is none.
     Robot* on(int connection) const;
     /// Returns all robots, ordered by id.
@@ -46,7 +46,7 @@ public:
 private:
     bool has(const std::string& name) const;
 
-    std::map<int, std::unique_ptr<Robot>> robots_;
+    std::map<RobotId, std::unique_ptr<Robot>> robots_;
 };
 
 /// Returns a request for a base station at the first start pose at which none of the present robots was spawned, or at

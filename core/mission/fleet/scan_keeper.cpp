@@ -94,7 +94,7 @@ void ScanKeeper::write(Robot& robot, const std::shared_ptr<const ScanRecord>& re
     }));
 }
 
-void ScanKeeper::written(int id, const QPointer<Robot>& robot, const Result<QStringList>& files) {
+void ScanKeeper::written(RobotId id, const QPointer<Robot>& robot, const Result<QStringList>& files) {
     --writing_;
     if (!files && robot)
         robot->markUnsaved();

@@ -44,13 +44,13 @@ public:
     void giveUpWaiting();
 
 signals:
-    void saved(int id, const QStringList& files);
+    void saved(usar::RobotId id, const QStringList& files);
     /// The scan is still in memory; `reason` names the folder and a remedy.
-    void failed(int id, const QString& reason);
+    void failed(usar::RobotId id, const QString& reason);
 
 private:
     void write(Robot& robot, const std::shared_ptr<const ScanRecord>& record);
-    void written(int id, const QPointer<Robot>& robot, const Result<QStringList>& files);
+    void written(RobotId id, const QPointer<Robot>& robot, const Result<QStringList>& files);
     /// Deletes a robot that has left; returns false for one that has not.
     bool release(const Robot& robot);
 

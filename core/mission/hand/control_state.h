@@ -44,16 +44,4 @@ struct ControlState {
 /// Returns "keys", "pad" or "gamepad".
 std::string wordOf(HandSource source);
 
-inline constexpr std::string_view hand_cause = "by hand: ";
-
-/// Returns the source to name in a command's cause: "by hand: keys" for "keys".
-inline std::string handCause(std::string_view what) {
-    return std::string(hand_cause) += what;
-}
-
-/// True for a source made by `handCause`.
-inline bool isHandCause(std::string_view source) {
-    return source.starts_with(hand_cause);
-}
-
 } // namespace usar::mission

@@ -77,7 +77,7 @@ void HandDriver::tick(Seconds wall) {
 }
 
 HandCommands HandDriver::question(Seconds now) {
-    HandCommands asked{{}, handCause("how it is driven")};
+    HandCommands asked{{}, {"how it is driven"}};
     if (!on())
         return asked;
     auto question = configuration_.next(now);
@@ -125,7 +125,7 @@ HandCommands HandDriver::byHolder(std::vector<protocol::Command> commands) const
     const auto& holder = hands_.holder();
     const std::string name =
         !holder ? "nobody" : wordOf(holder->source) + (holder->device.empty() ? "" : ' ' + holder->device);
-    return {std::move(commands), handCause(name)};
+    return {std::move(commands), {name}};
 }
 
 HandCommands HandDriver::driveNow() const {
@@ -161,7 +161,7 @@ HandCommands HandDriver::stop(const std::string& reason) {
     hands_.letGo();
     shaper_.reset();
     last_stop_ = reason;
-    HandCommands rest{{}, handCause("stop, " + reason)};
+    HandCommands rest{{}, {"stop, " + reason}};
     if (limits_.style == DriveStyle::Walker) {
         if (std::exchange(walked_, false))
             rest.commands.push_back(gait_.stand());

@@ -9,6 +9,7 @@
 
 #include "core/base/clock.h"
 #include "core/mission/commands/drive_gate.h"
+#include "core/base/cause.h"
 #include "core/mission/hand/control_state.h"
 #include "core/mission/hand/stick_drive.h"
 #include "core/mission/hand/walking_gait.h"
@@ -53,7 +54,7 @@ private:
 /// Commands by hand, and the source that is named as the cause of each.
 struct HandCommands {
     std::vector<protocol::Command> commands;
-    std::string source;
+    by::Hand source;
 };
 
 /// Sends nothing itself, and reads no clock: wall times are arguments and count from any moment that stays the same;

@@ -58,7 +58,7 @@ void Helm::takeOutput(agent::RunningBehavior::Output output, bool is_tick) {
         if (!hand_.on() || !DriveGate::isDrive(command.command))
             outgoing_.send(command);
     if (host_ && host_->ending()) {
-        makeSafe(host_->behaviorId() + ": its process has ended");
+        makeSafe(by::Behavior{host_->behaviorId(), "its process has ended"});
         output.append(host_->takeEnd());
     }
     if (is_tick)
@@ -83,7 +83,7 @@ void Helm::step() {
     step_held_ = halted();
     if (step_held_)
         return;
-    outgoing_.send({protocol::Step{}, {"session: lockstep", view_.incoming.stateLine()}});
+    outgoing_.send({protocol::Step{}, {by::Session{"lockstep"}, view_.incoming.stateLine()}});
     ++steps_sent_;
 }
 
@@ -111,18 +111,18 @@ void Helm::look() {
         releaseDrives(true);
 }
 
-void Helm::sendForSession(const protocol::Command& command, const char* source) {
-    outgoing_.send({command, {source, {}}});
+void Helm::sendForSession(const protocol::Command& command, const char* why) {
+    outgoing_.send({command, {by::Session{why}, {}}});
 }
 
-void Helm::sendForUser(const protocol::Command& command, const std::string& source) {
+void Helm::sendForUser(const protocol::Command& command, const by::Source& source) {
     outgoing_.send({command, {source, view_.incoming.stateLine()}});
     releaseDrives(false);
     owner_.flush();
     owner_.touched();
 }
 
-void Helm::makeSafe(const std::string& source) {
+void Helm::makeSafe(const by::Source& source) {
     if (!view_.spawning.done() || owner_.replaying())
         return;
     outgoing_.dropWaiting();
@@ -138,7 +138,7 @@ void Helm::makeSafe(const std::string& source) {
     owner_.flush();
 }
 
-void Helm::stopBehavior(const std::string& source, const std::string& reason) {
+void Helm::stopBehavior(const by::Source& source, const std::string& reason) {
     makeSafe(source);
     if (host_)
         owner_.finishBehavior({false, reason}, false);
@@ -221,7 +221,7 @@ void Helm::takeControl() {
                           "You are driving. The behavior " + host_->behaviorId() +
                               " is paused; resume it to give it the robot back.");
     }
-    makeSafe(handCause("control taken"));
+    makeSafe(by::Hand{"control taken"});
     sendByHand(hand_.question(view_.incoming.now()), false);
     owner_.flush();
     owner_.touched();

@@ -79,11 +79,11 @@ public:
     /// Releases waiting DRIVEs, because the clock may stand still; not in lockstep or while the owner is congested.
     void look();
 
-    void sendForSession(const protocol::Command& command, const char* source);
-    void sendForUser(const protocol::Command& command, const std::string& source);
+    void sendForSession(const protocol::Command& command, const char* why);
+    void sendForUser(const protocol::Command& command, const by::Source& source);
     /// Brings a robot to rest at once, with the behavior's safe command if there is one.
-    void makeSafe(const std::string& source);
-    void stopBehavior(const std::string& source, const std::string& reason);
+    void makeSafe(const by::Source& source);
+    void stopBehavior(const by::Source& source, const std::string& reason);
 
     bool hasBehavior() const { return host_ != nullptr; }
     void start(std::shared_ptr<agent::RunningBehavior> host);

@@ -109,7 +109,8 @@ void RecordKeeping::received(std::string_view bytes) {
 }
 
 void RecordKeeping::sent(const Cause& cause, const std::string& text) {
-    put({.kind = link::RecordKind::Out, .trigger = cause.trigger, .name = cause.source, .bytes = text + "\r\n"});
+    const std::string source = toText(cause.source);
+    put({.kind = link::RecordKind::Out, .trigger = cause.trigger, .name = source, .bytes = text + "\r\n"});
 }
 
 void RecordKeeping::noteTask(const ScanRecord& record) {

@@ -120,7 +120,7 @@ void ReplayFeed::sent(const link::Record& out) {
     traffic_.bytes_out += out.bytes.size();
     Diagnostics ignored;
     stage_.replayCommand(
-        {protocol::readCommand(text, ignored, stage_.replaySpelling()), {std::string(out.name), out.trigger}},
+        {protocol::readCommand(text, ignored, stage_.replaySpelling()), {by::readSource(out.name), out.trigger}},
         std::string(text), out.line);
     stage_.replayChanged();
 }

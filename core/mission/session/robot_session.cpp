@@ -17,7 +17,7 @@ RobotSession::RobotSession(double cell_size_m, QObject* parent)
 
 RobotSession::~RobotSession() {
     disconnect();
-    d_->helm.makeSafe("session: close");
+    d_->helm.makeSafe(by::Session{"close"});
     d_->link.disconnect(this);
 }
 
@@ -55,7 +55,7 @@ void RobotSession::open(const QString& host, quint16 port, bool lockstep) {
 void RobotSession::close() {
     d_->endReplay();
     d_->helm.endControl("the connection is closed");
-    d_->helm.stopBehavior("session: close", "The connection was closed.");
+    d_->helm.stopBehavior(by::Session{"close"}, "The connection was closed.");
     d_->spawning.end();
     d_->spawning.dropWaiting();
     d_->notices.endAll();
@@ -76,7 +76,7 @@ void RobotSession::startBehavior(std::shared_ptr<agent::RunningBehavior> host, c
     }
     d_->helm.endControl("the behavior " + host->behaviorId() + " took over");
     if (d_->helm.hasBehavior())
-        d_->helm.stopBehavior("session: another behavior", "Another behavior was started.");
+        d_->helm.stopBehavior(by::Session{"another behavior"}, "Another behavior was started.");
     d_->book.beginTask(host->behaviorId(), task.robot_name, task.area_in_map);
     d_->records.noteTask(d_->book.record());
     d_->behavior_running = true;
@@ -98,7 +98,7 @@ void RobotSession::setParameters(const agent::ParameterSet& parameters) {
 
 void RobotSession::stop() {
     d_->helm.endControl("stopped by the operator");
-    d_->helm.stopBehavior("operator: stop", "Stopped by the operator.");
+    d_->helm.stopBehavior(by::Operator{"stop"}, "Stopped by the operator.");
     d_->touched();
 }
 
@@ -123,7 +123,7 @@ void RobotSession::stopDriving(const QString& reason) {
     d_->helm.endHold(reason.toStdString());
 }
 
-void RobotSession::sendCommand(const protocol::Command& command, const std::string& source) {
+void RobotSession::sendCommand(const protocol::Command& command, const by::Source& source) {
     if (d_->refusedInReplay())
         return;
     if (d_->connected())

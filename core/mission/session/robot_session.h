@@ -64,7 +64,7 @@ public slots:
     void drive(const usar::mission::HandIntent& intent);
     /// Ends the hold but not the control; `reason` is a part of a sentence.
     void stopDriving(const QString& reason);
-    void sendCommand(const usar::protocol::Command& command, const std::string& source);
+    void sendCommand(const usar::protocol::Command& command, const usar::by::Source& source);
     /// Emits `recordReady` with a copy of everything that was scanned, for the export pool.
     void requestRecord();
     /// Cell size of the height map, 0.02 .. 10 m. Refused with a notice once the map has heights.

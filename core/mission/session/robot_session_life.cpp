@@ -50,8 +50,8 @@ void RobotSession::Private::opened() {
     beginConnection();
     records.opened(placeOf(link.status()));
     if (lockstep_wanted)
-        helm.sendForSession(protocol::Lockstep{}, "session: connect");
-    helm.sendForSession(protocol::GetStartPoses{}, "session: connect");
+        helm.sendForSession(protocol::Lockstep{}, "connect");
+    helm.sendForSession(protocol::GetStartPoses{}, "connect");
     vigil.connected(wall());
     watch_timer.start();
     spawning.connected(wall());
@@ -115,7 +115,7 @@ void RobotSession::Private::takePublished(const std::vector<agent::Published>& p
         if (const auto* event = std::get_if<agent::BehaviorEvent>(&value)) {
             notices.say(event->severity, Topic::Behavior, event->text, event->text);
         } else if (const auto* finished = std::get_if<agent::BehaviorFinished>(&value)) {
-            helm.makeSafe("session: behavior finished");
+            helm.makeSafe(by::Session{"behavior finished"});
             finishBehavior(*finished, true);
         }
     }
@@ -138,7 +138,7 @@ void RobotSession::Private::finishBehavior(const agent::BehaviorFinished& finish
 }
 
 void RobotSession::Private::sendInit(const protocol::Init& init) {
-    helm.sendForSession(init, "session: spawn");
+    helm.sendForSession(init, "spawn");
     link.flush();
 }
 

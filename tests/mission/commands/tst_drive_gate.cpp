@@ -12,7 +12,7 @@ using usar::mission::DriveGate;
 namespace {
 
 agent::CausedCommand drive(const protocol::AerialDrive& command, const char* source = "test") {
-    return {command, {source, {}}};
+    return {command, {by::Other{source}, {}}};
 }
 
 template <class Drive = protocol::AerialDrive>
@@ -74,7 +74,7 @@ private slots:
         const auto command = gate.release(Seconds{1.0});
         QCOMPARE(released(command),
                  (protocol::AerialDrive{.climb_m_s = 1.0, .forward_m_s = 3.0, .yaw_rate_rad_s = 0.5}));
-        QCOMPARE(command.front().cause.source, std::string("newer"));
+        QCOMPARE(toText(command.front().cause.source), std::string("newer"));
         QVERIFY(gate.release(Seconds{2.0}).empty());
     }
 
@@ -83,11 +83,11 @@ private slots:
             return released<protocol::SkidDrive>(gate.releaseNow(Seconds{1.0}));
         };
         DriveGate gate;
-        gate.offer({protocol::SkidDrive{.left_rad_s = 1.0}, {"left", {}}});
-        gate.offer({protocol::SkidDrive{.right_rad_s = 2.0}, {"right", {}}});
+        gate.offer({protocol::SkidDrive{.left_rad_s = 1.0}, {by::Other{"left"}, {}}});
+        gate.offer({protocol::SkidDrive{.right_rad_s = 2.0}, {by::Other{"right"}, {}}});
         QCOMPARE(releasedSkid(gate), (protocol::SkidDrive{.left_rad_s = 1.0, .right_rad_s = 2.0}));
-        gate.offer({protocol::SkidDrive{.left_rad_s = 100.0, .normalized = true}, {"per cent", {}}});
-        gate.offer({protocol::SkidDrive{.right_rad_s = 2.0}, {"radians", {}}});
+        gate.offer({protocol::SkidDrive{.left_rad_s = 100.0, .normalized = true}, {by::Other{"per cent"}, {}}});
+        gate.offer({protocol::SkidDrive{.right_rad_s = 2.0}, {by::Other{"radians"}, {}}});
         QCOMPARE(releasedSkid(gate), (protocol::SkidDrive{.right_rad_s = 2.0}));
     }
 

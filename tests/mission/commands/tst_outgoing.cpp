@@ -13,11 +13,13 @@ namespace {
 
 struct Wire {
     Wire() { out.beginConnection(); }
-    void send(const protocol::Command& command, const char* source = "test") { out.send({command, {source, {7}}}); }
+    void send(const protocol::Command& command, const char* source = "test") {
+        out.send({command, {by::Other{source}, {7}}});
+    }
 
     QStringList lines; ///< "source: line", without the unit
     Outgoing out{[this](const agent::CausedCommand& command, std::string text) {
-        lines << QString::fromStdString(command.cause.source + ": " + text).remove(" {Normalized false}");
+        lines << QString::fromStdString(toText(command.cause.source) + ": " + text).remove(" {Normalized false}");
     }};
 };
 

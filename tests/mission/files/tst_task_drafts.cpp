@@ -22,56 +22,56 @@ private slots:
         TaskDrafts drafts;
         drafts.shown().behavior_id = "airrobot/cpp";
         drafts.shown().area_in_map = area;
-        drafts.show(1);
+        drafts.show({1});
         QCOMPARE(drafts.shown().behavior_id, std::string("airrobot/cpp"));
         QCOMPARE(drafts.shown().area(), area);
     }
 
     void eachRobotKeepsItsOwn() {
         TaskDrafts drafts;
-        drafts.show(1);
+        drafts.show({1});
         drafts.shown().behavior_id = "one";
-        drafts.show(2);
+        drafts.show({2});
         drafts.shown().behavior_id = "two";
-        drafts.show(1);
+        drafts.show({1});
         QCOMPARE(drafts.shown().behavior_id, std::string("one"));
-        drafts.show(0);
+        drafts.show({0});
         QVERIFY(drafts.shown().behavior_id.empty());
     }
 
     void whatWasRemovedIsForgotten() {
         TaskDrafts drafts;
-        drafts.show(1);
+        drafts.show({1});
         drafts.shown().behavior_id = "one";
-        drafts.forget(1);
+        drafts.forget({1});
         QVERIFY(std::as_const(drafts).shown().behavior_id.empty());
-        drafts.show(0);
-        drafts.show(1);
+        drafts.show({0});
+        drafts.show({1});
         QVERIFY(drafts.shown().behavior_id.empty());
     }
 
     void aReplayHasTheDraftOfItsRobot() {
         TaskDrafts drafts;
         drafts.shown().area_in_map = area;
-        drafts.show(1);
+        drafts.show({1});
         drafts.shown().behavior_id = "one";
-        drafts.copy(1, 2);
-        drafts.copy(0, 3);
-        drafts.show(2);
+        drafts.copy({1}, {2});
+        drafts.copy({0}, {3});
+        drafts.show({2});
         QVERIFY(drafts.shown().behavior_id == "one" && drafts.shown().area_in_map);
-        drafts.show(3);
+        drafts.show({3});
         QVERIFY(drafts.shown().behavior_id.empty() && !drafts.shown().area_in_map);
     }
 
     void areasGoWithTheirWorld() {
         TaskDrafts drafts;
         for (int robot : {0, 1, 2}) {
-            drafts.show(robot);
+            drafts.show({robot});
             drafts.shown().area_in_map = area;
         }
         drafts.forgetAreas();
         for (int robot : {0, 1, 2}) {
-            drafts.show(robot);
+            drafts.show({robot});
             QVERIFY(drafts.shown().area().empty());
         }
     }

@@ -56,7 +56,7 @@ private slots:
         QVERIFY(!spawned.has_value());
         QCOMPARE(QString::fromStdString(spawned.error().text()),
                  QString("R1: there is no link to a server yet. Connect first, then spawn."));
-        QCOMPARE(fleet_->connectionOf(0), 0);
+        QCOMPARE(fleet_->connectionOf({}), 0);
     }
 
     void theConnectionThatWaitsLearnsTheStartPoses() {
@@ -70,7 +70,7 @@ private slots:
         QCOMPARE(fleet_->startPoses().size(), std::size_t(2));
         QCOMPARE(fleet_->level(), QString("tall_test"));
         QVERIFY2(told.size() >= 2 && told.at(0) == "link" && told.at(1) == "next", qPrintable(told.join(' ')));
-        QVERIFY(fleet_->connectionOf(0) != 0);
+        QVERIFY(fleet_->connectionOf({}) != 0);
         QVERIFY(fleet_->robots().empty());
     }
 
@@ -81,8 +81,8 @@ private slots:
             QCOMPARE(fleet_->nextRobotName(), QString("R%1").arg(id));
             const auto spawned = spawnNow();
             QVERIFY2(spawned.has_value(), spawned ? "" : spawned.error().text().c_str());
-            QCOMPARE(*spawned, id);
-            QCOMPARE(fleet_->robot(id)->view().spawn.robot_name, "R" + std::to_string(id));
+            QCOMPARE(spawned->value, id);
+            QCOMPARE(fleet_->robot({id})->view().spawn.robot_name, "R" + std::to_string(id));
         }
         QCOMPARE(added.size(), 9);
         const auto tenth = spawnNow();
@@ -90,40 +90,41 @@ private slots:
         QCOMPARE(tenth.error().what, std::string("there can be no more than nine robots"));
 
         QSignalSpy removed(fleet_.get(), &Fleet::robotRemoved);
-        fleet_->remove(1);
-        QCOMPARE(removed.at(0), (QVariantList{1, "R1", 2}));
+        fleet_->remove({1});
+        QCOMPARE(removed.at(0), (QVariantList{QVariant::fromValue(RobotId{1}), "R1", QVariant::fromValue(RobotId{2})}));
         const auto twin = spawnNow("R2");
         QVERIFY(!twin.has_value());
         QCOMPARE(twin.error().what, std::string("a robot already has this name"));
-        QCOMPARE(spawnNow("Rex").value_or(0), 1);
+        QCOMPARE(spawnNow("Rex").value_or(RobotId{}).value, 1);
     }
 
     void linesGoWhereAConnectionIs() {
-        QVERIFY(textOf(fleet_->checkLine(fleet_->connectionOf(0))).startsWith("There is no connection to send it on"));
+        QVERIFY(textOf(fleet_->checkLine(fleet_->connectionOf({}))).startsWith("There is no connection to send it on"));
         QVERIFY(connectNow());
-        QVERIFY(fleet_->sendLine(fleet_->connectionOf(0), "GETGEO {Type Robot}", "test"));
+        QVERIFY(fleet_->sendLine(fleet_->connectionOf({}), "GETGEO {Type Robot}", by::Other{"test"}));
         QTRY_COMPARE(server_->heardOf("GETGEO {Type Robot}").size(), 1);
     }
 
     void checksBeforeItStarts() {
-        QVERIFY(textOf(fleet_->startBehavior(1, "test/hop", small, {}, {})).startsWith("1: there is no such robot"));
+        QVERIFY(textOf(fleet_->startBehavior({1}, "test/hop", small, {}, {})).startsWith("1: there is no such robot"));
         QVERIFY(connectNow());
-        QCOMPARE(spawnNow().value_or(0), 1);
+        QCOMPARE(spawnNow().value_or(RobotId{}).value, 1);
         fleet_->setWorldExtent({{-10.0, -10.0}, {10.0, 10.0}});
-        QVERIFY(textOf(fleet_->startAgain(1)).startsWith("1: no behavior has been started on it"));
-        QVERIFY(textOf(fleet_->startBehavior(1, "test/hip", small, {}, {})).contains("no loaded plugin"));
-        QVERIFY(textOf(fleet_->startBehavior(1, "test/hop", no_area, {}, {})).contains("it needs a mission area"));
-        QVERIFY(textOf(fleet_->startBehavior(1, "test/hop", {{0, 0}, {40, 2}}, {}, {})).contains("outside the world"));
-        QVERIFY(textOf(fleet_->startBehavior(1, "test/hop", small, {}, "none.lap")).contains("not run by a plan"));
-        QVERIFY(!fleet_->robot(1)->started());
-        QCOMPARE(textOf(fleet_->startBehavior(1, "test/hop", small, {}, {})), QString());
-        QVERIFY(fleet_->robot(1)->started());
-        QVERIFY(textOf(fleet_->startAgain(1)).startsWith("R1: the robot is gone")); // it never came
+        QVERIFY(textOf(fleet_->startAgain({1})).startsWith("1: no behavior has been started on it"));
+        QVERIFY(textOf(fleet_->startBehavior({1}, "test/hip", small, {}, {})).contains("no loaded plugin"));
+        QVERIFY(textOf(fleet_->startBehavior({1}, "test/hop", no_area, {}, {})).contains("it needs a mission area"));
+        QVERIFY(
+            textOf(fleet_->startBehavior({1}, "test/hop", {{0, 0}, {40, 2}}, {}, {})).contains("outside the world"));
+        QVERIFY(textOf(fleet_->startBehavior({1}, "test/hop", small, {}, "none.lap")).contains("not run by a plan"));
+        QVERIFY(!fleet_->robot({1})->started());
+        QCOMPARE(textOf(fleet_->startBehavior({1}, "test/hop", small, {}, {})), QString());
+        QVERIFY(fleet_->robot({1})->started());
+        QVERIFY(textOf(fleet_->startAgain({1})).startsWith("R1: the robot is gone")); // it never came
     }
 
     void leavingTheServerIsToldInOrder() {
         QVERIFY(connectNow());
-        QCOMPARE(spawnNow().value_or(0), 1);
+        QCOMPARE(spawnNow().value_or(RobotId{}).value, 1);
         QStringList told;
         connect(fleet_.get(), &Fleet::robotRemoved, this, [&] { told << "robot"; });
         connect(fleet_.get(), &Fleet::serverLeft, this, [&] { told << "server"; });
@@ -131,7 +132,7 @@ private slots:
         fleet_->disconnectFromServer();
         QCOMPARE(told, (QStringList{"robot", "server", "link"}));
         QVERIFY(fleet_->robots().empty() && fleet_->startPoses().empty() && fleet_->level().isEmpty());
-        QCOMPARE(fleet_->connectionOf(0), 0);
+        QCOMPARE(fleet_->connectionOf({}), 0);
     }
 
     void aWindowsResultHasTheKeysOfARunWithoutOne() {
@@ -144,13 +145,13 @@ private slots:
         };
         QVERIFY(connectNow());
         fleet_->setSeed(7);
-        QCOMPARE(spawnNow().value_or(0), 1);
-        QTRY_VERIFY(fleet_->robot(1)->view().figures.spawned);
+        QCOMPARE(spawnNow().value_or(RobotId{}).value, 1);
+        QTRY_VERIFY(fleet_->robot({1})->view().figures.spawned);
         fleet_->setTruth("R1", {.collisions = 3, .distance_m = 9.8765});
         fleet_->setTruth("R2", {.collisions = 5});
-        QVERIFY(fleet_->startBehavior(1, "test/hop", small, {}, {}));
+        QVERIFY(fleet_->startBehavior({1}, "test/hop", small, {}, {}));
         QSignalSpy written(fleet_.get(), &Fleet::resultsWritten);
-        const auto over = [&] { return fleet_->robot(1)->view().finished.has_value(); };
+        const auto over = [&] { return fleet_->robot({1})->view().finished.has_value(); };
         QVERIFY(QTest::qWaitFor([&] {
             if (!over())
                 server_->tick();
@@ -176,7 +177,7 @@ private slots:
         QVERIFY(summary["cells"].toInt() > 0);
         QVERIFY(summary["wall_s"].toDouble() > 0.0);
         QVERIFY(summary["rmse_m"].isNull() && summary["mission"].isNull() && summary["plan"].isNull());
-        const double shown_pct = fleet_->robot(1)->coverage_pct().value();
+        const double shown_pct = fleet_->robot({1})->coverage_pct().value();
         QVERIFY(shown_pct > 0.0);
         QCOMPARE(summary["coverage_pct"].toDouble(), std::round(shown_pct * 100.0) / 100.0);
     }
@@ -197,8 +198,8 @@ private:
     }
 
     /// When the connection that waits is there.
-    Result<int> spawnNow(const std::string& name = {}) {
-        if (!QTest::qWaitFor([&] { return fleet_->checkLine(fleet_->connectionOf(0)).has_value(); }))
+    Result<RobotId> spawnNow(const std::string& name = {}) {
+        if (!QTest::qWaitFor([&] { return fleet_->checkLine(fleet_->connectionOf({})).has_value(); }))
             return failure("no connection waits", name);
         return fleet_->spawn({.class_name = "USARBot.AirRobot", .robot_name = name, .start_in_map = {}});
     }

@@ -16,7 +16,7 @@ namespace {
 /// A robot that is connected and spawned and does nothing.
 RobotView idleRobot() {
     RobotView view;
-    view.id = 1;
+    view.id = {1};
     view.spawn.robot_name = "R1";
     view.spawn.class_name = "USARBot.P2DX";
     view.link.state = link::LinkState::Connected;

@@ -29,13 +29,13 @@ class tst_Roster : public QObject {
 private slots:
     void freeKeysAreGivenAgain() {
         Roster roster;
-        QCOMPARE(roster.nextId(), 1);
+        QCOMPARE(roster.nextId(), RobotId{1});
         for (const char* name : {"a", "b", "c"})
             addRobot(roster, name);
-        QCOMPARE(roster.nextId(), 4);
-        QVERIFY(roster.take(2));
-        QVERIFY(!roster.take(2));
-        QCOMPARE(roster.nextId(), 2);
+        QCOMPARE(roster.nextId(), RobotId{4});
+        QVERIFY(roster.take({2}));
+        QVERIFY(!roster.take({2}));
+        QCOMPARE(roster.nextId(), RobotId{2});
         QCOMPARE(roster.nextName(), QString("R2"));
     }
 
@@ -82,7 +82,7 @@ private slots:
         QVERIFY(!tenth.has_value());
         QCOMPARE(QString::fromStdString(tenth.error().text()),
                  QString("Ten: there can be no more than nine robots. Remove one first."));
-        roster.take(9);
+        roster.take({9});
         QVERIFY(roster.accept(requestFor("Ten")));
     }
 
@@ -100,11 +100,11 @@ private slots:
         Roster roster;
         addRobot(roster, "a");
         addRobot(roster, "b");
-        Robot* const second = roster.robot(2);
+        Robot* const second = roster.robot({2});
         QVERIFY(second);
         QCOMPARE(nameOf(*second), QString("b"));
         QCOMPARE(roster.on(second->view().connection), second);
-        QVERIFY(!roster.robot(3) && !roster.on(0));
+        QVERIFY(!roster.robot({3}) && !roster.on(0));
         QCOMPARE(roster.robots().back(), second);
         roster.clear();
         QVERIFY(roster.robots().empty());

@@ -74,11 +74,11 @@ private slots:
         held.hand.accept({.source = HandSource::Gamepad, .device = "Pad 3", .stick = {.forward = 1.0}}, Seconds{0.0});
         const HandCommands first = held.hand.advance();
         QCOMPARE(first.commands.size(), std::size_t(1));
-        QCOMPARE(first.source, std::string("by hand: gamepad Pad 3"));
+        QCOMPARE(toText(first.source), std::string("by hand: gamepad Pad 3"));
         QCOMPARE(held.hand.repeat(Seconds{1.0}).commands.size(), std::size_t(1));
         const HandCommands rest = held.hand.stop("stopped by the operator");
         QCOMPARE(rest.commands.size(), std::size_t(1));
-        QCOMPARE(rest.source, std::string("by hand: stop, stopped by the operator"));
+        QCOMPARE(toText(rest.source), std::string("by hand: stop, stopped by the operator"));
         QVERIFY(!held.hand.holding() && held.hand.on());
         QVERIFY(held.hand.advance().commands.empty());
     }
@@ -87,7 +87,7 @@ private slots:
         Held held;
         const HandCommands question = held.hand.question(Seconds{1.0});
         QCOMPARE(question.commands.size(), std::size_t(1));
-        QCOMPARE(question.source, std::string("by hand: how it is driven"));
+        QCOMPARE(toText(question.source), std::string("by hand: how it is driven"));
         held.hand.setOn(false);
         QVERIFY(held.hand.question(Seconds{60.0}).commands.empty());
     }

@@ -114,13 +114,6 @@ private slots:
                 (HandIntent{HandSource::Gamepad, "Trusty", forward, 0.5}));
         QVERIFY(requests.intentOf(HandSource::Keys, "Trusty", 0.5) == (HandIntent{HandSource::Keys, {}, {}, 0.5}));
     }
-
-    void causesByHandAreKnownByTheirBeginning() {
-        QCOMPARE(handCause("keys"), std::string("by hand: keys"));
-        QVERIFY(isHandCause(handCause("stop, the keys were let go")));
-        QVERIFY(!isHandCause("airrobot/posh"));
-        QVERIFY(!isHandCause(""));
-    }
 };
 
 USAR_TEST(tst_HandRequests)

@@ -56,7 +56,7 @@ struct SessionFixture {
     /// All that the session sent before has been heard, for it sends this after it.
     bool answersAQuestion() {
         const qsizetype before = server.heardOf("GETGEO").size();
-        session.sendCommand(protocol::RawCommand{"GETGEO {Type Robot}"}, "test");
+        session.sendCommand(protocol::RawCommand{"GETGEO {Type Robot}"}, by::Other{"test"});
         return QTest::qWaitFor([&] { return server.heardOf("GETGEO").size() > before; });
     }
 

@@ -30,7 +30,7 @@ struct Bridge : HelmOwner, NoticeBook {
 
     void writeLine(const agent::CausedCommand& command, std::string text) override {
         lines << QString::fromStdString(text).remove(" {Normalized false}").remove(" {Normalized true}");
-        causes << QString::fromStdString(command.cause.source);
+        causes << QString::fromStdString(toText(command.cause.source));
     }
     void flush() override {}
     bool connected() const override { return is_connected; }
@@ -41,7 +41,7 @@ struct Bridge : HelmOwner, NoticeBook {
             if (std::holds_alternative<agent::PlanReplaced>(value))
                 ++plans_refused;
             if (const auto* finished = std::get_if<agent::BehaviorFinished>(&value)) {
-                helm.makeSafe("session: behavior finished");
+                helm.makeSafe(by::Session{"behavior finished"});
                 finishBehavior(*finished, true);
             }
         }
@@ -148,16 +148,16 @@ private slots:
         b.helm.look();
         QVERIFY(b.lines.isEmpty());
         QCOMPARE(b.figures().traffic.drives_replaced, std::uint64_t(1));
-        b.helm.makeSafe("test"); // does not wait
+        b.helm.makeSafe(by::Other{"test"}); // does not wait
         QCOMPARE(b.lines, QStringList{zero});
     }
 
     void makingSafeDropsWhatWaits() {
         Bridge b;
         b.is_congested = true;
-        b.helm.sendForUser(protocol::AerialDrive{0.0, 5.0, 0.0, 0.0}, "test");
+        b.helm.sendForUser(protocol::AerialDrive{0.0, 5.0, 0.0, 0.0}, by::Other{"test"});
         b.is_congested = false;
-        b.helm.stopBehavior("operator: stop", "Stopped by the operator.");
+        b.helm.stopBehavior(by::Operator{"stop"}, "Stopped by the operator.");
         QCOMPARE(b.lines, QStringList{zero});
         QCOMPARE(b.causes, QStringList{"operator: stop"});
         QVERIFY(b.ended.isEmpty()); // there was none
@@ -177,7 +177,7 @@ private slots:
         b.hold(1.0);
         b.lines.clear();
         arrange(b);
-        b.helm.makeSafe("test");
+        b.helm.makeSafe(by::Other{"test"});
         b.helm.endControl("test");
         QVERIFY2(b.lines.isEmpty(), qPrintable(b.lines.join('\n')));
         QCOMPARE(b.figures().control.last_stop, std::string());
@@ -243,8 +243,8 @@ private slots:
 
     void aStandingClockHoldsNoDrives() {
         Bridge b;
-        b.helm.sendForUser(protocol::AerialDrive{0.0, 1.0, 0.0, 0.0}, "test");
-        b.helm.sendForUser(protocol::AerialDrive{0.0, 2.0, 0.0, 0.0}, "test");
+        b.helm.sendForUser(protocol::AerialDrive{0.0, 1.0, 0.0, 0.0}, by::Other{"test"});
+        b.helm.sendForUser(protocol::AerialDrive{0.0, 2.0, 0.0, 0.0}, by::Other{"test"});
         QCOMPARE(b.lines.size(), 1);
         b.helm.look();
         QCOMPARE(b.lines.size(), 2);

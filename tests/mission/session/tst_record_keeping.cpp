@@ -76,7 +76,7 @@ private slots:
         k.records.opened("sim:3000");
         k.records.received("STA {Time 1.00}\r\n");
         k.incoming.take("STA {Time 1.00}");
-        k.records.sent({"session: lockstep", {1}}, "STEP");
+        k.records.sent({by::Session{"lockstep"}, {1}}, "STEP");
         k.records.noteFault("wind");
         k.records.noteFinished({true, "Done."});
         k.records.closed("gone");

@@ -35,7 +35,7 @@ struct Stage : ReplayStage {
     void replayCommand(const agent::CausedCommand& command, std::string text, LineNumber after) override {
         told << QString("%1 > %2: %3")
                     .arg(after.value)
-                    .arg(QString::fromStdString(command.cause.source), QString::fromStdString(text));
+                    .arg(QString::fromStdString(toText(command.cause.source)), QString::fromStdString(text));
     }
     void replayPublished(const agent::Published& value) override { told << QString("published %1").arg(value.index()); }
     void replayPassed(const agent::BehaviorStatus& status) override {

@@ -135,7 +135,7 @@ private slots:
         f->server.answers_lockstep = false;
         QVERIFY(f->spawnNow(true));
         QVERIFY(f->tickNow());
-        f->session.sendCommand(protocol::RawCommand{"GETGEO {Type Robot}"}, "test");
+        f->session.sendCommand(protocol::RawCommand{"GETGEO {Type Robot}"}, by::Other{"test"});
         QTRY_COMPARE(f->server.heardOf("GETGEO").size(), 1);
         QVERIFY(f->server.heardOf("STEP").isEmpty());
     }
@@ -304,7 +304,8 @@ private slots:
 
     void operatorCommandsAreSentAsTheyAre() {
         QVERIFY(f->spawnNow());
-        f->session.sendCommand(protocol::RawCommand{"Trace {On true} {Interval 0.5} {Color Red}"}, "operator: console");
+        f->session.sendCommand(protocol::RawCommand{"Trace {On true} {Interval 0.5} {Color Red}"},
+                               by::Operator{"console"});
         QTRY_COMPARE(f->server.heardOf("Trace"), QList<QByteArray>{"Trace {On true} {Interval 0.5} {Color Red}"});
     }
 

@@ -314,8 +314,8 @@ private slots:
 
     void commandsWithoutAConnectionAreSaidOnce() {
         SessionFixture f;
-        f.session.sendCommand(protocol::AerialDrive{.climb_m_s = 1.0}, "operator: stick");
-        f.session.sendCommand(protocol::AerialDrive{.climb_m_s = 2.0}, "operator: stick");
+        f.session.sendCommand(protocol::AerialDrive{.climb_m_s = 1.0}, by::Operator{"stick"});
+        f.session.sendCommand(protocol::AerialDrive{.climb_m_s = 2.0}, by::Operator{"stick"});
         QCOMPARE(f.countSaid("There is no connection to send DRIVE"), std::size_t(1));
         QVERIFY(f.connectNow());
         QVERIFY(f.saidOn("no connection", true));
@@ -338,14 +338,14 @@ private slots:
             for (int i = 0; i < 1000; ++i)
                 f.session.sendCommand(protocol::RawCommand{"SET {Type RFID} {Name Dropper} {Opcode Release} {Params " +
                                                            std::to_string(sent++) + "}"},
-                                      "operator: command box");
+                                      by::Operator{"command box"});
             return rounds_waiting > 10;
         };
         QTRY_VERIFY_WITH_TIMEOUT(nothing_leaves(), 20000);
-        f.session.sendCommand(protocol::AerialDrive{.climb_m_s = 1.0}, "operator: stick");
-        f.session.sendCommand(protocol::AerialDrive{.climb_m_s = 2.0}, "operator: stick");
+        f.session.sendCommand(protocol::AerialDrive{.climb_m_s = 1.0}, by::Operator{"stick"});
+        f.session.sendCommand(protocol::AerialDrive{.climb_m_s = 2.0}, by::Operator{"stick"});
         QVERIFY(f.tickNow()); // reading goes on meanwhile
-        f.session.sendCommand(protocol::AerialDrive{.climb_m_s = 3.0}, "operator: stick");
+        f.session.sendCommand(protocol::AerialDrive{.climb_m_s = 3.0}, by::Operator{"stick"});
         QVERIFY(waits()); // and is said once
         f.server.setDeaf(false);
         QTRY_VERIFY_WITH_TIMEOUT(!waits(), 20000);

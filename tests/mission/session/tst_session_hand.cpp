@@ -192,7 +192,7 @@ private slots:
         QObject::connect(&f.session, &RobotSession::updated, &f.session, [&](const auto& update) {
             for (const SentCommand& command : update->commands)
                 if (protocol::isDrive(command.command))
-                    sources.push_back(command.cause.source);
+                    sources.push_back(toText(command.cause.source));
         });
         QVERIFY(f.spawnNow());
         f.session.takeControl();

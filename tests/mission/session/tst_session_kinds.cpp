@@ -83,7 +83,7 @@ private slots:
         SessionFixture f(SessionFixture::patientLimits());
         QVERIFY(spawnAs(f, state));
         for (const QByteArray& line : before)
-            f.session.sendCommand(protocol::RawCommand{line.toStdString()}, "test");
+            f.session.sendCommand(protocol::RawCommand{line.toStdString()}, by::Other{"test"});
         f.session.close();
         QTRY_VERIFY(!f.server.hasClient());
         QByteArrayList drives = drivesOf(f);
@@ -97,8 +97,8 @@ private slots:
         const auto script = std::make_shared<test::Script>();
         script->safe = protocol::AerialDrive{-0.5, 0.0, 0.0, 0.0}; // sinks
         QVERIFY(spawnAs(f, "STA {Type AerialVehicle} {Time 1.00}\r\n"));
-        f.session.sendCommand(protocol::AerialDrive{.climb_m_s = 1.0}, "test");
-        f.session.sendCommand(protocol::RawCommand{"DRIVE {Name Rotor} {Order 1} {Value 2}"}, "test");
+        f.session.sendCommand(protocol::AerialDrive{.climb_m_s = 1.0}, by::Other{"test"});
+        f.session.sendCommand(protocol::RawCommand{"DRIVE {Name Rotor} {Order 1} {Value 2}"}, by::Other{"test"});
         f.session.startBehavior(test::hostOf(script), {});
         f.session.close();
         QTRY_VERIFY(!f.server.hasClient());
@@ -133,7 +133,7 @@ private slots:
         QCOMPARE(ut2004.session.figures().dialect, std::optional(Dialect::Ut2004));
         QCOMPARE(udk.session.figures().dialect, std::optional(Dialect::Udk));
         for (SessionFixture* f : {&ut2004, &udk}) {
-            f->session.sendCommand(protocol::AerialDrive{.yaw_rate_rad_s = -pi / 2}, "test");
+            f->session.sendCommand(protocol::AerialDrive{.yaw_rate_rad_s = -pi / 2}, by::Other{"test"});
             QTRY_COMPARE(f->server.heardOf("DRIVE").size(), 1);
         }
         QCOMPARE(drivesOf(ut2004).at(0), QByteArray("DRIVE {RotationalVelocity 1.5707963267948966}"));

@@ -32,7 +32,7 @@ struct Told {
         for (const auto& line : update.lines)
             lines.push_back(std::to_string(line.number.value) + " " + line.text);
         for (const auto& command : update.commands)
-            commands.push_back(std::to_string(command.after.value) + " " + command.cause.source + " " +
+            commands.push_back(std::to_string(command.after.value) + " " + toText(command.cause.source) + " " +
                                std::to_string(command.cause.trigger.value) + " " + command.text);
         published.insert(published.end(), update.published.begin(), update.published.end());
         for (const auto& tile : update.tiles)
@@ -294,7 +294,7 @@ private slots:
         other.session.openRecording(path);
         const auto connections = other.server.connectionCount();
         for (int i = 0; i < 3; ++i) {
-            other.session.sendCommand(protocol::Step{}, "operator: box");
+            other.session.sendCommand(protocol::Step{}, by::Operator{"box"});
             other.session.spawn({});
             other.session.startBehavior(test::hostOf(surveyor()), {});
             other.session.stop();

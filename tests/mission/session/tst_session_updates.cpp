@@ -40,7 +40,7 @@ private slots:
             return std::vector<mission::SentCommand>{};
         };
         QTRY_COMPARE(sent().size(), std::size_t(1));
-        QCOMPARE(sent().front().cause.source, std::string("test/scripted: rising"));
+        QCOMPARE(toText(sent().front().cause.source), std::string("test/scripted: rising"));
         QCOMPARE(sent().front().cause.trigger.value, f->session.figures().lines_received); // the STA
     }
 
@@ -127,7 +127,7 @@ private slots:
         QVERIFY(std::holds_alternative<protocol::Lockstep>(commands[0].command));
         QVERIFY(std::holds_alternative<protocol::GetStartPoses>(commands[1].command));
         for (const agent::CausedCommand& command : commands)
-            QCOMPARE(command.cause.source, std::string("session: connect"));
+            QCOMPARE(toText(command.cause.source), std::string("session: connect"));
     }
 
     void stepsAreListedWithTheirCause() {
@@ -135,7 +135,7 @@ private slots:
         connect(&f->session, &RobotSession::updated, &f->session, [&](const auto& update) {
             for (const mission::SentCommand& sent : update->commands)
                 if (sent.text == "STEP") {
-                    QCOMPARE(sent.cause.source, std::string("session: lockstep"));
+                    QCOMPARE(toText(sent.cause.source), std::string("session: lockstep"));
                     QCOMPARE(sent.cause.trigger, sent.after); // the STA
                     ++steps;
                 }
@@ -154,11 +154,11 @@ private slots:
         });
         QVERIFY(f->spawnNow());
         const LineNumber newest{f->session.figures().lines_received};
-        f->session.sendCommand(protocol::RawCommand{"ZOOM {Level 3}"}, "operator: command box");
+        f->session.sendCommand(protocol::RawCommand{"ZOOM {Level 3}"}, by::Operator{"command box"});
         QTRY_COMPARE(commands.back().text, std::string("ZOOM {Level 3}"));
         QCOMPARE(commands.back().after, newest);
         QCOMPARE(commands.back().time.count(), f->session.figures().now.count());
-        QCOMPARE(commands.back().cause.source, std::string("operator: command box"));
+        QCOMPARE(toText(commands.back().cause.source), std::string("operator: command box"));
     }
 
     void trafficIsCountedAnewOnEachConnection() {
@@ -167,7 +167,7 @@ private slots:
         const protocol::TrafficCounts before = f->session.figures().traffic;
         QCOMPARE(before.lines_in, f->session.figures().lines_received);
         f->server.say(extra);
-        f->session.sendCommand(protocol::RawCommand{"ZOOM"}, "test");
+        f->session.sendCommand(protocol::RawCommand{"ZOOM"}, by::Other{"test"});
         QTRY_COMPARE(f->session.figures().traffic.lines_in, before.lines_in + 2);
         const protocol::TrafficCounts after = f->session.figures().traffic;
         QCOMPARE(after.bytes_in, before.bytes_in + static_cast<std::uint64_t>(extra.size()));
@@ -187,7 +187,7 @@ private slots:
     void aDriveThatANewerOneReplacesIsCounted() {
         QVERIFY(f->spawnNow());
         const auto drive = [&](double climb_m_s) {
-            f->session.sendCommand(protocol::AerialDrive{.climb_m_s = climb_m_s}, "test");
+            f->session.sendCommand(protocol::AerialDrive{.climb_m_s = climb_m_s}, by::Other{"test"});
         };
         drive(1.0); // goes at once
         drive(2.0); // waits

@@ -56,7 +56,7 @@ private slots:
     void theLastUpdateDoesNotWait() {
         Shown shown;
         shown.feed.lookForObservers();
-        shown.feed.addCommand({protocol::Step{}, {"test", {4}}}, "STEP", {5}, Seconds{1.5});
+        shown.feed.addCommand({protocol::Step{}, {by::Other{"test"}, {4}}}, "STEP", {5}, Seconds{1.5});
         shown.feed.addPublished({agent::MapMark{}});
         shown.feed.touched();
         shown.feed.showNow();

@@ -13,14 +13,19 @@ std::unique_ptr<QWidget> robotsPage() {
     auto list = std::make_unique<RobotList>();
     list->resize(260, 300);
     list->setRobots({
-        {1, 1, QStringLiteral("R1"), QStringLiteral("AirRobot"), QStringLiteral("scanning lane 4 of 9"), 71.0, false},
-        {2, 2, QStringLiteral("R2"), QStringLiteral("P2DX"), QStringLiteral("idle"), 22.0, false},
-        {3, 3, QStringLiteral("Hilltop-watcher"), QStringLiteral("AirRobot"),
-         QStringLiteral("returning to recharge, 120 m to go over the wood"), 9.0, false},
-        {4, 4, QStringLiteral("R4"), QStringLiteral("AirRobot"), QStringLiteral("scanning lane 2 of 3"), 55.0, true},
-        {5, 5, QStringLiteral("R5"), QStringLiteral("Submarine"), QStringLiteral("spawning"), std::nullopt, false},
+        {{1}, 1, QStringLiteral("R1"), QStringLiteral("AirRobot"), QStringLiteral("scanning lane 4 of 9"), 71.0, false},
+        {{2}, 2, QStringLiteral("R2"), QStringLiteral("P2DX"), QStringLiteral("idle"), 22.0, false},
+        {{3},
+         3,
+         QStringLiteral("Hilltop-watcher"),
+         QStringLiteral("AirRobot"),
+         QStringLiteral("returning to recharge, 120 m to go over the wood"),
+         9.0,
+         false},
+        {{4}, 4, QStringLiteral("R4"), QStringLiteral("AirRobot"), QStringLiteral("scanning lane 2 of 3"), 55.0, true},
+        {{5}, 5, QStringLiteral("R5"), QStringLiteral("Submarine"), QStringLiteral("spawning"), std::nullopt, false},
     });
-    list->selectRobot(1);
+    list->selectRobot({1});
     return list;
 }
 
@@ -66,8 +71,8 @@ std::unique_ptr<QWidget> messagesPage() {
         const double time = 751.2 + i * 0.2;
         in("STA {Type AerialVehicle} {Time 751.20} {Battery 1134}", time);
         in("SEN {Time 751.20} {Type Sonar} {Name F1 Range 4.5210} {Name F2 Range 5.0000} {Name F3 Range 1.2000}", time);
-        list->takeCommand("DRIVE {AltitudeVelocity 0} {LinearVelocity 2.5}", {"airrobot/cpp: scanning lane 4", {12}},
-                          Seconds(time));
+        list->takeCommand("DRIVE {AltitudeVelocity 0} {LinearVelocity 2.5}",
+                          {by::Behavior{"airrobot/cpp", "scanning lane 4"}, {12}}, Seconds(time));
     }
     in("SEN {Time 752.00} {Type INS} {Name INS {Location 1,2", 752.0);
     return list;

@@ -31,7 +31,7 @@ MessageRow rowOf(const protocol::InfoLine& line, Seconds time) {
 MessageRow rowOf(std::string text, const Cause& cause, std::uint64_t number, Seconds time) {
     MessageRow row{.number = number, .time = time, .direction = Direction::Out, .type = typeOf(text)};
     row.text = std::move(text);
-    row.note = cause.source;
+    row.note = toText(cause.source);
     row.trigger = cause.trigger.value;
     if (row.trigger > 0)
         row.note += ", on line " + std::to_string(row.trigger);
