@@ -46,7 +46,7 @@ void MessageDesk::chooseWhereToSave() {
         views_.messages->saveShown(path);
 }
 
-void MessageDesk::sendAgain(int connection, const QStringList& lines) {
+void MessageDesk::sendAgain(ConnectionId connection, const QStringList& lines) {
     for (const QString& line : lines)
         if (const auto sent = control_.sendLine(connection, line, by::Operator{"resend"}); !sent)
             return notices_.complain("resend", sent.error());
@@ -54,13 +54,13 @@ void MessageDesk::sendAgain(int connection, const QStringList& lines) {
 }
 
 void MessageDesk::sendTyped(const QString& line) {
-    const int connection = control_.connectionOf(selection_.id());
+    const ConnectionId connection = control_.connectionOf(selection_.id());
     if (const auto sent = control_.sendLine(connection, line, by::Operator{"command box"}); !sent)
         views_.command_box->complain(Severity::Error, QString::fromStdString(sent.error().text()));
 }
 
 void MessageDesk::followConnection() {
-    const int connection = control_.connectionOf(selection_.id());
+    const ConnectionId connection = control_.connectionOf(selection_.id());
     const QString name = robot() ? nameOf(*robot()) : QString();
     views_.messages->nameConnection(connection, name.isEmpty() ? tr("link") : name);
     views_.messages->selectConnection(connection);

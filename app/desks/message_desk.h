@@ -25,7 +25,7 @@ private:
     /// Sends a line from the command box; an error is shown there.
     void sendTyped(const QString& line);
     /// Sends lines unchanged on the connection that they were copied from, up to the first error.
-    void sendAgain(int connection, const QStringList& lines);
+    void sendAgain(ConnectionId connection, const QStringList& lines);
 };
 
 } // namespace usar::app

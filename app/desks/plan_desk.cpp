@@ -265,7 +265,7 @@ void PlanDesk::pinSelected() {
     if (spots.empty() || spots.front().call.empty() || !robot())
         return;
     const std::string call = spots.front().call;
-    const int connection = robot()->view().connection;
+    const ConnectionId connection = robot()->view().connection;
     if (pins_[connection].release(spots.front()))
         return pinsChanged();
     const bool is_act = spots.front().kind == posh::PlaceKind::Act;

@@ -62,9 +62,9 @@ private:
 
     PlanRunDesk run_;
     BreakpointDesk breakpoints_;
-    std::map<int, widgets::PlanPins> pins_; ///< by connection
-    bool epoch_wanted_ = false;             ///< the next halt is shown at the first epoch of its cycle
-    bool stepping_ = false;                 ///< plans run for one cycle only
+    std::map<ConnectionId, widgets::PlanPins> pins_; ///< by connection
+    bool epoch_wanted_ = false;                      ///< the next halt is shown at the first epoch of its cycle
+    bool stepping_ = false;                          ///< plans run for one cycle only
 };
 
 } // namespace usar::app

@@ -57,8 +57,8 @@ private:
     /// Reason why the shown run cannot be replayed while it continues; empty if it can.
     QString whyNoLookBack() const;
 
-    std::map<int, widgets::PlanWatch> watches_; ///< by connection
-    QString no_look_back_;                      ///< the reason that the button's tooltip gives now
+    std::map<ConnectionId, widgets::PlanWatch> watches_; ///< by connection
+    QString no_look_back_;                               ///< the reason that the button's tooltip gives now
 };
 
 } // namespace usar::app

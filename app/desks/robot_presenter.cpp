@@ -180,7 +180,7 @@ void RobotPresenter::feedPanels(const mission::SessionUpdate& update) {
 }
 
 /// Adds lines and commands in the order in which they were received and sent.
-void RobotPresenter::feedMessages(int connection, const mission::SessionUpdate& update) {
+void RobotPresenter::feedMessages(ConnectionId connection, const mission::SessionUpdate& update) {
     if (update.rewound)
         views_.messages->clear();
     std::uint64_t& told = not_shown_[connection];
@@ -199,7 +199,7 @@ void RobotPresenter::feedMessages(int connection, const mission::SessionUpdate& 
         views_.messages->takeCommand(command->text, command->cause, command->time, connection);
 }
 
-void RobotPresenter::showLink(int connection, const mission::SessionUpdate& update, bool selected) {
+void RobotPresenter::showLink(ConnectionId connection, const mission::SessionUpdate& update, bool selected) {
     feedMessages(connection, update);
     if (selected)
         showTraffic(update.figures);

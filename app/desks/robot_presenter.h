@@ -16,7 +16,7 @@ public:
     void show(RobotId id, const mission::SessionUpdate& update, bool selected);
     /// Shows the lines of a connection that has no robot yet. `selected`: no robot is selected, so its figures are
     /// shown, too.
-    void showLink(int connection, const mission::SessionUpdate& update, bool selected);
+    void showLink(ConnectionId connection, const mission::SessionUpdate& update, bool selected);
     /// Grays out what is out of date about the selected robot: everything without a link, otherwise each instrument
     /// whose sensor is silent. To be called when the link changes, because a lost link sends no updates.
     void showLinkState(RobotId id);
@@ -36,14 +36,14 @@ private:
     void showOnMap(const RobotView& view, const mission::SessionUpdate& update, bool selected);
     void showInstruments(const RobotView& view, const mission::SessionUpdate& update);
     void feedPanels(const mission::SessionUpdate& update);
-    void feedMessages(int connection, const mission::SessionUpdate& update);
+    void feedMessages(ConnectionId connection, const mission::SessionUpdate& update);
     void showTraffic(const mission::SessionFigures& figures);
     void noteHeard(const mission::SessionUpdate& update);
 
     MissionControl& control_;
     widgets::WindowViews& views_;
-    std::map<int, mission::TraceWatch> traces_; ///< by connection
-    std::map<int, std::uint64_t> not_shown_;    ///< number of lines left out of updates so far, by connection
+    std::map<ConnectionId, mission::TraceWatch> traces_; ///< by connection
+    std::map<ConnectionId, std::uint64_t> not_shown_;    ///< number of lines left out of updates so far, by connection
     // The following belong to the selected robot.
     widgets::ScanPlane scan_plane_ = widgets::ScanPlane::Below;
     std::optional<Seconds> scan_heard_;  ///< time of the newest scan on the protocol clock; nullopt: none yet

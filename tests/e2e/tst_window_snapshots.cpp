@@ -90,7 +90,7 @@ void tst_WindowSnapshots::aLongRunIsSaidAndCanBeCancelled() {
     LongRun run;
     QVERIFY(run.isKept());
     WindowPage& page = run.page;
-    const int connection = page.robot(1)->connection;
+    const ConnectionId connection = page.robot(1)->connection;
     QVERIFY(run.isTakenUp());
     QVERIFY(run.strip().findChild<QLabel*>()->text().contains("Taking up long.usarsnap"));
     QVERIFY(page.window().commands().action("simulator.cancel_opening")->isEnabled());

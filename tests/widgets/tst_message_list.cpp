@@ -196,7 +196,7 @@ void tst_MessageList::searchAndWayFilter() {
 }
 
 void tst_MessageList::copyTakesWholeLines() {
-    list_->nameConnection(0, QStringLiteral("R1"));
+    list_->nameConnection({0}, QStringLiteral("R1"));
     feed(2);
     QTRY_COMPARE(list_->model().rowCount(), 2);
     list_->view()->selectRow(1);
@@ -237,7 +237,7 @@ void tst_MessageList::shownLinesAreSaved() {
     QFETCH(QString, name);
     QFETCH(QByteArray, first);
     const QTemporaryDir folder;
-    list_->nameConnection(0, QStringLiteral("R1"));
+    list_->nameConnection({0}, QStringLiteral("R1"));
     feed(300);
     list_->takeLine(reader_.read("STA {Time 2}"), Seconds(2));
     QTRY_COMPARE(list_->model().rowCount(), 301);
@@ -264,8 +264,8 @@ void tst_MessageList::aFileThatCannotBeSavedIsNamed() {
 
 void tst_MessageList::onlyCommandsAreSentAgain() {
     feed(1);
-    list_->takeCommand("DRIVE {Left 1}", {by::Other{"test"}, {1}}, Seconds(1), 0);
-    list_->takeCommand("STEP", {by::Other{"test"}, {1}}, Seconds(1), 0);
+    list_->takeCommand("DRIVE {Left 1}", {by::Other{"test"}, {1}}, Seconds(1), {0});
+    list_->takeCommand("STEP", {by::Other{"test"}, {1}}, Seconds(1), {0});
     QTRY_COMPARE(list_->model().rowCount(), 3);
     QSignalSpy resent(list_.get(), &MessageList::resendRequested);
     list_->view()->selectRow(0);
@@ -278,10 +278,10 @@ void tst_MessageList::onlyCommandsAreSentAgain() {
 }
 
 void tst_MessageList::aCommandLeadsToItsCauseAndBack() {
-    list_->takeLine(reader_.read("STA {Time 1}"), Seconds(1), 7);
-    list_->takeLine(reader_.read("SEN {Type INS}"), Seconds(1), 7);
-    list_->takeCommand("DRIVE {Left 1}", {by::Behavior{"test", "rising"}, {1}}, Seconds(1), 7);
-    list_->selectConnection(7);
+    list_->takeLine(reader_.read("STA {Time 1}"), Seconds(1), {7});
+    list_->takeLine(reader_.read("SEN {Type INS}"), Seconds(1), {7});
+    list_->takeCommand("DRIVE {Left 1}", {by::Behavior{"test", "rising"}, {1}}, Seconds(1), {7});
+    list_->selectConnection({7});
     QTRY_COMPARE(list_->model().rowCount(), 3);
     list_->actions().details->setChecked(true);
     list_->setFilter({.direction = Direction::Out});
@@ -307,22 +307,22 @@ void tst_MessageList::detailsShowFaultsUnderACaret() {
 }
 
 void tst_MessageList::linesOfAnotherRobotAreKeptApart() {
-    list_->nameConnection(1, QStringLiteral("R1"));
-    list_->nameConnection(2, QStringLiteral("R2"));
-    list_->selectConnection(1);
-    list_->takeLine(reader_.read("STA {Time 1}"), Seconds(1), 1);
-    list_->takeLine(reader_.read("STA {Time 2}"), Seconds(2), 2);
-    list_->takeNotShown(5, 2);
+    list_->nameConnection({1}, QStringLiteral("R1"));
+    list_->nameConnection({2}, QStringLiteral("R2"));
+    list_->selectConnection({1});
+    list_->takeLine(reader_.read("STA {Time 1}"), Seconds(1), {1});
+    list_->takeLine(reader_.read("STA {Time 2}"), Seconds(2), {2});
+    list_->takeNotShown(5, {2});
     QTRY_COMPARE(list_->model().rowCount(), 1);
-    QCOMPARE(list_->model().totalOf(1), 1);
-    QCOMPARE(list_->model().totalOf(2), 2);
+    QCOMPARE(list_->model().totalOf({1}), 1);
+    QCOMPARE(list_->model().totalOf({2}), 2);
     QVERIFY(list_->view()->isColumnHidden(MessageModel::Robot));
     list_->actions().all_robots->setChecked(true);
     QCOMPARE(list_->model().rowCount(), 3);
     QVERIFY(!list_->view()->isColumnHidden(MessageModel::Robot));
     QCOMPARE(list_->model().index(1, MessageModel::Robot).data().toString(), QStringLiteral("R2"));
     list_->actions().all_robots->setChecked(false);
-    list_->selectConnection(2);
+    list_->selectConnection({2});
     QCOMPARE(list_->model().rowCount(), 2);
 }
 

@@ -276,7 +276,7 @@ void tst_MessageModel::filterLooksAtTypesNameTroubleAndConnection_data() {
     row("later name of a line", {1, 5}, [](Filter& f) { f.name = "F2"; });
     row("what is no name", {}, [](Filter& f) { f.name = "Range"; });
     row("only trouble", {4}, [](Filter& f) { f.only_trouble = true; });
-    row("connection", {5}, [](Filter& f) { f.connection = 2; });
+    row("connection", {5}, [](Filter& f) { f.connection = ConnectionId{2}; });
     row("expression", {1}, [](Filter& f) { f.words = "/f[12] range 2\\.5/"; });
     row("expression on the type", {1, 2, 5}, [](Filter& f) { f.words = "/^SEN (Sonar|INS)$/"; });
     row("broken expression", {}, [](Filter& f) { f.words = "/f[12/"; });
@@ -287,7 +287,7 @@ void tst_MessageModel::filterLooksAtTypesNameTroubleAndConnection_data() {
         f.direction = Direction::In;
         f.types = {{"STA"}, false};
         f.name = "F2";
-        f.connection = 0;
+        f.connection = ConnectionId{0};
     });
 }
 
@@ -298,7 +298,7 @@ void tst_MessageModel::filterLooksAtTypesNameTroubleAndConnection() {
     bad.trouble = Severity::Error;
     bad.note = "no closing brace";
     MessageRow other = line(5, "SEN {Type Sonar} {Name F2 Range 3.5}");
-    other.connection = 2;
+    other.connection = ConnectionId{2};
     MessageModel model;
     model.append({line(1, "SEN {Type Sonar} {Name F1 Range 2.5} {Name F2 Range 5.0}"),
                   line(2, "SEN {Type INS} {Name INS}"), line(3, "STA {Time 1}"), bad, other});
@@ -343,10 +343,10 @@ void tst_MessageModel::commandsAndTheirCausesAreFound() {
     MessageModel model(nullptr, 100);
     MessageRow drive = rowOf("DRIVE {Left 1}", {by::Other{"test"}, {2}}, 1, Seconds(1));
     MessageRow elsewhere = drive;
-    elsewhere.connection = 3;
+    elsewhere.connection = ConnectionId{3};
     model.append({line(1, "STA {Time 1}"), line(2, "STA {Time 2}"), elsewhere, drive});
-    QCOMPARE(model.serialOf(0, Direction::In, 2), std::optional<std::uint64_t>(1));
-    QCOMPARE(model.serialOf(3, Direction::In, 2), std::nullopt);
+    QCOMPARE(model.serialOf({0}, Direction::In, 2), std::optional<std::uint64_t>(1));
+    QCOMPARE(model.serialOf({3}, Direction::In, 2), std::nullopt);
     QCOMPARE(model.causedBy(1), std::vector<std::uint64_t>{3});
     QVERIFY(model.causedBy(0).empty());
     QVERIFY(model.causedBy(3).empty());

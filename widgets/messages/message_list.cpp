@@ -106,15 +106,15 @@ void MessageList::wireView() {
     connect(saver_, &MessageSaver::failed, this, &MessageList::failed);
 }
 
-void MessageList::takeLine(const protocol::InfoLine& line, Seconds time, int connection) {
+void MessageList::takeLine(const protocol::InfoLine& line, Seconds time, ConnectionId connection) {
     keep(rowOf(line, time), connection);
 }
 
-void MessageList::takeCommand(std::string text, const Cause& cause, Seconds time, int connection) {
+void MessageList::takeCommand(std::string text, const Cause& cause, Seconds time, ConnectionId connection) {
     keep(rowOf(std::move(text), cause, ++commands_[connection], time), connection);
 }
 
-void MessageList::takeNotShown(std::uint64_t count, int connection) {
+void MessageList::takeNotShown(std::uint64_t count, ConnectionId connection) {
     if (count == 0)
         return;
     if (!waiting_.empty() && waiting_.back().not_shown > 0 && waiting_.back().connection == connection) {
@@ -124,14 +124,14 @@ void MessageList::takeNotShown(std::uint64_t count, int connection) {
     keep(gapOf(count), connection);
 }
 
-void MessageList::selectConnection(int connection) {
+void MessageList::selectConnection(ConnectionId connection) {
     if (connection_ == connection)
         return;
     connection_ = connection;
     applyFilter();
 }
 
-void MessageList::keep(MessageRow row, int connection) {
+void MessageList::keep(MessageRow row, ConnectionId connection) {
     row.connection = connection;
     waiting_bytes_ += row.text.size();
     waiting_.push_back(std::move(row));
@@ -156,7 +156,7 @@ std::vector<MessageRow> MessageList::takeBatch() {
     for (const MessageRow& row : batch)
         waiting_bytes_ -= std::min(waiting_bytes_, row.text.size());
     if (const std::uint64_t lost = std::exchange(overflown_, 0); lost > 0) {
-        const int connection = batch.front().connection;
+        const ConnectionId connection = batch.front().connection;
         batch.front() = gapOf(lost + 1); // Replaces the oldest row, because the model is full.
         batch.front().connection = connection;
     }
@@ -219,7 +219,7 @@ void MessageList::jumpTo(std::uint64_t serial) {
     const MessageRow* target = model_->find(serial);
     if (!target)
         return;
-    const int connection = target->connection;
+    const ConnectionId connection = target->connection;
     actions_.follow->setChecked(false);
     selected_ = serial;
     if (model_->shownRow(serial) < 0) {

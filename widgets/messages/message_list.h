@@ -51,15 +51,15 @@ public:
     ~MessageList() override;
 
     /// `time` is the protocol clock at arrival; `connection` is any number that identifies the connection.
-    void takeLine(const protocol::InfoLine& line, Seconds time, int connection = 0);
+    void takeLine(const protocol::InfoLine& line, Seconds time, ConnectionId connection = {});
     /// `text` is the command as it went over the wire.
-    void takeCommand(std::string text, const Cause& cause, Seconds time, int connection = 0);
+    void takeCommand(std::string text, const Cause& cause, Seconds time, ConnectionId connection = {});
     /// Reports that `count` lines were left out here; consecutive reports are added up in one row.
-    void takeNotShown(std::uint64_t count, int connection = 0);
+    void takeNotShown(std::uint64_t count, ConnectionId connection = {});
     /// Name of the robot on that connection.
-    void nameConnection(int connection, const QString& name) { model_->nameConnection(connection, name); }
+    void nameConnection(ConnectionId connection, const QString& name) { model_->nameConnection(connection, name); }
     /// Shows the lines of this connection, unless those of all connections are shown.
-    void selectConnection(int connection);
+    void selectConnection(ConnectionId connection);
     /// Also sets the tool bar above the list; `filter.connection` is ignored.
     void setFilter(const MessageFilter& filter) { bar_->setFilter(filter); }
     bool paused() const { return actions_.pause->isChecked(); }
@@ -88,7 +88,7 @@ public slots:
 
 signals:
     /// The selected commands, oldest first; `connection` is that of the first one, and commands of others are left out.
-    void resendRequested(int connection, const QStringList& lines);
+    void resendRequested(usar::ConnectionId connection, const QStringList& lines);
     void saveRequested();
     void saved(const QString& path, int lines);
     void failed(const QString& reason);
@@ -107,7 +107,7 @@ private:
     void setUpView();
     void wireView();
     /// Stores a row; beyond the capacity the oldest ones are dropped and counted.
-    void keep(MessageRow row, int connection);
+    void keep(MessageRow row, ConnectionId connection);
     /// Starts the frame timer if the list is visible.
     void flushSoon();
     void flush();
@@ -135,11 +135,11 @@ private:
     MessageDetail* detail_ = new MessageDetail(splitter_);
     MessageSaver* saver_ = new MessageSaver(*model_, this);
     EmptyState* empty_state_ = nullptr;
-    std::deque<MessageRow> waiting_;        ///< rows not inserted yet; at most the model's capacity
-    std::size_t waiting_bytes_ = 0;         ///< size of their text
-    std::uint64_t overflown_ = 0;           ///< lines dropped from `waiting_`
-    std::map<int, std::uint64_t> commands_; ///< number of commands taken so far, by connection
-    int connection_ = 0;
+    std::deque<MessageRow> waiting_;                 ///< rows not inserted yet; at most the model's capacity
+    std::size_t waiting_bytes_ = 0;                  ///< size of their text
+    std::uint64_t overflown_ = 0;                    ///< lines dropped from `waiting_`
+    std::map<ConnectionId, std::uint64_t> commands_; ///< number of commands taken so far, by connection
+    ConnectionId connection_;
     std::optional<std::uint64_t> selected_; ///< serial number of the current row, even while it is not shown
     bool moving_ = false;                   ///< the list scrolls by itself, not the user
     QTimer frame_{this};

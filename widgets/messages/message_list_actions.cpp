@@ -148,7 +148,7 @@ void MessageList::saveShown(const QString& path) {
 
 void MessageList::resend() {
     QStringList lines;
-    std::optional<int> connection;
+    std::optional<ConnectionId> connection;
     for (const MessageRow* row : selectedRows(most_sent_again))
         if (row->direction == Direction::Out && connection.value_or(row->connection) == row->connection) {
             connection = row->connection;

@@ -210,16 +210,16 @@ std::vector<Robot*> Fleet::robots() const {
     return d_->roster.robots();
 }
 
-int Fleet::connectionOf(RobotId id) const {
+ConnectionId Fleet::connectionOf(RobotId id) const {
     const Robot* found = !id.valid() ? d_->next.get() : robot(id);
-    return found ? found->view().connection : 0;
+    return found ? found->view().connection : ConnectionId{};
 }
 
-Robot* Fleet::Private::robotOn(int connection) const {
+Robot* Fleet::Private::robotOn(ConnectionId connection) const {
     return next && next->view().connection == connection ? next.get() : roster.on(connection);
 }
 
-Result<void> Fleet::checkLine(int connection) const {
+Result<void> Fleet::checkLine(ConnectionId connection) const {
     const Robot* robot = d_->robotOn(connection);
     if (!robot)
         return failure("there is no connection to send it on", "", "Connect to a server first");
@@ -231,7 +231,7 @@ Result<void> Fleet::checkLine(int connection) const {
     return {};
 }
 
-Result<void> Fleet::sendLine(int connection, const QString& line, const by::Source& source) {
+Result<void> Fleet::sendLine(ConnectionId connection, const QString& line, const by::Source& source) {
     if (const auto sendable = checkLine(connection); !sendable)
         return sendable;
     d_->robotOn(connection)->send(protocol::RawCommand{line.toStdString()}, source);

@@ -61,9 +61,9 @@ public:
     Robot* robot(RobotId id) const; ///< nullptr if there is none
     std::vector<Robot*> robots() const;
     /// RobotView::connection of the robot, or of the spare connection if `id` is 0; 0 if there is none.
-    int connectionOf(RobotId id) const;
-    Result<void> checkLine(int connection) const; ///< an error says why no line can be sent there now
-    Result<void> sendLine(int connection, const QString& line, const by::Source& source); ///< unchanged
+    ConnectionId connectionOf(RobotId id) const;
+    Result<void> checkLine(ConnectionId connection) const; ///< an error says why no line can be sent there now
+    Result<void> sendLine(ConnectionId connection, const QString& line, const by::Source& source); ///< unchanged
     /// Stops the robot, closes its connection and saves its scan.
     void remove(RobotId id);
     /// Sends the original INIT again, for a robot that never appeared or was lost with its link.

@@ -14,7 +14,7 @@ namespace usar::mission {
 struct Fleet::Private {
     Private(Fleet& fleet, const QString& host_program);
 
-    Robot* robotOn(int connection) const;
+    Robot* robotOn(ConnectionId connection) const;
     void openNext();
     /// Connects a robot of either kind, live or of a recording.
     void connectRobot(Robot* robot);
@@ -26,7 +26,7 @@ struct Fleet::Private {
     void closeWhenSaved();
 
     void record(Robot& robot, const SpawnRequest& as);
-    void openReplay(const QString& path, int looks_back_on, std::optional<Seconds> moment);
+    void openReplay(const QString& path, ConnectionId looks_back_on, std::optional<Seconds> moment);
     void addReplay(std::unique_ptr<Robot> robot, const RecordingFacts& facts, const QString& complaint);
 
     Fleet& q;
@@ -42,7 +42,8 @@ struct Fleet::Private {
     Roster roster;
     std::unique_ptr<Robot> next; ///< connected, not spawned
     ReplayOpener replays;
-    std::map<int, Seconds> wanted_moments; ///< by connection: moment to look back on, once the file contains it
+    std::map<ConnectionId, Seconds>
+        wanted_moments;                    ///< by connection: moment to look back on, once the file contains it
     std::map<RobotId, TrueFigures> truths; ///< by robot id
     std::optional<std::uint64_t> seed;
     bool recording = true;

@@ -37,10 +37,10 @@ void Fleet::Private::record(Robot& robot, const SpawnRequest& as) {
 }
 
 void Fleet::openRecording(const QString& path) {
-    d_->openReplay(path, 0, std::nullopt);
+    d_->openReplay(path, {}, std::nullopt);
 }
 
-void Fleet::Private::openReplay(const QString& path, int looks_back_on, std::optional<Seconds> moment) {
+void Fleet::Private::openReplay(const QString& path, ConnectionId looks_back_on, std::optional<Seconds> moment) {
     connectRobot(&replays.open(path, looks_back_on, moment));
 }
 

@@ -7,7 +7,7 @@
 
 namespace usar::mission {
 
-Robot& ReplayOpener::open(const QString& path, int looks_back_on, std::optional<Seconds> moment) {
+Robot& ReplayOpener::open(const QString& path, ConnectionId looks_back_on, std::optional<Seconds> moment) {
     Robot* const robot = opening_.emplace_back(std::make_unique<Robot>()).get();
     const auto opened = [this, robot](const RecordingFacts& facts, const QString& complaint) {
         if (auto open = take(robot))

@@ -24,7 +24,7 @@ public:
 
     /// Opens the file and returns its robot, which is not open yet, so that the caller can connect to it. With `moment`
     /// (protocol clock) the replay begins there. `looks_back_on`: see RobotIdentity.
-    Robot& open(const QString& path, int looks_back_on, std::optional<Seconds> moment);
+    Robot& open(const QString& path, ConnectionId looks_back_on, std::optional<Seconds> moment);
     /// Gives up all recordings that are not open yet.
     void clear() { opening_.clear(); }
 

@@ -23,7 +23,7 @@ Robot::Robot(QObject* parent)
     : QObject(parent)
     , thread_(new QThread)
     , session_(new RobotSession(RobotView{}.cell_size_m)) {
-    view_.connection = ++connections_made;
+    view_.connection = {++connections_made};
     thread_->setObjectName("robot");
     session_->moveToThread(thread_);
     connect(thread_, &QThread::finished, session_, &QObject::deleteLater);
@@ -144,7 +144,7 @@ void Robot::takeControl() {
     call(&RobotSession::takeControl);
 }
 
-void Robot::openRecording(const QString& path, int looks_back_on) {
+void Robot::openRecording(const QString& path, ConnectionId looks_back_on) {
     view_.recording = path;
     view_.looks_back_on = looks_back_on;
     call(&RobotSession::openRecording, path);

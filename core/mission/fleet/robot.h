@@ -73,7 +73,7 @@ public:
     void flushRecording() { call(&RobotSession::flushRecording); }
     void noteFault(const QString& sentence) { call(&RobotSession::noteFault, sentence.toStdString()); }
     /// Replaces `open`; `replayOpened` or `replayFailed` follows. `looks_back_on`: see RobotView.
-    void openRecording(const QString& path, int looks_back_on = 0);
+    void openRecording(const QString& path, ConnectionId looks_back_on = {});
     void orderReplay(const ReplayOrder& order) { call(&RobotSession::orderReplay, order); }
     /// Turns this object into the robot of the opened recording.
     void becomeReplay(RobotId id, const QString& robot_name, const RecordingFacts& facts);

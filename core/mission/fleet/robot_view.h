@@ -18,13 +18,13 @@ namespace usar::mission {
 
 /// What makes a robot this one: it stays when its replay is rewound.
 struct RobotIdentity {
-    int connection = 0; ///< number of the session, unique while the program runs
-    RobotId id;         ///< 1-9, the key that selects it; 0 while no robot is spawned
+    ConnectionId connection; ///< number of the session, unique while the program runs
+    RobotId id;              ///< 1-9, the key that selects it; 0 while no robot is spawned
     SpawnRequest spawn;
     link::LinkStatus link;
-    double cell_size_m = 0.25; ///< edge of a height map cell
-    QString recording;         ///< the file that is replayed; empty: live
-    int looks_back_on = 0;     ///< `connection` of the live robot whose past this replay shows; 0: none
+    double cell_size_m = 0.25;  ///< edge of a height map cell
+    QString recording;          ///< the file that is replayed; empty: live
+    ConnectionId looks_back_on; ///< `connection` of the live robot whose past this replay shows; 0: none
 };
 
 /// Newest values of a robot, for views that show it later or switch to it. Positions are in meters in the map frame; an

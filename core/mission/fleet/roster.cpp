@@ -53,7 +53,7 @@ Robot* Roster::robot(RobotId id) const {
     return found == robots_.end() ? nullptr : found->second.get();
 }
 
-Robot* Roster::on(int connection) const {
+Robot* Roster::on(ConnectionId connection) const {
     const auto found =
         std::ranges::find_if(robots_, [&](const auto& entry) { return entry.second->view().connection == connection; });
     return found == robots_.end() ? nullptr : found->second.get();

@@ -39,7 +39,7 @@ public:
     /// Null if there is none.
     Robot* robot(RobotId id) const;
     /// The robot with that RobotView::connection; null if there is none.
-    Robot* on(int connection) const;
+    Robot* on(ConnectionId connection) const;
     /// Returns all robots, ordered by id.
     std::vector<Robot*> robots() const;
 

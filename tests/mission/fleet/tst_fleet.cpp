@@ -56,7 +56,7 @@ private slots:
         QVERIFY(!spawned.has_value());
         QCOMPARE(QString::fromStdString(spawned.error().text()),
                  QString("R1: there is no link to a server yet. Connect first, then spawn."));
-        QCOMPARE(fleet_->connectionOf({}), 0);
+        QVERIFY(!fleet_->connectionOf({}).valid());
     }
 
     void theConnectionThatWaitsLearnsTheStartPoses() {
@@ -70,7 +70,7 @@ private slots:
         QCOMPARE(fleet_->startPoses().size(), std::size_t(2));
         QCOMPARE(fleet_->level(), QString("tall_test"));
         QVERIFY2(told.size() >= 2 && told.at(0) == "link" && told.at(1) == "next", qPrintable(told.join(' ')));
-        QVERIFY(fleet_->connectionOf({}) != 0);
+        QVERIFY(fleet_->connectionOf({}).valid());
         QVERIFY(fleet_->robots().empty());
     }
 
@@ -132,7 +132,7 @@ private slots:
         fleet_->disconnectFromServer();
         QCOMPARE(told, (QStringList{"robot", "server", "link"}));
         QVERIFY(fleet_->robots().empty() && fleet_->startPoses().empty() && fleet_->level().isEmpty());
-        QCOMPARE(fleet_->connectionOf({}), 0);
+        QVERIFY(!fleet_->connectionOf({}).valid());
     }
 
     void aWindowsResultHasTheKeysOfARunWithoutOne() {

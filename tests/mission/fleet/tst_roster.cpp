@@ -104,7 +104,7 @@ private slots:
         QVERIFY(second);
         QCOMPARE(nameOf(*second), QString("b"));
         QCOMPARE(roster.on(second->view().connection), second);
-        QVERIFY(!roster.robot({3}) && !roster.on(0));
+        QVERIFY(!roster.robot({3}) && !roster.on({}));
         QCOMPARE(roster.robots().back(), second);
         roster.clear();
         QVERIFY(roster.robots().empty());

@@ -50,7 +50,7 @@ struct MessageFilter {
     TypeChoice types{};
     QString name{};            ///< part of the name of a sensor, effecter, package or robot on the line; empty: all
     bool only_trouble = false; ///< only rows with diagnostics
-    std::optional<int> connection{}; ///< as MessageRow::connection; nullopt: all
+    std::optional<ConnectionId> connection{}; ///< as MessageRow::connection; nullopt: all
     bool operator==(const MessageFilter&) const = default;
 };
 

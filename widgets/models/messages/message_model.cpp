@@ -109,7 +109,7 @@ void MessageModel::tally(const MessageRow& row, int more) {
         types_.erase(type);
 }
 
-int MessageModel::totalOf(int connection) const {
+int MessageModel::totalOf(ConnectionId connection) const {
     const auto found = totals_.find(connection);
     return found == totals_.end() ? 0 : found->second;
 }
@@ -171,7 +171,7 @@ std::deque<std::uint64_t> MessageModel::sieveSlice(qint64 budget_ms) {
     return passing;
 }
 
-void MessageModel::nameConnection(int connection, const QString& name) {
+void MessageModel::nameConnection(ConnectionId connection, const QString& name) {
     if (QString& known = names_[connection]; known != name) {
         known = name;
         if (rowCount() > 0)
@@ -179,7 +179,7 @@ void MessageModel::nameConnection(int connection, const QString& name) {
     }
 }
 
-QString MessageModel::connectionName(int connection) const {
+QString MessageModel::connectionName(ConnectionId connection) const {
     const auto found = names_.find(connection);
     return found == names_.end() ? QString() : found->second;
 }
@@ -193,7 +193,8 @@ const MessageRow* MessageModel::find(std::uint64_t serial) const {
     return serial < dropped_ || serial >= dropped_ + rows_.size() ? nullptr : &rows_[serial - dropped_];
 }
 
-std::optional<std::uint64_t> MessageModel::serialOf(int connection, Direction direction, std::uint64_t number) const {
+std::optional<std::uint64_t> MessageModel::serialOf(ConnectionId connection, Direction direction,
+                                                    std::uint64_t number) const {
     for (std::size_t i = rows_.size(); i > 0; --i) {
         const MessageRow& row = rows_[i - 1];
         if (row.number == number && row.connection == connection && row.direction == direction && row.not_shown == 0)

@@ -42,15 +42,15 @@ public:
     /// True while older rows still wait for the filter.
     bool filtering() const { return unseen_ > dropped_; }
     /// Sets what the Robot column shows for a connection.
-    void nameConnection(int connection, const QString& name);
+    void nameConnection(ConnectionId connection, const QString& name);
     /// Empty if the connection has no name.
-    QString connectionName(int connection) const;
+    QString connectionName(ConnectionId connection) const;
 
     std::size_t capacity() const { return capacity_; }
     /// Number of stored rows, shown or not.
     int total() const { return static_cast<int>(rows_.size()); }
     /// Number of stored rows of that connection.
-    int totalOf(int connection) const;
+    int totalOf(ConnectionId connection) const;
     /// Types of the stored rows, with the number of rows of each.
     const std::map<std::string, int, std::less<>>& types() const { return types_; }
     /// The `shown`-th row of the table; the reference is valid until the next change.
@@ -62,7 +62,7 @@ public:
     /// Stored row with this serial number; nullptr if it has been removed.
     const MessageRow* find(std::uint64_t serial) const;
     /// Serial number of the newest such line, shown or not; nullopt if none is stored.
-    std::optional<std::uint64_t> serialOf(int connection, Direction direction, std::uint64_t number) const;
+    std::optional<std::uint64_t> serialOf(ConnectionId connection, Direction direction, std::uint64_t number) const;
     /// Serial numbers of the commands that this info line caused; at most five, all soon after it.
     std::vector<std::uint64_t> causedBy(std::uint64_t serial) const;
 
@@ -99,9 +99,9 @@ private:
     std::uint64_t unseen_ = 0;        ///< rows before this serial number have not been tested yet
     std::size_t bytes_ = 0;           ///< memory used by rows_
     std::map<std::string, int, std::less<>> types_;
-    std::map<int, int> totals_; ///< number of rows by connection
+    std::map<ConnectionId, int> totals_; ///< number of rows by connection
     /// Names by connection.
-    std::map<int, QString> names_;
+    std::map<ConnectionId, QString> names_;
     MessageFilter filter_;
     std::unique_ptr<MessageSieve> sieve_;
     QTimer slice_{this};

@@ -7,6 +7,7 @@
 
 #include "core/base/cause.h"
 #include "core/base/clock.h"
+#include "core/base/robot_id.h"
 #include "core/protocol/info_message.h"
 #include "widgets/style/theme.h"
 
@@ -26,7 +27,7 @@ struct MessageRow {
     /// Worst severity of the diagnostics; nullopt: none.
     std::optional<Severity> trouble{};
     std::uint64_t not_shown = 0; ///< above 0: this row stands for so many lines that were left out here
-    int connection = 0;          ///< connection that the line went over; the model knows their names
+    ConnectionId connection{};   ///< connection that the line went over; the model knows their names
     std::uint64_t trigger = 0;   ///< number of the info line that caused this command; 0: none
     bool operator==(const MessageRow&) const = default;
 };
