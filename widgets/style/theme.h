@@ -1,4 +1,5 @@
-// Colors, spacing and fonts of the whole program; no other file defines any.
+// Colors, spacing and fonts of the whole program. Those of marks are core/agent/mark_style.h, because the results of a
+// mission without a window show them, too.
 #pragma once
 
 #include <array>
