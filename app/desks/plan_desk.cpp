@@ -7,9 +7,9 @@
 
 #include "core/mission/fleet/robot_name.h"
 #include "widgets/models/figures.h"
-#include "widgets/models/plan/debug_marks.h"
+#include "widgets/models/plan/plan_marks.h"
 #include "widgets/panels/dialogs.h"
-#include "widgets/plan/pin_dialog.h"
+#include "widgets/plan/breakpoint_dialog.h"
 #include "widgets/plan/plan_picture.h"
 
 namespace usar::app {

@@ -6,7 +6,7 @@
 #include "app/desks/breakpoint_desk.h"
 #include "app/desks/desk.h"
 #include "app/desks/plan_run_desk.h"
-#include "widgets/models/plan/plan_pins.h"
+#include "widgets/models/plan/plan_spots.h"
 
 namespace usar::app {
 

@@ -1,5 +1,7 @@
-// Dialog that edits a breakpoint: on which event it stops, on which condition, and from which hit.
+// Dialogs for debugging a plan: one edits a breakpoint, the other asks which answer a sense or an act should give.
 #pragma once
+
+#include <optional>
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -10,11 +12,12 @@
 #include <QSpinBox>
 
 #include "core/posh/run/breakpoints.h"
+#include "core/posh/run/host.h"
 
 namespace usar::widgets {
 
-/// Checks the condition while it is typed and shows what is wrong with it; OK is disabled until it is valid. GUI
-/// thread.
+/// Edits on which event a breakpoint stops, on which condition, and from which hit. Checks the condition while it is
+/// typed and shows what is wrong with it; OK is disabled until it is valid. GUI thread.
 class BreakpointDialog : public QDialog {
     Q_OBJECT
 public:
@@ -36,6 +39,34 @@ private:
     QCheckBox* once_;
     QCheckBox* enabled_;
     QPushButton* ok_;
+};
+
+/// Asks which answer a sense or an act should give instead of the robot. Either for a sense or for an act, depending on
+/// the function that makes it. GUI thread.
+class PinDialog : public QDialog {
+    Q_OBJECT
+public:
+    /// `call` is spelled as in traces; `answer` is the initial text, spelled as in a plan. Both dialogs belong to
+    /// `parent`.
+    static PinDialog* forSense(const QString& call, const QString& answer, QWidget* parent);
+    static PinDialog* forAct(const QString& call, QWidget* parent);
+
+    /// The typed value for a sense; nullopt while the text is not a value, and in a dialog for an act.
+    std::optional<posh::Value> answer() const;
+    /// The chosen result for an act; the first choice in a dialog for a sense.
+    posh::ActResult result() const;
+
+private:
+    PinDialog(const QString& call, const QString& question, QWidget* parent);
+    /// Adds the field for the answer, and what is below it.
+    void add(QWidget* field);
+    /// Shows whether the typed answer is a value, and enables OK accordingly.
+    void check();
+
+    QLineEdit* answer_ = nullptr;
+    QComboBox* result_ = nullptr;
+    QLabel* complaint_;
+    QPushButton* ok_ = nullptr;
 };
 
 } // namespace usar::widgets

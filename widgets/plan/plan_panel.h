@@ -11,7 +11,6 @@
 #include <QToolButton>
 
 #include "core/agent/published.h"
-#include "widgets/plan/plan_halt_bar.h"
 #include "widgets/plan/plan_text_edit.h"
 #include "widgets/plan/plan_time_bar.h"
 #include "widgets/plan/plan_view.h"

@@ -8,7 +8,7 @@
 #include <QPlainTextEdit>
 
 #include "core/posh/model/finding.h"
-#include "widgets/models/plan/plan_notes.h"
+#include "widgets/models/plan/plan_places.h"
 
 namespace usar::widgets {
 

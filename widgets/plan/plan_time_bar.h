@@ -1,17 +1,19 @@
-// Slider that shows which moment of a plan's run is displayed, with buttons to go to other moments.
+// Bars around the drawing of a running plan: the moment of the run that is displayed, and where and why it is halted.
 #pragma once
 
+#include <QBoxLayout>
+#include <QFrame>
 #include <QLabel>
 #include <QSlider>
 #include <QToolButton>
 #include <QWidget>
 
-#include "widgets/models/plan/plan_time.h"
+#include "widgets/models/plan/plan_activity.h"
 
 namespace usar::widgets {
 
-/// Shows the state it is given and reports wishes by signals. While the user drags the slider it follows the mouse, not
-/// the state. The buttons belong to commands. GUI thread.
+/// A slider and buttons to go to other moments. Shows the state it is given and reports wishes by signals. While the
+/// user drags the slider it follows the mouse, not the state. The buttons belong to commands. GUI thread.
 class PlanTimeBar : public QWidget {
     Q_OBJECT
 public:
@@ -48,5 +50,31 @@ private:
 
 /// "live, 80.1 s", "at 12.4 s of 80.1 s, epoch 1 of 3"; empty while there is no cycle.
 QString planTimeText(const PlanTime& time);
+
+/// Says that a plan is halted, where and why, with buttons to continue. Hidden while there is nothing to say. The
+/// buttons belong to commands. GUI thread.
+class PlanHaltBar : public QFrame {
+    Q_OBJECT
+public:
+    explicit PlanHaltBar(QWidget* parent = nullptr);
+
+    /// Makes a button for each action; the actions must outlive the bar.
+    void setActions(const QList<QAction*>& actions);
+    /// Shows a sentence; empty hides the bar.
+    void setText(const QString& text);
+    QString text() const { return text_->text(); }
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void showIcon();
+
+    QBoxLayout* column_;
+    QLabel* icon_;
+    QLabel* text_;
+    QBoxLayout* buttons_;
+};
 
 } // namespace usar::widgets

@@ -3,7 +3,7 @@
 #include <QPaintEvent>
 #include <QPainter>
 
-#include "widgets/models/plan/plan_node_text.h"
+#include "widgets/models/plan/plan_reasons.h"
 #include "widgets/style/empty_state.h"
 #include "widgets/style/sheet.h"
 

@@ -8,7 +8,7 @@
 #include <QToolTip>
 #include <QWheelEvent>
 
-#include "widgets/models/plan/plan_walk.h"
+#include "widgets/models/plan/plan_selection.h"
 #include "widgets/plan/plan_view.h"
 
 namespace usar::widgets {

@@ -13,7 +13,6 @@
 #include "tests/suite/suite.h"
 #include "tests/widgets/plan_samples.h"
 #include "widgets/plan/breakpoint_dialog.h"
-#include "widgets/plan/pin_dialog.h"
 #include "widgets/plan/plan_panel.h"
 #include "widgets/style/theme.h"
 

@@ -3,8 +3,8 @@
 
 #include "tests/suite/suite.h"
 #include "tests/widgets/plan_samples.h"
-#include "widgets/models/plan/debug_marks.h"
-#include "widgets/models/plan/plan_pins.h"
+#include "widgets/models/plan/plan_marks.h"
+#include "widgets/models/plan/plan_spots.h"
 
 namespace tst_plan_pins {
 

@@ -5,7 +5,7 @@
 
 #include "tests/suite/suite.h"
 #include "tests/widgets/plan_samples.h"
-#include "widgets/models/plan/plan_folds.h"
+#include "widgets/models/plan/plan_layout.h"
 #include "widgets/models/plan/plan_tree.h"
 
 namespace tst_plan_tree {

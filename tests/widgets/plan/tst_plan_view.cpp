@@ -10,7 +10,7 @@
 #include "tests/suite/suite.h"
 #include "tests/suite/waiting.h"
 #include "tests/widgets/plan_samples.h"
-#include "widgets/models/plan/plan_node_text.h"
+#include "widgets/models/plan/plan_reasons.h"
 #include "widgets/plan/plan_painter.h"
 #include "widgets/plan/plan_view.h"
 #include "widgets/style/empty_state.h"

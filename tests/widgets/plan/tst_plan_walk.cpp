@@ -2,9 +2,8 @@
 
 #include "tests/suite/suite.h"
 #include "tests/widgets/plan_samples.h"
-#include "widgets/models/plan/plan_node_text.h"
+#include "widgets/models/plan/plan_reasons.h"
 #include "widgets/models/plan/plan_selection.h"
-#include "widgets/models/plan/plan_walk.h"
 
 namespace tst_plan_walk {
 

@@ -1,8 +1,10 @@
-// Layout of a drawn plan: where each card is, and which nodes are at a point or in a rectangle.
+// Folds and layout of a drawn plan: which parts are folded, where each card is, and which nodes are at a point or in a
+// rectangle.
 #pragma once
 
 #include <functional>
 #include <span>
+#include <unordered_set>
 #include <vector>
 
 #include <QPointF>
@@ -10,10 +12,30 @@
 #include <QSizeF>
 #include <QString>
 
-#include "widgets/models/plan/plan_folds.h"
 #include "widgets/models/plan/plan_tree.h"
 
 namespace usar::widgets {
+
+/// The folded parts, stored by the names on the path to them, so that folds survive an edit. Nodes without children
+/// cannot be folded.
+class PlanFolds {
+public:
+    /// True if the node's children are hidden.
+    bool folded(const PlanTree& tree, PlanNodeId node) const { return keys_.contains(tree[node].key); }
+    /// Folds or unfolds; folding a node without children unfolds it.
+    void set(const PlanTree& tree, PlanNodeId node, bool folded);
+    void unfoldAll() { keys_.clear(); }
+    /// Folds everything except the roots.
+    void foldAll(const PlanTree& tree);
+    /// Folds everything except the paths to these nodes.
+    void showOnly(const PlanTree& tree, const std::vector<PlanNodeId>& nodes);
+    /// Unfolds everything that contains the node. Returns true if something was folded.
+    bool reveal(const PlanTree& tree, PlanNodeId node);
+    bool operator==(const PlanFolds&) const = default;
+
+private:
+    std::unordered_set<std::uint64_t> keys_;
+};
 
 /// Measures the width of texts in pixels at a scale of 1.
 struct PlanMetrics {

@@ -1,4 +1,5 @@
-// Marks on the parts of a drawn plan: breakpoints, pins and disabled drives that the user has set, and the halt.
+// Marks on the parts of a drawn plan, each with words for the user: breakpoints, pins and disabled drives that the user
+// has set, and the halt.
 #pragma once
 
 #include <map>
@@ -8,6 +9,7 @@
 #include <QString>
 #include <QStringList>
 
+#include "widgets/models/plan/breakpoint_list.h"
 #include "widgets/models/plan/plan_tree.h"
 
 namespace usar::widgets {
@@ -38,5 +40,15 @@ public:
 private:
     std::map<PlanNodeId, PlanMark> by_node_;
 };
+
+/// Adds the breakpoints of this plan. Breakpoints on keys of the blackboard, and those whose place the plan
+/// no longer has, leave no mark.
+void markBreakpoints(const BreakpointList& list, const std::string& plan_name, std::vector<PlanMark>& marks);
+/// Adds the places whose calls are pinned, and the drives that are switched off. `paths` are the paths of all places of
+/// the program, by place.
+void markPins(const agent::SetPins& pins, const posh::Program& program, const std::vector<std::string>& paths,
+              std::vector<PlanMark>& marks);
+/// Adds the place at which the plan is halted.
+void markHalt(const std::string& path, std::vector<PlanMark>& marks);
 
 } // namespace usar::widgets

@@ -1,7 +1,9 @@
-// Converts places in a plan's text to positions in a QString, and finds the part of the drawn plan at a place.
+// Converts places in a plan's text to positions in a QString, and finds the part of the drawn plan at a place; remarks
+// about a text that are not errors.
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 #include <QString>
 
@@ -30,5 +32,14 @@ int columnOf(const QString& line, int position);
 /// The node whose text begins last at or before this place (line and column count from 1); none if there is none or the
 /// plan was not read from text.
 PlanNodeId nodeAtPlace(const PlanTree& tree, int line, int column);
+
+/// A remark about a plan. Shown like a finding, but ranked below warnings; nothing needs to be fixed.
+struct PlanNote {
+    posh::Spot at;
+    QString words; ///< worded like a finding: "4:3: note N501: …"
+};
+
+/// N501, at the keyword of the drive collection: the plan asks for real time, but runs on the robot's clock.
+std::vector<PlanNote> notesOf(const posh::Plan& plan);
 
 } // namespace usar::widgets

@@ -1,4 +1,5 @@
-// Explains why an element of a running plan runs or does not: which sense refused it, with which value, since when.
+// Describes the parts of a running plan in words, and explains why one runs or does not: which sense refused it, with
+// which value, since when.
 #pragma once
 
 #include <vector>
@@ -6,6 +7,8 @@
 #include <QString>
 
 #include "widgets/models/plan/plan_activity.h"
+#include "widgets/models/plan/plan_layout.h"
+#include "widgets/models/plan/plan_marks.h"
 
 namespace usar::widgets {
 
@@ -31,5 +34,12 @@ QString answerText(const PlanActivity& state, Seconds now);
 QString countersText(const PlanActivity& state);
 /// "runs now", "ran 3.2 s ago", "has not run yet".
 QString lastRunText(const PlanActivity& state, Seconds now);
+
+/// Full description for tooltips and screen readers, in several lines: what it is, its priority and comment, its newest
+/// answer or last run, counters, marks, where a link leads, what is folded away, and its place in the text.
+QString planNodeText(const PlanTree& tree, const PlanStates& states, const PlanFolds& folds, const PlanMarks& marks,
+                     PlanNodeId node);
+/// Says in which respect a drawing of this state is incomplete; empty if it is complete.
+QString planReservation(const PlanTree& tree, const PlanStates& states);
 
 } // namespace usar::widgets

@@ -1,4 +1,4 @@
-// The selected node of a drawn plan, and the nodes that a search has found.
+// The selected node of a drawn plan, the nodes that a search has found, and the steps of keyboard navigation.
 #pragma once
 
 #include <vector>
@@ -6,6 +6,17 @@
 #include "widgets/models/plan/plan_tree.h"
 
 namespace usar::widgets {
+
+/// Out: to the node that contains it. In: to its first child, or along its link. Before and After: to its neighbors at
+/// the same depth, where the senses of a card follow the card.
+enum class PlanStep { Out, In, Before, After };
+
+/// Returns the node that a step leads to: the first node if `node` is none; none if there is none in that direction.
+PlanNodeId planStep(const PlanTree& tree, PlanNodeId node, PlanStep step);
+
+/// Returns the entry of `nodes` (in ascending order) after or before `node`, wrapping around at both ends; none if
+/// `nodes` is empty. `node` need not be among them; none is before all of them.
+PlanNodeId nextOf(const std::vector<PlanNodeId>& nodes, PlanNodeId node, bool backward);
 
 /// A value. Nodes are those of the tree that it was last used with.
 class PlanSelection {

@@ -1,9 +1,11 @@
-// The places of a running plan that one part of its drawing stands for.
+// The places of a running plan that one part of its drawing stands for, and what the user has pinned or switched off.
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "core/agent/plan_control.h"
 #include "core/posh/run/program.h"
 #include "widgets/models/plan/plan_tree.h"
 
@@ -22,5 +24,23 @@ struct PlanSpot {
 /// and draws it once; none if `node` is none. `paths` are the paths of all places, by place.
 std::vector<PlanSpot> spotsOfNode(const posh::Program& program, const std::vector<std::string>& paths,
                                   const PlanTree& tree, PlanNodeId node);
+
+/// A pin belongs to a call: it holds wherever the plan makes this call.
+class PlanPins {
+public:
+    /// All pins and switched-off drives, to be sent to the robot.
+    const agent::SetPins& all() const { return pins_; }
+    bool empty() const { return pins_.empty(); }
+
+    /// Removes the pin of this sense or act; returns false if it has none.
+    bool release(const PlanSpot& spot);
+    void pinAct(std::string_view call, posh::ActResult result);
+    void pinSense(std::string_view call, const posh::Value& answer);
+    /// Switches the drive off, or on again.
+    void toggleDrive(const PlanSpot& spot);
+
+private:
+    agent::SetPins pins_;
+};
 
 } // namespace usar::widgets

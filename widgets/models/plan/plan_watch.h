@@ -12,7 +12,6 @@
 #include "core/posh/language/plan_reader.h"
 #include "core/posh/trace/run_history.h"
 #include "widgets/models/plan/plan_activity.h"
-#include "widgets/models/plan/plan_time.h"
 
 namespace usar::widgets {
 

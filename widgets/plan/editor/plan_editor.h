@@ -8,14 +8,13 @@
 #include <QTimer>
 
 #include "widgets/models/plan/plan_checker.h"
-#include "widgets/plan/editor/plan_drawing_pane.h"
+#include "widgets/plan/editor/plan_code_edit.h"
 #include "widgets/plan/editor/plan_editor_head.h"
 #include "widgets/plan/editor/plan_file.h"
 #include "widgets/plan/editor/plan_lists.h"
-#include "widgets/plan/editor/plan_offer_bar.h"
 #include "widgets/plan/editor/plan_palette.h"
 #include "widgets/plan/editor/plan_part_commands.h"
-#include "widgets/plan/editor/plan_text_pane.h"
+#include "widgets/plan/editor/plan_part_editor.h"
 
 namespace usar::widgets {
 

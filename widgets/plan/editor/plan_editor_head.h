@@ -2,7 +2,10 @@
 // "Put into the robot" at the right.
 #pragma once
 
+#include <functional>
+
 #include <QBoxLayout>
+#include <QFrame>
 #include <QLabel>
 #include <QPushButton>
 #include <QToolButton>
@@ -66,6 +69,22 @@ private:
     bool applicable_ = false;
     bool runnable_ = false;
     QString why_not_applicable_;
+};
+
+/// Bar for a question that needs no immediate answer. Stays visible until the question is answered; hidden at first.
+/// GUI thread.
+class PlanOfferBar : public QFrame {
+    Q_OBJECT
+public:
+    explicit PlanOfferBar(QWidget* parent = nullptr);
+
+    /// Asks a question in place of the last one; calls `run` if the user accepts.
+    void offer(const QString& words, const QString& accept, std::function<void()> run);
+
+private:
+    QLabel* words_;
+    QToolButton* accept_;
+    std::function<void()> run_;
 };
 
 } // namespace usar::widgets

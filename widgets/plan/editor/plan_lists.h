@@ -10,7 +10,7 @@
 #include "core/posh/edit/plan_difference.h"
 #include "core/posh/language/plan_export.h"
 #include "core/posh/model/finding.h"
-#include "widgets/models/plan/plan_notes.h"
+#include "widgets/models/plan/plan_places.h"
 
 namespace usar::widgets {
 

@@ -6,10 +6,13 @@
 #include <string>
 #include <vector>
 
+#include <QLabel>
 #include <QObject>
+#include <QWidget>
 
 #include "core/agent/posh/posh_primitive.h"
 #include "core/posh/edit/plan_edits.h"
+#include "widgets/models/plan/plan_checker.h"
 #include "widgets/plan/editor/plan_canvas.h"
 #include "widgets/plan/editor/plan_code_edit.h"
 
@@ -86,6 +89,25 @@ private:
     std::optional<PlanGestures> gestures_;     ///< gestures for the drawn plan; nullopt if it cannot be edited
     std::optional<posh::PlanPart> swap_first_; ///< first part to swap; valid while the drawn text is swap_text_
     std::string swap_text_;
+};
+
+/// The drawing below a line that says whether it is out of date. GUI thread.
+class PlanDrawingPane : public QWidget {
+    Q_OBJECT
+public:
+    /// `text` must outlive it; `editor` is its parent and that of dialogs.
+    PlanDrawingPane(const PlanCodeEdit& text, QWidget* editor);
+
+    PlanCanvas& canvas() { return *canvas_; }
+    PlanPartEditor& parts() { return *parts_; }
+    /// Draws the plan that was read from the current text. If the text cannot be read, the last readable plan stays,
+    /// because a missing parenthesis would remove half of the drawing. Returns false if the drawing stays.
+    bool draw(const PlanChecker& checked);
+
+private:
+    QLabel* stale_;
+    PlanCanvas* canvas_;
+    PlanPartEditor* parts_;
 };
 
 } // namespace usar::widgets
