@@ -19,6 +19,15 @@ using namespace usar;
 using namespace usar::agent;
 using protocol::VehicleKind;
 
+namespace {
+
+/// As a behavior gives it; its host adds the id.
+by::Source stateOf(const char* state) {
+    return by::Behavior{{}, state};
+}
+
+} // namespace
+
 class tst_BehaviorOutput : public QObject {
     Q_OBJECT
 private slots:
@@ -30,10 +39,10 @@ private slots:
         port.send(protocol::SkidDrive{5.0, 6.0}, "second");
         port.setTrigger({8});
         port.send(protocol::RawCommand{"PING"}, "third");
-        const std::vector<CausedCommand> expected{{protocol::SkidDrive{1.0, 2.0}, {"before any line", {}}},
-                                                  {protocol::SkidDrive{3.0, 4.0}, {"first", {7}}},
-                                                  {protocol::SkidDrive{5.0, 6.0}, {"second", {7}}},
-                                                  {protocol::RawCommand{"PING"}, {"third", {8}}}};
+        const std::vector<CausedCommand> expected{{protocol::SkidDrive{1.0, 2.0}, {stateOf("before any line"), {}}},
+                                                  {protocol::SkidDrive{3.0, 4.0}, {stateOf("first"), {7}}},
+                                                  {protocol::SkidDrive{5.0, 6.0}, {stateOf("second"), {7}}},
+                                                  {protocol::RawCommand{"PING"}, {stateOf("third"), {8}}}};
         QVERIFY(port.takeCommands() == expected);
         QVERIFY(port.takeCommands().empty());
         port.send(protocol::RawCommand{"PONG"}, "later"); // the trigger stays

@@ -209,11 +209,7 @@ void tst_IsolatedBehavior::whatCannotBeStartedSaysWhy() {
     QFETCH(QString, host);
     QFETCH(QString, id);
     QFETCH(QString, words);
-    IsolatedBehavior behavior(host, {.plugin_file = plugin.toStdString(),
-                                     .behavior_id = id.toStdString(),
-                                     .task = {},
-                                     .parameters = {},
-                                     .plan = {}});
+    IsolatedBehavior behavior(host, {plugin.toStdString(), {id.toStdString(), {}, {}, /*plan=*/{}}});
     const auto output = withItsEnd(behavior, behavior.begin());
     QVERIFY2(reasonOf(output).contains(words), qPrintable(reasonOf(output)));
     QVERIFY(behavior.finished());

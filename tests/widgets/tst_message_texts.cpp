@@ -23,12 +23,12 @@ namespace {
 
 const Seconds unknown_time{std::numeric_limits<double>::quiet_NaN()};
 
-MessageRow infoRow(std::uint64_t number, const std::string& text, int connection = 0) {
+MessageRow infoRow(std::uint64_t number, const std::string& text, ConnectionId connection = {}) {
     return {.number = number, .time = Seconds(12.25), .type = typeOf(text), .text = text, .connection = connection};
 }
 
-MessageRow commandRow(std::uint64_t trigger, int connection = 0) {
-    MessageRow row = rowOf("DRIVE {Left 1.0} {Right 1.0}", {"airrobot/posh", {trigger}}, 3, Seconds(13.0));
+MessageRow commandRow(std::uint64_t trigger, ConnectionId connection = {}) {
+    MessageRow row = rowOf("DRIVE {Left 1.0} {Right 1.0}", {by::readSource("airrobot/posh"), {trigger}}, 3, Seconds(13.0));
     row.connection = connection;
     return row;
 }
@@ -236,12 +236,12 @@ void tst_MessageTexts::wordsAreSearchedWhereTheyMayBe() {
 
 void tst_MessageTexts::gapsPassEveryFilterButTheConnections() {
     MessageRow gap = gapOf(3);
-    gap.connection = 2;
+    gap.connection = {2};
     QVERIFY(MessageSieve({.words = "sonar"}).passes(gap));
     QVERIFY(MessageSieve({.direction = Direction::Out, .name = "F1", .only_trouble = true}).passes(gap));
     QVERIFY(MessageSieve({.types = {.types = {}, .only_these = true}}).passes(gap));
-    QVERIFY(MessageSieve({.connection = 2}).passes(gap));
-    QVERIFY(!MessageSieve({.connection = 1}).passes(gap));
+    QVERIFY(MessageSieve({.connection = ConnectionId{2}}).passes(gap));
+    QVERIFY(!MessageSieve({.connection = ConnectionId{1}}).passes(gap));
 }
 
 void tst_MessageTexts::choiceOfTypesListsOrHides_data() {
@@ -292,18 +292,18 @@ void tst_MessageTexts::historyWithoutAWalkHasNothingNewer() {
 void tst_MessageTexts::modelKnowsConnectionsAndSerials() {
     MessageModel model(nullptr, 3);
     QSignalSpy changed(&model, &QAbstractItemModel::dataChanged);
-    model.nameConnection(1, "R1");
+    model.nameConnection({1}, "R1");
     QCOMPARE(changed.count(), 0); // There is no row to change.
-    model.append({infoRow(1, "STA {Time 1}", 1), infoRow(2, "STA {Time 2}", 2), infoRow(3, "STA {Time 3}", 1),
-                  infoRow(4, "STA {Time 4}", 1)});
+    model.append({infoRow(1, "STA {Time 1}", {1}), infoRow(2, "STA {Time 2}", {2}), infoRow(3, "STA {Time 3}", {1}),
+                  infoRow(4, "STA {Time 4}", {1})});
     QCOMPARE(model.total(), 3);
-    QCOMPARE(model.totalOf(1), 2);
-    QCOMPARE(model.totalOf(2), 1);
-    QCOMPARE(model.totalOf(9), 0);
-    QCOMPARE(model.connectionName(1), QStringLiteral("R1"));
-    QVERIFY(model.connectionName(2).isEmpty());
-    model.nameConnection(2, "R2");
-    model.nameConnection(2, "R2");
+    QCOMPARE(model.totalOf({1}), 2);
+    QCOMPARE(model.totalOf({2}), 1);
+    QCOMPARE(model.totalOf({9}), 0);
+    QCOMPARE(model.connectionName({1}), QStringLiteral("R1"));
+    QVERIFY(model.connectionName({2}).isEmpty());
+    model.nameConnection({2}, "R2");
+    model.nameConnection({2}, "R2");
     QCOMPARE(changed.count(), 1);
     for (int row = 0; row < model.rowCount(); ++row) {
         QCOMPARE(model.shownRow(model.serial(row)), row);
@@ -311,17 +311,17 @@ void tst_MessageTexts::modelKnowsConnectionsAndSerials() {
     }
     QCOMPARE(model.shownRow(1'000'000), -1);
     QVERIFY(!model.find(1'000'000));
-    QVERIFY(!model.serialOf(1, Direction::In, 1)); // It has fallen out of the ring.
-    QVERIFY(model.serialOf(1, Direction::In, 4));
-    QVERIFY(!model.serialOf(2, Direction::In, 4));
-    QVERIFY(!model.serialOf(1, Direction::Out, 4));
+    QVERIFY(!model.serialOf({1}, Direction::In, 1)); // It has fallen out of the ring.
+    QVERIFY(model.serialOf({1}, Direction::In, 4));
+    QVERIFY(!model.serialOf({2}, Direction::In, 4));
+    QVERIFY(!model.serialOf({1}, Direction::Out, 4));
 }
 
 void tst_MessageTexts::causesStayOnTheirConnection() {
     MessageModel model;
-    std::vector<MessageRow> rows{infoRow(41, "STA {Time 1}", 1), commandRow(41, 2), commandRow(40, 1)};
+    std::vector<MessageRow> rows{infoRow(41, "STA {Time 1}", {1}), commandRow(41, {2}), commandRow(40, {1})};
     for (int i = 0; i < 7; ++i)
-        rows.push_back(commandRow(41, 1));
+        rows.push_back(commandRow(41, {1}));
     model.append(rows);
     const std::vector<std::uint64_t> caused = model.causedBy(model.serial(0));
     QCOMPARE(caused.size(), 5u); // At most five are named.
@@ -344,8 +344,8 @@ void tst_MessageTexts::savesColumnsOrJson() {
     QFETCH(bool, json);
     const QTemporaryDir folder;
     MessageModel model;
-    model.nameConnection(1, "R1");
-    model.append({infoRow(7, "STA {Time 12.25}", 1), gapOf(2), commandRow(7, 1)});
+    model.nameConnection({1}, "R1");
+    model.append({infoRow(7, "STA {Time 12.25}", {1}), gapOf(2), commandRow(7, {1})});
     MessageSaver saver(model);
     QSignalSpy saved(&saver, &MessageSaver::saved);
     saver.save(folder.filePath(name));

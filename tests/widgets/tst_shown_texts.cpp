@@ -21,7 +21,8 @@ namespace {
 
 RobotRow airRobot() {
     RobotRow row;
-    row.id = row.number = 2;
+    row.id = {2};
+    row.number = 2;
     row.name = "R2";
     row.class_name = "AirRobot";
     row.state = "idle";

@@ -183,10 +183,10 @@ void tst_WidgetParts::randomChangesOfRobotsAreInOrder() {
     RobotListModel model;
     QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
     std::mt19937 random(5);
-    std::map<int, RobotRow> expected; // by id
+    std::map<RobotId, RobotRow> expected;
     for (int round = 0; round < 500; ++round) {
         RobotRow row;
-        row.id = 1 + static_cast<int>(random() % 8);
+        row.id = {1 + static_cast<int>(random() % 8)};
         row.number = 1 + static_cast<int>(random() % 4);
         row.state = QString::number(random() % 3);
         if (random() % 4 == 0) {
@@ -205,7 +205,7 @@ void tst_WidgetParts::randomChangesOfRobotsAreInOrder() {
                 QVERIFY(std::pair(model.row(at - 1).number, model.row(at - 1).id) < std::pair(shown.number, shown.id));
         }
     }
-    QVERIFY(!model.indexOf(99));
+    QVERIFY(!model.indexOf({99}));
 }
 
 USAR_TEST(tst_WidgetParts)
