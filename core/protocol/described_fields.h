@@ -14,10 +14,13 @@ namespace usar::protocol {
 /// Adds one member of a message to `fields` under the name `field`. Absent optionals and empty texts add nothing.
 struct ValueLister {
     FieldList& fields;
+    /// Views of the message's description, which is constant.
     std::string_view field;
     std::string_view unit;
+    /// True if a vector holds roll, pitch and yaw, whose parts have names of their own.
     bool is_angles;
 
+    /// Numbers are listed in the unit of the message struct, not of the wire.
     void operator()(double value) const { fields.number(field, value, unit); }
     void operator()(long long value) const { fields.number(field, static_cast<double>(value), unit); }
     void operator()(bool value) const { fields.flag(field, value); }
@@ -36,6 +39,7 @@ struct ValueLister {
     }
     void operator()(const std::vector<double>& values) const { fields.values(field, values, unit); }
     template <class T>
+    /// An absent value has no entry, as opposed to 0.
     void operator()(const std::optional<T>& value) const {
         if (value)
             (*this)(*value);

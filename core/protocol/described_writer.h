@@ -21,15 +21,19 @@ struct ValueWriter {
     Crossing crossing;
     Decimals decimals;
 
+    /// A turn changes its sign on the way to the wire; other numbers do not.
     void operator()(double value) const {
         line.number(crossing == Crossing::Turn ? acrossWire(value) : value, decimals);
     }
     void operator()(long long value) const { line.whole(value); }
+    /// Unreal's spelling of a bool.
     void operator()(bool value) const { line.text(value ? "True" : "False"); }
     /// The key alone states it.
     void operator()(Present) const {}
     void operator()(const std::string& value) const { line.text(value); }
+    /// Seconds with a fraction.
     void operator()(Seconds value) const { line.number(value.count(), decimals); }
+    /// Angles and vectors have different signs on the wire; values that do not cross are written as they are.
     void operator()(const Vec3& value) const {
         if (crossing == Crossing::Angles)
             line.numbers(anglesOf(acrossWire(Pose{Vec3::Zero(), value.x(), value.y(), value.z()})), decimals);

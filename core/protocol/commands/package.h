@@ -16,6 +16,7 @@ template <>
 inline constexpr std::array wire_words<LinkOrder> = {WireWord{"0", LinkOrder::Angle}, WireWord{"1", LinkOrder::Speed},
                                                      WireWord{"2", LinkOrder::Torque}};
 
+/// Both spellings are read; MISPKG is the one that is written.
 inline constexpr CommandWord package_word{.word = "MISPKG",
                                           .help = "moves a mission package, such as a camera's pan and tilt",
                                           .example = "MISPKG {Name CameraPanTilt} {Link 1} {Value 0.5} {Link 2} "

@@ -26,9 +26,11 @@ inline constexpr bool is_required = std::is_same_v<Member, double> || std::is_sa
 /// a required one is missing or damaged, the line stays generic.
 struct ItemsFound {
     bool any = false;
+    /// An item is on the line, but its value cannot be read; an error has been reported.
     bool damaged = false;
     std::string_view missing{}; ///< key of a required item that is not on the line; empty if there is none
 
+    /// True if the struct is complete enough to be passed on.
     bool usable() const { return any && !damaged && missing.empty(); }
 };
 
