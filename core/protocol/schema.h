@@ -36,6 +36,7 @@ struct Item {
 };
 
 template <class Owner, class Member>
+/// Describes one value; without a unit it has none, and without a crossing it is the same on the wire and here.
 constexpr Item<Owner, Member> item(std::string_view key, Member Owner::*member, std::string_view field,
                                    std::string_view unit = {}, Crossing crossing = Crossing::None,
                                    Decimals decimals = Decimals::FourCut, std::string_view other_key = {}) {
@@ -51,6 +52,7 @@ struct PoseItem {
 };
 
 template <class Owner>
+/// Describes a pose; it has no key of its own.
 constexpr PoseItem<Owner> pose(Pose Owner::*member, bool angles_positive = false) {
     return {member, angles_positive};
 }
@@ -66,6 +68,7 @@ struct Groups {
 };
 
 template <class Owner, class Element>
+/// Describes the groups of a message; `member` holds one element for each group, in wire order.
 constexpr Groups<Owner, Element> groups(std::string_view opening_key, std::vector<Element> Owner::*member,
                                         std::string_view other_key = {}) {
     return {opening_key, member, other_key};

@@ -47,7 +47,7 @@ struct AerialDrive {
 struct NauticDrive {
     /// Percent of the maximum if `normalized` is set.
     std::optional<double> propeller_rad_s{};
-    /// Angles are never scaled by `normalized`.
+    /// The embedded simulator takes angles for percent, too, if `normalized` is set.
     std::optional<double> rudder_rad{};
     std::optional<double> stern_plane_rad{};
     bool normalized = false;

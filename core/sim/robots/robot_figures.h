@@ -10,6 +10,7 @@
 
 namespace usar::sim {
 
+/// Counts collisions from touches at single steps.
 class CollisionCounter {
 public:
     /// Touches no more than this apart are one collision.
@@ -35,6 +36,7 @@ class StayWatch {
 public:
     static constexpr double place_radius_m = 1.0;
 
+    /// Begins the first stay at this position, in the map frame.
     explicit StayWatch(const Vec3& position_m) : place_m_(position_m) {}
 
     /// Takes the position after another `dt`.
@@ -46,6 +48,7 @@ public:
         }
         longest_ = std::max(longest_, stay_);
     }
+    /// Includes the stay that is not over yet.
     Seconds longest() const { return longest_; }
 
 private:
@@ -111,6 +114,7 @@ struct HeightFigures {
 /// Collects heights, one per tick.
 class HeightWatch {
 public:
+    /// Takes one height in meters; mean and spread follow without storing the heights (Welford's method).
     void step(double height_m) {
         least_m_ = count_ == 0 ? height_m : std::min(least_m_, height_m);
         ++count_;
@@ -136,6 +140,7 @@ private:
 struct RobotFigures {
     Pose base_in_map;
     Vec3 velocity_in_map_m_s = Vec3::Zero();
+    /// The robot no longer obeys commands.
     bool broken = false;
     int collisions = 0;
     double distance_m = 0.0;               ///< length of the path it actually traveled
