@@ -35,8 +35,8 @@ public:
 
     /// An act that is done in one call: `code(Body&, const PoshArguments&)` or `code(Body&)`. It returns an ActResult;
     /// a result of true or void means RunningOnce, false means Failed.
-    template <class Code>
     /// Each call of the act in a plan has a copy of `code` with a state of its own.
+    template <class Code>
     PoshRegistry::Entry act(std::string name, Code code) {
         PoshPrimitive primitive = named(std::move(name), PrimitiveKind::Act);
         primitive.make_act = [code = std::move(code)] { return std::make_unique<ActOf<Code>>(code); };
@@ -45,15 +45,15 @@ public:
 
     /// An act of class `Act`, which has `ActResult run(Body&, const PoshArguments&)` and, optionally, `init` with the
     /// same parameters and `done` with an additional DoneReason.
-    template <std::default_initializable Act>
     /// `Act` must be copyable: each call of the act in a plan gets a copy of its own.
+    template <std::default_initializable Act>
     PoshRegistry::Entry act(std::string name) {
         return act(std::move(name), Act());
     }
 
 private:
-    template <class Function, class AnyBody>
     /// Calls with the arguments if the function takes them, and otherwise with the body alone.
+    template <class Function, class AnyBody>
     static auto call(Function& function, AnyBody& body, const PoshArguments& arguments) {
         if constexpr (std::is_invocable_v<Function&, AnyBody&, const PoshArguments&>)
             return function(body, arguments);
@@ -61,8 +61,8 @@ private:
             return function(body);
     }
 
-    template <class Answer>
     /// The type of a sense's answer follows from the return type; anything unusual is Any and must be a Value.
+    template <class Answer>
     static constexpr AnswerType answerType() {
         if constexpr (std::is_same_v<Answer, bool>)
             return AnswerType::Boolean;
@@ -123,8 +123,8 @@ private:
 };
 
 /// The senses and acts that these functions add.
-template <class Body>
 /// The functions are called in order, once each; the registry is complete on return.
+template <class Body>
 PoshRegistry registryOf(std::initializer_list<void (*)(PoshPrimitives<Body>&)> adders) {
     PoshRegistry registry;
     PoshPrimitives<Body> primitives(registry);

@@ -89,8 +89,8 @@ public:
     const auto& of() const {
         return static_cast<const SensorStore<Content, Sensor>&>(*this).places;
     }
-    template <class Sensor>
     /// The same for changes, for the owner of the store.
+    template <class Sensor>
     auto& of() {
         return static_cast<SensorStore<Content, Sensor>&>(*this).places;
     }

@@ -24,11 +24,13 @@ struct ValueLister {
     void operator()(double value) const { fields.number(field, value, unit); }
     void operator()(long long value) const { fields.number(field, static_cast<double>(value), unit); }
     void operator()(bool value) const { fields.flag(field, value); }
+    /// A word without a value is listed as a flag, even if it is absent.
     void operator()(Present value) const { fields.flag(field, value == Present::Yes); }
     void operator()(const std::string& value) const {
         if (!value.empty())
             fields.text(field, value);
     }
+    /// Listed as a number of seconds.
     void operator()(Seconds value) const { fields.number(field, value.count(), unit); }
     void operator()(const Vec3& value) const { fields.vector(field, value, unit, is_angles); }
     /// Lists x, y and yaw only, because only ground robots send a pose in a single segment.
@@ -38,8 +40,8 @@ struct ValueLister {
         fields.number("yaw", value.yaw_rad, "rad");
     }
     void operator()(const std::vector<double>& values) const { fields.values(field, values, unit); }
-    template <class T>
     /// An absent value has no entry, as opposed to 0.
+    template <class T>
     void operator()(const std::optional<T>& value) const {
         if (value)
             (*this)(*value);
@@ -47,6 +49,7 @@ struct ValueLister {
 };
 
 /// Adds one item under the name and unit in its description.
+/// The entry's source and item are those that `fields` has at the time.
 template <class Owner, class Member>
 void listItem(FieldList& fields, const Owner& owner, const Item<Owner, Member>& item) {
     ValueLister{fields, item.field, item.unit, item.crossing == Crossing::Angles}(owner.*item.member);

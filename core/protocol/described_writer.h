@@ -16,6 +16,7 @@ inline Vec3 positiveAnglesOf(const Pose& pose) {
 }
 
 /// Appends the value of one segment to `line`, converted from our frame to the wire's. Optionals must hold a value.
+/// The writer refers to the line and is made for one value.
 struct ValueWriter {
     LineWriter& line;
     Crossing crossing;
@@ -25,6 +26,7 @@ struct ValueWriter {
     void operator()(double value) const {
         line.number(crossing == Crossing::Turn ? acrossWire(value) : value, decimals);
     }
+    /// A whole number has no decimals, whatever `decimals` says.
     void operator()(long long value) const { line.whole(value); }
     /// Unreal's spelling of a bool.
     void operator()(bool value) const { line.text(value ? "True" : "False"); }
@@ -90,6 +92,7 @@ void writeItem(LineWriter& line, const Owner& owner, const PoseItem<Owner>& item
 }
 
 /// Writes all items of one message or group, without its groups.
+/// The order is that of the struct's description.
 template <class Owner>
 void writeItems(LineWriter& line, const Owner& owner, bool in_segment = false) {
     forEachItem<Owner>([&](const auto& item) { writeItem(line, owner, item, in_segment); });

@@ -35,8 +35,8 @@ struct Item {
     std::string_view other_key{};
 };
 
-template <class Owner, class Member>
 /// Describes one value; without a unit it has none, and without a crossing it is the same on the wire and here.
+template <class Owner, class Member>
 constexpr Item<Owner, Member> item(std::string_view key, Member Owner::*member, std::string_view field,
                                    std::string_view unit = {}, Crossing crossing = Crossing::None,
                                    Decimals decimals = Decimals::FourCut, std::string_view other_key = {}) {
@@ -51,8 +51,8 @@ struct PoseItem {
     bool angles_positive = false;
 };
 
-template <class Owner>
 /// Describes a pose; it has no key of its own.
+template <class Owner>
 constexpr PoseItem<Owner> pose(Pose Owner::*member, bool angles_positive = false) {
     return {member, angles_positive};
 }
@@ -67,8 +67,8 @@ struct Groups {
     std::string_view other_key{};
 };
 
-template <class Owner, class Element>
 /// Describes the groups of a message; `member` holds one element for each group, in wire order.
+template <class Owner, class Element>
 constexpr Groups<Owner, Element> groups(std::string_view opening_key, std::vector<Element> Owner::*member,
                                         std::string_view other_key = {}) {
     return {opening_key, member, other_key};

@@ -33,8 +33,11 @@ struct RobotSession::Private : SpawnOwner, HelmOwner, ReplayStage {
     void connectionLost();
     /// Takes one line without its line end, live or replayed.
     void takeLine(std::string_view text);
+    /// Called regularly while connected, to notice silence and overdue answers.
     void watch();
+    /// The figures of the next update.
     SessionFigures figures() const;
+    /// Status of the replay's link in a replay, of the live one otherwise.
     const link::LinkStatus& linkStatus() const { return replay.on() ? replay.linkStatus() : link.status(); }
     /// True in a replay, in which nothing can be sent; reports that once.
     bool refusedInReplay();
@@ -68,6 +71,7 @@ struct RobotSession::Private : SpawnOwner, HelmOwner, ReplayStage {
     void replayConnected() override { beginConnection(); }
     void replayClosed(bool lost) override;
     void replayLine(std::string_view text, LineNumber number) override;
+    /// Dialect in which replayed commands are read.
     protocol::Dialect replaySpelling() const override { return helm.spelling(); }
     void replayCommand(const agent::CausedCommand& command, std::string text, LineNumber after) override;
     void replayPublished(const agent::Published& value) override { takePublished({value}); }

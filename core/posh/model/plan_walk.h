@@ -9,8 +9,8 @@ namespace usar::posh {
 
 /// Returns what `get(form)` points to for the kinds of forms that have it, otherwise nullptr. `get` names one member:
 /// `[](auto& form) -> decltype(&form.goal) { return &form.goal; }`.
-template <class Field, class AnyForm, class Get>
 /// The pointer is valid as long as the form is and its kind stays the same.
+template <class Field, class AnyForm, class Get>
 Field* fieldOf(AnyForm& form, Get get) {
     return std::visit(
         [&get](auto& any) -> Field* {
@@ -23,8 +23,8 @@ Field* fieldOf(AnyForm& form, Get get) {
 
 /// Calls `visit(call, is_sense)` for each call of a form: the senses of goals, triggers and steps, and the actions of
 /// drives, elements, steps and adopts. `AnyForm` may be const; the calls are then const, too.
-template <class AnyForm, class Visit>
 /// Within a member the trigger comes before the action.
+template <class AnyForm, class Visit>
 void forEachCall(AnyForm& form, Visit&& visit) {
     const auto visitSenses = [&visit](auto& senses) {
         for (auto& test : senses)
@@ -58,8 +58,8 @@ void forEachCall(AnyForm& form, Visit&& visit) {
 
 /// Calls `visit` with the Remarks of the plan, its documentation, and each form and member. `AnyPlan` may be const; the
 /// remarks are then const, too.
-template <class AnyPlan, class Visit>
 /// Members come right after their form.
+template <class AnyPlan, class Visit>
 void forEachRemarks(AnyPlan& plan, Visit&& visit) {
     visit(plan.remarks);
     if (plan.documentation)

@@ -64,8 +64,8 @@ private:
         /// The other members count only if this is true.
         bool engaged = false;
     };
-    template <class Condition>
     /// Ends the engagements for which the condition holds; its cost grows with the number of engagements.
+    template <class Condition>
     void endWhere(Condition&& condition) {
         std::erase_if(engaged_, [&](Index form) {
             if (!condition(form))

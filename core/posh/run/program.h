@@ -121,6 +121,7 @@ struct Program {
 std::string pathOf(const Program& program, Index place);
 /// Returns the same path as names for display: "robot ▸ work ▸ pick-up ▸ grab ▸ close-gripper".
 std::string namePathOf(const Program& program, Index place);
+/// Returns the name of a place as the plan spells it.
 const std::string& nameOf(const Program& program, Index place);
 /// Returns the call of a sense or act as traces print it; empty for other places.
 const std::string& callTextAt(const Program& program, Index place);

@@ -85,8 +85,8 @@ struct MultiDrive {
 
 /// The quantity that a SET of a joint changes. UDK knows only Angle and Stiffness.
 enum class JointOpcode { Angle, Speed, Torque, RelativeAngle, RelativeSpeed, RelativeTorque, Stiffness };
-template <>
 /// Servers also accept the numbers and Target; the first word for each quantity is the one that is written.
+template <>
 inline constexpr std::array wire_words<JointOpcode> = {WireWord{"Angle", JointOpcode::Angle},
                                                        WireWord{"Target", JointOpcode::Angle},
                                                        WireWord{"Velocity", JointOpcode::Speed},

@@ -65,8 +65,8 @@ public:
     /// Refuses the line if the value is missing or not a boolean.
     void neededFlag(const Key& key, bool& value);
 
-    template <TextRule rule>
     /// Removes characters that the rule forbids, with a warning. Refuses the line if a Token is empty.
+    template <TextRule rule>
     void text(const Key& key, CheckedText<rule>& value) {
         takeText(key, segments().value(key), value);
     }
@@ -136,8 +136,8 @@ public:
 private:
     /// The segment with this key, or nullptr; within a group only the segment at hand is considered.
     const Segment* find(std::string_view key);
-    template <class Value>
     /// Refuses the line for a missing value, except within a group, where each segment is offered by itself.
+    template <class Value>
     void take(const Key& key, const std::optional<Value>& read, Value& value) {
         if (read)
             value = *read;

@@ -72,8 +72,8 @@ public:
         if (!value.empty())
             mark(key, value);
     }
-    template <class Value>
     /// Writes the first word in the enumeration's table that stands for the value.
+    template <class Value>
     void choice(const Key& key, const std::optional<Value>& value) {
         if (value)
             choice(key, *value);

@@ -52,8 +52,8 @@ public:
     void digit(const Key& key, const auto&) { add(key, ValueForm::Number, texts("0", "1")); }
     /// Any text; the words of the key are suggestions only.
     void text(const Key& key, const auto&) { add(key, ValueForm::Text, key.words); }
-    template <class Value>
     /// One word of the enumeration's table.
+    template <class Value>
     void choice(const Key& key, const Value&) {
         addWords(key, wire_words<Value>);
     }
@@ -91,8 +91,8 @@ public:
     }
     void valueAndSteer(const Key& key, const auto&, const auto&) { add(key, ValueForm::Numbers); }
     void tagAndText(const Key& key, const auto&, const auto&) { add(key, ValueForm::Text); }
-    template <class Element>
     /// Lists the segments of one element and marks them as repeatable; a line may have any number of elements.
+    template <class Element>
     void groups(const Key&, const std::vector<Element>&) {
         const std::size_t before = segments.size();
         const Element any;

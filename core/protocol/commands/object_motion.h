@@ -79,6 +79,7 @@ struct AddWaypoints {
     }
 };
 /// ClearWP: removes the path of an object.
+/// Whether the object then returns to its place is up to SetWP's ResetOnClear.
 /// On the wire: `CONTROL {Type ClearWP} {Name B1}`.
 struct ClearWaypoints {
     Token object_name;

@@ -63,8 +63,8 @@ template <>
 inline constexpr std::array wire_words<GripperAction> = {
     WireWord{"OPEN", GripperAction::Open}, WireWord{"CLOSE", GripperAction::Close},
     WireWord{"GRIP", GripperAction::Grip}, WireWord{"GRIP", GripperAction::LetGo}};
-/// On the wire: `SET {Type Gripper} {Name G1} {Opcode GRIP} {Params 1}`.
 /// OPEN and CLOSE have no parameters. An empty name lets the line go out without Name.
+/// On the wire: `SET {Type Gripper} {Name G1} {Opcode GRIP} {Params 1}`.
 struct UseGripper {
     GripperAction action = GripperAction::Open;
     Name gripper_name{};
@@ -89,8 +89,8 @@ struct UseGripper {
                 set.action = GripperAction::LetGo;
     }
 };
-/// On the wire: `SET {Type ToolChanger} {Name TC1} {Opcode OPEN}`.
 /// Opens or closes a tool changer (UDK).
+/// On the wire: `SET {Type ToolChanger} {Name TC1} {Opcode OPEN}`.
 struct UseToolChanger {
     bool open = true;
     Name changer_name{};

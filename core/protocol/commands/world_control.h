@@ -21,6 +21,7 @@ inline constexpr std::array wire_words<ObjectPhysics> = {WireWord{"None", Object
 inline constexpr CommandWord control_word{"CONTROL",
                                           "makes, moves and removes objects, on a world controller's connection",
                                           "CONTROL {Type Kill} {Name Box1}"};
+/// What a CONTROL does is its Type, which is a mark.
 inline constexpr Key control_type{"Type", "what to do with the object"};
 inline constexpr Key object_key{"Name", "the object"};
 inline constexpr Key object_class{"ClassName", "its class"};
@@ -59,8 +60,8 @@ struct CreateObject {
     }
 };
 
-/// On the wire: `CONTROL {Type Kill} {Name B1}`.
 /// Kill: removes one object by its name.
+/// On the wire: `CONTROL {Type Kill} {Name B1}`.
 struct KillObject {
     Token object_name;
     bool operator==(const KillObject&) const = default;

@@ -50,6 +50,7 @@ void readItem(LineReading& line, Pairs pairs, Owner& owner, const Item<Owner, Me
 }
 
 /// Reads a pose, which is damaged if only one of its two segments is there.
+/// Rotation is another spelling of Orientation. A pose that cannot be read becomes the zero pose.
 template <class Owner>
 void readItem(LineReading& line, Pairs pairs, Owner& owner, const PoseItem<Owner>& item, ItemsFound& found) {
     const KeyedText* const location = findPair(pairs, "Location");
@@ -70,6 +71,7 @@ void readItem(LineReading& line, Pairs pairs, Owner& owner, const PoseItem<Owner
 }
 
 /// Reads all items of one struct. Reports an error if only some of the required ones are there.
+/// Segments that no item describes are ignored here.
 template <class Owner>
 ItemsFound readItems(LineReading& line, Pairs pairs, Owner& owner) {
     ItemsFound found;

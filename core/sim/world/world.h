@@ -30,6 +30,7 @@ struct Plant {
 /// A solid box that never moves: a house, wall, shelf or ceiling.
 struct Box {
     Pose center_in_map;
+    /// Full extent along each axis of the box.
     Vec3 size_m = Vec3::Zero();
     bool operator==(const Box&) const = default;
 };
