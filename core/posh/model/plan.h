@@ -80,7 +80,6 @@ struct Adopt {
     Name name{};
     std::vector<Formal> formals{};
     Senses goal{};
-    /// Call of what is repeated.
     Call adopted{};
     Remarks remarks{};
     Spot at{};

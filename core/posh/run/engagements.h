@@ -58,6 +58,7 @@ public:
     std::uint64_t& starts(Index element) { return starts_[element]; }
 
 private:
+    /// The engagement of one competence.
     struct State {
         Milliseconds begin{0};
         std::uint64_t visited = 0; ///< number of the last cycle that visited it

@@ -40,7 +40,6 @@ public:
         if (const Segment* const segment = find(key))
             value = meaningOf(*segment, table);
     }
-    /// Skips a segment that has no meaning for us.
     void ignored(const Key&) {}
 
     /// Reads a number; leaves an optional unchanged if there is no such segment. Angles sent in degrees become radians,
@@ -65,7 +64,6 @@ public:
     /// Refuses the line if the value is missing or not a boolean.
     void neededFlag(const Key& key, bool& value);
 
-    /// Removes characters that the rule forbids, with a warning. Refuses the line if a Token is empty.
     template <TextRule rule>
     void text(const Key& key, CheckedText<rule>& value) {
         takeText(key, segments().value(key), value);
@@ -91,19 +89,16 @@ public:
     void start(const Key& key, std::variant<Pose, Token>& start, std::optional<Pose>* fallback = nullptr);
     /// Refuses the line unless there are exactly six numbers.
     void sixNumbers(const Key& key, Pose& pose);
-    /// Prefers the path node if both are there; refuses the line if neither is.
     void goal(const Key& point_key, const Key& node_key, std::variant<Vec2, Token>& goal);
     /// Reads points separated by semicolons; refuses the line unless each has exactly three numbers. A missing list is
     /// empty.
     void points(const Key& key, std::vector<Vec3>& points);
     /// Refuses the line if only one of the corners is there.
     void box(const Key& min_key, const Key& max_key, std::optional<Box>& box);
-    /// Prefers the speed if both are there; refuses the line if neither is.
     void pace(const Key& speed_key, const Key& time_key, std::variant<WaypointSpeed, Seconds>& pace);
     /// Reads one number, or, if there is a comma, a number and a steering angle, which is clockwise positive on the
     /// wire.
     void valueAndSteer(const Key& key, double& value, std::optional<double>& steer_rad);
-    /// Reads the first word as the tag and the rest, without outer blanks, as the text.
     void tagAndText(const Key& key, Token& tag, Text& text);
 
     /// Reads elements that each begin with a segment `first`. The segments after it apply to that element, and the last
@@ -144,7 +139,6 @@ private:
         else if (!only_)
             refuseWithout(key);
     }
-    /// Absent if neither Location nor Rotation is there; a missing one of them counts as 0,0,0.
     std::optional<Pose> poseOnLine();
 
     Dialect dialect_;

@@ -13,14 +13,12 @@ namespace usar::sim {
 /// One coordinate of a point that moves along a ray at constant speed. Time is the distance along the ray in meters;
 /// the coordinate's unit is the caller's: cells for x and y, meters for z.
 struct GridAxis {
-    /// `per_m` is the change of the coordinate per meter of the ray; next to 0 counts as constant.
     GridAxis(double from, double per_m)
         : start(from)
         , speed(std::abs(per_m) > 1e-300 ? per_m : 0.0)
         , inverse(speed != 0.0 ? 1.0 / speed : 0.0)
         , forward(speed > 0.0 ? 1 : 0) {}
 
-    /// The coordinate at time t, not limited to the grid.
     double at(double t) const { return start + t * speed; }
     /// Time at which the point leaves cell `cell`, where a cell is `width` units wide; `no_hit_m` if the coordinate is
     /// constant.
@@ -38,7 +36,6 @@ struct GridAxis {
 
 /// A ray over a grid and the part of it, `enter` to `leave`, that is still of interest.
 struct GridWalk {
-    /// Begins with the whole ray from 0 to `maximum_m`; z is not divided into cells.
     GridWalk(const Ray& ray, const Vec2& grid_origin_m, double cell_m, double maximum_m)
         : x((ray.origin_m.x() - grid_origin_m.x()) / cell_m, ray.direction.x() / cell_m)
         , y((ray.origin_m.y() - grid_origin_m.y()) / cell_m, ray.direction.y() / cell_m)
@@ -68,7 +65,6 @@ struct GridWalk {
 
 /// The cell under a ray at a given time, `width` grid units wide.
 struct GridCell {
-    /// Columns and rows count grid units; the cell is clamped to the grid.
     GridCell(const GridWalk& walk, double t, std::ptrdiff_t columns, std::ptrdiff_t rows, std::ptrdiff_t unit_width)
         : column(walk.x.cellAt(t, 0, columns * unit_width - 1) / unit_width)
         , row(walk.y.cellAt(t, 0, rows * unit_width - 1) / unit_width)
@@ -85,7 +81,6 @@ struct GridCell {
         row += 2 * walk.y.forward - 1;
         return next_y;
     }
-    /// False once the walk has left the grid, whose size is given in cells here.
     bool isWithin(std::ptrdiff_t columns, std::ptrdiff_t rows) const {
         return column >= 0 && column < columns && row >= 0 && row < rows;
     }
@@ -101,7 +96,6 @@ struct BucketGrid {
         std::ptrdiff_t buckets() const { return (last_column - first_column + 1) * (last_row - first_row + 1); }
     };
 
-    /// Number of buckets of the whole grid; indices run from 0 row by row.
     std::size_t buckets() const { return static_cast<std::size_t>(columns * rows); }
 
     /// The buckets under a rectangle; its parts outside of the grid count as those on the border.

@@ -10,7 +10,6 @@
 
 namespace usar::sim {
 
-/// Counts collisions from touches at single steps.
 class CollisionCounter {
 public:
     /// Touches no more than this apart are one collision.
@@ -36,7 +35,6 @@ class StayWatch {
 public:
     static constexpr double place_radius_m = 1.0;
 
-    /// Begins the first stay at this position, in the map frame.
     explicit StayWatch(const Vec3& position_m) : place_m_(position_m) {}
 
     /// Takes the position after another `dt`.
@@ -48,7 +46,6 @@ public:
         }
         longest_ = std::max(longest_, stay_);
     }
-    /// Includes the stay that is not over yet.
     Seconds longest() const { return longest_; }
 
 private:
@@ -114,7 +111,6 @@ struct HeightFigures {
 /// Collects heights, one per tick.
 class HeightWatch {
 public:
-    /// Takes one height in meters; mean and spread follow without storing the heights (Welford's method).
     void step(double height_m) {
         least_m_ = count_ == 0 ? height_m : std::min(least_m_, height_m);
         ++count_;

@@ -14,6 +14,7 @@ class InsSensor : public Sensor {
 public:
     InsSensor(const SensorModel& model, const SensorBirth& birth);
     void measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) override;
+    /// Obeys SetInsPose for this sensor; the response says whether the robot was at rest.
     std::optional<protocol::Response> set(const protocol::Command& command, bool at_rest) override;
     /// The estimate after one more scan, given the true pose.
     const Pose& estimate(const Pose& base_in_map);
@@ -25,12 +26,13 @@ private:
     void integrate(const Pose& base_in_map);
 
     double sigma_ = error("sigma", 0.05);
-    /// Of the base in the map frame; begins at the spawn pose.
+    /// Pose of the base in the map frame; begins at the spawn pose.
     Pose estimate_;
     std::optional<Pose> last_; ///< the true pose at the last scan; nullopt before it
     /// Relative error of each increment, without a unit; so is `rotation_bias_`.
     Vec3 position_bias_ = Vec3::Zero();
     Vec3 rotation_bias_ = Vec3::Zero();
+    /// Scans in a row without rotation.
     int still_scans_ = 0;
     bool started_ = false; ///< two scans without rotation have been seen
 };
