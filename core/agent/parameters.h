@@ -42,6 +42,7 @@ public:
 
     /// The id must have a spec of the requested type (assertion).
     double real(const std::string& id) const { return valueOf<double>(id); }
+    /// Whole numbers are stored as long long, never as a real.
     long long integer(const std::string& id) const { return valueOf<long long>(id); }
     bool flag(const std::string& id) const { return valueOf<bool>(id); }
     const std::string& text(const std::string& id) const { return valueOf<std::string>(id); }
@@ -74,6 +75,7 @@ private:
 template <class Settings>
 struct ParameterRow {
     std::variant<double Settings::*, long long Settings::*, bool Settings::*> member;
+    /// All texts are static.
     const char* id;
     const char* label;
     const char* group;

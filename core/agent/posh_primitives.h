@@ -13,6 +13,7 @@ namespace usar::agent {
 template <std::derived_from<PoshBody> Body>
 class PoshPrimitives {
 public:
+    /// Holds only a reference, so it may be made, used and thrown away.
     explicit PoshPrimitives(PoshRegistry& registry) : registry_(registry) {}
 
     /// `ask` is called as `ask(const Body&, const PoshArguments&)` or `ask(const Body&)` and returns a bool, a number,
@@ -34,6 +35,7 @@ public:
 
     /// An act that is done in one call: `code(Body&, const PoshArguments&)` or `code(Body&)`. It returns an ActResult;
     /// a result of true or void means RunningOnce, false means Failed.
+    /// Each call of the act in a plan has a copy of `code` with a state of its own.
     template <class Code>
     PoshRegistry::Entry act(std::string name, Code code) {
         PoshPrimitive primitive = named(std::move(name), PrimitiveKind::Act);
@@ -43,12 +45,14 @@ public:
 
     /// An act of class `Act`, which has `ActResult run(Body&, const PoshArguments&)` and, optionally, `init` with the
     /// same parameters and `done` with an additional DoneReason.
+    /// `Act` must be copyable: each call of the act in a plan gets a copy of its own.
     template <std::default_initializable Act>
     PoshRegistry::Entry act(std::string name) {
         return act(std::move(name), Act());
     }
 
 private:
+    /// Calls with the arguments if the function takes them, and otherwise with the body alone.
     template <class Function, class AnyBody>
     static auto call(Function& function, AnyBody& body, const PoshArguments& arguments) {
         if constexpr (std::is_invocable_v<Function&, AnyBody&, const PoshArguments&>)
@@ -57,6 +61,7 @@ private:
             return function(body);
     }
 
+    /// The type of a sense's answer follows from the return type; anything unusual is Any and must be a Value.
     template <class Answer>
     static constexpr AnswerType answerType() {
         if constexpr (std::is_same_v<Answer, bool>)
@@ -71,6 +76,7 @@ private:
             return std::is_same_v<Answer, posh::Symbol> ? AnswerType::Symbol : AnswerType::Any;
     }
 
+    /// A primitive without code yet.
     static PoshPrimitive named(std::string name, PrimitiveKind kind) {
         PoshPrimitive primitive;
         primitive.description.name = std::move(name);
@@ -83,10 +89,12 @@ private:
     class ActOf final : public PoshAct {
     public:
         explicit ActOf(Code code) : code_(std::move(code)) {}
+        /// Does nothing if the code has no `init`. The body is always the `Body` that the registry was made for.
         void init(PoshBody& body, const PoshArguments& arguments) override {
             if constexpr (requires { code_.init(static_cast<Body&>(body), arguments); })
                 code_.init(static_cast<Body&>(body), arguments);
         }
+        /// Prefers `run` of a class to a call of the object, and turns the result into an ActResult.
         posh::ActResult run(PoshBody& any_body, const PoshArguments& arguments) override {
             using posh::ActResult;
             auto& body = static_cast<Body&>(any_body);
@@ -101,6 +109,7 @@ private:
                 return call(code_, body, arguments);
             }
         }
+        /// Does nothing if the code has no `done`.
         void done(PoshBody& body, const PoshArguments& arguments, posh::DoneReason reason) override {
             if constexpr (requires { code_.done(static_cast<Body&>(body), arguments, reason); })
                 code_.done(static_cast<Body&>(body), arguments, reason);
@@ -114,6 +123,7 @@ private:
 };
 
 /// The senses and acts that these functions add.
+/// The functions are called in order, once each; the registry is complete on return.
 template <class Body>
 PoshRegistry registryOf(std::initializer_list<void (*)(PoshPrimitives<Body>&)> adders) {
     PoshRegistry registry;

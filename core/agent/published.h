@@ -27,7 +27,9 @@ struct BehaviorStatus {
     std::optional<double> range_left_m;     ///< distance until the reserve is needed
     std::optional<double> progress_pct;     ///< share of the whole task, 0..100
     std::optional<Seconds> time_left;       ///< estimate on the protocol clock
+    /// Length of the way so far, for ground robots, too.
     double distance_flown_m = 0.0;
+    /// How often the battery was charged.
     int charges = 0;
     bool paused = false; ///< by an order; a behavior may end its pause itself
     bool operator==(const BehaviorStatus&) const = default;
@@ -70,6 +72,7 @@ struct CurrentGoal {
     bool operator==(const CurrentGoal&) const = default;
 };
 
+/// Low and High are the two threat zones around a robot.
 enum class Risk { None, Low, High };
 /// A sonar's reading and the risk according to the robot's threat zones, for the columns view.
 struct SonarZone {
@@ -82,6 +85,7 @@ struct SonarZone {
     Risk risk = Risk::None;
     bool operator==(const SonarZone&) const = default;
 };
+/// All sonars at one moment.
 struct SonarZones {
     std::vector<SonarZone> zones; ///< in ring order, left to right
     bool operator==(const SonarZones&) const = default;

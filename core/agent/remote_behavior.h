@@ -25,10 +25,12 @@ inline BehaviorAnswer answerOf(RunningBehavior::Output output, const RunningBeha
 /// Keeps, in the owner's thread, what the behavior answered last, so that nothing here waits for it.
 class RemoteBehavior : public RunningBehavior {
 public:
+    /// The safe command of the last answer; it may be older than the robot's newest line.
     CausedCommand safeCommand(const by::Source& source) const override { return {safe_, {source, last_line_}}; }
     void setPatience(Seconds patience) override { patience_ = patience; }
 
 protected:
+    /// Until the first answer, the safe command is the last resort for an unknown vehicle.
     explicit RemoteBehavior(std::string behavior_id)
         : RunningBehavior(std::move(behavior_id))
         , safe_(lastResort(protocol::VehicleKind::Unknown)) {}
@@ -52,7 +54,9 @@ protected:
     }
 
     Output owed_; ///< output of a call that returns none, for the next call to return
+    /// Time that one call of the behavior may take.
     Seconds patience_{1.0};
+    /// The safe command in the last answer.
     protocol::Command safe_;
 };
 

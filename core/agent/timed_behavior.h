@@ -64,11 +64,13 @@ struct TimedRun {
 template <class Settings>
 class TimedDecider {
 public:
+    /// The parameters of the context must be those of the settings' table.
     explicit TimedDecider(const BehaviorContext& context)
         : settings_(Settings::parameters.settings(context.parameters)) {}
 
     /// Always true: the order was handled.
     bool order(Order order) { return run_.order(order); }
+    /// Replaces all settings; they take effect at the next tick.
     void setParameters(const ParameterSet& parameters) { settings_ = Settings::parameters.settings(parameters); }
     const Settings& settings() const { return settings_; }
     /// The current activity, in words.
@@ -89,9 +91,11 @@ protected:
 template <class Decider>
 class TimedBehavior : public Behavior {
 public:
+    /// The context is passed to the decider, which takes what it needs.
     explicit TimedBehavior(const BehaviorContext& context) : decider_(context) {}
 
     void onInfo(const protocol::InfoLine& line, CommandPort&) override { decider_.hear(line); }
+    /// Passes an order on and, if it ends the behavior, sends the safe command at once.
     void order(Order order, CommandPort& port) override {
         decider_.order(order);
         if (decider_.ending())

@@ -15,6 +15,7 @@
 
 namespace usar::link {
 
+/// The stages of a connection. Failures lead to Waiting, never to Off.
 enum class ImageState {
     Off, ///< closed by the owner, or never opened
     Connecting,
@@ -23,6 +24,7 @@ enum class ImageState {
     Live     ///< pictures arrive
 };
 
+/// State of the connection for the user.
 struct ImageStatus {
     ImageState state = ImageState::Off;
     QString reason;            ///< while Waiting: one or two sentences with the remedy
@@ -34,6 +36,7 @@ struct ImageStatus {
 /// Wall-clock limits. Tests shorten them.
 struct ImageClientLimits {
     Seconds connect_timeout{5.0};
+    /// The pause after the first failure; each further failure doubles it up to `longest_retry`.
     Seconds first_retry{0.5};
     Seconds longest_retry{5.0};
     Seconds silence{8.0};                ///< longest wait between request and picture
@@ -50,6 +53,7 @@ public:
     explicit ImageClient(QObject* parent = nullptr);
     ~ImageClient() override;
 
+    /// Applies to requests and attempts that begin afterward.
     void setLimits(const ImageClientLimits& limits) { limits_ = limits; }
     /// Closes any open connection, then connects to this server.
     void open(const QString& host, quint16 port);
@@ -62,20 +66,27 @@ public:
     quint64 framesReceived() const { return frames_; }
 
 signals:
+    /// Emitted after every change of the state and after every frame, because the frame rate changes.
     void statusChanged(const usar::link::ImageStatus& status);
     /// `data` is a JPEG file, or for ImageType::Raw the pixels as protocol.md 6.1 packs them.
     void frameReceived(usar::link::ImageType type, const QByteArray& data);
 
 private:
     void connectNow();
+    /// Sends "OK", which requests the next frame (protocol.md 6.1).
     void askNow();
+    /// Requests a frame when the shortest interval since the last request is over; does nothing while one is under way.
     void askSoon();
     void takeBytes();
+    /// The head is one byte for the type and four bytes, big-endian, for the size of the data.
     bool takeHead();
     void takeFrame();
+    /// Drops the connection and tries again later; `trouble` becomes the reason in the status.
     void failed(const QString& trouble);
+    /// Stops all timers but the one for the next attempt, and forgets a frame that is not complete.
     void dropConnection();
     void setState(ImageState state, const QString& reason = {});
+    /// Host and port as "host:port", for messages.
     QString place() const;
 
     QTcpSocket socket_{this};

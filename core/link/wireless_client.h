@@ -17,6 +17,7 @@ namespace usar::link {
 
 /// Signal strength between two robots, the same both ways; nullopt: the server does not know it.
 struct RadioStrength {
+    /// Names of the two robots.
     QString a;
     QString b;
     std::optional<double> strength_dbm;
@@ -36,6 +37,7 @@ class WirelessClient : public QObject {
 public:
     explicit WirelessClient(QObject* parent = nullptr);
 
+    /// Applies to connections that are made afterward.
     void setLimits(const LinkLimits& limits) { limits_ = limits; }
     /// Time between two rounds of questions; initially 1 s.
     void setInterval(std::chrono::milliseconds interval) { timer_.setInterval(interval); }
@@ -64,6 +66,7 @@ private:
     };
     using Pair = std::pair<QString, QString>;
 
+    /// Drops all connections and, with at least two robots, begins with an observer.
     void restart();
     void openObserver();
     void openMembers();
@@ -71,10 +74,12 @@ private:
     void take(Line& line, std::string_view text);
     void takeError(Line& line, std::string_view reason);
     void takeStrength(Line& line, std::string_view robot, std::string_view from, std::string_view strength);
+    /// Begins a round of questions, one for each pair of robots.
     void ask();
     void askFor(const Pair& pair);
     void report();
     void showStatus();
+    /// The connection that asks for this robot, or nullptr.
     Line* speakerOf(const QString& robot);
 
     QString host_;
@@ -85,6 +90,7 @@ private:
     std::unique_ptr<Line> observer_;                   ///< for a server that answers an observer
     std::map<QString, std::unique_ptr<Line>> members_; ///< for a server that does not; by robot
     int observer_number_ = 1;
+    /// Answers of the current round, in dBm.
     std::map<Pair, std::optional<double>> round_;
     std::size_t awaited_ = 0; ///< answers of this round that are still missing
     LinkStatus status_;

@@ -19,6 +19,7 @@ template <class Value>
 struct Stamped {
     Value value;
     Seconds time{0.0};
+    /// The info line that the reading came with.
     LineNumber line;
 };
 
@@ -27,6 +28,7 @@ struct Stamped {
 template <class Content>
 class SensorPlaces {
 public:
+    /// A bound on memory, far above the number of sensors of any robot.
     static constexpr std::size_t most_sensors = 256;
 
     /// The content kept for one sensor.
@@ -43,6 +45,7 @@ public:
         });
         return place == places_.end() ? nullptr : &place->content;
     }
+    /// The same for changes.
     Content* find(std::string_view name, std::string_view type = {}) {
         return const_cast<Content*>(std::as_const(*this).find(name, type));
     }
@@ -57,6 +60,7 @@ public:
         places_.push_back({std::string(type), std::string(name), {}});
         return &places_.back().content;
     }
+    /// All places; a place is never removed.
     const std::vector<Place>& all() const { return places_; }
 
 private:
@@ -85,6 +89,7 @@ public:
     const auto& of() const {
         return static_cast<const SensorStore<Content, Sensor>&>(*this).places;
     }
+    /// The same for changes, for the owner of the store.
     template <class Sensor>
     auto& of() {
         return static_cast<SensorStore<Content, Sensor>&>(*this).places;

@@ -14,18 +14,23 @@ namespace usar::protocol {
 /// Adds one member of a message to `fields` under the name `field`. Absent optionals and empty texts add nothing.
 struct ValueLister {
     FieldList& fields;
+    /// Views of the message's description, which is constant.
     std::string_view field;
     std::string_view unit;
+    /// True if a vector holds roll, pitch and yaw, whose parts have names of their own.
     bool is_angles;
 
+    /// Numbers are listed in the unit of the message struct, not of the wire.
     void operator()(double value) const { fields.number(field, value, unit); }
     void operator()(long long value) const { fields.number(field, static_cast<double>(value), unit); }
     void operator()(bool value) const { fields.flag(field, value); }
+    /// A word without a value is listed as a flag, even if it is absent.
     void operator()(Present value) const { fields.flag(field, value == Present::Yes); }
     void operator()(const std::string& value) const {
         if (!value.empty())
             fields.text(field, value);
     }
+    /// Listed as a number of seconds.
     void operator()(Seconds value) const { fields.number(field, value.count(), unit); }
     void operator()(const Vec3& value) const { fields.vector(field, value, unit, is_angles); }
     /// Lists x, y and yaw only, because only ground robots send a pose in a single segment.
@@ -35,6 +40,7 @@ struct ValueLister {
         fields.number("yaw", value.yaw_rad, "rad");
     }
     void operator()(const std::vector<double>& values) const { fields.values(field, values, unit); }
+    /// An absent value has no entry, as opposed to 0.
     template <class T>
     void operator()(const std::optional<T>& value) const {
         if (value)
@@ -43,6 +49,7 @@ struct ValueLister {
 };
 
 /// Adds one item under the name and unit in its description.
+/// The entry's source and item are those that `fields` has at the time.
 template <class Owner, class Member>
 void listItem(FieldList& fields, const Owner& owner, const Item<Owner, Member>& item) {
     ValueLister{fields, item.field, item.unit, item.crossing == Crossing::Angles}(owner.*item.member);

@@ -16,20 +16,26 @@ inline Vec3 positiveAnglesOf(const Pose& pose) {
 }
 
 /// Appends the value of one segment to `line`, converted from our frame to the wire's. Optionals must hold a value.
+/// The writer refers to the line and is made for one value.
 struct ValueWriter {
     LineWriter& line;
     Crossing crossing;
     Decimals decimals;
 
+    /// A turn changes its sign on the way to the wire; other numbers do not.
     void operator()(double value) const {
         line.number(crossing == Crossing::Turn ? acrossWire(value) : value, decimals);
     }
+    /// A whole number has no decimals, whatever `decimals` says.
     void operator()(long long value) const { line.whole(value); }
+    /// Unreal's spelling of a bool.
     void operator()(bool value) const { line.text(value ? "True" : "False"); }
     /// The key alone states it.
     void operator()(Present) const {}
     void operator()(const std::string& value) const { line.text(value); }
+    /// Seconds with a fraction.
     void operator()(Seconds value) const { line.number(value.count(), decimals); }
+    /// Angles and vectors have different signs on the wire; values that do not cross are written as they are.
     void operator()(const Vec3& value) const {
         if (crossing == Crossing::Angles)
             line.numbers(anglesOf(acrossWire(Pose{Vec3::Zero(), value.x(), value.y(), value.z()})), decimals);
@@ -86,6 +92,7 @@ void writeItem(LineWriter& line, const Owner& owner, const PoseItem<Owner>& item
 }
 
 /// Writes all items of one message or group, without its groups.
+/// The order is that of the struct's description.
 template <class Owner>
 void writeItems(LineWriter& line, const Owner& owner, bool in_segment = false) {
     forEachItem<Owner>([&](const auto& item) { writeItem(line, owner, item, in_segment); });

@@ -21,6 +21,7 @@ public:
     explicit LineWriter(std::string& out) : out_(out) {}
 
     /// A number without key and braces.
+    /// TwoRounded rounds to two decimals, FourCut cuts off after four.
     void number(double value, Decimals decimals) {
         if (decimals == Decimals::TwoRounded)
             appendFixed(out_, value, 2);
@@ -44,6 +45,7 @@ public:
         number(values.z(), decimals);
     }
 
+    /// An empty vector writes nothing.
     void numbers(const std::vector<double>& values, Decimals decimals) {
         for (std::size_t i = 0; i < values.size(); ++i) {
             if (i > 0)
@@ -58,11 +60,13 @@ public:
         text(value);
         close();
     }
+    /// A segment with one number: `{Range 2.5000}`.
     void segment(std::string_view key, double value, Decimals decimals) {
         open(key);
         number(value, decimals);
         close();
     }
+    /// A segment with three numbers: `{Location 1.00,2.00,-0.50}`.
     void segment(std::string_view key, const Vec3& values, Decimals decimals) {
         open(key);
         numbers(values, decimals);
@@ -83,6 +87,7 @@ public:
         std::array<char, 24> digits;
         out_.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
     }
+    /// A segment with a number without decimals.
     void whole(std::string_view key, long long value) {
         open(key);
         whole(value);

@@ -35,6 +35,7 @@ struct Item {
     std::string_view other_key{};
 };
 
+/// Describes one value; without a unit it has none, and without a crossing it is the same on the wire and here.
 template <class Owner, class Member>
 constexpr Item<Owner, Member> item(std::string_view key, Member Owner::*member, std::string_view field,
                                    std::string_view unit = {}, Crossing crossing = Crossing::None,
@@ -50,6 +51,7 @@ struct PoseItem {
     bool angles_positive = false;
 };
 
+/// Describes a pose; it has no key of its own.
 template <class Owner>
 constexpr PoseItem<Owner> pose(Pose Owner::*member, bool angles_positive = false) {
     return {member, angles_positive};
@@ -65,6 +67,7 @@ struct Groups {
     std::string_view other_key{};
 };
 
+/// Describes the groups of a message; `member` holds one element for each group, in wire order.
 template <class Owner, class Element>
 constexpr Groups<Owner, Element> groups(std::string_view opening_key, std::vector<Element> Owner::*member,
                                         std::string_view other_key = {}) {

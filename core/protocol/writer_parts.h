@@ -13,6 +13,7 @@
 namespace usar::protocol {
 
 /// Steering angles and joints of a STA.
+/// Absent angles are left out; a joint's name is its key.
 inline void writeJoints(LineWriter& line, const RobotState& state) {
     if (state.front_steer_rad)
         line.segment("FrontSteer", acrossWire(*state.front_steer_rad), Decimals::FourCut);
@@ -23,6 +24,7 @@ inline void writeJoints(LineWriter& line, const RobotState& state) {
 }
 
 /// The battery of a STA in whole seconds, rounded down.
+/// Nothing is written if the state has no battery.
 inline void writeBattery(LineWriter& line, const RobotState& state) {
     if (state.battery_left)
         line.whole("Battery", static_cast<long long>(std::floor(state.battery_left->count())));
@@ -37,6 +39,7 @@ inline void writeSetting(LineWriter& line, std::string_view key, const Setting& 
 }
 
 /// Everything of a scan after Time and Type.
+/// The dialects differ in the decimals of the ranges.
 inline void writeScan(LineWriter& line, const RangeScan& scan, Decimals decimals_of_ranges) {
     line.segment("Name", scan.name);
     line.segment("Resolution", scan.resolution_rad, Decimals::FourCut);

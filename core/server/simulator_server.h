@@ -22,6 +22,7 @@ namespace usar::server {
 /// Pace of the simulation's clock: stopped, a factor of simulated per real seconds, or as fast as possible.
 enum class Pace { Paused, Factor, Fast };
 
+/// Figures of the running simulation for the window.
 struct SimulatorFigures {
     Seconds now{0.0};              ///< simulated time
     double real_time_factor = 0.0; ///< over the last second
@@ -45,6 +46,7 @@ public:
     /// Loopback only; port 0 chooses a free one. Returns the port. A port in use is an error that says how to choose
     /// another.
     Result<quint16> listen(quint16 port);
+    /// The port that it listens on; 0 before `listen`.
     quint16 port() const { return server_.serverPort(); }
     SimulatorFigures figures() const;
     /// For the servers of other channels; in the simulator's thread only.
@@ -64,6 +66,7 @@ public slots:
     void stepOnce();
     /// `from_now`: the faults' begin is relative to now; otherwise it is a time on the simulation's clock.
     void addFaults(const std::vector<usar::sim::Fault>& faults, bool from_now);
+    /// Ends the fault with this number at once; an unknown number has no effect.
     void endFault(int id);
     /// Releases the robots of a snapshot that no client has claimed.
     void letOrphansGo();
@@ -71,6 +74,7 @@ public slots:
 signals:
     void ticked();                                                      ///< a message tick has been made
     void figuresChanged(const usar::server::SimulatorFigures& figures); ///< a few times a second
+    /// A sentence for the user about clients and robots.
     void logged(const QString& sentence);
     /// Emitted with all faults whenever one is added, begins or ends.
     void faultsChanged(const std::vector<usar::sim::FaultStatus>& faults);
@@ -86,6 +90,7 @@ private:
         Seconds now{0.0};
     };
 
+    /// Accepts all clients that wait for a connection.
     void acceptAll();
     void readFrom(QTcpSocket* socket, sim::ClientId client);
     void forget(QTcpSocket* socket, sim::ClientId client);
@@ -93,6 +98,7 @@ private:
     void advance();
     void advanceFast();
     void advanceByClock();
+    /// Makes one tick of the simulation.
     void tick();
     void flush();
     void publishLog();
@@ -114,6 +120,7 @@ private:
     std::chrono::milliseconds lockstep_patience_{10000};
     std::chrono::milliseconds held_up_{0}; ///< how long others have been waiting for a client's STEP
     qint64 last_watch_ms_ = 0;
+    /// Calls of `stepOnce` that have not been obeyed yet.
     int steps_asked_ = 0;
     std::uint64_t marks_told_ = 0;
     qint64 last_advance_ms_ = 0;

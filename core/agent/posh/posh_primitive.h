@@ -25,6 +25,7 @@ struct PoshParameter {
                                 std::string help = {}) {
         return {std::move(name), value, std::move(unit), minimum, maximum, {}, std::move(help)};
     }
+    /// A whole number has no unit.
     static PoshParameter whole(std::string name, std::int64_t value, std::int64_t minimum, std::int64_t maximum,
                                std::string help = {}) {
         return {std::move(name), value, {}, static_cast<double>(minimum), static_cast<double>(maximum), {},
@@ -36,12 +37,14 @@ struct PoshParameter {
     static PoshParameter text(std::string name, std::string value, std::string help = {}) {
         return {std::move(name), std::move(value), {}, 0.0, 0.0, {}, std::move(help)};
     }
+    /// `value` is spelled without the quote of the language, as are `choices`.
     static PoshParameter symbol(std::string name, std::string value, std::vector<std::string> choices,
                                 std::string help = {}) {
         return {std::move(name), posh::Symbol{std::move(value)}, {}, 0.0, 0.0, std::move(choices), std::move(help)};
     }
 };
 
+/// A sense answers a question without changing anything; an act makes the robot do something.
 enum class PrimitiveKind { Sense, Act };
 /// The type of a sense's answer; Any if it may change from call to call.
 enum class AnswerType { Any, Boolean, Integer, Real, Text, Symbol };
@@ -50,6 +53,7 @@ enum class AnswerType { Any, Boolean, Integer, Real, Text, Symbol };
 struct PrimitiveDescription {
     std::string name;
     PrimitiveKind kind = PrimitiveKind::Sense;
+    /// In the order in which positional arguments are matched to them.
     std::vector<PoshParameter> parameters;
     AnswerType answer = AnswerType::Any; ///< for a sense
     std::string unit;                    ///< unit of the answer

@@ -14,12 +14,16 @@ namespace usar::mission {
 struct Fleet::Private {
     Private(Fleet& fleet, const QString& host_program);
 
+    /// The robot with this connection number, or nullptr.
     Robot* robotOn(ConnectionId connection) const;
+    /// Opens the connection on which the next robot will be spawned.
     void openNext();
     /// Connects a robot of either kind, live or of a recording.
     void connectRobot(Robot* robot);
+    /// Passes a notice on to the user.
     void tell(Robot* robot, const Notice& notice);
     void linkMoved(Robot* robot);
+    /// True figures and seed for a robot's results; empty for a replay.
     SimulatorFacts factsOf(const Robot& robot) const;
     Result<void> start(Robot& robot, const StartedBehavior& start);
     void finished(Robot* robot, bool success, const QString& reason);
@@ -29,7 +33,9 @@ struct Fleet::Private {
     void openReplay(const QString& path, ConnectionId looks_back_on, std::optional<Seconds> moment);
     void addReplay(std::unique_ptr<Robot> robot, const RecordingFacts& facts, const QString& complaint);
 
+    /// The fleet that owns this object.
     Fleet& q;
+    /// Path of the program in which isolated behaviors run.
     const QString behavior_host;
     agent::PluginLoader plugins;
     ScanKeeper keeper;
@@ -38,6 +44,7 @@ struct Fleet::Private {
     quint16 port = 0;
     bool lockstep = false;
     StartPlace place;
+    /// As the server last reported them.
     std::vector<protocol::StartPose> start_poses;
     Roster roster;
     std::unique_ptr<Robot> next; ///< connected, not spawned
@@ -46,8 +53,10 @@ struct Fleet::Private {
         wanted_moments;                    ///< by connection: moment to look back on, once the file contains it
     std::map<RobotId, TrueFigures> truths; ///< by robot id
     std::optional<std::uint64_t> seed;
+    /// New robots are recorded.
     bool recording = true;
     bool silence_expected = false;
+    /// The window waits for recordings and scans to be saved.
     bool closing = false;
 };
 

@@ -21,6 +21,7 @@ struct RobotIdentity {
     ConnectionId connection; ///< number of the session, unique while the program runs
     RobotId id;              ///< 1-9, the key that selects it; 0 while no robot is spawned
     SpawnRequest spawn;
+    /// State of its own connection.
     link::LinkStatus link;
     double cell_size_m = 0.25;  ///< edge of a height map cell
     QString recording;          ///< the file that is replayed; empty: live
@@ -30,6 +31,7 @@ struct RobotIdentity {
 /// Newest values of a robot, for views that show it later or switch to it. Positions are in meters in the map frame; an
 /// absent value has not been reported yet.
 struct RobotView : RobotIdentity {
+    /// Figures of the newest update.
     SessionFigures figures;
     std::string behavior_id; ///< id of the newest behavior; empty: none was started
     Rectangle area_in_map;   ///< its area; empty: none
@@ -37,11 +39,15 @@ struct RobotView : RobotIdentity {
     std::optional<agent::BehaviorFinished> finished; ///< absent until it has ended
     std::optional<Pose> base_in_map; ///< as the behavior estimates it; from the INS until the first status
     std::vector<Vec2> trail_m;       ///< estimated positions, more than 0.2 m apart
+    /// Marks that the behavior has published, in their order.
     std::vector<agent::MapMark> marks;
     std::vector<Vec2> planned_m; ///< path that the behavior has planned
+    /// The place to which the behavior is heading; absent: none.
     std::optional<Vec3> goal_m;
+    /// All tiles of the height map so far, not only the changed ones.
     mapping::HeightTiles tiles;
     std::optional<mapping::HeightRange> height_range; ///< range of the whole height map; absent: the map is empty
+    /// Mapped ground behind, under and ahead of the robot.
     std::optional<mapping::CourseProfile> ground;
     std::map<mapping::GridIndex, int> covered_cells; ///< number of known cells in the mission area, by tile
     bool paused = false;                             ///< by the user; cleared when the behavior resumes or ends
@@ -54,6 +60,7 @@ struct RobotView : RobotIdentity {
 struct StartedBehavior {
     std::string id;
     Rectangle area_in_map;
+    /// By id; parameters that are missing have their defaults.
     std::map<std::string, agent::ParameterValue> parameters;
     std::optional<agent::PlanText> plan; ///< the user's plan; absent: the robot's own
     bool isolated = false;               ///< it runs in a separate process

@@ -19,11 +19,14 @@ namespace usar::mission {
 class ReplayRunner : public QObject, private link::ReplayTaker {
     Q_OBJECT
 public:
+    /// Takes over the recording; nothing is played before `start`.
     ReplayRunner(std::unique_ptr<link::RecordingReader> recording, ReplayOptions options, QObject* parent = nullptr);
 
+    /// To be called once.
     void start();
     /// Ends the replay (Ctrl+C); the summary covers what was played.
     void interrupt();
+    /// Progress of the replay, valid at any time.
     link::ReplayFigures figures() const { return replayer_.figures(); }
     /// Summary of the replay (headless.md lists the keys). Valid after `finished`. Counts only what was played.
     QJsonObject summary() const;
@@ -34,12 +37,14 @@ signals:
 
 private:
     void rewound() override {}
+    /// The functions below are called by the replayer, in the order of the records.
     void opened(std::string_view place) override;
     void closed(std::string_view) override {}
     void line(std::string_view text, LineNumber number) override;
     void sent(const link::Record& record) override;
     void note(const link::Record& record) override;
     void quiet(bool on) override { quiet_ = on; }
+    /// Ends the replay and emits `finished`; a second call has no effect.
     void conclude(bool interrupted);
 
     std::string path_;

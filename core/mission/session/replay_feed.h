@@ -25,13 +25,17 @@ public:
     virtual void replayRewound() = 0;
     /// Reports the map as described by the recording's facts; the cell size is nullopt if they do not contain it.
     virtual void replayBegan(std::optional<double> cell_size_m, const std::string& level) = 0;
+    /// The replayed link has another state now.
     virtual void replayLinkChanged(const link::LinkStatus& status) = 0;
+    /// A connection was established at this point of the recording.
     virtual void replayConnected() = 0;
     /// `lost`: the connection was not closed by us.
     virtual void replayClosed(bool lost) = 0;
+    /// A received line with the number that it had in the recording; the text is valid during the call only.
     virtual void replayLine(std::string_view text, LineNumber number) = 0;
     /// The dialect in which commands were sent.
     virtual protocol::Dialect replaySpelling() const = 0;
+    /// A sent command with its line; `after` is the newest info line received before it.
     virtual void replayCommand(const agent::CausedCommand& command, std::string text, LineNumber after) = 0;
     virtual void replayPublished(const agent::Published& value) = 0;
     /// A status that is only passed on the way to another moment.
@@ -42,6 +46,7 @@ public:
     /// `on`: a seek begins; what follows is only passed on the way to another moment.
     virtual void replaySeeks(bool on) = 0;
     virtual void replayChanged() = 0;
+    /// The recording has been played to its end.
     virtual void replayEnds() = 0;
 };
 
@@ -52,14 +57,18 @@ public:
     /// `stage` must outlive this object.
     explicit ReplayFeed(ReplayStage& stage) : stage_(stage) {}
 
+    /// Takes over the recording and begins to replay it.
     void begin(std::unique_ptr<link::RecordingReader> recording);
     void order(const ReplayOrder& order);
     void end();
     /// Resets the traffic counts because a connection, replayed or live, begins on the stage.
     void beginConnection() { traffic_ = {}; }
 
+    /// True from `begin` to `end`.
     bool on() const { return replayer_ != nullptr; }
+    /// Status of the replayed link.
     const link::LinkStatus& linkStatus() const { return link_; }
+    /// Traffic of the replayed connection so far.
     const protocol::TrafficCounts& traffic() const { return traffic_; }
     /// Returns nullopt if nothing is replayed.
     std::optional<link::ReplayFigures> figures() const;
@@ -83,6 +92,7 @@ private:
     protocol::TrafficCounts traffic_;
     /// During a seek: the newest value of each kind for which only the newest matters.
     std::map<std::size_t, agent::Published> newest_on_the_way_;
+    /// A seek is under way.
     bool on_the_way_ = false;
 };
 

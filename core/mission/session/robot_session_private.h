@@ -22,21 +22,30 @@
 namespace usar::mission {
 
 struct RobotSession::Private : SpawnOwner, HelmOwner, ReplayStage {
+    /// `cell_size_m` is the side of the map's cells.
     Private(RobotSession& session, double cell_size_m);
 
     /// A connection begins, live or replayed.
     void beginConnection();
+    /// The live connection is established.
     void opened();
+    /// The live connection has ended.
     void connectionLost();
+    /// Takes one line without its line end, live or replayed.
     void takeLine(std::string_view text);
+    /// Called regularly while connected, to notice silence and overdue answers.
     void watch();
+    /// The figures of the next update.
     SessionFigures figures() const;
+    /// Status of the replay's link in a replay, of the live one otherwise.
     const link::LinkStatus& linkStatus() const { return replay.on() ? replay.linkStatus() : link.status(); }
     /// True in a replay, in which nothing can be sent; reports that once.
     bool refusedInReplay();
+    /// Notes a fault in the scan book and in the recording.
     void noteFault(const std::string& sentence);
     void endReplay();
 
+    /// The overrides serve the parts of the session (SpawnLife, Helm, ReplayFeed), in the session's thread.
     void sendInit(const protocol::Init& init) override;
     void reconnect() override;
     void spawnChanged() override { updates.touched(); }
@@ -45,12 +54,15 @@ struct RobotSession::Private : SpawnOwner, HelmOwner, ReplayStage {
 
     void writeLine(const agent::CausedCommand& command, std::string text) override;
     void flush() override { link.flush(); }
+    /// True while a server is connected, or was at this point of the replay.
     bool connected() const override { return linkStatus().state == link::LinkState::Connected; }
     bool replaying() const override { return replay.on(); }
+    /// True if more bytes wait to be sent than the limits allow.
     bool congested() const override { return link.unsentBytes() > limits.unsent_bytes; }
     void takePublished(const std::vector<agent::Published>& published) override;
     void finishBehavior(const agent::BehaviorFinished& finished, bool is_published) override;
     void touched() override { updates.touched(); }
+    /// Seconds since the session was created, from a clock that never jumps.
     Seconds wall() const override { return Seconds(static_cast<double>(clock.nsecsElapsed()) * 1e-9); }
 
     void replayRewound() override;
@@ -59,6 +71,7 @@ struct RobotSession::Private : SpawnOwner, HelmOwner, ReplayStage {
     void replayConnected() override { beginConnection(); }
     void replayClosed(bool lost) override;
     void replayLine(std::string_view text, LineNumber number) override;
+    /// Dialect in which replayed commands are read.
     protocol::Dialect replaySpelling() const override { return helm.spelling(); }
     void replayCommand(const agent::CausedCommand& command, std::string text, LineNumber after) override;
     void replayPublished(const agent::Published& value) override { takePublished({value}); }
@@ -70,6 +83,7 @@ struct RobotSession::Private : SpawnOwner, HelmOwner, ReplayStage {
     void replayChanged() override { updates.touched(); }
     void replayEnds() override { emit q.replayEnded(); }
 
+    /// The session that owns this object.
     RobotSession& q;
     SessionLimits limits;
     link::TcpLink link;
@@ -84,6 +98,7 @@ struct RobotSession::Private : SpawnOwner, HelmOwner, ReplayStage {
     RecordKeeping records;
     Helm helm;
     ReplayFeed replay;
+    /// The user's wish; whether lockstep is in effect is up to the server.
     bool lockstep_wanted = false;
     bool behavior_running = false; ///< here or in the replay
 };

@@ -57,6 +57,7 @@ struct SessionFigures {
 /// The task of a replayed behavior.
 struct ReplayedTask {
     std::string behavior_id;
+    /// In meters; empty if the task has no area.
     Rectangle area_in_map;
 };
 
@@ -74,6 +75,7 @@ struct SessionUpdate {
     std::optional<ReplayedTask> task;      ///< set if a replayed behavior has begun
     std::vector<protocol::InfoLine> lines; ///< only the newest 4000 if more came in one frame
     std::vector<SentCommand> commands;     ///< in order; `after` gives their place between the lines
+    /// In the order in which the behavior published them.
     std::vector<agent::Published> published;
     std::vector<std::shared_ptr<const mapping::HeightTile>> tiles; ///< the map's changed tiles
     std::optional<mapping::HeightRange> height_range;              ///< of the whole map; absent: the map is empty
@@ -95,6 +97,7 @@ struct Notice {
 };
 
 /// Returns the newest message of a type in this update, or nullptr.
+/// The pointer is valid as long as the update is.
 template <class Message>
 const Message* newest(const mission::SessionUpdate& update) {
     for (auto line = update.lines.rbegin(); line != update.lines.rend(); ++line)
@@ -104,6 +107,7 @@ const Message* newest(const mission::SessionUpdate& update) {
 }
 
 /// Returns the newest value of a type that the behavior published in this update, or nullptr.
+/// The pointer is valid as long as the update is.
 template <class Value>
 const Value* newestPublished(const mission::SessionUpdate& update) {
     for (auto value = update.published.rbegin(); value != update.published.rend(); ++value)

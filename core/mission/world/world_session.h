@@ -64,7 +64,9 @@ public:
     const WorldView& view() const { return view_; }
 
 public slots:
+    /// Forgets what another server answered, and connects; reconnects after a loss until `close`.
     void open(const QString& host, quint16 port);
+    /// Ends the connection; the state becomes Off and the list of things empty.
     void close();
     /// Classes that are asked for to find out the kinds of things that others created.
     void setClasses(const std::vector<std::string>& class_names);
@@ -76,7 +78,9 @@ public slots:
     void send(const usar::protocol::Command& command);
 
 signals:
+    /// Emitted after every answer and every change of the state; each view is a copy that never changes.
     void changed(std::shared_ptr<const usar::mission::WorldView> view);
+    /// The topic is "world", or "world/" and a name for a thing that did not appear.
     void noticed(const usar::mission::Notice& notice);
 
 private:
@@ -94,17 +98,26 @@ private:
         Vec3 position_m = Vec3::Zero();
     };
 
+    /// Sends INIT and the first question.
     void opened();
+    /// Forgets things, open questions and expected things.
     void closed();
+    /// Ignores all lines but WorldObjects, and takes these for the answer to the open question.
     void takeLine(std::string_view line);
+    /// Replaces the list of things by the answer to a question about all of them.
     void takeThings(const protocol::WorldObjects& objects);
+    /// Asks for each of our classes as soon as a thing of unknown origin appears.
     void learnKinds();
+    /// Reports a created thing that is missing from three answers in a row.
     void noteAwaited();
+    /// Map frame, m/s; zero until positions from more than 0.05 s are known.
     Vec3 velocityOf(const std::string& name, const Vec3& position_m);
     void beat();
     void ask();
+    /// A first unanswered question leads to a second connection with UDK's class name, later ones to a warning.
     void missAnswer();
     void setState(WorldState state, std::string trouble = {});
+    /// Emits `changed` with a copy of the view.
     void tell();
 
     link::TcpLink link_;
@@ -115,9 +128,11 @@ private:
     protocol::Reader reader_;
     WorldView view_;
     std::optional<std::chrono::milliseconds> polling_;
+    /// Questions still to be asked without polling.
     int questions_left_ = 0;
     bool paused_ = false;
     bool ever_answered_ = false; ///< by this server
+    /// A warning about missing answers has been given and not been taken back.
     bool silence_said_ = false;
     protocol::Dialect dialect_ = protocol::Dialect::Ut2004; ///< dialect in which INIT is sent
     std::optional<Question> open_question_;

@@ -28,11 +28,13 @@ struct VariableUse {
 /// The plan must outlive the index and must not change meanwhile. If two forms have the same name, the first one
 /// counts.
 class FormIndex {
+    /// Gives the name table the name of a form by its index.
     auto nameOfForm() const {
         return [this](std::size_t form) -> const std::string& { return nameOf(plan_->forms[form]).text; };
     }
 
 public:
+    /// Visits the whole plan once. The collection cannot be called, so its name is not in the index.
     explicit FormIndex(const Plan& plan) : plan_(&plan), formals_(plan.forms.size()) {
         forms_.reserve(plan.forms.size());
         for (std::size_t i = 0; i < plan.forms.size(); ++i) {

@@ -13,6 +13,7 @@
 
 namespace usar::posh {
 
+/// The kinds of tokens; white space and comments are none.
 enum class TokenKind : std::uint8_t {
     Open,
     Close,
@@ -28,6 +29,7 @@ enum class TokenKind : std::uint8_t {
     End, ///< has no characters; its place is after the last character of the text
 };
 
+/// One token; its text is what `at` covers.
 struct Token {
     TokenKind kind = TokenKind::End;
     Keyword keyword = Keyword::None; ///< set for names only

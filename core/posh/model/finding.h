@@ -63,7 +63,9 @@ enum class Code : std::uint16_t {
 };
 
 /// "E203", "W405".
+/// E stands for errors, W for warnings.
 std::string toText(Code code);
+/// Warning for 4xx, otherwise Error.
 Severity severityOf(Code code);
 /// Returns whether the code is an error in characters or grammar. The form that has such an error is missing from the
 /// plan.
@@ -72,17 +74,20 @@ bool isUnreadable(Code code);
 /// One error or warning about a plan.
 struct Finding {
     Code code = Code::UnexpectedToken;
+    /// Line and column in the text of the plan.
     Spot at{};
     std::string message{};        ///< one sentence, "<problem>; <what to write>"
     std::optional<Spot> opener{}; ///< place of the parenthesis that was never closed; only for Code::EndOfFile
     bool operator==(const Finding&) const = default;
 };
 
+/// Errors and warnings about one plan.
 using Findings = std::vector<Finding>;
 
 /// Formats a word of the plan for a message: in quotes, cut after about 40 bytes, control characters as blanks.
 std::string inQuotes(std::string_view word);
 
+/// Returns whether at least one finding is an error; warnings alone do not keep a plan from running.
 bool hasErrors(const Findings& findings);
 /// Returns whether all forms of the text are in the plan.
 bool isReadable(const Findings& findings);

@@ -27,12 +27,14 @@ public:
     }
 
     /// Returns the number of a name, or `none` if the name is not in the table.
+    /// Takes constant time on average; `name_of` is called for numbers with the same hash only.
     template <class NameOf>
     Number find(std::string_view name, NameOf&& name_of) const {
         return slots_.empty() ? none : slots_[slotOf(name, hashOf(name), name_of)].number;
     }
 
     /// Returns the number of a name. If the name is not in the table yet, it is stored with the number `fresh`.
+    /// `fresh` must not be `none`. Growing invalidates no numbers.
     template <class NameOf>
     Number findOrNote(std::string_view name, Number fresh, NameOf&& name_of) {
         reserve(count_ + 1);
@@ -46,6 +48,7 @@ public:
     }
 
 private:
+    /// The hash is stored so that most other names are told apart without asking for them.
     struct Slot {
         std::uint32_t hash = 0;
         Number number = none;
@@ -71,6 +74,7 @@ private:
         }
         return static_cast<std::uint32_t>(hash);
     }
+    /// Reads a number from any address in the byte order of this machine, so hashes must not be stored in files.
     template <class Word>
     static Word load(const char* bytes) {
         Word word = 0;

@@ -67,6 +67,7 @@ struct Pattern {
     Name name{};
     std::vector<Formal> formals{};
     std::optional<Interval> time_limit{};
+    /// In the order in which they are done; never empty in a plan without errors.
     std::vector<Step> steps{};
     std::optional<Literal> comment{};
     Remarks remarks{};
@@ -111,6 +112,7 @@ struct Documentation {
     bool operator==(const Documentation&) const = default;
 };
 
+/// One form of a plan; documentation is not among them, because it is stored separately.
 using Form = std::variant<Competence, Pattern, Adopt, Collection>;
 
 /// A whole plan. It has at most one collection; without one it is a fragment, which can be edited but not run.
@@ -133,9 +135,11 @@ bool wantsRealTime(CollectionKind kind);
 /// negative).
 std::optional<std::int64_t> retryLimit(const Member& element);
 
+/// Returns the name as written, with its place in the text.
 const Name& nameOf(const Form& form);
 Remarks& remarksOf(Form& form);
 const Remarks& remarksOf(const Form& form);
+/// Returns the place of a form, from its opening to its closing parenthesis.
 const Spot& spotOf(const Form& form);
 /// Returns the parameters of a form; a collection has none.
 const std::vector<Formal>& formalsOf(const Form& form);

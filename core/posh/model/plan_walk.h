@@ -9,6 +9,7 @@ namespace usar::posh {
 
 /// Returns what `get(form)` points to for the kinds of forms that have it, otherwise nullptr. `get` names one member:
 /// `[](auto& form) -> decltype(&form.goal) { return &form.goal; }`.
+/// The pointer is valid as long as the form is and its kind stays the same.
 template <class Field, class AnyForm, class Get>
 Field* fieldOf(AnyForm& form, Get get) {
     return std::visit(
@@ -22,6 +23,7 @@ Field* fieldOf(AnyForm& form, Get get) {
 
 /// Calls `visit(call, is_sense)` for each call of a form: the senses of goals, triggers and steps, and the actions of
 /// drives, elements, steps and adopts. `AnyForm` may be const; the calls are then const, too.
+/// Within a member the trigger comes before the action.
 template <class AnyForm, class Visit>
 void forEachCall(AnyForm& form, Visit&& visit) {
     const auto visitSenses = [&visit](auto& senses) {
@@ -56,6 +58,7 @@ void forEachCall(AnyForm& form, Visit&& visit) {
 
 /// Calls `visit` with the Remarks of the plan, its documentation, and each form and member. `AnyPlan` may be const; the
 /// remarks are then const, too.
+/// Members come right after their form.
 template <class AnyPlan, class Visit>
 void forEachRemarks(AnyPlan& plan, Visit&& visit) {
     visit(plan.remarks);

@@ -13,6 +13,7 @@ struct DriveState {
     bool ever_started = false;
     bool switched_off = false;  ///< the user has switched it off, so it is never ready
     Milliseconds last_start{0}; ///< host time; meaningful only if ever_started
+    /// Meaningful only if ever_started, too.
     std::uint64_t last_start_cycle = 0;
     std::uint64_t last_barren_cycle = 0; ///< last cycle that it won and in which no act ran at all
     int barren_cycles = 0;               ///< number of such cycles in a row
@@ -33,10 +34,12 @@ public:
             states_[i].stack.reserve(program.drives[i].depth);
         last_ended_.assign(program.levels.size(), nowhere);
     }
+    /// The state of a drive, by its index in Program::drives; valid until the next `load`.
     DriveState& operator[](Index drive) { return states_[drive]; }
     /// The drive of the level whose activation ended last; `nowhere` if none has ended yet.
     Index lastEnded(Index level) const { return last_ended_[level]; }
 
+    /// Begins an activation at the tracer's time and cycle, and traces it.
     void start(Index drive) {
         DriveState& state = states_[drive];
         state.in_progress = true;
@@ -76,8 +79,10 @@ public:
     }
 
 private:
+    /// The compiled drive with this index.
     const ProgramDrive& driveAt(Index index) const { return tracer_.program()->drives[index]; }
 
+    /// Source of the program, the time and the number of the cycle.
     const Tracer& tracer_;
     std::vector<DriveState> states_;
     std::vector<Index> last_ended_; ///< indexed by level

@@ -35,6 +35,7 @@ public:
         const Range elements = tracer_.program()->forms[form].items;
         std::fill(starts_.begin() + elements.first, starts_.begin() + elements.end, 0);
     }
+    /// Ends the engagement of one competence; does nothing if it has none.
     void end(Index form) {
         endWhere([form](Index engaged) { return engaged == form; });
     }
@@ -46,6 +47,7 @@ public:
     void endUnvisited() {
         endWhere([this](Index engaged) { return states_[engaged].visited != tracer_.cycle(); });
     }
+    /// Ends all engagements, as when a run stops.
     void endAll() {
         endWhere([](Index) { return true; });
     }
@@ -56,11 +58,14 @@ public:
     std::uint64_t& starts(Index element) { return starts_[element]; }
 
 private:
+    /// The engagement of one competence.
     struct State {
         Milliseconds begin{0};
         std::uint64_t visited = 0; ///< number of the last cycle that visited it
+        /// The other members count only if this is true.
         bool engaged = false;
     };
+    /// Ends the engagements for which the condition holds; its cost grows with the number of engagements.
     template <class Condition>
     void endWhere(Condition&& condition) {
         std::erase_if(engaged_, [&](Index form) {

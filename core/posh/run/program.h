@@ -14,6 +14,7 @@
 
 namespace usar::posh {
 
+/// One argument of a call.
 struct CallArgument {
     std::string name; ///< without the dollar sign; empty for a positional argument
     Value value;
@@ -38,6 +39,7 @@ struct ProgramTest {
     Value operand{};
 };
 
+/// An act at one place of the plan.
 struct ProgramAct {
     Index place = 0;
     Index call = 0;       ///< index in act_calls
@@ -52,6 +54,7 @@ struct Target {
     bool operator==(const Target&) const = default;
 };
 
+/// A drive of the collection, with the conditions under which it may start.
 struct ProgramDrive {
     Index place = 0;
     Index level = 0; ///< index in levels
@@ -69,6 +72,7 @@ struct ProgramLevel {
     bool operator==(const ProgramLevel&) const = default;
 };
 
+/// A competence, pattern or adopt at one place; a form that is called twice appears twice.
 struct ProgramForm {
     PlaceKind kind = PlaceKind::Competence;
     Index place = 0;
@@ -79,6 +83,7 @@ struct ProgramForm {
     Range items{};                    ///< elements of a competence, steps of a pattern, or the single step of an adopt
 };
 
+/// An element of a competence.
 struct ProgramElement {
     Index place = 0;
     Range trigger; ///< range of tests
@@ -97,6 +102,7 @@ struct ProgramStep {
 struct Program {
     std::string title;      ///< name of the collection
     bool real_time = false; ///< whether the collection asks for real time (see wantsRealTime)
+    /// Names that places refer to.
     std::vector<std::string> names;
     std::vector<Place> places; ///< the collection is first
     std::vector<ProgramCall> sense_calls;
@@ -115,6 +121,7 @@ struct Program {
 std::string pathOf(const Program& program, Index place);
 /// Returns the same path as names for display: "robot ▸ work ▸ pick-up ▸ grab ▸ close-gripper".
 std::string namePathOf(const Program& program, Index place);
+/// Returns the name of a place as the plan spells it.
 const std::string& nameOf(const Program& program, Index place);
 /// Returns the call of a sense or act as traces print it; empty for other places.
 const std::string& callTextAt(const Program& program, Index place);

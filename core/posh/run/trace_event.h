@@ -41,7 +41,9 @@ enum class TraceEvent : std::uint8_t {
 /// the budget of acts was used up. GoalSatisfied: the goal of the collection holds. Won: the plan ended in an earlier
 /// cycle.
 enum class Outcome : std::uint8_t { Fired, NoAction, Idle, Budget, GoalSatisfied, Won };
+/// The reason why a drive was passed over: it ran too recently for its frequency, or it is switched off.
 enum class SkipReason : std::uint8_t { Frequency, SwitchedOff };
+/// The kinds of warnings of an engine; the text of the record says the rest.
 enum class WarningCode : std::uint8_t { Budget, UnlikeTypes, StarvingDrive, SlowPrimitive, Host };
 /// The type of an answer; the order is that of the alternatives of Value.
 enum class ValueKind : std::uint8_t { Nil, Boolean, Integer, Real, Text, Symbol };
@@ -61,19 +63,26 @@ struct TraceRecord {
     std::uint8_t flags = 0;
     ValueKind value = ValueKind::Nil; ///< type of the answer, for SenseEval
 
+    /// For CycleEnd.
     Outcome outcome() const { return static_cast<Outcome>(detail); }
+    /// For ActRun.
     ActResult result() const { return static_cast<ActResult>(detail); }
+    /// For ActDone.
     DoneReason reason() const { return static_cast<DoneReason>(detail); }
+    /// For DriveSkipped.
     SkipReason skip() const { return static_cast<SkipReason>(detail); }
+    /// For Warning.
     WarningCode warning() const { return static_cast<WarningCode>(detail); }
     bool operator==(const TraceRecord&) const = default;
 };
 static_assert(sizeof(TraceRecord) == 32);
 
+/// Type of a value, by the alternative that it holds.
 inline ValueKind kindOf(const Value& value) {
     return static_cast<ValueKind>(value.index());
 }
 
+/// The bits of a number.
 inline std::uint64_t payloadOf(double number) {
     return std::bit_cast<std::uint64_t>(number);
 }

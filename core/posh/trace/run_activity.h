@@ -63,6 +63,7 @@ public:
         program_ = program;
         statistics_.retune(program);
     }
+    /// Takes the next record with its text; records of places that the program does not have are ignored.
     void take(const TraceRecord& record, std::string_view text);
 
     /// The running program; nullptr before the first start.
@@ -77,10 +78,15 @@ public:
     const std::vector<BoardEntry>& board() const { return board_; }
 
 private:
+    /// Clears what holds for one cycle only.
     void beginCycle(std::int64_t now_ms);
+    /// Keeps the time since which the verdict has been the same.
     void answer(PlaceActivity& place, const TraceRecord& record, std::string_view text) const;
+    /// Notes for this cycle why a place does not run.
     void holdBack(Index place, std::string why);
+    /// Marks a place and all places above it as running.
     void activate(Index place);
+    /// Enters a change of the blackboard; a text that is none is ignored.
     void write(const TraceRecord& record, std::string_view text);
 
     std::shared_ptr<const Program> program_;

@@ -14,6 +14,7 @@ namespace usar::posh {
 
 /// One cycle of a recorded run, with the events between it and the next cycle.
 struct TracedCycle {
+    /// Counts from 1, as in the engine.
     std::uint64_t number = 0;
     std::int64_t time_ms = 0;               ///< in the engine's time
     std::shared_ptr<const Program> program; ///< nullptr if the plan in the file cannot be compiled
@@ -22,6 +23,7 @@ struct TracedCycle {
     std::vector<trace_codec::Entry> behind; ///< events after the end of the cycle, such as a stop or a replacement
     std::vector<std::string> texts;         ///< the text with number n is at index n - 1
 
+    /// Empty if the event has no text; valid as long as the cycle is.
     std::string_view textOf(const trace_codec::Entry& entry) const {
         return entry.text == 0 ? std::string_view() : std::string_view(texts[entry.text - 1]);
     }
@@ -38,9 +40,11 @@ public:
     /// address. A frame that is not complete yet is left for later.
     void extend(std::string_view bytes);
 
+    /// Number of cycles in complete frames.
     std::size_t cycleCount() const { return cycle_count_; }
     /// Describes where a frame of unknown kind ended the trace; empty if there was none.
     const std::string& damage() const { return damage_; }
+    /// Text of a plan as it was recorded; `plan` must be less than planCount().
     const std::string& planText(std::size_t plan) const { return plans_[plan].text; }
     std::size_t planCount() const { return plans_.size(); }
 
@@ -74,6 +78,7 @@ public:
         std::vector<trace_codec::Entry> now_;     ///< the same for the current cycle
         std::vector<trace_codec::Entry> answers_; ///< newest answers by sense call
     };
+    /// Returns a cursor whose next cycle is the first one of the file.
     Cursor begin() const { return {*this, trace_codec::magic.size(), 0}; }
     /// Returns a cursor whose next cycle is this one, or the first recorded cycle after it.
     Cursor seek(std::uint64_t cycle) const;
@@ -85,10 +90,12 @@ private:
         std::size_t offset = 0; ///< byte offset of the frame
         std::size_t plan = 0;   ///< number of plans before it
     };
+    /// A plan and what it compiles to; the program is nullptr if it does not compile.
     struct RecordedPlan {
         std::string text;
         std::shared_ptr<const Program> program;
     };
+    /// One complete frame of the file.
     struct FrameView {
         trace_codec::Frame kind = trace_codec::Frame::Plan;
         std::string_view body;
@@ -96,6 +103,7 @@ private:
     };
     /// Returns the frame at a byte offset; nullopt if there is no complete one.
     std::optional<FrameView> frameAt(std::size_t offset) const;
+    /// Adds one frame to the index.
     void index(const FrameView& frame, std::size_t offset);
 
     std::string_view bytes_;

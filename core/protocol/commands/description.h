@@ -29,11 +29,13 @@ struct CommandWord {
 
 /// The key of a segment and a phrase of help. `words` are the usual values of a text, offered for completion.
 struct Key {
+    /// The texts are not copied and must be static.
     constexpr Key(const char* key, std::string_view help_text = {}, std::span<const std::string_view> usual = {})
         : name(key)
         , help(help_text)
         , words(usual) {}
     explicit constexpr Key(std::string_view key) : name(key) {}
+    /// A key passes for its name wherever only that matters.
     constexpr operator std::string_view() const { return name; }
 
     std::string_view name;

@@ -23,6 +23,7 @@ struct DriveSwitches {
     bool operator==(const DriveSwitches&) const = default;
 
     static constexpr auto& word = drive_word;
+    /// A line with one of these keys is a DriveSwitches only if no other kind of DRIVE claims it.
     static constexpr auto weak_signs = texts("Light", "Flip", "");
     static void segments(auto& io, auto& switches) {
         io.flag({"Light", "head lights"}, switches.light_on);
@@ -35,6 +36,7 @@ struct DriveSwitches {
 /// limited. A DRIVE without any value has no effect; it reads back as an AerialDrive without any value.
 /// On the wire: `DRIVE {Left 1} {Right -1} {Normalized false}`.
 struct SkidDrive {
+    /// Positive spins drive forward; percent instead of rad/s if `normalized` is set.
     std::optional<double> left_rad_s{};
     std::optional<double> right_rad_s{};
     bool normalized = false;
@@ -65,6 +67,7 @@ struct AckermannDrive {
     bool operator==(const AckermannDrive&) const = default;
 
     static constexpr auto& word = drive_word;
+    /// One of these keys suffices to recognize the kind of DRIVE.
     static constexpr auto signs = texts("Speed", "FrontSteer", "RearSteer");
     static void segments(auto& io, auto& drive) {
         const bool udk = io.dialect() == Dialect::Udk;
@@ -82,6 +85,7 @@ struct AckermannDrive {
 /// The values for one of several wheels.
 struct WheelDrive {
     int wheel = 0; ///< from 0
+    /// Percent of the maximum if `normalized` of the OmniDrive is set; not limited.
     std::optional<double> spin_rad_s{};
     std::optional<double> steer_rad{}; ///< counterclockwise positive
     bool operator==(const WheelDrive&) const = default;

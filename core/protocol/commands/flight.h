@@ -24,6 +24,7 @@ struct AerialDrive {
     static constexpr auto& word = drive_word;
     static constexpr auto signs =
         texts("AltitudeVelocity", "LinearVelocity", "LateralVelocity", "RotationalVelocity", "PitchAngle", "RollAngle");
+    /// A lone Normalized is claimed only if no other kind of DRIVE fits.
     static constexpr auto weak_signs = texts("Normalized");
     static void segments(auto& io, auto& drive) {
         io.beginScale(drive.normalized);
@@ -44,7 +45,9 @@ struct AerialDrive {
 /// DRIVE for boats and submarines. Angles have the server's sign.
 /// On the wire: `DRIVE {Propeller 20} {Rudder 0.25} {SternPlane -0.125} {Normalized false}`.
 struct NauticDrive {
+    /// Percent of the maximum if `normalized` is set.
     std::optional<double> propeller_rad_s{};
+    /// The embedded simulator takes angles for percent, too, if `normalized` is set.
     std::optional<double> rudder_rad{};
     std::optional<double> stern_plane_rad{};
     bool normalized = false;

@@ -27,6 +27,7 @@ inline constexpr std::array wire_words<JointOrder> = {
 struct JointDrive {
     Token joint;
     JointOrder order = JointOrder::Angle;
+    /// An absent value leaves the joint's last one in force.
     std::optional<double> value{};     ///< unit according to `order`
     std::optional<double> steer_rad{}; ///< for a steerable wheel; counterclockwise positive
     bool normalized = false;           ///< `value` is in percent of the maximum; not limited
@@ -45,6 +46,7 @@ struct JointDrive {
     }
 
     static constexpr auto& word = drive_word;
+    /// A DRIVE with a Name is one for a joint, whatever else it has.
     static constexpr auto signs = texts("Name");
     static void segments(auto& io, auto& drive) {
         io.text({"Name", "a joint, spelled exactly"}, drive.joint);
@@ -83,6 +85,7 @@ struct MultiDrive {
 
 /// The quantity that a SET of a joint changes. UDK knows only Angle and Stiffness.
 enum class JointOpcode { Angle, Speed, Torque, RelativeAngle, RelativeSpeed, RelativeTorque, Stiffness };
+/// Servers also accept the numbers and Target; the first word for each quantity is the one that is written.
 template <>
 inline constexpr std::array wire_words<JointOpcode> = {WireWord{"Angle", JointOpcode::Angle},
                                                        WireWord{"Target", JointOpcode::Angle},

@@ -25,9 +25,11 @@ public:
     static constexpr bool reading = true;
     static constexpr bool writing = false;
 
+    /// Both references must outlive this object. Warnings and the reason for a refusal go to `diagnostics`.
     LineIn(const Segments& segments, Diagnostics& diagnostics, Dialect dialect)
         : SegmentValues(segments, diagnostics)
         , dialect_(dialect) {}
+    /// True as soon as one value refused the line; the command that is being filled must not be used then.
     using SegmentValues::refused;
     Dialect dialect() const { return dialect_; }
 
@@ -40,6 +42,9 @@ public:
     }
     void ignored(const Key&) {}
 
+    /// Reads a number; leaves an optional unchanged if there is no such segment. Angles sent in degrees become radians,
+    /// turns change their sign. A keyless number is looked for in the whole text of every segment. Whole numbers refuse
+    /// the line if they have a fraction or are beyond 1e9.
     void number(const Key& key, std::optional<double>& value, NumberForm form = {});
     void number(const Key& key, std::optional<int>& value, NumberForm = {});
     void number(const Key& key, std::optional<Seconds>& value, NumberForm = {});
@@ -85,10 +90,14 @@ public:
     /// Refuses the line unless there are exactly six numbers.
     void sixNumbers(const Key& key, Pose& pose);
     void goal(const Key& point_key, const Key& node_key, std::variant<Vec2, Token>& goal);
+    /// Reads points separated by semicolons; refuses the line unless each has exactly three numbers. A missing list is
+    /// empty.
     void points(const Key& key, std::vector<Vec3>& points);
     /// Refuses the line if only one of the corners is there.
     void box(const Key& min_key, const Key& max_key, std::optional<Box>& box);
     void pace(const Key& speed_key, const Key& time_key, std::variant<WaypointSpeed, Seconds>& pace);
+    /// Reads one number, or, if there is a comma, a number and a steering angle, which is clockwise positive on the
+    /// wire.
     void valueAndSteer(const Key& key, double& value, std::optional<double>& steer_rad);
     void tagAndText(const Key& key, Token& tag, Text& text);
 
@@ -120,7 +129,9 @@ public:
     }
 
 private:
+    /// The segment with this key, or nullptr; within a group only the segment at hand is considered.
     const Segment* find(std::string_view key);
+    /// Refuses the line for a missing value, except within a group, where each segment is offered by itself.
     template <class Value>
     void take(const Key& key, const std::optional<Value>& read, Value& value) {
         if (read)

@@ -29,6 +29,7 @@ public:
     static constexpr bool reading = false;
     static constexpr bool writing = true;
 
+    /// Appends to `out`, which already has the command's word; each segment begins with a blank.
     LineOut(std::string& out, Dialect dialect) : out_(out), dialect_(dialect) {}
     Dialect dialect() const { return dialect_; }
 
@@ -42,8 +43,11 @@ public:
     void mark(const Key& key, Value value, const std::array<WireWord<Value>, count>& table) {
         mark(key, std::ranges::find(table, value, &WireWord<Value>::value)->word);
     }
+    /// Writes nothing.
     void ignored(const Key&) {}
 
+    /// Writes a number in the form that the server expects: degrees instead of radians, the opposite sign for a turn,
+    /// limited to -100..100 for a speed in percent, and 0 for an absent value if the form says so.
     void number(const Key& key, const std::optional<double>& value, NumberForm form = {});
     void number(const Key& key, const std::optional<Seconds>& value) {
         if (value)
@@ -63,10 +67,12 @@ public:
         if (value)
             mark(key, *value ? "1" : "0");
     }
+    /// Writes a text as it is; its type guarantees that it has no braces.
     void text(const Key& key, std::string_view value) {
         if (!value.empty())
             mark(key, value);
     }
+    /// Writes the first word in the enumeration's table that stands for the value.
     template <class Value>
     void choice(const Key& key, const std::optional<Value>& value) {
         if (value)
@@ -91,9 +97,11 @@ public:
     void points(const Key& key, const std::vector<Vec3>& points);
     /// Writes two corners. y and z change their signs on the wire, so that their minimum and maximum swap.
     void box(const Key& min_key, const Key& max_key, const std::optional<Box>& box);
+    /// Writes either a speed in m/s or a time in seconds.
     void pace(const Key& speed_key, const Key& time_key, const std::variant<WaypointSpeed, Seconds>& pace);
     /// Writes a number and, after a comma, a steering angle if there is one.
     void valueAndSteer(const Key& key, double value, const std::optional<double>& steer_rad);
+    /// Writes the tag and, after a blank, the text if there is any.
     void tagAndText(const Key& key, const Token& tag, const Text& text);
 
     /// Writes the segments of each element, one after the other.

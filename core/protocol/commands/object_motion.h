@@ -14,6 +14,7 @@ namespace usar::protocol {
 /// On the wire: `CONTROL {Type AbsMove} {Name B1} {Location 3,2,-1} {Rotation 0,0,1.5}`.
 struct PlaceObject {
     Token object_name;
+    /// Meters and radians; the wire has Location and Rotation in the server's frame.
     Pose object_in_map{};
     bool operator==(const PlaceObject&) const = default;
 
@@ -67,6 +68,7 @@ struct RunConveyor {
 /// On the wire: `CONTROL {Type AddWP} {Name B1} {WP 1,2,1.5;3,2,0}`.
 struct AddWaypoints {
     Token object_name;
+    /// Separated by semicolons on the wire; an empty list is written as an empty WP.
     std::vector<Vec3> points_in_map_m{};
     bool operator==(const AddWaypoints&) const = default;
 
@@ -77,6 +79,7 @@ struct AddWaypoints {
     }
 };
 /// ClearWP: removes the path of an object.
+/// Whether the object then returns to its place is up to SetWP's ResetOnClear.
 /// On the wire: `CONTROL {Type ClearWP} {Name B1}`.
 struct ClearWaypoints {
     Token object_name;
@@ -85,6 +88,7 @@ struct ClearWaypoints {
     static constexpr auto& word = control_word;
     static void segments(auto& io, auto& clear) { controlSegments(io, "ClearWP", clear.object_name); }
 };
+/// A constant speed along a path, as opposed to a time for the whole path.
 struct WaypointSpeed {
     double speed_m_s = 0.0;
     bool operator==(const WaypointSpeed&) const = default;

@@ -11,16 +11,19 @@
 namespace usar::protocol {
 
 /// The quantity that a value sets: rad, rad/s or N m (m, m/s and N for a sliding joint).
+/// MISPKG has no relative orders, unlike DRIVE (see JointOrder).
 enum class LinkOrder { Angle, Speed, Torque };
 template <>
 inline constexpr std::array wire_words<LinkOrder> = {WireWord{"0", LinkOrder::Angle}, WireWord{"1", LinkOrder::Speed},
                                                      WireWord{"2", LinkOrder::Torque}};
 
+/// Both spellings are read; MISPKG is the one that is written.
 inline constexpr CommandWord package_word{.word = "MISPKG",
                                           .help = "moves a mission package, such as a camera's pan and tilt",
                                           .example = "MISPKG {Name CameraPanTilt} {Link 1} {Value 0.5} {Link 2} "
                                                      "{Value 0}",
                                           .other_word = "MISSPKG"};
+/// The keys below are shared by several commands of this file.
 inline constexpr Key package_name{"Name", "the mission package"};
 inline constexpr Key package_order{"Order", "0 angle, 1 speed, 2 torque"};
 inline constexpr Key link_key{"Link", "a link of it, from 1"};
@@ -97,6 +100,7 @@ struct LinkValue {
 /// ACT, UDK's newer command for the same purpose.
 /// On the wire: `ACT {Name Arm} {Link 1} {Value 0.5} {Link 3} {Value 0}`.
 struct ActuatorDrive {
+    /// The actuator's name as in its CONF.
     Token actuator;
     std::vector<LinkValue> links{};
     std::optional<bool> gripper_closed{};

@@ -10,6 +10,7 @@
 namespace usar::protocol {
 
 /// GETPATHNODES; the answer is PathNodes.
+/// It has no segments.
 struct GetPathNodes {
     bool operator==(const GetPathNodes&) const = default;
 
@@ -19,6 +20,7 @@ struct GetPathNodes {
 /// GETCLOSESTPATHNODE; the answer is ClosestPathNode.
 /// On the wire: `GETCLOSESTPATHNODE {Location 3,4,0}`.
 struct GetClosestPathNode {
+    /// A line without Location is refused.
     Vec3 point_in_map_m = Vec3::Zero();
     bool operator==(const GetClosestPathNode&) const = default;
 
@@ -37,12 +39,14 @@ struct GoToNode {
     static void segments(auto& io, auto& go) { io.text({"Name", "the path node"}, go.node_name); }
 };
 
+/// The way in which an avatar walks to a goal; no command sets its speed.
 enum class Gait { WalkForward, WalkBackward, Run };
 template <>
 inline constexpr std::array wire_words<Gait> = {WireWord{"Walk_Forward", Gait::WalkForward},
                                                 WireWord{"Walk_Backward", Gait::WalkBackward},
                                                 WireWord{"Run", Gait::Run}};
 
+/// The word of all commands to an avatar's walk; Action tells them apart.
 inline constexpr CommandWord move_word{"MOVE", "tells an avatar to walk (UDK)",
                                        "MOVE {Action New} {Type Run} {Location 3.5,-2}"};
 inline constexpr Key move_action{"Action", "New and Append give a goal"};
@@ -63,6 +67,7 @@ struct WalkTo {
     }
 };
 /// MOVE with the action Pause.
+/// On the wire: `MOVE {Action Pause}`.
 struct PauseWalk {
     bool operator==(const PauseWalk&) const = default;
 
@@ -70,6 +75,7 @@ struct PauseWalk {
     static void segments(auto& io, auto&) { io.mark(move_action, "Pause"); }
 };
 /// MOVE with the action Resume.
+/// On the wire: `MOVE {Action Resume}`.
 struct ResumeWalk {
     bool operator==(const ResumeWalk&) const = default;
 

@@ -12,6 +12,7 @@ namespace usar::protocol {
 /// On the wire: `SET {Type INS} {Name INS} {Opcode POSE} {Params 1,2,-3,0.5,-0.25,1}`.
 struct SetInsPose {
     Name sensor_name = "INS";
+    /// In our map frame; the line has x, y and z in meters and the three angles in radians in the server's frame.
     Pose base_in_map{};
     bool operator==(const SetInsPose&) const = default;
 
@@ -30,6 +31,7 @@ struct ResetSensor {
     bool operator==(const ResetSensor&) const = default;
 
     static constexpr auto& word = set_word;
+    /// These types are suggested for completion; any other is sent as it is.
     static constexpr auto usual_types = texts("Odometry", "Encoder");
     static void segments(auto& io, auto& set) {
         io.text({"Type", set_type.help, usual_types}, set.type);
@@ -61,6 +63,7 @@ template <>
 inline constexpr std::array wire_words<GripperAction> = {
     WireWord{"OPEN", GripperAction::Open}, WireWord{"CLOSE", GripperAction::Close},
     WireWord{"GRIP", GripperAction::Grip}, WireWord{"GRIP", GripperAction::LetGo}};
+/// OPEN and CLOSE have no parameters. An empty name lets the line go out without Name.
 /// On the wire: `SET {Type Gripper} {Name G1} {Opcode GRIP} {Params 1}`.
 struct UseGripper {
     GripperAction action = GripperAction::Open;
@@ -86,6 +89,7 @@ struct UseGripper {
                 set.action = GripperAction::LetGo;
     }
 };
+/// Opens or closes a tool changer (UDK).
 /// On the wire: `SET {Type ToolChanger} {Name TC1} {Opcode OPEN}`.
 struct UseToolChanger {
     bool open = true;
@@ -110,6 +114,7 @@ struct SetItem {
     bool operator==(const SetItem&) const = default;
 
     static constexpr auto& word = set_word;
+    /// Any SET with an opcode fits; more specific structs are tried before this one.
     static constexpr auto signs = texts("Opcode");
     static void segments(auto& io, auto& set) {
         io.text(set_type, set.type);

@@ -53,6 +53,7 @@ struct Init {
     static constexpr CommandWord word{
         "INIT", "spawns the robot of this connection",
         "INIT {ClassName USARBot.P2DX} {Name R1} {Location 4.5,1.9,1.8} {Rotation 0,0,0}"};
+    /// Classes for completion; any other class is sent as it is.
     static constexpr auto usual_classes =
         texts("USARBot.P2DX", "USARBot.P2AT", "USARBot.P3AT", "USARBot.AirRobot", "USARBot.Kenaf", "USARBot.TeleMax",
               "USARBot.ATRVJr", "USARBot.Zerg", "USARBot.Hummer", "USARBot.Submarine", "USARBot.QRIO", "USARBot.ERS",
@@ -67,6 +68,7 @@ struct Init {
 };
 
 /// GETSTARTPOSES; the answer is StartPoses.
+/// It has no segments, and needs no robot.
 struct GetStartPoses {
     bool operator==(const GetStartPoses&) const = default;
 

@@ -11,6 +11,7 @@ namespace usar::protocol {
 /// Sets the angle of view of a camera. 0 restores the default; the server limits the angle to the camera's range.
 /// On the wire: `SET {Type Camera} {Name Camera} {Opcode Zoom} {Params 0.5}`.
 struct ZoomCamera {
+    /// The opcode FOV is read like Zoom.
     double field_of_view_rad = 0.0;
     Name camera_name{};
     bool operator==(const ZoomCamera&) const = default;
@@ -24,6 +25,7 @@ struct ZoomCamera {
     }
 };
 
+/// The address identifies the viewer, as the image server sees it.
 inline constexpr Key viewer_key{"Client", "the viewer's address; alone it detaches the viewer"};
 
 /// Makes the viewer at `client_address` show the given camera of the given robot.
@@ -57,6 +59,7 @@ struct DetachCamera {
     }
 };
 
+/// One viewport for the whole window, or four of a quarter each.
 enum class ViewLayout { Single, Quad };
 template <>
 inline constexpr std::array wire_words<ViewLayout> = {WireWord{"SingleView", ViewLayout::Single},

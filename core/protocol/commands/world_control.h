@@ -17,9 +17,11 @@ template <>
 inline constexpr std::array wire_words<ObjectPhysics> = {WireWord{"None", ObjectPhysics::None},
                                                          WireWord{"RigidBody", ObjectPhysics::RigidBody}};
 
+/// The word that begins every command of this file and of object_motion.h.
 inline constexpr CommandWord control_word{"CONTROL",
                                           "makes, moves and removes objects, on a world controller's connection",
                                           "CONTROL {Type Kill} {Name Box1}"};
+/// What a CONTROL does is its Type, which is a mark.
 inline constexpr Key control_type{"Type", "what to do with the object"};
 inline constexpr Key object_key{"Name", "the object"};
 inline constexpr Key object_class{"ClassName", "its class"};
@@ -58,6 +60,7 @@ struct CreateObject {
     }
 };
 
+/// Kill: removes one object by its name.
 /// On the wire: `CONTROL {Type Kill} {Name B1}`.
 struct KillObject {
     Token object_name;
@@ -68,6 +71,7 @@ struct KillObject {
 };
 /// An axis-aligned box in the map frame.
 struct Box {
+    /// The corner with the smallest coordinates; `max_m` has the largest.
     Vec3 min_m = Vec3::Zero();
     Vec3 max_m = Vec3::Zero();
     bool operator==(const Box&) const = default;
@@ -79,6 +83,7 @@ inline Box acrossWire(const Box& box) {
 /// KillAll: removes all objects, or those in a box.
 /// On the wire: `CONTROL {Type KillAll} {MinPos 0,-1,0} {MaxPos 5,5,4}`.
 struct KillAllObjects {
+    /// Absent: the command is not limited to a place.
     std::optional<Box> within{};
     bool operator==(const KillAllObjects&) const = default;
 

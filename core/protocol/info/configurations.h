@@ -19,10 +19,12 @@ struct RobotConfiguration {
     VehicleKind kind = VehicleKind::Unknown;
     std::string steering{}; ///< SkidSteered, AckermanSteered, OmniDrive, None …
     std::optional<double> mass_kg{};
+    /// Largest spin of a wheel; percent in a normalized DRIVE refer to it.
     std::optional<double> wheel_speed_limit_rad_s{};
     std::optional<double> torque_limit_n_m{};
     std::optional<double> front_steer_limit_rad{};
     std::optional<double> rear_steer_limit_rad{};
+    /// Aerial robots only, as are the next three.
     std::optional<double> forward_limit_m_s{};
     std::optional<double> sideways_limit_m_s{};
     std::optional<double> climb_limit_m_s{};
@@ -55,6 +57,7 @@ struct SensorConfiguration {
     std::string name{};
     std::optional<double> range_max_m{};
     std::optional<double> range_min_m{};
+    /// Opening angle of one beam, such as a sonar's cone.
     std::optional<double> beam_angle_rad{};
     std::optional<double> resolution_rad{}; ///< angle between beams, or of one encoder tick
     std::optional<double> fov_rad{};        ///< horizontal

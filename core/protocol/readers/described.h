@@ -26,9 +26,11 @@ inline constexpr bool is_required = std::is_same_v<Member, double> || std::is_sa
 /// a required one is missing or damaged, the line stays generic.
 struct ItemsFound {
     bool any = false;
+    /// An item is on the line, but its value cannot be read; an error has been reported.
     bool damaged = false;
     std::string_view missing{}; ///< key of a required item that is not on the line; empty if there is none
 
+    /// True if the struct is complete enough to be passed on.
     bool usable() const { return any && !damaged && missing.empty(); }
 };
 
@@ -48,6 +50,7 @@ void readItem(LineReading& line, Pairs pairs, Owner& owner, const Item<Owner, Me
 }
 
 /// Reads a pose, which is damaged if only one of its two segments is there.
+/// Rotation is another spelling of Orientation. A pose that cannot be read becomes the zero pose.
 template <class Owner>
 void readItem(LineReading& line, Pairs pairs, Owner& owner, const PoseItem<Owner>& item, ItemsFound& found) {
     const KeyedText* const location = findPair(pairs, "Location");
@@ -68,6 +71,7 @@ void readItem(LineReading& line, Pairs pairs, Owner& owner, const PoseItem<Owner
 }
 
 /// Reads all items of one struct. Reports an error if only some of the required ones are there.
+/// Segments that no item describes are ignored here.
 template <class Owner>
 ItemsFound readItems(LineReading& line, Pairs pairs, Owner& owner) {
     ItemsFound found;

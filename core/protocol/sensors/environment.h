@@ -32,10 +32,12 @@ struct SoundReading {
 /// A sound heard by UDK's acoustic sensor: too far away to be located, or with a unit vector toward it in the sensor's
 /// frame.
 struct HeardSound {
+    /// Yes if the line has {Far} instead of a direction.
     Present far = Present::No;
     std::optional<Vec3> direction{};   ///< absent if the sound is too far away
     std::optional<double> volume{};    ///< as sent; no unit is known
     std::optional<Seconds> duration{}; ///< length of the sound
+    /// As sent; no source says between which moments.
     std::optional<Seconds> delay{};
 
     static constexpr auto items() {
@@ -54,6 +56,7 @@ struct AcousticReading {
     std::optional<Seconds> time{};
     std::string name{};
     Present silence = Present::No;
+    /// One element for each Direction or Far on the line; empty in silence.
     std::vector<HeardSound> sounds{};
 
     static constexpr std::string_view wire_types = "Acoustic";
@@ -63,10 +66,12 @@ struct AcousticReading {
     bool operator==(const AcousticReading&) const = default;
 };
 
+/// The concentration of one gas at the sensor's place.
 /// On the wire: `SEN {Time 1} {Type CO2Sensor} {Name C} {Gas CO2} {Density 0.25}`.
 struct GasReading {
     std::optional<Seconds> time{};
     std::string name{};
+    /// The gas by its name, such as CO2.
     std::string gas{};
     double density = 0.0; ///< as sent; no source gives its unit
 
@@ -85,6 +90,7 @@ struct BallReading {
     std::optional<Seconds> time{};
     std::string name{};
     std::optional<Vec3> position{};
+    /// False if the ball is out of sight.
     std::optional<bool> visible{};
 
     static constexpr std::string_view wire_types = "Helper";
@@ -101,6 +107,7 @@ struct BallReading {
 struct MissionTimeReading {
     std::optional<Seconds> time{};
     std::string name{};
+    /// A line without Minutes is no such reading.
     long long minutes = 0;
 
     static constexpr std::string_view wire_types = "MissionTime";
@@ -113,6 +120,7 @@ struct MissionTimeReading {
 /// One object seen by an ObjectSensor.
 struct SeenObject {
     std::string tag{}; ///< value of Object
+    /// From Location and Orientation, in our map frame.
     Pose object_in_map{};
     std::optional<Vec3> hit_in_map_m{}; ///< point at which the sensor's ray hits the object
     std::string material{};             ///< "None" if it has none
@@ -130,6 +138,7 @@ struct SeenObject {
 struct ObjectsReading {
     std::optional<Seconds> time{};
     std::string name{};
+    /// In the order of the line; empty if the line names none.
     std::vector<SeenObject> objects{};
 
     static constexpr std::string_view wire_types = "ObjectSensor";

@@ -14,6 +14,7 @@ namespace usar::protocol {
 struct AccelerationReading {
     std::optional<Seconds> time{};
     std::string name{};
+    /// In our axes: x forward, y left, z up.
     Vec3 acceleration_m_s2 = Vec3::Zero();
 
     static constexpr std::string_view wire_types = "Accel";
@@ -45,9 +46,11 @@ struct AccelerometerReading {
 struct ImuReading {
     std::optional<Seconds> time{};
     std::string name{};
+    /// Each value is absent if the line does not have it.
     std::optional<Vec3> acceleration_m_s2{};
     std::optional<Vec3> angular_velocity_rad_s{};
     std::optional<Vec3> angular_acceleration_rad_s2{};
+    /// Attitude of the body, with our signs.
     std::optional<Vec3> roll_pitch_yaw_rad{};
 
     static constexpr std::string_view wire_types = "IMU";

@@ -28,7 +28,9 @@ struct SeenPart {
 struct VictimReading {
     std::optional<Seconds> time{};
     std::string name{};
+    /// In the order of the line; several parts may belong to one person.
     std::vector<SeenPart> parts{};
+    /// Absent if parts are in view.
     std::optional<std::string> status{};
 
     static constexpr std::string_view wire_types = "VictSensor";
@@ -42,6 +44,7 @@ struct VictimReading {
 struct TaggedVictim {
     std::string id{};
     std::string victim_name{}; ///< sent by some versions only
+    /// Free text about the victim, such as "ok"; empty if it was not sent.
     std::string status{};
     std::optional<Vec3> victim_in_reader_m{}; ///< position in the reader's frame
 
@@ -60,6 +63,7 @@ struct TaggedVictim {
 struct VictimTagReading {
     std::optional<Seconds> time{};
     std::string name{};
+    /// In the order of the line; a tag that cannot be read is listed, too.
     std::vector<TaggedVictim> victims{};
 
     static constexpr std::string_view wire_types = "VictRFID";
@@ -86,9 +90,11 @@ struct HumanMotionReading {
 
 /// One player of the game. `position_uu` is its position in Unreal's own frame and units.
 struct Player {
+    /// The game's number of the player.
     long long number = 0;
     std::string anchor{};
     std::optional<bool> is_player{};
+    /// In our map frame, converted from the wire's.
     std::optional<Vec3> player_in_map_m{};
     std::optional<Vec3> position_uu{};
 
@@ -108,6 +114,7 @@ struct PlayersReading {
     std::optional<Seconds> time{};
     std::string name{};
     std::optional<long long> count{};
+    /// In the order of the line.
     std::vector<Player> players{};
 
     static constexpr std::string_view wire_types = "GroundTruthPlayers";

@@ -24,6 +24,7 @@ using Color = Eigen::Array3f;
 struct SeenSolid {
     Shape shape;
     Vec3 center_m = Vec3::Zero();
+    /// Rotation alone; the place is `center_m`, in the map frame.
     Eigen::Matrix3d solid_in_map = Eigen::Matrix3d::Identity();
     double radius_m = 0.0; ///< radius of a sphere around its center that encloses it
     Color color = Color::Constant(0.5f);
@@ -41,6 +42,7 @@ struct SeenFrom {
     std::string camera;
     Eigen::Isometry3d camera_in_map = Eigen::Isometry3d::Identity();
     double field_of_view_rad = protocol::usual_camera_fov_rad; ///< horizontally
+    /// Size of the picture.
     int width_px = 320;
     int height_px = 240;
 };
@@ -55,6 +57,7 @@ struct CameraChoice {
 /// How a client has divided the window (SET {Type Viewports}): one camera, or four, from the top left row by row. A
 /// part without a camera stays black.
 struct Viewports {
+    /// If false, only the first camera counts.
     bool four = false;
     std::array<std::optional<CameraChoice>, 4> cameras{};
     bool operator==(const Viewports&) const = default;
@@ -65,6 +68,7 @@ struct CameraScene {
     std::shared_ptr<const StillWorld> still; ///< never null
     std::uint64_t tick = 0;                  ///< equal ticks of one simulation show the same
     std::vector<SeenSolid> solids;           ///< robots, objects, victims and tags
+    /// Only the lamps that are on.
     std::vector<SeenLamp> lamps;
     std::vector<SeenFrom> cameras;                ///< in the order of the robots' connections
     std::map<std::string, CameraChoice> attached; ///< by the viewer's address

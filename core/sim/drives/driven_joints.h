@@ -50,13 +50,17 @@ public:
 private:
     struct Joint {
         std::string name;
+        /// N m or N; 0: the joint cannot be driven.
         double torque_limit = 0.0;
         double speed_limit = 0.0;
+        /// rad or m; the joint has no limits if `lower` exceeds `upper`.
         double lower = 1.0;
         double upper = -1.0;
+        /// The joint belongs to a mission package.
         bool in_package = false;
         double stiffness = 1.0; ///< share of the torque that UDK's SET leaves it
         JointMotor motor{};
+        /// With all joints at 0, as is the axis.
         Vec3 pivot_in_base_m = Vec3::Zero();
         Vec3 axis_in_base = Vec3::UnitZ();
     };
@@ -84,6 +88,7 @@ protected:
         : joints_(model, physics, body)
         , physics_(physics)
         , body_(body) {}
+    /// True once the drive has been switched off.
     bool off() const { return off_; }
     /// Allows or forbids the body to sleep. Tells the physics only if this is new, because that wakes the body.
     void letSleep(bool allowed);

@@ -44,15 +44,22 @@ public:
     /// `model` and `physics` must outlive it.
     NauticDrive(const RobotModel& model, Physics& physics, BodyId body, const World& world);
 
+    /// Obeys protocol::NauticDrive alone; values are clamped to the hull's limits, absent ones stay in force.
     bool obey(const protocol::Command& command) override;
+    /// Turns fins and propeller toward the commanded values, then applies the forces of the water.
     void beforeStep(Seconds dt) override;
+    /// Counts a collision if anything touches the hull after the step.
     void afterStep(Seconds dt) override;
+    /// Lets the propeller run down; the fins keep their commanded angles.
     void switchOff() override;
+    /// True as long as the propeller is commanded to stand still.
     bool idle() const override;
     /// Counts contacts with anything, including the bottom of the sea.
     int collisions() const override { return collisions_.count(); }
     using Drive::addTo;
+    /// Adds SternPlaneAngle and RudderAngle in rad.
     void addTo(protocol::RobotState& state) const override;
+    /// The names of the limits are ours, because no source gives UT2004's (robots-and-worlds.md 2).
     void addTo(std::vector<protocol::Setting>& settings) const override;
 
 private:
@@ -61,10 +68,15 @@ private:
         Vec3 force_n = Vec3::Zero(); ///< body frame, at the center of mass
         Vec3 torque_n_m = Vec3::Zero();
     };
+    /// Share of the hull that is under water, 0 to 1; adds the lift of that part to `buoyancy`.
     double submergedShare(const BodyState& state, Wrench& buoyancy) const;
+    /// Weight of the whole robot about the base's center of mass; links pull at their own places.
     Wrench weight(const BodyState& state) const;
+    /// Velocities are in the body's frame; each part is at most what stops the motion within `dt_s`.
     Wrench drag(const Vec3& velocity_m_s, const Vec3& rate_rad_s, double share, double dt_s) const;
+    /// Thrust of the propeller and forces on the fins, which grow with the square of the forward speed.
     Wrench propulsion(double surge_m_s, double share) const;
+    /// Fins turn at a constant rate; the propeller follows with a lag.
     void turnFins(double dt_s);
 
     const RobotModel& model_;
@@ -75,6 +87,7 @@ private:
     Vec3 inertia_kg_m2_;
     double mass_kg_;
     CollisionCounter collisions_;
+    /// Current values; the commanded ones are below.
     double propeller_rad_s_ = 0.0;
     double rudder_rad_ = 0.0;
     double stern_plane_rad_ = 0.0;

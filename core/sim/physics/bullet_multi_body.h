@@ -28,16 +28,24 @@ public:
 
     /// The joints stay where they are.
     void place(const Pose& base_in_map) override;
+    /// Moves the base by `height_m` upward; takes away downward speed but keeps upward speed.
     void lift(double height_m) override;
+    /// Wakes the body in any case; without permission it never sleeps again.
     void letSleep(bool allowed) override;
+    /// Has no effect on a body that may not sleep, because it is awake.
     void wake() override;
+    /// State of a link, or of the base for -1; map frame, velocities after the last step.
     BodyState state(int link) const override;
+    /// Position in rad or m and velocity in rad/s or m/s of the joint that carries this link.
     JointState joint(std::size_t link) const override;
     /// Wakes the body if this changes the motor.
     void setMotor(std::size_t link, const JointMotor& motor) override;
+    /// Acts on the base alone; the joints pass it on to the links.
     void apply(const Vec3& force_in_map_n, const Vec3& torque_in_map_n_m) override;
+    /// Sets the limits of all motors for a step of this length.
     void beforeStep(Seconds dt) override;
     void afterStep() override { refreshVelocities(); }
+    /// Velocity in m/s, before the step, of the link's point that is at `point` in the map frame.
     btVector3 velocityBefore(int link, const btVector3& point) const override;
 
 private:
@@ -55,13 +63,17 @@ private:
         JointMotor wanted;
     };
 
+    /// Adds a link on a revolute or prismatic joint; its parent must have been added before.
     void addLink(int index, const LinkDescription& description);
+    /// Adds a collider even for a link without a shape, because Bullet finds the joint's motor and limits through it.
     void addPiece(int link, const BodyDescription& description, BodyId id);
+    /// Adds limits if the lower one is not above the upper one, and a damper if the joint has damping.
     void addConstraints(int index, const LinkDescription& description);
     /// Sets the impulse limits of a joint's motor and damper for the next step.
     void drive(int index, Joint& joint, Seconds dt);
     /// Moves the colliders to where the base and the joints put the links.
     void moveColliders();
+    /// Reads all velocities from Bullet and turns them into the map frame.
     void refreshVelocities();
     const btTransform& transform(int link) const;
 

@@ -36,6 +36,7 @@ public:
     BulletRigidBody(const BulletRigidBody&) = delete;
     BulletRigidBody& operator=(const BulletRigidBody&) = delete;
 
+    /// Also stops the body, so that it does not go on as before from its new place.
     void place(const Pose& body_in_map) override {
         rigid_->setWorldTransform(toBullet(body_in_map));
         rigid_->setInterpolationWorldTransform(toBullet(body_in_map));
@@ -44,6 +45,7 @@ public:
         rigid_->clearForces();
         world_.updateSingleAabb(rigid_.get());
     }
+    /// Takes away downward speed but keeps upward speed; a still body stays where it is.
     void lift(double height_m) override {
         if (rigid_->isStaticOrKinematicObject())
             return;
@@ -53,16 +55,20 @@ public:
         rigid_->setLinearVelocity(velocity);
         world_.updateSingleAabb(rigid_.get());
     }
+    /// Begins to count the time at rest from 0.
     void letSleep(bool allowed) override {
         rigid_->setSleepingThresholds(sleepy_m_s, sleepy_rad_s);
         rigid_->setDeactivationTime(0.0);
         rigid_->forceActivationState(allowed ? ACTIVE_TAG : DISABLE_DEACTIVATION);
     }
     void wake() override { rigid_->activate(); }
+    /// A rigid body has no links, so the number is ignored.
     BodyState state(int /*link*/) const override {
         return bodyState(rigid_->getWorldTransform(), rigid_->getLinearVelocity(), rigid_->getAngularVelocity());
     }
+    /// Takes effect for a still body only, from the next step on.
     void runSurface(const Vec3& velocity_in_body_m_s) override { surface_ = toBullet(velocity_in_body_m_s); }
+    /// The force acts at the center of mass. Both add up until Bullet clears them.
     void apply(const Vec3& force_in_map_n, const Vec3& torque_in_map_n_m) override {
         rigid_->applyCentralForce(toBullet(force_in_map_n));
         rigid_->applyTorque(toBullet(torque_in_map_n_m));
@@ -78,12 +84,15 @@ public:
         velocity_ = rigid_->getLinearVelocity();
         rate_ = rigid_->getAngularVelocity();
     }
+    /// Has nothing to do, because Bullet moves the body itself.
     void afterStep() override {}
+    /// Velocity in m/s of the point of the body that is at `point` in the map frame, before the step.
     btVector3 velocityBefore(int /*link*/, const btVector3& point) const override {
         return velocity_ + rate_.cross(point - rigid_->getWorldTransform().getOrigin());
     }
 
 private:
+    /// Bullet's world refers to the body, so the destructor takes it out of there first.
     btDynamicsWorld& world_;
     BulletShape shape_;
     std::unique_ptr<btRigidBody> rigid_;

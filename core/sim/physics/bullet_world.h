@@ -14,6 +14,7 @@ namespace usar::sim {
 /// step.
 class BulletSolver : public btMultiBodyConstraintSolver {
 public:
+    /// Uses 20 iterations, whatever `info` says.
     void solveMultiBodyGroup(btCollisionObject** bodies, int body_count, btPersistentManifold** manifolds,
                              int manifold_count, btTypedConstraint** constraints, int constraint_count,
                              btMultiBodyConstraint** joints, int joint_count, const btContactSolverInfo& info,
@@ -26,6 +27,7 @@ public:
     }
 
 protected:
+    /// Chooses one or two directions of friction for each contact by what it touches.
     void convertContacts(btPersistentManifold** manifolds, int count, const btContactSolverInfo& info) override {
         btContactSolverInfo both_directions = info;
         both_directions.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
@@ -46,6 +48,7 @@ private:
 class BulletWorld : public btMultiBodyDynamicsWorld {
 public:
     /// All arguments must outlive the world.
+    /// Solves rigid bodies with `rigid_solver`; does not update the bounding boxes of sleeping bodies.
     BulletWorld(btDispatcher& dispatcher, btBroadphaseInterface& broadphase, btConstraintSolver& rigid_solver,
                 BulletSolver& link_solver, btCollisionConfiguration& configuration)
         : btMultiBodyDynamicsWorld(&dispatcher, &broadphase, &link_solver, &configuration) {
@@ -54,6 +57,7 @@ public:
         setForceUpdateAllAabbs(false);
     }
 
+    /// Each function below calls the variant for rigid bodies as long as there is no articulated body.
     void clearForces() override { plain() ? Rigid::clearForces() : Linked::clearForces(); }
     void applyGravity() override { plain() ? Rigid::applyGravity() : Linked::applyGravity(); }
     void integrateTransforms(btScalar dt) override {
@@ -81,6 +85,7 @@ private:
     using Rigid = btDiscreteDynamicsWorld;
     using Linked = btMultiBodyDynamicsWorld;
 
+    /// True while the world contains no articulated body.
     bool plain() const { return getNumMultibodies() == 0; }
 };
 

@@ -42,6 +42,7 @@ private:
     static constexpr std::size_t few_spheres = 8; ///< up to this many spheres, a linear scan is faster than the grid
 
     BucketGrid grid_;
+    /// Lowest and highest points of all spheres, between which alone a ray is followed.
     double minimum_z_m_ = 0.0;
     double maximum_z_m_ = 0.0;
     std::vector<BodySphere> spheres_;

@@ -136,6 +136,7 @@ private:
 struct RobotFigures {
     Pose base_in_map;
     Vec3 velocity_in_map_m_s = Vec3::Zero();
+    /// The robot was damaged so badly that it can no longer move.
     bool broken = false;
     int collisions = 0;
     double distance_m = 0.0;               ///< length of the path it actually traveled

@@ -14,6 +14,7 @@ class InsSensor : public Sensor {
 public:
     InsSensor(const SensorModel& model, const SensorBirth& birth);
     void measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) override;
+    /// Obeys SetInsPose for this sensor; the response says whether the robot was at rest.
     std::optional<protocol::Response> set(const protocol::Command& command, bool at_rest) override;
     /// The estimate after one more scan, given the true pose.
     const Pose& estimate(const Pose& base_in_map);
@@ -21,13 +22,17 @@ public:
     bool setEstimate(const Pose& base_in_map, bool at_rest);
 
 private:
+    /// Adds the increment since the last scan, with its errors, to the estimate.
     void integrate(const Pose& base_in_map);
 
     double sigma_ = error("sigma", 0.05);
+    /// Pose of the base in the map frame; begins at the spawn pose.
     Pose estimate_;
     std::optional<Pose> last_; ///< the true pose at the last scan; nullopt before it
+    /// Relative error of each increment, without a unit; so is `rotation_bias_`.
     Vec3 position_bias_ = Vec3::Zero();
     Vec3 rotation_bias_ = Vec3::Zero();
+    /// Scans in a row without rotation.
     int still_scans_ = 0;
     bool started_ = false; ///< two scans without rotation have been seen
 };
@@ -58,6 +63,7 @@ private:
     int right_;
     double radius_m_ = number("wheel_radius", 0.1);
     double separation_m_ = number("wheel_separation", 0.33);
+    /// Angles of the wheels at the last measurement.
     double last_left_rad_ = 0.0;
     double last_right_rad_ = 0.0;
     Pose base_in_start_; ///< estimate since the spawn or the last RESET
@@ -84,6 +90,7 @@ private:
     double sign_ = number("sign", 1.0) < 0.0 ? -1.0 : 1.0;
     double sigma_ = error("sigma", 0.0025);
     double last_rad_ = 0.0;
+    /// Sum of the increments, before it is cut to whole steps.
     double counted_rad_ = 0.0;
 };
 

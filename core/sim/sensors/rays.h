@@ -26,16 +26,19 @@ public:
 /// Meets everything except the robot that looks. Its references must outlive it.
 class WorldRays : public Rays {
 public:
+    /// `self` is the body of the robot that looks, which its own rays pass through.
     WorldRays(const RayCaster& still, const Physics& moving, BodyId self)
         : still_(still)
         , moving_(moving)
         , self_(self) {}
 
+    /// Asks the still world first, so that fewer bodies have to be tested.
     double cast(const Vec3& origin_m, const Vec3& direction, double maximum_m) const override {
         const double still_m = still_.cast(origin_m, direction, maximum_m);
         return moving_.castAtBodies(origin_m, direction, maximum_m, still_m, self_);
     }
 
+    /// Skips the bodies altogether if none reaches into the box around the rays.
     double castNearest(const Vec3& origin_m, std::span<const Vec3> directions, double maximum_m) const override {
         const RayBundle bundle(origin_m, directions);
         double nearest_m = still_.castNearest(bundle, maximum_m);

@@ -32,6 +32,7 @@ struct SphereShape {
 };
 
 /// A convex solid.
+/// Other solids, such as concave ones, are put together from several parts.
 using Shape = std::variant<CylinderShape, CapsuleShape, BoxShape, SphereShape>;
 
 /// One convex part of a body.
@@ -46,6 +47,7 @@ struct BodyDescription {
     double mass_kg = 1.0;              ///< above 0; ignored if `still`
     Vec3 inertia_kg_m2 = Vec3::Ones(); ///< moments about the axes of the body's frame
     double friction = 0.9;             ///< coefficient, multiplied with that of the other side; 1 for the ground
+    /// Parts may overlap; they do not collide with one another.
     std::vector<BodyPart> parts{};
     double restitution = 0.0;        ///< share of the closing speed that a bounce gives back, 0 to 1
     double rolling_friction_m = 0.0; ///< rolling resistance torque divided by normal force
@@ -72,6 +74,7 @@ struct LinkDescription {
 /// A base and the links that hang on it, directly or one on another.
 struct ArticulatedDescription {
     BodyDescription base;
+    /// Each one comes after its parent.
     std::vector<LinkDescription> links{};
 };
 
@@ -84,6 +87,7 @@ struct JointState {
 /// Command to a joint, in force until the next one. It acts with no more than `limit` (N m or N).
 struct JointMotor {
     /// Position moves there and holds; Velocity holds a speed; Torque pushes.
+    /// Off leaves the joint to its damping.
     enum class Mode { Off, Position, Velocity, Torque };
     Mode mode = Mode::Off;
     double target = 0.0;        ///< rad, rad/s or N m (m, m/s, N)

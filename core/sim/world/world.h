@@ -30,12 +30,14 @@ struct Plant {
 /// A solid box that never moves: a house, wall, shelf or ceiling.
 struct Box {
     Pose center_in_map;
+    /// Full extent along each axis of the box.
     Vec3 size_m = Vec3::Zero();
     bool operator==(const Box&) const = default;
 };
 
 /// A still water surface over the whole world. Range sensors do not see it.
 struct Water {
+    /// Height of the surface in the map frame, which is z up.
     double surface_z_m = 0.0;
     double density_kg_m3 = 1000.0; ///< fresh water by default
     bool operator==(const Water&) const = default;
@@ -61,6 +63,7 @@ struct WorldObject {
 /// A tag that an RFID reader can find, read and write.
 struct RfidTag {
     int id = 0; ///< 0 or more, unique in its world
+    /// Text that robots can read and write.
     std::string memory;
     Vec3 position_in_map_m = Vec3::Zero();
     bool operator==(const RfidTag&) const = default;
