@@ -22,6 +22,7 @@ public:
     void trace(bool on);
 
 private:
+    /// Registers the commands that switch marks on and off, choose their color, and remove them from the map.
     void registerTraceCommands();
     void wireRobots();
     void wireSpawning();
@@ -30,10 +31,12 @@ private:
     void welcome(int id);
     /// Removes a robot from the views; `instead` is selected if the robot was.
     void dismiss(int id, const QString& name, int instead);
+    /// Spawns a robot on the chosen start pose, unless that pose no longer exists. An error is a notice.
     void spawn(const widgets::SpawnChoice& choice);
     void show(int id, const mission::SessionUpdate& update);
     /// Shows the selected robot's trace state in the command and the palette.
     void showTrace();
+    /// Selects the robot with this name, as on a click in the map.
     void select(const QString& name);
 
     RobotPresenter presenter_;
