@@ -21,7 +21,7 @@ public:
 
     void registerCommands() override;
     void wire() override;
-    /// Tells the link whether simulated time is paused by the user.
+    /// While the simulator is paused it answers nothing, and that is not reported.
     void setPaused(bool paused) { link_.setPaused(paused); }
 
 private:
