@@ -39,7 +39,7 @@ public:
     virtual void wire() {}
     /// Reads the settings that `save` wrote when the program ran last.
     virtual void restore(const QSettings&) {}
-    /// Writes the settings that `restore` reads; must not change the desk.
+    /// Writes the settings that `restore` reads.
     virtual void save(QSettings&) const {}
 
 protected:

@@ -36,7 +36,7 @@ private:
     void show(int id, const mission::SessionUpdate& update);
     /// Shows the selected robot's trace state in the command and the palette.
     void showTrace();
-    /// Selects the robot with this name, as on a click in the map.
+    /// Selects the robot with this name, which was clicked on the map; an unknown name changes nothing.
     void select(const QString& name);
 
     RobotPresenter presenter_;

@@ -40,7 +40,7 @@ public:
     void begin();
 
     // For tests.
-    /// These give access to the parts of the window; all are valid as long as it is.
+    /// Parts of the window; the references are valid as long as it is.
     MissionControl& control() { return control_; }
     const widgets::CommandRegistry& commands() const { return commands_; }
     const widgets::WindowViews& views() const { return views_; }
