@@ -20,8 +20,10 @@ public:
     void registerCommands() override;
     void wire() override;
     void restore(const QSettings& settings) override;
+    /// Leaves out temporary breakpoints.
     void save(QSettings& settings) const override;
 
+    /// All breakpoints of all plans, including temporary ones.
     const widgets::BreakpointList& list() const { return list_; }
     /// Finds the places of the breakpoints again in the plan that is shown now.
     void repairPaths();
@@ -37,13 +39,21 @@ signals:
     void changed();
 
 private:
+    /// Sends the breakpoints to a newly spawned robot; replays get none.
     void welcome(RobotId id);
+    /// Sends the list to all live robots and emits `changed`.
     void passOn();
+    /// Sets a breakpoint of this kind at the selected part, or removes it.
     void toggle(posh::BreakOn on);
+    /// The same for writes to the selected key of the blackboard; has no effect without one.
     void toggleKey();
+    /// Opens a dialog that does not block; an unknown id has no effect.
     void edit(agent::BreakpointId id);
+    /// Edits the first breakpoint at the selected part; sets one if there is none.
     void editSelected();
+    /// Removes the breakpoints of the plan that is shown; those of other plans stay.
     void clear();
+    /// Removes the breakpoints of "run to here"; sends nothing if there are none.
     void dropTemporary();
     /// Ids of the breakpoints at the selected part.
     std::vector<agent::BreakpointId> selected();

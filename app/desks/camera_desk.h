@@ -29,7 +29,9 @@ public:
 private:
     void wireView();
     void wireFeed();
+    /// True if there is a picture and the chosen camera can zoom.
     bool canZoom() const;
+    /// True if there is a picture of a live robot and the mount of its camera can turn.
     bool canTurn() const;
     /// True if the selected robot has a camera; nullopt while that is unknown.
     std::optional<bool> hasCamera() const;
@@ -44,6 +46,7 @@ private:
     void showCamera();
     /// Enables and checks the commands according to what the camera can do.
     void showAbilities();
+    /// Returns true if there can be no picture; the view then says why, and what the user can do.
     bool showWhatIsMissing();
     void chooseImagePort();
     void chooseWhereToSave();

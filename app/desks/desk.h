@@ -13,6 +13,7 @@ namespace usar::app {
 /// The window owns all of these objects and every desk; they outlive the desks.
 struct DeskContext {
     MissionControl& control;
+    /// None of its pointers is null, because the views are made before any desk.
     widgets::WindowViews& views;
     widgets::CommandRegistry& commands;
     Selection& selection;
@@ -32,10 +33,13 @@ public:
         , notices_(context.notices)
         , window_(context.window) {}
 
+    /// Adds the desk's commands to the registry, which may not have those of other desks yet.
     virtual void registerCommands() {}
     /// Connects the desk's views to MissionControl.
     virtual void wire() {}
+    /// Reads the settings that `save` wrote when the program ran last.
     virtual void restore(const QSettings&) {}
+    /// Writes the settings that `restore` reads.
     virtual void save(QSettings&) const {}
 
 protected:
@@ -68,7 +72,9 @@ protected:
     QAction* add(const char* id, Run run) {
         return add(id, nullptr, std::move(run));
     }
+    /// The action of a registered command, of this desk or another one.
     QAction* action(const QString& id) const { return commands_.action(id); }
+    /// Shows a dock and brings it in front of those that share its place.
     static void raise(QDockWidget* dock) {
         dock->show();
         dock->raise();

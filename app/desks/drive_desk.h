@@ -36,23 +36,36 @@ signals:
     void realTimeWanted();
 
 private:
+    /// Gives control of the old robot back, and empties echo and velocity until the new one reports.
     void select(RobotId id);
+    /// Shows what the robot does, and the DRIVE commands that were sent by hand.
     void take(const mission::SessionUpdate& update);
+    /// Ends control if the robot can no longer be driven, for example because its link is lost.
     void refresh();
     /// The robot that the devices drive; still the old one while another one is being selected.
     Robot* robot() const { return control_.robot(selected_); }
     /// True if the robot can be driven by hand now.
     bool drivable() const;
+    /// Forgets that the user has control; sends nothing to the robot.
     void endControl();
+    /// Enables the drive keys while the user has control; otherwise releases the pad and stops repeating.
     void showControl();
+    /// Wall time since the desk was made.
     Seconds wall() const { return Seconds(static_cast<double>(clock_.elapsed()) / 1000.0); }
+    /// Takes control of the selected robot if it can be driven, or gives it back.
     void requestControl(bool take);
+    /// Notes how far a device is deflected and sends it at once; repeats it while the user has control.
     void ask(mission::HandSource source, const Stick& stick);
+    /// Sends the requests of all deflected devices again; stops the timer when there are none.
     void repeat();
+    /// Sends the newest request of one device, scaled by the speed share.
     void say(mission::HandSource source);
+    /// Stops driving and releases the pad. `reason` is a clause for the user: "Space was pressed".
     void letGo(const QString& reason);
+    /// Ends both a running behavior and driving by hand; has no effect on a replay.
     void stopRobot();
     void wireGamepad();
+    /// Names the gamepad, or says that there is none or that the program was built without SDL 2.
     void showGamepad();
     void show();
 

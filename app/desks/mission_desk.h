@@ -30,6 +30,8 @@ public:
 private:
     /// Returns the mission's world if the embedded simulator runs a different one without robots; else empty.
     QString worldToOpenFor(const mission::Mission& mission) const;
+    /// Selects a robot and the behavior, and sets up the task. Waits while the behavior's plugin is still being loaded.
+    /// Errors are notices.
     void setUp(const mission::Mission& mission);
     /// Selects the robot that fits: the selected one, or another one of the class that has nothing to do; else none,
     /// and the next robot that is spawned will be of that class.

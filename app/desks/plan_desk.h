@@ -44,20 +44,32 @@ private:
     void registerRunCommands();
     void registerPinCommands();
 
+    /// Takes the update of any robot, so that halts are noticed even of robots that are not selected.
     void take(RobotId id, const mission::SessionUpdate& update);
+    /// Stops the time; a halt at a breakpoint is also a notification.
     void takeNews(RobotId id, const agent::PlanHalted& halted);
+    /// Lets the time run again, unless another plan is halted or plans run for one cycle only.
     void takeNews(RobotId id, const agent::PlanResumed&);
+    /// Says whether the robot continues, begins at the root, or refuses the new plan, and why.
     void takeNews(RobotId id, const agent::PlanReplaced& replaced);
     void takeNews(RobotId, const auto&) {}
 
     void select();
+    /// Shows where and why the selected robot's plan is halted; empties the bar if it is not.
     void showHalt();
+    /// Collects the marks of breakpoints, pins and the halt for the drawing.
     void showMarks();
+    /// Opens the context menu of a part, without the commands that its kind does not allow.
     void openMenu(widgets::PlanNodeId node, const QPoint& at);
+    /// Saves the drawing as SVG, PDF or PNG; the result is a notice.
     void chooseWhereToSavePicture();
+    /// Shows the next epoch of the halted cycle; after the last one, runs another cycle and shows its first epoch.
     void stepEpoch();
+    /// Releases the selected part's pin if it has one; otherwise asks for the value or result to pin.
     void pinSelected();
+    /// Switches the selected drive off or on for this run.
     void toggleDrive();
+    /// Sends the pins to the selected robot.
     void pinsChanged();
 
     PlanRunDesk run_;

@@ -49,10 +49,13 @@ signals:
 
 private:
     void showTime();
+    /// Moves a replay, with all views, to this protocol time; for a live robot only the plan's panel shows that moment.
     void goTo(Seconds time);
+    /// Moves by so many cycles, forward or backward, from the one that is shown.
     void stepBy(int cycles);
     void showReport();
     void lookBack();
+    /// Closes a replay that looks back on a running robot, and shows the newest cycle.
     void backToNow();
     /// Reason why the shown run cannot be replayed while it continues; empty if it can.
     QString whyNoLookBack() const;

@@ -21,10 +21,13 @@ public:
 private:
     /// Spawns a base station on the first free start pose.
     void spawnStation();
+    /// Shows or hides the lines between robots on the map.
     void showOnMap(bool on);
     /// Connects to the wireless server, or disconnects, with the link to the bot server.
     void follow(const link::LinkStatus& status);
+    /// Requests the strengths between the robots that are spawned now.
     void followRobots();
+    /// Shows new strengths in the dock and on the map, and reports lost and recovered links.
     void take(const link::RadioStrengths& strengths);
     /// Says in the empty dock why there are no links, and what helps.
     void explainEmptiness();

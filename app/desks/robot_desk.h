@@ -22,6 +22,7 @@ public:
     void trace(bool on);
 
 private:
+    /// Registers the commands that switch marks on and off, choose their color, and remove them from the map.
     void registerTraceCommands();
     void wireRobots();
     void wireSpawning();
@@ -29,11 +30,13 @@ private:
     /// Shows and selects a new robot.
     void welcome(RobotId id);
     /// Removes a robot from the views; `instead` is selected if the robot was.
-    void dismiss(RobotId id, const QString& name, RobotId instead);
+    void dismiss(RobotId id, const QString& name, int instead);
+    /// Spawns a robot on the chosen start pose, unless that pose no longer exists. An error is a notice.
     void spawn(const widgets::SpawnChoice& choice);
     void show(RobotId id, const mission::SessionUpdate& update);
     /// Shows the selected robot's trace state in the command and the palette.
     void showTrace();
+    /// Selects the robot with this name, which was clicked on the map; an unknown name changes nothing.
     void select(const QString& name);
 
     RobotPresenter presenter_;

@@ -45,15 +45,18 @@ signals:
 private:
     void wireArea();
     void wireRun();
+    /// Shows the draft of this robot in the forms and on the map; 0: that without a robot.
     void show(RobotId robot);
     void showChosenBehavior();
     void showIsolation();
+    /// Stores the drawn area in the draft; an empty rectangle removes it.
     void setArea(const Rectangle& area_in_map);
     void takeTask(const mission::SessionUpdate& update);
     /// Requests a preview of the draft, unless a behavior runs, which reports its task itself.
     void askForPreview();
     void showPreview(const Result<agent::TaskPreview>& preview);
     void clearPreview(const QString& instead);
+    /// Starts the behavior of the draft on the selected robot; an error is a notice.
     void start();
     /// Starts the behavior that broke on this robot again.
     void startAgain(RobotId id);
@@ -61,9 +64,11 @@ private:
     void begin(RobotId id);
     /// Id of a robot whose behavior broke and was not started again, preferably the selected robot; 0: none.
     RobotId brokenRobot() const;
+    /// Gives an order to the selected robot's behavior.
     void give(agent::Order order);
     void refreshRunState();
     void applyParameters(const std::map<std::string, agent::ParameterValue>& values);
+    /// True if a behavior runs on the selected robot.
     bool running() const;
 
     PluginDesk& plugins_;

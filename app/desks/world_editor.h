@@ -21,6 +21,7 @@ public:
 
     void registerCommands() override;
     void wire() override;
+    /// While the simulator is paused it answers nothing, and that is not reported.
     void setPaused(bool paused) { link_.setPaused(paused); }
 
 private:
@@ -29,26 +30,42 @@ private:
     /// Sets the embedded simulator's world. Without it, a deleted object whose class the server does not report cannot
     /// be restored.
     void setWorld(const server::WorldPicture& world);
+    /// Registers the commands for way points, and those that start and stop an object or a belt.
     void registerWayCommands();
     void wireMap();
+    /// Opens the connection when the dock is visible for the first time, and updates polling and state.
     void refresh();
+    /// Sets the interval of polling by what is visible.
     void refreshPolling();
+    /// Shows the newest objects, and selects the one that was just placed as soon as it appears.
     void show();
+    /// Covers the panel with the reason if no objects can be edited: no server, no world controller, or no answer yet.
     void showState();
+    /// The objects in the map frame, with speeds converted to simulated time.
     std::vector<widgets::MapObject> objects() const;
+    /// The selected object; nullptr if there is none. Valid until the next `show`.
     const widgets::MapObject* selected() const;
     void select(const QString& name);
+    /// Lets the map place the object chosen in the palette; ends placing if none is chosen.
     void arm();
+    /// Creates the chosen object on the ground at this point. `again`: the palette stays pressed for the next one.
     void place(const Vec2& at_m, bool again);
+    /// Moves the object's center here, at the same height over the ground.
     void moveTo(const QString& name, const Vec2& center_m);
+    /// Turns the selected object about the vertical axis, positive to the left.
     void turn(double angle_rad);
+    /// Lets the selected object rotate, or stops it.
     void spin();
     void remove(const QString& name);
+    /// Sets the classes that the server is asked about, to learn which objects belong to each.
     void setClasses();
     void removeAll();
+    /// Deletes the objects with these names by sending `deletion`. A notice names those that undo cannot restore.
     void removeNamed(const QStringList& names, const protocol::Command& deletion);
+    /// Appends a way point to the way of the selected object; says what to do if none is selected.
     void addWaypoint(const Vec2& at_m);
     void clearWay();
+    /// Starts or stops the selected object's motion along its way, or its belt.
     void follow(bool moving);
     void say(const QString& text);
     /// Returns the ground height, from the embedded world, the selected robot's scan, or a guess from the start poses.
@@ -61,7 +78,9 @@ private:
     quint16 port_ = 0;    ///< 0: no server
     bool opened_ = false; ///< the connection to `host_` has been requested
     bool dock_seen_ = false;
+    /// Simulated seconds per wall second, of the embedded simulator.
     double real_time_factor_ = 1.0;
+    /// Name of the selected object; empty: none.
     QString selected_;
     QString awaited_; ///< name of an object to select as soon as it appears
     std::vector<widgets::MapObject> shown_;

@@ -40,6 +40,7 @@ public:
     void begin();
 
     // For tests.
+    /// Parts of the window; the references are valid as long as it is.
     MissionControl& control() { return control_; }
     const widgets::CommandRegistry& commands() const { return commands_; }
     const widgets::WindowViews& views() const { return views_; }

@@ -13,6 +13,7 @@ namespace usar::app {
 
 /// Default-constructed: the options of a call without arguments.
 struct Options {
+    /// The server to connect to at the start.
     ServerTarget server;
     QString result_folder;               ///< empty: the default folder
     std::optional<widgets::Theme> theme; ///< nullopt: the one used last

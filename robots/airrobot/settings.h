@@ -15,21 +15,28 @@ struct Settings {
     double clearance_m = 2.5;        ///< height over the highest known object below and ahead
     double footprint_radius_m = 1.8; ///< radius within which objects count as below the robot
     double maximum_height_m = 19.0;  ///< greatest height over ground; at most the scanner's reach
+    /// Speed along the lanes. Flying slowly makes a denser map.
     double scan_speed_m_s = 1.0;
+    /// Speed to the area, between lanes and on the way home.
     double transit_speed_m_s = 1.6;
+    /// Greatest vertical speeds in flight. Landing has a speed of its own.
     double climb_speed_m_s = 1.0;
     double descent_speed_m_s = 0.6;
+    /// Greatest yaw rate. Quick turns make the INS drift more.
     double turn_rate_rad_s = radians(34.0);
+    /// The rate at which a commanded horizontal speed grows.
     double acceleration_m_s2 = 0.8;
     double braking_m_s2 = 1.0;    ///< deceleration with which safe speeds are computed
     double safety_margin_m = 0.9; ///< distance from the robot's center to an obstacle at which it must stand
 
+    /// Greatest distance between lanes. This and the next value take effect when a survey is planned.
     double lane_spacing_m = 9.0;
     double quadrant_limit_m = 150.0; ///< [T] an area with a longer side is divided into quadrants
     double goal_distance_m = 20.0;   ///< greatest distance between goals on a lane
     double goal_reached_m = 1.5;     ///< distance at which a goal is reached
     double lookahead_m = 5.0;        ///< distance ahead on the lane at which the robot aims
     double most_left_out_pct = 10.0; ///< share of the lanes that may be given up in a successful survey
+    /// Scans taken at a greater tilt or during a faster turn are not added to the map.
     double maximum_scan_tilt_rad = 0.2;
     double maximum_scan_turn_rad_s = 0.3;
 
@@ -47,13 +54,17 @@ struct Settings {
     double high_risk_4_m = 1.1;
 
     double evasion_speed_m_s = 0.8; ///< [SD] 40 % of the maximum speed
+    /// Distance from the robot to a diversion point.
     double diversion_distance_m = 4.0;
     long long calm_cycles = 6;     ///< [SD] time without a risk before the robot continues, in usual ticks
     double side_clearance_m = 2.4; ///< half the width of the free way that a diversion needs
+    /// False: the robot never climbs over obstacles.
     bool climb_over = true;
+    /// Time without progress after which the robot climbs.
     double climb_over_after_s = 3.0;
     double climb_standoff_m = 3.2; ///< wanted distance to all obstacles during a climb
     double give_up_after_s = 90.0; ///< time without progress after which a goal is given up
+    /// How long the robot avoids what its belly scanner saw and what its sonars heard.
     double scan_memory_s = 600.0;
     double sonar_memory_s = 20.0;
 
@@ -62,11 +73,13 @@ struct Settings {
     double recharge_time_s = 30.0;         ///< time on the ground for a charge
     double robot_battery_reserve_s = 60.0; ///< reserve of the robot's own battery, beyond the way home
 
+    /// Rate of descent near the ground, below `landing_slow_below_m`.
     double landing_speed_m_s = 0.3;
     double landing_slow_below_m = 3.0; ///< height over ground
     double landing_radius_m = 4.0;     ///< distance from the base within which to look for an even place
     bool correct_heading = true;       ///< use the CourseFilter
     double rest_time_s = 4.0;          ///< [T] "several seconds"
+    /// Attempts to set the INS before the robot flies on without setting it.
     long long reset_attempts = 5;
     double sensor_timeout_s = 1.5; ///< the robot hovers if a sensor is silent for longer than this
 

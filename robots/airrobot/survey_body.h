@@ -13,6 +13,7 @@ class SurveyBody final : public agent::PoshBody {
 public:
     explicit SurveyBody(agent::BehaviorContext context) : flight_(std::move(context)) {}
 
+    /// The flight that all senses read.
     const SurveyFlight& flight() const { return flight_; }
     /// Calls `act` (a function or a member of SurveyFlight) as `act(flight)` or `act(flight, port)`, and passes on what
     /// the flight sends and publishes. Returns the result of `act`.
@@ -27,15 +28,18 @@ public:
     /// The current tick; valid only between begin and end.
     const agent::Tick& tick() const { return *tick_; }
 
+    /// Perceives before any sense is asked; looks along the present leg, except before work and while landing.
     void begin(const agent::Tick& tick) override;
     void end(const agent::Tick&) override {
         acting_ = false;
         tick_ = nullptr;
     }
+    /// Passes every order on to the flight; always true.
     bool order(agent::Order order) override;
     void setParameters(const agent::ParameterSet& parameters) override { flight_.setParameters(parameters); }
     void describe(agent::BehaviorStatus& status) const override { status = flight_.status(); }
     std::optional<agent::BehaviorFinished> ended() const override { return flight_.ending(); }
+    /// Hovering.
     protocol::Command safeCommand() const override { return protocol::AerialDrive{0.0, 0.0, 0.0, 0.0}; }
 
 private:
@@ -46,6 +50,7 @@ private:
     };
     /// Moves the commands and published values from `port_` to the engine.
     void passOn();
+    /// Writes phase, lane and `returning` to the blackboard, where the user sees them and can set breakpoints.
     void noteState();
 
     SurveyFlight flight_;

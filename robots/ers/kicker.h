@@ -17,11 +17,13 @@ class Kicker : public agent::TimedDecider<Settings> {
 public:
     using TimedDecider::TimedDecider;
 
+    /// Keeps the newest reading of the ball finder and ignores other lines.
     void hear(const protocol::InfoLine& line) { ball_.take(line, run_.now); }
     /// Evaluates the newest readings. Call it once per tick, before the other functions.
     void perceive(const agent::Tick& tick);
     /// Returns the joint targets for this tick; nullopt between two moves of the gait.
     std::optional<protocol::MultiDrive> walk();
+    /// True while the INS reports a roll or pitch so great that the robot lies on its side.
     bool hasFallen() const { return fallen_; }
     /// Makes the gait start with standing up, because the robot is about to be righted.
     void standUpAgain() { gait_.reset(); }
@@ -37,10 +39,15 @@ private:
         double down = 0.0;
     };
 
+    /// Updates `seen_` and the head's angle. A near ball that leaves the picture begins a kick.
     void lookForBall();
+    /// Warns once when the robot falls, and adds up the distance walked without swaying.
     void watchBalance(const modules::SensorModule& sensors);
+    /// The strides of this tick: none while paused, fallen or standing up; otherwise to the ball or in circles.
     Strides strides();
+    /// Walks toward the side where the ball was last seen. Tight and wide circles alternate.
     Strides circle();
+    /// `turn_right`: -1..1; greater values count as these. Paws on the inner side take shorter steps or step backward.
     Strides steer(double turn_right) const;
 
     modules::SpecificSensor<protocol::BallReading> ball_;
@@ -50,7 +57,9 @@ private:
     Seconds lost_at_{0.0};           ///< time at which the ball was last lost, or of the start
     bool last_on_the_right_ = false; ///< side of the picture on which the ball was last seen
     double bow_rad_ = 0.0;           ///< angle of the head, positive downward
+    /// Time at which a near ball left the picture; nullopt once a ball is seen.
     std::optional<Seconds> kicking_since_;
+    /// Number of times that the ball was at the paws; it is part of the result.
     int kicks_ = 0;
 
     std::optional<Pose> base_in_map_; ///< from the INS

@@ -48,9 +48,13 @@ public:
     Third open() const;
 
     // Acts. Each returns the wheel speeds to send in this tick.
+    /// Stops the wheels; the state tells the user why the robot stands.
     protocol::SkidDrive halt();
+    /// Begins to back away if no maneuver is under way; turns instead if no ground behind is known to be free.
     protocol::SkidDrive reverse();
+    /// Turns in place, to the side that was chosen when the danger was met.
     protocol::SkidDrive turnAway();
+    /// These drive at the speed that the free way ahead allows; in a curve the inner wheel is slower.
     protocol::SkidDrive goAhead();
     protocol::SkidDrive steerLeft();
     protocol::SkidDrive steerRight();
@@ -61,27 +65,35 @@ public:
     agent::PoseEstimate pose() const { return {run_.now, track_.base_in_map()}; }
 
 private:
+    /// A danger leads to Backing and then Turning; without free ground behind the robot it turns at once.
     enum class Maneuver { None, Backing, Turning };
 
     void takeReadings();
     /// Notices a frozen scanner.
     void watchForIce();
+    /// Warns once each time the scanner falls silent or freezes.
     void watchScanner();
     void stepManeuver(Seconds dt);
+    /// Ends the turn when the angle is reached and the way is free, or after a full circle.
     void stepTurn();
     bool frozen() const;
+    /// True if the scanner, the front sonars or the slope show a danger ahead.
     bool tooClose() const;
+    /// True if everything ahead is too far away to become a danger at once.
     bool wayIsFree() const;
+    /// Chooses the side to turn to; dangers that closely follow one another keep the side.
     void backAway();
     void beginBacking(double distance_m);
     void beginTurn(double angle_rad);
     double roamingSpeed_m_s() const;
+    /// Speed of the inner wheel as a share of the outer one; 1 if that side is blocked.
     double innerShare(double side_m) const;
     protocol::SkidDrive drive(double left_m_s, double right_m_s, Motion motion, const char* state);
 
     Rectangle area_in_map_;
 
     std::optional<protocol::RangeScan> scan_;
+    /// The newest echo of each sonar, by name.
     std::vector<protocol::NamedRange> sonars_;
     std::optional<Pose> ins_in_map_;
     bool scan_is_new_ = false;

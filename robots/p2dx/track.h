@@ -16,6 +16,7 @@ enum class Motion { Standing, Straight, Curve, Back, Turning };
 /// straight.
 class Track {
 public:
+    /// Stands for a distance that is not known yet; greater than any real one.
     static constexpr double unknown_m = 1e9;
 
     /// Adds the step since the last update; `motion` is what the robot was commanded to do meanwhile.
@@ -49,6 +50,7 @@ private:
         Seconds at{0.0};
         Vec2 position_m = Vec2::Zero();
     };
+    /// Moves the correction by a small share of the difference between course and yaw. Ignores short steps and slips.
     void correctYaw(const Vec3& step_m);
 
     bool begun_ = false;

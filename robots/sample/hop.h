@@ -17,16 +17,21 @@ class Hop : public agent::Behavior {
 public:
     explicit Hop(const agent::ParameterSet& parameters) : parameters_(parameters) {}
 
+    /// Does nothing before the first INS reading and after the landing.
     void tick(const agent::Tick& tick, agent::CommandPort& port) override;
+    /// Pause makes the robot hover. LandNow makes it land where it is. Every order but Pause ends a pause.
     void order(agent::Order order, agent::CommandPort& port) override;
     void setParameters(const agent::ParameterSet& parameters) override { parameters_ = parameters; }
+    /// Hovering. A robot keeps executing its last command, so this one is sent when the behavior is ended from outside.
     protocol::Command safeCommand() const override;
 
 private:
+    /// The states follow one another in this order; none is repeated.
     enum class State { Climb, Fly, Land, Done };
 
     /// Updates the state and returns the command for this tick.
     protocol::AerialDrive decide(const Vec3& position_m, Seconds now);
+    /// Publishes state, distance and progress, and the result when the robot is on the ground.
     void tell(Seconds now, agent::CommandPort& port) const;
     /// The state in words, for the user.
     const char* inWords() const;

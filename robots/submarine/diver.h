@@ -31,26 +31,45 @@ public:
     agent::BehaviorStatus status() const;
 
 private:
+    /// BackingOff moves backward from a bottom that is too near. GoingBack steers to a place where the robot could
+    /// follow the bottom.
     enum class Maneuver { None, BackingOff, GoingBack };
 
+    /// Advances the estimates of pitch, speed and path from the newest fin angles and the commanded propeller.
     void reckon(Seconds dt, const modules::StateModule& state);
+    /// Takes the queued readings in order. A range near the reach counts as no echo; zero, negative and NaN are
+    /// skipped.
     void takeReadings();
+    /// Warns once each time the ray falls silent.
     void watchRay();
+    /// Ends the behavior if the robot has sunk too far without an echo.
     void watchSearch(Seconds dt);
+    /// Begins and ends maneuvers; without `knows_slant` there is only BackingOff.
     void stepManeuver();
     void begin(Maneuver maneuver);
+    /// Continues without a maneuver if no place to return to is known.
     void beginGoingBack();
+    /// Estimates the rise of the bottom from the last two echoes and the robot's own climb.
     void reckonBottom();
+    /// Measures how long the robot has been too low or too high, and remembers places where it was neither.
     void watchLevel();
+    /// True if no reading has come for `blind_after`; the robot then waits.
     bool blind() const { return run_.now - heard_at_ > blind_after; }
+    /// True if the bottom is too near, or will be soon at the present speed.
     bool inDanger() const;
+    /// True if the hull does not follow the planes down, as happens at the surface.
     bool divesInVain() const;
+    /// Angle of the stern planes that leads to the wanted height.
     double plane_rad() const;
+    /// The side to turn to: 1 for right, -1 for left.
     double side() const;
+    /// Brakes with the propeller, because the hull would otherwise glide on for twenty meters.
     protocol::NauticDrive halt(const char* state);
     protocol::NauticDrive keepLevel();
     protocol::NauticDrive backOff();
     protocol::NauticDrive goBack();
+    /// `share`: of the propeller speed in the settings, negative backward. `rudder_share`: -1..1, positive to the
+    /// right. `state`: shown to the user.
     protocol::NauticDrive drive(double share, double rudder_share, double plane_rad, const char* state);
 
     static constexpr Seconds blind_after{2.0};

@@ -10,9 +10,11 @@ namespace usar::submarine {
 
 /// The limits that the server reported; the defaults are typical values for those that it did not report.
 struct Limits {
+    /// Greatest speed of the propeller.
     double propeller_rad_s = 160.0;
     double rudder_rad = 0.35;      ///< greatest angle to each side
     double stern_plane_rad = 0.35; ///< greatest angle up and down
+    /// Ranges near this one mean that the ray hit nothing.
     double ray_reach_m = 20.0;
     std::optional<protocol::CameraConfiguration> camera; ///< nullopt if the robot has none
     std::optional<protocol::PackageConfiguration> mount; ///< mount of the camera: link 1 pans, link 2 tilts
@@ -25,9 +27,11 @@ public:
     /// Asks the next question or waits for its answer; call it once per tick. Returns true once all questions have been
     /// answered or given up.
     bool goOn(modules::ConfigurationModule& configuration);
+    /// The limits so far; complete once `goOn` has returned true.
     const Limits& limits() const { return limits_; }
 
 private:
+    /// Stores the usable values of an answer.
     void take(const protocol::ConfigurationInfo& answer);
 
     std::size_t asked_ = 0; ///< number of questions that are answered or given up

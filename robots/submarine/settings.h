@@ -13,13 +13,18 @@ struct Settings {
     double level_band_m = 0.6;   ///< the robot counts as level within this distance of the height
     double propeller_pct = 80.0; ///< share of the greatest speed
     bool knows_slant = true;     ///< false: the thesis's robot, which takes the ray for vertical
+    /// Greatest angles of the nose downward and upward, by the robot's own estimate.
     double steepest_dive_rad = radians(20.0);
     double steepest_climb_rad = radians(25.0);
     double deepest_search_m = 40.0; ///< how far to dive without an echo before giving up
     double change_side_s = 100.0;   ///< [T] time between changes of the side to turn to
     double least_height_m = 0.5;    ///< [T] the robot backs off below this height
+    /// The robot also backs off if the bottom, rising as it does now, would come too near within this time.
     double foresight_s = 7.5;
+    /// Distance that the robot moves backward from danger, by its own estimate.
     double back_off_m = 8.0;
+    /// Distance that it then returns, to where it could follow the bottom. It also returns from shallows and where the
+    /// bottom falls out of reach.
     double way_back_m = 30.0;
     double sweep_s = 40.0;    ///< time of the camera from one side to the other
     double dive_time_s = 0.0; ///< duration of the behavior; 0 means until the user ends it

@@ -38,11 +38,13 @@ public:
     void setActions(QAction* play, QAction* back, QAction* forward, QAction* step, QAction* close);
     /// Shows this state; emits nothing.
     void setState(const ReplayState& state);
+    /// The state as last set, even while the slider follows the mouse.
     const ReplayState& state() const { return state_; }
     /// Path of the recording, for the tooltip at the left.
     void setFile(const QString& path) { name_->setToolTip(path); }
     /// Moves so many entries up or down the list of speeds and emits speedRequested, as if the user had done it.
     void changeSpeed(int entries);
+    /// Its range is the whole recording in equal steps, whatever its length.
     QSlider* slider() const { return slider_; }
 
 signals:
@@ -52,7 +54,9 @@ signals:
     void speedRequested(double speed);
 
 private:
+    /// Shows this position and the length of the recording as hours, minutes and seconds.
     void showTime(Seconds position);
+    /// The position in the recording for a value of the slider.
     Seconds positionOf(int value) const;
 
     ReplayState state_;
@@ -71,6 +75,7 @@ private:
 struct RecordState {
     Seconds elapsed{0.0};    ///< since the beginning of the recording
     std::uint64_t bytes = 0; ///< size of the file so far
+    /// Path of the file; part of the tooltip.
     QString path;
 };
 
@@ -86,9 +91,11 @@ public:
     void setState(const std::optional<RecordState>& state);
     /// Set to false if there is no room for the figures; the tooltip still has them.
     void setFiguresShown(bool shown) { figures_->setVisible(shown); }
+    /// The shown figures; without a recording the words "not recorded" or "REC ready".
     QString text() const { return figures_->text(); }
 
 private:
+    /// Updates the icon, and the words that are shown without a recording.
     void refresh();
 
     QToolButton* button_ = new QToolButton(this);

@@ -26,6 +26,7 @@ public:
     void setSteps(const QStringList& steps);
     /// `step` counts from 0 and must exist.
     void setDone(int step, bool done);
+    /// True if this step, counted from 0, is done.
     bool done(int step) const { return done_[static_cast<std::size_t>(step)]; }
     /// Also true if there are no steps.
     bool allDone() const;

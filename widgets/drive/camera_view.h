@@ -51,6 +51,7 @@ protected:
 
 private:
     QImage picture_;
+    /// Place of the mouse at the last step of the drag, in pixels.
     QPoint grabbed_;
     bool grabbing_ = false;
 };
@@ -131,6 +132,7 @@ private:
     QTimer age_timer_;
     QElapsedTimer age_;
     CameraZoom zoom_;
+    /// Rate of the pictures, as last set; only displayed.
     double frames_per_s_ = 0.0;
     int pictures_ = 0;
     bool uncovered_ = true;

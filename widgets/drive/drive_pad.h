@@ -50,11 +50,13 @@ protected:
 private:
     /// Rectangle, in pixels, in which the middle of the knob can move.
     QRectF travel() const;
+    /// Place of the knob's middle, in pixels, for a position of the stick.
     QPointF toScreen(const QPointF& value) const;
     /// Holds the stick at a place of the widget.
     void hold(const QPointF& at_px);
     /// Sets the position and emits moved if anything changed.
     void put(const QPointF& value, bool held);
+    /// Holds the stick at the edge in the direction of the arrow keys that are down.
     void takeArrow(int key, bool down);
     void paintGround(QPainter& painter) const;
     void paintKeys(QPainter& painter) const;
@@ -62,7 +64,9 @@ private:
 
     PadShape shape_;
     QPointF value_;
+    /// Position that another input asks for; drawn as the dot while this pad is not held.
     QPointF asked_;
+    /// Position that is sent to the robot; drawn as the ring.
     QPointF sent_;
     QStringList keys_;
     int arrows_ = 0; ///< bit set of the arrow keys that are down

@@ -53,6 +53,7 @@ public:
 
     /// Shows this state; emits nothing.
     void setState(const DriveState& state);
+    /// The state as last set.
     const DriveState& state() const { return state_; }
     /// Replaces the controls by a sheet that says what is missing and what to do. An empty title shows the controls
     /// again.
@@ -65,6 +66,7 @@ public:
     QString echo() const { return echo_->text(); }
     /// Text of the row about gamepads.
     void setGamepad(const QString& text);
+    /// The shown text.
     QString gamepadText() const { return gamepad_->text(); }
 
     /// The combined position of pad and sliders.
@@ -87,12 +89,17 @@ signals:
     void speedShareChanged(double share);
 
 private:
+    /// Makes the round pad for driving and turning, and the sliders for sideways and vertical motion.
     void makePads();
+    /// Makes the slider for the speed share.
     void makeSpeed();
+    /// Makes a row for each axis, and below them the echo, the note and the row about gamepads.
     void makeFigures();
     /// Shows only what the robot's axes allow.
     void showAxes();
+    /// Shows what is sent in percent, and what is measured in m/s and degrees per second; a dash is unknown.
     void showFigures();
+    /// Shows the speed share in percent, and in m/s if the robot's top speed is known.
     void showSpeed();
 
     DriveState state_;

@@ -98,12 +98,15 @@ struct ObjectsOnMap {
 struct MapContent {
     /// Unknown (nullopt) on a real server, which does not tell how large its world is.
     std::optional<Rectangle> world_in_map;
+    /// Name of the world, drawn above its frame.
     QString world_name;
     QImage background; ///< picture of the world, null for none; row 0 = highest y
+    /// The rectangle that `background` covers.
     Rectangle background_in_map;
     std::vector<protocol::StartPose> start_poses;
     std::optional<std::size_t> hot_start_pose; ///< index of the one under the cursor or chosen by keys
     AreaOnMap area;
+    /// Robots and base stations, by name.
     std::map<QString, RobotOnMap> robots;
     /// Name; empty: none. May name a robot that has no pose yet.
     QString selected_robot;

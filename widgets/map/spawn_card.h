@@ -56,7 +56,9 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    /// Offers the behaviors of the chosen class, and "None" as the last entry.
     void listBehaviors();
+    /// Closes the card and emits spawnRequested, if the name is valid.
     void spawn();
 
     /// Entries of the class box, in its order.

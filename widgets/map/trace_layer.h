@@ -19,6 +19,7 @@ class TraceLayer {
 public:
     /// Adds a mark in meters of the map frame; ignored if it is not finite.
     void add(const Vec2& point_in_map_m, const QColor& color);
+    /// Removes all marks and tiles.
     void clear();
     /// Number of marks, whether visible or not.
     bool empty() const { return marks_.empty(); }

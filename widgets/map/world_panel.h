@@ -73,6 +73,7 @@ public:
     /// Emits nothing.
     void setTraceColor(protocol::TraceColor color) { trace_color_->setCurrentIndex(static_cast<int>(color)); }
     protocol::TraceColor traceColor() const { return static_cast<protocol::TraceColor>(trace_color_->currentIndex()); }
+    /// The objects as last set, sorted by name.
     const ObjectListModel& model() const { return *model_; }
     QSize sizeHint() const override { return {260, 420}; }
 
@@ -90,18 +91,25 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    /// Makes the list of objects, with a sheet that says how to place the first one.
     void makeList();
+    /// Makes the editors of length, width and height, in meters; disabled while no kind is chosen.
     QHBoxLayout* makeSizeRow();
+    /// Makes the editor of the speed in m/s and the button for starting over.
     QHBoxLayout* makeWayRow();
     QHBoxLayout* makeTraceRow();
+    /// Selects a kind by its index and shows its size; -1: none. Emits choiceChanged.
     void choose(int kind);
+    /// Chooses the button's kind, lets the user drag it to the map, and disarms after the drop.
     void drag(QToolButton* button);
+    /// The kind whose button is pressed; nullptr if there is none.
     const PaletteKind* chosen() const;
 
     std::vector<PaletteKind> kinds_;
     QGridLayout* palette_ = new QGridLayout;
     QButtonGroup* buttons_ = new QButtonGroup(this);
     QLineEdit* other_class_ = new QLineEdit(this);
+    /// Along the object's own axes; the first one is also the diameter of round objects.
     QuantityBox* size_m_[3];
     ObjectListModel* model_ = new ObjectListModel(this);
     QTreeView* list_ = new QTreeView(this);
@@ -113,6 +121,7 @@ private:
     QToolButton* trace_;
     QComboBox* trace_color_;
     EmptyState* trouble_;
+    /// Place in the button at which the mouse was pressed; a drag begins some pixels from it.
     QPoint pressed_at_;
     bool quiet_ = false; ///< the program changes the selection, not the user
 };

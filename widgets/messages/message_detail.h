@@ -26,9 +26,13 @@ signals:
     void jumpRequested(std::uint64_t serial);
 
 private:
+    /// Type, number, direction, robot and time; for omitted lines the number of them.
     QString headOf(const MessageModel& model, const MessageRow& row) const;
+    /// Who sent a command and why, and links to the commands that the line caused; may be empty.
     QString causeOf(const MessageModel& model, const MessageRow& row, std::uint64_t serial) const;
+    /// The sender of a command, with a link to the line that triggered it if that is still in the ring.
     QString sourceOf(const MessageModel& model, const MessageRow& row) const;
+    /// The line, its errors with carets, and tables of its values; long ones are cut.
     QString bodyOf(const MessageRow& row) const;
     void render() { setHtml(head_ + (row_ ? bodyOf(*row_) : QString())); }
 

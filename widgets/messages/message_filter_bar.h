@@ -24,6 +24,7 @@ public:
 
     explicit TypeChoiceButton(QWidget* parent = nullptr);
 
+    /// Sets the function that is called for the counts; without one only chosen types are listed.
     void setCounts(std::function<Counts()> counts) { counts_ = std::move(counts); }
     const TypeChoice& choice() const { return choice_; }
     /// Sets the choice without emitting choiceChanged.
@@ -39,10 +40,15 @@ signals:
     void choiceChanged();
 
 private:
+    /// Makes the popup with the list and the buttons for all types and none; shown by openList.
     QWidget* makePopup();
+    /// Lists the types with check boxes, at most 300, because a faulty server may send any number of them.
     void fill();
+    /// Sets the choice as if the user had made it; emits choiceChanged if it is another one.
     void choose(const TypeChoice& choice);
+    /// Adds or removes the type of an item that the user checked or unchecked.
     void takeTick(const QListWidgetItem* item);
+    /// Shows the choice as the button's text: "All types", "All but 2", or the type's name.
     void showChoice();
 
     std::function<Counts()> counts_;
@@ -63,6 +69,7 @@ public:
     MessageFilter filter() const;
     /// Sets all fields and emits filterChanged once.
     void setFilter(const MessageFilter& filter);
+    /// The button for the choice of types; owned by the bar.
     TypeChoiceButton* types() const { return types_; }
     /// Appends a button for `action` to the row.
     void addButton(QAction* action);
@@ -72,6 +79,7 @@ public:
     QSize minimumSizeHint() const override { return {200, QWidget::minimumSizeHint().height()}; }
 
 signals:
+    /// The result of filter() may have changed, by the user or by setFilter.
     void filterChanged();
 
 private:

@@ -64,7 +64,9 @@ class Toast;
 class ToastStack : public QObject {
     Q_OBJECT
 public:
+    /// Number of toasts on the screen at most; a newer one removes the oldest.
     static constexpr int most = 3;
+    /// Lifetime of warnings and errors, unless setLifetime changes it.
     static constexpr int default_lifetime_ms = 8000;
     static constexpr int note_lifetime_ms = 6000; ///< shorter, because good news is read faster
 

@@ -55,6 +55,7 @@ public:
     const RobotRow& row(int index) const { return rows_[static_cast<std::size_t>(index)]; }
     /// Row of that robot; nullopt if it is not listed.
     std::optional<int> indexOf(RobotId id) const;
+    /// Number of robots; 0 for any valid parent, because the list has no tree.
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
 

@@ -20,6 +20,7 @@ class ReportDialog : public QDialog {
 public:
     ReportDialog(const QString& title, const QString& text, QWidget* parent);
 
+    /// The text that is shown, without formatting.
     QString text() const { return text_->toPlainText(); }
     QSize sizeHint() const override { return {900, 520}; }
 

@@ -80,6 +80,7 @@ public:
     int endable() const;
     /// True if any listed fault is not over.
     bool anyToEnd() const;
+    /// The sheet that covers the panel without an embedded simulator.
     EmptyState* emptyState() const { return empty_state_; }
     /// The buttons trigger these actions and follow their enabled state; the actions must outlive the panel.
     void setActions(QAction* inject, QAction* end);
@@ -97,10 +98,13 @@ private:
         double usual = 0.0;
     };
 
+    /// Makes the fields that all kinds share: robot, sensor, beginning and duration.
     void makeForm();
+    /// Makes the list of the faults of this run.
     void makeList();
     /// Rebuilds the fields for the chosen kind.
     void showKind();
+    /// Appends an editor with the quantity's limits and unit to the form.
     Field addNumber(const FaultQuantity& quantity);
     void showText() { text_->setText(text()); }
 

@@ -21,6 +21,7 @@ public:
 
     /// Sets the formatted figure without its unit; the same text again costs nothing.
     void setText(const QString& text);
+    /// The figure as last set; a dash at the beginning.
     const QString& text() const { return text_; }
     /// Width of the figure alone, in pixels; readouts in a column line up if their widths are equal.
     int fieldWidth_px() const;
@@ -47,6 +48,7 @@ public:
 
     /// In percent, 0..100; nullopt: unknown.
     void setValue(std::optional<double> value_pct);
+    /// The percentage as last set, not clamped; nullopt: unknown.
     std::optional<double> value() const { return value_pct_; }
     /// High values are bad from these limits on; above 100 means never.
     void setLimits(double caution_pct, double danger_pct);
@@ -79,6 +81,7 @@ public:
     /// The link is silent: figures are gray and struck through, and the word "stale" is shown, until this is reset; new
     /// figures do not reset it.
     void setStale(bool stale);
+    /// True while the word "stale" is shown.
     bool stale() const { return !stale_->isHidden(); }
     /// Makes all figures unknown and shows `words`.
     void clear(const QString& words);

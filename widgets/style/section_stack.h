@@ -44,9 +44,11 @@ private:
         bool shown = true;
         bool keeps_title = false;
     };
+    /// The section of this body; nullptr if it was never added.
     Section* sectionOf(const QWidget* body);
     /// Switches between stacked sections and tabs, depending on the height.
     void arrange();
+    /// Makes a tab for each shown section.
     void showTabs();
 
     std::vector<Section> sections_;

@@ -19,6 +19,7 @@ public:
     SvgPaint(const QSizeF& size, const QString& title);
     ~SvgPaint() override;
 
+    /// The engine that collects elements; owned by this device.
     QPaintEngine* paintEngine() const override;
     /// The complete file.
     QByteArray document() const;

@@ -38,9 +38,13 @@ namespace usar::widgets {
 /// Pointers to children of the window; valid as long as the window. None is null after `makeViews`.
 struct WindowViews {
     // Top bars.
+    /// Choice of the server and the state of the link to it.
     ConnectionBar* connection = nullptr;
+    /// Simulated time and its controls.
     TimeBar* time = nullptr;
+    /// Stops all robots at once.
     QPushButton* stop_all = nullptr;
+    /// Whether a recording is being written, and how large it is.
     RecordBadge* record = nullptr;
     ControlBadge* driver = nullptr; ///< shows who drives the selected robot
     DrivePanel* drive = nullptr;    ///< in drive_dock
@@ -53,22 +57,27 @@ struct WindowViews {
     SpawnCard* spawn_card = nullptr; ///< a sheet in the map
 
     // Contents of the docks.
+    /// The list of robots; its selection is that of the window.
     RobotList* robots = nullptr;
     BehaviorPanel* behavior = nullptr;
     ParameterForm* parameters = nullptr; ///< part of `behavior`
     StatusStrip* status = nullptr;       ///< figures of the instruments' dock
+    /// The instruments of the selected robot: newest scan, ground profile and sonar ranges.
     LaserFanView* laser = nullptr;
     TerrainProfileView* terrain = nullptr;
     SonarColumnsView* sonars = nullptr;
+    /// Values of all sensors of the selected robot, with their ages.
     SensorPanel* sensors = nullptr;
     CameraView* camera = nullptr;
     PlotView* plots = nullptr;
     PlanPanel* plan = nullptr;
     MessageList* messages = nullptr;
     CommandBox* command_box = nullptr;
+    /// Number of lines in the list, and how many wait while it is paused.
     QLabel* message_count = nullptr;
     QToolButton* traffic = nullptr; ///< line counts of the shown connection
     NotificationCenter* notifications = nullptr;
+    /// Warnings and errors, for some seconds at the bottom right of the window.
     ToastStack* toasts = nullptr;
     LayersPanel* layers = nullptr;
     FaultPanel* faults = nullptr;

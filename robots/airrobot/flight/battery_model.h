@@ -24,11 +24,13 @@ public:
     }
     /// Makes the next move start at its own position, because the position estimate has jumped.
     void forgetPosition() { last_m_.reset(); }
+    /// Makes the battery full at once; the time on the ground is up to the caller.
     void recharge() {
         since_charge_m_ = 0.0;
         ++charges_;
     }
 
+    /// The distance flown since the last recharge, or since the start.
     double flownSinceCharge_m() const { return since_charge_m_; }
     /// The total distance flown.
     double flown_m() const { return total_m_; }

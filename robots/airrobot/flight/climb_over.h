@@ -18,6 +18,7 @@ enum class ClimbState { Inactive, Backing, Climbing, Over, Failed };
 struct ClimbStep {
     ClimbState state = ClimbState::Inactive;
     Vec2 place_m = Vec2::Zero(); ///< place to go to (Backing) or to stay at (Climbing), map frame
+    /// Commanded rate of climb; 0 while backing.
     double climb_m_s = 0.0;
 };
 
@@ -26,14 +27,17 @@ struct ClimbStep {
 /// active.
 class ClimbOver {
 public:
+    /// Chooses the place from which to climb and begins to move there.
     void start(const Senses& senses, std::span<const Obstacle> obstacles, const Settings& settings);
     /// `goal_m` is the point to steer at after the climb; the way to it must be free.
     ClimbStep step(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles,
                    const Vec2& goal_m, const Settings& settings);
     bool active() const { return state_ == ClimbState::Backing || state_ == ClimbState::Climbing; }
+    /// Makes the climb inactive, whatever its state.
     void reset() { *this = {}; }
 
 private:
+    /// True if the robot faces the goal and neither sonars nor memory show anything on the first meters.
     bool wayIsFree(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles,
                    const Vec2& goal_m) const;
 

@@ -29,6 +29,7 @@ struct SonarEcho {
     double range_m = 0.0;
     double maximum_m = protocol::usual_sonar_maximum_m;
     bool hit = false; ///< false if nothing is within the maximum range
+    /// The place of the sonar, and that of the echo if it came from the middle of the cone.
     Vec3 origin_in_map_m = Vec3::Zero();
     Vec3 center_in_map_m = Vec3::Zero();
     double low_m = 0.0;  ///< map z of the lower edge of the cap
@@ -48,7 +49,9 @@ struct Senses {
     Seconds now{0.0};
     LineNumber line;
     Pose base_in_map; ///< from the INS, with the heading corrected by the course
+    /// Velocity over ground from the last INS readings; 0 after a jump of the position estimate.
     Vec3 velocity_in_map_m_s = Vec3::Zero();
+    /// Positive to the left.
     double yaw_rate_rad_s = 0.0;
     std::vector<SonarEcho> sonars;          ///< left to right, without silent ones
     std::vector<std::string> silent_sonars; ///< mounted sonars that have sent no number for longer than the timeout
@@ -60,6 +63,7 @@ struct Senses {
     Seconds sonar_age{0.0};               ///< the same for the sonar that has been silent the longest
     Seconds scan_age{0.0};                ///< the same for the scanner
 
+    /// The robot's position in the map frame.
     Vec3 position_m() const { return base_in_map.position_m; }
     Vec2 position2_m() const { return base_in_map.position_m.head<2>(); }
     /// The height over the ground below, or `otherwise_m` if the ground is not visible.
@@ -88,18 +92,22 @@ private:
         Seconds at{0.0};
     };
 
+    /// Places the newest echo of each mounted sonar, and sorts out the silent ones.
     void readSonars(Senses& senses, const modules::RobotModules& robot, const SensorLayout& layout, Seconds time_out);
+    /// Takes a scan that is new since the last call, placed by the pose at the time when it was taken.
     void readScan(Senses& senses, const modules::RobotModules& robot, const SensorLayout& layout);
 
     PoseHistory history_;
     CourseFilter course_;
     Vec2 commanded_m_s_ = Vec2::Zero(); ///< robot frame
+    /// The pose of the last INS reading, with corrected yaw; kept while no new one comes.
     Pose base_in_map_;
     LineNumber last_ins_;
     LineNumber last_scan_;
     std::optional<Seconds> ins_seen_;
     std::optional<Seconds> scan_seen_;
     std::map<std::string, Heard, std::less<>> sonars_heard_;
+    /// The ground below by the last scan; kept until the next scan.
     std::optional<double> ground_m_;
 };
 

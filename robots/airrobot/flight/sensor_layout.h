@@ -13,6 +13,7 @@ namespace usar::airrobot {
 /// One sonar, which looks along its own x axis.
 struct SonarMount {
     std::string name;
+    /// The place of the sonar in the robot's frame. The yaw is its bearing, counterclockwise.
     Pose sonar_in_base;
     double maximum_m = protocol::usual_sonar_maximum_m; ///< reach
     double beam_rad = radians(15.0);                    ///< full angle of the cone
@@ -23,6 +24,7 @@ struct SonarMount {
 struct SensorLayout {
     std::vector<SonarMount> sonars; ///< left to right
     std::string scanner_name;       ///< empty means the first scanner that sends readings
+    /// The place of the scanner in the robot's frame.
     Pose scanner_in_base;
     double scanner_maximum_m = protocol::usual_scanner_maximum_m; ///< reach of the scanner
     double maximum_speed_m_s = 2.0;                               ///< horizontal speed
@@ -37,10 +39,15 @@ SensorLayout stockLayout();
 
 /// Each of these stores the values of an answer in `layout` and leaves the rest unchanged. Returns false if the answer
 /// has no usable value.
+/// Replaces all sonars by those of the answer, sorted from left to right. Limits are back at their defaults, so ask for
+/// the geometry before the limits.
 bool takeSonarGeometry(SensorLayout& layout, const protocol::GeometryInfo& answer);
+/// Matches sonars by name; an answer with a single item applies to all of them.
 bool takeSonarLimits(SensorLayout& layout, const protocol::ConfigurationInfo& answer);
+/// Takes the first scanner of the answer; the same holds for its limits.
 bool takeScannerGeometry(SensorLayout& layout, const protocol::GeometryInfo& answer);
 bool takeScannerLimits(SensorLayout& layout, const protocol::ConfigurationInfo& answer);
+/// Takes the greatest speeds: horizontal, vertical and of turning. True if at least one is usable.
 bool takeRobotLimits(SensorLayout& layout, const protocol::ConfigurationInfo& answer);
 
 } // namespace usar::airrobot

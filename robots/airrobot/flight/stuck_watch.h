@@ -26,6 +26,7 @@ public:
             hindered_ += step;
         }
     }
+    /// Forgets the goal; the next `update` starts a new observation.
     void reset() { *this = {}; }
     /// Replaces `update` while the robot waits on purpose; this time does not count.
     void wait(Seconds now) {
@@ -43,9 +44,12 @@ public:
     Seconds hindered() const { return hindered_; }
 
 private:
+    /// The goal of the last `update` that restarted the times; nullopt before the first.
     std::optional<Vec2> goal_m_;
     double best_m_ = 0.0; ///< distance to the goal at the last progress
+    /// Time of the last `update` or `wait`.
     Seconds now_{0.0};
+    /// Time of the last progress, moved on by the time spent waiting.
     Seconds progress_at_{0.0};
     Seconds hindered_{0.0};
 };

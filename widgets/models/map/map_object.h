@@ -17,6 +17,7 @@ enum class ObjectForm { Box, Sphere, Cylinder };
 
 /// An object of the world as the server or the simulator reports it.
 struct MapObject {
+    /// Name on the server, which identifies the object.
     QString name;
     QString kind; ///< "Crate"; empty: unknown
     ObjectForm form = ObjectForm::Box;

@@ -25,6 +25,7 @@ public:
     bool isIn(std::string_view text) const { return placeIn(text) != std::string_view::npos; }
     /// Returns the offset, in bytes, of the first occurrence, or npos.
     std::size_t placeIn(std::string_view text) const;
+    /// True if the needle is empty, so that every text matches.
     bool empty() const { return needle_.empty(); }
 
 private:
@@ -65,7 +66,9 @@ public:
     bool passes(const MessageRow& row) const;
 
 private:
+    /// True if the row contains the words or matches the expression; also without words.
     bool hasWords(const MessageRow& row) const;
+    /// True if a "{Name …}" on the line has the wanted part in it.
     bool hasName(std::string_view line) const;
 
     MessageFilter filter_;

@@ -13,7 +13,7 @@
 
 namespace usar::widgets {
 
-/// As seen from this program: `In` came from the server.
+/// As seen from this program: `In` came from the server. Commands are `Out`.
 enum class Direction { In, Out };
 
 /// A row of the list. The text is as it was on the wire, never shortened: the view elides it, a copy has all of it.

@@ -21,6 +21,7 @@ public:
 
     /// Starts saving the rows that are shown now. Only one file at a time: a second call while busy emits `failed`.
     void save(const QString& path);
+    /// True from a successful `save` to `saved` or `failed`.
     bool busy() const { return file_ != nullptr; }
 
 signals:
@@ -30,12 +31,16 @@ signals:
     void failed(const QString& reason);
 
 private:
+    /// Writes rows for some milliseconds; after the last one the file gets its name.
     void writeSlice();
+    /// Ends saving, discards what was written, and emits `failed`.
     void fail();
 
     const MessageModel& model_;
     std::unique_ptr<QSaveFile> file_;
+    /// Serial numbers of the rows to save, as shown when saving began.
     std::vector<std::uint64_t> serials_;
+    /// Index in `serials_` of the next row to write.
     std::size_t next_ = 0;
     int written_ = 0;
     QTimer slice_{this};
