@@ -17,7 +17,9 @@ class Hop : public agent::Behavior {
 public:
     explicit Hop(const agent::ParameterSet& parameters) : parameters_(parameters) {}
 
+    /// Sends one DRIVE and publishes pose and status; does nothing before the first INS reading and after the landing.
     void tick(const agent::Tick& tick, agent::CommandPort& port) override;
+    /// Pause stops the robot at once, until Resume. LandNow also ends a pause.
     void order(agent::Order order, agent::CommandPort& port) override;
     void setParameters(const agent::ParameterSet& parameters) override { parameters_ = parameters; }
     protocol::Command safeCommand() const override;
@@ -27,6 +29,7 @@ private:
 
     /// Updates the state and returns the command for this tick.
     protocol::AerialDrive decide(const Vec3& position_m, Seconds now);
+    /// Publishes the status, and the end of the behavior once the robot has landed.
     void tell(Seconds now, agent::CommandPort& port) const;
     /// The state in words, for the user.
     const char* inWords() const;

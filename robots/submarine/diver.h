@@ -28,13 +28,16 @@ public:
     /// Returns the command for this tick; it brakes while the limits are unknown.
     protocol::NauticDrive decide();
 
+    /// The state includes the height over the bottom if it is known. The distance is estimated.
     agent::BehaviorStatus status() const;
 
 private:
     enum class Maneuver { None, BackingOff, GoingBack };
 
+    /// Advances hull and trail by the newest fin angles of STA and the propeller speed that was commanded last.
     void reckon(Seconds dt, const modules::StateModule& state);
     void takeReadings();
+    /// Tells the user once when the ray falls silent.
     void watchRay();
     void watchSearch(Seconds dt);
     void stepManeuver();
@@ -44,6 +47,7 @@ private:
     void watchLevel();
     bool blind() const { return run_.now - heard_at_ > blind_after; }
     bool inDanger() const;
+    /// Whether the planes have not brought the robot down for a long time, as at the surface.
     bool divesInVain() const;
     double plane_rad() const;
     double side() const;
@@ -51,6 +55,8 @@ private:
     protocol::NauticDrive keepLevel();
     protocol::NauticDrive backOff();
     protocol::NauticDrive goBack();
+    /// `share` is that of the propeller in the settings, and `rudder_share` is positive to the right; the plane is
+    /// limited to what it can do.
     protocol::NauticDrive drive(double share, double rudder_share, double plane_rad, const char* state);
 
     static constexpr Seconds blind_after{2.0};

@@ -38,9 +38,13 @@ SensorLayout stockLayout();
 /// Each of these stores the values of an answer in `layout` and leaves the rest unchanged. Returns false if the answer
 /// has no usable value.
 bool takeSonarGeometry(SensorLayout& layout, const protocol::GeometryInfo& answer);
+/// "MaxRange" and "BeamAngle" of each sonar by name; a single item counts for all sonars.
 bool takeSonarLimits(SensorLayout& layout, const protocol::ConfigurationInfo& answer);
+/// Name and mount of the first scanner, and its "MaxRange".
 bool takeScannerGeometry(SensorLayout& layout, const protocol::GeometryInfo& answer);
 bool takeScannerLimits(SensorLayout& layout, const protocol::ConfigurationInfo& answer);
+/// "MaxLinearVelocity", "MaxAltitudeVelocity" and "MaxRotationalVelocity". Values that are not positive and finite do
+/// not count, here and above.
 bool takeRobotLimits(SensorLayout& layout, const protocol::ConfigurationInfo& answer);
 
 } // namespace usar::airrobot
