@@ -30,7 +30,7 @@ private:
     /// Shows and selects a new robot.
     void welcome(RobotId id);
     /// Removes a robot from the views; `instead` is selected if the robot was.
-    void dismiss(RobotId id, const QString& name, int instead);
+    void dismiss(RobotId id, const QString& name, RobotId instead);
     /// Spawns a robot on the chosen start pose, unless that pose no longer exists. An error is a notice.
     void spawn(const widgets::SpawnChoice& choice);
     void show(RobotId id, const mission::SessionUpdate& update);

@@ -128,7 +128,7 @@ private:
 AirRobot::AirRobot() : ListedRobot("USARBot.AirRobot", "AirRobot", {"INS", "GroundTruth", "RangeScanner", "Sonar"}) {
     add<SurveyBehavior>({.id = "airrobot/cpp",
                          .name = "Terrain survey (C++)",
-                         .help = "Maps the mission area in lanes, keeps its height over the terrain, goes round and "
+                         .help = "Maps the mission area in lanes. Keeps its height above the terrain, flies around and "
                                  "over obstacles, charges at its base and lands there at the end.",
                          .needs_area = true,
                          .parameters = Settings::parameters.specs()});

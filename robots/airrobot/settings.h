@@ -10,6 +10,7 @@ namespace usar::airrobot {
 /// later client built on it; the others were tuned in the world tall_test. Copied by value: new parameters take effect
 /// at the next tick.
 struct Settings {
+    // Flight. Heights without another word are over the ground; speeds are limited to what the robot can do.
     double scan_altitude_m = 6.0;    ///< [T] height over the ground below
     double floor_level_m = -25.0;    ///< [T] map z below which the robot never sinks, except to land
     double clearance_m = 2.5;        ///< height over the highest known object below and ahead
@@ -29,7 +30,7 @@ struct Settings {
     double braking_m_s2 = 1.0;    ///< deceleration with which safe speeds are computed
     double safety_margin_m = 0.9; ///< distance from the robot's center to an obstacle at which it must stand
 
-    /// Greatest distance between lanes. This and the next value take effect when a survey is planned.
+    // Survey. Spacing and quadrants take effect when the lanes are planned, the others at once.
     double lane_spacing_m = 9.0;
     double quadrant_limit_m = 150.0; ///< [T] an area with a longer side is divided into quadrants
     double goal_distance_m = 20.0;   ///< greatest distance between goals on a lane
@@ -53,6 +54,8 @@ struct Settings {
     double high_risk_3_m = 1.3;
     double high_risk_4_m = 1.1;
 
+    // Evasion. Times are those of the protocol clock. Without progress means that the robot has come less than a meter
+    // nearer to its goal (see StuckWatch).
     double evasion_speed_m_s = 0.8; ///< [SD] 40 % of the maximum speed
     /// Distance from the robot to a diversion point.
     double diversion_distance_m = 4.0;
@@ -68,12 +71,13 @@ struct Settings {
     double scan_memory_s = 600.0;
     double sonar_memory_s = 20.0;
 
+    // Batteries: the simulated one of the thesis is a distance, the robot's own one a time.
     double battery_range_m = 1000.0;       ///< distance that the simulated battery lasts
     double battery_reserve_pct = 15.0;     ///< [T]
     double recharge_time_s = 30.0;         ///< time on the ground for a charge
     double robot_battery_reserve_s = 60.0; ///< reserve of the robot's own battery, beyond the way home
 
-    /// Rate of descent near the ground, below `landing_slow_below_m`.
+    // Landing, and what the robot does on the ground.
     double landing_speed_m_s = 0.3;
     double landing_slow_below_m = 3.0; ///< height over ground
     double landing_radius_m = 4.0;     ///< distance from the base within which to look for an even place

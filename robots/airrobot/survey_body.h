@@ -8,12 +8,13 @@
 
 namespace usar::airrobot {
 
-/// Connects a SurveyFlight to a plan's engine. Owned by one behavior.
+/// Connects a SurveyFlight to a plan's engine: gives it ticks, orders and parameters, and passes on its commands and
+/// published values as those of the act that caused them. Owned by one behavior, and used in its thread.
 class SurveyBody final : public agent::PoshBody {
 public:
     explicit SurveyBody(agent::BehaviorContext context) : flight_(std::move(context)) {}
 
-    /// The flight that all senses read.
+    /// For senses, which cannot change anything.
     const SurveyFlight& flight() const { return flight_; }
     /// Calls `act` (a function or a member of SurveyFlight) as `act(flight)` or `act(flight, port)`, and passes on what
     /// the flight sends and publishes. Returns the result of `act`.
@@ -28,13 +29,13 @@ public:
     /// The current tick; valid only between begin and end.
     const agent::Tick& tick() const { return *tick_; }
 
-    /// Perceives before any sense is asked; looks along the present leg, except before work and while landing.
+    /// Perceives and, in flight, looks along the leg, so that senses can be asked before the first act.
     void begin(const agent::Tick& tick) override;
     void end(const agent::Tick&) override {
         acting_ = false;
         tick_ = nullptr;
     }
-    /// Passes every order on to the flight; always true.
+    /// The flight handles every order. What it publishes reaches the engine with the next tick.
     bool order(agent::Order order) override;
     void setParameters(const agent::ParameterSet& parameters) override { flight_.setParameters(parameters); }
     void describe(agent::BehaviorStatus& status) const override { status = flight_.status(); }
@@ -50,7 +51,7 @@ private:
     };
     /// Moves the commands and published values from `port_` to the engine.
     void passOn();
-    /// Writes phase, lane and `returning` to the blackboard, where the user sees them and can set breakpoints.
+    /// Writes phase, lane and goal to the plan's blackboard.
     void noteState();
 
     SurveyFlight flight_;

@@ -15,8 +15,8 @@ using SurveyPrimitives = agent::PoshPrimitives<SurveyBody>;
 
 /// Registers a sense that answers `ask` about the flight, its craft or its launch checklist.
 template <class Ask>
-agent::PoshRegistry::Entry addSense(SurveyPrimitives& primitives, std::string name, std::string help, Ask ask) {
-    return primitives
+agent::PoshRegistry::Entry addSense(SurveyPrimitives& list, std::string name, std::string help, Ask ask) {
+    return list
         .sense(std::move(name),
                [ask](const SurveyBody& body) {
                    if constexpr (std::is_invocable_v<Ask, const SurveyFlight&>)
@@ -34,74 +34,72 @@ posh::Symbol worstRisk(const Craft& craft) {
     return {words[static_cast<std::size_t>(craft.threats.risk)]};
 }
 
-void addLaunchSenses(SurveyPrimitives& primitives) {
-    addSense(primitives, "ConfReceived", "The server answered for the robot's configuration.",
+void addLaunchSenses(SurveyPrimitives& list) {
+    addSense(list, "ConfReceived", "The question for the robot's configuration has been answered or given up.",
              &LaunchChecklist::configurationKnown);
-    addSense(primitives, "GeoReceived", "The server answered for geometry and limits of sonars and range scanner.",
+    addSense(list, "GeoReceived", "The questions for the sonars and the range scanner have been answered or given up.",
              &LaunchChecklist::geometryKnown);
-    addSense(primitives, "SensorsReceived", "INS, every sonar and the range scanner have sent a first reading.",
+    addSense(list, "SensorsReceived", "The INS, every sonar and the range scanner have sent a first reading.",
              &LaunchChecklist::ready);
-    addSense(primitives, "PreviewReady", "The lanes over the area are planned.", &SurveyFlight::planned);
-    addSense(primitives, "LaunchReady", "Everything needed before the start is there; stays true.",
+    addSense(list, "PreviewReady", "The lanes over the area are planned.", &SurveyFlight::planned);
+    addSense(list, "LaunchReady", "Everything needed before the start is ready. Stays true from then on.",
              &SurveyFlight::launched);
 }
 
-void addFlightSenses(SurveyPrimitives& primitives) {
-    addSense(primitives, "Airborne", "The scan altitude was reached, and the robot has not landed since.",
+void addFlightSenses(SurveyPrimitives& list) {
+    addSense(list, "Airborne", "The robot has reached the scan altitude and has not landed since.",
              &SurveyFlight::atWork);
-    addSense(primitives, "GroundPhase", "From the choice of a landing place until the scan is resumed.",
+    addSense(list, "GroundPhase", "True from the choice of a landing place until the scan is resumed.",
              &SurveyFlight::landing);
-    addSense(primitives, "OnGround", "The robot stands on the ground.",
+    addSense(list, "OnGround", "The robot stands on the ground.",
              [](const SurveyFlight& flight) { return flight.phase() == Phase::Ground; });
-    addSense(primitives, "SensorsSilent",
-             "A sensor that the flight needs has been silent for longer than its time-out.",
+    addSense(list, "SensorsSilent", "A sensor that the flight needs has been silent for longer than the time-out.",
              &SurveyFlight::sensorsSilent);
-    addSense(primitives, "Paused", "A person asked the robot to wait.", &SurveyFlight::paused);
-    addSense(primitives, "BatteryMargin",
-             "Part of the battery's range that is left beyond the beeline home and the reserve; negative when it is "
-             "too late.",
+    addSense(list, "Paused", "A person asked the robot to wait.", &SurveyFlight::paused);
+    addSense(list, "BatteryMargin",
+             "Share of the battery's range that is left beyond the beeline home and the reserve. Negative: too late.",
              &SurveyFlight::batteryMargin)
         .within(-1.0, 1.0);
-    addSense(primitives, "RobotBatteryLow",
-             "The robot's own battery, which nothing can charge, lasts for the way home only.",
+    addSense(list, "RobotBatteryLow", "The robot's own battery, which cannot be charged, lasts only for the way home.",
              &SurveyFlight::robotBatteryLow);
 }
 
-void addGoalSenses(SurveyPrimitives& primitives) {
-    addSense(primitives, "ReturningHome", "The base is the present goal.", &SurveyFlight::returning);
-    addSense(primitives, "AtBase", "The robot is over its base, or over the place where it is to land instead.",
+void addGoalSenses(SurveyPrimitives& list) {
+    addSense(list, "ReturningHome", "The robot is on its way to its base.", &SurveyFlight::returning);
+    addSense(list, "AtBase", "The robot is over its base, or over the place where it is to land instead.",
              &SurveyFlight::atBase);
-    addSense(primitives, "GoalReached", "The present goal of the survey is reached.",
+    addSense(list, "GoalReached", "The present goal of the survey is reached.",
              [](const SurveyFlight& flight) { return !flight.returning() && flight.goalReached(); });
-    addSense(primitives, "ResumedGoalReached",
-             "False from a recharge until a lane is flown again: running low in between means that the goal is out "
-             "of reach.",
+    addSense(list, "ResumedGoalReached",
+             "False from a recharge until the robot is on a lane again. If the battery runs low in between, the goal "
+             "is out of reach.",
              &SurveyFlight::resumedGoalReached);
-    addSense(primitives, "ScanComplete", "No goals are left, or none that can be reached.", &SurveyFlight::scanOver);
-    addSense(primitives, "MissionFinished", "The last word of the mission was said.", &SurveyFlight::finished);
+    addSense(list, "ScanComplete", "No goals are left, or the scan was given up.", &SurveyFlight::scanOver);
+    addSense(list, "MissionFinished", "The mission has ended.", &SurveyFlight::finished);
 }
 
-void addAvoidanceSenses(SurveyPrimitives& primitives) {
-    addSense(primitives, "SonarRisk", "The worst zone that an echo of the sonars lies in.", worstRisk)
+void addAvoidanceSenses(SurveyPrimitives& list) {
+    addSense(list, "SonarRisk", "The highest risk that any sonar reports.", worstRisk)
         .oneOf({"none", "low", "high"})
         .needs("Sonar");
-    addSense(primitives, "ThreatMatters", "There is a high risk, or a low one on the way to the goal.",
+    addSense(list, "ThreatMatters", "There is a high risk, or a low risk on the way to the goal.",
              &Craft::threatMatters);
-    addSense(primitives, "EscapeOpen", "There is a high risk, and a way out of it.", &Craft::escapeOpen);
-    addSense(primitives, "IsAvoiding", "A point beside an obstacle is being followed.", &Craft::diversionSet);
-    addSense(primitives, "ClimbingOver", "The robot is on its way over an obstacle.", &Craft::climbingOver);
-    addSense(primitives, "AvoidanceNeeded", "Something is in the way, or was a moment ago.", &Craft::avoiding);
-    addSense(primitives, "AvoidanceTime", "Time spent avoiding since the goal came nearer.",
+    addSense(list, "EscapeOpen", "There is a high risk and a way to escape it.", &Craft::escapeOpen);
+    addSense(list, "IsAvoiding", "The robot is flying around an obstacle by way of a diversion point.",
+             &Craft::diversionSet);
+    addSense(list, "ClimbingOver", "The robot is climbing over an obstacle.", &Craft::climbingOver);
+    addSense(list, "AvoidanceNeeded", "An obstacle is in the way or was a moment ago.", &Craft::avoiding);
+    addSense(list, "AvoidanceTime", "Time spent avoiding obstacles since the last progress toward the goal.",
              [](const SurveyFlight& flight) { return flight.craft().hindered().count(); })
         .unit("s");
-    addSense(primitives, "Stuck", "The goal has not come nearer for as long as the settings allow.", &Craft::stuck);
+    addSense(list, "Stuck", "The robot has made no progress toward its goal for longer than the settings allow.",
+             &Craft::stuck);
 }
 
 /// Registers an act that takes no time, so that the cycle continues.
 template <class Do>
-void addNote(SurveyPrimitives& primitives, std::string name, std::string help, Do act) {
-    primitives
-        .act(std::move(name),
+void addNote(SurveyPrimitives& list, std::string name, std::string help, Do act) {
+    list.act(std::move(name),
              [act](SurveyBody& body) {
                  body.with(act);
                  return ActResult::Finished;
@@ -111,8 +109,8 @@ void addNote(SurveyPrimitives& primitives, std::string name, std::string help, D
 
 /// Registers an act that commands the robot for one tick and is complete after the cycle.
 template <class Do>
-void addStep(SurveyPrimitives& primitives, std::string name, std::string help, Do act) {
-    primitives.act(std::move(name), [act](SurveyBody& body) { body.with(act); }).describe(std::move(help));
+void addStep(SurveyPrimitives& list, std::string name, std::string help, Do act) {
+    list.act(std::move(name), [act](SurveyBody& body) { body.with(act); }).describe(std::move(help));
 }
 
 /// The result of an act that runs in each cycle until it is done.
@@ -122,9 +120,8 @@ ActResult until(bool done) {
 
 /// Registers an act that steps the launch checklist until `known(checklist)` holds.
 template <class Known>
-void addQuery(SurveyPrimitives& primitives, std::string name, std::string help, Known known) {
-    primitives
-        .act(std::move(name),
+void addQuery(SurveyPrimitives& list, std::string name, std::string help, Known known) {
+    list.act(std::move(name),
              [known](SurveyBody& body) {
                  const LaunchState state = body.with([&body](SurveyFlight& flight, agent::CommandPort& port) {
                      return flight.checkLaunch(body.tick(), port);
@@ -170,77 +167,80 @@ ActResult markLaunchReady(SurveyBody& body) {
     return ActResult::Finished;
 }
 
-void addLaunchActs(SurveyPrimitives& primitives) {
-    addQuery(primitives, "QueryRobotConf", "Asks the server for the robot's configuration.",
+void addLaunchActs(SurveyPrimitives& list) {
+    addQuery(list, "QueryRobotConf", "Asks the server for the robot's configuration.",
              &LaunchChecklist::configurationKnown);
-    addQuery(primitives, "QuerySonarGeo", "Asks the server for geometry and limits of sonars and range scanner.",
+    addQuery(list, "QuerySonarGeo", "Asks the server for the geometry and limits of the sonars and the range scanner.",
              &LaunchChecklist::geometryKnown);
-    addQuery(primitives, "WaitForSensors", "Waits for a first reading of INS, sonars and range scanner.",
+    addQuery(list, "WaitForSensors", "Waits for a first reading of the INS, every sonar and the range scanner.",
              &LaunchChecklist::ready);
-    addNote(primitives, "InitPreview", "Plans the lanes over the area.", &SurveyFlight::planSurvey);
-    primitives.act<ResetIns>("ResetIns").describe("Rests, then sets the INS from ground truth.");
-    primitives.act("MarkLaunchReady", markLaunchReady)
-        .describe("Notes that the launch is complete; waits while the robot is paused.");
+    addNote(list, "InitPreview", "Plans the lanes over the area.", &SurveyFlight::planSurvey);
+    list.act<ResetIns>("ResetIns").describe("Rests, then sets the INS from ground truth.");
+    list.act("MarkLaunchReady", markLaunchReady)
+        .describe("Notes that the launch is complete. Waits while the robot is paused.");
 }
 
-void addFlightActs(SurveyPrimitives& primitives) {
-    primitives.act("ClimbTo", climbTo)
-        .describe("Climbs straight up.")
-        .takes(agent::PoshParameter::number("altitude", 0.0, "m", 0.0, 30.0,
-                                            "Above where it stood; 0 for the scan altitude of the mission."));
-    addNote(primitives, "MarkAirborne", "Notes that the scan altitude is reached.", &SurveyFlight::beginWork);
+void addFlightActs(SurveyPrimitives& list) {
+    list.act("ClimbTo", climbTo)
+        .describe("Climbs straight up to an altitude.")
+        .takes(agent::PoshParameter::number(
+            "altitude", 0.0, "m", 0.0, 30.0,
+            "Height above the place of the take-off. 0 means the scan altitude in the parameters."));
+    addNote(list, "MarkAirborne", "Notes that the robot has reached the scan altitude.", &SurveyFlight::beginWork);
     const auto cruise = [](SurveyFlight& flight, agent::CommandPort& port) { flight.perform(Maneuver::Cruise, port); };
     const auto avoid = [](SurveyFlight& flight, agent::CommandPort& port) { flight.perform(Maneuver::Avoid, port); };
-    addStep(primitives, "FlyToGoal", "Flies toward the present goal of the survey.", cruise);
-    addStep(primitives, "FlyToBase", "Flies toward the base.", cruise);
-    addStep(primitives, "KeepCourse", "Goes on as if nothing were in the way.", cruise);
-    addStep(primitives, "EvadeOpposite", "A sudden move away from the greatest threat.", avoid);
-    addNote(primitives, "PlotDiversion",
-            "Chooses the greatest threat, sums the sonars to its left and right, and sets a point on the freer side.",
+    addStep(list, "FlyToGoal", "Flies toward the present goal of the survey.", cruise);
+    addStep(list, "FlyToBase", "Flies toward the base.", cruise);
+    addStep(list, "KeepCourse", "Flies on as if nothing were in the way.", cruise);
+    addStep(list, "EvadeOpposite", "Moves suddenly away from the greatest threat.", avoid);
+    addNote(list, "PlotDiversion",
+            "Finds the greatest threat, compares the sonars to its left and right, and sets a diversion point on the "
+            "freer side.",
             &SurveyFlight::decide);
-    addStep(primitives, "FollowDiversion", "Flies to the point set, or waits where there is no way.", avoid);
-    addStep(primitives, "ClimbOver", "Backs away from the obstacle, climbs until the way is free, and crosses.",
+    addStep(list, "FollowDiversion", "Flies to the diversion point, or waits if there is no way.", avoid);
+    addStep(list, "ClimbOver", "Backs away from the obstacle, climbs until the way is free, and flies across.",
             [](SurveyFlight& flight, agent::CommandPort& port) { flight.perform(Maneuver::ClimbOver, port); });
-    addStep(primitives, "HoldPlace", "Waits where it was when it was paused.", &SurveyFlight::holdPlace);
-    addStep(primitives, "WaitForData", "Stops, and gives up when a sensor stays silent for 15 s.",
+    addStep(list, "HoldPlace", "Holds the place where the robot was when it was paused.", &SurveyFlight::holdPlace);
+    addStep(list, "WaitForData", "Stops, and ends the mission if a sensor stays silent for 15 s.",
             &SurveyFlight::awaitSensors);
-    addStep(primitives, "Hover", "Stops for a cycle.",
+    addStep(list, "Hover", "Commands zero speed for one cycle.",
             [](SurveyFlight& flight, agent::CommandPort& port) { flight.rest(port, "hovering"); });
 }
 
-void addGoalActs(SurveyPrimitives& primitives) {
-    addNote(primitives, "NextGoal", "Takes the next goal: along the lane, the next lane or quadrant, or home.",
+void addGoalActs(SurveyPrimitives& list) {
+    addNote(list, "NextGoal",
+            "Moves on to the next goal: on the lane, on the next lane or in the next quadrant, or home.",
             &SurveyFlight::nextGoal);
-    addNote(primitives, "SkipGoal", "Declares the goal unreachable and takes the next.", &SurveyFlight::skipGoal);
+    addNote(list, "SkipGoal", "Gives up the present goal and moves on to the next one.", &SurveyFlight::skipGoal);
     const auto return_home = &SurveyFlight::returnToCharge;
-    addNote(primitives, "StoreGoalAndReturn", "Remembers where the lane was left, and makes the base the goal.",
+    addNote(list, "StoreGoalAndReturn", "Remembers where the robot leaves the lane, and makes the base the goal.",
             return_home);
-    addNote(primitives, "StoreOuterGoalAndReturn",
-            "The same during a diversion, which is forgotten; the lane is the next goal after it.", return_home);
-    addNote(primitives, "AbortScan", "No more goals; the base is the goal, and the scan ends there.",
+    addNote(list, "StoreOuterGoalAndReturn",
+            "Does the same during a diversion, which is forgotten. After the charge, the lane is the goal again.",
+            return_home);
+    addNote(list, "AbortScan",
+            "Gives up the scan because its next place is out of the battery's range, and makes the base the goal.",
             &SurveyFlight::abortScan);
-    addNote(primitives, "GiveUpAndReturn", "The robot's own battery runs out: home, and the scan ends there.",
+    addNote(list, "GiveUpAndReturn",
+            "Gives up the scan because the robot's own battery runs low, and makes the base the goal.",
             &SurveyFlight::obeyRobotBattery);
-    addNote(primitives, "LandHere", "The way home is blocked: the robot lands where it is, and the scan ends there.",
+    addNote(list, "LandHere", "Gives up the scan because the way home is blocked, and lands at the present place.",
             &SurveyFlight::landHere);
 }
 
-void addGroundActs(SurveyPrimitives& primitives) {
-    primitives.act<LandAtBase>("LandAtBase")
-        .describe("Sinks onto a free place at the base until it touches the ground.");
-    primitives
-        .act("HoldOnGround",
+void addGroundActs(SurveyPrimitives& list) {
+    list.act<LandAtBase>("LandAtBase").describe("Sinks onto level ground at the base until the robot touches down.");
+    list.act("HoldOnGround",
              [](SurveyBody& body) {
                  return until(body.with([](SurveyFlight& flight) { return flight.charged() && !flight.paused(); }));
              })
-        .describe("Stands for as long as charging takes, and while the robot is paused.");
-    addNote(primitives, "Recharge", "Fills the simulated battery.", &SurveyFlight::recharge);
-    addNote(primitives, "ResumeScan", "Takes the lane up where it was left, and allows the start.",
+        .describe("Stays on the ground for as long as a charge takes, and while the robot is paused.");
+    addNote(list, "Recharge", "Fills the simulated battery.", &SurveyFlight::recharge);
+    addNote(list, "ResumeScan", "Allows the start; the robot resumes the lane where it left it.",
             &SurveyFlight::setOut);
-    addNote(primitives, "StopRotors", "Zero DRIVE.",
+    addNote(list, "StopRotors", "Commands zero speed, which stops the rotors on the ground.",
             [](SurveyFlight& flight, agent::CommandPort& port) { flight.rest(port, "rotors off"); });
-    addNote(primitives, "MarkFinished", "Says how the scan ended; its files are written then.",
-            &SurveyFlight::conclude);
+    addNote(list, "MarkFinished", "Ends the mission and reports how the scan went.", &SurveyFlight::conclude);
 }
 
 } // namespace

@@ -63,8 +63,8 @@ private:
 ErsRobot::ErsRobot() : ListedRobot("USARBot.ERS", "ERS", {"Helper", "INS"}) {
     add<KickerBehavior>({.id = "ers/cpp",
                          .name = "After the ball (C++)",
-                         .help = "Walks in circles until it sees the ball, walks to it with its eyes on it, and kicks "
-                                 "it by walking on. Marks its way with TRACE.",
+                         .help = "Walks in circles until it sees the ball, walks to it while watching it, and kicks it "
+                                 "by walking on. Marks its path with TRACE.",
                          .parameters = Settings::parameters.specs()});
 }
 

@@ -17,17 +17,18 @@ class Kicker : public agent::TimedDecider<Settings> {
 public:
     using TimedDecider::TimedDecider;
 
-    /// Keeps the newest reading of the ball finder and ignores other lines.
+    /// Keeps the newest reading of the ball finder. It counts for half a second.
     void hear(const protocol::InfoLine& line) { ball_.take(line, run_.now); }
     /// Evaluates the newest readings. Call it once per tick, before the other functions.
     void perceive(const agent::Tick& tick);
     /// Returns the joint targets for this tick; nullopt between two moves of the gait.
     std::optional<protocol::MultiDrive> walk();
-    /// True while the INS reports a roll or pitch so great that the robot lies on its side.
+    /// Whether the robot lies on its side, nose or back: its roll or pitch exceeds 1.1 rad.
     bool hasFallen() const { return fallen_; }
     /// Makes the gait start with standing up, because the robot is about to be righted.
     void standUpAgain() { gait_.reset(); }
 
+    /// The distance is horizontal, from the INS, without swaying.
     agent::BehaviorStatus status() const { return run_.status(Seconds(settings_.play_time_s), way_m_); }
     /// The newest pose from the INS; nullopt before the first reading.
     const std::optional<Pose>& base_in_map() const { return base_in_map_; }
@@ -43,7 +44,7 @@ private:
     void lookForBall();
     /// Warns once when the robot falls, and adds up the distance walked without swaying.
     void watchBalance(const modules::SensorModule& sensors);
-    /// The strides of this tick: none while paused, fallen or standing up; otherwise to the ball or in circles.
+    /// The strides for what the robot sees; also sets the state in words.
     Strides strides();
     /// Walks toward the side where the ball was last seen. Tight and wide circles alternate.
     Strides circle();

@@ -6,7 +6,9 @@
 
 namespace usar::ers {
 
-/// All values are in SI units. Copied by value: new parameters take effect at the next tick.
+/// All values are in SI units. Strides are lengths of steps on the ground, in the direction in which the robot looks;
+/// the picture is that of the camera in its head. A `Settings` is made from parameters by `parameters.settings(set)`;
+/// its defaults are the defaults of the parameters. Copied by value: new parameters take effect at the next tick.
 struct Settings {
     /// Length of a step of the outer paws, and how high a paw is lifted during it.
     double stride_m = 0.05;

@@ -70,16 +70,14 @@ using Primitives = agent::PoshPrimitives<ExplorerBody>;
 
 /// Registers a sense that answers `ask(explorer)`.
 template <class Ask>
-agent::PoshRegistry::Entry addSense(Primitives& primitives, std::string name, std::string help, Ask ask) {
-    return primitives
-        .sense(std::move(name), [ask](const ExplorerBody& body) { return std::invoke(ask, body.explorer); })
+agent::PoshRegistry::Entry addSense(Primitives& list, std::string name, std::string help, Ask ask) {
+    return list.sense(std::move(name), [ask](const ExplorerBody& body) { return std::invoke(ask, body.explorer); })
         .describe(std::move(help));
 }
 
 /// Registers an act that sends the DRIVE of one tick and is complete after the cycle.
-void addDrive(Primitives& primitives, std::string name, std::string help, protocol::SkidDrive (Explorer::*act)()) {
-    primitives
-        .act(std::move(name),
+void addDrive(Primitives& list, std::string name, std::string help, protocol::SkidDrive (Explorer::*act)()) {
+    list.act(std::move(name),
              [act](ExplorerBody& body) {
                  const protocol::SkidDrive drive = (body.explorer.*act)();
                  body.drive(drive, body.explorer.state());
@@ -88,62 +86,61 @@ void addDrive(Primitives& primitives, std::string name, std::string help, protoc
         .needs("DRIVE");
 }
 
-void addSenses(Primitives& primitives) {
-    addSense(primitives, "ScanAge", "Time since the newest message of the range scanner; large before the first.",
+void addSenses(Primitives& list) {
+    addSense(list, "ScanAge", "Time since the newest message of the range scanner. Very large before the first one.",
              [](const Explorer& explorer) { return explorer.scanAge().count(); })
         .unit("s")
         .needs("RangeScanner");
-    addSense(primitives, "Waiting", "A person asked the robot to wait, or it has not rested enough to start.",
+    addSense(list, "Waiting", "A person asked the robot to wait, or it has not rested long enough to start.",
              &Explorer::waiting);
     addSense(
-        primitives, "IsInDanger",
-        "Something in the strip ahead is within the safety distance, or the ground falls too steeply, or the robot "
-        "is still backing away from that.",
+        list, "IsInDanger",
+        "Something ahead is too close, the ground falls too steeply, or the robot is still backing away from that.",
         &Explorer::inDanger)
         .needs("RangeScanner")
         .needs("Sonar");
-    addSense(primitives, "IsTrapped", "The robot has been in one place for longer than the settings allow.",
+    addSense(list, "IsTrapped", "The robot has stayed in one place for longer than the settings allow.",
              &Explorer::trapped)
         .needs("INS");
-    addSense(primitives, "MustTurn", "The robot has backed away, or is to turn around, and the way is not free yet.",
+    addSense(list, "MustTurn", "The robot has backed away or is turning around, and the way is not free yet.",
              &Explorer::mustTurn);
-    addSense(primitives, "OpenLeft", "The left third of the scan has the greatest mean range.",
+    addSense(list, "OpenLeft", "The left third of the scan has the greatest mean range.",
              [](const Explorer& explorer) { return explorer.open() == Third::Left; });
-    addSense(primitives, "OpenAhead", "The middle third of the scan has the greatest mean range.",
+    addSense(list, "OpenAhead", "The middle third of the scan has the greatest mean range.",
              [](const Explorer& explorer) { return explorer.open() == Third::Ahead; });
-    addSense(primitives, "OpenRight", "The right third of the scan has the greatest mean range.",
+    addSense(list, "OpenRight", "The right third of the scan has the greatest mean range.",
              [](const Explorer& explorer) { return explorer.open() == Third::Right; });
 }
 
-void addActs(Primitives& primitives) {
-    addDrive(primitives, "Halt", "Both wheels stand.", &Explorer::halt);
-    addDrive(primitives, "Reverse",
-             "Both wheels backward, unequal so that the robot turns away from the nearer side; as far as it knows the "
-             "ground behind it, then it must turn.",
+void addActs(Primitives& list) {
+    addDrive(list, "Halt", "Stops both wheels.", &Explorer::halt);
+    addDrive(list, "Reverse",
+             "Backs away over ground that the robot has crossed, and turns slightly away from the nearer side. Then "
+             "the robot must turn.",
              &Explorer::reverse);
-    addDrive(primitives, "TurnAway", "Turns in place, away from what was near.", &Explorer::turnAway);
-    addDrive(primitives, "GoAhead", "Both wheels forward at cruise speed, slower the nearer things ahead are.",
+    addDrive(list, "TurnAway", "Turns in place, away from what was too close.", &Explorer::turnAway);
+    addDrive(list, "GoAhead", "Drives straight ahead at cruise speed, or slower if something is ahead.",
              &Explorer::goAhead);
-    addDrive(primitives, "SteerLeft", "The left wheel slower than the right one.", &Explorer::steerLeft);
-    addDrive(primitives, "SteerRight", "The right wheel slower than the left one.", &Explorer::steerRight);
-    primitives
-        .act("Escape",
+    addDrive(list, "SteerLeft", "Drives ahead in a curve to the left.", &Explorer::steerLeft);
+    addDrive(list, "SteerRight", "Drives ahead in a curve to the right.", &Explorer::steerRight);
+    list.act("Escape",
              [](ExplorerBody& body) {
                  body.explorer.escape();
                  return posh::ActResult::Finished;
              })
-        .describe("Has the robot turn around to the other side; where that did not help, back away first.");
+        .describe(
+            "Starts to turn around to the other side. The second time in the same place, the robot backs away first.");
 }
 
 } // namespace
 
 P2dxRobot::P2dxRobot() : ListedRobot("USARBot.P2DX", "P2DX", {"RangeScanner", "Sonar", "INS"}) {
-    add<ExplorerBehavior>({.id = "p2dx/cpp",
-                           .name = "Most open direction (C++)",
-                           .help = "Heads for the most open third of the laser's view, backs away and turns where "
-                                   "something is too close ahead, and turns around where it gets no further. Stays in "
-                                   "the area, if there is one.",
-                           .parameters = Settings::parameters.specs()});
+    add<ExplorerBehavior>(
+        {.id = "p2dx/cpp",
+         .name = "Most open direction (C++)",
+         .help = "Heads for the most open third of the laser's view. Backs away and turns if something ahead is too "
+                 "close, and turns around if it gets no farther. Stays inside the mission area if there is one.",
+         .parameters = Settings::parameters.specs()});
     addPlanned<ExplorerBody>("p2dx/posh", "Most open direction (POSH)", {"p2dx.lap", explorer_plan_text},
                              agent::registryOf<ExplorerBody>({addSenses, addActs}));
 }

@@ -6,7 +6,10 @@
 
 namespace usar::p2dx {
 
-/// All values are in SI units. Copied by value: new parameters take effect at the next tick.
+/// All values are in SI units, and angles and rates are magnitudes. Distances ahead are measured from the scanner or,
+/// for low objects, from the front sonars; robots-and-worlds.md 3.2 says where they are on the hull. A `Settings` is
+/// made from parameters by `parameters.settings(set)`; its defaults are the defaults of the parameters. Copied by
+/// value: new parameters take effect at the next tick.
 struct Settings {
     /// Speed where the way is free. The robot is slower near obstacles and downhill.
     double cruise_speed_m_s = 0.5;

@@ -17,9 +17,9 @@ class Hop : public agent::Behavior {
 public:
     explicit Hop(const agent::ParameterSet& parameters) : parameters_(parameters) {}
 
-    /// Does nothing before the first INS reading and after the landing.
+    /// Sends one DRIVE and publishes pose and status; does nothing before the first INS reading and after the landing.
     void tick(const agent::Tick& tick, agent::CommandPort& port) override;
-    /// Pause makes the robot hover. LandNow makes it land where it is. Every order but Pause ends a pause.
+    /// Pause stops the robot at once, until Resume. LandNow also ends a pause.
     void order(agent::Order order, agent::CommandPort& port) override;
     void setParameters(const agent::ParameterSet& parameters) override { parameters_ = parameters; }
     /// Hovering. A robot keeps executing its last command, so this one is sent when the behavior is ended from outside.
@@ -31,7 +31,7 @@ private:
 
     /// Updates the state and returns the command for this tick.
     protocol::AerialDrive decide(const Vec3& position_m, Seconds now);
-    /// Publishes state, distance and progress, and the result when the robot is on the ground.
+    /// Publishes the status, and the end of the behavior once the robot has landed.
     void tell(Seconds now, agent::CommandPort& port) const;
     /// The state in words, for the user.
     const char* inWords() const;

@@ -1,4 +1,5 @@
-// The Submarine and its behaviors, separate from the plugin class so that tests can link them.
+// The Submarine and its behaviors, separate from the plugin class so that tests can link them. The classes of the
+// behaviors are in the source file, because nothing else makes them.
 #pragma once
 
 #include "core/agent/listed_robot.h"

@@ -28,6 +28,7 @@ public:
     /// Returns the command for this tick; it brakes while the limits are unknown.
     protocol::NauticDrive decide();
 
+    /// The state includes the height over the bottom if it is known. The distance is estimated.
     agent::BehaviorStatus status() const;
 
 private:
@@ -35,12 +36,12 @@ private:
     /// follow the bottom.
     enum class Maneuver { None, BackingOff, GoingBack };
 
-    /// Advances the estimates of pitch, speed and path from the newest fin angles and the commanded propeller.
+    /// Advances hull and trail by the newest fin angles of STA and the propeller speed that was commanded last.
     void reckon(Seconds dt, const modules::StateModule& state);
     /// Takes the queued readings in order. A range near the reach counts as no echo; zero, negative and NaN are
     /// skipped.
     void takeReadings();
-    /// Warns once each time the ray falls silent.
+    /// Tells the user once when the ray falls silent.
     void watchRay();
     /// Ends the behavior if the robot has sunk too far without an echo.
     void watchSearch(Seconds dt);
@@ -57,7 +58,7 @@ private:
     bool blind() const { return run_.now - heard_at_ > blind_after; }
     /// True if the bottom is too near, or will be soon at the present speed.
     bool inDanger() const;
-    /// True if the hull does not follow the planes down, as happens at the surface.
+    /// Whether the planes have not brought the robot down for a long time, as at the surface.
     bool divesInVain() const;
     /// Angle of the stern planes that leads to the wanted height.
     double plane_rad() const;
@@ -68,8 +69,8 @@ private:
     protocol::NauticDrive keepLevel();
     protocol::NauticDrive backOff();
     protocol::NauticDrive goBack();
-    /// `share`: of the propeller speed in the settings, negative backward. `rudder_share`: -1..1, positive to the
-    /// right. `state`: shown to the user.
+    /// `share` is that of the propeller in the settings, and `rudder_share` is positive to the right; the plane is
+    /// limited to what it can do.
     protocol::NauticDrive drive(double share, double rudder_share, double plane_rad, const char* state);
 
     static constexpr Seconds blind_after{2.0};

@@ -27,11 +27,11 @@ public:
     /// Asks the next question or waits for its answer; call it once per tick. Returns true once all questions have been
     /// answered or given up.
     bool goOn(modules::ConfigurationModule& configuration);
-    /// The limits so far; complete once `goOn` has returned true.
+    /// The values known so far; complete once `goOn` has returned true.
     const Limits& limits() const { return limits_; }
 
 private:
-    /// Stores the usable values of an answer.
+    /// Stores what the answer has; the type of an answer decides which of the limits it is about.
     void take(const protocol::ConfigurationInfo& answer);
 
     std::size_t asked_ = 0; ///< number of questions that are answered or given up

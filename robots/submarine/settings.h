@@ -6,8 +6,10 @@
 
 namespace usar::submarine {
 
-/// All values are in SI units; [T] marks values from the thesis (3.5.1). Copied by value: new parameters take effect at
-/// the next tick.
+/// All values are in SI units. Heights are over the bottom straight below, pitch angles are magnitudes, and distances
+/// that the robot travels are its own estimates (see PitchModel). A `Settings` is made from parameters by
+/// `parameters.settings(set)`; its defaults are the defaults of the parameters. [T] marks values from the thesis
+/// (3.5.1). Copied by value: new parameters take effect at the next tick.
 struct Settings {
     double height_m = 4.0;       ///< [T] height over the bottom
     double level_band_m = 0.6;   ///< the robot counts as level within this distance of the height

@@ -98,7 +98,7 @@ public slots:
 
 signals:
     /// The selected commands, oldest first; `connection` is that of the first one, and commands of others are left out.
-    void resendRequested(ConnectionId connection, const QStringList& lines);
+    void resendRequested(usar::ConnectionId connection, const QStringList& lines);
     /// The user wants to save the shown lines; the owner asks for a path and calls saveShown.
     void saveRequested();
     /// The file is complete; `lines` is the number of rows in it.

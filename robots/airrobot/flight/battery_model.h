@@ -9,7 +9,8 @@
 
 namespace usar::airrobot {
 
-/// Adds up the distance flown since the last charge, according to the INS. Owned by one robot.
+/// Adds up the distance flown since the last charge, according to the INS. Positions and distances are
+/// three-dimensional, in meters. Owned by one robot.
 class BatteryModel {
 public:
     /// Adds the distance from the last position. Ignores moves of less than 3 cm, which are noise of the protocol while
@@ -24,13 +25,13 @@ public:
     }
     /// Makes the next move start at its own position, because the position estimate has jumped.
     void forgetPosition() { last_m_.reset(); }
-    /// Makes the battery full at once; the time on the ground is up to the caller.
+    /// Starts at 0 again; the total distance stays.
     void recharge() {
         since_charge_m_ = 0.0;
         ++charges_;
     }
 
-    /// The distance flown since the last recharge, or since the start.
+    /// The distance flown since the last recharge.
     double flownSinceCharge_m() const { return since_charge_m_; }
     /// The total distance flown.
     double flown_m() const { return total_m_; }

@@ -44,7 +44,8 @@ struct PlacedScan {
     std::vector<Vec3> hits_in_map_m; ///< in beam order, without beams that hit nothing
 };
 
-/// All perceptions of one tick. Ground truth is not among them; only InsReset uses it, on the ground.
+/// All perceptions of one tick, in SI units; places and heights are in the map frame, ages on the protocol clock.
+/// Ground truth is not among them; only InsReset uses it, on the ground.
 struct Senses {
     Seconds now{0.0};
     LineNumber line;
@@ -63,7 +64,7 @@ struct Senses {
     Seconds sonar_age{0.0};               ///< the same for the sonar that has been silent the longest
     Seconds scan_age{0.0};                ///< the same for the scanner
 
-    /// The robot's position in the map frame.
+    /// The estimated position, map frame; the second form is horizontal.
     Vec3 position_m() const { return base_in_map.position_m; }
     Vec2 position2_m() const { return base_in_map.position_m.head<2>(); }
     /// The height over the ground below, or `otherwise_m` if the ground is not visible.
@@ -72,7 +73,8 @@ struct Senses {
     }
 };
 
-/// Computes the senses from the modules' snapshots. Owned by one robot.
+/// Computes the senses from the modules' snapshots. A reading is new if its line differs from that of the last tick.
+/// Ages count from the tick that saw a reading, so they are at most one tick too small. Owned by one robot.
 class SenseReader {
 public:
     /// Returns the senses of a tick; call it once per tick. A sonar that has sent no number for longer than `time_out`
@@ -92,9 +94,9 @@ private:
         Seconds at{0.0};
     };
 
-    /// Places the newest echo of each mounted sonar, and sorts out the silent ones.
+    /// Places the echoes; notes which sonars are silent and the age of the oldest reading.
     void readSonars(Senses& senses, const modules::RobotModules& robot, const SensorLayout& layout, Seconds time_out);
-    /// Takes a scan that is new since the last call, placed by the pose at the time when it was taken.
+    /// Places a new scan and finds the ground in it; between scans the last ground is kept.
     void readScan(Senses& senses, const modules::RobotModules& robot, const SensorLayout& layout);
 
     PoseHistory history_;

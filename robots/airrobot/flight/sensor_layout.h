@@ -42,12 +42,13 @@ SensorLayout stockLayout();
 /// Replaces all sonars by those of the answer, sorted from left to right. Limits are back at their defaults, so ask for
 /// the geometry before the limits.
 bool takeSonarGeometry(SensorLayout& layout, const protocol::GeometryInfo& answer);
-/// Matches sonars by name; an answer with a single item applies to all of them.
+/// "MaxRange" and "BeamAngle" of each sonar by name; a single item counts for all sonars.
 bool takeSonarLimits(SensorLayout& layout, const protocol::ConfigurationInfo& answer);
-/// Takes the first scanner of the answer; the same holds for its limits.
+/// Name and mount of the first scanner, and its "MaxRange".
 bool takeScannerGeometry(SensorLayout& layout, const protocol::GeometryInfo& answer);
 bool takeScannerLimits(SensorLayout& layout, const protocol::ConfigurationInfo& answer);
-/// Takes the greatest speeds: horizontal, vertical and of turning. True if at least one is usable.
+/// "MaxLinearVelocity", "MaxAltitudeVelocity" and "MaxRotationalVelocity". Values that are not positive and finite do
+/// not count, here and above.
 bool takeRobotLimits(SensorLayout& layout, const protocol::ConfigurationInfo& answer);
 
 } // namespace usar::airrobot

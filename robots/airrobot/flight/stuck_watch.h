@@ -8,7 +8,8 @@
 
 namespace usar::airrobot {
 
-/// Owned by one robot; call `update` or `wait` once per tick. Positions are in the map frame.
+/// Distances are beelines, so a detour that leads away from the goal is no progress. Owned by one robot; call `update`
+/// or `wait` once per tick. Positions are in the map frame.
 class StuckWatch {
 public:
     /// `hindered` means that the robot is evading, enclosed or has no open direction. Another goal (farther than half a
@@ -26,7 +27,7 @@ public:
             hindered_ += step;
         }
     }
-    /// Forgets the goal; the next `update` starts a new observation.
+    /// Forgets the goal and both times.
     void reset() { *this = {}; }
     /// Replaces `update` while the robot waits on purpose; this time does not count.
     void wait(Seconds now) {
@@ -38,7 +39,7 @@ public:
     /// Restarts only the hindered time, because a maneuver may have solved the problem.
     void clearHindered() { hindered_ = Seconds(0.0); }
 
-    /// Time since the last progress.
+    /// Time since the last progress, or since the goal was set; 0 without a goal.
     Seconds withoutProgress() const { return now_ - progress_at_; }
     /// Time since the last progress during which the robot was hindered.
     Seconds hindered() const { return hindered_; }
