@@ -27,9 +27,7 @@ struct BehaviorStatus {
     std::optional<double> range_left_m;     ///< distance until the reserve is needed
     std::optional<double> progress_pct;     ///< share of the whole task, 0..100
     std::optional<Seconds> time_left;       ///< estimate on the protocol clock
-    /// Length of the way so far, for ground robots, too.
     double distance_flown_m = 0.0;
-    /// How often the battery was charged.
     int charges = 0;
     bool paused = false; ///< by an order; a behavior may end its pause itself
     bool operator==(const BehaviorStatus&) const = default;
@@ -72,7 +70,6 @@ struct CurrentGoal {
     bool operator==(const CurrentGoal&) const = default;
 };
 
-/// Low and High are the two threat zones around a robot.
 enum class Risk { None, Low, High };
 /// A sonar's reading and the risk according to the robot's threat zones, for the columns view.
 struct SonarZone {
@@ -85,7 +82,6 @@ struct SonarZone {
     Risk risk = Risk::None;
     bool operator==(const SonarZone&) const = default;
 };
-/// All sonars at one moment.
 struct SonarZones {
     std::vector<SonarZone> zones; ///< in ring order, left to right
     bool operator==(const SonarZones&) const = default;
@@ -144,13 +140,11 @@ struct PlanReplaced {
     bool operator==(const PlanReplaced&) const = default;
 };
 
+/// All kinds of published values, and a value of any kind.
 using PublishedVariant =
     std::variant<BehaviorStatus, PoseEstimate, MapMark, ScanPlacement, PlannedPath, CurrentGoal, SonarZones,
                  BehaviorEvent, BehaviorFinished, PlanTrace, PlanHalted, PlanResumed, PlanReplaced>;
-
-/// A published value; a variant of all of them.
 using Published = Sealed<PublishedVariant>;
-
 } // namespace usar::agent
 
 extern template class usar::Sealed<usar::agent::PublishedVariant>;

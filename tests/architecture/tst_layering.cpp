@@ -47,7 +47,7 @@ const std::map<QString, std::map<QString, QStringList>> rooms{
     {"core/mission",
      {{"files", {}},
       {"commands", {}},
-      {"hand", {}},
+      {"hand", {"commands"}},
       {"session", {"commands", "hand", "files"}},
       {"runs", {"session", "files"}},
       {"world", {"session"}},

@@ -23,25 +23,18 @@ class EmptyState;
 /// Actions of the list, which are its children; a command registry may adopt them.
 struct MessageActions {
     QAction* copy = nullptr; ///< the columns of the selected rows, separated by tabs
-    /// These copy the selected lines as they were on the wire, or as one JSON object per line.
     QAction* copy_text = nullptr;
     QAction* copy_json = nullptr;
-    /// Copies the text of all lines that pass the filter.
     QAction* copy_shown = nullptr;
-    /// Emits saveRequested; disabled while a file is being saved or the list is empty.
     QAction* save = nullptr;
     QAction* resend = nullptr; ///< enabled if a command is selected
-    /// These show only the type of the first selected line, or hide it.
     QAction* only_type = nullptr;
     QAction* hide_type = nullptr;
-    /// Removes all filters; also offered while no line passes them.
     QAction* no_filter = nullptr;
     QAction* cause = nullptr;   ///< goes to the line that made us send the selected command
     QAction* details = nullptr; ///< checkable, like all below except clear
     QAction* only_trouble = nullptr;
-    /// Freezes the list; new lines are stored and inserted later.
     QAction* pause = nullptr;
-    /// Checked while the list stays at its end.
     QAction* follow = nullptr;
     QAction* all_robots = nullptr;
     QAction* clear = nullptr; ///< not checkable
@@ -69,19 +62,16 @@ public:
     void selectConnection(ConnectionId connection);
     /// Also sets the tool bar above the list; `filter.connection` is ignored.
     void setFilter(const MessageFilter& filter) { bar_->setFilter(filter); }
-    /// True while new lines are stored but not inserted.
     bool paused() const { return actions_.pause->isChecked(); }
     /// Starts saving the shown rows as text, or as JSON lines if the name ends in ".jsonl". The list stands still until
     /// `saved` or `failed` is emitted.
     void saveShown(const QString& path);
-    /// Moves the focus to the search field and selects its text.
     void focusSearch() { bar_->focusSearch(); }
     /// Selects the row with that serial number of the model and shows its details; filters that hide it are removed.
     void jumpTo(std::uint64_t serial);
 
     const MessageModel& model() const { return *model_; }
     QTableView* view() const { return view_; }
-    /// The details of the selected line; hidden until the action `details` is checked.
     MessageDetail* detail() const { return detail_; }
     MessageFilterBar* bar() const { return bar_; }
     const MessageActions& actions() const { return actions_; }
@@ -99,11 +89,8 @@ public slots:
 signals:
     /// The selected commands, oldest first; `connection` is that of the first one, and commands of others are left out.
     void resendRequested(usar::ConnectionId connection, const QStringList& lines);
-    /// The user wants to save the shown lines; the owner asks for a path and calls saveShown.
     void saveRequested();
-    /// The file is complete; `lines` is the number of rows in it.
     void saved(const QString& path, int lines);
-    /// Saving or copying failed; `reason` is a sentence with a remedy.
     void failed(const QString& reason);
     /// "1,234 of 100,000 lines, 12 waiting".
     void countChanged(const QString& text);
@@ -123,27 +110,20 @@ private:
     void keep(MessageRow row, ConnectionId connection);
     /// Starts the frame timer if the list is visible.
     void flushSoon();
-    /// Inserts the stored rows, at most 20,000 per frame; does nothing while hidden, paused or saving.
     void flush();
-    /// Takes the oldest stored rows. If rows were dropped, the first one says how many.
     std::vector<MessageRow> takeBatch();
-    /// Sets the filter of the tool bar and the connection in the model; hides the robot's column if it is redundant.
     void applyFilter();
     /// Keeps the list at its end or at the selected row after the filter has changed.
     void keepPlace();
-    /// Remembers the current row and shows its details; keeps both if the row was filtered out.
     void noteSelection();
     /// The selected rows, oldest first, at most `limit`; pointers are valid until the model changes.
     std::vector<const MessageRow*> selectedRows(std::size_t limit = SIZE_MAX) const;
     using RowText = QString (*)(const MessageRow& row, const QString& robot);
-    /// Fails with a sentence if the text would be longer than most editors accept.
     void copyRows(const std::vector<const MessageRow*>& rows, RowText text);
     void copyShown();
-    /// Emits resendRequested with at most 100 of the selected commands.
     void resend();
     /// Shows only, or hides, the type of the first selected row.
     void filterByCurrent(bool only);
-    /// Updates the count, the empty state and the actions.
     void updateState();
     void enableActions();
 
