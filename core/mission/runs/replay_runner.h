@@ -23,7 +23,7 @@ public:
 
     void start();
     /// Ends the replay (Ctrl+C); the summary covers what was played.
-    void interrupt();
+    void interrupt() { conclude(true); }
     link::ReplayFigures figures() const { return replayer_.figures(); }
     /// Summary of the replay (headless.md lists the keys). Valid after `finished`. Counts only what was played.
     QJsonObject summary() const;
@@ -34,11 +34,11 @@ signals:
 
 private:
     void rewound() override {}
-    void opened(std::string_view place) override;
+    void opened(std::string_view) override { connections_ += !quiet_; }
     void closed(std::string_view) override {}
     void line(std::string_view text, LineNumber number) override;
     void sent(const link::Record& record) override;
-    void note(const link::Record& record) override;
+    void note(const link::Record& record) override { published_ += !quiet_ && record.name == "published"; }
     void quiet(bool on) override { quiet_ = on; }
     void conclude(bool interrupted);
 
