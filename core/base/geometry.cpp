@@ -47,8 +47,4 @@ Pose inverse(const Pose& b_in_a) {
     return Pose::from(b_in_a.isometry().inverse());
 }
 
-bool Rectangle::contains(const Vec2& point_m) const {
-    return point_m.x() >= min_m.x() && point_m.x() <= max_m.x() && point_m.y() >= min_m.y() && point_m.y() <= max_m.y();
-}
-
 } // namespace usar

@@ -69,7 +69,10 @@ struct Rectangle {
     double area_m2() const { return empty() ? 0.0 : width_m() * height_m(); }
     bool empty() const { return !(width_m() > 0.0 && height_m() > 0.0); }
     Vec2 center_m() const { return (min_m + max_m) / 2.0; }
-    bool contains(const Vec2& point_m) const;
+    bool contains(const Vec2& point_m) const {
+        return point_m.x() >= min_m.x() && point_m.x() <= max_m.x() && point_m.y() >= min_m.y() &&
+               point_m.y() <= max_m.y();
+    }
     bool contains(const Rectangle& other) const { return contains(other.min_m) && contains(other.max_m); }
     bool operator==(const Rectangle&) const = default;
 };

@@ -4,8 +4,6 @@
 
 namespace usar::protocol {
 
-LineSplitter::LineSplitter(std::size_t cap_bytes) : cap_bytes_(cap_bytes) {}
-
 bool LineSplitter::takePiece(std::string_view& bytes, std::string_view& line) {
     const auto end = std::find_if(bytes.begin(), bytes.end(), [](char c) { return c == '\r' || c == '\n'; });
     const bool ended = end != bytes.end();

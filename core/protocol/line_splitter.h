@@ -15,7 +15,7 @@ public:
     /// 4 MiB. No server limits its lines, and depth images reach hundreds of kilobytes (protocol.md 1.1).
     static constexpr std::size_t default_cap_bytes = 4u << 20;
 
-    explicit LineSplitter(std::size_t cap_bytes = default_cap_bytes);
+    explicit LineSplitter(std::size_t cap_bytes = default_cap_bytes) : cap_bytes_(cap_bytes) {}
 
     /// Calls `take(std::string_view line)` for every line that `bytes` completes. The view is valid during the call
     /// only.

@@ -145,10 +145,6 @@ bool speaksAlways(std::string_view type) {
         readerRows(), [type](const ReaderRow& row) { return !row.speaks_always && sameWord(row.type, type); });
 }
 
-Reader::Reader() {
-    forgetBuffers();
-}
-
 void Reader::forgetBuffers() {
     segments_ = {};
     pairs_ = {};

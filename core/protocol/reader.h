@@ -15,7 +15,7 @@ namespace usar::protocol {
 /// diagnostics. Values are in SI units and in our frame, except in a GenericMessage. Each connection owns one reader.
 class Reader {
 public:
-    Reader();
+    Reader() { forgetBuffers(); }
 
     /// Reads one line without its terminator. The result is valid until the next call: its memory is reused for the
     /// next line of its kind, so that reading allocates nothing in steady state. Copy what you want to keep.

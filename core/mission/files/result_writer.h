@@ -1,8 +1,9 @@
-// Writes the result files of a mission.
+// Writes the result files of a mission, and names new recordings.
 #pragma once
 
 #include <string>
 
+#include <QDateTime>
 #include <QJsonObject>
 #include <QString>
 #include <QStringList>
@@ -27,5 +28,10 @@ Result<QStringList> writeResults(const ScanRecord& record, const QJsonObject& su
 
 /// Sentences for the user about a map that does not fit into one raster; empty if it does.
 std::string farPartsNotice(const ScanRecord& record);
+
+/// Returns the path in `folder` of a file that does not exist yet: "R1_2026-11-21_18-21-29.usarrec", with a number
+/// appended to the name if that file exists. Characters of the robot's name that are unsafe in a file name become
+/// underscores.
+QString newRecordingIn(const QString& folder, const QString& robot_name, const QDateTime& now);
 
 } // namespace usar::mission

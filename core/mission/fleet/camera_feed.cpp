@@ -49,10 +49,6 @@ Result<QImage> cameraPictureOf(link::ImageType type, const QByteArray& data) {
     return picture;
 }
 
-CameraReceiver::CameraReceiver() {
-    connect(&client, &link::ImageClient::frameReceived, this, &CameraReceiver::take);
-}
-
 void CameraReceiver::take(link::ImageType type, const QByteArray& data) {
     if (unseen >= most_unseen)
         return;

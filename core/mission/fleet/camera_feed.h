@@ -23,7 +23,7 @@ Result<QImage> cameraPictureOf(link::ImageType type, const QByteArray& data);
 class CameraReceiver : public QObject {
     Q_OBJECT
 public:
-    CameraReceiver();
+    CameraReceiver() { connect(&client, &link::ImageClient::frameReceived, this, &CameraReceiver::take); }
 
     link::ImageClient client{this};
     std::atomic<int> unseen = 0; ///< number of pictures that the GUI thread has not taken yet

@@ -4,7 +4,7 @@
 #include <QDateTime>
 #include <QFileInfo>
 
-#include "core/mission/files/recording_name.h"
+#include "core/mission/files/result_writer.h"
 #include "core/mission/fleet/fleet_private.h"
 #include "core/mission/fleet/robot_name.h"
 

@@ -28,14 +28,6 @@ RunSummary summaryOf(const Robot& robot, const SimulatorFacts& facts) {
 
 } // namespace
 
-ScanKeeper::ScanKeeper(QObject* parent) : QObject(parent) {
-    pool_.setMaxThreadCount(1);
-}
-
-ScanKeeper::~ScanKeeper() {
-    pool_.waitForDone();
-}
-
 void ScanKeeper::setFolder(const QString& folder) {
     folder_ = folder;
     retry();

@@ -13,7 +13,13 @@ namespace usar::mission {
 class WorldLink : public QObject {
     Q_OBJECT
 public:
-    explicit WorldLink(QObject* parent = nullptr);
+    explicit WorldLink(QObject* parent = nullptr) : QObject(parent) {
+        link::connectAcross(session_.get(), &WorldSession::changed, this, [this](const auto& view) {
+            view_ = view;
+            emit changed();
+        });
+        link::connectAcross(session_.get(), &WorldSession::noticed, this, &WorldLink::noticed);
+    }
 
     /// The newest state from the session; valid until control returns to the event loop.
     const WorldView& view() const { return *view_; }

@@ -103,14 +103,6 @@ void CameraWork::sendSet() {
     }
 }
 
-void CameraWork::turn(double right_rad, double up_rad) {
-    turnSoon(mount_.turn(right_rad, up_rad));
-}
-
-void CameraWork::turnBy(double right, double up) {
-    turnSoon(mount_.turnBy(right, up));
-}
-
 void CameraWork::turnSoon(bool turned) {
     if (!turned)
         return;

@@ -39,9 +39,9 @@ public:
     void zoomTo(double fov_rad);
     void zoomBy(double factor);
     void resetZoom();
-    void turn(double right_rad, double up_rad);
+    void turn(double right_rad, double up_rad) { turnSoon(mount_.turn(right_rad, up_rad)); }
     /// Turns by fractions of the camera's angle of view.
-    void turnBy(double right, double up);
+    void turnBy(double right, double up) { turnSoon(mount_.turnBy(right, up)); }
     void center();
 
 signals:

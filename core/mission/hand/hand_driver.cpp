@@ -53,10 +53,6 @@ void HandControl::letGo() {
         hand.spent = hand.moved;
 }
 
-bool HandControl::overdue(Seconds wall, Seconds patience) const {
-    return holder_ && wall - last_word_ > patience;
-}
-
 void HandDriver::beginConnection() {
     const Ticks ticks = ticks_;
     *this = {};

@@ -34,7 +34,7 @@ public:
     /// Ends the hold, whichever device has it. Devices that are still held must be released before they count again.
     void letGo();
     /// Dead man's switch: true if a device holds the robot and has been silent for longer than `patience`.
-    bool overdue(Seconds wall, Seconds patience) const;
+    bool overdue(Seconds wall, Seconds patience) const { return holder_ && wall - last_word_ > patience; }
     bool holding() const { return holder_.has_value(); }
     /// Newest intent of the device that drives; nullopt while none does.
     const std::optional<HandIntent>& holder() const { return holder_; }

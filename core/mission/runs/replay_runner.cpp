@@ -49,10 +49,6 @@ void ReplayRunner::start() {
     replayer_.setPlaying(true);
 }
 
-void ReplayRunner::interrupt() {
-    conclude(true);
-}
-
 void ReplayRunner::conclude(bool interrupted) {
     if (std::exchange(over_, true))
         return;
@@ -61,10 +57,6 @@ void ReplayRunner::conclude(bool interrupted) {
     const int exit_code = interrupted || !replayer_.survey().damage.empty() ? MissionFailed : Done;
     QMetaObject::invokeMethod(
         this, [this, exit_code] { emit finished(exit_code); }, Qt::QueuedConnection);
-}
-
-void ReplayRunner::opened(std::string_view) {
-    connections_ += !quiet_;
 }
 
 void ReplayRunner::line(std::string_view text, LineNumber number) {
@@ -90,10 +82,6 @@ void ReplayRunner::sent(const link::Record& record) {
     ++lines_out_;
     bytes_out_ += static_cast<qint64>(record.bytes.size());
     ++sources_[sources_.size() < 1000 ? std::string(record.name) : std::string("others")];
-}
-
-void ReplayRunner::note(const link::Record& record) {
-    published_ += !quiet_ && record.name == "published";
 }
 
 QJsonObject ReplayRunner::summary() const {

@@ -25,7 +25,7 @@ public:
     /// To be called once.
     void start();
     /// Ends the replay (Ctrl+C); the summary covers what was played.
-    void interrupt();
+    void interrupt() { conclude(true); }
     /// Progress of the replay, valid at any time.
     link::ReplayFigures figures() const { return replayer_.figures(); }
     /// Summary of the replay (headless.md lists the keys). Valid after `finished`. Counts only what was played.
@@ -38,11 +38,11 @@ signals:
 private:
     void rewound() override {}
     /// The functions below are called by the replayer, in the order of the records.
-    void opened(std::string_view place) override;
+    void opened(std::string_view) override { connections_ += !quiet_; }
     void closed(std::string_view) override {}
     void line(std::string_view text, LineNumber number) override;
     void sent(const link::Record& record) override;
-    void note(const link::Record& record) override;
+    void note(const link::Record& record) override { published_ += !quiet_ && record.name == "published"; }
     void quiet(bool on) override { quiet_ = on; }
     /// Ends the replay and emits `finished`; a second call has no effect.
     void conclude(bool interrupted);

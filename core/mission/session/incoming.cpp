@@ -94,10 +94,6 @@ const protocol::InfoLine& Incoming::take(std::string_view text) {
     return line;
 }
 
-std::optional<Complaint> Incoming::judge(const protocol::InfoLine& line) {
-    return complaints_.take(line);
-}
-
 protocol::VehicleKind Incoming::kind() const {
     const auto& latest = state_->latest();
     return latest ? latest->kind : protocol::VehicleKind::Unknown;

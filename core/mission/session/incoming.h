@@ -51,7 +51,7 @@ public:
     /// Reads a line without its line end. The result is valid until the next call.
     const protocol::InfoLine& take(std::string_view text);
     /// Counts the defects of a line that was taken; returns a complaint the first time that its kind occurs.
-    std::optional<Complaint> judge(const protocol::InfoLine& line);
+    std::optional<Complaint> judge(const protocol::InfoLine& line) { return complaints_.take(line); }
 
     /// Number of the newest line.
     LineNumber newest() const { return {lines_}; }

@@ -86,26 +86,10 @@ void RecordKeeping::end() {
     writer_.reset();
 }
 
-QString RecordKeeping::path() const {
-    return writer_ ? QString::fromStdString(writer_->path()) : QString();
-}
-
 std::optional<RecordingFigures> RecordKeeping::figures() const {
     if (!writer_)
         return std::nullopt;
     return RecordingFigures{writer_->path(), writer_->elapsed(), writer_->bytes()};
-}
-
-void RecordKeeping::opened(const std::string& place) {
-    put({.kind = link::RecordKind::Opened, .bytes = place});
-}
-
-void RecordKeeping::closed(const std::string& reason) {
-    put({.kind = link::RecordKind::Closed, .bytes = reason});
-}
-
-void RecordKeeping::received(std::string_view bytes) {
-    put({.kind = link::RecordKind::In, .bytes = bytes});
 }
 
 void RecordKeeping::sent(const Cause& cause, const std::string& text) {

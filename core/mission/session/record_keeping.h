@@ -46,16 +46,16 @@ public:
     void end();
     bool on() const { return writer_ != nullptr; }
     /// Path of the file; empty if nothing is recorded.
-    QString path() const;
+    QString path() const { return writer_ ? QString::fromStdString(writer_->path()) : QString(); }
     /// As RecordingWriter::flush; needs a recording.
     void flush(std::function<void()> done) { writer_->flush(std::move(done)); }
     /// Returns nullopt if nothing is recorded.
     std::optional<RecordingFigures> figures() const;
 
     /// `place` is "host:port".
-    void opened(const std::string& place);
-    void closed(const std::string& reason);
-    void received(std::string_view bytes);
+    void opened(const std::string& place) { put({.kind = link::RecordKind::Opened, .bytes = place}); }
+    void closed(const std::string& reason) { put({.kind = link::RecordKind::Closed, .bytes = reason}); }
+    void received(std::string_view bytes) { put({.kind = link::RecordKind::In, .bytes = bytes}); }
     void sent(const Cause& cause, const std::string& text);
     void noteFault(const std::string& sentence) { note("fault", sentence); }
     /// The behavior and the area named in `record` have begun.

@@ -147,14 +147,6 @@ void RobotSession::Private::reconnect() {
     link.open(status.host, status.port);
 }
 
-void RobotSession::Private::robotCame(const std::string& robot_name) {
-    emit q.spawned(QString::fromStdString(robot_name));
-}
-
-void RobotSession::Private::robotFailed(const std::string& reason) {
-    emit q.spawnFailed(QString::fromStdString(reason));
-}
-
 void RobotSession::Private::writeLine(const agent::CausedCommand& command, std::string text) {
     if (connected())
         records.sent(command.cause, text);

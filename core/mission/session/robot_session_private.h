@@ -49,8 +49,8 @@ struct RobotSession::Private : SpawnOwner, HelmOwner, ReplayStage {
     void sendInit(const protocol::Init& init) override;
     void reconnect() override;
     void spawnChanged() override { updates.touched(); }
-    void robotCame(const std::string& robot_name) override;
-    void robotFailed(const std::string& reason) override;
+    void robotCame(const std::string& robot_name) override { emit q.spawned(QString::fromStdString(robot_name)); }
+    void robotFailed(const std::string& reason) override { emit q.spawnFailed(QString::fromStdString(reason)); }
 
     void writeLine(const agent::CausedCommand& command, std::string text) override;
     void flush() override { link.flush(); }

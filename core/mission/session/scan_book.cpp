@@ -73,10 +73,6 @@ void ScanBook::takePose(const Vec3& point_m) {
     }
 }
 
-void ScanBook::worthSaving() {
-    record_.revision += mapper_.map().range() ? 1 : 0;
-}
-
 void ScanBook::setCellSize(double cell_size_m) {
     if (cellSize_m() == cell_size_m)
         return;

@@ -12,10 +12,6 @@ Result<protocol::Init> initOf(const SpawnRequest& request) {
     return protocol::Init::at(*class_name, *robot_name, request.start_in_map);
 }
 
-bool SpawnLife::isStation() const {
-    return protocol::isStation(request_.class_name);
-}
-
 std::optional<protocol::Init> SpawnLife::standingInit() const {
     const auto init = initOf(request_);
     if (!init || (state_ != SpawnState::Asked && state_ != SpawnState::Done))

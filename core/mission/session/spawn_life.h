@@ -36,7 +36,7 @@ public:
     const SpawnRequest& request() const { return request_; }
     const std::string& robotName() const { return request_.robot_name; }
     /// True for a base station, which sends no data and does not drive; it counts as spawned as soon as INIT is sent.
-    bool isStation() const;
+    bool isStation() const { return protocol::isStation(request_.class_name); }
     /// The INIT that was sent on this connection and has not failed.
     std::optional<protocol::Init> standingInit() const;
 

@@ -55,10 +55,6 @@ void WorldSession::close() {
     setState(WorldState::Off);
 }
 
-void WorldSession::setClasses(const std::vector<std::string>& class_names) {
-    classes_ = class_names;
-}
-
 void WorldSession::setPolling(std::optional<std::chrono::milliseconds> interval) {
     polling_ = interval;
     beat();
@@ -243,10 +239,6 @@ void WorldSession::setState(WorldState state, std::string trouble) {
     view_.state = state;
     view_.trouble = std::move(trouble);
     tell();
-}
-
-void WorldSession::tell() {
-    emit changed(std::make_shared<const WorldView>(view_));
 }
 
 } // namespace usar::mission

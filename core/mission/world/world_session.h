@@ -69,7 +69,7 @@ public slots:
     /// Ends the connection; the state becomes Off and the list of things empty.
     void close();
     /// Classes that are asked for to find out the kinds of things that others created.
-    void setClasses(const std::vector<std::string>& class_names);
+    void setClasses(const std::vector<std::string>& class_names) { classes_ = class_names; }
     /// How often to ask where things are; nullopt: only after commands.
     void setPolling(std::optional<std::chrono::milliseconds> interval);
     /// While the simulator is paused it answers nothing, and that is not reported.
@@ -118,7 +118,7 @@ private:
     void missAnswer();
     void setState(WorldState state, std::string trouble = {});
     /// Emits `changed` with a copy of the view.
-    void tell();
+    void tell() { emit changed(std::make_shared<const WorldView>(view_)); }
 
     link::TcpLink link_;
     QTimer beat_;

@@ -95,14 +95,6 @@ void LineReading::add(Severity severity, std::string_view part, std::string mess
         diagnostics_.push_back({severity, segments_.offsetOf(part), std::move(message)});
 }
 
-void LineReading::warn(std::string_view part, std::string message) {
-    add(Severity::Warning, part, std::move(message));
-}
-
-void LineReading::error(std::string_view part, std::string message) {
-    add(Severity::Error, part, std::move(message));
-}
-
 std::optional<double> LineReading::number(std::string_view key) {
     const Segment* segment = segments_.find(key);
     return segment ? numberIn(segment->value.empty() ? segment->key : segment->value) : std::nullopt;

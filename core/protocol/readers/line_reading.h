@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/clock.h"
@@ -48,8 +49,8 @@ public:
     std::span<const KeyedText> pairs(bool split_names);
     /// Reports a problem; `part`, a view into the line, gives the place. Only the first `most_diagnostics` of a line
     /// are kept, so that a hostile line costs no more than an honest one.
-    void warn(std::string_view part, std::string message);
-    void error(std::string_view part, std::string message);
+    void warn(std::string_view part, std::string message) { add(Severity::Warning, part, std::move(message)); }
+    void error(std::string_view part, std::string message) { add(Severity::Error, part, std::move(message)); }
 
     /// The number of the first segment with this key. Absent if the key is missing, and, with a warning, if the value
     /// is not a plausible number. Junk after a number only gives a warning, because servers accept the number

@@ -2,7 +2,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/mission/files/recording_name.h"
+#include "core/mission/files/result_writer.h"
 #include "tests/doubles/test_files.h"
 #include "tests/suite/suite.h"
 
