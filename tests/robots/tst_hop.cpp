@@ -56,7 +56,7 @@ private:
         drive.reset();
         for (const CausedCommand& caused : port.takeCommands()) {
             drive = std::get<protocol::AerialDrive>(caused.command);
-            source = caused.cause.source;
+            source = by::toText(caused.cause.source);
         }
         for (const Published& value : port.takePublished()) {
             if (const auto* news = std::get_if<BehaviorStatus>(&value))
