@@ -48,7 +48,8 @@ private slots:
 
     void whatWasWrittenIsReadBack() {
         for (const sim::FaultDescription& kind : sim::faultKinds()) {
-            const QString text(QString::fromStdString(std::string(kind.word)) + " from=12.5 for=3");
+            const QString text(QString::fromStdString(std::string(kind.word)) + " from=12.5 for=3" +
+                               (kind.word == std::string_view("sensor_bias") ? " by=2" : ""));
             const auto faults = readFaults({text});
             QVERIFY2(faults, faults ? "" : faults.error().text().c_str());
             const auto again = readFaults({QString::fromStdString(sim::write(faults->front()))});

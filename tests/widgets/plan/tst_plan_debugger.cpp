@@ -316,7 +316,8 @@ void tst_PlanDebugger::breakpointsAreSwitchedAndTakenAwayInTheList() {
     list->setCurrentRow(0);
     QTest::keyClick(list, Qt::Key_Space);
     QCOMPARE(switched.count(), 1);
-    QCOMPARE(switched.at(0), (QList<QVariant>{4, false}));
+    QCOMPARE(switched.at(0).at(0).value<agent::BreakpointId>(), agent::BreakpointId{4});
+    QCOMPARE(switched.at(0).at(1).toBool(), false);
     QCOMPARE(list->item(0)->checkState(), Qt::Unchecked);
     list->setCurrentRow(1);
     QTest::keyClick(list, Qt::Key_Delete);
