@@ -189,7 +189,8 @@ private slots:
         QFETCH(QString, robot);
         std::set<std::string> ids;
         std::set<std::pair<std::string, std::string>> labels;
-        for (const ParameterSpec& spec : allSpecs().at(robot.toStdString())) {
+        const Specs specs = allSpecs().at(robot.toStdString());
+        for (const ParameterSpec& spec : specs) {
             QVERIFY2(ids.insert(spec.id).second, spec.id.c_str());
             QVERIFY2(labels.insert({spec.group, spec.label}).second, spec.label.c_str());
         }
