@@ -8,8 +8,8 @@
 
 #include "app/desks/desk.h"
 #include "core/mission/fleet/camera_feed.h"
-#include "core/mission/hand/camera_work.h"
 #include "core/mission/hand/camera_mount.h"
+#include "core/mission/hand/camera_work.h"
 #include "core/protocol/usual_values.h"
 
 namespace usar::app {

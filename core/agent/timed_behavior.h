@@ -13,8 +13,8 @@
 namespace usar::agent {
 
 /// For behaviors with simple orders: Pause stops the robot until Resume, and LandNow ends the behavior. Times are those
-/// of the ticks, on the protocol's clock. Owned by one behavior; plain data without a thread or a clock of its own.
-/// Call `step` once per tick, before everything else, and check `ending` after it.
+/// of the ticks, on the protocol's clock. One behavior owns it. It is plain data without a thread or a clock of its
+/// own. Call `step` once per tick, before everything else, and check `ending` after it.
 struct TimedRun {
     Seconds now{0.0};             ///< time of the newest tick
     std::optional<Seconds> began; ///< time of the first tick

@@ -1,5 +1,5 @@
-// Determines when to replay each record of a recording: as it arrived, but no faster than the robot's own clock ran; and
-// finds moments of the replay by that clock.
+// Determines when to replay each record of a recording: as it arrived, but no faster than the robot's own clock ran;
+// and finds moments of the replay by that clock.
 #pragma once
 
 #include <optional>

@@ -64,11 +64,7 @@ const std::map<QString, std::map<QString, QStringList>> rooms{
       {"map", {"style", "models", "panels"}},
       {"plan", {"style", "models", "messages", "panels"}},
       {"window", {"style", "models", "commands", "drive", "panels", "bars", "messages", "map", "plan"}}}},
-    {"app",
-     {{"host", {}},
-      {"cli", {"host"}},
-      {"desks", {"host"}},
-      {"window", {"host", "desks"}}}},
+    {"app", {{"host", {}}, {"cli", {"host"}}, {"desks", {"host"}}, {"window", {"host", "desks"}}}},
 };
 
 /// "posh" folder's "run" for "core/posh/run/engine.h"; empty for a file of the folder itself.

@@ -112,7 +112,8 @@ GuiWatchdog::GuiWatchdog(int& argc, char** argv) : QApplication(argc, argv), und
 }
 
 QByteArray GuiWatchdog::complaint() const {
-    return longest_ms_ <= allowed_ms_ ? QByteArray() : QString("%1 ms in %2").arg(longest_ms_).arg(where_).toLocal8Bit();
+    return longest_ms_ <= allowed_ms_ ? QByteArray()
+                                      : QString("%1 ms in %2").arg(longest_ms_).arg(where_).toLocal8Bit();
 }
 
 void GuiWatchdog::reset() {

@@ -8,9 +8,9 @@
 /// An application that times the delivery of every event, nested ones as part of the outer. Event loops that run inside
 /// an event (a dialog) are not a block and are not counted, and neither is the time in which other programs had the
 /// processor; where the disk had to be waited for, only what was computed counts. What is longer than half of what is
-/// allowed is taken in terms of an undisturbed machine. That cannot tell all that other programs slow down, so tests that
-/// run beside others find real blocks only (a wait for a server, a file or a thread), and those that run alone ask for the
-/// limit that a person would notice. GUI thread.
+/// allowed is taken in terms of an undisturbed machine. That cannot tell all that other programs slow down, so tests
+/// that run beside others find real blocks only (a wait for a server, a file or a thread), and those that run alone ask
+/// for the limit that a person would notice. GUI thread.
 class GuiWatchdog : public QApplication {
 public:
     GuiWatchdog(int& argc, char** argv);

@@ -47,7 +47,8 @@ struct PadPage : DrivePage {
             return false;
         openDock();
         bool started = false;
-        QObject::connect(&window().drive().gamepad(), &usar::widgets::Gamepad::started, &window(), [&] { started = true; });
+        QObject::connect(&window().drive().gamepad(), &usar::widgets::Gamepad::started, &window(),
+                         [&] { started = true; });
         return takeControl() && QTest::qWaitFor([&] { return started; }, soon_ms);
     }
     QString padName() { return window().drive().gamepad().name(); }

@@ -1,7 +1,7 @@
 #include <QTest>
 
-#include "core/server/embedded/headless_simulator.h"
 #include "core/mission/session/robot_session.h"
+#include "core/server/embedded/headless_simulator.h"
 #include "tests/doubles/rough_relay.h"
 #include "tests/doubles/scripted_behavior.h"
 #include "tests/doubles/test_worlds.h"

@@ -4,8 +4,8 @@
 
 #include <QTest>
 
-#include "core/server/embedded/headless_simulator.h"
 #include "core/mission/session/robot_session.h"
+#include "core/server/embedded/headless_simulator.h"
 #include "tests/doubles/test_worlds.h"
 #include "tests/suite/suite.h"
 

@@ -6,9 +6,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/server/embedded/headless_simulator.h"
 #include "core/link/recording_reader.h"
 #include "core/mission/runs/mission_runner.h"
+#include "core/server/embedded/headless_simulator.h"
 #include "tests/doubles/test_worlds.h"
 #include "tests/suite/suite.h"
 #include "tests/suite/waiting.h"

@@ -1,9 +1,9 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "core/server/embedded/headless_simulator.h"
 #include "core/mission/fleet/trace_watch.h"
 #include "core/mission/world/world_session.h"
+#include "core/server/embedded/headless_simulator.h"
 #include "tests/doubles/fake_server.h"
 #include "tests/doubles/test_worlds.h"
 #include "tests/suite/suite.h"

@@ -204,7 +204,8 @@ private slots:
     }
 
     void everyVehicleThatDrivesIsStopped() {
-        const QString flight = "DRIVE {AltitudeVelocity 0} {LinearVelocity 0} {LateralVelocity 0} {RotationalVelocity 0}";
+        const QString flight =
+            "DRIVE {AltitudeVelocity 0} {LinearVelocity 0} {LateralVelocity 0} {RotationalVelocity 0}";
         const QString wheels = "DRIVE {Left 0} {Right 0}";
         QCOMPARE(stopsOf(VehicleKind::Ground), wheels);
         QCOMPARE(stopsOf(VehicleKind::Aerial), flight);

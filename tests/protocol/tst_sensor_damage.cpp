@@ -73,7 +73,8 @@ void motionRows() {
         "I/x=1.000m; I/y=-2.000m; I/z=-3.000m; I/roll=0.000rad; I/pitch=-0.000rad; I/yaw=-0.000rad");
     row("a location twice", "SEN {Type INS} {Name I} {Location 1,2,3} {Location 4,5,6} {Rotation 0,0,0}",
         "I/x=1.000m; I/y=-2.000m; I/z=-3.000m; I/roll=0.000rad; I/pitch=-0.000rad; I/yaw=-0.000rad");
-    row("a yaw of many turns", "SEN {Type Odometry} {Name O} {Pose 1,2,400}", "O/x=1.000m; O/y=-2.000m; O/yaw=2.124rad");
+    row("a yaw of many turns", "SEN {Type Odometry} {Name O} {Pose 1,2,400}",
+        "O/x=1.000m; O/y=-2.000m; O/yaw=2.124rad");
     row("a compass without a number", "SEN {Type MagneticCompass} {Name c} {MagneticAngle}", "c/raw_angle=nan", 1);
     row("a compass with junk", "SEN {Type MagneticCompass} {Name c} {MagneticAngle 2x}", "c/raw_angle=2.000", 1);
     row("one of two altitudes", "SEN {Type AltitudeSensor} {Name a} {relativeAltitude high} {absoluteAltitude 5}",
@@ -231,7 +232,8 @@ private slots:
         QFETCH(double, time_s);
         QFETCH(int, warnings);
         Reader reader;
-        const InfoLine result = reader.read("SEN " + segment.toStdString() + " {Type MissionTime} {Name c} {Minutes 2}");
+        const InfoLine result =
+            reader.read("SEN " + segment.toStdString() + " {Type MissionTime} {Name c} {Minutes 2}");
         QVERIFY(std::holds_alternative<MissionTimeReading>(result.message));
         const auto time = timeOf(result.message);
         QCOMPARE(time ? time->count() : -1e9, time_s);

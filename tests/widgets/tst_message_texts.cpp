@@ -28,7 +28,8 @@ MessageRow infoRow(std::uint64_t number, const std::string& text, ConnectionId c
 }
 
 MessageRow commandRow(std::uint64_t trigger, ConnectionId connection = {}) {
-    MessageRow row = rowOf("DRIVE {Left 1.0} {Right 1.0}", {by::readSource("airrobot/posh"), {trigger}}, 3, Seconds(13.0));
+    MessageRow row =
+        rowOf("DRIVE {Left 1.0} {Right 1.0}", {by::readSource("airrobot/posh"), {trigger}}, 3, Seconds(13.0));
     row.connection = connection;
     return row;
 }

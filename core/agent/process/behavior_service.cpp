@@ -73,7 +73,8 @@ void endWithTheOtherSide(int socket) {
     }).detach();
 }
 
-/// What `call` returns for the plugin, id and context of a job; an error if no plugin has the behavior or a parameter
+/// Returns the result of `call` for the plugin, id and context of a job. It is an error if no plugin has the behavior
+/// or a parameter
 /// is wrong.
 template <class Call>
 auto answerFor(const frames::Job& job, const PluginLoader& plugins, Call& call)

@@ -1,4 +1,4 @@
-// What the window knows of one robot: the newest values from its session, and the behavior that it was given.
+// The window's knowledge of one robot: the newest values from its session, and the behavior that it was given.
 #pragma once
 
 #include <map>
@@ -16,7 +16,7 @@
 
 namespace usar::mission {
 
-/// What makes a robot this one: it stays when its replay is rewound.
+/// The identity of a robot, which stays when its replay is rewound.
 struct RobotIdentity {
     ConnectionId connection; ///< number of the session, unique while the program runs
     RobotId id;              ///< 1-9, the key that selects it; 0 while no robot is spawned

@@ -1,4 +1,4 @@
-// What the window says about a robot in a few words: its state, who drives it, and why it cannot be driven by hand.
+// Short texts of the window about a robot: its state, who drives it, and why it cannot be driven by hand.
 #pragma once
 
 #include <QStringList>
@@ -28,7 +28,7 @@ struct Absence {
 };
 /// Why the robot cannot be driven by hand. `view` null: no robot is selected.
 Absence whyNotDriven(const RobotView* view);
-/// What is known about the pictures of a robot's camera.
+/// The known facts about the pictures of a robot's camera.
 struct PictureFacts {
     bool live = false;               ///< the robot is spawned and connected, and no replay
     bool has_camera = true;          ///< false: it is known to have none

@@ -49,7 +49,7 @@ signals:
     void pictureChanged();
     /// It is known now which cameras there are; there may be none.
     void camerasKnown();
-    /// What can be turned or lit has changed.
+    /// Emitted when the set of things that can be turned or lit has changed.
     void abilitiesChanged();
     /// A question was not answered in time; `ask` repeats it.
     void unanswered();

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "core/base/cause.h"
 #include "core/base/clock.h"
 #include "core/mission/commands/drive_gate.h"
-#include "core/base/cause.h"
 #include "core/mission/hand/control_state.h"
 #include "core/mission/hand/stick_drive.h"
 #include "core/mission/hand/walking_gait.h"

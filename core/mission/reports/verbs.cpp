@@ -96,7 +96,8 @@ int runPlanReport(const QStringList& arguments, const QStringList&, const VerbSt
         const QByteArray report = options->json ? runReportJson(plan.statistics, plan.runs)
                                                 : QByteArray::fromStdString(runReportText(plan.statistics, plan.runs));
         if (streams.output.write(report) != report.size())
-            return complain(streams, {"the output cannot be written", "standard output", "Make room, or write elsewhere"});
+            return complain(streams,
+                            {"the output cannot be written", "standard output", "Make room, or write elsewhere"});
     }
     return worst;
 }

@@ -24,8 +24,8 @@ struct Member {
     Name name{};
     Senses trigger{};
     Call action{};                       ///< call of an act, a competence, a pattern or an adopt
-    std::optional<Interval> frequency{}; ///< of a drive: least time between two starts; absent means no limit
-    std::optional<Literal> retries{};    ///< of an element: an integer, interpreted by retryLimit
+    std::optional<Interval> frequency{}; ///< only drives have one: least time between two starts; absent means no limit
+    std::optional<Literal> retries{};    ///< only elements have them: an integer, interpreted by retryLimit
     std::optional<Literal> comment{};    ///< a string
     Remarks remarks{};
     Spot at{}; ///< from the opening to the closing parenthesis, as in the structs below

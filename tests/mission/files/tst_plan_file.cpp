@@ -53,10 +53,14 @@ private slots:
     void aRobotIsFoundByAnyOfItsNames_data() {
         QTest::addColumn<QString>("name");
         QTest::addColumn<QString>("expected");
-        QTest::newRow("its name") << "AirRobot" << "AirRobot";
-        QTest::newRow("another case") << "airrobot" << "AirRobot";
-        QTest::newRow("its class") << "usarbot.ers" << "ERS";
-        QTest::newRow("a behavior") << "ERS/POSH" << "ERS";
+        QTest::newRow("its name") << "AirRobot"
+                                  << "AirRobot";
+        QTest::newRow("another case") << "airrobot"
+                                      << "AirRobot";
+        QTest::newRow("its class") << "usarbot.ers"
+                                   << "ERS";
+        QTest::newRow("a behavior") << "ERS/POSH"
+                                    << "ERS";
     }
 
     void aRobotIsFoundByAnyOfItsNames() {

@@ -76,8 +76,8 @@ private slots:
         row("unknown legs", {"STA {Type LeggedRobot} {Time 1} {Leg1 0.5}"}, DriveStyle::Unknown, "", "walks on legs");
         row("a vehicle of no kind", {"CONF {Type Robot} {Name X} {Mass 3}", "STA {Time 1} {Battery 5}"},
             DriveStyle::Unknown, "");
-        row("sensors say nothing about it", {"SEN {Type Odometry} {Name O} {Pose 1,2,3}", "CONF {Type Sonar} {Name F1}"},
-            DriveStyle::Unknown, "");
+        row("sensors say nothing about it",
+            {"SEN {Type Odometry} {Name O} {Pose 1,2,3}", "CONF {Type Sonar} {Name F1}"}, DriveStyle::Unknown, "");
     }
 
     void theMessagesSayHowItIsDriven() {

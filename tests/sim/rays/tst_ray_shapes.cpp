@@ -303,7 +303,9 @@ private slots:
             const double fat_m = entersAt(solidAt(shape, pose, slack_m), {from_m, direction});
             const double thin_m = entersAt(solidAt(shape, pose, -slack_m), {from_m, direction});
             QVERIFY2(hit_m >= std::min(fat_m, far_m) - slack_m, qPrintable(QString("%1: too near").arg(i)));
-            QVERIFY2(hit_m <= std::min(thin_m, far_m) + slack_m, qPrintable(QString("%1: %2 m is too far; a walk enters after %3 m").arg(i).arg(hit_m).arg(thin_m)));
+            QVERIFY2(
+                hit_m <= std::min(thin_m, far_m) + slack_m,
+                qPrintable(QString("%1: %2 m is too far; a walk enters after %3 m").arg(i).arg(hit_m).arg(thin_m)));
             hits += thin_m < far_m ? 1 : 0;
             misses += fat_m > far_m ? 1 : 0;
             QCOMPARE(physics->castAtBodies(from_m, direction, far_m, 1.0, self), 1.0); // nothing is as near as that
