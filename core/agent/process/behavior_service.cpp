@@ -74,8 +74,7 @@ void endWithTheOtherSide(int socket) {
 }
 
 /// Returns the result of `call` for the plugin, id and context of a job. It is an error if no plugin has the behavior
-/// or a parameter
-/// is wrong.
+/// or a parameter is wrong.
 template <class Call>
 auto answerFor(const frames::Job& job, const PluginLoader& plugins, Call& call)
     -> decltype(call(std::declval<const RobotPlugin&>(), job.behavior_id, BehaviorContext())) {
