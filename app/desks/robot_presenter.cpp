@@ -48,7 +48,9 @@ widgets::ControlWords controlWords(const MissionControl& control, const Robot* r
     return {nameOf(*robot), Driver::Behavior, QString::fromStdString(behavior ? behavior->name : state.behavior_id)};
 }
 
-void RobotPresenter::show(RobotId id, const mission::SessionUpdate& update, bool selected) {
+void RobotPresenter::show(RobotId id, const std::shared_ptr<const mission::SessionUpdate>& shared) {
+    const mission::SessionUpdate& update = *shared;
+    const bool selected = id == selection_.id();
     const RobotView& view = control_.robot(id)->view();
     if (update.rewound)
         restart(view, selected);
@@ -199,10 +201,10 @@ void RobotPresenter::feedMessages(ConnectionId connection, const mission::Sessio
         views_.messages->takeCommand(command->text, command->cause, command->time, connection);
 }
 
-void RobotPresenter::showLink(ConnectionId connection, const mission::SessionUpdate& update, bool selected) {
-    feedMessages(connection, update);
-    if (selected)
-        showTraffic(update.figures);
+void RobotPresenter::showLink(const std::shared_ptr<const mission::SessionUpdate>& update) {
+    feedMessages(control_.connectionOf({}), *update);
+    if (!selection_.id().valid())
+        showTraffic(update->figures);
 }
 
 void RobotPresenter::showTraffic(const mission::SessionFigures& figures) {

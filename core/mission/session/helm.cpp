@@ -48,8 +48,9 @@ void Helm::hear(std::string_view text, const protocol::InfoLine& line) {
     hand_.take(line);
 }
 
-agent::RunningBehavior::Output Helm::answerTo(const protocol::InfoLine& line) {
-    return host_ ? host_->receive(line) : agent::RunningBehavior::Output{};
+void Helm::answer(const protocol::InfoLine& line) {
+    takeOutput(host_ ? host_->receive(line) : agent::RunningBehavior::Output{},
+               std::holds_alternative<protocol::RobotState>(line.message));
 }
 
 void Helm::takeOutput(agent::RunningBehavior::Output output, bool is_tick) {
