@@ -70,7 +70,8 @@ void MainWindow::wire() {
     connect(&control_, &MissionControl::exportFailed, this,
             [this](RobotId, const QString& reason) { askWhereToSave(reason); });
     connect(views_.stop_all, &QPushButton::clicked, &control_, &MissionControl::stopAll);
-    connect(new widgets::EscapeTwice(this), &widgets::EscapeTwice::pressedTwice, &control_, &MissionControl::stopAll);
+    connect(new widgets::KeyTwice(widgets::commandSpec("mission.stop_all").twice, this),
+            &widgets::KeyTwice::pressedTwice, &control_, &MissionControl::stopAll);
     connect(views_.hint, &widgets::HintStrip::dismissed, views_.hint, &QWidget::hide);
     connect(views_.sensors, &widgets::SensorPanel::plotRequested, views_.plots, &widgets::PlotView::addSeries);
     connect(views_.plots, &widgets::PlotView::failed, this,

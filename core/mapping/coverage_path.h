@@ -11,7 +11,7 @@ namespace usar::mapping {
 
 /// Both values must be positive, and the spacing finite.
 struct CoverageOptions {
-    double lane_spacing_m = 10.0;    ///< maximum; lanes are spread evenly
+    double lane_spacing_m;           ///< maximum; lanes are spread evenly
     double quadrant_limit_m = 150.0; ///< an area with a longer side is divided into equal quadrants, scanned one by one
 };
 

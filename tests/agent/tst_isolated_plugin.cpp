@@ -33,7 +33,7 @@ constexpr int answered_ms = 15000;
 
 /// A loader that isolates these, with what it has told since.
 struct Asking {
-    explicit Asking(const QStringList& files, const QStringList& isolated, const IsolationPatience& patience = {}) {
+    explicit Asking(const QStringList& files, const QStringList& isolated, const Patience& patience = {}) {
         loader.setPolicy({.host_program = host, .isolated = isolated, .patience = patience});
         loader.setNews([this](const std::vector<PluginChange>& changes) {
             for (const PluginChange& change : changes)

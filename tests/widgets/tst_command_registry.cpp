@@ -216,8 +216,8 @@ void tst_CommandRegistry::escapeTwiceCounts_data() {
 void tst_CommandRegistry::escapeTwiceCounts() {
     QFETCH(QList<int>, keys);
     QFETCH(QList<int>, at_ms);
-    EscapeTwice watch;
-    QSignalSpy stops(&watch, &EscapeTwice::pressedTwice);
+    KeyTwice watch(QKeySequence("Esc"));
+    QSignalSpy stops(&watch, &KeyTwice::pressedTwice);
     for (qsizetype i = 0; i < keys.size(); ++i) {
         QKeyEvent press(QEvent::KeyPress, keys[i], Qt::NoModifier);
         press.setTimestamp(static_cast<quint64>(at_ms[i]));

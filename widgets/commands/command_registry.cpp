@@ -95,6 +95,7 @@ CommandSpec specOf(const QString& id, const QString& group, const QJsonObject& r
     for (const auto& keys : row["keys"].toArray())
         spec.shortcuts << keysOf(keys.toString());
     spec.checkable = row["checkable"].toBool();
+    spec.twice = keysOf(row["twice"].toString());
     return spec;
 }
 

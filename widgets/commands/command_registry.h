@@ -22,6 +22,7 @@ struct CommandSpec {
     QString icon;                  ///< icon name for icons.h; may be empty
     QList<QKeySequence> shortcuts; ///< the first one is shown in tooltips; no two commands may share one
     bool checkable = false;        ///< the action has an on/off state
+    QKeySequence twice{};          ///< one key that also runs the command when it is pressed twice; see KeyTwice
 };
 
 /// Owns the actions and adds them to the window, so that shortcuts work wherever the focus is. GUI thread; must not
@@ -68,7 +69,8 @@ private:
 QString tooltipText(const CommandSpec& spec);
 
 /// Reads a table of commands: an object of groups, each an object of commands by id, with `text`, `help`, and possibly
-/// `icon`, `keys` and `checkable`. A key is written as in a menu ("Ctrl+K"), or names one that differs by desktop
+/// `icon`, `keys`, `checkable` and `twice`. A key is written as in a menu ("Ctrl+K"), or names one that differs by
+/// desktop
 /// ("StandardKey::Open"). Text that is no JSON object is read as an empty table.
 std::vector<CommandSpec> readCommandTable(const QByteArray& json);
 

@@ -29,6 +29,8 @@ QList<Group> groupsOf(const CommandRegistry& registry) {
         QStringList keys;
         for (const QKeySequence& sequence : command->spec.shortcuts)
             keys << sequence.toString(QKeySequence::NativeText);
+        if (const QString key = command->spec.twice.toString(QKeySequence::NativeText); !key.isEmpty())
+            keys << QStringLiteral("%1 %1").arg(key);
         auto group = std::ranges::find(groups, command->spec.group, &Group::name);
         if (group == groups.end())
             group = groups.insert(groups.end(), Group{command->spec.group, {}});

@@ -17,10 +17,6 @@ QString heightText(double height_m) {
     return TerrainProfileView::tr("%1 m").arg(figure(height_m, 0));
 }
 
-QColor riskColor(agent::Risk risk) {
-    return risk == agent::Risk::None ? tokens().ok : risk == agent::Risk::Low ? tokens().caution : tokens().danger;
-}
-
 } // namespace
 
 LaserFanView::LaserFanView(QWidget* parent) : Instrument(parent) {
@@ -262,8 +258,8 @@ void SonarColumnsView::paintZones(QPainter& painter, const SonarColumn& column, 
         return;
     const double high = level(column.high_risk_below_m);
     const double low = level(column.low_risk_below_m);
-    const QColor danger = ink(tokens().danger);
-    const QColor caution = ink(tokens().caution);
+    const QColor danger = ink(riskColor(agent::Risk::High));
+    const QColor caution = ink(riskColor(agent::Risk::Low));
     painter.fillRect(QRectF(QPointF(shaft.left(), high), shaft.bottomRight()), faded(danger, 0.22));
     painter.fillRect(QRectF(QPointF(shaft.left(), low), QPointF(shaft.right(), high)), faded(caution, 0.40));
     painter.setPen(QPen(danger, 1.0));

@@ -10,6 +10,8 @@
 #include <QStyleFactory>
 #include <QStyleOption>
 
+#include "core/agent/published.h"
+
 namespace usar::widgets {
 
 namespace {
@@ -237,6 +239,10 @@ QColor robotColor(int number) {
 QColor inkOn(const QColor& fill) {
     const QColor black(0x0b0e12);
     return contrast(black, fill) >= contrast(Qt::white, fill) ? black : QColor(Qt::white);
+}
+
+QColor riskColor(agent::Risk risk) {
+    return risk == agent::Risk::None ? tokens().ok : risk == agent::Risk::Low ? tokens().caution : tokens().danger;
 }
 
 QColor traceColor(protocol::TraceColor color) {

@@ -10,6 +10,10 @@
 #include "core/agent/mark_style.h"
 #include "core/protocol/commands/trace.h"
 
+namespace usar::agent {
+enum class Risk;
+}
+
 namespace usar::widgets {
 
 enum class Theme { Dark, Light };
@@ -51,6 +55,8 @@ QColor inkOn(const QColor& fill);
 
 /// Colors of the thesis's marks (figure 4.4); the same in both themes and in exported pictures.
 QColor markColor(agent::MarkKind kind);
+/// Colors of a sonar's risk, for its column and the zones on it; as readable as the text tokens. GUI thread only.
+QColor riskColor(agent::Risk risk);
 /// Colors of the protocol's TRACE; the same in both themes. On the map each mark has a dark rim.
 QColor traceColor(protocol::TraceColor color);
 /// Topic of a line of traffic. `Other`: none of these.

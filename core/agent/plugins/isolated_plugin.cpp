@@ -8,7 +8,7 @@
 
 namespace usar::agent {
 
-IsolatedPlugin::IsolatedPlugin(QString program, QString file, const IsolationPatience& patience)
+IsolatedPlugin::IsolatedPlugin(QString program, QString file, const Patience& patience)
     : program_(std::move(program))
     , file_(std::move(file))
     , allowed_(patience) {

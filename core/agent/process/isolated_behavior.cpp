@@ -16,8 +16,7 @@ RunningBehavior::Output IsolatedBehavior::begin() {
     if (!started)
         return end(started.error().text());
     host_ = *std::move(started);
-    constexpr Seconds patience{15.0}; // for starting, loading libraries and the plugin, and creating the behavior
-    return ask(start_, patience, "it was being made");
+    return ask(start_, Patience().making, "it was being made");
 }
 
 RunningBehavior::Output IsolatedBehavior::receive(const protocol::InfoLine& line) {

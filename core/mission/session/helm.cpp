@@ -147,7 +147,7 @@ void Helm::stopBehavior(const by::Source& source, const std::string& reason) {
 
 void Helm::start(std::shared_ptr<agent::RunningBehavior> host) {
     host_ = std::move(host);
-    host_->setPatience(lockstep_ ? limits_.behavior_lockstep : limits_.behavior);
+    host_->setPatience(lockstep_ ? limits_.behavior.answer_in_lockstep : limits_.behavior.answer);
     agent::RunningBehavior::Output output = host_->begin();
     if (host_->endHandle() >= 0) {
         end_watch_ = std::make_unique<QSocketNotifier>(host_->endHandle(), QSocketNotifier::Read);
