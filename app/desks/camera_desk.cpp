@@ -43,10 +43,7 @@ void CameraDesk::registerCommands() {
 }
 
 void CameraDesk::wire() {
-    QList<QAction*> shown;
-    for (const char* const id : {"camera.center", "camera.light", "camera.save"})
-        shown << action(id);
-    view_.setActions(shown);
+    view_.setActions({action("camera.center"), action("camera.light"), action("camera.save")});
     server_port_ = static_cast<quint16>(QSettings().value("server/image_port", server_port_).toUInt());
     connect(&control_.simulator(), &server::SimulatorHost::channelsOpened, this,
             [this](const server::ChannelPorts& ports) {
@@ -101,14 +98,6 @@ void CameraDesk::wireFeed() {
         if (first)
             showAbilities();
     });
-}
-
-bool CameraDesk::canZoom() const {
-    return !view_.isEmpty() && work_.mount().canZoom();
-}
-
-bool CameraDesk::canTurn() const {
-    return live() && !view_.isEmpty() && work_.mount().canTurn();
 }
 
 std::optional<bool> CameraDesk::hasCamera() const {
