@@ -38,7 +38,13 @@ void CameraDesk::registerCommands() {
     const auto has_light = [this] { return live() && work_.mount().lightKnown(); };
     add("camera.light", has_light, [this](bool on) { robot()->send(protocol::DriveSwitches{.light_on = on}, cause); });
     const auto has_picture = [this] { return !view_.isEmpty(); };
-    add("camera.save", has_picture, [this] { chooseWhereToSave(); });
+    add("camera.save", has_picture, [this] {
+        const QImage picture = view_.picture(); // The current one, not the one when the dialog closes.
+        const QString path =
+            widgets::askWhereToSave(window_, tr("Save picture"), tr("camera.png"), tr("Pictures (*.png *.jpg)"));
+        if (!path.isEmpty())
+            savePicture(picture, path);
+    });
     add("camera.port", [this] { chooseImagePort(); });
 }
 
@@ -188,14 +194,6 @@ void CameraDesk::chooseImagePort() {
     QSettings().setValue("server/image_port", port);
     server_port_ = static_cast<quint16>(port);
     refresh();
-}
-
-void CameraDesk::chooseWhereToSave() {
-    const QImage picture = view_.picture(); // The current one, not the one when the dialog closes.
-    const QString path =
-        widgets::askWhereToSave(window_, tr("Save picture"), tr("camera.png"), tr("Pictures (*.png *.jpg)"));
-    if (!path.isEmpty())
-        savePicture(picture, path);
 }
 
 void CameraDesk::savePicture(const QImage& picture, const QString& path) {

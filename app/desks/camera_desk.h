@@ -49,7 +49,6 @@ private:
     /// Returns true if there can be no picture; the view then says why, and what the user can do.
     bool showWhatIsMissing();
     void chooseImagePort();
-    void chooseWhereToSave();
 
     widgets::CameraView& view_;
     mission::CameraFeed feed_;

@@ -18,8 +18,6 @@ using agent::PlanFate;
 using widgets::PlanNodeKind;
 using widgets::PlanSpot;
 
-PlanDesk::PlanDesk(const DeskContext& context) : Desk(context), run_(context), breakpoints_(context, run_) {}
-
 void PlanDesk::registerCommands() {
     const auto drawn = [this] { return !views_.plan->view().tree().empty(); };
     add("plan.save_picture", drawn, [this] { chooseWhereToSavePicture(); });
@@ -50,12 +48,11 @@ void PlanDesk::registerRunCommands() {
         stepCycle();
     });
     add("plan.step_epoch", halted, [this] { stepEpoch(); });
-    add(
-        "plan.run_to", [this, flies] { return flies() && run_.selectedIs({}); },
-        [this] {
-            breakpoints_.setTemporary();
-            goOn();
-        });
+    const auto has_place = [this, flies] { return flies() && run_.selectedIs({}); };
+    add("plan.run_to", has_place, [this] {
+        breakpoints_.setTemporary();
+        goOn();
+    });
 }
 
 void PlanDesk::registerPinCommands() {
