@@ -1,6 +1,7 @@
 // usar-mission: flies one mission without a window; its other verbs fly none, but read files and recordings.
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include <unistd.h>
 

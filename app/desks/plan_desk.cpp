@@ -202,7 +202,7 @@ void PlanDesk::takeNews(RobotId id, const agent::PlanHalted& halted) {
 }
 
 void PlanDesk::takeNews(RobotId id, const agent::PlanResumed&) {
-    views_.notifications->cured("plan-halted/" + nameOf(*control_.robot(id)));
+    notices_.cure("plan-halted/" + nameOf(*control_.robot(id)));
     if (!anyHalted() && !stepping_)
         emit timeWanted(true);
     if (id != selection_.id() || stepping_) // it will halt again in a moment
@@ -216,16 +216,14 @@ void PlanDesk::takeNews(RobotId id, const agent::PlanReplaced& replaced) {
     const QString plan = QString::fromStdString(replaced.plan_name);
     const QString key = "plan-replaced/" + who;
     if (replaced.fate == PlanFate::Kept)
-        return views_.notifications->push(key, Severity::Note, tr("%1 goes on where it was, by %2.").arg(who, plan),
-                                          true);
+        return notices_.note(key, tr("%1 goes on where it was, by %2.").arg(who, plan));
     if (replaced.fate == PlanFate::Restarted)
-        return views_.notifications->push(key, Severity::Note, tr("%1 begins %2 at its root.").arg(who, plan), true);
+        return notices_.note(key, tr("%1 begins %2 at its root.").arg(who, plan));
     QString why = QString::fromStdString(replaced.reason);
     for (const posh::Finding& finding : replaced.findings)
         if (why.isEmpty() && posh::severityOf(finding.code) == Severity::Error)
             why = QString::fromStdString(posh::toText(finding));
-    views_.notifications->push(key, Severity::Error,
-                               tr("%1 does not take %2 and goes on as it did. %3").arg(who, plan, why), true);
+    notices_.say(Severity::Error, key, tr("%1 does not take %2 and goes on as it did. %3").arg(who, plan, why));
 }
 
 /// Robots whose server's time waits for all of them (lockstep) continue together.
