@@ -1,5 +1,6 @@
 #include "app/desks/robot_presenter.h"
 
+#include <limits>
 #include <utility>
 
 #include "core/mission/fleet/robot_name.h"
@@ -64,9 +65,16 @@ void RobotPresenter::show(RobotId id, const std::shared_ptr<const mission::Sessi
     if (!selected)
         return;
     showTraffic(update.figures);
-    noteHeard(update);
+    if (mission::newest<protocol::RangeScan>(update))
+        scan_heard_ = update.figures.now;
+    if (mission::newest<protocol::SonarReadings>(update))
+        sonar_heard_ = update.figures.now;
     showInstruments(view, update);
-    feedPanels(update);
+    for (const protocol::InfoLine& line : update.lines) {
+        views_.sensors->take(line, update.figures.now);
+        views_.plots->take(line, update.figures.now);
+    }
+    views_.sensors->setNow(update.figures.now);
 }
 
 bool RobotPresenter::tracing(RobotId id) const {
@@ -166,21 +174,6 @@ void RobotPresenter::showLinkState(RobotId id) {
     views_.sensors->setLinked(!stale);
 }
 
-void RobotPresenter::noteHeard(const mission::SessionUpdate& update) {
-    if (mission::newest<protocol::RangeScan>(update))
-        scan_heard_ = update.figures.now;
-    if (mission::newest<protocol::SonarReadings>(update))
-        sonar_heard_ = update.figures.now;
-}
-
-void RobotPresenter::feedPanels(const mission::SessionUpdate& update) {
-    for (const protocol::InfoLine& line : update.lines) {
-        views_.sensors->take(line, update.figures.now);
-        views_.plots->take(line, update.figures.now);
-    }
-    views_.sensors->setNow(update.figures.now);
-}
-
 /// Adds lines and commands in the order in which they were received and sent.
 void RobotPresenter::feedMessages(ConnectionId connection, const mission::SessionUpdate& update) {
     if (update.rewound)
@@ -197,8 +190,7 @@ void RobotPresenter::feedMessages(ConnectionId connection, const mission::Sessio
         takeCommandsUpTo(line.number);
         views_.messages->takeLine(line, protocol::timeOf(line.message).value_or(update.figures.now), connection);
     }
-    for (; command != update.commands.end(); ++command)
-        views_.messages->takeCommand(command->text, command->cause, command->time, connection);
+    takeCommandsUpTo({std::numeric_limits<std::uint64_t>::max()});
 }
 
 void RobotPresenter::showLink(const std::shared_ptr<const mission::SessionUpdate>& update) {

@@ -38,10 +38,8 @@ private:
     void restart(const RobotView& view, bool selected);
     void showOnMap(const RobotView& view, const mission::SessionUpdate& update, bool selected);
     void showInstruments(const RobotView& view, const mission::SessionUpdate& update);
-    void feedPanels(const mission::SessionUpdate& update);
     void feedMessages(ConnectionId connection, const mission::SessionUpdate& update);
     void showTraffic(const mission::SessionFigures& figures);
-    void noteHeard(const mission::SessionUpdate& update);
 
     MissionControl& control_;
     widgets::WindowViews& views_;

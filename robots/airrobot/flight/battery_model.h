@@ -31,8 +31,6 @@ public:
         ++charges_;
     }
 
-    /// The distance flown since the last recharge.
-    double flownSinceCharge_m() const { return since_charge_m_; }
     /// The total distance flown.
     double flown_m() const { return total_m_; }
     /// The number of recharges.
