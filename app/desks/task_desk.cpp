@@ -97,7 +97,7 @@ void TaskDesk::wireRun() {
 
 void TaskDesk::leaveWorld() {
     views_.behavior->setArea(std::nullopt);
-    views_.behavior->clearAreaLimits(); // until the world is known; that of a real server never is
+    views_.behavior->setAreaLimits({}); // until the world is known; that of a real server never is
     drafts_.forgetAreas();
 }
 

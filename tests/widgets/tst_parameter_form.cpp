@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QSignalSpy>
@@ -288,11 +290,13 @@ void tst_ParameterForm::searchLooksAtLabelIdGroupAndHelp() {
 
 void tst_ParameterForm::modifiedOnlyShowsWhatDiffers() {
     form_->setValues({{"lanes", 3LL}});
-    form_->setModifiedOnly(true);
+    const auto buttons = form_->findChildren<QToolButton*>();
+    auto* only = *std::ranges::find(buttons, QStringLiteral("Modified"), &QToolButton::text);
+    only->click();
     QCOMPARE(visibleIds(), QStringList{"lanes"});
     row("lanes")->findChild<QToolButton*>(QStringLiteral("reset"))->click();
     QCOMPARE(visibleIds(), QStringList{"lanes"});
-    form_->setModifiedOnly(false);
+    only->click();
     QCOMPARE(visibleIds().size(), qsizetype(specs.size()));
 }
 

@@ -109,7 +109,6 @@ void tst_PlotView::emptyPlotSaysHowToFillIt() {
 }
 
 void tst_PlotView::dropAddsFields() {
-    QSignalSpy changed(view_.get(), &PlotView::seriesChanged);
     QMimeData mime;
     mime.setData(QLatin1String(field_mime_type), (f1 + u'\n' + f2).toUtf8());
     QDragEnterEvent enter({100, 100}, Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
@@ -118,7 +117,6 @@ void tst_PlotView::dropAddsFields() {
     QDropEvent drop({100, 100}, Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
     QCoreApplication::sendEvent(view_.get(), &drop);
     QCOMPARE(view_->seriesPaths(), (QStringList{f1, f2}));
-    QCOMPARE(changed.last().at(0).toStringList(), (QStringList{f1, f2}));
 }
 
 void tst_PlotView::otherDropsAreRefused() {
@@ -334,10 +332,8 @@ void tst_PlotView::legendSaysEachNameOnce() {
 }
 
 void tst_PlotView::addedTwiceIsThereOnce() {
-    QSignalSpy changed(view_.get(), &PlotView::seriesChanged);
     view_->addSeries(f1);
     view_->addSeries(f1);
-    QCOMPARE(changed.count(), 1);
     QCOMPARE(view_->seriesPaths().size(), 1);
 }
 

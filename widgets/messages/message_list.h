@@ -5,7 +5,6 @@
 #include <map>
 
 #include <QAction>
-#include <QLabel>
 #include <QSplitter>
 #include <QTableView>
 #include <QTimer>

@@ -40,8 +40,6 @@ public slots:
 
     /// The problem with this key is over; its row stays, grayed out.
     void cured(const QString& key) { model_->cure(key); }
-    /// Removes all rows, also open ones.
-    void clearAll() { model_->clear(); }
 
 signals:
     /// For the tab's title.

@@ -263,8 +263,6 @@ QVariant SensorModel::data(const QModelIndex& index, int role) const {
         return leaf ? QString::fromStdString(leaf->field.path()) : QString();
     case UnitRole:
         return leaf ? QString::fromStdString(leaf->field.unit) : QString();
-    case StaleRole:
-        return timingAt(index).stale(now_, linked_);
     case SortRole:
         return leaf ? index.row() : index.row() + (timingAt(index).repeats ? 0 : answers_from);
     case NumericRole:

@@ -26,7 +26,7 @@ public:
     /// Value is right-aligned text; Unit has a column of its own, so that the numbers line up.
     enum Column { Name, Value, Unit, Age, Rate, ColumnCount };
     /// SortRole orders repeated messages before answers, each in the order of first appearance.
-    enum Role { PathRole = Qt::UserRole, UnitRole, StaleRole, NumericRole, SortRole };
+    enum Role { PathRole = Qt::UserRole, UnitRole, NumericRole, SortRole };
 
     using QAbstractItemModel::QAbstractItemModel;
 

@@ -7,7 +7,6 @@
 
 #include "widgets/models/figures.h"
 #include "widgets/models/map/map_transform.h"
-#include "widgets/style/sheet.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {

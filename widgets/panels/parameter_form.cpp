@@ -5,7 +5,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QLineEdit>
 #include <QPainter>
 #include <QSignalBlocker>
 #include <QWheelEvent>
@@ -13,7 +12,6 @@
 #include "widgets/models/parameter_display.h"
 #include "widgets/panels/quantity_box.h"
 #include "widgets/style/empty_state.h"
-#include "widgets/style/form_parts.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 #include "widgets/style/tool_button.h"

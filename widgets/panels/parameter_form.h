@@ -60,7 +60,6 @@ private:
 };
 
 class EmptyState;
-class ParameterRow;
 
 /// Values are set by setters, edits are reported by `changed`. Values are in SI units and radians; angles are shown and
 /// edited in degrees. Values set for one list of specs are kept while another list is shown. A modified row has a bar
@@ -87,8 +86,6 @@ public:
 
     /// Shows only rows with `words` in label, id, group or help, ignoring case.
     void setFilter(const QString& words) { search_->setText(words); }
-    /// Shows only rows that differ from their default.
-    void setModifiedOnly(bool on) { modified_only_->setChecked(on); }
     /// The sheet that is shown while there are no specs.
     EmptyState* emptyState() const { return empty_state_; }
     QSize sizeHint() const override { return {320, 400}; }

@@ -273,7 +273,6 @@ void PlotView::showEvent(QShowEvent* event) {
 void PlotView::listChanged() {
     rebuildLegend();
     refreshSoon();
-    emit seriesChanged(seriesPaths());
 }
 
 void PlotView::rebuildLegend() {

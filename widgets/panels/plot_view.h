@@ -57,8 +57,6 @@ public slots:
     void setFollowing(bool following) { follow_->setChecked(following); }
 
 signals:
-    /// A series was added, removed or cleared; saved as part of the layout.
-    void seriesChanged(const QStringList& paths);
     /// An export failed; `text` is a sentence for a notification.
     void failed(const QString& text);
 

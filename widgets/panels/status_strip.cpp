@@ -7,7 +7,6 @@
 #include <QPainter>
 
 #include "widgets/models/figures.h"
-#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
