@@ -175,9 +175,8 @@ void tst_Instruments::figuresOfAColumnEndOnOneLine() {
 }
 
 void tst_Instruments::meterWarnsInWordAndColor() {
-    Meter meter(QStringLiteral("Battery used"));
+    Meter meter(QStringLiteral("Battery used"), nullptr, 70.0, 85.0);
     meter.resize(300, 20);
-    meter.setLimits(70.0, 85.0);
     meter.setValue(50.0);
     const QRect bar(100, 6, 60, 8);
     QVERIFY(pixelsNear(meter, bar, tokens().ok) > 50);

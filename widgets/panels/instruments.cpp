@@ -32,7 +32,8 @@ LaserFanView::LaserFanView(QWidget* parent) : Instrument(parent) {
 void LaserFanView::setScan(const protocol::RangeScan& scan, double maximum_m, ScanPlane plane) {
     section_ = laserSection(scan, maximum_m);
     plane_ = plane;
-    showFresh(section_.clearance_m        ? clearanceText(0)
+    showFresh(section_.rays.empty()       ? tr("No scan yet")
+              : section_.clearance_m      ? clearanceText(0)
               : plane == ScanPlane::Below ? tr("No ground in range")
                                           : tr("Nothing ahead in range"));
 }
@@ -40,12 +41,6 @@ void LaserFanView::setScan(const protocol::RangeScan& scan, double maximum_m, Sc
 QString LaserFanView::clearanceText(int digits) const {
     const QString distance = figure(section_.clearance_m.value_or(qQNaN()), 2, digits);
     return plane_ == ScanPlane::Below ? tr("%1 m to ground").arg(distance) : tr("%1 m ahead").arg(distance);
-}
-
-void LaserFanView::clear() {
-    section_ = {};
-    setAccessibleDescription(tr("No scan yet"));
-    update();
 }
 
 void LaserFanView::paintEvent(QPaintEvent*) {
@@ -118,13 +113,7 @@ TerrainProfileView::TerrainProfileView(QWidget* parent) : Instrument(parent) {
 
 void TerrainProfileView::setProfile(const mapping::CourseProfile& profile) {
     profile_ = profile;
-    showFresh(clearanceText());
-}
-
-void TerrainProfileView::clear() {
-    profile_ = {};
-    setAccessibleDescription(tr("No map yet"));
-    update();
+    showFresh(profile_.points.empty() ? tr("No map yet") : clearanceText());
 }
 
 QString TerrainProfileView::clearanceText() const {

@@ -25,7 +25,7 @@ public:
     void setScan(const protocol::RangeScan& scan, double maximum_m = protocol::usual_scanner_maximum_m,
                  ScanPlane plane = ScanPlane::Below);
     /// Shows the sentence that says what will appear here.
-    void clear();
+    void clear() { setScan({}); }
     /// The rays as drawn; no rays before the first scan.
     const LaserSection& section() const { return section_; }
     QSize sizeHint() const override { return {280, 160}; }
@@ -59,7 +59,7 @@ public:
     /// Replaces the picture, which then counts as fresh.
     void setProfile(const mapping::CourseProfile& profile);
     /// Shows the sentence that says what will appear here.
-    void clear();
+    void clear() { setProfile({}); }
     const mapping::CourseProfile& profile() const { return profile_; }
     /// "6.1 m above the map", or "unmapped here".
     QString clearanceText() const;
