@@ -1,6 +1,7 @@
 // Form for the parameters of a behavior, generated from their specs: grouped, searchable, usable at a width of 280 px.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -38,12 +39,10 @@ signals:
     void edited();
 
 private:
-    // Make the editor for each type of value; every editor has the spec's id as its object name.
+    /// Makes the editor for the type of value and sets `show_in_editor_`.
     QWidget* makeEditor();
-    QWidget* makeSwitch();
     QWidget* makeNumber();
     QWidget* makeChoice();
-    QWidget* makeText();
     /// Stores the value of the editor and emits `edited`.
     void take(const agent::ParameterValue& value);
     /// Shows the value in the editor without emitting.
@@ -55,7 +54,8 @@ private:
     agent::ParameterValue value_; ///< exact, whatever the editor's decimals
     QWidget* mark_ = nullptr;
     QLabel* label_ = nullptr;
-    QWidget* editor_ = nullptr;
+    QWidget* editor_ = nullptr; ///< has the spec's id as its object name
+    std::function<void()> show_in_editor_;
     QToolButton* reset_ = nullptr;
 };
 
