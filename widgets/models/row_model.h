@@ -1,5 +1,5 @@
-// Base of the models of lists and tables whose rows are values of one type: it stores the rows and informs the views of
-// changes.
+// Parts that models of lists and tables share: a base for those whose rows are values of one type, which stores the
+// rows and informs the views of changes; and the heads of columns.
 #pragma once
 
 #include <algorithm>
@@ -68,5 +68,15 @@ protected:
     /// From top to bottom. Whoever changes them directly must inform the views.
     std::vector<Row> rows_;
 };
+
+/// Returns the head of a column for QAbstractItemModel::headerData: its title or, for both head and cells, how the text
+/// is aligned horizontally. Invalid for other roles, and for rows.
+inline QVariant columnHead(Qt::Orientation orientation, int role, const QString& title, Qt::AlignmentFlag alignment) {
+    if (orientation != Qt::Horizontal)
+        return {};
+    return role == Qt::DisplayRole         ? QVariant(title)
+           : role == Qt::TextAlignmentRole ? QVariant(static_cast<int>(alignment | Qt::AlignVCenter))
+                                           : QVariant();
+}
 
 } // namespace usar::widgets

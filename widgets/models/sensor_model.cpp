@@ -9,6 +9,7 @@
 
 #include "widgets/models/figures.h"
 #include "widgets/models/parameter_display.h"
+#include "widgets/models/row_model.h"
 #include "widgets/models/series_store.h"
 #include "widgets/style/theme.h"
 
@@ -273,14 +274,9 @@ QVariant SensorModel::data(const QModelIndex& index, int role) const {
 }
 
 QVariant SensorModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation != Qt::Horizontal)
-        return {};
-    if (role == Qt::TextAlignmentRole)
-        return int(Qt::AlignVCenter | (section == Name || section == Unit ? Qt::AlignLeft : Qt::AlignRight));
-    if (role != Qt::DisplayRole)
-        return {};
     const QString titles[] = {tr("Sensor"), tr("Value"), QString(), tr("Age"), tr("Rate")};
-    return titles[section];
+    return columnHead(orientation, role, titles[section],
+                      section == Name || section == Unit ? Qt::AlignLeft : Qt::AlignRight);
 }
 
 Qt::ItemFlags SensorModel::flags(const QModelIndex& index) const {

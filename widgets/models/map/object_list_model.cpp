@@ -58,12 +58,8 @@ QVariant ObjectListModel::data(const QModelIndex& index, int role) const {
 }
 
 QVariant ObjectListModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation == Qt::Horizontal && role == Qt::TextAlignmentRole && section >= Place)
-        return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
-        return {};
-    const QStringList names{tr("Object"), tr("x, y m"), tr("m/s")};
-    return names.value(section);
+    const QString names[] = {tr("Object"), tr("x, y m"), tr("m/s")};
+    return columnHead(orientation, role, names[section], section >= Place ? Qt::AlignRight : Qt::AlignLeft);
 }
 
 } // namespace usar::widgets
