@@ -100,8 +100,6 @@ protected:
 
 private:
     void makeActions();
-    QAction* makeAction(const QString& text, const QString& help, const QString& icon_name = {});
-    QAction* makeToggle(const QString& text, const QString& help, const QString& icon_name, bool on);
     void wireActions();
     void setUpView();
     void wireView();
