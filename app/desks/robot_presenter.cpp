@@ -148,7 +148,7 @@ void RobotPresenter::showInstruments(const RobotView& view, const mission::Sessi
         std::map<std::string, double> ranges_m;
         for (const protocol::NamedRange& sonar : sonars->ranges)
             ranges_m[sonar.name] = sonar.range_m;
-        views_.sonars->setColumns(widgets::sonarColumns(ranges_m, protocol::usual_sonar_maximum_m));
+        views_.sonars->setZones(widgets::zonesOf(ranges_m, protocol::usual_sonar_maximum_m));
     }
     showLinkState(view.id);
 }

@@ -85,7 +85,6 @@ private slots:
     void fanDrawsGroundUnderTheRobot();
     void fanDrawsWhatIsAheadOverTheRobot();
     void sonarsComeInRingOrder();
-    void zonesKeepTheBehaviorsOrder();
     void riskIsColorAndWord_data();
     void riskIsColorAndWord();
     void staleIsGrey();
@@ -251,19 +250,14 @@ void tst_Instruments::fanDrawsWhatIsAheadOverTheRobot() {
 
 void tst_Instruments::sonarsComeInRingOrder() {
     const auto columns =
-        sonarColumns({{"F1", 1.0}, {"L1", 1.0}, {"L4", 4.0}, {"M0", 1.0}, {"R1", 1.0}, {"R4", 1.0}, {"L10", 1.0}}, 5.0);
+        zonesOf({{"F1", 1.0}, {"L1", 1.0}, {"L4", 4.0}, {"M0", 1.0}, {"R1", 1.0}, {"R4", 1.0}, {"L10", 1.0}}, 5.0)
+            .zones;
     QStringList names;
-    for (const SonarColumn& column : columns)
-        names << column.name;
+    for (const agent::SonarZone& column : columns)
+        names << QString::fromStdString(column.name);
     QCOMPARE(names.join(u' '), QStringLiteral("L10 L4 L1 M0 R1 R4 F1"));
     QCOMPARE(columns[1].range_m, 4.0);
     QCOMPARE(columns[1].low_risk_below_m, 0.0);
-}
-
-void tst_Instruments::zonesKeepTheBehaviorsOrder() {
-    const auto columns = sonarColumns(nineZones(agent::Risk::High));
-    QCOMPARE(columns.size(), std::size_t(9));
-    QCOMPARE(columns[4], (SonarColumn{QStringLiteral("M0"), 2.0, 5.0, 4.4, 4.2, agent::Risk::High}));
 }
 
 void tst_Instruments::riskIsColorAndWord_data() {

@@ -189,8 +189,8 @@ SonarColumnsView::SonarColumnsView(QWidget* parent) : Instrument(parent) {
                   "Bands: high risk (dense) and low risk (light)."));
 }
 
-void SonarColumnsView::setColumns(const std::vector<SonarColumn>& columns) {
-    columns_ = columns;
+void SonarColumnsView::setZones(const agent::SonarZones& zones) {
+    columns_ = zones.zones;
     const auto risky = std::ranges::count_if(columns_, [](const auto& c) { return c.risk != agent::Risk::None; });
     showFresh(columns_.empty() ? tr("No sonars yet") : tr("%1 sonars, %2 at risk").arg(columns_.size()).arg(risky));
 }
@@ -208,7 +208,7 @@ void SonarColumnsView::paintEvent(QPaintEvent*) {
                     QRectF(gap::tiny + static_cast<double>(i) * step, top, step, height() - top - 2.0));
 }
 
-void SonarColumnsView::paintColumn(QPainter& painter, const SonarColumn& column, const QRectF& cell) const {
+void SonarColumnsView::paintColumn(QPainter& painter, const agent::SonarZone& column, const QRectF& cell) const {
     const Tokens& t = tokens();
     painter.setFont(themeFont(FontRole::Small));
     const double line = QFontMetricsF(painter.font()).height();
@@ -236,13 +236,13 @@ void SonarColumnsView::paintColumn(QPainter& painter, const SonarColumn& column,
     painter.setFont(font);
     painter.setPen(risky ? riskColor(column.risk) : t.text_muted);
     painter.drawText(QRectF(cell.left() - 4.0, shaft.bottom() + 1.0, cell.width() + 8.0, line), Qt::AlignCenter,
-                     column.name);
+                     QString::fromStdString(column.name));
     if (risky)
         painter.drawText(QRectF(cell.left() - 4.0, shaft.bottom() + 1.0 + line, cell.width() + 8.0, line),
                          Qt::AlignCenter, riskWord(column.risk));
 }
 
-void SonarColumnsView::paintZones(QPainter& painter, const SonarColumn& column, const QRectF& shaft) const {
+void SonarColumnsView::paintZones(QPainter& painter, const agent::SonarZone& column, const QRectF& shaft) const {
     const auto level = [&](double range_m) {
         return shaft.bottom() - shaft.height() * std::clamp(range_m / column.maximum_m, 0.0, 1.0);
     };
