@@ -28,11 +28,6 @@ QString controlText(const ControlWords& words) {
     return QObject::tr("nobody drives");
 }
 
-void RobotListModel::setRobots(std::vector<RobotRow> robots) {
-    std::ranges::sort(robots, before);
-    replaceAll(std::move(robots), &RobotRow::id);
-}
-
 void RobotListModel::updateRobot(const RobotRow& robot) {
     if (const std::optional<int> known = indexOf(robot.id)) {
         if (row(*known) == robot)

@@ -45,8 +45,6 @@ class RobotListModel : public RowModel<RobotRow> {
 public:
     using RowModel::RowModel;
 
-    /// Replaces all robots. Views keep their selection if the ids are the same; otherwise the model is reset.
-    void setRobots(std::vector<RobotRow> robots);
     /// Updates the robot with this id, or adds it. Emits nothing if nothing changed.
     void updateRobot(const RobotRow& robot);
     /// An unknown id changes nothing.

@@ -16,8 +16,6 @@ class RobotList : public QWidget {
 public:
     explicit RobotList(QWidget* parent = nullptr);
 
-    /// Replaces all robots; the selection stays with its robot.
-    void setRobots(const std::vector<RobotRow>& robots);
     /// Updates the robot with this id, or adds it.
     void updateRobot(const RobotRow& robot);
     /// If the robot was selected, its neighbor is selected and robotSelected emitted.
