@@ -34,20 +34,17 @@ QString whyLost(const RadioLink& link) {
 } // namespace
 
 RadioQuality radioQuality(const std::optional<double>& strength_dbm) {
+    using enum RadioQuality;
     if (!strength_dbm)
-        return RadioQuality::Unknown;
-    const double margin_db = *strength_dbm - radio_cutoff_dbm;
-    if (margin_db < 0.0)
-        return RadioQuality::Lost;
-    return margin_db < radio_wall_db         ? RadioQuality::Weak
-           : margin_db < 2.0 * radio_wall_db ? RadioQuality::Fair
-                                             : RadioQuality::Good;
+        return Unknown;
+    constexpr RadioQuality by_bars[] = {Lost, Weak, Fair, Good, Good};
+    return by_bars[radioBars(strength_dbm)];
 }
 
 int radioBars(const std::optional<double>& strength_dbm) {
-    if (!strength_dbm || *strength_dbm < radio_cutoff_dbm)
+    if (!strength_dbm || !(*strength_dbm >= radio_cutoff_dbm))
         return 0;
-    return std::min(most_bars, 1 + static_cast<int>((*strength_dbm - radio_cutoff_dbm) / radio_wall_db));
+    return 1 + static_cast<int>(std::min(most_bars - 1.0, (*strength_dbm - radio_cutoff_dbm) / radio_wall_db));
 }
 
 QString radioWord(RadioQuality quality) {

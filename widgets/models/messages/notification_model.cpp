@@ -2,29 +2,24 @@
 
 #include <algorithm>
 
-#include <QCoreApplication>
-
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
 
 QString severityWord(Severity severity) {
-    const char* const word = severity == Severity::Error     ? QT_TRANSLATE_NOOP("Notification", "Error")
-                             : severity == Severity::Warning ? QT_TRANSLATE_NOOP("Notification", "Warning")
-                                                             : QT_TRANSLATE_NOOP("Notification", "Note");
-    return QCoreApplication::translate("Notification", word);
+    const QString words[] = {NotificationModel::tr("Note"), NotificationModel::tr("Warning"),
+                             NotificationModel::tr("Error")};
+    return words[static_cast<std::size_t>(severity)];
 }
 
 QString severityIcon(Severity severity) {
-    return severity == Severity::Error     ? QStringLiteral("error")
-           : severity == Severity::Warning ? QStringLiteral("warning")
-                                           : QStringLiteral("note");
+    const QString names[] = {QStringLiteral("note"), QStringLiteral("warning"), QStringLiteral("error")};
+    return names[static_cast<std::size_t>(severity)];
 }
 
 QColor severityColor(Severity severity) {
-    return severity == Severity::Error     ? tokens().danger
-           : severity == Severity::Warning ? tokens().caution
-                                           : tokens().accent;
+    const QColor colors[] = {tokens().accent, tokens().caution, tokens().danger};
+    return colors[static_cast<std::size_t>(severity)];
 }
 
 void NotificationModel::push(const QString& key, Severity severity, const QString& text, const QDateTime& when,
