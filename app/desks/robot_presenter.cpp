@@ -7,6 +7,7 @@
 #include "core/mission/session/session_update.h"
 #include "core/protocol/commands/spawn.h"
 #include "core/protocol/fields.h"
+#include "core/protocol/silence.h"
 #include "core/protocol/usual_values.h"
 #include "widgets/style/theme.h"
 
@@ -20,10 +21,9 @@ widgets::MapRobot onMap(const RobotView& view) {
             protocol::isStation(view.spawn.class_name)};
 }
 
-/// True if a sensor that was heard has been silent for the time of five messages of the slowest server.
+/// True if the newest reading of a sensor that was heard is out of date.
 bool silent(const std::optional<Seconds>& heard, Seconds now) {
-    constexpr Seconds patience{1.0};
-    return heard && now - *heard > patience;
+    return heard && now - *heard > protocol::silence::reading;
 }
 
 /// Scanners of flying robots look down. Unknown counts as flying, because a UDK server does not report the vehicle's

@@ -7,6 +7,7 @@
 #include <QMimeData>
 #include <QSize>
 
+#include "core/protocol/silence.h"
 #include "widgets/models/figures.h"
 #include "widgets/models/parameter_display.h"
 #include "widgets/models/row_model.h"
@@ -83,7 +84,7 @@ void SensorModel::Timing::arrived(Seconds now, int count) {
 bool SensorModel::Timing::stale(Seconds now, bool linked) const {
     if (!repeats)
         return false;
-    return !linked || now - last > std::max(3.0 * period.value_or(Seconds(0.0)), Seconds(1.0));
+    return !linked || now - last > std::max(3.0 * period.value_or(Seconds(0.0)), protocol::silence::reading);
 }
 
 QString SensorModel::Source::title() const {
@@ -181,10 +182,6 @@ int SensorModel::rowCount(const QModelIndex& parent) const {
     if (parent.internalId() != 0 || parent.column() != 0)
         return 0;
     return static_cast<int>(sources_[static_cast<std::size_t>(parent.row())].leaves.size());
-}
-
-int SensorModel::columnCount(const QModelIndex&) const {
-    return ColumnCount;
 }
 
 const SensorModel::Leaf* SensorModel::leafAt(const QModelIndex& index) const {
