@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <QTest>
@@ -103,7 +104,9 @@ void tst_Instruments::stripShowsTheBehaviorsFigures() {
     status.distance_flown_m = 1204.0;
     status.charges = 1;
     strip.setStatus(status);
-    QCOMPARE(strip.stateText(), QStringLiteral("scanning lane 4 of 9"));
+    const auto labels = strip.findChildren<QLabel*>();
+    const auto state = std::ranges::find(labels, QStringLiteral("State of the behavior"), &QLabel::accessibleName);
+    QCOMPARE((*state)->text(), QStringLiteral("scanning lane 4 of 9"));
     QCOMPARE(readout(strip, QStringLiteral("elapsed")), QStringLiteral("00:12:31"));
     QCOMPARE(readout(strip, QStringLiteral("to goal")), QStringLiteral("38.0"));
     QCOMPARE(readout(strip, QStringLiteral("range left")), QStringLiteral("412"));

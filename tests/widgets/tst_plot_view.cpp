@@ -106,12 +106,12 @@ void tst_PlotView::feed(double time_s, double range_m) {
 }
 
 void tst_PlotView::emptyPlotSaysHowToFillIt() {
-    QVERIFY(view_->emptyState()->isVisible());
-    QVERIFY(view_->emptyState()->accessibleDescription().contains(QStringLiteral("Drag")));
+    QVERIFY(view_->findChild<EmptyState*>()->isVisible());
+    QVERIFY(view_->findChild<EmptyState*>()->accessibleDescription().contains(QStringLiteral("Drag")));
     view_->addSeries(f1);
-    QVERIFY(!view_->emptyState()->isVisible());
+    QVERIFY(!view_->findChild<EmptyState*>()->isVisible());
     view_->clear();
-    QVERIFY(view_->emptyState()->isVisible());
+    QVERIFY(view_->findChild<EmptyState*>()->isVisible());
 }
 
 void tst_PlotView::dropAddsFields() {

@@ -170,11 +170,11 @@ void tst_RobotList::deleteAsksForRemovalAndRemovesNothing() {
 }
 
 void tst_RobotList::emptyListSaysHowToSpawn() {
-    QVERIFY(list_->emptyState()->isVisible());
+    QVERIFY(list_->findChild<EmptyState*>()->isVisible());
     list_->updateRobot(robot(1, 1));
-    QVERIFY(!list_->emptyState()->isVisible());
+    QVERIFY(!list_->findChild<EmptyState*>()->isVisible());
     list_->removeRobot({1});
-    QVERIFY(list_->emptyState()->isVisible());
+    QVERIFY(list_->findChild<EmptyState*>()->isVisible());
 }
 
 void tst_RobotList::rowHasTheRobotsColorAndGreysWhenStale() {

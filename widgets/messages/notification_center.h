@@ -23,10 +23,6 @@ public:
     explicit NotificationCenter(QWidget* parent = nullptr);
 
     NotificationModel* model() const { return model_; }
-    /// Number of unread groups, not reports: 137 lost links are one.
-    int unread() const { return model_->unread(); }
-    /// The sheet that says that nothing has happened yet; shown while there are no rows.
-    EmptyState* emptyState() const { return empty_state_; }
     QSize sizeHint() const override { return {400, 220}; }
 
 public slots:

@@ -84,10 +84,6 @@ public:
     /// The values that differ from their defaults, which is what a mission file stores.
     Values modified() const;
 
-    /// Shows only rows with `words` in label, id, group or help, ignoring case.
-    void setFilter(const QString& words) { search_->setText(words); }
-    /// The sheet that is shown while there are no specs.
-    EmptyState* emptyState() const { return empty_state_; }
     QSize sizeHint() const override { return {320, 400}; }
 
 public slots:

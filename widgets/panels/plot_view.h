@@ -43,8 +43,6 @@ public:
     PlotCanvas* canvas() const { return canvas_; }
     /// All recorded samples, in SI units and radians.
     const SeriesStore& store() const { return store_; }
-    /// The sheet that covers the drawing surface while nothing is watched.
-    EmptyState* emptyState() const { return empty_state_; }
     QSize sizeHint() const override { return {640, 240}; }
     QSize minimumSizeHint() const override { return {280, 140}; }
 

@@ -26,8 +26,6 @@ public:
     std::optional<RobotId> selectedRobot() const;
 
     const RobotListModel& model() const { return *model_; }
-    /// The sheet that is shown while there is no robot; set the action that spawns one on it.
-    EmptyState* emptyState() const { return empty_state_; }
     QSize sizeHint() const override { return {260, 220}; }
     QSize minimumSizeHint() const override { return {180, 100}; }
 

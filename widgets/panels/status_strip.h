@@ -85,8 +85,6 @@ public:
     bool stale() const { return !stale_->isHidden(); }
     /// Makes all figures unknown and shows `words`.
     void clear(const QString& words);
-    /// The words at the top, as last set.
-    QString stateText() const { return state_->text(); }
 
 private:
     /// Sets word and shape together, so that they always match.
