@@ -8,6 +8,7 @@
 #include "core/mission/session/session_update.h"
 #include "core/protocol/commands/spawn.h"
 #include "core/protocol/fields.h"
+#include "core/protocol/silence.h"
 #include "core/protocol/usual_values.h"
 #include "widgets/style/theme.h"
 
@@ -21,10 +22,9 @@ widgets::MapRobot onMap(const RobotView& view) {
             protocol::isStation(view.spawn.class_name)};
 }
 
-/// True if a sensor that was heard has been silent for the time of five messages of the slowest server.
+/// True if the newest reading of a sensor that was heard is out of date.
 bool silent(const std::optional<Seconds>& heard, Seconds now) {
-    constexpr Seconds patience{1.0};
-    return heard && now - *heard > patience;
+    return heard && now - *heard > protocol::silence::reading;
 }
 
 /// Scanners of flying robots look down. Unknown counts as flying, because a UDK server does not report the vehicle's
@@ -158,7 +158,7 @@ void RobotPresenter::showInstruments(const RobotView& view, const mission::Sessi
         std::map<std::string, double> ranges_m;
         for (const protocol::NamedRange& sonar : sonars->ranges)
             ranges_m[sonar.name] = sonar.range_m;
-        views_.sonars->setColumns(widgets::sonarColumns(ranges_m, protocol::usual_sonar_maximum_m));
+        views_.sonars->setZones(widgets::zonesOf(ranges_m, protocol::usual_sonar_maximum_m));
     }
     showLinkState(view.id);
 }

@@ -93,7 +93,7 @@ void TaskDesk::wireArea() {
 
 void TaskDesk::leaveWorld() {
     views_.behavior->setArea(std::nullopt);
-    views_.behavior->clearAreaLimits(); // until the world is known; that of a real server never is
+    views_.behavior->setAreaLimits({}); // until the world is known; that of a real server never is
     drafts_.forgetAreas();
 }
 

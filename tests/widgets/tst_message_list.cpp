@@ -144,13 +144,13 @@ void tst_MessageList::contentStandsStillWhileTheRingTurns() {
 void tst_MessageList::pauseKeepsLinesForLater() {
     feed(1);
     QTRY_COMPARE(list_->model().rowCount(), 1);
-    list_->setPaused(true);
+    list_->actions().pause->setChecked(true);
     feed(5);
     QString count;
     connect(list_.get(), &MessageList::countChanged, this, [&](const QString& text) { count = text; });
     QTRY_COMPARE(count, QStringLiteral("1 lines, 5 waiting"));
     QCOMPARE(list_->model().rowCount(), 1);
-    list_->setPaused(false);
+    list_->actions().pause->setChecked(false);
     QTRY_COMPARE(list_->model().rowCount(), 6);
 }
 
@@ -174,10 +174,10 @@ void tst_MessageList::linesLeftOutAreCounted() {
 }
 
 void tst_MessageList::linesThatWaitedTooLongAreCounted() {
-    list_->setPaused(true);
+    list_->actions().pause->setChecked(true);
     const int capacity = static_cast<int>(list_->model().capacity());
     feed(capacity + 5);
-    list_->setPaused(false);
+    list_->actions().pause->setChecked(false);
     QTRY_COMPARE(list_->model().rowCount(), capacity);
     QCOMPARE(list_->model().index(0, MessageModel::Text).data().toString(), QStringLiteral("6 lines not shown"));
 }
@@ -421,16 +421,16 @@ void tst_MessageList::onlyThisTypeFilters() {
 }
 
 void tst_MessageList::emptyListSaysWhy() {
-    QVERIFY(list_->emptyState()->isVisible());
-    QCOMPARE(list_->emptyState()->accessibleName(), QStringLiteral("No messages yet"));
+    QVERIFY(list_->findChild<EmptyState*>()->isVisible());
+    QCOMPARE(list_->findChild<EmptyState*>()->accessibleName(), QStringLiteral("No messages yet"));
     feed(1);
-    QTRY_VERIFY(!list_->emptyState()->isVisible());
+    QTRY_VERIFY(!list_->findChild<EmptyState*>()->isVisible());
     list_->setFilter({QStringLiteral("zzz"), {}});
-    QVERIFY(list_->emptyState()->isVisible());
-    QCOMPARE(list_->emptyState()->accessibleName(), QStringLiteral("No line fits"));
+    QVERIFY(list_->findChild<EmptyState*>()->isVisible());
+    QCOMPARE(list_->findChild<EmptyState*>()->accessibleName(), QStringLiteral("No line fits"));
     list_->setFilter({});
     list_->clear();
-    QCOMPARE(list_->emptyState()->accessibleName(), QStringLiteral("No messages yet"));
+    QCOMPARE(list_->findChild<EmptyState*>()->accessibleName(), QStringLiteral("No messages yet"));
 }
 
 void tst_MessageList::rowsAreAllEquallyHigh() {

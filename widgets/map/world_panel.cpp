@@ -112,11 +112,11 @@ void WorldPanel::makeList() {
         new EmptyState(list_->viewport(), tr("No objects"), tr("Press a button above, then click on the map."));
     connect(addRowAction(list_, tr("Delete"), QKeySequence::Delete), &QAction::triggered, this, [this] {
         if (const QModelIndex current = list_->currentIndex(); current.isValid())
-            emit removeRequested(model_->object(current.row()).name);
+            emit removeRequested(model_->row(current.row()).name);
     });
     connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex& current) {
         if (!quiet_)
-            emit objectSelected(current.isValid() ? model_->object(current.row()).name : QString());
+            emit objectSelected(current.isValid() ? model_->row(current.row()).name : QString());
     });
 }
 
@@ -182,7 +182,7 @@ void WorldPanel::setActions(const std::vector<QAction*>& object, const std::vect
 
 void WorldPanel::setObjects(const std::vector<MapObject>& objects) {
     const QModelIndex current = list_->currentIndex();
-    const QString selected = current.isValid() ? model_->object(current.row()).name : QString();
+    const QString selected = current.isValid() ? model_->row(current.row()).name : QString();
     {
         const QScopedValueRollback quiet(quiet_, true);
         model_->setObjects(objects);
@@ -193,8 +193,8 @@ void WorldPanel::setObjects(const std::vector<MapObject>& objects) {
 
 void WorldPanel::selectObject(const QString& name) {
     const QScopedValueRollback quiet(quiet_, true);
-    const int row = model_->rowOf(name);
-    list_->setCurrentIndex(row < 0 ? QModelIndex() : model_->index(row, 0));
+    const std::optional<int> row = model_->indexOf(name);
+    list_->setCurrentIndex(row ? model_->index(*row, 0) : QModelIndex());
 }
 
 void WorldPanel::setTrouble(const QString& title, const QString& hint) {
