@@ -321,10 +321,6 @@ double Simulation::radioStrength_dbm(const RadioStation& a, const RadioStation& 
                         sim::obstaclesBetween(state_->caster, a.antenna_in_map_m, b.antenna_in_map_m, radio), radio);
 }
 
-const std::vector<TraceMark>& Simulation::traceMarks() const {
-    return state_->scene.trace_marks;
-}
-
 std::vector<TraceMark> Simulation::traceMarksSince(std::uint64_t made) const {
     const std::vector<TraceMark>& marks = state_->scene.trace_marks;
     const std::uint64_t fresh =

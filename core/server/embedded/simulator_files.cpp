@@ -35,7 +35,7 @@ Result<std::unique_ptr<sim::Simulation>> resumeSimulation(const QString& path,
     };
     if (!snapshot)
         return inFile(snapshot.error());
-    auto world = loadWorld(QString::fromStdString(snapshot->world));
+    auto world = loadWorld(QString::fromStdString(snapshot->options.world_source));
     if (!world)
         return inFile(world.error());
     auto simulation = sim::Simulation::resume(*std::move(world), std::move(robots), *snapshot, watch);
