@@ -36,7 +36,7 @@ private slots:
         rotors.command({100.0, Vec3::Zero()});
         for (Seconds t{0.0}; t < parameters.rotor_lag; t += Seconds{0.001})
             rotors.step(Seconds{0.001});
-        QVERIFY(std::abs(rotors.thrusts_n()[0] / 6.0 - (1.0 - std::exp(-1.0))) < 0.01);
+        QVERIFY(std::abs(rotors.wrench().thrust_n / 24.0 - (1.0 - std::exp(-1.0))) < 0.01);
         for (int i = 0; i < 1000; ++i)
             rotors.step(Seconds{0.001});
         QVERIFY(std::abs(rotors.wrench().thrust_n - 24.0) < 1e-6);

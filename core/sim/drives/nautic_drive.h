@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/sim/robots/drive.h"
-#include "core/sim/robots/robot_figures.h"
 
 namespace usar::sim {
 
@@ -46,14 +45,12 @@ public:
     bool obey(const protocol::Command& command) override;
     /// Turns fins and propeller toward the commanded values, then applies the forces of the water.
     void beforeStep(Seconds dt) override;
-    /// Counts a collision if anything touches the hull after the step.
+    /// Counts a collision if anything touches the hull after the step, including the bottom of the sea.
     void afterStep(Seconds dt) override;
     /// Lets the propeller run down; the fins keep their commanded angles.
     void switchOff() override;
     /// True as long as the propeller is commanded to stand still.
     bool idle() const override;
-    /// Counts contacts with anything, including the bottom of the sea.
-    int collisions() const override { return collisions_.count(); }
     /// Adds SternPlaneAngle and RudderAngle in rad.
     void addState(protocol::RobotState& state) const override;
     /// The names of the limits are ours, because no source gives UT2004's (robots-and-worlds.md 2).
@@ -83,7 +80,6 @@ private:
     HullFigures hull_;
     Vec3 inertia_kg_m2_;
     double mass_kg_;
-    CollisionCounter collisions_;
     /// Current values; the commanded ones are below.
     double propeller_rad_s_ = 0.0;
     double rudder_rad_ = 0.0;

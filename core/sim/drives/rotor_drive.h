@@ -4,7 +4,6 @@
 #include "core/sim/robots/air_robot_parameters.h"
 #include "core/sim/robots/drive.h"
 #include "core/sim/robots/flight_controller.h"
-#include "core/sim/robots/robot_figures.h"
 
 namespace usar::sim {
 
@@ -32,7 +31,6 @@ public:
     /// True if no rotor pushes: idle on the ground, broken, or switched off.
     bool idle() const override { return motors_ == MotorState::Idle || ended(); }
     bool broken() const override { return motors_ == MotorState::Broken; }
-    int collisions() const override { return collisions_.count(); }
     void addSettings(std::vector<protocol::Setting>& settings) const override;
 
     BodyState state() const { return physics_.state(id_); }
@@ -60,7 +58,6 @@ private:
     Seconds in_state_{0.0};   ///< time since `motors_` last changed
     Seconds since_gear_{1e9}; ///< time since the legs last touched something to stand on
     bool off_ = false;        ///< switched off
-    CollisionCounter collisions_;
 };
 
 } // namespace usar::sim

@@ -5,7 +5,6 @@
 
 #include "core/base/result.h"
 #include "core/sim/drives/driven_joints.h"
-#include "core/sim/robots/robot_figures.h"
 
 namespace usar::sim {
 
@@ -62,7 +61,6 @@ public:
 
     void beforeStep(Seconds dt) override;
     void afterStep(Seconds dt) override;
-    int collisions() const override { return collisions_.count(); }
     bool idle() const override { return off() || (wheels_.braking() && !others_moving_); }
 
     void addState(protocol::RobotState& state) const override;
@@ -79,7 +77,6 @@ protected:
 
 private:
     Numbers figures_;
-    CollisionCounter collisions_;
     bool others_moving_ = false; ///< a joint with a command of its own has not come to rest
 };
 

@@ -12,6 +12,7 @@
 #include "core/protocol/info/answers.h"
 #include "core/protocol/info/robot_state.h"
 #include "core/sim/physics/physics.h"
+#include "core/sim/robots/robot_figures.h"
 #include "core/sim/robots/robot_model.h"
 #include "core/sim/world/world.h"
 
@@ -38,12 +39,16 @@ public:
     virtual bool idle() const = 0;
     /// True if the robot can no longer move because it was damaged.
     virtual bool broken() const { return false; }
-    virtual int collisions() const { return 0; }
+    /// Contacts that this kind of drive counts as collisions.
+    int collisions() const { return collisions_.count(); }
 
     /// Add the terms of this kind of drive to STA, GEO and CONF.
     virtual void addState(protocol::RobotState&) const {}
     virtual void addGeometry(protocol::GeometryInfo&) const {}
     virtual void addSettings(std::vector<protocol::Setting>&) const {}
+
+protected:
+    CollisionCounter collisions_;
 };
 
 /// Makes the drive that the model names. Fails if the model lacks something for it, and names what. A flying robot
