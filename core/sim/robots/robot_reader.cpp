@@ -28,12 +28,6 @@ std::vector<const sdf::Joint*> jointsOf(const sdf::Model& model) {
     return joints;
 }
 
-/// Text of the first child with this name; empty if there is none.
-std::string textOf(const sdf::Element& parent, const std::string& name) {
-    const sdf::ElementConstPtr child = parent.FindElement(name);
-    return child && child->GetValue() ? child->GetValue()->GetAsString() : std::string();
-}
-
 double numberIn(const sdf::Element& parent, const std::string& name, double otherwise) {
     return readNumber(textOf(parent, name)).value_or(otherwise);
 }
