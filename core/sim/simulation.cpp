@@ -48,11 +48,8 @@ std::unique_ptr<Robot> Simulation::State::spawn(ClientId client, const protocol:
 }
 
 std::string Simulation::State::knownClasses() const {
-    std::string names;
-    if (options.robots)
-        for (const RobotModel& robot : *options.robots)
-            names += (names.empty() ? "" : ", ") + robot.class_name;
-    return names.empty() ? "none" : names;
+    const bool some = options.robots && !options.robots->empty();
+    return some ? listOf(*options.robots, &RobotModel::class_name) : "none";
 }
 
 bool Simulation::State::attachCamera(const protocol::Command& command) {

@@ -78,13 +78,6 @@ std::vector<std::string> keysOf(const FaultDescription& kind) {
     return keys;
 }
 
-std::string listOf(const std::vector<std::string>& words) {
-    std::string list;
-    for (const std::string& word : words)
-        list += (list.empty() ? "" : ", ") + word;
-    return list;
-}
-
 std::vector<std::string> kindWords() {
     std::vector<std::string> words;
     for (const FaultDescription& kind : kinds)

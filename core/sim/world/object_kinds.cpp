@@ -56,10 +56,7 @@ const ObjectKind* findObjectKind(std::string_view class_name) {
 }
 
 std::string objectKindNames() {
-    std::string names;
-    for (const ObjectKind& kind : object_kinds)
-        names += (names.empty() ? "" : ", ") + std::string(kind.name);
-    return names;
+    return listOf(object_kinds, &ObjectKind::name);
 }
 
 BodyDescription bodyOf(const ObjectKind& kind, const Vec3& scale) {
