@@ -116,16 +116,15 @@ Result<std::unique_ptr<sim::Simulation>> makeSimulation(const SimulatorSettings&
     auto world = loadWorld(settings.world);
     if (!world)
         return tl::unexpected(world.error());
-    sim::SimulationOptions options;
-    options.seed = settings.seed;
-    options.profile = settings.profile;
-    options.faults = settings.faults;
-    options.world_source = settings.world.toStdString();
+    sim::SimulationOptions options{.seed = settings.seed,
+                                   .profile = settings.profile,
+                                   .robots = std::move(catalog),
+                                   .faults = settings.faults,
+                                   .world_source = settings.world.toStdString()};
     if (settings.profile == protocol::Dialect::Udk) { // The robot's state at 10 Hz, sensors at their intervals.
         options.tick /= 2.0;
         options.physics_steps_per_tick /= 2;
     }
-    options.robots = std::move(catalog);
     return sim::Simulation::make(std::move(*world), options);
 }
 
