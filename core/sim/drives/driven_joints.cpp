@@ -5,8 +5,6 @@
 #include <cmath>
 
 #include "core/base/text.h"
-#include "core/sim/drives/wheeled_drive.h"
-#include "core/sim/robots/drive.h"
 
 namespace usar::sim {
 

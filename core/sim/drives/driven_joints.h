@@ -46,6 +46,7 @@ public:
     /// Turns all motors off, except those of mission packages.
     void releaseAll();
 
+    /// Limits, place and last command of a joint.
     const Joint& operator[](std::size_t joint) const { return joints_[joint]; }
     /// Current position and velocity of a joint.
     JointState state(std::size_t joint) const { return physics_.joint(body_, joint); }
@@ -101,6 +102,7 @@ private:
 /// The body may sleep while it stands still without new commands.
 class LegDrive : public JointDrive {
 public:
+    /// `joints` are those that it drives, in the order in which STA reports them.
     LegDrive(const RobotModel& model, Physics& physics, BodyId body, const std::vector<std::size_t>& joints);
 
     bool obey(const protocol::Command& command) override;

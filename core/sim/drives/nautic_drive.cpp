@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/sim/robots/drive.h"
-
 namespace usar::sim {
 
 namespace {

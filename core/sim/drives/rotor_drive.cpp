@@ -1,9 +1,6 @@
 #include "core/sim/drives/rotor_drive.h"
 
 #include <algorithm>
-#include <cmath>
-
-#include "core/sim/robots/drive.h"
 
 namespace usar::sim {
 

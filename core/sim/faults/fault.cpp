@@ -9,7 +9,6 @@
 
 #include "core/base/numbers.h"
 #include "core/base/spelling.h"
-#include "core/base/text.h"
 
 namespace usar::sim {
 
