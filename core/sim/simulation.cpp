@@ -273,16 +273,13 @@ const World& Simulation::world() const {
 }
 
 CameraScene Simulation::cameraScene() const {
-    CameraScene seen;
-    seen.still = state_->still;
-    seen.tick = state_->ticks;
+    CameraScene seen{
+        .still = state_->still, .tick = state_->ticks, .attached = state_->attached, .viewports = state_->viewports};
     for (const auto& [client, session] : state_->sessions)
         if (session.robot())
             addRobot(seen, *session.robot(), session.robotName(), client.value);
     addObjects(seen, state_->scene);
     addMarks(seen, state_->world);
-    seen.attached = state_->attached;
-    seen.viewports = state_->viewports;
     return seen;
 }
 

@@ -6,10 +6,7 @@
 namespace usar::server {
 
 Result<std::unique_ptr<HeadlessSimulator>> HeadlessSimulator::start(const QString& world, const HeadlessSpec& spec) {
-    auto loaded = loadWorld(world);
-    if (!loaded)
-        return tl::unexpected(loaded.error());
-    return serve(*std::move(loaded), spec);
+    return loadWorld(world).and_then([&](sim::World&& loaded) { return serve(std::move(loaded), spec); });
 }
 
 Result<std::unique_ptr<HeadlessSimulator>> HeadlessSimulator::serve(sim::World world, const HeadlessSpec& spec) {

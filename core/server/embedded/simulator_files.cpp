@@ -9,10 +9,9 @@
 namespace usar::server {
 
 Result<sim::World> loadWorld(const QString& name_or_folder) {
-    const Result<QString> folder = findWorld(name_or_folder);
-    if (!folder)
-        return tl::unexpected(folder.error());
-    return sim::readWorld(folder->toStdString());
+    return findWorld(name_or_folder).and_then([](const QString& folder) {
+        return sim::readWorld(folder.toStdString());
+    });
 }
 
 sim::RobotsRead loadRobots() {

@@ -44,8 +44,7 @@ std::vector<std::pair<QString, quint16*>> portOptions(SimulatorSettings& setting
 } // namespace
 
 Result<quint16> readPort(const QString& text, const QString& option) {
-    const auto port = readWhole(text, option, 65535);
-    return port ? Result<quint16>(static_cast<quint16>(*port)) : tl::unexpected(port.error());
+    return readWhole(text, option, 65535).map([](long long port) { return static_cast<quint16>(port); });
 }
 
 void addSimulatorOptions(QCommandLineParser& parser) {

@@ -152,8 +152,7 @@ Result<Fault> readFault(std::string_view text) {
             kind = &one;
     if (!kind)
         return unknown("kind", word, kindWords());
-    Fault fault;
-    fault.kind = kind->kind;
+    Fault fault{.kind = kind->kind};
     for (std::string_view pair = takeWord(text); !pair.empty(); pair = takeWord(text)) {
         const std::size_t equals = pair.find('=');
         if (equals == std::string_view::npos || equals + 1 == pair.size())

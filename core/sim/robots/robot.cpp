@@ -246,13 +246,13 @@ void Robot::watch() {
 }
 
 protocol::RobotState Robot::state(Seconds now) const {
-    protocol::RobotState state;
-    state.kind = body_.model().kind;
-    state.time = now;
-    state.battery_left = Seconds{std::ceil(battery_left_.count() - 1e-6)}; // In whole seconds, 1200 at first.
-    state.light_on = light_on_;
-    state.light_intensity_pct = light_on_ ? 100 : 0;
-    state.view = -1;
+    protocol::RobotState state{.kind = body_.model().kind,
+                               .time = now,
+                               // In whole seconds, 1200 at first.
+                               .battery_left = Seconds{std::ceil(battery_left_.count() - 1e-6)},
+                               .light_on = light_on_,
+                               .light_intensity_pct = light_on_ ? 100 : 0,
+                               .view = -1};
     drive_->addState(state);
     return state;
 }
