@@ -41,10 +41,11 @@ BodyDescription airRobotBody() {
     BodyDescription body{.mass_kg = parameters.mass_kg, .inertia_kg_m2 = parameters.inertia_kg_m2};
     body.parts = {{CylinderShape{0.4995, parameters.ring_height_m}, {}},
                   {BoxShape{{parameters.pod_width_m, 0.20, 0.09}}, {.position_m = {0.0, 0.0, -0.10 + 0.09 / 2.0}}}};
-    for (const double x_m : {0.25, -0.25})
-        for (const double y_m : {0.25, -0.25})
-            body.parts.push_back({CapsuleShape{leg_radius_m, leg_top_m - leg_low_m},
-                                  {.position_m = {x_m, y_m, (leg_top_m + leg_low_m) / 2.0}}});
+    for (const Vec3& rotor_m : rotorCenters(parameters)) {
+        const Vec2 foot_m = rotor_m.head<2>() / parameters.rotor_span_m * 0.25;
+        body.parts.push_back({CapsuleShape{leg_radius_m, leg_top_m - leg_low_m},
+                              {.position_m = {foot_m.x(), foot_m.y(), (leg_top_m + leg_low_m) / 2.0}}});
+    }
     return body;
 }
 
