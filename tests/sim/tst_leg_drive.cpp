@@ -160,7 +160,7 @@ private slots:
         dog.drive->obey(protocol::JointDrive::toAngle("HeadPan", 0.3));
         dog.run(Seconds{2.0});
         protocol::RobotState state;
-        dog.drive->addTo(state);
+        dog.drive->addState(state);
         QCOMPARE(state.joints.size(), std::size_t{15});
         QCOMPARE(state.joints.front().name, std::string("LFLeg1"));
         QCOMPARE(state.joints[13].name, std::string("HeadPan"));

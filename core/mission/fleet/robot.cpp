@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/base/alternatives.h"
 #include "core/base/numbers.h"
 #include "core/link/across_threads.h"
 #include "core/mission/runs/mission_score.h"
@@ -9,11 +10,6 @@
 namespace usar::mission {
 
 namespace {
-
-template <class... Calls>
-struct Overloaded : Calls... {
-    using Calls::operator()...;
-};
 
 int connections_made = 0; // Used in the GUI thread only, where all robots are made.
 
