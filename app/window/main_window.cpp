@@ -25,7 +25,6 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
     , server_(desk_, options.server)
     , view_(desk_, *this, options.theme) {
     control_.setResultFolder(options.result_folder);
-    views_.hint->setSteps(widgets::HintStrip::firstSteps());
     registerCommands();
     makeMenus(*menuBar(), commands_, [this](QMenu* menu) { server_.fillWorldMenu(menu); });
     wire();
@@ -71,7 +70,6 @@ void MainWindow::wire() {
             [this](RobotId, const QString& reason) { askWhereToSave(reason); });
     connect(views_.stop_all, &QPushButton::clicked, &control_, &MissionControl::stopAll);
     connect(new widgets::EscapeTwice(this), &widgets::EscapeTwice::pressedTwice, &control_, &MissionControl::stopAll);
-    connect(views_.hint, &widgets::HintStrip::dismissed, views_.hint, &QWidget::hide);
     connect(views_.sensors, &widgets::SensorPanel::plotRequested, views_.plots, &widgets::PlotView::addSeries);
     connect(views_.plots, &widgets::PlotView::failed, this,
             [this](const QString& reason) { notices_.say(Severity::Error, "plot", reason); });
