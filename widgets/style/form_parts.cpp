@@ -73,6 +73,12 @@ void showAction(QToolButton* button, QAction* action) {
     button->setAccessibleName(action->text());
 }
 
+QPointF arrowDirection(int key) {
+    const int right = (key == Qt::Key_Right) - (key == Qt::Key_Left);
+    const int up = (key == Qt::Key_Up) - (key == Qt::Key_Down);
+    return QPointF(right, up);
+}
+
 QAction* addRowAction(QAbstractItemView* view, const QString& text, const QKeySequence& keys) {
     auto* action = new QAction(text, view);
     action->setShortcut(keys);
