@@ -13,8 +13,6 @@ namespace usar::widgets {
 
 CommandRegistry::CommandRegistry(QWidget* window) : QObject(window), window_(window) {}
 
-CommandRegistry::~CommandRegistry() = default;
-
 QAction* CommandRegistry::add(const CommandSpec& spec, std::function<void(bool)> run, std::function<bool()> enabled) {
     auto* action = new QAction(icon(spec.icon), spec.text, this);
     action->setCheckable(spec.checkable);

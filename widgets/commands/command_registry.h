@@ -30,7 +30,6 @@ class CommandRegistry : public QObject {
     Q_OBJECT
 public:
     explicit CommandRegistry(QWidget* window);
-    ~CommandRegistry() override;
 
     /// Registers a command and makes its action. `run` is called with the checked state; `enabled` is evaluated now and
     /// by refresh(). An id or shortcut that is already used is a programming error (assertion).

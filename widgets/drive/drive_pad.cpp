@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -50,8 +51,8 @@ void DrivePad::setShown(const QPointF& asked, const QPointF& sent) {
 }
 
 void DrivePad::setKeys(const QStringList& keys) {
-    keys_ = keys;
-    update();
+    if (std::exchange(keys_, keys) != keys)
+        update();
 }
 
 void DrivePad::letGo() {

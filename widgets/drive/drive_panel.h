@@ -105,7 +105,6 @@ private:
     DriveState state_;
     BodyVelocity velocity_;
     bool velocity_stale_ = false;
-    bool shown_ = false;                        ///< setState has been called
     QString empty_title_ = QStringLiteral("?"); ///< differs from any real title, so the first setEmpty takes effect
     QWidget* content_ = new QWidget(this);
     EmptyState* empty_ = new EmptyState(content_);

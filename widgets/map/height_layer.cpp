@@ -167,7 +167,7 @@ Rectangle HeightLayer::bounds_in_map() const {
     return bounds;
 }
 
-std::optional<HeightProbe> HeightLayer::probe(const Vec2& point_in_map_m) const {
+std::optional<mapping::HeightProbe> HeightLayer::probe(const Vec2& point_in_map_m) const {
     return mapping::probeHeight(tiles_, cell_size_m_, point_in_map_m);
 }
 

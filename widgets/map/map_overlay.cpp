@@ -103,7 +103,7 @@ double paintMarkLegend(QPainter& painter, const std::vector<agent::MapMark>& mar
 
 } // namespace
 
-QString probeText(const Vec2& point_in_map_m, const std::optional<HeightProbe>& ground) {
+QString probeText(const Vec2& point_in_map_m, const std::optional<mapping::HeightProbe>& ground) {
     return QStringLiteral("x %1   y %2   z %3 m   hits %4")
         .arg(figure(point_in_map_m.x(), 1, 6), figure(point_in_map_m.y(), 1, 6),
              ground ? figure(double(ground->height_m), 2, 6) : figure(qQNaN(), 2, 6),
