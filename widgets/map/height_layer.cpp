@@ -77,7 +77,7 @@ PagePicture renderPage(const PageTiles& page, const HeightStyle& style) {
     for (std::size_t i = 0; i < page.tiles.size(); ++i) {
         if (!page.tiles[i])
             continue;
-        mapping::shadeTile(*page.tiles[i], style.range, style.color_map, *pixels);
+        mapping::shadeTile(*page.tiles[i], style.range, mapping::ColorMap::Gray, *pixels);
         // Shades are opaque or fully transparent; a transparent premultiplied pixel is zero in every channel.
         std::ranges::replace_if(
             *pixels, [](std::uint32_t pixel) { return pixel >> 24 == 0; }, 0u);

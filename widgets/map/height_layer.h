@@ -22,7 +22,6 @@ namespace usar::widgets {
 /// How heights are turned into pixels.
 struct HeightStyle {
     mapping::HeightRange range;
-    mapping::ColorMap color_map = mapping::ColorMap::Gray;
     MapOrientation orientation = MapOrientation::XUp;
     bool operator==(const HeightStyle&) const = default;
 };
