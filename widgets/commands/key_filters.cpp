@@ -4,13 +4,12 @@
 #include <QAbstractSlider>
 #include <QApplication>
 #include <QComboBox>
-#include <QCoreApplication>
 #include <QKeyEvent>
 
 namespace usar::widgets {
 
 EscapeTwice::EscapeTwice(QObject* parent) : QObject(parent) {
-    QCoreApplication::instance()->installEventFilter(this);
+    qApp->installEventFilter(this);
 }
 
 bool EscapeTwice::eventFilter(QObject* watched, QEvent* event) {

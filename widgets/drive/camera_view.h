@@ -10,7 +10,6 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "core/protocol/usual_values.h"
 #include "widgets/style/empty_state.h"
 #include "widgets/style/form_parts.h"
 #include "widgets/style/sheet.h"

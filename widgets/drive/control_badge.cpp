@@ -95,9 +95,4 @@ void ControlBadge::keyPressEvent(QKeyEvent* event) {
     QWidget::keyPressEvent(event);
 }
 
-void ControlBadge::changeEvent(QEvent* event) {
-    update();
-    QWidget::changeEvent(event);
-}
-
 } // namespace usar::widgets

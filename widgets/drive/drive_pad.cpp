@@ -151,7 +151,6 @@ void DrivePad::keyReleaseEvent(QKeyEvent* event) {
 
 void DrivePad::focusOutEvent(QFocusEvent* event) {
     letGo();
-    update();
     QWidget::focusOutEvent(event);
 }
 
@@ -163,7 +162,6 @@ void DrivePad::hideEvent(QHideEvent* event) {
 void DrivePad::changeEvent(QEvent* event) {
     if (event->type() == QEvent::EnabledChange && !isEnabled())
         letGo();
-    update();
     QWidget::changeEvent(event);
 }
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <optional>
 
-#include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSlider>
