@@ -13,7 +13,6 @@
 
 #include "core/base/geometry.h"
 #include "widgets/models/figures.h"
-#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {

@@ -6,7 +6,6 @@
 #include <QMouseEvent>
 #include <QPainter>
 
-#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {

@@ -8,7 +8,6 @@
 #include "widgets/drive/drive_keys.h"
 #include "widgets/drive/drive_pad.h"
 #include "widgets/models/figures.h"
-#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
