@@ -53,10 +53,6 @@ QAction* CommandRegistry::action(const QString& id) const {
     return command->action;
 }
 
-bool CommandRegistry::contains(const QString& id) const {
-    return find(id) != nullptr;
-}
-
 void CommandRegistry::refresh() {
     for (const auto& command : commands_)
         if (command->enabled)

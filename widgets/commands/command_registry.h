@@ -39,7 +39,7 @@ public:
     void adopt(const CommandSpec& spec, QAction* action);
     /// Returns the action; an unknown id is a programming error (assertion).
     QAction* action(const QString& id) const;
-    bool contains(const QString& id) const;
+    bool contains(const QString& id) const { return find(id) != nullptr; }
 
     /// A registered command with its action; an empty `enabled` means that the command is always enabled.
     struct Command {

@@ -60,7 +60,6 @@ struct CameraZoom {
     double now_rad = 1.396;
     double smallest_rad = 0.349;
     double largest_rad = 2.094;
-    bool operator==(const CameraZoom&) const = default;
 };
 
 /// Pictures come in by setters, wishes go out by signals. While hidden or covered it wants no pictures and says so by

@@ -23,7 +23,6 @@ namespace usar::widgets {
 struct HeightStyle {
     mapping::HeightRange range;
     MapOrientation orientation = MapOrientation::XUp;
-    bool operator==(const HeightStyle&) const = default;
 };
 
 /// The tiles of one page, indexed by column + row * tiles_per_side; null if nothing is known there.
