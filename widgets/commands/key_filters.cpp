@@ -4,12 +4,13 @@
 #include <QAbstractSlider>
 #include <QApplication>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QKeyEvent>
 
 namespace usar::widgets {
 
 EscapeTwice::EscapeTwice(QObject* parent) : QObject(parent) {
-    qApp->installEventFilter(this);
+    QCoreApplication::instance()->installEventFilter(this);
 }
 
 bool EscapeTwice::eventFilter(QObject* watched, QEvent* event) {
