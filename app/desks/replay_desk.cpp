@@ -44,7 +44,7 @@ void ReplayDesk::show() {
     if (is_replay)
         views_.replay->setFile(robot()->view().recording);
     if (const auto& replay = figures.replay; is_replay && replay)
-        views_.replay->setState({replay->position, replay->span, replay->speed, replay->playing, replay->seeking});
+        views_.replay->setState({replay->position, replay->span, replay->speed, replay->playing});
     std::optional<widgets::RecordState> recording;
     if (figures.recording)
         recording = {figures.recording->elapsed, figures.recording->bytes,

@@ -24,7 +24,6 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
     , server_(desk_, options.server)
     , view_(desk_, *this, options.theme) {
     control_.setResultFolder(options.result_folder);
-    views_.hint->setSteps(widgets::HintStrip::firstSteps());
     registerCommands();
     makeMenus();
     wire();
@@ -116,7 +115,6 @@ void MainWindow::wire() {
     connect(views_.stop_all, &QPushButton::clicked, &control_, &MissionControl::stopAll);
     connect(new widgets::KeyTwice(widgets::commandSpec("mission.stop_all").twice, this),
             &widgets::KeyTwice::pressedTwice, &control_, &MissionControl::stopAll);
-    connect(views_.hint, &widgets::HintStrip::dismissed, views_.hint, &QWidget::hide);
     connect(views_.sensors, &widgets::SensorPanel::plotRequested, views_.plots, &widgets::PlotView::addSeries);
     connect(views_.plots, &widgets::PlotView::failed, this,
             [this](const QString& reason) { notices_.say(Severity::Error, "plot", reason); });

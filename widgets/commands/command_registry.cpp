@@ -13,8 +13,6 @@ namespace usar::widgets {
 
 CommandRegistry::CommandRegistry(QWidget* window) : QObject(window), window_(window) {}
 
-CommandRegistry::~CommandRegistry() = default;
-
 QAction* CommandRegistry::add(const CommandSpec& spec, std::function<void(bool)> run, std::function<bool()> enabled) {
     auto* action = new QAction(icon(spec.icon), spec.text, this);
     action->setCheckable(spec.checkable);
@@ -53,10 +51,6 @@ QAction* CommandRegistry::action(const QString& id) const {
     const Command* command = find(id);
     Q_ASSERT_X(command, "CommandRegistry::action", qPrintable(id));
     return command->action;
-}
-
-bool CommandRegistry::contains(const QString& id) const {
-    return find(id) != nullptr;
 }
 
 void CommandRegistry::refresh() {

@@ -31,7 +31,6 @@ class CommandRegistry : public QObject {
     Q_OBJECT
 public:
     explicit CommandRegistry(QWidget* window);
-    ~CommandRegistry() override;
 
     /// Registers a command and makes its action. `run` is called with the checked state; `enabled` is evaluated now and
     /// by refresh(). An id or shortcut that is already used is a programming error (assertion).
@@ -41,7 +40,7 @@ public:
     void adopt(const CommandSpec& spec, QAction* action);
     /// Returns the action; an unknown id is a programming error (assertion).
     QAction* action(const QString& id) const;
-    bool contains(const QString& id) const;
+    bool contains(const QString& id) const { return find(id) != nullptr; }
 
     /// A registered command with its action; an empty `enabled` means that the command is always enabled.
     struct Command {

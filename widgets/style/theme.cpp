@@ -1,6 +1,8 @@
 #include "widgets/style/theme.h"
 
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include <QApplication>
 #include <QFontDatabase>

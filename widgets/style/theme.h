@@ -2,8 +2,6 @@
 // mission without a window show them, too.
 #pragma once
 
-#include <array>
-
 #include <QColor>
 #include <QFont>
 
@@ -61,9 +59,6 @@ QColor riskColor(agent::Risk risk);
 QColor traceColor(protocol::TraceColor color);
 /// Topic of a line of traffic. `Other`: none of these.
 enum class LineFamily { State, Range, Pose, Sensor, Answer, Drive, Command, Other };
-inline constexpr std::array all_line_families = {LineFamily::State,   LineFamily::Range,  LineFamily::Pose,
-                                                 LineFamily::Sensor,  LineFamily::Answer, LineFamily::Drive,
-                                                 LineFamily::Command, LineFamily::Other};
 /// Text color for the type of a line; as readable as the text tokens. Our own commands are blue.
 QColor lineColor(LineFamily family, Theme theme);
 
