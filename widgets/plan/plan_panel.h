@@ -59,8 +59,6 @@ public:
     QSize minimumSizeHint() const override { return {240, 170}; }
 
 signals:
-    /// The user wants to see where a part is in the plan's text; the panel itself shows it if it has the text.
-    void textRequested(const usar::posh::Spot& at);
     /// The user wants to save the drawing as a picture.
     void exportRequested();
     /// The user enabled or disabled a breakpoint in the list.
@@ -76,7 +74,6 @@ signals:
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
-    void changeEvent(QEvent* event) override;
     bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 

@@ -5,7 +5,6 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QShortcut>
-#include <QSignalSpy>
 #include <QTabBar>
 #include <QTest>
 #include <QTextBlock>
@@ -54,7 +53,6 @@ private slots:
     void itsKeysAreItsOwnInAWindowThatHasThemToo();
     void sharedPartsAreSwitched();
     void buttonsFoldAndUnfold();
-    void textIsAskedForByDoubleClick();
     void textAndDrawingGoTogether();
     void errorsOpenTheText();
     void narrowPanelStacks();
@@ -231,14 +229,6 @@ void tst_PlanPanel::buttonsFoldAndUnfold() {
     QVERIFY(view.layout().shown(grab));
     button(QStringLiteral("Unfolds what is running"))->click();
     QVERIFY(!view.layout().shown(grab));
-}
-
-void tst_PlanPanel::textIsAskedForByDoubleClick() {
-    QSignalSpy asked(panel_.get(), &PlanPanel::textRequested);
-    panel_->view().selectPath(root + "/DE:1");
-    QTest::keyClick(&panel_->view(), Qt::Key_Return);
-    QCOMPARE(asked.count(), 1);
-    QCOMPARE(static_cast<int>(asked[0][0].value<posh::Spot>().line), 14);
 }
 
 void tst_PlanPanel::textAndDrawingGoTogether() {
