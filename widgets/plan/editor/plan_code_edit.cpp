@@ -16,7 +16,7 @@
 #include "widgets/messages/completion_delegate.h"
 #include "widgets/models/plan/plan_places.h"
 #include "widgets/plan/plan_parts.h"
-#include "widgets/style/icons.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 #include "widgets/style/tool_button.h"
 
@@ -26,12 +26,11 @@ namespace {
 
 constexpr int letters_before_completion = 2;
 constexpr int indent_blanks = 2;
+constexpr int lamp_after_ms = 300;
 
 bool isNamePart(QChar c) {
     return c.isLetterOrNumber() || c == u'_' || c == u'-' || c == u'.' || c == u'$';
 }
-
-constexpr int lamp_after_ms = 300;
 
 } // namespace
 
@@ -315,21 +314,20 @@ void PlanCodeEdit::scrollContentsBy(int dx, int dy) {
 }
 
 PlanTextPane::PlanTextPane(QWidget* parent) : QWidget(parent) {
-    auto* column = makeColumn(this);
     edit_ = new PlanCodeEdit(this);
     edit_->setMinimumSize(120, 80);
     edit_->setContextMenuPolicy(Qt::CustomContextMenu);
-    column->addWidget(edit_, 1);
-    auto* row = new QHBoxLayout;
-    row->setSpacing(gap::tiny);
     finding_ = makeLabel(this);
     finding_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     fix_ = makeToolButton(tr("Offers fixes for this (Alt+Return)"), this, QStringLiteral("lamp"));
     fix_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     fix_->setText(tr("Fix"));
-    row->addWidget(finding_, 1);
-    row->addWidget(fix_, 0, Qt::AlignTop);
+    auto* const row = laidOut(new QHBoxLayout, gap::tiny, {finding_, fix_});
+    row->setStretchFactor(finding_, 1);
+    row->setAlignment(fix_, Qt::AlignTop);
+    auto* const column = laidOut(new QVBoxLayout(this), {}, gap::tiny, {edit_});
     column->addLayout(row);
+    column->setStretchFactor(edit_, 1);
     lamp_timer_.setSingleShot(true);
     lamp_timer_.setInterval(lamp_after_ms);
     connect(fix_, &QToolButton::clicked, this, &PlanTextPane::fixesRequested);

@@ -6,7 +6,9 @@
 
 #include "core/posh/model/literal.h"
 #include "widgets/plan/plan_parts.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
 #include "widgets/style/tool_button.h"
 
 namespace usar::widgets {
@@ -101,15 +103,12 @@ PlanPalette::PlanPalette(QWidget* parent)
     , list_(new PieceList(this))
     , help_(makeLabel(this, "muted")) {
     setAccessibleName(tr("Pieces"));
-    list_->setAccessibleName(tr("Senses, acts and forms"));
-    list_->setToolTip(tr("Drag a piece into the drawing; Return or a double-click adds it at the selected part"));
+    named(list_, tr("Senses, acts and forms"),
+          tr("Drag a piece into the drawing; Return or a double-click adds it at the selected part"));
     help_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     help_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     help_->setMinimumHeight(3 * help_->fontMetrics().height());
-    auto* column = makeColumn(this);
-    column->addWidget(search_);
-    column->addWidget(list_, 1);
-    column->addWidget(help_);
+    laidOut(new QVBoxLayout(this), {}, gap::tiny, {search_, list_, help_})->setStretchFactor(list_, 1);
     connect(search_, &QLineEdit::textChanged, this, &PlanPalette::applyFilter);
     connect(search_, &QLineEdit::returnPressed, this, [this] { list_->setFocus(Qt::OtherFocusReason); });
     connect(list_, &QTreeWidget::currentItemChanged, this, &PlanPalette::explain);

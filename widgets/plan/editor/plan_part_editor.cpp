@@ -6,6 +6,8 @@
 #include "core/posh/edit/plan_phrase.h"
 #include "widgets/plan/editor/plan_values_dialog.h"
 #include "widgets/plan/plan_parts.h"
+#include "widgets/style/form_parts.h"
+#include "widgets/style/theme.h"
 
 namespace usar::widgets {
 
@@ -227,13 +229,11 @@ void PlanPartEditor::swap() {
 }
 
 PlanDrawingPane::PlanDrawingPane(const PlanCodeEdit& text, QWidget* editor) : QWidget(editor) {
-    auto* column = makeColumn(this);
     stale_ = makeLabel(this, "caution");
     stale_->hide();
     canvas_ = new PlanCanvas(this);
     canvas_->setMinimumSize(120, 100);
-    column->addWidget(stale_);
-    column->addWidget(canvas_, 1);
+    laidOut(new QVBoxLayout(this), {}, gap::tiny, {stale_, canvas_})->setStretchFactor(canvas_, 1);
     parts_ = new PlanPartEditor(*canvas_, text, editor);
 }
 

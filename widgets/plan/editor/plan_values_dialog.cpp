@@ -3,22 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-
-#include <QHBoxLayout>
 
 #include "core/posh/edit/plan_phrase.h"
 #include "core/posh/language/plan_reader.h"
 #include "core/posh/model/literal.h"
 #include "widgets/plan/plan_parts.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
 
 using agent::AnswerType;
 using posh::Predicate;
-
-using agent::AnswerType;
 
 namespace {
 
@@ -90,9 +86,7 @@ ValueField::ValueField(const ValueShape& shape, const PlanValue& value, const QS
     editor->setAccessibleName(name);
     editor->setMinimumWidth(160);
     setFocusProxy(editor);
-    auto* const row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->addWidget(editor);
+    laidOut(new QHBoxLayout(this), {}, 0, {editor});
 }
 
 QWidget* ValueField::makeEditor(const ValueShape& shape) {
@@ -303,7 +297,7 @@ void PlanValuesDialog::check() {
     }
     phrase_->setText(fine ? QString::fromStdString(posh::phraseOf(test()))
                           : tr("This is not a value. Write true, false, a number, 'a-symbol or \"a text\"."));
-    changeRole(phrase_, fine ? "muted" : "danger");
+    setRole(phrase_, fine ? "muted" : "danger");
     ok_->setEnabled(fine);
 }
 
