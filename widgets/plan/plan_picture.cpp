@@ -5,7 +5,6 @@
 
 #include <QBuffer>
 #include <QFileInfo>
-#include <QObject>
 #include <QPageSize>
 #include <QPainter>
 #include <QPdfWriter>

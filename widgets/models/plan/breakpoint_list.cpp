@@ -110,10 +110,6 @@ void BreakpointList::change(BreakpointId id, Breakpoint breakpoint) {
         found->what = std::move(breakpoint);
 }
 
-void BreakpointList::remove(BreakpointId id) {
-    std::erase_if(all_, [id](const agent::PlanBreakpoint& one) { return one.id == id; });
-}
-
 void BreakpointList::remove(const std::vector<BreakpointId>& ids) {
     for (const BreakpointId id : ids)
         remove(id);

@@ -54,9 +54,8 @@ void PlanFolds::showOnly(const PlanTree& tree, const std::vector<PlanNodeId>& no
 }
 
 bool PlanFolds::reveal(const PlanTree& tree, PlanNodeId node) {
-    const PlanNodeId card = tree[node].in_card ? tree[node].parent : node; // A sense is visible if its card is.
-    bool changed = false;
-    for (PlanNodeId at = tree[card].parent; at.valid(); at = tree[at].parent)
+    bool changed = false; // A sense is visible if its card is.
+    for (PlanNodeId at = tree[tree.cardOf(node)].parent; at.valid(); at = tree[at].parent)
         changed = keys_.erase(tree[at].key) > 0 || changed;
     return changed;
 }

@@ -34,8 +34,10 @@ public:
 
     /// Removes the pin of this sense or act; returns false if it has none.
     bool release(const PlanSpot& spot);
-    void pinAct(std::string_view call, posh::ActResult result);
-    void pinSense(std::string_view call, const posh::Value& answer);
+    void pinAct(std::string_view call, posh::ActResult result) { pins_.acts.push_back({std::string(call), result}); }
+    void pinSense(std::string_view call, const posh::Value& answer) {
+        pins_.senses.push_back({std::string(call), answer});
+    }
     /// Switches the drive off, or on again.
     void toggleDrive(const PlanSpot& spot);
 

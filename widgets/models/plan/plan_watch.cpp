@@ -175,10 +175,6 @@ PlanWatch::News PlanWatch::goToMoment(std::optional<std::size_t> moment, std::op
     return refresh();
 }
 
-PlanWatch::News PlanWatch::goLive() {
-    return goToMoment(std::nullopt, std::nullopt);
-}
-
 PlanWatch::News PlanWatch::goTo(Seconds time) {
     if (history_.moments().empty())
         return News::None;

@@ -93,10 +93,6 @@ void PlanEditorHead::showApply() {
     apply_->setVisible(applicable_ || !why_not_applicable_.isEmpty());
 }
 
-void PlanEditorHead::setNarrow(bool narrow) {
-    rows_->setDirection(narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
-}
-
 PlanOfferBar::PlanOfferBar(QWidget* parent) : QFrame(parent) {
     setProperty("role", "card");
     words_ = makeLabel(this);

@@ -40,14 +40,6 @@ void PlanPartEditor::draw(const posh::Plan& plan, bool is_readable) {
         gestures_.emplace(drawn_text_, plan_, canvas_.tree());
 }
 
-std::optional<PlanPart> PlanPartEditor::selectedPart() const {
-    return partOfNode(plan_, canvas_.tree(), canvas_.selected());
-}
-
-std::optional<PlanPart> PlanPartEditor::selectedCall() const {
-    return callOfNode(plan_, canvas_.tree(), canvas_.selected());
-}
-
 std::optional<PlanPart> PlanPartEditor::selectedCallOrPart() const {
     const auto call = selectedCall();
     return call ? call : selectedPart();
@@ -90,17 +82,16 @@ void PlanPartEditor::addForm(posh::FormKind kind, const std::string& base_name) 
 }
 
 void PlanPartEditor::wrap(posh::FormKind kind) {
-    if (canvas_.rangeEnd().valid())
-        return wrapRange(kind);
-    if (const auto part = selectedCallOrPart(); part && gestures())
-        perform(posh::wrapCall(drawn_text_, *part, kind));
-}
-
-/// Wraps all parts of the range that is selected in the drawing.
-void PlanPartEditor::wrapRange(posh::FormKind kind) {
+    if (!gestures())
+        return;
+    if (!canvas_.rangeEnd().valid()) {
+        if (const auto part = selectedCallOrPart())
+            perform(posh::wrapCall(drawn_text_, *part, kind));
+        return;
+    }
     const std::vector<PlanNodeId> nodes = canvas_.range();
-    const auto first = gestures() ? partMeant(nodes.front()) : std::nullopt;
-    const auto last = gestures() ? partMeant(nodes.back()) : std::nullopt;
+    const auto first = partMeant(nodes.front());
+    const auto last = partMeant(nodes.back());
     if (first && last)
         perform(posh::wrapParts(drawn_text_, *first, *last, kind));
 }
