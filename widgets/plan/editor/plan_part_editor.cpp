@@ -155,13 +155,12 @@ void PlanPartEditor::enterWords(PlanNodeId node, const QString& entered, int wha
 }
 
 /// Returns the robot's description of a sense or act, or the parameters of a form of the plan, or only the name.
-agent::PrimitiveDescription PlanPartEditor::describe(const posh::Call& call, agent::PrimitiveKind kind) const {
+agent::PrimitiveDescription PlanPartEditor::describe(const posh::Call& call) const {
     const auto known = std::ranges::find(primitives_, call.name.text, &agent::PrimitiveDescription::name);
     if (known != primitives_.end())
         return *known;
     agent::PrimitiveDescription description;
     description.name = call.name.text;
-    description.kind = kind;
     for (const posh::Form& form : plan_.forms)
         if (posh::nameOf(form).text == call.name.text)
             for (const posh::Formal& formal : posh::formalsOf(form))
@@ -175,8 +174,7 @@ void PlanPartEditor::editValues() {
     if (!call)
         return;
     const posh::SenseTest* const test = posh::senseOf(plan_, *part);
-    auto* const dialog = test ? new PlanValuesDialog(describe(*call, agent::PrimitiveKind::Sense), *test, owner_)
-                              : new PlanValuesDialog(describe(*call, agent::PrimitiveKind::Act), *call, owner_);
+    auto* const dialog = new PlanValuesDialog(describe(*call), test ? posh::Step(*test) : *call, owner_);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this,
             [this, dialog, part = *part, is_sense = test != nullptr, text = drawn_text_] {

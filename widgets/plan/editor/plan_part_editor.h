@@ -77,7 +77,7 @@ private:
     /// Requests an edit, or says why it is impossible.
     void perform(const Result<posh::PlanEdit>& edit);
     void enterWords(PlanNodeId node, const QString& entered, int what);
-    agent::PrimitiveDescription describe(const posh::Call& call, agent::PrimitiveKind kind) const;
+    agent::PrimitiveDescription describe(const posh::Call& call) const;
 
     PlanCanvas& canvas_;
     const PlanCodeEdit& text_;
