@@ -192,11 +192,9 @@ PlanWatch::News PlanWatch::step(int cycles) {
 }
 
 PlanWatch::News PlanWatch::stepEpoch() {
-    if (!moment_ || !epoch_)
+    if (!moment_ || !epoch_ || *epoch_ + 1 >= history_.epochCount(*moment_))
         return News::None;
-    if (*epoch_ + 1 < history_.epochCount(*moment_))
-        return goToMoment(moment_, *epoch_ + 1);
-    return News::None;
+    return goToMoment(moment_, *epoch_ + 1);
 }
 
 PlanWatch::News PlanWatch::goToFirstEpoch() {

@@ -97,12 +97,6 @@ std::size_t PlanCodeEdit::cursorOffset() const {
            2U * static_cast<std::size_t>(textCursor().blockNumber());
 }
 
-void PlanCodeEdit::setCursorOffset(std::size_t offset) {
-    QTextCursor cursor = textCursor();
-    cursor.setPosition(std::min(positionOf(offset), document()->characterCount() - 1));
-    setTextCursor(cursor);
-}
-
 void PlanCodeEdit::applyText(std::string_view wanted) {
     if (const std::vector<posh::Splice> edits = posh::difference(planText(), wanted); !edits.empty())
         applyEdits(edits);
@@ -150,7 +144,7 @@ bool PlanCodeEdit::asksSenses(std::size_t offset) const {
             open.pop_back();
         if (list.tokens[i].kind != posh::TokenKind::Open)
             continue;
-        const posh::Keyword word = posh::keywordOf(posh::textOf(planText(), list.tokens[i + 1].at));
+        const posh::Keyword word = list.tokens[i + 1].keyword;
         open.push_back((!open.empty() && open.back()) || word == posh::Keyword::Trigger || word == posh::Keyword::Goal);
     }
     return !open.empty() && open.back();
@@ -191,9 +185,8 @@ void PlanCodeEdit::newLine() {
     int depth = 0;
     for (const posh::Token& token : list.tokens)
         depth += token.kind == posh::TokenKind::Open ? 1 : token.kind == posh::TokenKind::Close ? -1 : 0;
-    int blanks = 0;
-    while (blanks < line.size() && line[blanks].isSpace())
-        ++blanks;
+    const auto text = std::ranges::find_if_not(line, [](QChar c) { return c.isSpace(); });
+    const int blanks = static_cast<int>(text - line.begin());
     const int indent = std::max(0, blanks + std::clamp(depth, -2, 1) * indent_blanks);
     textCursor().insertText(u'\n' + QString(indent, u' '));
     ensureCursorVisible();

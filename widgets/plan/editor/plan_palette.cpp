@@ -25,6 +25,40 @@ QString answerWord(agent::AnswerType type) {
     return QObject::tr(words[static_cast<std::size_t>(type)]); // In the order of the types.
 }
 
+/// Describes a sense or act in sentences, one per line: help, type and unit of the answer, parameters, requirements.
+QString helpText(const agent::PrimitiveDescription& primitive) {
+    QStringList lines{QString::fromStdString(primitive.help)};
+    if (primitive.kind == agent::PrimitiveKind::Sense)
+        lines << (primitive.unit.empty()
+                      ? QObject::tr("Answers with %1.").arg(answerWord(primitive.answer))
+                      : QObject::tr("Answers with %1 in %2.")
+                            .arg(answerWord(primitive.answer), QString::fromStdString(primitive.unit)));
+    for (const agent::PoshParameter& parameter : primitive.parameters)
+        lines << QStringLiteral("$%1=%2: %3%4")
+                     .arg(QString::fromStdString(parameter.name),
+                          QString::fromStdString(posh::spelled(parameter.default_value)),
+                          QString::fromStdString(agent::typeText(parameter)),
+                          parameter.help.empty() ? QString()
+                                                 : QStringLiteral(". ") + QString::fromStdString(parameter.help));
+    if (!primitive.needs.empty()) {
+        QStringList needs;
+        for (const std::string& need : primitive.needs)
+            needs << QString::fromStdString(need);
+        lines << QObject::tr("Needs %1.").arg(needs.join(QStringLiteral(", ")));
+    }
+    lines.removeAll(QString());
+    return lines.join(u'\n');
+}
+
+/// Returns the initial test of a sense in a plan: numbers are compared with 0, everything else is tested without a
+/// comparison.
+QString firstTest(const agent::PrimitiveDescription& sense) {
+    const QString name = QString::fromStdString(sense.name);
+    return sense.answer == agent::AnswerType::Integer ? name + QStringLiteral(" 0 >")
+           : sense.answer == agent::AnswerType::Real  ? name + QStringLiteral(" 0.0 >")
+                                                      : name;
+}
+
 /// A list whose items can be dragged as pieces.
 class PieceList : public QTreeWidget {
 public:
@@ -64,37 +98,6 @@ std::optional<PlanPiece> pieceOf(const QMimeData& data) {
     if (kind != u"sense" && kind != u"act")
         return std::nullopt;
     return PlanPiece{kind == u"sense", text.section(u' ', 1)};
-}
-
-QString helpText(const agent::PrimitiveDescription& primitive) {
-    QStringList lines{QString::fromStdString(primitive.help)};
-    if (primitive.kind == agent::PrimitiveKind::Sense)
-        lines << (primitive.unit.empty()
-                      ? QObject::tr("Answers with %1.").arg(answerWord(primitive.answer))
-                      : QObject::tr("Answers with %1 in %2.")
-                            .arg(answerWord(primitive.answer), QString::fromStdString(primitive.unit)));
-    for (const agent::PoshParameter& parameter : primitive.parameters)
-        lines << QStringLiteral("$%1=%2: %3%4")
-                     .arg(QString::fromStdString(parameter.name),
-                          QString::fromStdString(posh::spelled(parameter.default_value)),
-                          QString::fromStdString(agent::typeText(parameter)),
-                          parameter.help.empty() ? QString()
-                                                 : QStringLiteral(". ") + QString::fromStdString(parameter.help));
-    if (!primitive.needs.empty()) {
-        QStringList needs;
-        for (const std::string& need : primitive.needs)
-            needs << QString::fromStdString(need);
-        lines << QObject::tr("Needs %1.").arg(needs.join(QStringLiteral(", ")));
-    }
-    lines.removeAll(QString());
-    return lines.join(u'\n');
-}
-
-QString firstTest(const agent::PrimitiveDescription& sense) {
-    const QString name = QString::fromStdString(sense.name);
-    return sense.answer == agent::AnswerType::Integer ? name + QStringLiteral(" 0 >")
-           : sense.answer == agent::AnswerType::Real  ? name + QStringLiteral(" 0.0 >")
-                                                      : name;
 }
 
 PlanPalette::PlanPalette(QWidget* parent)
