@@ -5,7 +5,6 @@
 #include <QAbstractItemView>
 #include <QKeyEvent>
 #include <QMenu>
-#include <QScopedValueRollback>
 #include <QScrollBar>
 #include <QStandardItemModel>
 #include <QTextBlock>
@@ -14,7 +13,6 @@
 #include "core/posh/language/token.h"
 #include "core/posh/model/keyword.h"
 #include "widgets/messages/completion_delegate.h"
-#include "widgets/models/plan/plan_places.h"
 #include "widgets/plan/plan_parts.h"
 #include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
@@ -82,8 +80,7 @@ const std::string& PlanCodeEdit::planText() const {
 }
 
 void PlanCodeEdit::resetText(std::string_view text) {
-    const QScopedValueRollback silent(quiet(), true);
-    setPlainText(editorText(text));
+    setPlanText(text, {});
     document()->setModified(false);
 }
 
