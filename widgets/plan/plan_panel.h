@@ -25,7 +25,6 @@ struct BreakpointRow {
     QString help;
     std::string path; ///< path in the plan; empty: the plan has no such place
     bool enabled = true;
-    bool operator==(const BreakpointRow&) const = default;
 };
 
 /// State comes in by setters, wishes go out by signals. A narrow panel stacks what a wide one shows side by side; in a

@@ -15,7 +15,6 @@ class PlanChecker {
 public:
     /// The senses and acts of the robot that the plan is for; empty: plans are checked without a robot.
     void setPrimitives(const std::vector<agent::PrimitiveDescription>& primitives);
-    const std::vector<agent::PrimitiveDescription>& primitives() const { return primitives_; }
     /// True if plans are checked against a robot.
     bool binds() const { return !primitives_.empty(); }
 

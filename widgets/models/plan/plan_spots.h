@@ -17,7 +17,6 @@ struct PlanSpot {
     std::string names; ///< the same path as names, separated by " ▸ "
     std::string call;  ///< the call as traces write it; empty unless the place is a sense or an act
     posh::PlaceKind kind = posh::PlaceKind::Collection;
-    bool operator==(const PlanSpot&) const = default;
 };
 
 /// The places that a node draws, in the order of the program: more than one if the plan uses the part at several places
