@@ -27,7 +27,6 @@ constexpr std::array on_words{std::pair{BreakOn::Before, "before"},
                               std::pair{BreakOn::VerdictChange, "verdict"},
                               std::pair{BreakOn::Interruption, "interruption"},
                               std::pair{BreakOn::Written, "written"}};
-constexpr std::array results{ActResult::Finished, ActResult::RunningOnce, ActResult::Running, ActResult::Failed};
 
 QString resultWord(ActResult result) {
     return QString::fromLatin1(posh::toText(result));
@@ -66,7 +65,7 @@ std::optional<Breakpoint> breakpointOf(const QJsonObject& json) {
     breakpoint.key = json["key"].toString().toStdString();
     if (breakpoint.on == BreakOn::Written && breakpoint.key.empty())
         return std::nullopt;
-    for (const ActResult result : results)
+    for (const ActResult result : {ActResult::Finished, ActResult::RunningOnce, ActResult::Running, ActResult::Failed})
         if (json["result"].toString() == resultWord(result))
             breakpoint.result = result;
     breakpoint.condition = json["condition"].toString().toStdString();

@@ -75,10 +75,10 @@ PlanNodeId nodeOfPart(const Plan& plan, const PlanTree& tree, const PlanPart& pa
 /// The dragged sense, member or call; `from` is its place in the plan, if it has one.
 struct PlanGestures::Dragged {
     PartKind kind = PartKind::Action;
-    SenseTest sense;
-    Call call;
-    std::optional<PlanPart> from;
-    QString name;
+    SenseTest sense{};
+    Call call{};
+    std::optional<PlanPart> from{};
+    QString name{};
     Step step() const { return kind == PartKind::Sense ? Step(sense) : Step(call); }
 };
 
@@ -88,11 +88,10 @@ struct PlanGestures::Target {
     std::optional<PlanPart> call; ///< call that leads to the part
     DropZone zone = DropZone::Onto;
     bool is_step = false;
-    QString name;
+    QString name{};
 };
 
 std::optional<PlanGestures::Dragged> PlanGestures::dragged(const std::variant<PlanPiece, PlanNodeId>& source) const {
-    Dragged what;
     if (const auto* const piece = std::get_if<PlanPiece>(&source)) {
         const std::string words = piece->words.toStdString();
         const auto sense = piece->is_sense ? readSensePhrase(words) : Result<SenseTest>();
@@ -106,9 +105,7 @@ std::optional<PlanGestures::Dragged> PlanGestures::dragged(const std::variant<Pl
     const auto part = partOfNode(plan_, tree_, node);
     if (!part)
         return std::nullopt;
-    what.name = nameText(plan_, *part);
-    what.kind = part->kind;
-    what.from = part;
+    Dragged what{.kind = part->kind, .from = part, .name = nameText(plan_, *part)};
     if (part->kind == PartKind::Sense) {
         what.sense = *senseOf(plan_, *part);
     } else if (part->kind != PartKind::Member) {
@@ -122,10 +119,7 @@ std::optional<PlanGestures::Dragged> PlanGestures::dragged(const std::variant<Pl
 }
 
 PlanGestures::Target PlanGestures::targetAt(PlanNodeId node, DropZone zone) const {
-    Target to;
-    to.part = partOfNode(plan_, tree_, node);
-    to.call = callOfNode(plan_, tree_, node);
-    to.zone = zone;
+    Target to{.part = partOfNode(plan_, tree_, node), .call = callOfNode(plan_, tree_, node), .zone = zone};
     if (to.part) {
         to.name = nameText(plan_, *to.part);
         to.is_step = isStep(plan_, to.call ? *to.call : *to.part);

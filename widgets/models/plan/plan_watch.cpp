@@ -149,9 +149,7 @@ const std::vector<std::string>& PlanWatch::paths() const {
 }
 
 PlanTime PlanWatch::time() const {
-    PlanTime time;
-    time.live = live();
-    time.replay = is_replay_;
+    PlanTime time{.live = live(), .replay = is_replay_};
     const auto moment = shownMoment();
     if (!moment)
         return time;
@@ -214,11 +212,9 @@ Seconds PlanWatch::timeOfStep(int cycles) const {
 }
 
 PlanSnapshot PlanWatch::snapshot() const {
-    PlanSnapshot snapshot;
-    snapshot.paths = paths_;
+    PlanSnapshot snapshot{.paths = paths_, .activities = {}, .now = seconds(activity().now_ms())};
     for (const posh::PlaceActivity& place : activity().places())
         snapshot.activities.push_back(shown(place));
-    snapshot.now = seconds(activity().now_ms());
     for (const posh::BoardEntry& entry : activity().board())
         snapshot.board.push_back(shown(entry, *program()));
     return snapshot;

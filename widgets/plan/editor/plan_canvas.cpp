@@ -121,9 +121,7 @@ std::optional<std::variant<PlanPiece, PlanNodeId>> PlanCanvas::sourceOf(const QM
 }
 
 PlanCanvas::Hover PlanCanvas::hoverAt(const std::variant<PlanPiece, PlanNodeId>& source, const QPointF& on_screen) {
-    Hover hover;
-    hover.at = on_screen;
-    hover.node = nodeAt(on_screen);
+    Hover hover{.node = nodeAt(on_screen), .at = on_screen};
     if (hover.node.valid()) {
         const QRectF box = layout().box(tree(), hover.node);
         const double share = (toLayout(on_screen).y() - box.top()) / std::max(1.0, box.height());

@@ -70,7 +70,7 @@ private:
         PlanNodeId node;
         DropZone zone = DropZone::Onto;
         QPointF at;
-        std::optional<PlanDeed> deed;
+        std::optional<PlanDeed> deed{};
     };
     /// True if the node can be dragged from that place.
     bool canBeTaken(PlanNodeId node, const QPointF& on_screen);

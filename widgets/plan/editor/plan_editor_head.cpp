@@ -60,7 +60,6 @@ QToolButton* PlanEditorHead::addToggle(QBoxLayout* row, const QString& help, con
     button->setCheckable(true);
     connect(button, &QToolButton::toggled, what, &QWidget::setVisible);
     button->setChecked(true);
-    what->setVisible(true);
     row->addWidget(button);
     return button;
 }

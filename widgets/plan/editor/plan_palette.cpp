@@ -156,32 +156,30 @@ void PlanPalette::setPlan(const posh::Plan& plan) {
     rebuild();
 }
 
-void PlanPalette::addGroup(const QString& title, const char* icon_name, const std::vector<Entry>& entries) {
-    auto* head = new QTreeWidgetItem(list_, {title});
-    head->setFlags(Qt::ItemIsEnabled);
-    QFont font = list_->font();
-    font.setWeight(QFont::DemiBold);
-    head->setFont(0, font);
-    for (const Entry& entry : entries) {
-        auto* item = new QTreeWidgetItem(head, {entry.name});
-        item->setData(0, help_role, entry.help);
-        item->setData(0, words_role, entry.piece.words);
-        item->setData(0, sense_role, entry.piece.is_sense);
-        item->setIcon(0, icon(QString::fromLatin1(icon_name)));
-        item->setToolTip(0, entry.help);
-        item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled);
-    }
-    head->setExpanded(true);
-}
-
 void PlanPalette::rebuild() {
     const auto before = chosen();
     list_->clear();
     const std::array titles{tr("Senses"), tr("Acts"), tr("Competences"), tr("Action patterns"), tr("Adopts")};
     constexpr std::array icons{"eye", "play", "branches", "step", "reset"};
-    for (std::size_t i = 0; i < groups_.size(); ++i)
-        if (i < first_form_group || !groups_[i].empty())
-            addGroup(titles[i], icons[i], groups_[i]);
+    QFont font = list_->font();
+    font.setWeight(QFont::DemiBold);
+    for (std::size_t i = 0; i < groups_.size(); ++i) {
+        if (i >= first_form_group && groups_[i].empty())
+            continue;
+        auto* head = new QTreeWidgetItem(list_, {titles[i]});
+        head->setFlags(Qt::ItemIsEnabled);
+        head->setFont(0, font);
+        for (const Entry& entry : groups_[i]) {
+            auto* item = new QTreeWidgetItem(head, {entry.name});
+            item->setData(0, help_role, entry.help);
+            item->setData(0, words_role, entry.piece.words);
+            item->setData(0, sense_role, entry.piece.is_sense);
+            item->setIcon(0, icon(QString::fromLatin1(icons[i])));
+            item->setToolTip(0, entry.help);
+            item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled);
+        }
+        head->setExpanded(true);
+    }
     applyFilter();
     for (QTreeWidgetItemIterator item(list_); before && *item; ++item)
         if ((*item)->data(0, words_role).toString() == before->words)

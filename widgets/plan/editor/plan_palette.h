@@ -57,7 +57,6 @@ private:
         PlanPiece piece;
         bool operator==(const Entry&) const = default;
     };
-    void addGroup(const QString& title, const char* icon_name, const std::vector<Entry>& entries);
     void rebuild();
     void applyFilter();
     void explain();
