@@ -266,8 +266,8 @@ void PlanDesk::pinSelected() {
     const bool is_act = spots.front().kind == posh::PlaceKind::Act;
     const auto& answer = views_.plan->view().states()[views_.plan->view().selected()].answer;
     const QString shown = QString::fromStdString(call);
-    auto* const dialog = is_act ? widgets::PinDialog::forAct(shown, window_)
-                                : widgets::PinDialog::forSense(shown, answer ? answer->value : QString(), window_);
+    auto* const dialog = new widgets::PinDialog(
+        shown, is_act ? std::nullopt : std::optional(answer ? answer->value : QString()), window_);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog, is_act, call, connection] {
         if (is_act)
