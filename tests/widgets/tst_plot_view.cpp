@@ -1,10 +1,7 @@
-#include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include <QComboBox>
 #include <QDropEvent>
-#include <QElapsedTimer>
 #include <QMimeData>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -68,7 +65,6 @@ private slots:
     void csvAndPictureAreWritten();
     void unwritableFileIsAnErrorThatNamesIt();
     void linesAreReadableInBothThemes();
-    void manySamplesAreDrawnFast();
 
 private:
     void feed(double time_s, double range_m);
@@ -376,26 +372,6 @@ void tst_PlotView::linesAreReadableInBothThemes() {
             QVERIFY2(contrast(PlotCanvas::lineColor(i), tokens().surface) >= 3.0, qPrintable(QString::number(i)));
         QCOMPARE(view_->grab().toImage().pixelColor(400, 60), tokens().surface);
     }
-}
-
-void tst_PlotView::manySamplesAreDrawnFast() {
-    view_->addSeries(f1);
-    view_->addSeries(f2);
-    for (int i = 0; i < 20'000; ++i)
-        feed(i * 0.2, std::sin(i * 0.01));
-    auto* window = view_->findChild<QComboBox*>();
-    window->setCurrentIndex(window->count() - 1);
-    view_->canvas()->show(view_->store());
-    std::vector<double> times_ms;
-    for (int i = 0; i < 20; ++i) {
-        QElapsedTimer timer;
-        timer.start();
-        view_->canvas()->show(view_->store());
-        times_ms.push_back(static_cast<double>(timer.nsecsElapsed()) * 1e-6);
-    }
-    std::ranges::sort(times_ms);
-    qInfo("2 series of 20 000 samples: %.1f ms a picture (median)", times_ms[10]);
-    QVERIFY(times_ms.front() < 100.0);
 }
 
 USAR_TEST(tst_PlotView)
