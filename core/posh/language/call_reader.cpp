@@ -155,15 +155,8 @@ bool readName(TokenCursor& cursor, std::string_view whose, Name& name) {
 }
 
 bool atValue(const TokenCursor& cursor) {
-    switch (cursor.peek().kind) {
-    case TokenKind::Integer:
-    case TokenKind::Float:
-    case TokenKind::String:
-    case TokenKind::Symbol:
-        return true;
-    default:
-        return isLiteral(cursor.keyword());
-    }
+    return cursor.atNumber() || cursor.at(TokenKind::String) || cursor.at(TokenKind::Symbol) ||
+           isLiteral(cursor.keyword());
 }
 
 bool readValue(TokenCursor& cursor, Literal& literal) {
