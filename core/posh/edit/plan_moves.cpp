@@ -108,10 +108,7 @@ Result<PlanEdit> moveMember(std::string_view text, const PlanPart& part, const M
         if (staysWhereItIs(sizesAround(plan, part).own, part, to))
             return part;
         MemberPlace place = to;
-        auto taken = take(plan, part, place);
-        if (!taken)
-            return tl::unexpected(taken.error());
-        return put(plan, place, *std::move(taken));
+        return take(plan, part, place).and_then([&](Member taken) { return put(plan, place, std::move(taken)); });
     });
 }
 

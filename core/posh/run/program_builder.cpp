@@ -132,7 +132,7 @@ private:
             const Index first = sizeOf(program_->drives);
             for (const Member& drive : level)
                 addDrive(drive, number);
-            program_->levels.push_back({{first, sizeOf(program_->drives)}});
+            program_->levels.push_back({first, sizeOf(program_->drives)});
         }
         std::ranges::reverse(waiting_); // The first drive's form is expanded first
     }
