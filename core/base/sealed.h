@@ -1,13 +1,21 @@
-// A variant that is compiled in one place.
+// A variant that is compiled in one place, and a concept for the alternatives of any variant.
 #pragma once
 
 #include <type_traits>
 #include <utility>
 #include <variant>
 
-#include "core/base/alternatives.h"
-
 namespace usar {
+
+/// True if `T` is exactly one of `Types`. The pointer only carries the variant's type; it may be null.
+template <class T, class... Types>
+constexpr bool isOneOf(const std::variant<Types...>*) {
+    return (std::is_same_v<T, Types> || ...);
+}
+
+/// Satisfied if `T`, without const and reference, is an alternative of `Variant`.
+template <class T, class Variant>
+concept AlternativeOf = isOneOf<std::remove_cvref_t<T>>(static_cast<const Variant*>(nullptr));
 
 /// Use it like the std::variant that it derives from. The code that copies, compares and destroys fifty alternatives
 /// takes many seconds to compile, so it is compiled only where sealed_definitions.h is included, and not wherever a

@@ -1,7 +1,9 @@
 #include "core/posh/language/form_reader.h"
 
+#include <cstdint>
 #include <string>
 
+#include "core/base/numbers.h"
 #include "core/base/spelling.h"
 #include "core/base/text.h"
 #include "core/posh/model/literal.h"
@@ -42,7 +44,7 @@ bool setValue(const TokenCursor& cursor, Value& value) {
     const std::string_view word = cursor.word();
     switch (cursor.peek().kind) {
     case TokenKind::Integer:
-        return setNumber(integerOf(word), value);
+        return setNumber<std::int64_t>(readInteger(word), value);
     case TokenKind::Float:
         return setNumber(floatOf(word), value);
     case TokenKind::String:
