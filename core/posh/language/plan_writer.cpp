@@ -20,6 +20,14 @@ void appendArgument(std::string& out, const Argument& argument) {
         out += '$' + std::get<Variable>(argument.value).name;
 }
 
+void appendGoal(std::string& out, const Senses& goal) {
+    if (goal.empty())
+        return;
+    out += " (goal ";
+    appendSenses(out, goal);
+    out += ')';
+}
+
 constexpr std::size_t line_length = 120;
 
 /// Longer names do not move the column after the names.
@@ -179,14 +187,6 @@ void appendInterval(std::string& out, const std::optional<Interval>& interval) {
         return;
     ((out += " (") += toText(interval->unit)) += ' ';
     appendLiteral(out, interval->amount);
-    out += ')';
-}
-
-void appendGoal(std::string& out, const Senses& goal) {
-    if (goal.empty())
-        return;
-    out += " (goal ";
-    appendSenses(out, goal);
     out += ')';
 }
 
