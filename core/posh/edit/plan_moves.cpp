@@ -82,9 +82,7 @@ tl::unexpected<Error> atTheEnd(const Plan& plan, const PlanPart& part, int by) {
 /// Swaps a sense with its neighbor in the goal or trigger; fails at the first or last one.
 Result<PlanPart> shiftSense(Plan& plan, const PlanPart& part, int by) {
     PlanPart other = part;
-    if (by < 0 && part.index == 0)
-        return atTheEnd(plan, part, by);
-    other.index = by < 0 ? part.index - 1 : part.index + 1;
+    other.index = by < 0 ? part.index - 1 : part.index + 1; // Wraps around before the first, where there is no sense
     if (!senseOf(plan, other))
         return atTheEnd(plan, part, by);
     std::swap(senseIn(plan, part), senseIn(plan, other));

@@ -80,15 +80,9 @@ Outcome Engine::runEpochs() {
 }
 
 Index Engine::choose() {
-    for (Index level = 0; level < program()->levels.size(); ++level) {
-        const Range drives = program()->levels[level];
-        if (drives.end - drives.first == 1) {
-            if (ready(drives.first))
-                return drives.first;
-        } else if (const Index winner = chooseIn(level); winner != nowhere) {
+    for (Index level = 0; level < program()->levels.size(); ++level)
+        if (const Index winner = chooseIn(level); winner != nowhere)
             return winner;
-        }
-    }
     return nowhere;
 }
 

@@ -9,8 +9,8 @@
 
 namespace usar::posh {
 
-/// Appends nil, true, 5, 2.0 (whole floats keep one decimal), "text" (quoted as in JSON; nothing beyond ASCII is escaped)
-/// or 'symbol.
+/// Appends nil, true, 5, 2.0 (whole floats keep one decimal), "text" (quoted as in JSON; nothing beyond ASCII is
+/// escaped) or 'symbol.
 void appendValue(std::string& out, const Value& value);
 std::string toText(const Value& value);
 
