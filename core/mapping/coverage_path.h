@@ -20,7 +20,6 @@ struct Lane {
     Vec2 start_m = Vec2::Zero();
     Vec2 end_m = Vec2::Zero();
     int quadrant = 0; ///< index into CoveragePlan::quadrants
-    bool operator==(const Lane&) const = default;
 };
 
 /// The result of planCoverage.

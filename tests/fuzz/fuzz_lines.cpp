@@ -33,7 +33,6 @@ void readInfo(Reader& reader, std::string_view line) {
         robotConfigurationOf(*configuration);
         packageConfigurationsOf(*configuration);
         cameraConfigurationsOf(*configuration);
-        effecterConfigurationsOf(*configuration);
         sensorConfigurationsOf(*configuration);
     }
     std::string written;

@@ -173,8 +173,8 @@ private slots:
         DrivenRobot robot(flatWorld(), robots, "P2DX", 0.1, 0.13);
         QVERIFY(!robot.drive->obey(protocol::AerialDrive{}));
         QVERIFY(!robot.drive->obey(protocol::MultiDrive{}));
-        QVERIFY(!robot.drive->obey(protocol::JointDrive::atSpeed("NoSuchJoint", 3.0)));
-        QVERIFY(!robot.drive->obey(protocol::JointDrive::atSpeed("CasterFork", 3.0)));
+        QVERIFY(!robot.drive->obey(protocol::JointDrive{"NoSuchJoint", protocol::JointOrder::Speed, 3.0}));
+        QVERIFY(!robot.drive->obey(protocol::JointDrive{"CasterFork", protocol::JointOrder::Speed, 3.0}));
         robot.drive->obey(protocol::SkidDrive{std::nan(""), std::nan("")});
         robot.run(Seconds{1.0});
         QVERIFY(robot.drive->idle());
@@ -184,7 +184,7 @@ private slots:
     void aWheelObeysByNameUntilTheDriveIsToldAgain() {
         DrivenRobot robot(flatWorld(), robots, "P2DX", 0.1, 0.13);
         robot.run(Seconds{0.5});
-        QVERIFY(robot.drive->obey(protocol::JointDrive::atSpeed("LeftWheel", 2.0)));
+        QVERIFY(robot.drive->obey(protocol::JointDrive{"LeftWheel", protocol::JointOrder::Speed, 2.0}));
         robot.run(Seconds{1.0});
         QVERIFY(!robot.drive->idle());
         QVERIFY(near(robot.joint("LeftWheel").velocity, 2.0, 0.05));

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/posh/trace/trace_text.h"
+#include "core/posh/run/trace_event.h"
 
 namespace usar::agent {
 

@@ -9,7 +9,7 @@ Result<protocol::Init> initOf(const SpawnRequest& request) {
     const auto robot_name = protocol::Name::make(request.robot_name);
     if (!class_name || !robot_name)
         return tl::unexpected(class_name ? robot_name.error() : class_name.error());
-    return protocol::Init::at(*class_name, *robot_name, request.start_in_map);
+    return protocol::Init{*class_name, *robot_name, request.start_in_map};
 }
 
 std::optional<protocol::Init> SpawnLife::standingInit() const {

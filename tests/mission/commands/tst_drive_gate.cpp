@@ -122,7 +122,7 @@ private slots:
         for (int step = 0; step < 200; ++step) { // two seconds at 100 Hz
             const double value = step;
             for (const protocol::Command& command : std::initializer_list<protocol::Command>{
-                     protocol::SkidDrive{value, value}, protocol::JointDrive::atSpeed("Pan", value),
+                     protocol::SkidDrive{value, value}, protocol::JointDrive{"Pan", protocol::JointOrder::Speed, value},
                      protocol::MultiDrive{{{"FLFlipper", value}}}})
                 gate.offer({command, {}});
             for (const agent::CausedCommand& command : gate.release(Seconds{step * 0.01}))
@@ -154,15 +154,16 @@ private slots:
         row("joints of a MULTIDRIVE", {MultiDrive{{{"A", 1.0}, {"B", 2.0}}}, MultiDrive{{{"B", 3.0}, {"C", 4.0}}}},
             {"MULTIDRIVE {B 3} {C 4} {A 1}"});
         row("joints by name",
-            {JointDrive::toAngle("A", 1.0), JointDrive::toAngle("B", 2.0), JointDrive::toAngle("A", 3.0)},
+            {JointDrive{"A", JointOrder::Angle, 1.0}, JointDrive{"B", JointOrder::Angle, 2.0},
+             JointDrive{"A", JointOrder::Angle, 3.0}},
             {"DRIVE {Name B} {Order 0} {Value 2}", "DRIVE {Name A} {Order 0} {Value 3}"});
         row("relative orders add up",
             {JointDrive{"A", JointOrder::RelativeAngle, 0.25}, JointDrive{"A", JointOrder::RelativeAngle, 0.5}},
             {"DRIVE {Name A} {Order 10} {Value 0.75}"});
         row("a joint of both commands: the newer counts",
-            {MultiDrive{{{"A", 1.0}, {"B", 2.0}}}, JointDrive::toAngle("A", 3.0), MultiDrive{{{"B", 4.0}}}},
+            {MultiDrive{{{"A", 1.0}, {"B", 2.0}}}, JointDrive{"A", JointOrder::Angle, 3.0}, MultiDrive{{{"B", 4.0}}}},
             {"DRIVE {Name A} {Order 0} {Value 3}", "MULTIDRIVE {B 4}"});
-        row("a joint named, then with others", {JointDrive::toAngle("A", 3.0), MultiDrive{{{"A", 1.0}}}},
+        row("a joint named, then with others", {JointDrive{"A", JointOrder::Angle, 3.0}, MultiDrive{{{"A", 1.0}}}},
             {"MULTIDRIVE {A 1}"});
         row("lights stay", {SkidDrive{.left_rad_s = 1.0, .switches = {true, {}}}, SkidDrive{.left_rad_s = 2.0}},
             {"DRIVE {Left 2} {Light true}"});

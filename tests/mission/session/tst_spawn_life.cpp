@@ -184,7 +184,7 @@ private slots:
 
     void aReplayedInitIsFollowedByARobot() {
         Life life;
-        life.spawn.sawInit(protocol::Init::at("USARBot.P2DX", "R7", {}));
+        life.spawn.sawInit(protocol::Init{"USARBot.P2DX", "R7"});
         QCOMPARE(life.spawn.state(), SpawnState::Asked);
         QCOMPARE(life.spawn.request().class_name, std::string("USARBot.P2DX"));
         QVERIFY(life.scribe.inits.empty());

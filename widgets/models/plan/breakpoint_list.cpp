@@ -10,7 +10,7 @@
 #include <QObject>
 #include <QStringList>
 
-#include "core/posh/trace/trace_text.h"
+#include "core/posh/run/trace_event.h"
 
 namespace usar::widgets {
 
