@@ -33,6 +33,7 @@ void readInfo(Reader& reader, std::string_view line) {
         robotConfigurationOf(*configuration);
         packageConfigurationsOf(*configuration);
         cameraConfigurationsOf(*configuration);
+        effecterConfigurationsOf(*configuration);
         sensorConfigurationsOf(*configuration);
     }
     std::string written;

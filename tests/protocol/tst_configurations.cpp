@@ -28,6 +28,7 @@ private slots:
     void jointsWithTheirLimits();
     void aJointWhoseSmallestIsAboveItsLargestHasNoLimits();
     void camerasInDegreesAndInRadians();
+    void effectersWithTheirOpcodes();
     void sensorsOfAnyType();
     void eachKindIsItsOwnAlone_data();
     void eachKindIsItsOwnAlone();
@@ -47,11 +48,14 @@ void tst_Configurations::aRobotOnWheels() {
     QFETCH(QByteArray, line);
     const auto robot = robotConfigurationOf(configurationOf(line.constData()));
     QVERIFY(robot);
-    QCOMPARE(robot->steering, std::string("SkidSteered"));
-    QCOMPARE(*robot->wheel_speed_limit_rad_s, 5.25);
-    QCOMPARE(*robot->front_steer_limit_rad, 0.0);
-    QCOMPARE(*robot->rear_steer_limit_rad, 0.0);
-    QVERIFY(!robot->forward_limit_m_s);
+    QVERIFY(*robot == (RobotConfiguration{.robot_class = "P2AT",
+                                          .kind = VehicleKind::Ground,
+                                          .steering = "SkidSteered",
+                                          .mass_kg = 14.5,
+                                          .wheel_speed_limit_rad_s = 5.25,
+                                          .torque_limit_n_m = 60.0,
+                                          .front_steer_limit_rad = 0.0,
+                                          .rear_steer_limit_rad = 0.0}));
 }
 
 void tst_Configurations::aRobotInTheAir() {
@@ -72,12 +76,8 @@ void tst_Configurations::jointsWithTheirLimits() {
     QCOMPARE(packages.size(), std::size_t(1));
     QCOMPARE(packages[0].name, std::string("Arm"));
     QCOMPARE(packages[0].links.size(), std::size_t(2));
-    QCOMPARE(packages[0].links[0].link, 1);
-    QVERIFY(!packages[0].links[0].speed_limit);
-    QCOMPARE(*packages[0].links[0].smallest, -1.5);
-    QCOMPARE(*packages[0].links[0].largest, 1.25);
-    QCOMPARE(packages[0].links[1].link, 2);
-    QCOMPARE(*packages[0].links[1].largest, 0.25);
+    QVERIFY(packages[0].links[0] == (LinkConfiguration{1, false, std::nullopt, 300.5, -1.5, 1.25}));
+    QVERIFY(packages[0].links[1].prismatic);
 }
 
 void tst_Configurations::aJointWhoseSmallestIsAboveItsLargestHasNoLimits() {
@@ -97,26 +97,44 @@ void tst_Configurations::camerasInDegreesAndInRadians() {
     QCOMPARE(udk.size(), std::size_t(2));
     QCOMPARE(*udk[0].default_fov_rad, pi / 2);
     QCOMPARE(*udk[0].fov_rad, pi / 4);
-    QCOMPARE(*udk[0].picture_width_px, 320);
+    QCOMPARE(*udk[0].picture_y_px, 240);
+    QCOMPARE(*udk[0].picture_height_px, 200);
     QCOMPARE(*udk[1].picture_width_px, 640);
     const auto ut2004 = cameraConfigurationsOf(
         configurationOf("CONF {Type Camera} {Name A} {CameraDefFov 0.75} {CameraMinFov 0.25} {CameraMaxFov 2.0}"));
     QCOMPARE(*ut2004[0].default_fov_rad, 0.75);
-    QVERIFY(!ut2004[0].picture_width_px);
+    QVERIFY(!ut2004[0].picture_x_px);
+}
+
+void tst_Configurations::effectersWithTheirOpcodes() {
+    const auto effecters = effecterConfigurationsOf(configurationOf(
+        "CONF {Type Gripper} {Name G} {Opcode Grip} {MaxVal 1} {MinVal 0} {Opcode Close} {Opcode Open}"));
+    QCOMPARE(effecters.size(), std::size_t(1));
+    QCOMPARE(effecters[0].type, std::string("Gripper"));
+    QVERIFY(effecters[0].opcodes == (std::vector<EffecterOpcode>{{"Grip", 0.0, 1.0},
+                                                                 {"Close", std::nullopt, std::nullopt},
+                                                                 {"Open", std::nullopt, std::nullopt}}));
 }
 
 void tst_Configurations::sensorsOfAnyType() {
     const auto sonars = sensorConfigurationsOf(configurationOf(
         "CONF {Type Sonar} {Name A} {MaxRange 5} {MinRange 0.1} {BeamAngle 0.35} {Name B} {MaxRange 4}"));
     QCOMPARE(sonars.size(), std::size_t(2));
-    QCOMPARE(sonars[0].name, std::string("A"));
+    QCOMPARE(*sonars[0].beam_angle_rad, 0.35);
     QCOMPARE(*sonars[1].range_max_m, 4.0);
-    QVERIFY(!sonars[1].fov_rad);
-    for (const char* const angle : {"Fov", "HorizontalFOV"}) {
-        const std::string line =
-            std::string("CONF {Type RangeScanner} {Name S} {MaxRange 20} {MinRange 0.1} {") + angle + " 3.1415}";
-        QCOMPARE(*sensorConfigurationsOf(configurationOf(line.c_str()))[0].fov_rad, 3.1415);
+    for (const char* pans : {"Paning", "Panning"}) {
+        const std::string line = std::string("CONF {Type RangeScanner} {Name S} {MaxRange 20} {MinRange 0.1} "
+                                             "{Resolution 0.0174} {Fov 3.1415} {") +
+                                 pans + " True} {Tilting False}";
+        const auto scanner = sensorConfigurationsOf(configurationOf(line.c_str()));
+        QCOMPARE(*scanner[0].fov_rad, 3.1415);
+        QCOMPARE(*scanner[0].pans, true);
+        QCOMPARE(*scanner[0].tilts, false);
     }
+    const auto odometry = sensorConfigurationsOf(
+        configurationOf("CONF {Type Odometry} {Name O} {ScanInterval 0.2} {EncoderResolution 0.01}"));
+    QCOMPARE(odometry[0].scan_interval->count(), 0.2);
+    QCOMPARE(*odometry[0].resolution_rad, 0.01);
 }
 
 void tst_Configurations::eachKindIsItsOwnAlone_data() {
@@ -125,7 +143,7 @@ void tst_Configurations::eachKindIsItsOwnAlone_data() {
     QTest::newRow("robot") << QByteArray("CONF {Type GroundVehicle} {Name P} {Mass 1}") << QByteArray("robot");
     QTest::newRow("package") << QByteArray("CONF {Type MisPkg} {Name P} {Link 1}") << QByteArray("package");
     QTest::newRow("camera") << QByteArray("CONF {Type Camera} {Name C} {CameraDefFov 1}") << QByteArray("camera");
-    QTest::newRow("effecter") << QByteArray("CONF {Type Gripper} {Name G} {Opcode Open}") << QByteArray();
+    QTest::newRow("effecter") << QByteArray("CONF {Type Gripper} {Name G} {Opcode Open}") << QByteArray("effecter");
     QTest::newRow("sensor") << QByteArray("CONF {Type Touch} {Name T} {Diameter 0.05}") << QByteArray("sensor");
 }
 
@@ -137,6 +155,7 @@ void tst_Configurations::eachKindIsItsOwnAlone() {
     found += robotConfigurationOf(info) ? "robot" : "";
     found += packageConfigurationsOf(info).empty() ? "" : "package";
     found += cameraConfigurationsOf(info).empty() ? "" : "camera";
+    found += effecterConfigurationsOf(info).empty() ? "" : "effecter";
     found += sensorConfigurationsOf(info).empty() ? "" : "sensor";
     QCOMPARE(found, kinds);
 }

@@ -23,9 +23,20 @@ std::optional<double> numberOf(const ConfiguredItem& item, std::string_view key,
     return setting ? setting->number : std::nullopt;
 }
 
+std::optional<bool> flagOf(const ConfiguredItem& item, std::string_view key, std::string_view other_key) {
+    const Setting* setting = settingOf(item, key);
+    if (!setting)
+        setting = settingOf(item, other_key);
+    return setting ? std::optional(sameWord(setting->value, "True")) : std::nullopt;
+}
+
 std::optional<int> whole(const std::optional<double>& number) {
     constexpr double most = 1e6;
     return number && *number >= 0 && *number <= most ? std::optional(static_cast<int>(*number)) : std::nullopt;
+}
+
+std::optional<int> pixelsOf(const ConfiguredItem& item, std::string_view key) {
+    return whole(numberOf(item, key));
 }
 
 bool isPackage(const ConfigurationInfo& info) {
@@ -37,14 +48,21 @@ bool isCamera(const ConfigurationInfo& info) {
 bool isRobot(const ConfigurationInfo& info) {
     return info.type.empty() || vehicleKindOf(info.type) != VehicleKind::Unknown;
 }
+bool hasOpcodes(const ConfiguredItem& item) {
+    return settingOf(item, "Opcode") != nullptr;
+}
 bool isEffecter(const ConfigurationInfo& info) {
-    return std::ranges::any_of(info.items, [](const auto& item) { return settingOf(item, "Opcode") != nullptr; });
+    return std::ranges::any_of(info.items, hasOpcodes);
 }
 
 /// Takes over one setting of a link, under the key of either dialect.
 void take(LinkConfiguration& link, const Setting& setting) {
-    if (sameWord(setting.key, "MaxSpeed"))
+    if (sameWord(setting.key, "JointType"))
+        link.prismatic = sameWord(setting.value, "Prismatic");
+    else if (sameWord(setting.key, "MaxSpeed"))
         link.speed_limit = setting.number;
+    else if (sameWord(setting.key, "MaxTorque"))
+        link.torque_limit = setting.number;
     else if (sameWord(setting.key, "MinRange") || sameWord(setting.key, "MinValue"))
         link.smallest = setting.number;
     else if (sameWord(setting.key, "MaxRange") || sameWord(setting.key, "MaxValue"))
@@ -67,7 +85,10 @@ CameraConfiguration cameraOf(const ConfiguredItem& item) {
             angle("CameraDefFov"),
             angle("CameraMinFov"),
             angle("CameraMaxFov"),
-            whole(numberOf(item, "TextureResolutionX"))};
+            pixelsOf(item, "TextureOffsetX"),
+            pixelsOf(item, "TextureOffsetY"),
+            pixelsOf(item, "TextureResolutionX"),
+            pixelsOf(item, "TextureResolutionY")};
 }
 
 } // namespace
@@ -83,8 +104,12 @@ std::optional<RobotConfiguration> robotConfigurationOf(const ConfigurationInfo& 
         return std::nullopt;
     const ConfiguredItem& item = info.items.front();
     const Setting* const steering = settingOf(item, "SteeringType");
-    return RobotConfiguration{steering ? steering->value : std::string(),
+    return RobotConfiguration{item.name,
+                              vehicleKindOf(info.type),
+                              steering ? steering->value : std::string(),
+                              numberOf(item, "Mass"),
                               numberOf(item, "MaxSpeed"),
+                              numberOf(item, "MaxTorque"),
                               numberOf(item, "MaxFrontSteer"),
                               numberOf(item, "MaxRearSteer"),
                               numberOf(item, "MaxLinearVelocity"),
@@ -117,12 +142,36 @@ std::vector<CameraConfiguration> cameraConfigurationsOf(const ConfigurationInfo&
     return cameras;
 }
 
+std::vector<EffecterConfiguration> effecterConfigurationsOf(const ConfigurationInfo& info) {
+    std::vector<EffecterConfiguration> effecters;
+    for (const ConfiguredItem& item : info.items) {
+        if (!hasOpcodes(item))
+            continue;
+        EffecterConfiguration& effecter = effecters.emplace_back(EffecterConfiguration{info.type, item.name, {}});
+        for (const Setting& setting : item.settings) {
+            if (sameWord(setting.key, "Opcode"))
+                effecter.opcodes.emplace_back().opcode = setting.value;
+            else if (!effecter.opcodes.empty() && sameWord(setting.key, "MinVal"))
+                effecter.opcodes.back().smallest = setting.number;
+            else if (!effecter.opcodes.empty() && sameWord(setting.key, "MaxVal"))
+                effecter.opcodes.back().largest = setting.number;
+        }
+    }
+    return effecters;
+}
+
 std::vector<SensorConfiguration> sensorConfigurationsOf(const ConfigurationInfo& info) {
     std::vector<SensorConfiguration> sensors;
     if (isRobot(info) || isPackage(info) || isCamera(info) || isEffecter(info))
         return sensors;
-    for (const ConfiguredItem& item : info.items)
-        sensors.push_back({item.name, numberOf(item, "MaxRange"), numberOf(item, "Fov", "HorizontalFOV")});
+    for (const ConfiguredItem& item : info.items) {
+        const std::optional<double> interval_s = numberOf(item, "ScanInterval");
+        sensors.push_back({info.type, item.name, numberOf(item, "MaxRange"), numberOf(item, "MinRange"),
+                           numberOf(item, "BeamAngle"), numberOf(item, "Resolution", "EncoderResolution"),
+                           numberOf(item, "Fov", "HorizontalFOV"), numberOf(item, "VerticalFOV"),
+                           interval_s ? std::optional(Seconds(*interval_s)) : std::nullopt,
+                           flagOf(item, "Paning", "Panning"), flagOf(item, "Tilting", "Tilting")});
+    }
     return sensors;
 }
 
