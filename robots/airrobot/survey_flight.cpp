@@ -58,9 +58,7 @@ double SurveyFlight::batteryMargin() const {
 }
 
 bool SurveyFlight::robotBatteryLow() const {
-    const Settings& settings = craft_.settings;
-    const Seconds way_home(1.3 * beelineHome_m() / settings.transit_speed_m_s + settings.robot_battery_reserve_s);
-    return craft_.senses.robot_battery && *craft_.senses.robot_battery < way_home;
+    return isLow(craft_.senses.robot_battery, beelineHome_m(), craft_.settings);
 }
 
 bool SurveyFlight::charged() const {
