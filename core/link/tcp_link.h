@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -30,6 +31,9 @@ struct LinkStatus {
     Seconds retry_in{0.0}; ///< while Waiting, else 0
     bool operator==(const LinkStatus&) const = default;
 };
+
+/// The server as "host:port".
+std::string placeOf(const LinkStatus& status);
 
 /// Distinguishes a USARSim server from another kind of server by the first bytes that it sends. A line of the protocol
 /// is a type word of letters, digits and underscores, followed by nothing or by a segment (protocol.md 1.1). One such
@@ -121,7 +125,7 @@ private:
     void giveLine(std::string_view line);
     void takeError(QAbstractSocket::SocketError error);
     void failWhereNobodyReads();
-    QString place() const;
+    QString place() const { return QString::fromStdString(placeOf(status_)); }
     QString foreignReason() const;
     QString reasonOf(QAbstractSocket::SocketError error) const;
     void failed(const QString& trouble);

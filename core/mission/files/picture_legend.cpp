@@ -20,7 +20,7 @@ QColor colorOf(const agent::MarkStyle& style) {
 
 /// "low risk": the legend is in lowercase.
 QString labelOf(agent::MarkKind kind) {
-    return QString::fromStdString(std::string(agent::styleOf(kind).name)).toLower();
+    return QString::fromUtf8(agent::styleOf(kind).name).toLower();
 }
 
 using agent::MarkKind;

@@ -91,7 +91,7 @@ QJsonArray marksOf(const ScanRecord& record) {
     for (const agent::MapMark& mark : record.marks) {
         if (mark.kind == agent::MarkKind::Path)
             continue;
-        marks.append(QJsonObject{{"kind", QString::fromStdString(std::string(agent::styleOf(mark.kind).word))},
+        marks.append(QJsonObject{{"kind", QString::fromUtf8(agent::styleOf(mark.kind).word)},
                                  {"x_m", mark.position_in_map_m.x()},
                                  {"y_m", mark.position_in_map_m.y()},
                                  {"z_m", mark.position_in_map_m.z()},

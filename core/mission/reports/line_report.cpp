@@ -21,7 +21,7 @@ namespace {
 
 QString shown(std::string_view text) {
     // Latin-1 is the encoding of the wire.
-    return QString::fromLatin1(text.data(), static_cast<qsizetype>(text.size()));
+    return QString::fromLatin1(text);
 }
 
 QJsonArray toJson(const std::vector<protocol::Field>& fields) {

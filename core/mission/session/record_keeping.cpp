@@ -30,10 +30,6 @@ std::string rectangleText(const Rectangle& area) {
 
 } // namespace
 
-std::string placeOf(const link::LinkStatus& status) {
-    return status.host.toStdString() + ':' + std::to_string(status.port);
-}
-
 RecordKeeping::RecordKeeping(QObject& owner, Notices& notices, const Incoming& incoming, std::function<void()> looked)
     : notices_(notices)
     , incoming_(incoming)

@@ -15,10 +15,6 @@ constexpr int answers_until_missed = 3; ///< the first may have been under way, 
 constexpr qint64 speed_span_ms = 1000;
 const char* const topic = "world";
 
-std::string place(const link::LinkStatus& status) {
-    return status.host.toStdString() + ':' + std::to_string(status.port);
-}
-
 } // namespace
 
 WorldSession::WorldSession(QObject* parent) : QObject(parent), link_(this), beat_(this) {
@@ -144,7 +140,7 @@ void WorldSession::missAnswer() {
         const link::LinkStatus status = link_.status();
         return link_.open(status.host, status.port);
     }
-    const std::string where = place(link_.status());
+    const std::string where = placeOf(link_.status());
     if (ever_answered_)
         setState(WorldState::Asking, where + " no longer says where things are. Is the game paused there?");
     else
