@@ -75,10 +75,8 @@ void Robot::spawn(RobotId id, const SpawnRequest& request) {
 Result<void> Robot::startBehavior(const agent::PluginLoader& plugins, const StartedBehavior& start,
                                   const agent::ParameterSet& parameters, const QString& host_program) {
     const agent::Task task{view_.spawn.robot_name, view_.spawn.start_in_map, start.area_in_map};
-    std::optional<agent::Isolation> isolation;
-    if (start.isolated)
-        isolation = {host_program};
-    const auto behavior = agent::startBehavior(plugins, start.id, {task, parameters, start.plan}, isolation);
+    const auto behavior = agent::startBehavior(plugins, start.id, {task, parameters, start.plan},
+                                               start.isolated ? std::optional(host_program) : std::nullopt);
     if (!behavior)
         return tl::unexpected(behavior.error());
     // Both in one call, so that the behavior does nothing before its breakpoints are set.

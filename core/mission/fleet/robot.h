@@ -118,4 +118,9 @@ private:
     std::optional<agent::PlanText> asked_plan_; ///< replacement that the running plan has not been exchanged for yet
 };
 
+/// The name that the robot was spawned with, as in the protocol, for texts in the window.
+inline QString nameOf(const Robot& robot) {
+    return QString::fromStdString(robot.view().spawn.robot_name);
+}
+
 } // namespace usar::mission

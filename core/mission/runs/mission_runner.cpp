@@ -117,11 +117,8 @@ void MissionRunner::Private::takeRobot() {
     if (phase != Phase::Spawning)
         return;
     const agent::Task task{robot_name, start_in_map, mission.area_in_map};
-    std::optional<agent::Isolation> isolation;
-    if (mission.isolate)
-        isolation = {options.behavior_host};
-    const auto made =
-        agent::startBehavior(plugins, mission.behavior, {task, behavior->parameters, behavior->plan}, isolation);
+    const auto made = agent::startBehavior(plugins, mission.behavior, {task, behavior->parameters, behavior->plan},
+                                           mission.isolate ? std::optional(options.behavior_host) : std::nullopt);
     if (!made) {
         conclude(false, made.error().text(), BadInput);
         return;
