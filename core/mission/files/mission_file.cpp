@@ -194,6 +194,28 @@ QString beside(const QString& file_name, const QString& path) {
     return QDir::cleanPath(QFileInfo(file_name).dir().filePath(path));
 }
 
+/// Puts the place into the error; its former `where` goes into the sentence instead.
+Error at(const std::string& place, const Error& error) {
+    return {error.where.empty() ? error.what : error.where + ": " + error.what, place, error.mend};
+}
+
+QJsonValue written(const agent::ParameterValue& value, bool is_angle) {
+    if (const auto* real = std::get_if<double>(&value))
+        return is_angle ? typedDegrees(*real) : *real;
+    if (const auto* whole = std::get_if<long long>(&value))
+        return static_cast<qint64>(*whole);
+    if (const auto* flag = std::get_if<bool>(&value))
+        return *flag;
+    return QString::fromStdString(std::get<std::string>(value));
+}
+
+/// Returns the path relative to the folder if the plan is inside it, so that both can be moved together; else absolute.
+QString planPath(const QString& plan, const QString& folder) {
+    const QString absolute = QFileInfo(plan).absoluteFilePath();
+    const QString relative = folder.isEmpty() ? absolute : QDir(folder).relativeFilePath(absolute);
+    return relative.startsWith("..") ? absolute : relative;
+}
+
 } // namespace
 
 Result<Mission> readMission(const QByteArray& json, const QString& file_name) {
@@ -244,15 +266,6 @@ Result<Mission> readMissionFile(const QString& path) {
     return readMission(json, path);
 }
 
-namespace {
-
-/// Puts the place into the error; its former `where` goes into the sentence instead.
-Error at(const std::string& place, const Error& error) {
-    return {error.where.empty() ? error.what : error.where + ": " + error.what, place, error.mend};
-}
-
-} // namespace
-
 Error atKey(const Mission& mission, const std::string& path, const Error& error) {
     const auto found = mission.places.find(path);
     return found == mission.places.end() ? error : at(found->second.key, error);
@@ -282,27 +295,6 @@ double typedDegrees(double angle_rad) {
     constexpr double grain = 1e9;
     return std::round(degrees(angle_rad) * grain) / grain;
 }
-
-namespace {
-
-QJsonValue written(const agent::ParameterValue& value, bool is_angle) {
-    if (const auto* real = std::get_if<double>(&value))
-        return is_angle ? typedDegrees(*real) : *real;
-    if (const auto* whole = std::get_if<long long>(&value))
-        return static_cast<qint64>(*whole);
-    if (const auto* flag = std::get_if<bool>(&value))
-        return *flag;
-    return QString::fromStdString(std::get<std::string>(value));
-}
-
-/// Returns the path relative to the folder if the plan is inside it, so that both can be moved together; else absolute.
-QString planPath(const QString& plan, const QString& folder) {
-    const QString absolute = QFileInfo(plan).absoluteFilePath();
-    const QString relative = folder.isEmpty() ? absolute : QDir(folder).relativeFilePath(absolute);
-    return relative.startsWith("..") ? absolute : relative;
-}
-
-} // namespace
 
 QByteArray writeMission(const Mission& mission, const std::vector<agent::ParameterSpec>& specs, const QString& folder) {
     QJsonObject parameters;

@@ -1,7 +1,6 @@
 #include "core/mission/files/replay_options.h"
 
-#include <array>
-#include <utility>
+#include <QMap>
 
 #include "core/base/numbers.h"
 #include "core/link/replay.h"
@@ -11,9 +10,9 @@ namespace usar::mission {
 
 namespace {
 
-const std::array<std::pair<QString, ReplayVerb>, 3> verbs{{{"replay", ReplayVerb::Replay},
-                                                           {"recording-to-text", ReplayVerb::ToText},
-                                                           {"text-to-recording", ReplayVerb::ToRecording}}};
+const QMap<QString, ReplayVerb> verbs{{"replay", ReplayVerb::Replay},
+                                      {"recording-to-text", ReplayVerb::ToText},
+                                      {"text-to-recording", ReplayVerb::ToRecording}};
 
 Result<Seconds> readMoment(const QCommandLineParser& parser, const QString& option) {
     const auto seconds = readNumber(parser.value(option).toStdString());
@@ -57,17 +56,12 @@ Result<void> readValues(const QCommandLineParser& parser, ReplayOptions& options
 } // namespace
 
 bool isReplayVerb(const QString& word) {
-    for (const auto& [known, verb] : verbs)
-        if (known == word)
-            return true;
-    return false;
+    return verbs.contains(word);
 }
 
 Result<ReplayOptions> readReplayOptions(const QStringList& arguments) {
     ReplayOptions options;
-    for (const auto& [known, verb] : verbs)
-        if (known == arguments.value(0))
-            options.verb = verb;
+    options.verb = verbs.value(arguments.value(0));
     QCommandLineParser parser;
     const auto parsed = parseArguments(parser, optionsOf(options.verb), arguments.mid(1));
     options.help = parser.isSet("help");

@@ -127,15 +127,9 @@ QByteArray summaryBytes(const ScanRecord& record, QJsonObject summary, const QSt
 }
 
 QByteArray worldFile(const mapping::Raster& raster) {
-    const QString cell = numberText(raster.cell_size_m);
-    return QStringList{cell,
-                       "0",
-                       "0",
-                       '-' + cell,
-                       numberText(raster.upper_left_center_m.x()),
-                       numberText(raster.upper_left_center_m.y()),
-                       {}}
-        .join('\n')
+    return QString("%1\n0\n0\n-%1\n%2\n%3\n")
+        .arg(numberText(raster.cell_size_m), numberText(raster.upper_left_center_m.x()),
+             numberText(raster.upper_left_center_m.y()))
         .toLatin1();
 }
 

@@ -32,8 +32,7 @@ public:
 
     SpawnState state() const { return state_; }
     bool done() const { return state_ == SpawnState::Done; }
-    /// The newest request, also after its robot was lost.
-    const SpawnRequest& request() const { return request_; }
+    /// The robot of the newest request, also after it was lost.
     const std::string& robotName() const { return request_.robot_name; }
     /// True for a base station, which sends no data and does not drive; it counts as spawned as soon as INIT is sent.
     bool isStation() const { return protocol::isStation(request_.class_name); }
