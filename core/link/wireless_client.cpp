@@ -10,7 +10,7 @@
 
 namespace usar::link {
 
-WirelessClient::WirelessClient(QObject* parent) : QObject(parent) {
+WirelessClient::WirelessClient() {
     setInterval(std::chrono::seconds{1});
     connect(&timer_, &QTimer::timeout, this, &WirelessClient::ask);
 }

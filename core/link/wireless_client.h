@@ -35,7 +35,7 @@ using RadioStrengths = std::vector<RadioStrength>;
 class WirelessClient : public QObject {
     Q_OBJECT
 public:
-    explicit WirelessClient(QObject* parent = nullptr);
+    WirelessClient();
 
     /// Applies to connections that are made afterward.
     void setLimits(const LinkLimits& limits) { limits_ = limits; }

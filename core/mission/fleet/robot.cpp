@@ -19,10 +19,7 @@ int connections_made = 0; // Used in the GUI thread only, where all robots are m
 
 } // namespace
 
-Robot::Robot(QObject* parent)
-    : QObject(parent)
-    , thread_(new QThread)
-    , session_(new RobotSession(RobotView{}.cell_size_m)) {
+Robot::Robot() : thread_(new QThread), session_(new RobotSession(RobotView{}.cell_size_m)) {
     view_.connection = {++connections_made};
     thread_->setObjectName("robot");
     session_->moveToThread(thread_);

@@ -21,7 +21,7 @@ namespace usar::mission {
 class Robot : public QObject {
     Q_OBJECT
 public:
-    explicit Robot(QObject* parent = nullptr);
+    Robot();
     /// Sends the safe command and closes the connection. Waits at most two seconds for the session's thread, which is
     /// left behind if a plugin hangs in it.
     ~Robot() override;

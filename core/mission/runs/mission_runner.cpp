@@ -23,9 +23,8 @@ Seconds elapsedOn(const QElapsedTimer& timer) {
 
 } // namespace
 
-MissionRunner::MissionRunner(Mission mission, const agent::PluginLoader& plugins, RunOptions options, QObject* parent)
-    : QObject(parent)
-    , mission_(std::move(mission))
+MissionRunner::MissionRunner(Mission mission, const agent::PluginLoader& plugins, RunOptions options)
+    : mission_(std::move(mission))
     , plugins_(plugins)
     , options_(std::move(options))
     , session_(mission_.cell_size_m, this) {

@@ -69,7 +69,7 @@ enum ExitCode { Done = 0, MissionFailed = 1, BadInput = 2 };
 class MissionRunner : public QObject {
     Q_OBJECT
 public:
-    MissionRunner(Mission mission, const agent::PluginLoader& plugins, RunOptions options, QObject* parent = nullptr);
+    MissionRunner(Mission mission, const agent::PluginLoader& plugins, RunOptions options);
     ~MissionRunner() override;
 
     /// Starts the run. A mission that fails the checks ends with BadInput.

@@ -17,7 +17,7 @@ const char* const topic = "world";
 
 } // namespace
 
-WorldSession::WorldSession(QObject* parent) : QObject(parent), link_(this), beat_(this) {
+WorldSession::WorldSession() : link_(this), beat_(this) {
     beat_.setSingleShot(true);
     clock_.start();
     link_.setLineTaker([this](std::string_view line) { takeLine(line); });
@@ -29,8 +29,6 @@ WorldSession::WorldSession(QObject* parent) : QObject(parent), link_(this), beat
     });
     connect(&beat_, &QTimer::timeout, this, [this] { beat(); });
 }
-
-WorldSession::~WorldSession() = default;
 
 void WorldSession::setLimits(const WorldSessionLimits& limits) {
     limits_ = limits;
