@@ -4,7 +4,6 @@
 #include <optional>
 #include <string>
 
-#include "core/base/result.h"
 #include "core/mission/session/notices.h"
 #include "core/mission/session/session_orders.h"
 #include "core/protocol/command.h"
@@ -78,8 +77,5 @@ private:
     std::optional<Seconds> asked_at_;     ///< wall time of the newest INIT
     Seconds spawned_at_{0.0};             ///< protocol clock; 0 until it is known
 };
-
-/// Returns the INIT command for a request; fails if a protocol line cannot contain its names.
-Result<protocol::Init> initOf(const SpawnRequest& request);
 
 } // namespace usar::mission
