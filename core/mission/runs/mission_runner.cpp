@@ -141,17 +141,14 @@ Progress MissionRunner::progress() const {
     result.percent = status.progress_pct.value_or(0.0);
     result.now = now;
     result.time_left = status.time_left;
-    switch (phase_) {
-    case Phase::Flying:
+    if (phase_ == Phase::Flying) {
         result.state = status.state;
         result.speed_x = wall_s > 0.0 ? flightTime().count() / wall_s : 0.0;
-        break;
-    case Phase::Spawning:
+    } else if (phase_ == Phase::Spawning) {
         result.state = "spawning";
-        break;
-    default:
-        result.state =
-            session_.linkStatus().reason.isEmpty() ? "connecting" : session_.linkStatus().reason.toStdString();
+    } else {
+        const std::string reason = session_.linkStatus().reason.toStdString();
+        result.state = reason.empty() ? "connecting" : reason;
     }
     return result;
 }
