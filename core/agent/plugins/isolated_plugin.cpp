@@ -116,9 +116,7 @@ void IsolatedPlugin::runOut() {
     if (ending_)
         return lose(host_->howItEnded(std::nullopt, Seconds{0.0}));
     host_->kill();
-    std::string said = "did not answer for ";
-    appendShortest(said, Seconds(patience_.intervalAsDuration()).count());
-    lose(said + " s");
+    lose("did not answer for " + shortest(Seconds(patience_.intervalAsDuration()).count()) + " s");
 }
 
 void IsolatedPlugin::lose(const std::string& what) {
