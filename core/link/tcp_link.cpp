@@ -13,6 +13,9 @@ namespace usar::link {
 
 namespace {
 
+/// This many lines of another shape prove that a server is not USARSim.
+constexpr int patience_lines = 3;
+
 QString inWords(Seconds seconds) {
     const double value = seconds.count();
     return QString::fromStdString(fixed(value, value == std::floor(value) ? 0 : 1)) + QStringLiteral(" s");

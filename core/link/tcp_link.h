@@ -42,8 +42,6 @@ std::string placeOf(const LinkStatus& status);
 /// class, one per connection, reset for the next.
 class GreetingCheck {
 public:
-    static constexpr int patience_lines = 3;
-
     enum class Verdict { Unknown, Usarsim, Foreign };
 
     /// Takes raw bytes before they are cut into lines; recognizes binary data.
