@@ -6,7 +6,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
-#include "core/mission/files/mission_writer.h"
+#include "core/mission/files/mission_file.h"
 #include "core/server/embedded/program_files.h"
 #include "core/server/embedded/simulator_files.h"
 #include "widgets/panels/dialogs.h"

@@ -5,7 +5,7 @@
 
 #include <QMenu>
 
-#include "core/mission/fleet/robot_name.h"
+#include "core/mission/fleet/robot.h"
 #include "widgets/models/figures.h"
 #include "widgets/models/plan/plan_marks.h"
 #include "widgets/panels/dialogs.h"

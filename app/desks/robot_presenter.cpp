@@ -3,7 +3,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/mission/fleet/robot_name.h"
+#include "core/mission/fleet/robot.h"
 #include "core/mission/fleet/robot_words.h"
 #include "core/mission/session/session_update.h"
 #include "core/protocol/commands/spawn.h"

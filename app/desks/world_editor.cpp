@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/mission/world/ground_height.h"
+#include "core/mission/world/world_edits.h"
 #include "core/sim/world/object_kinds.h"
 
 namespace usar::app {

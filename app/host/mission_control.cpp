@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/host/true_figures.h"
-#include "core/mission/fleet/robot_name.h"
+#include "core/mission/fleet/robot.h"
 #include "core/server/embedded/program_files.h"
 #include "core/server/embedded/simulator_files.h"
 

@@ -21,6 +21,10 @@ constexpr bool isDigit(char c) {
 constexpr bool isLetter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
+/// Letter, digit or underscore: a character of a word of the protocol.
+constexpr bool isWordByte(char c) {
+    return isLetter(c) || isDigit(c) || c == '_';
+}
 /// Changes A-Z only.
 constexpr char lowerCase(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;

@@ -98,9 +98,7 @@ private slots:
         const PluginRecord& record = there.loader.records().front();
         QVERIFY2(record.state == PluginState::Loaded, qPrintable(record.reason));
         QVERIFY(record.isolated && !here.records().front().isolated);
-        const auto asBytes = [](const RobotDescription& robot) {
-            return frames::write(frames::Reply(frames::Description{robot}));
-        };
+        const auto asBytes = [](const RobotDescription& robot) { return frames::write(frames::Reply(robot)); };
         QCOMPARE(asBytes(there.loader.robots().front()), asBytes(here.robots().front()));
 
         const BehaviorContext context = there.contextOf(id, {{0.0, 0.0}, {40.0, 30.0}});

@@ -50,8 +50,8 @@ RunningBehavior::Output IsolatedBehavior::ask(const frames::Request& request, Se
     }
     if (reply && std::holds_alternative<frames::Answer>(*reply))
         return note(std::get<frames::Answer>(*reply));
-    if (reply && std::holds_alternative<frames::Refusal>(*reply))
-        return end(std::get<frames::Refusal>(*reply).error.text());
+    if (reply && std::holds_alternative<Error>(*reply))
+        return end(std::get<Error>(*reply).text());
     return lose(reply, at_work);
 }
 

@@ -56,7 +56,7 @@ void Helm::answer(const protocol::InfoLine& line) {
 void Helm::takeOutput(agent::RunningBehavior::Output output, bool is_tick) {
     const bool finishing = host_ && (host_->finished() || host_->ending());
     for (const agent::CausedCommand& command : output.commands)
-        if (!hand_.on() || !DriveGate::isDrive(command.command))
+        if (!hand_.on() || !protocol::isDrive(command.command))
             outgoing_.send(command);
     if (host_ && host_->ending()) {
         makeSafe(by::Behavior{host_->behaviorId(), "its process has ended"});
@@ -101,10 +101,8 @@ void Helm::stepOwed() {
 }
 
 void Helm::releaseDrives(bool at_once) {
-    if (at_once)
-        outgoing_.releaseNow(view_.incoming.now());
-    else if (!owner_.congested())
-        outgoing_.release(view_.incoming.now());
+    if (at_once || !owner_.congested())
+        outgoing_.release(view_.incoming.now(), at_once);
 }
 
 void Helm::look() {

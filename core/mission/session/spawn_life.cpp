@@ -2,8 +2,13 @@
 
 #include <utility>
 
+#include "core/base/result.h"
+
 namespace usar::mission {
 
+namespace {
+
+/// Returns the INIT command for a request; fails if a protocol line cannot contain its names.
 Result<protocol::Init> initOf(const SpawnRequest& request) {
     const auto class_name = protocol::Token::make(request.class_name);
     const auto robot_name = protocol::Name::make(request.robot_name);
@@ -11,6 +16,8 @@ Result<protocol::Init> initOf(const SpawnRequest& request) {
         return tl::unexpected(class_name ? robot_name.error() : class_name.error());
     return protocol::Init{*class_name, *robot_name, request.start_in_map};
 }
+
+} // namespace
 
 std::optional<protocol::Init> SpawnLife::standingInit() const {
     const auto init = initOf(request_);

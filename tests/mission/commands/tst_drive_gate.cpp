@@ -37,14 +37,14 @@ class tst_DriveGate : public QObject {
     Q_OBJECT
 private slots:
     void knowsWhatDrives() {
-        QVERIFY(DriveGate::isDrive(protocol::AerialDrive{}));
-        QVERIFY(DriveGate::isDrive(protocol::SkidDrive{}));
-        QVERIFY(DriveGate::isDrive(protocol::MultiDrive{}));
-        QVERIFY(DriveGate::isDrive(protocol::JointDrive{"Knee"}));
-        QVERIFY(DriveGate::isDrive(protocol::DriveSwitches{}));
-        QVERIFY(!DriveGate::isDrive(protocol::PackageDrive{"Arm"}));
-        QVERIFY(!DriveGate::isDrive(protocol::Step{}));
-        QVERIFY(!DriveGate::isDrive(protocol::SetInsPose{}));
+        QVERIFY(protocol::isDrive(protocol::AerialDrive{}));
+        QVERIFY(protocol::isDrive(protocol::SkidDrive{}));
+        QVERIFY(protocol::isDrive(protocol::MultiDrive{}));
+        QVERIFY(protocol::isDrive(protocol::JointDrive{"Knee"}));
+        QVERIFY(protocol::isDrive(protocol::DriveSwitches{}));
+        QVERIFY(!protocol::isDrive(protocol::PackageDrive{"Arm"}));
+        QVERIFY(!protocol::isDrive(protocol::Step{}));
+        QVERIFY(!protocol::isDrive(protocol::SetInsPose{}));
     }
 
     void letsEveryTickOfASimulatorPass() {
@@ -70,7 +70,6 @@ private slots:
         DriveGate gate;
         gate.offer(drive({.climb_m_s = 1.0, .forward_m_s = 2.0}, "older"));
         gate.offer(drive({.forward_m_s = 3.0, .yaw_rate_rad_s = 0.5}, "newer"));
-        QVERIFY(gate.holding());
         const auto command = gate.release(Seconds{1.0});
         QCOMPARE(released(command),
                  (protocol::AerialDrive{.climb_m_s = 1.0, .forward_m_s = 3.0, .yaw_rate_rad_s = 0.5}));
@@ -80,7 +79,7 @@ private slots:
 
     void keepsTheSideThatANewerSkidDriveLeavesOut() {
         const auto releasedSkid = [](DriveGate& gate) {
-            return released<protocol::SkidDrive>(gate.releaseNow(Seconds{1.0}));
+            return released<protocol::SkidDrive>(gate.release(Seconds{1.0}, true));
         };
         DriveGate gate;
         gate.offer({protocol::SkidDrive{.left_rad_s = 1.0}, {by::Other{"left"}, {}}});
@@ -112,8 +111,8 @@ private slots:
         QVERIFY(!gate.release(Seconds{1.0}).empty());
         gate.offer(drive({.forward_m_s = 0.0}));
         QVERIFY(gate.release(Seconds{1.0}).empty());
-        QVERIFY(!gate.releaseNow(Seconds{1.0}).empty());
-        QVERIFY(gate.releaseNow(Seconds{1.0}).empty());
+        QVERIFY(!gate.release(Seconds{1.0}, true).empty());
+        QVERIFY(gate.release(Seconds{1.0}, true).empty());
     }
 
     void eachKindIsKeptToTwentyPerSecond() {
@@ -185,13 +184,13 @@ private slots:
     void aCarsTermsAreFilledUpFromWhatWasSent() {
         DriveGate gate;
         gate.offer({protocol::AckermannDrive{2.0, 0.5, -0.5}, {}});
-        gate.releaseNow(Seconds{1.0});
+        gate.release(Seconds{1.0}, true);
         gate.offer({protocol::AckermannDrive{.speed_rad_s = 1.0}, {}});
-        QVERIFY(released<protocol::AckermannDrive>(gate.releaseNow(Seconds{2.0})) ==
+        QVERIFY(released<protocol::AckermannDrive>(gate.release(Seconds{2.0}, true)) ==
                 (protocol::AckermannDrive{1.0, 0.5, -0.5}));
         gate.reset();
         gate.offer({protocol::AckermannDrive{.speed_rad_s = 1.0}, {}});
-        QVERIFY(released<protocol::AckermannDrive>(gate.releaseNow(Seconds{3.0})) ==
+        QVERIFY(released<protocol::AckermannDrive>(gate.release(Seconds{3.0}, true)) ==
                 (protocol::AckermannDrive{.speed_rad_s = 1.0}));
     }
 

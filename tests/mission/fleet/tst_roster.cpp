@@ -1,6 +1,6 @@
 #include <QTest>
 
-#include "core/mission/fleet/robot_name.h"
+#include "core/mission/fleet/robot.h"
 #include "core/mission/fleet/roster.h"
 #include "tests/suite/suite.h"
 
