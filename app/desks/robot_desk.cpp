@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "core/mission/fleet/roster.h"
 #include "core/protocol/commands/spawn.h"
 
 namespace usar::app {
@@ -13,7 +14,7 @@ RobotDesk::RobotDesk(const DeskContext& context)
 }
 
 void RobotDesk::registerCommands() {
-    for (int number = 1; number <= 9; ++number)
+    for (int number = 1; number <= mission::Roster::most_robots; ++number)
         add(
             {QString("robot.select_%1").arg(number),
              tr("Select robot %1").arg(number),

@@ -63,7 +63,7 @@ int flowMarks(double width_px, double text_px, const Place& place) {
 }
 
 /// Formats a length in meters without trailing zeros.
-QString metres(double length_m) {
+QString meters(double length_m) {
     return QString::number(length_m, 'g', 6) + " m";
 }
 
@@ -93,7 +93,7 @@ void drawScaleBar(QPainter& painter, double pixels_per_m, double text_px, const 
     painter.drawLine(QPointF(left_px, right_end.y()), right_end);
     for (const double x : {left_px, right_end.x()})
         painter.drawLine(QPointF(x, right_end.y() - 0.35 * text_px), QPointF(x, right_end.y() + 0.35 * text_px));
-    const QString label = metres(length_m);
+    const QString label = meters(length_m);
     drawText(painter, {left_px - textWidth(label, text_px) - 0.6 * text_px, right_end.y() + 0.35 * text_px}, label);
 }
 

@@ -86,7 +86,8 @@ RobotId Fleet::lookedBackOn(RobotId id) const {
 void Fleet::Private::addReplay(std::unique_ptr<Robot> robot, const RecordingFacts& facts, const QString& complaint) {
     if (roster.full()) {
         q.note(Severity::Error, "replay",
-               tr("There can be no more than nine robots. Remove one, then open the recording again."));
+               tr("There can be no more than %1 robots. Remove one, then open the recording again.")
+                   .arg(Roster::most_robots));
         robot.release()->deleteLater();
         return;
     }
