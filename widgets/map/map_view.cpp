@@ -1,11 +1,13 @@
 #include "widgets/map/map_view.h"
 
+#include "widgets/map/map_accessible.h"
 #include "widgets/map/map_overlay.h"
 #include "widgets/map/map_painter.h"
 
 namespace usar::widgets {
 
 MapView::MapView(QWidget* parent) : QWidget(parent) {
+    describeMaps();
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);
     setAccessibleName(tr("Map"));

@@ -1,0 +1,39 @@
+// Typing raw commands with a real keyboard, whose keys the list of completions gets first.
+#include <QTest>
+
+#include "tests/hands/program.h"
+#include "tests/suite/suite.h"
+
+namespace tst_hands_command_box {
+
+using namespace usar::hands;
+
+class tst_HandsCommandBox : public QObject {
+    Q_OBJECT
+private slots:
+    void tabCompletesAndEnterSends();
+
+private:
+    /// Text of the command line.
+    static QString typed(const Program& program) {
+        const auto line = program.read().find("text", "Command");
+        return line ? program.read().textOf(*line) : QStringLiteral("(no command line)");
+    }
+};
+
+void tst_HandsCommandBox::tabCompletesAndEnterSends() {
+    Program program;
+    QVERIFY2(program.trouble().isEmpty(), qPrintable(program.trouble()));
+    QVERIFY(program.says("Connected"));
+    program.desk().key("F4");
+    program.desk().type("DRI");
+    program.desk().key("Tab");
+    program.screenshot("command_box");
+    QCOMPARE(typed(program), QStringLiteral("DRIVE "));
+}
+
+USAR_TEST(tst_HandsCommandBox)
+
+} // namespace tst_hands_command_box
+
+#include "tst_hands_command_box.moc"
