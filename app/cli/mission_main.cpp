@@ -1,18 +1,23 @@
-// usar-mission: flies one mission without a window, and processes its recording.
+// usar-mission: flies one mission without a window; its other verbs fly none, but read files and recordings.
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include <unistd.h>
 
 #include <QElapsedTimer>
+#include <QFile>
 #include <QGuiApplication>
 #include <QJsonDocument>
+#include <QTimer>
 
-#include "app/cli/verbs.h"
 #include "app/host/true_figures.h"
+#include "core/base/numbers.h"
 #include "core/mission/files/mission_options.h"
 #include "core/mission/reports/progress_bar.h"
+#include "core/mission/reports/verbs.h"
 #include "core/mission/runs/mission_runner.h"
+#include "core/mission/runs/replay_runner.h"
 #include "core/server/embedded/program_files.h"
 #include "core/server/embedded/quit_signals.h"
 #include "core/server/embedded/simulator_files.h"
@@ -30,9 +35,13 @@ int end(int exit_code, const QJsonObject& summary) {
     return exit_code;
 }
 
+void complain(const std::string& text) {
+    tell("usar-mission: " + text + "\n");
+}
+
 int refuse(const Error& error, const mission::MissionOptions* options = nullptr,
            const mission::Mission* plan = nullptr) {
-    tell("usar-mission: " + error.text() + "\n");
+    complain(error.text());
     return end(mission::BadInput, mission::toJson(mission::refusedRun(error, options, plan)));
 }
 
@@ -105,6 +114,69 @@ int run(const mission::MissionOptions& options, mission::Mission plan) {
     return end(exit_code, runner.summary());
 }
 
+int replay(const mission::ReplayOptions& options) {
+    auto recording = link::RecordingReader::open(options.file);
+    if (!recording) {
+        complain(recording.error().text());
+        return end(mission::BadInput, mission::refusedReplay(options.file, recording.error().text()));
+    }
+    const std::string complaint = (*recording)->survey().complaint();
+    if (!complaint.empty())
+        complain(options.file.toStdString() + ": " + complaint);
+    mission::ReplayRunner runner(*std::move(recording), options);
+    QObject::connect(&runner, &mission::ReplayRunner::finished, qApp, [](int code) { QCoreApplication::exit(code); });
+    server::QuitSignals signals_;
+    QObject::connect(&signals_, &server::QuitSignals::quit, &runner, &mission::ReplayRunner::interrupt);
+    QTimer progress;
+    QObject::connect(&progress, &QTimer::timeout, [&runner] {
+        const link::ReplayFigures figures = runner.figures();
+        std::fprintf(stderr, "\r%s of %s s\x1b[K", fixed(figures.position.count(), 1).c_str(),
+                     fixed(figures.span.count(), 1).c_str());
+    });
+    const bool shows_progress = ::isatty(STDERR_FILENO) == 1;
+    if (shows_progress)
+        progress.start(200);
+    runner.start();
+    const int exit_code = QCoreApplication::exec();
+    if (shows_progress)
+        std::fprintf(stderr, "\r\x1b[K");
+    return end(exit_code, runner.summary());
+}
+
+int replayOrConvert(const QStringList& arguments, const mission::VerbStreams& streams) {
+    const auto options = mission::readReplayOptions(arguments);
+    if (!options) {
+        complain(options.error().text());
+        return mission::BadInput;
+    }
+    if (options->help) {
+        std::printf("%s", qPrintable(mission::replayHelp().trimmed() + '\n'));
+        return mission::Done;
+    }
+    return options->verb == mission::ReplayVerb::Replay ? replay(*options)
+                                                        : mission::convertRecording(*options, streams);
+}
+
+/// Runs the verb that `arguments` begin with and returns the program's exit code; nullopt if it is none of these verbs.
+/// Errors go to standard error.
+std::optional<int> runVerb(const QStringList& arguments) {
+    const bool reports = mission::isReportVerb(arguments.value(0));
+    if (!reports && !mission::isReplayVerb(arguments.value(0)))
+        return std::nullopt;
+    QFile input, output;
+    if (!input.open(stdin, QIODevice::ReadOnly) || !output.open(stdout, QIODevice::WriteOnly)) {
+        complain("standard input or output cannot be opened");
+        return mission::BadInput;
+    }
+    const mission::VerbStreams streams{input, output, complain};
+    const int exit_code = reports ? mission::runReportVerb(arguments, server::pluginFolders(), streams)
+                                  : replayOrConvert(arguments, streams);
+    if (output.flush())
+        return exit_code;
+    complain(Error{"the output takes no more", "standard output", "Make room, or write elsewhere"}.text());
+    return mission::BadInput;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -112,7 +184,7 @@ int main(int argc, char** argv) {
         qputenv("QT_QPA_PLATFORM", "offscreen"); // pictures contain text, which needs a QGuiApplication
     QGuiApplication application(argc, argv);
     QCoreApplication::setApplicationName("usar-mission");
-    if (const auto exit_code = app::runVerb(QCoreApplication::arguments().mid(1)))
+    if (const auto exit_code = runVerb(QCoreApplication::arguments().mid(1)))
         return *exit_code;
     const auto options = mission::readMissionOptions(QCoreApplication::arguments().mid(1));
     if (!options)

@@ -11,8 +11,6 @@ using agent::BreakpointId;
 using posh::BreakOn;
 using widgets::PlanNodeKind;
 
-BreakpointDesk::BreakpointDesk(const DeskContext& context, PlanRunDesk& run) : Desk(context), run_(run) {}
-
 void BreakpointDesk::registerCommands() {
     const auto any = [this] { return run_.selectedIs({}) && run_.watch().program(); };
     const auto addKind = [this, any](const char* id, BreakOn on, const std::vector<PlanNodeKind>& kinds) {
@@ -33,7 +31,10 @@ void BreakpointDesk::registerCommands() {
         passOn();
     });
     const auto plan_has_some = [this] { return run_.watch().program() && !list_.ofPlan(planName()).empty(); };
-    add("plan.break_clear", plan_has_some, [this] { clear(); });
+    add("plan.break_clear", plan_has_some, [this] {
+        list_.remove(list_.ofPlan(planName()));
+        passOn();
+    });
 }
 
 void BreakpointDesk::wire() {
@@ -104,10 +105,6 @@ std::string BreakpointDesk::planName() {
     return program ? program->title : std::string();
 }
 
-std::vector<BreakpointId> BreakpointDesk::selected() {
-    return list_.atSpots(planName(), run_.selectedSpots());
-}
-
 void BreakpointDesk::toggle(BreakOn on) {
     list_.toggle(planName(), run_.selectedSpots(), on);
     passOn();
@@ -119,11 +116,6 @@ void BreakpointDesk::toggleKey() {
     if (key.empty() || !program)
         return;
     list_.toggleKey(*program, key);
-    passOn();
-}
-
-void BreakpointDesk::clear() {
-    list_.remove(list_.ofPlan(planName()));
     passOn();
 }
 

@@ -15,7 +15,7 @@ namespace usar::app {
 class BreakpointDesk : public Desk {
     Q_OBJECT
 public:
-    BreakpointDesk(const DeskContext& context, PlanRunDesk& run);
+    BreakpointDesk(const DeskContext& context, PlanRunDesk& run) : Desk(context), run_(run) {}
 
     void registerCommands() override;
     void wire() override;
@@ -51,12 +51,10 @@ private:
     void edit(agent::BreakpointId id);
     /// Edits the first breakpoint at the selected part; sets one if there is none.
     void editSelected();
-    /// Removes the breakpoints of the plan that is shown; those of other plans stay.
-    void clear();
     /// Removes the breakpoints of "run to here"; sends nothing if there are none.
     void dropTemporary();
     /// Ids of the breakpoints at the selected part.
-    std::vector<agent::BreakpointId> selected();
+    std::vector<agent::BreakpointId> selected() { return list_.atSpots(planName(), run_.selectedSpots()); }
     /// Name of the plan that is shown; empty if there is none.
     std::string planName();
 

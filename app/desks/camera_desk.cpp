@@ -38,15 +38,18 @@ void CameraDesk::registerCommands() {
     const auto has_light = [this] { return live() && work_.mount().lightKnown(); };
     add("camera.light", has_light, [this](bool on) { robot()->send(protocol::DriveSwitches{.light_on = on}, cause); });
     const auto has_picture = [this] { return !view_.isEmpty(); };
-    add("camera.save", has_picture, [this] { chooseWhereToSave(); });
+    add("camera.save", has_picture, [this] {
+        const QImage picture = view_.picture(); // The current one, not the one when the dialog closes.
+        const QString path =
+            widgets::askWhereToSave(window_, tr("Save picture"), tr("camera.png"), tr("Pictures (*.png *.jpg)"));
+        if (!path.isEmpty())
+            savePicture(picture, path);
+    });
     add("camera.port", [this] { chooseImagePort(); });
 }
 
 void CameraDesk::wire() {
-    QList<QAction*> shown;
-    for (const char* const id : {"camera.center", "camera.light", "camera.save"})
-        shown << action(id);
-    view_.setActions(shown);
+    view_.setActions({action("camera.center"), action("camera.light"), action("camera.save")});
     server_port_ = static_cast<quint16>(QSettings().value("server/image_port", server_port_).toUInt());
     connect(&control_.simulator(), &server::SimulatorHost::channelsOpened, this,
             [this](const server::ChannelPorts& ports) {
@@ -101,14 +104,6 @@ void CameraDesk::wireFeed() {
         if (first)
             showAbilities();
     });
-}
-
-bool CameraDesk::canZoom() const {
-    return !view_.isEmpty() && work_.mount().canZoom();
-}
-
-bool CameraDesk::canTurn() const {
-    return live() && !view_.isEmpty() && work_.mount().canTurn();
 }
 
 std::optional<bool> CameraDesk::hasCamera() const {
@@ -199,14 +194,6 @@ void CameraDesk::chooseImagePort() {
     QSettings().setValue("server/image_port", port);
     server_port_ = static_cast<quint16>(port);
     refresh();
-}
-
-void CameraDesk::chooseWhereToSave() {
-    const QImage picture = view_.picture(); // The current one, not the one when the dialog closes.
-    const QString path =
-        widgets::askWhereToSave(window_, tr("Save picture"), tr("camera.png"), tr("Pictures (*.png *.jpg)"));
-    if (!path.isEmpty())
-        savePicture(picture, path);
 }
 
 void CameraDesk::savePicture(const QImage& picture, const QString& path) {

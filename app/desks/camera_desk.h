@@ -30,9 +30,9 @@ private:
     void wireView();
     void wireFeed();
     /// True if there is a picture and the chosen camera can zoom.
-    bool canZoom() const;
+    bool canZoom() const { return !view_.isEmpty() && work_.mount().canZoom(); }
     /// True if there is a picture of a live robot and the mount of its camera can turn.
-    bool canTurn() const;
+    bool canTurn() const { return live() && !view_.isEmpty() && work_.mount().canTurn(); }
     /// True if the selected robot has a camera; nullopt while that is unknown.
     std::optional<bool> hasCamera() const;
     /// Starts over, because another robot was selected.
@@ -49,7 +49,6 @@ private:
     /// Returns true if there can be no picture; the view then says why, and what the user can do.
     bool showWhatIsMissing();
     void chooseImagePort();
-    void chooseWhereToSave();
 
     widgets::CameraView& view_;
     mission::CameraFeed feed_;

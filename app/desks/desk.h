@@ -5,7 +5,7 @@
 
 #include "app/desks/notice_desk.h"
 #include "app/desks/selection.h"
-#include "core/mission/fleet/robot_name.h"
+#include "core/mission/fleet/robot.h"
 #include "widgets/commands/command_registry.h"
 
 namespace usar::app {

@@ -35,7 +35,18 @@ DriveDesk::DriveDesk(const DeskContext& context) : Desk(context), keys_(context.
     connect(views_.drive, &widgets::DrivePanel::takeRequested, this, &DriveDesk::requestControl);
     connect(views_.drive, &widgets::DrivePanel::stopRequested, this, &DriveDesk::stopRobot);
     connect(views_.drive, &widgets::DrivePanel::speedShareChanged, this, &DriveDesk::repeat);
-    wireGamepad();
+    connect(&gamepad_, &widgets::Gamepad::moved, this, [this](const Stick& stick) { ask(HandSource::Gamepad, stick); });
+    connect(&gamepad_, &widgets::Gamepad::unplugged, this, [this](const QString& name) {
+        if (requests_.isHeld(HandSource::Gamepad))
+            letGo(tr("the gamepad %1 was unplugged").arg(name));
+        ask(HandSource::Gamepad, {});
+        showGamepad();
+    });
+    connect(&gamepad_, &widgets::Gamepad::plugged, this, &DriveDesk::showGamepad);
+    connect(&gamepad_, &widgets::Gamepad::stopPressed, this,
+            [this] { letGo(tr("the gamepad's stop button was pressed")); });
+    connect(&gamepad_, &widgets::Gamepad::takePressed, this, [this] { requestControl(!taken()); });
+    showGamepad();
 }
 
 void DriveDesk::registerCommands() {
@@ -148,21 +159,6 @@ void DriveDesk::stopRobot() {
     robot()->stop();
     endControl();
     show();
-}
-
-void DriveDesk::wireGamepad() {
-    connect(&gamepad_, &widgets::Gamepad::moved, this, [this](const Stick& stick) { ask(HandSource::Gamepad, stick); });
-    connect(&gamepad_, &widgets::Gamepad::unplugged, this, [this](const QString& name) {
-        if (requests_.isHeld(HandSource::Gamepad))
-            letGo(tr("the gamepad %1 was unplugged").arg(name));
-        ask(HandSource::Gamepad, {});
-        showGamepad();
-    });
-    connect(&gamepad_, &widgets::Gamepad::plugged, this, &DriveDesk::showGamepad);
-    connect(&gamepad_, &widgets::Gamepad::stopPressed, this,
-            [this] { letGo(tr("the gamepad's stop button was pressed")); });
-    connect(&gamepad_, &widgets::Gamepad::takePressed, this, [this] { requestControl(!taken()); });
-    showGamepad();
 }
 
 void DriveDesk::showGamepad() {

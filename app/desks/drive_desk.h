@@ -64,7 +64,6 @@ private:
     void letGo(const QString& reason);
     /// Ends both a running behavior and driving by hand; has no effect on a replay.
     void stopRobot();
-    void wireGamepad();
     /// Names the gamepad, or says that there is none or that the program was built without SDL 2.
     void showGamepad();
     void show();

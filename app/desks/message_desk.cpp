@@ -18,15 +18,6 @@ void MessageDesk::registerCommands() {
 }
 
 void MessageDesk::wire() {
-    wireList();
-    connect(views_.command_box, &widgets::CommandBox::sendRequested, this, &MessageDesk::sendTyped);
-    connect(views_.traffic, &QToolButton::clicked, views_.connection, &widgets::ConnectionBar::openPanel);
-    connect(&control_, &MissionControl::linkChanged, this, &MessageDesk::followConnection);
-    connect(&control_, &MissionControl::robotLinkChanged, this, &MessageDesk::followConnection);
-    connect(&selection_, &Selection::changed, this, &MessageDesk::followConnection);
-}
-
-void MessageDesk::wireList() {
     auto* const messages = views_.messages;
     connect(messages, &widgets::MessageList::countChanged, views_.message_count, &QLabel::setText);
     connect(messages, &widgets::MessageList::failed, this,
@@ -37,6 +28,11 @@ void MessageDesk::wireList() {
     });
     connect(messages, &widgets::MessageList::saveRequested, this, &MessageDesk::chooseWhereToSave);
     connect(messages, &widgets::MessageList::resendRequested, this, &MessageDesk::sendAgain);
+    connect(views_.command_box, &widgets::CommandBox::sendRequested, this, &MessageDesk::sendTyped);
+    connect(views_.traffic, &QToolButton::clicked, views_.connection, &widgets::ConnectionBar::openPanel);
+    connect(&control_, &MissionControl::linkChanged, this, &MessageDesk::followConnection);
+    connect(&control_, &MissionControl::robotLinkChanged, this, &MessageDesk::followConnection);
+    connect(&selection_, &Selection::changed, this, &MessageDesk::followConnection);
 }
 
 void MessageDesk::chooseWhereToSave() {

@@ -18,7 +18,6 @@ public:
     void save(QSettings& settings) const override;
 
 private:
-    void wireList();
     /// Shows the right connection after another robot was selected or a connection has changed.
     void followConnection();
     void chooseWhereToSave();

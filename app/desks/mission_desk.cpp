@@ -6,22 +6,26 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
-#include "core/mission/files/mission_writer.h"
+#include "core/mission/files/mission_file.h"
 #include "core/server/embedded/program_files.h"
 #include "core/server/embedded/simulator_files.h"
 #include "widgets/panels/dialogs.h"
 
 namespace usar::app {
 
-MissionDesk::MissionDesk(const DeskContext& context, ServerDesk& server, TaskDesk& task)
-    : Desk(context)
-    , server_(server)
-    , task_(task) {}
-
 void MissionDesk::registerCommands() {
-    add("file.open", [this] { chooseFile(); });
-    add(
-        "file.save", [this] { return task_.complete(); }, [this] { chooseWhereToSave(); });
+    add("file.open", [this] {
+        const QString path = QFileDialog::getOpenFileName(window_, tr("Open mission"), {}, tr("Missions (*.json)"));
+        if (!path.isEmpty())
+            openMission(path);
+    });
+    const auto complete = [this] { return task_.complete(); };
+    add("file.save", complete, [this] {
+        const QString path =
+            widgets::askWhereToSave(window_, tr("Save mission"), tr("mission.json"), tr("Missions (*.json)"));
+        if (!path.isEmpty())
+            saveMission(path);
+    });
 }
 
 void MissionDesk::wire() {
@@ -125,19 +129,6 @@ void MissionDesk::saveMission(const QString& path) {
         return notices_.complain("mission", saved.error());
     notices_.cure("mission");
     notices_.note("mission-saved", tr("Saved the mission %1; usar-mission run flies it, too.").arg(path));
-}
-
-void MissionDesk::chooseFile() {
-    const QString path = QFileDialog::getOpenFileName(window_, tr("Open mission"), {}, tr("Missions (*.json)"));
-    if (!path.isEmpty())
-        openMission(path);
-}
-
-void MissionDesk::chooseWhereToSave() {
-    const QString path =
-        widgets::askWhereToSave(window_, tr("Save mission"), tr("mission.json"), tr("Missions (*.json)"));
-    if (!path.isEmpty())
-        saveMission(path);
 }
 
 } // namespace usar::app

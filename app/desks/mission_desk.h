@@ -14,7 +14,10 @@ namespace usar::app {
 class MissionDesk : public Desk {
     Q_OBJECT
 public:
-    MissionDesk(const DeskContext& context, ServerDesk& server, TaskDesk& task);
+    MissionDesk(const DeskContext& context, ServerDesk& server, TaskDesk& task)
+        : Desk(context)
+        , server_(server)
+        , task_(task) {}
 
     void registerCommands() override;
     void wire() override;
@@ -38,8 +41,6 @@ private:
     void selectRobotFor(const std::string& robot_class);
     /// Name of the start pose that the selected robot was spawned on, or of the first one.
     std::string startName() const;
-    void chooseFile();
-    void chooseWhereToSave();
 
     ServerDesk& server_;
     TaskDesk& task_;

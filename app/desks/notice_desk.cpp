@@ -25,14 +25,6 @@ NoticeDesk::NoticeDesk(MissionControl& control, const widgets::WindowViews& view
     });
 }
 
-void NoticeDesk::say(Severity severity, const QString& key, const QString& text) {
-    views_.notifications->push(key, severity, text);
-}
-
-void NoticeDesk::note(const QString& key, const QString& text) {
-    views_.notifications->push(key, Severity::Note, text, true);
-}
-
 void NoticeDesk::complain(const QString& key, const Error& error) {
     say(Severity::Error, key, QString::fromStdString(error.text()));
 }
@@ -41,10 +33,6 @@ void NoticeDesk::offer(Severity severity, const QString& key, const QString& tex
                        std::function<void()> accept) {
     offers_[key] = std::move(accept);
     views_.notifications->push(key, severity, text, true, offer);
-}
-
-void NoticeDesk::cure(const QString& key) {
-    views_.notifications->cured(key);
 }
 
 } // namespace usar::app

@@ -20,9 +20,11 @@ public:
     NoticeDesk(MissionControl& control, const widgets::WindowViews& views);
 
     /// Shows a complete sentence; warnings and errors also as a toast.
-    void say(Severity severity, const QString& key, const QString& text);
+    void say(Severity severity, const QString& key, const QString& text) {
+        views_.notifications->push(key, severity, text);
+    }
     /// Shows a note that the user waits for, also as a toast.
-    void note(const QString& key, const QString& text);
+    void note(const QString& key, const QString& text) { views_.notifications->push(key, Severity::Note, text, true); }
     /// Shows an error.
     void complain(const QString& key, const Error& error);
     /// Shows a sentence with a button beside it, which calls `accept` as long as the problem is not cured.
@@ -31,7 +33,7 @@ public:
     /// True while the notification with this key has such a button.
     bool offers(const QString& key) const { return offers_.contains(key); }
     /// The problem is over. An unknown key has no effect.
-    void cure(const QString& key);
+    void cure(const QString& key) { views_.notifications->cured(key); }
 
 private:
     const widgets::WindowViews& views_;

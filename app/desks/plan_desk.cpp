@@ -5,7 +5,7 @@
 
 #include <QMenu>
 
-#include "core/mission/fleet/robot_name.h"
+#include "core/mission/fleet/robot.h"
 #include "widgets/models/figures.h"
 #include "widgets/models/plan/plan_marks.h"
 #include "widgets/panels/dialogs.h"
@@ -17,8 +17,6 @@ namespace usar::app {
 using agent::PlanFate;
 using widgets::PlanNodeKind;
 using widgets::PlanSpot;
-
-PlanDesk::PlanDesk(const DeskContext& context) : Desk(context), run_(context), breakpoints_(context, run_) {}
 
 void PlanDesk::registerCommands() {
     const auto drawn = [this] { return !views_.plan->view().tree().empty(); };
@@ -50,12 +48,11 @@ void PlanDesk::registerRunCommands() {
         stepCycle();
     });
     add("plan.step_epoch", halted, [this] { stepEpoch(); });
-    add(
-        "plan.run_to", [this, flies] { return flies() && run_.selectedIs({}); },
-        [this] {
-            breakpoints_.setTemporary();
-            goOn();
-        });
+    const auto has_place = [this, flies] { return flies() && run_.selectedIs({}); };
+    add("plan.run_to", has_place, [this] {
+        breakpoints_.setTemporary();
+        goOn();
+    });
 }
 
 void PlanDesk::registerPinCommands() {
@@ -205,7 +202,7 @@ void PlanDesk::takeNews(RobotId id, const agent::PlanHalted& halted) {
 }
 
 void PlanDesk::takeNews(RobotId id, const agent::PlanResumed&) {
-    views_.notifications->cured("plan-halted/" + nameOf(*control_.robot(id)));
+    notices_.cure("plan-halted/" + nameOf(*control_.robot(id)));
     if (!anyHalted() && !stepping_)
         emit timeWanted(true);
     if (id != selection_.id() || stepping_) // it will halt again in a moment
@@ -219,16 +216,14 @@ void PlanDesk::takeNews(RobotId id, const agent::PlanReplaced& replaced) {
     const QString plan = QString::fromStdString(replaced.plan_name);
     const QString key = "plan-replaced/" + who;
     if (replaced.fate == PlanFate::Kept)
-        return views_.notifications->push(key, Severity::Note, tr("%1 goes on where it was, by %2.").arg(who, plan),
-                                          true);
+        return notices_.note(key, tr("%1 goes on where it was, by %2.").arg(who, plan));
     if (replaced.fate == PlanFate::Restarted)
-        return views_.notifications->push(key, Severity::Note, tr("%1 begins %2 at its root.").arg(who, plan), true);
+        return notices_.note(key, tr("%1 begins %2 at its root.").arg(who, plan));
     QString why = QString::fromStdString(replaced.reason);
     for (const posh::Finding& finding : replaced.findings)
         if (why.isEmpty() && posh::severityOf(finding.code) == Severity::Error)
             why = QString::fromStdString(posh::toText(finding));
-    views_.notifications->push(key, Severity::Error,
-                               tr("%1 does not take %2 and goes on as it did. %3").arg(who, plan, why), true);
+    notices_.say(Severity::Error, key, tr("%1 does not take %2 and goes on as it did. %3").arg(who, plan, why));
 }
 
 /// Robots whose server's time waits for all of them (lockstep) continue together.
@@ -271,8 +266,8 @@ void PlanDesk::pinSelected() {
     const bool is_act = spots.front().kind == posh::PlaceKind::Act;
     const auto& answer = views_.plan->view().states()[views_.plan->view().selected()].answer;
     const QString shown = QString::fromStdString(call);
-    auto* const dialog = is_act ? widgets::PinDialog::forAct(shown, window_)
-                                : widgets::PinDialog::forSense(shown, answer ? answer->value : QString(), window_);
+    auto* const dialog = new widgets::PinDialog(
+        shown, is_act ? std::nullopt : std::optional(answer ? answer->value : QString()), window_);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog, is_act, call, connection] {
         if (is_act)

@@ -15,7 +15,7 @@ namespace usar::app {
 class PlanDesk : public Desk {
     Q_OBJECT
 public:
-    explicit PlanDesk(const DeskContext& context);
+    explicit PlanDesk(const DeskContext& context) : Desk(context), run_(context), breakpoints_(context, run_) {}
 
     void registerCommands() override;
     void wire() override;

@@ -240,12 +240,4 @@ void PlanWorkshop::letGo(std::function<void()> go_on) {
     box->open();
 }
 
-bool PlanWorkshop::hasChanges() const {
-    return editor_ && editor_->isModified();
-}
-
-void PlanWorkshop::complain(const Error& error) {
-    notices_.complain("plan", error);
-}
-
 } // namespace usar::app

@@ -35,7 +35,7 @@ public:
     /// Sets the current plan of the selected robot; empty: no plan decides.
     void setRunningPlan(const std::string& text);
     /// True if the plan in the editor has unsaved changes.
-    bool hasChanges() const;
+    bool hasChanges() const { return editor_ && editor_->isModified(); }
     /// Calls `go_on` at once if nothing would be lost, otherwise after the user has saved or discarded the changes;
     /// never if the user cancels. A second call while the question is open replaces the first one's `go_on`.
     void letGo(std::function<void()> go_on);
@@ -68,7 +68,7 @@ private:
     /// Chooses behavior and file for the next start.
     void use(const std::string& behavior_id, const QString& path);
     std::string plannedBehavior() const;
-    void complain(const Error& error);
+    void complain(const Error& error) { notices_.complain("plan", error); }
 
     QPointer<widgets::PlanEditor> editor_;
     QByteArray geometry_;                    ///< geometry of the editor's window when it was last closed

@@ -29,19 +29,11 @@ PluginDesk::PluginDesk(const DeskContext& context, const QStringList& folders)
     control_.plugins().scan(folders);
 }
 
-void PluginDesk::registerCommands() {
-    add("plugins.rescan", [this] { rescan(true); });
-}
-
 void PluginDesk::wire() {
     views_.behavior->setRescanAction(action("plugins.rescan"));
     connect(&control_, &MissionControl::pluginsChanged, this, &PluginDesk::take);
     watch_.watch(control_.plugins().folders());
     connect(&watch_, &agent::PluginWatch::changed, this, [this] { rescan(false); });
-}
-
-void PluginDesk::save(QSettings& settings) const {
-    settings.setValue("isolated_plugins", isolated_);
 }
 
 /// Also sets the folder for marks of plugins that have ended the program; it is beside the settings file.

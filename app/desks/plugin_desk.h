@@ -15,9 +15,11 @@ class PluginDesk : public Desk {
 public:
     PluginDesk(const DeskContext& context, const QStringList& folders);
 
-    void registerCommands() override;
+    void registerCommands() override {
+        add("plugins.rescan", [this] { rescan(true); });
+    }
     void wire() override;
-    void save(QSettings& settings) const override;
+    void save(QSettings& settings) const override { settings.setValue("isolated_plugins", isolated_); }
     /// Reports the refused plugins; to be called once notifications can be seen.
     void tellRefused();
 

@@ -10,7 +10,12 @@ void ReplayDesk::registerCommands() {
     // Relative to the replay's position when it takes the order: at 100 times the pace the bar lags by seconds.
     const auto seekBy = [this](Seconds span) { return [this, span] { order({.seek_by = span}); }; };
     add("file.record", [this](bool on) { setRecording(on); });
-    add("file.open_recording", [this] { chooseRecording(); });
+    add("file.open_recording", [this] {
+        const QString path = QFileDialog::getOpenFileName(window_, tr("Open recording"), control_.resultFolder(),
+                                                          tr("Recordings (*.usarrec)"));
+        if (!path.isEmpty())
+            control_.openRecording(path);
+    });
     add("replay.play", shown, [this] { order({.play = !views_.replay->state().playing}); });
     add("replay.step", shown, [this] { order({.step = true}); });
     add("replay.back", shown, seekBy(-leap));
@@ -32,14 +37,6 @@ void ReplayDesk::wire() {
     connectUpdates([this](const auto&) { show(); });
 }
 
-void ReplayDesk::restore(const QSettings& settings) {
-    setRecording(settings.value("record", true).toBool());
-}
-
-void ReplayDesk::save(QSettings& settings) const {
-    settings.setValue("record", control_.recording());
-}
-
 void ReplayDesk::show() {
     const bool is_replay = robot() && robot()->isReplay();
     views_.replay->setVisible(is_replay);
@@ -47,7 +44,7 @@ void ReplayDesk::show() {
     if (is_replay)
         views_.replay->setFile(robot()->view().recording);
     if (const auto& replay = figures.replay; is_replay && replay)
-        views_.replay->setState({replay->position, replay->span, replay->speed, replay->playing, replay->seeking});
+        views_.replay->setState({replay->position, replay->span, replay->speed, replay->playing});
     std::optional<widgets::RecordState> recording;
     if (figures.recording)
         recording = {figures.recording->elapsed, figures.recording->bytes,
@@ -64,13 +61,6 @@ void ReplayDesk::setRecording(bool on) {
     control_.setRecording(on);
     action("file.record")->setChecked(on);
     show();
-}
-
-void ReplayDesk::chooseRecording() {
-    const QString path = QFileDialog::getOpenFileName(window_, tr("Open recording"), control_.resultFolder(),
-                                                      tr("Recordings (*.usarrec)"));
-    if (!path.isEmpty())
-        control_.openRecording(path);
 }
 
 } // namespace usar::app

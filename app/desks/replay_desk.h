@@ -13,8 +13,8 @@ public:
 
     void registerCommands() override;
     void wire() override;
-    void restore(const QSettings& settings) override;
-    void save(QSettings& settings) const override;
+    void restore(const QSettings& settings) override { setRecording(settings.value("record", true).toBool()); }
+    void save(QSettings& settings) const override { settings.setValue("record", control_.recording()); }
 
 private:
     /// Updates the bar and the badge for the selected robot.
@@ -22,8 +22,6 @@ private:
     /// Sends an order to the selected replay; has no effect on a live robot.
     void order(const mission::ReplayOrder& order);
     void setRecording(bool on);
-    /// Lets the user choose a recording and opens it as a replay.
-    void chooseRecording();
 };
 
 } // namespace usar::app

@@ -1,15 +1,20 @@
 #include "app/desks/robot_desk.h"
 
+#include <functional>
+
+#include "core/mission/fleet/roster.h"
 #include "core/protocol/commands/spawn.h"
 
 namespace usar::app {
 
-RobotDesk::RobotDesk(const DeskContext& context) : Desk(context), presenter_(context.control, context.views) {
+RobotDesk::RobotDesk(const DeskContext& context)
+    : Desk(context)
+    , presenter_(context.control, context.views, context.selection) {
     listClasses();
 }
 
 void RobotDesk::registerCommands() {
-    for (int number = 1; number <= 9; ++number)
+    for (int number = 1; number <= mission::Roster::most_robots; ++number)
         add(
             {QString("robot.select_%1").arg(number),
              tr("Select robot %1").arg(number),
@@ -79,11 +84,9 @@ void RobotDesk::wireRobots() {
             presenter_.showLinkState(id);
     });
     connect(&control_, &MissionControl::behaviorFinished, this, [this](RobotId id) { presenter_.showRow(id); });
-    connect(&control_, &MissionControl::linkUpdated, this, [this](const auto& update) {
-        presenter_.showLink(control_.connectionOf({}), *update, !selection_.id().valid());
-    });
-    connect(&control_, &MissionControl::robotUpdated, this,
-            [this](RobotId id, const auto& update) { show(id, *update); });
+    connect(&control_, &MissionControl::linkUpdated, this, std::bind_front(&RobotPresenter::showLink, &presenter_));
+    connect(&control_, &MissionControl::robotUpdated, this, std::bind_front(&RobotPresenter::show, &presenter_));
+    connectUpdates([this](const auto&) { showTrace(); });
 }
 
 void RobotDesk::wireSpawning() {
@@ -150,13 +153,6 @@ void RobotDesk::select(const QString& name) {
     for (const Robot* robot : control_.robots())
         if (name == nameOf(*robot))
             selection_.select(robot->view().id);
-}
-
-void RobotDesk::show(RobotId id, const mission::SessionUpdate& update) {
-    const bool selected = id == selection_.id();
-    presenter_.show(id, update, selected);
-    if (selected)
-        showTrace();
 }
 
 void RobotDesk::trace(bool on) {

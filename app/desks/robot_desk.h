@@ -6,7 +6,7 @@
 
 namespace usar::app {
 
-/// Spawns robots on the map's start poses, and passes their updates to a RobotPresenter, which shows them. GUI thread.
+/// Spawns robots on the map's start poses; a RobotPresenter shows their updates. GUI thread.
 class RobotDesk : public Desk {
     Q_OBJECT
 public:
@@ -33,7 +33,6 @@ private:
     void dismiss(RobotId id, const QString& name, RobotId instead);
     /// Spawns a robot on the chosen start pose, unless that pose no longer exists. An error is a notice.
     void spawn(const widgets::SpawnChoice& choice);
-    void show(RobotId id, const mission::SessionUpdate& update);
     /// Shows the selected robot's trace state in the command and the palette.
     void showTrace();
     /// Selects the robot with this name, which was clicked on the map; an unknown name changes nothing.

@@ -1,12 +1,14 @@
 #include "app/desks/robot_presenter.h"
 
+#include <limits>
 #include <utility>
 
-#include "core/mission/fleet/robot_name.h"
+#include "core/mission/fleet/robot.h"
 #include "core/mission/fleet/robot_words.h"
 #include "core/mission/session/session_update.h"
 #include "core/protocol/commands/spawn.h"
 #include "core/protocol/fields.h"
+#include "core/protocol/silence.h"
 #include "core/protocol/usual_values.h"
 #include "widgets/style/theme.h"
 
@@ -20,10 +22,9 @@ widgets::MapRobot onMap(const RobotView& view) {
             protocol::isStation(view.spawn.class_name)};
 }
 
-/// True if a sensor that was heard has been silent for the time of five messages of the slowest server.
+/// True if the newest reading of a sensor that was heard is out of date.
 bool silent(const std::optional<Seconds>& heard, Seconds now) {
-    constexpr Seconds patience{1.0};
-    return heard && now - *heard > patience;
+    return heard && now - *heard > protocol::silence::reading;
 }
 
 /// Scanners of flying robots look down. Unknown counts as flying, because a UDK server does not report the vehicle's
@@ -48,7 +49,9 @@ widgets::ControlWords controlWords(const MissionControl& control, const Robot* r
     return {nameOf(*robot), Driver::Behavior, QString::fromStdString(behavior ? behavior->name : state.behavior_id)};
 }
 
-void RobotPresenter::show(RobotId id, const mission::SessionUpdate& update, bool selected) {
+void RobotPresenter::show(RobotId id, const std::shared_ptr<const mission::SessionUpdate>& shared) {
+    const mission::SessionUpdate& update = *shared;
+    const bool selected = id == selection_.id();
     const RobotView& view = control_.robot(id)->view();
     if (update.rewound)
         restart(view, selected);
@@ -62,9 +65,16 @@ void RobotPresenter::show(RobotId id, const mission::SessionUpdate& update, bool
     if (!selected)
         return;
     showTraffic(update.figures);
-    noteHeard(update);
+    if (mission::newest<protocol::RangeScan>(update))
+        scan_heard_ = update.figures.now;
+    if (mission::newest<protocol::SonarReadings>(update))
+        sonar_heard_ = update.figures.now;
     showInstruments(view, update);
-    feedPanels(update);
+    for (const protocol::InfoLine& line : update.lines) {
+        views_.sensors->take(line, update.figures.now);
+        views_.plots->take(line, update.figures.now);
+    }
+    views_.sensors->setNow(update.figures.now);
 }
 
 bool RobotPresenter::tracing(RobotId id) const {
@@ -148,7 +158,7 @@ void RobotPresenter::showInstruments(const RobotView& view, const mission::Sessi
         std::map<std::string, double> ranges_m;
         for (const protocol::NamedRange& sonar : sonars->ranges)
             ranges_m[sonar.name] = sonar.range_m;
-        views_.sonars->setColumns(widgets::sonarColumns(ranges_m, protocol::usual_sonar_maximum_m));
+        views_.sonars->setZones(widgets::zonesOf(ranges_m, protocol::usual_sonar_maximum_m));
     }
     showLinkState(view.id);
 }
@@ -162,21 +172,6 @@ void RobotPresenter::showLinkState(RobotId id) {
     views_.terrain->setStale(stale);
     views_.sonars->setStale(stale || silent(sonar_heard_, now));
     views_.sensors->setLinked(!stale);
-}
-
-void RobotPresenter::noteHeard(const mission::SessionUpdate& update) {
-    if (mission::newest<protocol::RangeScan>(update))
-        scan_heard_ = update.figures.now;
-    if (mission::newest<protocol::SonarReadings>(update))
-        sonar_heard_ = update.figures.now;
-}
-
-void RobotPresenter::feedPanels(const mission::SessionUpdate& update) {
-    for (const protocol::InfoLine& line : update.lines) {
-        views_.sensors->take(line, update.figures.now);
-        views_.plots->take(line, update.figures.now);
-    }
-    views_.sensors->setNow(update.figures.now);
 }
 
 /// Adds lines and commands in the order in which they were received and sent.
@@ -195,14 +190,13 @@ void RobotPresenter::feedMessages(ConnectionId connection, const mission::Sessio
         takeCommandsUpTo(line.number);
         views_.messages->takeLine(line, protocol::timeOf(line.message).value_or(update.figures.now), connection);
     }
-    for (; command != update.commands.end(); ++command)
-        views_.messages->takeCommand(command->text, command->cause, command->time, connection);
+    takeCommandsUpTo({std::numeric_limits<std::uint64_t>::max()});
 }
 
-void RobotPresenter::showLink(ConnectionId connection, const mission::SessionUpdate& update, bool selected) {
-    feedMessages(connection, update);
-    if (selected)
-        showTraffic(update.figures);
+void RobotPresenter::showLink(const std::shared_ptr<const mission::SessionUpdate>& update) {
+    feedMessages(control_.connectionOf({}), *update);
+    if (!selection_.id().valid())
+        showTraffic(update->figures);
 }
 
 void RobotPresenter::showTraffic(const mission::SessionFigures& figures) {

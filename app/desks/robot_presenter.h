@@ -1,6 +1,7 @@
 // Shows the robots' updates in the views of the window.
 #pragma once
 
+#include "app/desks/selection.h"
 #include "app/host/mission_control.h"
 #include "core/mission/fleet/trace_watch.h"
 #include "widgets/window/window_views.h"
@@ -10,13 +11,15 @@ namespace usar::app {
 /// The map shows every robot; instruments, sensors, plots and the height layer show the selected one. GUI thread.
 class RobotPresenter {
 public:
-    RobotPresenter(MissionControl& control, widgets::WindowViews& views) : control_(control), views_(views) {}
+    RobotPresenter(MissionControl& control, widgets::WindowViews& views, const Selection& selection)
+        : control_(control)
+        , views_(views)
+        , selection_(selection) {}
 
-    /// Shows an update of the robot `id`, which must exist. `selected`: it is the selected one.
-    void show(RobotId id, const mission::SessionUpdate& update, bool selected);
-    /// Shows the lines of a connection that has no robot yet. `selected`: no robot is selected, so its figures are
-    /// shown, too.
-    void showLink(ConnectionId connection, const mission::SessionUpdate& update, bool selected);
+    /// Shows an update of the robot `id`, which must exist.
+    void show(RobotId id, const std::shared_ptr<const mission::SessionUpdate>& shared);
+    /// Shows the lines of the connection that has no robot yet, and its figures while no robot is selected.
+    void showLink(const std::shared_ptr<const mission::SessionUpdate>& update);
     /// Grays out what is out of date about the selected robot: everything without a link, otherwise each instrument
     /// whose sensor is silent. To be called when the link changes, because a lost link sends no updates.
     void showLinkState(RobotId id);
@@ -35,13 +38,12 @@ private:
     void restart(const RobotView& view, bool selected);
     void showOnMap(const RobotView& view, const mission::SessionUpdate& update, bool selected);
     void showInstruments(const RobotView& view, const mission::SessionUpdate& update);
-    void feedPanels(const mission::SessionUpdate& update);
     void feedMessages(ConnectionId connection, const mission::SessionUpdate& update);
     void showTraffic(const mission::SessionFigures& figures);
-    void noteHeard(const mission::SessionUpdate& update);
 
     MissionControl& control_;
     widgets::WindowViews& views_;
+    const Selection& selection_;
     std::map<ConnectionId, mission::TraceWatch> traces_; ///< by connection
     std::map<ConnectionId, std::uint64_t> not_shown_;    ///< number of lines left out of updates so far, by connection
     // The following belong to the selected robot.

@@ -19,8 +19,6 @@ QString titleOf(QString name) {
 
 } // namespace
 
-ServerDesk::ServerDesk(const DeskContext& context, const ServerTarget& server) : Desk(context), server_(server) {}
-
 void ServerDesk::registerCommands() {
     auto* const bar = views_.connection;
     const auto idle = [this] { return link_state_ == link::LinkState::Disconnected; };
@@ -83,11 +81,6 @@ void ServerDesk::wire() {
     connectUpdates([bar](const mission::SessionUpdate& update) {
         bar->setRate(update.figures.replay ? std::nullopt : std::optional(update.figures.lines_per_second));
     });
-    wireLoading();
-    wireSimulator();
-}
-
-void ServerDesk::wireLoading() {
     auto* const strip = views_.progress;
     connect(strip, &widgets::ProgressStrip::cancelRequested, this, &ServerDesk::abandonLoading);
     connect(&loader_, &server::SimulationLoader::progressed, strip, &widgets::ProgressStrip::setProgress);
@@ -98,9 +91,6 @@ void ServerDesk::wireLoading() {
         commands_.refresh();
         notices_.say(Severity::Error, "simulator", reason);
     });
-}
-
-void ServerDesk::wireSimulator() {
     server::SimulatorHost* const simulator = &control_.simulator();
     connect(simulator, &server::SimulatorHost::snapshotSaved, this, [this](const QString& path) {
         notices_.cure("snapshot");
@@ -171,10 +161,6 @@ void ServerDesk::showWorld(const server::WorldPicture& world) {
     views_.map->setWorld(world.extent_in_map, world.name);
     views_.map->setBackground(world.relief, world.extent_in_map);
     views_.map->fitWorld();
-}
-
-QString ServerDesk::world() const {
-    return control_.level().isEmpty() ? server_.simulator.world : control_.level();
 }
 
 void ServerDesk::openRobotFile(const QString& path) {

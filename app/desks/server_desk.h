@@ -13,7 +13,7 @@ namespace usar::app {
 class ServerDesk : public Desk {
     Q_OBJECT
 public:
-    ServerDesk(const DeskContext& context, const ServerTarget& server);
+    ServerDesk(const DeskContext& context, const ServerTarget& server) : Desk(context), server_(server) {}
 
     void registerCommands() override;
     void wire() override;
@@ -31,7 +31,7 @@ public:
     /// Adds a robot class to the embedded simulator, which must be running.
     void openRobotFile(const QString& path);
     /// Name of the world of the connected server, or else of the world in which the embedded simulator will start.
-    QString world() const;
+    QString world() const { return control_.level().isEmpty() ? server_.simulator.world : control_.level(); }
     /// Cancels the loading of a world or snapshot, if any.
     void cancelLoading();
 
@@ -43,8 +43,6 @@ signals:
 
 private:
     void registerSimulatorCommands();
-    void wireLoading();
-    void wireSimulator();
     /// Host and port are ignored for the embedded simulator.
     void connectTo(widgets::ServerChoice choice, const QString& host, quint16 port);
     /// Also cancels the loading of a world or snapshot.

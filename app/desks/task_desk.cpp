@@ -47,7 +47,20 @@ void TaskDesk::wire() {
     connect(&control_, &MissionControl::worldKnown, this,
             [panel](const server::WorldPicture& world) { panel->setAreaLimits(world.extent_in_map); });
     wireArea();
-    wireRun();
+    connectUpdates([this](const mission::SessionUpdate& update) {
+        takeTask(update);
+        refreshRunState();
+    });
+    connect(&control_, &MissionControl::behaviorFinished, this, &TaskDesk::refreshRunState);
+    connect(&control_, &MissionControl::behaviorBroke, this, &TaskDesk::offerToStartAgain);
+    connect(&control_, &MissionControl::replayAdded, this, [this](RobotId id) {
+        drafts_.copy(control_.lookedBackOn(id), id); // the selected task was not set up for the replay
+    });
+    connect(&control_, &MissionControl::robotRemoved, this, [this](RobotId id) {
+        if (notices_.offers(missionKey(id)))
+            notices_.cure(missionKey(id));
+        drafts_.forget(id);
+    });
 }
 
 void TaskDesk::wireArea() {
@@ -78,26 +91,9 @@ void TaskDesk::wireArea() {
             [map](bool active) { map->setTool(active ? widgets::MapTool::Area : widgets::MapTool::Pan); });
 }
 
-void TaskDesk::wireRun() {
-    connectUpdates([this](const mission::SessionUpdate& update) {
-        takeTask(update);
-        refreshRunState();
-    });
-    connect(&control_, &MissionControl::behaviorFinished, this, &TaskDesk::refreshRunState);
-    connect(&control_, &MissionControl::behaviorBroke, this, &TaskDesk::offerToStartAgain);
-    connect(&control_, &MissionControl::replayAdded, this, [this](RobotId id) {
-        drafts_.copy(control_.lookedBackOn(id), id); // the selected task was not set up for the replay
-    });
-    connect(&control_, &MissionControl::robotRemoved, this, [this](RobotId id) {
-        if (notices_.offers(missionKey(id)))
-            notices_.cure(missionKey(id));
-        drafts_.forget(id);
-    });
-}
-
 void TaskDesk::leaveWorld() {
     views_.behavior->setArea(std::nullopt);
-    views_.behavior->clearAreaLimits(); // until the world is known; that of a real server never is
+    views_.behavior->setAreaLimits({}); // until the world is known; that of a real server never is
     drafts_.forgetAreas();
 }
 
@@ -143,14 +139,6 @@ void TaskDesk::showChosenBehavior() {
     askForPreview();
 }
 
-void TaskDesk::showIsolation() {
-    views_.behavior->setIsolated(isolated());
-}
-
-void TaskDesk::takePlan() {
-    drafts_.shown().plan_path = views_.behavior->plan().path().toStdString();
-}
-
 void TaskDesk::setUp(const mission::Mission& mission, const std::map<std::string, agent::ParameterValue>& values) {
     if (mission.isolate)
         plugins_.setIsolated(plugins_.pluginOf(mission.behavior), true);
@@ -158,10 +146,6 @@ void TaskDesk::setUp(const mission::Mission& mission, const std::map<std::string
     show(selection_.id());
     views_.map->fit();
     applyParameters(drafts_.shown().values);
-}
-
-bool TaskDesk::isolated() const {
-    return plugins_.isolates(plugins_.pluginOf(drafts_.shown().behavior_id));
 }
 
 bool TaskDesk::complete() const {
@@ -279,10 +263,6 @@ void TaskDesk::give(agent::Order order) {
     if (robot())
         robot()->order(order);
     refreshRunState();
-}
-
-bool TaskDesk::running() const {
-    return robot() && robot()->running();
 }
 
 void TaskDesk::refreshRunState() {

@@ -24,13 +24,13 @@ public:
     /// True if a behavior is chosen, and an area if it needs one.
     bool complete() const;
     /// True if the chosen behavior is to run in a separate process.
-    bool isolated() const;
+    bool isolated() const { return plugins_.isolates(plugins_.pluginOf(drafts_.shown().behavior_id)); }
     /// Offers behaviors for this class while no robot is selected; empty: for any class.
     void preferClass(const std::string& robot_class) { wanted_class_ = robot_class; }
     /// Takes over what a mission file says. `values`: its parameters in SI units and radians.
     void setUp(const mission::Mission& mission, const std::map<std::string, agent::ParameterValue>& values);
     /// Uses the user's plan from the next start on; an empty path means the robot's own.
-    void takePlan();
+    void takePlan() { drafts_.shown().plan_path = views_.behavior->plan().path().toStdString(); }
     /// Clears every drawn area, because the world that they were drawn in is gone.
     void leaveWorld();
 
@@ -44,11 +44,10 @@ signals:
 
 private:
     void wireArea();
-    void wireRun();
     /// Shows the draft of this robot in the forms and on the map; 0: that without a robot.
     void show(RobotId robot);
     void showChosenBehavior();
-    void showIsolation();
+    void showIsolation() { views_.behavior->setIsolated(isolated()); }
     /// Stores the drawn area in the draft; an empty rectangle removes it.
     void setArea(const Rectangle& area_in_map);
     void takeTask(const mission::SessionUpdate& update);
@@ -69,7 +68,7 @@ private:
     void refreshRunState();
     void applyParameters(const std::map<std::string, agent::ParameterValue>& values);
     /// True if a behavior runs on the selected robot.
-    bool running() const;
+    bool running() const { return robot() && robot()->running(); }
 
     PluginDesk& plugins_;
     mission::TaskDrafts drafts_;

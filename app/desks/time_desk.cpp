@@ -5,8 +5,6 @@
 
 namespace usar::app {
 
-TimeDesk::TimeDesk(const DeskContext& context, PlanDesk& plan) : Desk(context), plan_(plan) {}
-
 void TimeDesk::registerCommands() {
     const auto steerable = [this] { return control_.simulator().running(); };
     auto* const bar = views_.time;
@@ -37,7 +35,10 @@ void TimeDesk::wire() {
     connectUpdates([this](const auto&) { showClock(); });
     connect(&control_, &MissionControl::behaviorFinished, this, &TimeDesk::returnToRealTime);
     connect(&plan_, &PlanDesk::timeWanted, this, [this](bool runs) { hold(!runs); });
-    connect(&plan_, &PlanDesk::cycleWanted, this, &TimeDesk::runOneCycle);
+    connect(&plan_, &PlanDesk::cycleWanted, this, [this] { // until a plan halts again; the bar still shows a pause
+        if (views_.time->paused())
+            run();
+    });
 }
 
 void TimeDesk::begin(bool steerable) {
@@ -77,12 +78,6 @@ void TimeDesk::step() {
         plan_.stepCycle();
     else
         control_.simulator().stepOnce();
-}
-
-void TimeDesk::runOneCycle() {
-    if (!views_.time->paused())
-        return;
-    run();
 }
 
 /// Lets the simulator run at the chosen speed.

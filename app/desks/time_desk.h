@@ -12,7 +12,7 @@ namespace usar::app {
 class TimeDesk : public Desk {
     Q_OBJECT
 public:
-    TimeDesk(const DeskContext& context, PlanDesk& plan);
+    TimeDesk(const DeskContext& context, PlanDesk& plan) : Desk(context), plan_(plan) {}
 
     void registerCommands() override;
     void wire() override;
@@ -33,8 +33,7 @@ private:
     void hold(bool hold);
     /// Makes one tick, or one cycle of the plans that are halted.
     void step();
-    /// Lets time run until a plan halts again; the bar still shows a pause.
-    void runOneCycle();
+    /// Lets the simulator run at the chosen speed.
     void run();
     /// Returns to real time once no behavior runs, because a fast clock would only drain batteries.
     void returnToRealTime();

@@ -24,7 +24,7 @@ void ViewDesk::registerCommands() {
     auto* palette = new widgets::CommandPalette(commands_, &main_window_);
     add("view.palette", [palette] { palette->open(); });
     add("help.shortcuts", [this] {
-        auto* sheet = new widgets::ShortcutSheet(commands_, widgets::gestures(), &main_window_);
+        auto* sheet = widgets::makeShortcutSheet(commands_, &main_window_);
         sheet->setAttribute(Qt::WA_DeleteOnClose);
         sheet->show();
     });

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/mission/world/ground_height.h"
+#include "core/mission/world/world_edits.h"
 #include "core/sim/world/object_kinds.h"
 
 namespace usar::app {
@@ -17,16 +17,9 @@ constexpr std::chrono::milliseconds seen_polling{200};
 constexpr std::chrono::milliseconds map_polling{500};
 constexpr double spin_rad_s = radians(30.0);
 
+/// The map has the same shapes as the simulator, in the same order.
 ObjectForm formOf(const sim::ObjectKind& kind) {
-    switch (kind.shape) {
-    case sim::ObjectShape::Sphere:
-        return ObjectForm::Sphere;
-    case sim::ObjectShape::Cylinder:
-        return ObjectForm::Cylinder;
-    case sim::ObjectShape::Box:
-        break;
-    }
-    return ObjectForm::Box;
+    return static_cast<ObjectForm>(kind.shape);
 }
 
 std::vector<widgets::PaletteKind> palette() {
@@ -79,22 +72,28 @@ void WorldEditor::registerCommands() {
     const auto one = [this] { return selected() != nullptr; };
     add("world.turn_left", one, [this] { turn(radians(15.0)); });
     add("world.turn_right", one, [this] { turn(radians(-15.0)); });
-    add("world.spin", one, [this] { spin(); });
+    add("world.spin", one, [this] {
+        const bool spins = inventory_.toggleSpin(selected_.toStdString());
+        link_.send(protocol::SpinObject{tokenOf(selected_), Vec3(0.0, 0.0, spins ? spin_rad_s : 0.0)});
+    });
     add("world.delete", one, [this] { remove(selected_); });
-    add(
-        "world.delete_all", [this] { return !shown_.empty(); }, [this] { removeAll(); });
-    add(
-        "world.undo", [this] { return deleted_.canUndo() && port_ != 0; },
-        [this] {
-            deleted_.undo();
-            commands_.refresh();
-        });
-    add(
-        "world.redo", [this] { return deleted_.canRedo() && port_ != 0; },
-        [this] {
-            deleted_.redo();
-            commands_.refresh();
-        });
+    const auto any = [this] { return !shown_.empty(); };
+    add("world.delete_all", any, [this] {
+        QStringList names;
+        for (const MapObject& object : shown_)
+            names << object.name;
+        removeNamed(names, protocol::KillAllObjects{});
+    });
+    const auto can_undo = [this] { return deleted_.canUndo() && port_ != 0; };
+    add("world.undo", can_undo, [this] {
+        deleted_.undo();
+        commands_.refresh();
+    });
+    const auto can_redo = [this] { return deleted_.canRedo() && port_ != 0; };
+    add("world.redo", can_redo, [this] {
+        deleted_.redo();
+        commands_.refresh();
+    });
     registerWayCommands();
 }
 
@@ -107,22 +106,21 @@ void WorldEditor::registerWayCommands() {
         if (on)
             views_.map->setFocus(); // So that it receives Escape.
     });
-    add("world.clear_way", has_way, [this] { clearWay(); });
+    add("world.clear_way", has_way, [this] {
+        inventory_.clearWay(selected_.toStdString());
+        link_.send(protocol::ClearWaypoints{tokenOf(selected_)});
+        show();
+    });
     add("world.go", can_go, [this] { follow(true); });
     add("world.halt", can_go, [this] { follow(false); });
 }
 
 void WorldEditor::wire() {
-    const auto actions = [this](std::initializer_list<const char*> ids) {
-        std::vector<QAction*> found;
-        for (const char* id : ids)
-            found.push_back(*id ? action(id) : nullptr);
-        return found;
-    };
-    views_.world->setActions(actions({"world.turn_left", "world.turn_right", "world.spin", "", "world.undo",
-                                      "world.delete", "world.delete_all"}),
-                             actions({"world.waypoints", "world.clear_way", "world.go", "world.halt"}),
-                             action("robot.trace"));
+    views_.world->setActions(
+        {action("world.turn_left"), action("world.turn_right"), action("world.spin"), nullptr, action("world.undo"),
+         action("world.delete"), action("world.delete_all")},
+        {action("world.waypoints"), action("world.clear_way"), action("world.go"), action("world.halt")},
+        action("robot.trace"));
     connect(&control_, &MissionControl::linkChanged, this, &WorldEditor::setServer);
     connect(&control_, &MissionControl::worldKnown, this, &WorldEditor::setWorld);
     connect(&link_, &mission::WorldLink::changed, this, &WorldEditor::show);
@@ -312,21 +310,9 @@ void WorldEditor::turn(double angle_rad) {
     link_.send(protocol::ShiftObject{tokenOf(selected_), shift});
 }
 
-void WorldEditor::spin() {
-    const bool spins = inventory_.toggleSpin(selected_.toStdString());
-    link_.send(protocol::SpinObject{tokenOf(selected_), Vec3(0.0, 0.0, spins ? spin_rad_s : 0.0)});
-}
-
 void WorldEditor::remove(const QString& name) {
     if (inventory_.find(name.toStdString()))
         removeNamed(QStringList(name), protocol::KillObject{tokenOf(name)});
-}
-
-void WorldEditor::removeAll() {
-    QStringList names;
-    for (const MapObject& object : shown_)
-        names << object.name;
-    removeNamed(names, protocol::KillAllObjects{});
 }
 
 /// Deletes the objects with these names by sending `deletion`.
@@ -354,12 +340,6 @@ void WorldEditor::addWaypoint(const Vec2& at_m) {
     show();
 }
 
-void WorldEditor::clearWay() {
-    inventory_.clearWay(selected_.toStdString());
-    link_.send(protocol::ClearWaypoints{tokenOf(selected_)});
-    show();
-}
-
 /// Starts or stops the selected object's motion along its waypoints; a conveyor without waypoints runs its belt.
 void WorldEditor::follow(bool moving) {
     const MapObject* const object = selected();
@@ -371,10 +351,6 @@ void WorldEditor::follow(bool moving) {
         views_.map->setTool(MapTool::Pan);
     link_.send(mission::motionOf(selected_.toStdString(), is_conveyor, has_way,
                                  {views_.world->speed_m_s(), views_.world->loop(), moving}));
-}
-
-void WorldEditor::say(const QString& text) {
-    notices_.say(Severity::Warning, "world", text);
 }
 
 mission::GroundHeight WorldEditor::ground() const {

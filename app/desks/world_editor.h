@@ -54,20 +54,16 @@ private:
     void moveTo(const QString& name, const Vec2& center_m);
     /// Turns the selected object about the vertical axis, positive to the left.
     void turn(double angle_rad);
-    /// Lets the selected object rotate, or stops it.
-    void spin();
     void remove(const QString& name);
     /// Sets the classes that the server is asked about, to learn which objects belong to each.
     void setClasses();
-    void removeAll();
     /// Deletes the objects with these names by sending `deletion`. A notice names those that undo cannot restore.
     void removeNamed(const QStringList& names, const protocol::Command& deletion);
     /// Appends a way point to the way of the selected object; says what to do if none is selected.
     void addWaypoint(const Vec2& at_m);
-    void clearWay();
     /// Starts or stops the selected object's motion along its way, or its belt.
     void follow(bool moving);
-    void say(const QString& text);
+    void say(const QString& text) { notices_.say(Severity::Warning, "world", text); }
     /// Returns the ground height, from the embedded world, the selected robot's scan, or a guess from the start poses.
     mission::GroundHeight ground() const;
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/host/true_figures.h"
-#include "core/mission/fleet/robot_name.h"
+#include "core/mission/fleet/robot.h"
 #include "core/server/embedded/program_files.h"
 #include "core/server/embedded/simulator_files.h"
 
@@ -14,15 +14,6 @@ namespace usar::app {
 MissionControl::MissionControl(QObject* parent) : Fleet(server::behaviorHostProgram(), parent) {
     connect(this, &MissionControl::serverLeft, this, &MissionControl::leave);
     connect(this, &MissionControl::nextConnected, this, &MissionControl::goOnWithNext);
-    wireSimulator();
-}
-
-/// Ends the sessions while the simulator still runs, so that every robot is stopped.
-MissionControl::~MissionControl() {
-    endSessions();
-}
-
-void MissionControl::wireSimulator() {
     connect(&simulator_, &server::SimulatorHost::ready, this, &MissionControl::enter);
     connect(&simulator_, &server::SimulatorHost::robotLearned, this,
             [this](const QString&, const QString& class_name, bool has_camera) { learn(class_name, has_camera); });
@@ -41,6 +32,11 @@ void MissionControl::wireSimulator() {
                 for (const sim::RobotTruth& truth : truths)
                     setTruth(truth.name, trueFiguresOf(truth));
             });
+}
+
+/// Ends the sessions while the simulator still runs, so that every robot is stopped.
+MissionControl::~MissionControl() {
+    endSessions();
 }
 
 void MissionControl::connectTo(const ServerTarget& target) {
@@ -84,9 +80,7 @@ std::vector<agent::RobotDescription> MissionControl::robotsToSpawn() const {
     std::vector<agent::RobotDescription> robots = plugins().kinds();
     for (const QString& name : world_.robot_classes) {
         const std::string class_name = "USARBot." + name.toStdString();
-        const bool known = std::ranges::any_of(
-            robots, [&](const agent::RobotDescription& robot) { return robot.class_name == class_name; });
-        if (!known)
+        if (std::ranges::count(robots, class_name, &agent::RobotDescription::class_name) == 0)
             robots.push_back({class_name, name.toStdString(), {}, {}});
     }
     return robots;

@@ -48,7 +48,6 @@ signals:
     void classesChanged();
 
 private:
-    void wireSimulator();
     void enter(quint16 port, const server::WorldPicture& world, const std::vector<sim::Simulation::Orphan>& waiting);
     void leave();
     void learn(const QString& class_name, bool has_camera);

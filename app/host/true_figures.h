@@ -15,16 +15,11 @@ inline mission::Truth truthOf(const server::HeadlessSimulator& simulator) {
 
 /// Copies all figures; the height over ground is absent for a robot that has not dived.
 inline mission::TrueFigures trueFiguresOf(const sim::RobotTruth& robot) {
-    mission::TrueFigures figures;
-    figures.collisions = robot.collisions;
-    figures.distance_m = robot.distance_m;
-    figures.longest_stay = robot.longest_stay;
-    figures.falls = robot.falls;
-    figures.touches = robot.touches;
-    figures.first_touch = robot.first_touch;
+    std::optional<mission::HeightOverGround> height;
     if (robot.height)
-        figures.height = mission::HeightOverGround{robot.height->least_m, robot.height->mean_m, robot.height->spread_m};
-    return figures;
+        height = {robot.height->least_m, robot.height->mean_m, robot.height->spread_m};
+    return {
+        robot.collisions, robot.distance_m, robot.longest_stay, robot.falls, robot.touches, robot.first_touch, height};
 }
 
 /// The same for the first robot of the simulator; nullopt if there is none now. Waits for the simulator's thread.

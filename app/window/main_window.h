@@ -65,6 +65,8 @@ protected:
 
 private:
     void registerCommands();
+    /// Fills the menu bar. All commands must be registered before.
+    void makeMenus();
     /// Connects MissionControl and the views that need no desk.
     void wire();
     /// Lets each desk make its connections.

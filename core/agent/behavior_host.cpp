@@ -5,14 +5,12 @@
 
 #include "core/base/text.h"
 #include "core/protocol/info_message.h"
+#include "core/protocol/silence.h"
 #include "core/protocol/zero_drives.h"
 
 namespace usar::agent {
 
 namespace {
-
-/// Sensors report several times per second; one that has been silent for this long may not exist.
-constexpr Seconds sensors_silent{3.0};
 
 /// A visitor that returns the sensor's type on the wire; empty for messages that do not come from sensors.
 struct SensorType {
@@ -97,7 +95,7 @@ void BehaviorHost::noteSensor(const protocol::InfoMessage& message) {
 void BehaviorHost::askForSensors() {
     if (!first_tick_)
         first_tick_ = modules_.state.now();
-    if (modules_.state.now() - *first_tick_ < sensors_silent)
+    if (modules_.state.now() - *first_tick_ < protocol::silence::sensor)
         return;
     std::erase_if(sensors_missed_, [this](const std::string& type) {
         return modules_.configuration.state(type) == modules::QueryState::Ready;

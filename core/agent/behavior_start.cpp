@@ -41,15 +41,15 @@ Result<TaskPreview> previewTask(const RobotPlugin& plugin, const std::string& id
 
 Result<std::shared_ptr<RunningBehavior>> startBehavior(const PluginLoader& plugins, const std::string& behavior_id,
                                                        BehaviorContext context,
-                                                       const std::optional<Isolation>& isolation) {
+                                                       const std::optional<QString>& host_program) {
     const auto plugin = plugins.pluginFor(behavior_id);
     if (!plugin)
         return tl::unexpected(plugin.error());
-    if (isolation)
+    if (host_program)
         return std::make_shared<IsolatedBehavior>(
-            isolation->program, frames::Start{plugins.recordOf(behavior_id)->file.toStdString(),
-                                              {behavior_id, std::move(context.task), context.parameters.values(),
-                                               std::move(context.plan)}});
+            *host_program, frames::Start{plugins.recordOf(behavior_id)->file.toStdString(),
+                                         {behavior_id, std::move(context.task), context.parameters.values(),
+                                          std::move(context.plan)}});
     auto behavior = makeBehavior(**plugin, behavior_id, std::move(context));
     if (!behavior)
         return tl::unexpected(behavior.error());

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include <QString>
+
 #include "core/agent/plugins/plugin_loader.h"
 #include "core/agent/running_behavior.h"
 
@@ -17,16 +19,11 @@ Result<std::unique_ptr<Behavior>> makeBehavior(const RobotPlugin& plugin, const 
 /// Calls `preview`. Turns an exception into such an error.
 Result<TaskPreview> previewTask(const RobotPlugin& plugin, const std::string& id, const BehaviorContext& context);
 
-/// The means to run a behavior in a process of its own.
-struct Isolation {
-    QString program; ///< path of usar-behavior-host
-};
-
-/// Creates the behavior in a thread of its own, or, with `isolation`, prepares a process that will create it. Plugins
-/// are third-party code: if one throws or refuses, this returns an error (in an isolated process, it ends the behavior
-/// instead). Also returns an error if no loaded plugin has the behavior.
+/// Creates the behavior in a thread of its own, or, with `host_program` (path of usar-behavior-host), prepares a
+/// process that will create it. Plugins are third-party code: if one throws or refuses, this returns an error (in an
+/// isolated process, it ends the behavior instead). Also returns an error if no loaded plugin has the behavior.
 Result<std::shared_ptr<RunningBehavior>> startBehavior(const PluginLoader& plugins, const std::string& behavior_id,
                                                        BehaviorContext context,
-                                                       const std::optional<Isolation>& isolation = {});
+                                                       const std::optional<QString>& host_program = {});
 
 } // namespace usar::agent

@@ -25,11 +25,7 @@ std::string shown(const ParameterValue& value) {
     struct Shower {
         std::string operator()(bool flag) const { return flag ? "true" : "false"; }
         std::string operator()(long long number) const { return std::to_string(number); }
-        std::string operator()(double number) const {
-            std::string out;
-            appendShortest(out, number);
-            return out;
-        }
+        std::string operator()(double number) const { return shortest(number); }
         std::string operator()(const std::string& text) const { return '"' + text + '"'; }
     };
     return std::visit(Shower{}, value);

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "core/agent/patience.h"
 #include "core/agent/running_behavior.h"
 
 namespace usar::agent {
@@ -55,7 +56,7 @@ protected:
 
     Output owed_; ///< output of a call that returns none, for the next call to return
     /// Time that one call of the behavior may take.
-    Seconds patience_{1.0};
+    Seconds patience_ = Patience().answer;
     /// The safe command in the last answer.
     protocol::Command safe_;
 };

@@ -1,4 +1,4 @@
-// A concept for the alternatives of a std::variant.
+// The alternatives of a std::variant: a concept, and a visitor out of one lambda for each.
 #pragma once
 
 #include <type_traits>
@@ -15,5 +15,11 @@ constexpr bool isOneOf(const std::variant<Types...>*) {
 /// Satisfied if `T`, without const and reference, is an alternative of `Variant`.
 template <class T, class Variant>
 concept AlternativeOf = isOneOf<std::remove_cvref_t<T>>(static_cast<const Variant*>(nullptr));
+
+/// A visitor for std::visit that calls the lambda for the variant's alternative.
+template <class... Calls>
+struct Overloaded : Calls... {
+    using Calls::operator()...;
+};
 
 } // namespace usar

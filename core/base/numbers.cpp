@@ -123,4 +123,10 @@ std::string fixed(double value, int decimals) {
     return text;
 }
 
+std::string shortest(double value) {
+    std::string text;
+    appendShortest(text, value);
+    return text;
+}
+
 } // namespace usar

@@ -33,5 +33,7 @@ void appendTruncated(std::string& out, double value, int decimals);
 void appendShortest(std::string& out, double value);
 /// Returns what appendFixed appends.
 std::string fixed(double value, int decimals);
+/// Returns what appendShortest appends.
+std::string shortest(double value);
 
 } // namespace usar

@@ -1,8 +1,9 @@
-// Small helpers for ASCII text, independent of the locale. They work on views and allocate nothing, except lowerCase of
-// a whole text.
+// Small helpers for ASCII text, independent of the locale. They work on views and allocate nothing, except those
+// that return a string.
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -19,6 +20,10 @@ constexpr bool isDigit(char c) {
 
 constexpr bool isLetter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+/// Letter, digit or underscore: a character of a word of the protocol.
+constexpr bool isWordByte(char c) {
+    return isLetter(c) || isDigit(c) || c == '_';
 }
 /// Changes A-Z only.
 constexpr char lowerCase(char c) {
@@ -63,6 +68,15 @@ inline std::string lowerCase(std::string_view text) {
     for (char& c : result)
         c = lowerCase(c);
     return result;
+}
+
+/// A list for a sentence: the words of these things with commas between them.
+template <class Things, class Word = std::identity>
+std::string listOf(const Things& things, Word word = {}) {
+    std::string list;
+    for (const auto& thing : things)
+        list.append(list.empty() ? "" : ", ").append(std::invoke(word, thing));
+    return list;
 }
 
 } // namespace usar

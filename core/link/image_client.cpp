@@ -59,7 +59,6 @@ void ImageClient::open(const QString& host, quint16 port) {
     port_ = port;
     open_ = true;
     failed_tries_ = 0;
-    frames_ = 0;
     connectNow();
 }
 
@@ -147,7 +146,6 @@ void ImageClient::takeFrame() {
     asked_ = false;
     silence_timer_.stop();
     failed_tries_ = 0;
-    ++frames_;
     arrivals_ms_.push_back(clock_.elapsed());
     if (constexpr std::size_t rate_over_frames = 10; arrivals_ms_.size() > rate_over_frames)
         arrivals_ms_.pop_front();

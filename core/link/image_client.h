@@ -62,8 +62,6 @@ public:
     /// Starts or stops requesting frames. Initially false. The connection stays open either way.
     void setWanted(bool wanted);
     const ImageStatus& status() const { return status_; }
-    /// Number of frames received since `open`.
-    quint64 framesReceived() const { return frames_; }
 
 signals:
     /// Emitted after every change of the state and after every frame, because the frame rate changes.
@@ -103,7 +101,6 @@ private:
     qsizetype data_bytes_ = 0;       ///< size of the frame that is arriving
     std::deque<qint64> arrivals_ms_; ///< when the last frames arrived, by clock_
     qint64 asked_ms_ = 0;
-    quint64 frames_ = 0;
     int failed_tries_ = 0;
     bool wanted_ = false;
     bool open_ = false;

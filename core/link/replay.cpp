@@ -24,9 +24,8 @@ Record Replayer::Waiting::view() const {
     return copy;
 }
 
-Replayer::Replayer(std::unique_ptr<RecordingReader> recording, ReplayTaker& taker, QObject* parent)
-    : QObject(parent)
-    , recording_(std::move(recording))
+Replayer::Replayer(std::unique_ptr<RecordingReader> recording, ReplayTaker& taker)
+    : recording_(std::move(recording))
     , taker_(taker)
     , end_(recording_->survey().play_span) {
     timer_.setSingleShot(true);

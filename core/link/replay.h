@@ -54,7 +54,7 @@ public:
     static constexpr double fastest = 100.0;
 
     /// `taker` must outlive the replayer.
-    Replayer(std::unique_ptr<RecordingReader> recording, ReplayTaker& taker, QObject* parent = nullptr);
+    Replayer(std::unique_ptr<RecordingReader> recording, ReplayTaker& taker);
 
     const RecordingSurvey& survey() const { return recording_->survey(); }
     ReplayFigures figures() const;

@@ -13,13 +13,12 @@ namespace usar::link {
 
 namespace {
 
+/// This many lines of another shape prove that a server is not USARSim.
+constexpr int patience_lines = 3;
+
 QString inWords(Seconds seconds) {
     const double value = seconds.count();
     return QString::fromStdString(fixed(value, value == std::floor(value) ? 0 : 1)) + QStringLiteral(" s");
-}
-
-bool isWordByte(char c) {
-    return isLetter(c) || isDigit(c) || c == '_';
 }
 
 bool isControlByte(char c) {
@@ -48,6 +47,10 @@ bool isKnownGreeting(std::string_view line) {
 }
 
 } // namespace
+
+std::string placeOf(const LinkStatus& status) {
+    return status.host.toStdString() + ':' + std::to_string(status.port);
+}
 
 void GreetingCheck::takeBytes(std::string_view bytes) {
     if (verdict_ == Verdict::Unknown && std::ranges::any_of(bytes, isControlByte))
@@ -186,10 +189,6 @@ void TcpLink::takeError(QAbstractSocket::SocketError error) {
         failed(greeting_.suspicious() ? foreignReason() : reasonOf(error));
 }
 
-QString TcpLink::place() const {
-    return QStringLiteral("%1:%2").arg(status_.host).arg(status_.port);
-}
-
 QString TcpLink::foreignReason() const {
     return QStringLiteral("%1 does not speak %2. Check the port (usually %3).").arg(place(), service_).arg(usual_port_);
 }
@@ -234,13 +233,9 @@ void TcpLink::dropConnection() {
 }
 
 void TcpLink::setStatus(LinkState state, const QString& trouble, Seconds retry_in) {
-    LinkStatus next = status_;
-    next.state = state;
-    next.trouble = trouble;
-    next.reason = trouble;
+    LinkStatus next{state, status_.host, status_.port, trouble, trouble, retry_in};
     if (state == LinkState::Waiting)
         next.reason += QStringLiteral(" Retrying in %1.").arg(inWords(retry_in));
-    next.retry_in = retry_in;
     if (next == status_)
         return;
     status_ = next;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -31,6 +32,9 @@ struct LinkStatus {
     bool operator==(const LinkStatus&) const = default;
 };
 
+/// The server as "host:port".
+std::string placeOf(const LinkStatus& status);
+
 /// Distinguishes a USARSim server from another kind of server by the first bytes that it sends. A line of the protocol
 /// is a type word of letters, digits and underscores, followed by nothing or by a segment (protocol.md 1.1). One such
 /// line with a segment proves that this is USARSim. Until then, control bytes, a known greeting of another protocol
@@ -38,8 +42,6 @@ struct LinkStatus {
 /// class, one per connection, reset for the next.
 class GreetingCheck {
 public:
-    static constexpr int patience_lines = 3;
-
     enum class Verdict { Unknown, Usarsim, Foreign };
 
     /// Takes raw bytes before they are cut into lines; recognizes binary data.
@@ -121,7 +123,7 @@ private:
     void giveLine(std::string_view line);
     void takeError(QAbstractSocket::SocketError error);
     void failWhereNobodyReads();
-    QString place() const;
+    QString place() const { return QString::fromStdString(placeOf(status_)); }
     QString foreignReason() const;
     QString reasonOf(QAbstractSocket::SocketError error) const;
     void failed(const QString& trouble);

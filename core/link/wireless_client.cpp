@@ -10,19 +10,7 @@
 
 namespace usar::link {
 
-namespace {
-
-QString text(std::string_view bytes) {
-    return QString::fromUtf8(bytes.data(), static_cast<qsizetype>(bytes.size()));
-}
-
-std::pair<QString, QString> inOrder(const QString& a, const QString& b) {
-    return a < b ? std::pair(a, b) : std::pair(b, a);
-}
-
-} // namespace
-
-WirelessClient::WirelessClient(QObject* parent) : QObject(parent) {
+WirelessClient::WirelessClient() {
     setInterval(std::chrono::seconds{1});
     connect(&timer_, &QTimer::timeout, this, &WirelessClient::ask);
 }
@@ -60,7 +48,7 @@ void WirelessClient::restart() {
         timer_.stop();
         emit reported({});
     } else {
-        openObserver();
+        observer_ = makeLine(QStringLiteral("MissionControl"));
         timer_.start();
     }
     showStatus();
@@ -80,11 +68,6 @@ std::unique_ptr<WirelessClient::Line> WirelessClient::makeLine(const QString& na
     connect(&one->link, &TcpLink::statusChanged, this, &WirelessClient::showStatus);
     one->link.open(host_, port_);
     return line;
-}
-
-void WirelessClient::openObserver() {
-    const QString number = observer_number_ > 1 ? QStringLiteral("-%1").arg(observer_number_) : QString();
-    observer_ = makeLine(QStringLiteral("MissionControl") + number);
 }
 
 void WirelessClient::openMembers() {
@@ -137,7 +120,7 @@ void WirelessClient::takeStrength(Line& line, std::string_view robot, std::strin
             Qt::QueuedConnection);
         return;
     }
-    const Pair pair = inOrder(from.empty() ? line.name : text(from), text(robot));
+    const Pair pair = std::minmax({from.empty() ? line.name : QString::fromUtf8(from), QString::fromUtf8(robot)});
     const auto dbm = readNumber(strength);
     round_[pair] = dbm && std::isfinite(*dbm) ? dbm : std::nullopt;
     if (awaited_ > 0 && --awaited_ == 0)
@@ -146,9 +129,7 @@ void WirelessClient::takeStrength(Line& line, std::string_view robot, std::strin
 
 WirelessClient::Line* WirelessClient::speakerOf(const QString& robot) {
     const auto member = members_.find(robot);
-    const bool speaks = member != members_.end() && member->second->initialized &&
-                        member->second->link.status().state == LinkState::Connected;
-    return speaks ? member->second.get() : nullptr;
+    return member != members_.end() && member->second->speaks() ? member->second.get() : nullptr;
 }
 
 void WirelessClient::ask() {
@@ -169,7 +150,7 @@ void WirelessClient::ask() {
 void WirelessClient::askFor(const Pair& pair) {
     const auto question = [](const QString& robot) { return "GETSS {Robot " + robot.toStdString() + "}"; };
     if (observer_) {
-        if (!observer_->initialized || observer_->link.status().state != LinkState::Connected)
+        if (!observer_->speaks())
             return;
         observer_->link.send(question(pair.second) + " {From " + pair.first.toStdString() + "}");
     } else if (Line* const first = speakerOf(pair.first)) {

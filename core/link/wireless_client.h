@@ -35,7 +35,7 @@ using RadioStrengths = std::vector<RadioStrength>;
 class WirelessClient : public QObject {
     Q_OBJECT
 public:
-    explicit WirelessClient(QObject* parent = nullptr);
+    WirelessClient();
 
     /// Applies to connections that are made afterward.
     void setLimits(const LinkLimits& limits) { limits_ = limits; }
@@ -62,13 +62,13 @@ private:
         bool initialized = false;
         bool refused = false; ///< another program already has the name
 
+        bool speaks() const { return initialized && link.status().state == LinkState::Connected; }
         void introduce() { link.send("INIT {Robot " + name.toStdString() + "} {Port 1}"); }
     };
     using Pair = std::pair<QString, QString>;
 
     /// Drops all connections and, with at least two robots, begins with an observer.
     void restart();
-    void openObserver();
     void openMembers();
     std::unique_ptr<Line> makeLine(const QString& name);
     void take(Line& line, std::string_view text);

@@ -11,7 +11,7 @@ namespace usar::mapping {
 
 /// Both values must be positive, and the spacing finite.
 struct CoverageOptions {
-    double lane_spacing_m = 10.0;    ///< maximum; lanes are spread evenly
+    double lane_spacing_m;           ///< maximum; lanes are spread evenly
     double quadrant_limit_m = 150.0; ///< an area with a longer side is divided into equal quadrants, scanned one by one
 };
 
@@ -20,7 +20,6 @@ struct Lane {
     Vec2 start_m = Vec2::Zero();
     Vec2 end_m = Vec2::Zero();
     int quadrant = 0; ///< index into CoveragePlan::quadrants
-    bool operator==(const Lane&) const = default;
 };
 
 /// The result of planCoverage.

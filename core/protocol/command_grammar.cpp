@@ -165,18 +165,16 @@ void checkBraces(std::string_view line, Diagnostics& found) {
         found.push_back({Severity::Error, open, "the closing brace is missing"});
 }
 
-class SegmentCheck {
-public:
-    SegmentCheck(const CommandRule& command, std::string_view line, Diagnostics& found)
-        : command_(command)
-        , line_(line)
-        , found_(found) {}
+struct SegmentCheck {
+    const CommandRule& command;
+    std::string_view line;
+    Diagnostics& found;
 
     void check(const Segment& segment) const {
-        const SegmentRule* const rule = ruleOf(command_, segment.key);
+        const SegmentRule* const rule = ruleOf(command, segment.key);
         if (!rule && !readNumber(segment.key)) // Player's camera zoom is a number without a key
             warn(segment.key, "the server does not know " + std::string(segment.key) + " in " +
-                                  std::string(command_.word) + nearestKey(command_, segment.key));
+                                  std::string(command.word) + nearestKey(command, segment.key));
         else if (rule && rule->form == ValueForm::Number)
             checkNumber(*rule, segment.value.empty() ? segment.key : segment.value, segment.value);
         else if (rule && rule->form == ValueForm::Numbers)
@@ -185,9 +183,8 @@ public:
             checkWord(*rule, segment.value);
     }
 
-private:
     void add(Severity severity, std::string_view part, std::string message) const {
-        found_.push_back({severity, static_cast<std::size_t>(part.data() - line_.data()), std::move(message)});
+        found.push_back({severity, static_cast<std::size_t>(part.data() - line.data()), std::move(message)});
     }
     void warn(std::string_view part, std::string message) const { add(Severity::Warning, part, std::move(message)); }
 
@@ -222,10 +219,6 @@ private:
             warn(value, std::string(rule.key) + " does not take " + std::string(value) +
                             meant(value, {rule.words.begin(), rule.words.end()}));
     }
-
-    const CommandRule& command_;
-    std::string_view line_;
-    Diagnostics& found_;
 };
 
 } // namespace
@@ -268,7 +261,7 @@ Diagnostics checkCommand(std::string_view line) {
     Segments segments;
     Diagnostics told_by_braces;
     segments.read(line, told_by_braces);
-    const SegmentCheck check(*command, line, found);
+    const SegmentCheck check{*command, line, found};
     for (const Segment& segment : segments.all())
         check.check(segment);
     std::ranges::stable_sort(found, {}, &Diagnostic::offset);

@@ -8,18 +8,9 @@ namespace usar::protocol {
 
 namespace {
 
-bool isOn(const Segments& line, std::string_view sign) {
-    return sign.empty() ? line.all().empty() : line.find(sign) != nullptr;
-}
-
 bool hasCommandWord(const Segments& line, const CommandWord& word) {
     return sameWord(word.word, line.typeWord()) ||
            (!word.other_word.empty() && sameWord(word.other_word, line.typeWord()));
-}
-
-bool hasMark(const Segments& line, const SegmentRule& mark) {
-    const std::string_view value = line.value(mark.key);
-    return std::ranges::any_of(mark.words, [value](std::string_view word) { return sameWord(word, value); });
 }
 
 } // namespace
@@ -28,8 +19,13 @@ Command readCommand(std::string_view line, Diagnostics& diagnostics, Dialect dia
     Segments segments;
     segments.read(line, diagnostics);
     LineIn in(segments, diagnostics, dialect);
-    const auto is_on = [&](std::string_view sign) { return isOn(segments, sign); };
-    const auto has_mark = [&](const SegmentRule& mark) { return hasMark(segments, mark); };
+    const auto is_on = [&](std::string_view sign) {
+        return sign.empty() ? segments.all().empty() : segments.find(sign) != nullptr;
+    };
+    const auto has_mark = [&](const SegmentRule& mark) {
+        return std::ranges::any_of(
+            mark.words, [value = segments.value(mark.key)](std::string_view word) { return sameWord(word, value); });
+    };
     bool word_is_known = false;
     const CommandKind* best = nullptr;
     for (const CommandKind& kind : commandKinds()) {

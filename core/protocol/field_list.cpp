@@ -43,10 +43,8 @@ void FieldList::pose(const Pose& pose) {
 }
 
 void FieldList::values(std::string_view field, std::span<const double> values, std::string_view unit) {
-    if (values.size() > longest_list) {
-        summary(field, values, unit);
-        return;
-    }
+    if (values.size() > longest_list)
+        return summary(field, values, unit);
     for (std::size_t i = 0; i < values.size(); ++i)
         number(partOf(field, std::to_string(i)), values[i], unit);
 }

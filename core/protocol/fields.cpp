@@ -1,5 +1,6 @@
 #include "core/protocol/fields.h"
 
+#include <array>
 #include <cmath>
 #include <type_traits>
 #include <utility>
@@ -109,16 +110,12 @@ void listAll(FieldList& fields, const WorldObjects& world) {
 void listAll(FieldList& fields, const GeometryInfo& geometry) {
     fields.source = "GEO " + geometry.type;
     fields.item = geometry.robot_class;
-    if (geometry.dimensions_m) {
-        fields.number("length", geometry.dimensions_m->x(), "m");
-        fields.number("width", geometry.dimensions_m->y(), "m");
-        fields.number("height", geometry.dimensions_m->z(), "m");
-    }
-    if (geometry.center_of_gravity_m) {
-        fields.number("center_x", geometry.center_of_gravity_m->x(), "m");
-        fields.number("center_y", geometry.center_of_gravity_m->y(), "m");
-        fields.number("center_z", geometry.center_of_gravity_m->z(), "m");
-    }
+    const auto listLengths = [&fields](const std::optional<Vec3>& lengths_m, std::array<std::string_view, 3> names) {
+        for (std::size_t i = 0; lengths_m && i < names.size(); ++i)
+            fields.number(names[i], (*lengths_m)[static_cast<Eigen::Index>(i)], "m");
+    };
+    listLengths(geometry.dimensions_m, {"length", "width", "height"});
+    listLengths(geometry.center_of_gravity_m, {"center_x", "center_y", "center_z"});
     fields.number("wheel_radius", geometry.wheel_radius_m, "m");
     fields.number("wheel_separation", geometry.wheel_separation_m, "m");
     fields.number("wheel_base", geometry.wheel_base_m, "m");

@@ -24,9 +24,8 @@ public:
 
     /// Number of lines dropped because they were longer than the cap.
     std::size_t overlongCount() const { return overlong_count_; }
-    /// Size of the line that has not ended yet; 0 while an overlong line is being dropped.
-    std::size_t pendingBytes() const { return pending_.size(); }
-    /// Text of that line; valid until the next call of `feed` or `reset`.
+    /// Text of the line that has not ended yet; empty while an overlong line is being dropped. Valid until the next
+    /// call of `feed` or `reset`.
     std::string_view pending() const { return pending_; }
     /// Discards the unfinished line, as needed after a reconnect; the count stays. Must not be called from `take`.
     void reset();

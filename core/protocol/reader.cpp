@@ -15,16 +15,14 @@ namespace {
 /// The buffers are freed after a longer line, so that one hostile line does not occupy memory forever.
 constexpr std::size_t most_kept_bytes = 1u << 20;
 
-/// One row of the table of reading functions. It applies to lines with this type word and this value of the Type
-/// segment (empty matches any), both compared ignoring case, for which `fits`, unless null, returns true. `read` fills
-/// the alternative of InfoMessage with the index `kind`, which the message must already hold; it returns false if the
-/// line must stay generic.
+/// One row of the table of messages. It applies to lines with this type word and this value of the Type segment (empty
+/// matches any), both compared ignoring case, for which `fits`, unless null, returns true.
 struct ReaderRow {
     std::string_view type_word;
     std::string_view type;
     bool (*fits)(const Segments& segments) = nullptr;
-    std::size_t kind = 0;
-    bool (*read)(LineReading& line, InfoMessage& message) = nullptr;
+    std::size_t kind = 0;      ///< index of the alternative of InfoMessage that the line fills
+    bool by_shape = false;     ///< the Type is unknown, and only the line's segments tell whether it is a scan
     bool speaks_always = true; ///< false for a sensor that sends nothing while there is nothing to report
 };
 
@@ -37,17 +35,8 @@ constexpr std::size_t indexIn(const std::variant<Types...>*) {
 }
 
 template <class T>
-bool readInto(LineReading& line, InfoMessage& message) {
-    T& out = *std::get_if<T>(&message);
-    if constexpr (Described<T> && SensorMessage<T>)
-        return readDescribed(line, out);
-    else
-        return read(line, out);
-}
-
-template <class T>
 ReaderRow rowOf(std::string_view type_word, std::string_view type = {}, bool (*fits)(const Segments&) = nullptr) {
-    return {type_word, type, fits, indexIn<T>(static_cast<const InfoMessage*>(nullptr)), readInto<T>};
+    return {type_word, type, fits, indexIn<T>(static_cast<const InfoMessage*>(nullptr))};
 }
 
 /// Adds a row for each word in the sensor's `wire_types`, such as "IR|Range".
@@ -70,11 +59,7 @@ void addSensors(std::vector<ReaderRow>& rows, TypeList<Sensors...>) {
 std::vector<ReaderRow> makeRows() {
     std::vector<ReaderRow> rows;
     addSensors(rows, SensorTypes{});
-    ReaderRow by_shape = rowOf<RangeScan>("SEN");
-    by_shape.read = [](LineReading& line, InfoMessage& message) {
-        return readByShape(line, *std::get_if<RangeScan>(&message));
-    };
-    rows.push_back(by_shape);
+    rows.emplace_back(rowOf<RangeScan>("SEN")).by_shape = true;
     // The answer to CONTROL GetSTA is an STA about objects in the world: each has a Name; a robot's state has none.
     rows.push_back(rowOf<WorldObjects>(
         "STA", "", [](const Segments& s) { return s.all().empty() || s.find("Name") || s.find("Size"); }));
@@ -160,8 +145,17 @@ const InfoLine& Reader::read(std::string_view line) {
     const ReaderRow* row = readerRowFor(segments_);
     if (row) {
         LineReading reading(segments_, diagnostics_, pairs_);
-        if (!row->read(reading, places_[row->kind].message))
-            row = nullptr;
+        const auto fillIn = [&]<class T>(T& out) {
+            if constexpr (std::is_same_v<T, RangeScan>)
+                return row->by_shape ? readByShape(reading, out) : protocol::read(reading, out);
+            else if constexpr (Described<T> && SensorMessage<T>)
+                return readDescribed(reading, out);
+            else if constexpr (!std::is_same_v<T, GenericMessage>)
+                return protocol::read(reading, out);
+            return false;
+        };
+        if (!std::visit(fillIn, static_cast<InfoVariant&>(places_[row->kind].message)))
+            row = nullptr; // The line must stay generic.
     }
     InfoLine& result = places_[row ? row->kind : 0];
     if (!row) {

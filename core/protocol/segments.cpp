@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "core/base/numbers.h"
-
 namespace usar::protocol {
 
 namespace {
@@ -50,11 +48,6 @@ const Segment* Segments::find(std::string_view key) const {
 std::string_view Segments::value(std::string_view key) const {
     const Segment* segment = find(key);
     return segment ? segment->value : std::string_view();
-}
-
-std::optional<double> Segments::number(std::string_view key) const {
-    const NumberPrefix prefix = readNumberPrefix(value(key));
-    return prefix.used == 0 ? std::nullopt : std::optional(prefix.value);
 }
 
 NamedPairs::NamedPairs(std::string_view value_of_name) : name_(value_of_name) {

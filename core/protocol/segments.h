@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -42,8 +41,6 @@ public:
     const Segment* find(std::string_view key) const;
     /// The value of that segment; empty if there is none.
     std::string_view value(std::string_view key) const;
-    /// The number that this value begins with; nullopt if the key is missing or its value does not begin with a number.
-    std::optional<double> number(std::string_view key) const;
     /// The offset at which `part`, a view into the line, starts; 0 for a null view.
     std::size_t offsetOf(std::string_view part) const {
         return part.data() ? static_cast<std::size_t>(part.data() - line_.data()) : 0;

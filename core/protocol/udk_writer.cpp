@@ -1,4 +1,4 @@
-#include "core/protocol/udk_writer.h"
+#include "core/protocol/writer.h"
 
 #include <type_traits>
 
@@ -6,7 +6,6 @@
 #include "core/protocol/described_writer.h"
 #include "core/protocol/vehicle_words.h"
 #include "core/protocol/wire_frame.h"
-#include "core/protocol/writer.h"
 #include "core/protocol/writer_parts.h"
 
 namespace usar::protocol {

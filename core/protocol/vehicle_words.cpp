@@ -1,5 +1,6 @@
 #include "core/protocol/vehicle_words.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -23,19 +24,14 @@ constexpr std::array<std::pair<std::string_view, VehicleKind>, 7> vehicle_words 
 } // namespace
 
 VehicleKind vehicleKindOf(std::string_view word) {
-    for (const auto& [name, kind] : vehicle_words) {
-        if (sameWord(name, word))
-            return kind;
-    }
-    return VehicleKind::Unknown;
+    const auto found =
+        std::ranges::find_if(vehicle_words, [word](const auto& row) { return sameWord(row.first, word); });
+    return found == vehicle_words.end() ? VehicleKind::Unknown : found->second;
 }
 
 std::string_view wordOf(VehicleKind kind) {
-    for (const auto& [name, known] : vehicle_words) {
-        if (known == kind)
-            return name;
-    }
-    return {};
+    const auto found = std::ranges::find(vehicle_words, kind, [](const auto& row) { return row.second; });
+    return found == vehicle_words.end() ? std::string_view() : found->first;
 }
 
 } // namespace usar::protocol

@@ -1,8 +1,10 @@
-// Converts values to info lines as a UT2004 server sends them, with its spelling, order and decimals.
+// Converts values to info lines as a UT2004 server sends them, with its spelling, order and decimals, or as a UDK
+// server does (protocol.md 7): one line per sensor, with UDK's order and decimals.
 #pragma once
 
 #include <string>
 
+#include "core/base/clock.h"
 #include "core/protocol/info_message.h"
 
 namespace usar::protocol {
@@ -12,5 +14,10 @@ namespace usar::protocol {
 /// GroundTruth are in [0, 2 pi); the battery is in whole seconds, rounded down. A Setting without text is written as
 /// its number. Reading the line gives the value back to within those decimals.
 void write(const InfoMessage& message, std::string& out);
+
+/// Appends the lines for `message`, each with CR LF. Appends nothing if UDK sends nothing: for results of SET and for
+/// answers about things that do not exist. `now` is the Time of messages without one, except of the INS, which never
+/// has a Time. `robot_class` is the name that UDK uses for the chassis as a mount.
+void writeUdk(const InfoMessage& message, Seconds now, const std::string& robot_class, std::string& out);
 
 } // namespace usar::protocol

@@ -4,8 +4,6 @@
 
 #include <QtEndian>
 
-#include "core/sim/camera/picture.h"
-
 namespace usar::server {
 
 namespace {

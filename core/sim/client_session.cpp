@@ -7,7 +7,6 @@
 #include "core/protocol/command_reader.h"
 #include "core/protocol/command_writer.h"
 #include "core/protocol/segments.h"
-#include "core/protocol/udk_writer.h"
 #include "core/protocol/writer.h"
 #include "core/sim/world_controller.h"
 

@@ -48,11 +48,8 @@ std::unique_ptr<Robot> Simulation::State::spawn(ClientId client, const protocol:
 }
 
 std::string Simulation::State::knownClasses() const {
-    std::string names;
-    if (options.robots)
-        for (const RobotModel& robot : *options.robots)
-            names += (names.empty() ? "" : ", ") + robot.class_name;
-    return names.empty() ? "none" : names;
+    const bool some = options.robots && !options.robots->empty();
+    return some ? listOf(*options.robots, &RobotModel::class_name) : "none";
 }
 
 bool Simulation::State::attachCamera(const protocol::Command& command) {
@@ -276,16 +273,13 @@ const World& Simulation::world() const {
 }
 
 CameraScene Simulation::cameraScene() const {
-    CameraScene seen;
-    seen.still = state_->still;
-    seen.tick = state_->ticks;
+    CameraScene seen{
+        .still = state_->still, .tick = state_->ticks, .attached = state_->attached, .viewports = state_->viewports};
     for (const auto& [client, session] : state_->sessions)
         if (session.robot())
             addRobot(seen, *session.robot(), session.robotName(), client.value);
     addObjects(seen, state_->scene);
     addMarks(seen, state_->world);
-    seen.attached = state_->attached;
-    seen.viewports = state_->viewports;
     return seen;
 }
 
@@ -319,10 +313,6 @@ double Simulation::radioStrength_dbm(const RadioStation& a, const RadioStation& 
     const RadioParameters& radio = state_->options.radio;
     return strengthOver((a.antenna_in_map_m - b.antenna_in_map_m).norm(),
                         sim::obstaclesBetween(state_->caster, a.antenna_in_map_m, b.antenna_in_map_m, radio), radio);
-}
-
-const std::vector<TraceMark>& Simulation::traceMarks() const {
-    return state_->scene.trace_marks;
 }
 
 std::vector<TraceMark> Simulation::traceMarksSince(std::uint64_t made) const {

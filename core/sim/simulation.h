@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,7 +12,6 @@
 #include "core/base/clock.h"
 #include "core/base/id.h"
 #include "core/base/result.h"
-#include "core/protocol/dialect.h"
 #include "core/sim/camera/camera_scene.h"
 #include "core/sim/faults/fault_schedule.h"
 #include "core/sim/radio.h"
@@ -27,21 +25,6 @@ namespace usar::sim {
 /// One day. The thesis (4.1) sets the server's battery life very high, because a server cannot recharge a robot, and
 /// lets the client keep track of the charge.
 inline constexpr Seconds survey_battery_life{86400.0};
-
-struct SimulationOptions {
-    std::uint64_t seed = 1;
-    /// How the server speaks. UDK answers each query at once, sends each sensor on a line of its own and usually ticks
-    /// every 0.1 s (protocol.md 7).
-    protocol::Dialect profile = protocol::Dialect::Ut2004;
-    Seconds tick{0.2};                            ///< message tick; 0.2 s is UT2004's
-    int physics_steps_per_tick = 50;              ///< 250 Hz by default
-    std::optional<Seconds> battery_life{};        ///< replaces what each robot's file says
-    bool noise = true;                            ///< sensor noise and INS drift
-    std::shared_ptr<const RobotCatalog> robots{}; ///< the classes that can be spawned; null: none
-    std::vector<Fault> faults{};                  ///< scheduled from the start
-    std::string world_source{};                   ///< name or folder that the world was loaded from, for snapshots
-    RadioParameters radio{};
-};
 
 /// Identifies one connection of a Simulation, from 1; never reused.
 using ClientId = Id<struct ClientTag, 0U>;
@@ -120,8 +103,7 @@ public:
     int obstaclesBetween(const Vec3& a_in_map_m, const Vec3& b_in_map_m) const;
     /// Received signal strength between two antennas, with the obstacles of the still world.
     double radioStrength_dbm(const RadioStation& a, const RadioStation& b) const;
-    const std::vector<TraceMark>& traceMarks() const; ///< those still kept of all clients, oldest first
-    std::uint64_t traceMarksMade() const;             ///< ever, including dropped ones
+    std::uint64_t traceMarksMade() const; ///< ever, including dropped ones
     /// The marks after the first `made` ones, as far as they are still kept.
     std::vector<TraceMark> traceMarksSince(std::uint64_t made) const;
     std::size_t clientCount() const;

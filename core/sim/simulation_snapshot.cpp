@@ -26,13 +26,6 @@ private:
     std::uint64_t value_ = 14695981039346656037ull;
 };
 
-std::vector<std::string> textsOf(const std::vector<Fault>& faults) {
-    std::vector<std::string> texts;
-    for (const Fault& fault : faults)
-        texts.push_back(write(fault));
-    return texts;
-}
-
 } // namespace
 
 /// Records an input. Successive bytes of one client within one tick become one entry, because it does not matter how
@@ -83,18 +76,11 @@ bool Simulation::State::adopt(ClientId client, ClientSession& session) {
 Result<Snapshot> Simulation::snapshot() const {
     if (state_->journal_bytes > most_journal_bytes)
         return failure("this run has received too much input to be saved", "snapshot", "Restart the simulator");
-    const SimulationOptions& options = state_->options;
-    return Snapshot{.world = options.world_source.empty() ? state_->world.name : options.world_source,
-                    .seed = options.seed,
-                    .profile = options.profile,
-                    .tick = options.tick,
-                    .physics_steps_per_tick = options.physics_steps_per_tick,
-                    .battery_life = options.battery_life,
-                    .noise = options.noise,
-                    .faults = textsOf(options.faults),
-                    .ticks = state_->ticks,
-                    .digest = state_->digest(),
-                    .journal = state_->journal};
+    Snapshot snapshot{state_->options, state_->ticks, state_->digest(), state_->journal};
+    snapshot.options.robots.reset();
+    if (snapshot.options.world_source.empty())
+        snapshot.options.world_source = state_->world.name;
+    return snapshot;
 }
 
 void Simulation::apply(const JournalEntry& entry) {
@@ -130,21 +116,8 @@ void Simulation::apply(const JournalEntry& entry) {
 
 Result<std::unique_ptr<Simulation>> Simulation::resume(World world, std::shared_ptr<const RobotCatalog> robots,
                                                        const Snapshot& snapshot, const ResumeWatch& watch) {
-    SimulationOptions options;
-    options.seed = snapshot.seed;
-    options.profile = snapshot.profile;
-    options.tick = snapshot.tick;
-    options.physics_steps_per_tick = snapshot.physics_steps_per_tick;
-    options.battery_life = snapshot.battery_life;
-    options.noise = snapshot.noise;
-    options.world_source = snapshot.world;
+    SimulationOptions options = snapshot.options;
     options.robots = std::move(robots);
-    for (const std::string& text : snapshot.faults) {
-        auto fault = readFault(text);
-        if (!fault)
-            return tl::unexpected(fault.error());
-        options.faults.push_back(*std::move(fault));
-    }
     auto made = make(std::move(world), options);
     if (!made)
         return made;
@@ -154,16 +127,17 @@ Result<std::unique_ptr<Simulation>> Simulation::resume(World world, std::shared_
         for (; entry != snapshot.journal.end() && entry->tick <= simulation.state_->ticks; ++entry)
             simulation.apply(*entry);
     };
-    const Seconds whole = static_cast<double>(snapshot.ticks) * snapshot.tick;
+    const Seconds whole = static_cast<double>(snapshot.ticks) * snapshot.options.tick;
     for (applyUntilNow(); simulation.state_->ticks < snapshot.ticks; applyUntilNow()) {
         if (watch && !watch(simulation.now(), whole))
-            return failure("it was given up before the saved moment was reached", "snapshot of " + snapshot.world);
+            return failure("it was given up before the saved moment was reached",
+                           "snapshot of " + snapshot.options.world_source);
         simulation.step();
         for (auto& [client, session] : simulation.state_->sessions)
             session.takeOutput(simulation.now()); // As the server did in the original run.
     }
     if (simulation.state_->digest() != snapshot.digest)
-        return failure("the replayed run differs from the saved one", "snapshot of " + snapshot.world,
+        return failure("the replayed run differs from the saved one", "snapshot of " + snapshot.options.world_source,
                        "Use the world, the robot files and the program that it was saved with");
     simulation.apply({.kind = JournalEntry::Kind::Resume, .tick = snapshot.ticks});
     simulation.takeLog();

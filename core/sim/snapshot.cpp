@@ -74,10 +74,19 @@ public:
         return value.value_or(1.0);
     }
 
+    Fault fault(std::string_view text) {
+        const auto fault = readFault(text);
+        if (!fault)
+            fail(fault.error());
+        return fault.value_or(Fault{});
+    }
+
     void fail(const std::string& what) {
+        fail(Error{what, "snapshot, line " + std::to_string(line_), "Choose a file that Save snapshot has written"});
+    }
+    void fail(const Error& error) {
         if (!error_)
-            error_ =
-                Error{what, "snapshot, line " + std::to_string(line_), "Choose a file that Save snapshot has written"};
+            error_ = error;
     }
 
 private:
@@ -87,22 +96,23 @@ private:
 };
 
 void readHead(SnapshotReading& reading, std::string_view key, std::string_view value, Snapshot& snapshot) {
+    SimulationOptions& options = snapshot.options;
     if (key == "world")
-        snapshot.world = value;
+        options.world_source = value;
     else if (key == "seed")
-        snapshot.seed = reading.whole(value, "seed");
+        options.seed = reading.whole(value, "seed");
     else if (key == "profile")
-        snapshot.profile = value == "udk" ? protocol::Dialect::Udk : protocol::Dialect::Ut2004;
+        options.profile = value == "udk" ? protocol::Dialect::Udk : protocol::Dialect::Ut2004;
     else if (key == "tick_s")
-        snapshot.tick = Seconds{reading.number(value, "time")};
+        options.tick = Seconds{reading.number(value, "time")};
     else if (key == "physics_steps_per_tick")
-        snapshot.physics_steps_per_tick = static_cast<int>(reading.whole(value, "number of steps", 10'000));
+        options.physics_steps_per_tick = static_cast<int>(reading.whole(value, "number of steps", 10'000));
     else if (key == "battery_life_s")
-        snapshot.battery_life = Seconds{reading.number(value, "time")};
+        options.battery_life = Seconds{reading.number(value, "time")};
     else if (key == "noise")
-        snapshot.noise = value != "off";
+        options.noise = value != "off";
     else if (key == "fault")
-        snapshot.faults.emplace_back(value);
+        options.faults.push_back(reading.fault(value));
     else if (key == "ticks")
         snapshot.ticks = reading.whole(value, "number of ticks", 100'000'000);
     else if (key == "digest")
@@ -114,18 +124,19 @@ void readHead(SnapshotReading& reading, std::string_view key, std::string_view v
 } // namespace
 
 std::string write(const Snapshot& snapshot) {
+    const SimulationOptions& options = snapshot.options;
     std::string out(first_line);
     out += '\n';
-    add(out, "world", snapshot.world);
-    add(out, "seed", snapshot.seed);
-    add(out, "profile", snapshot.profile == protocol::Dialect::Udk ? "udk" : "ut2004");
-    addNumber(out, "tick_s", snapshot.tick.count());
-    add(out, "physics_steps_per_tick", static_cast<std::uint64_t>(snapshot.physics_steps_per_tick));
-    if (snapshot.battery_life)
-        addNumber(out, "battery_life_s", snapshot.battery_life->count());
-    add(out, "noise", snapshot.noise ? "on" : "off");
-    for (const std::string& fault : snapshot.faults)
-        add(out, "fault", fault);
+    add(out, "world", options.world_source);
+    add(out, "seed", options.seed);
+    add(out, "profile", options.profile == protocol::Dialect::Udk ? "udk" : "ut2004");
+    addNumber(out, "tick_s", options.tick.count());
+    add(out, "physics_steps_per_tick", static_cast<std::uint64_t>(options.physics_steps_per_tick));
+    if (options.battery_life)
+        addNumber(out, "battery_life_s", options.battery_life->count());
+    add(out, "noise", options.noise ? "on" : "off");
+    for (const Fault& fault : options.faults)
+        add(out, "fault", write(fault));
     add(out, "ticks", snapshot.ticks);
     add(out, "digest", snapshot.digest);
     add(out, "journal", snapshot.journal.size());

@@ -1,7 +1,8 @@
-// A saved moment of a simulation: its settings and every input that it received until then.
+// The settings of a simulation, and a saved moment of it: the settings and every input that it received until then.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,8 +11,27 @@
 #include "core/base/clock.h"
 #include "core/base/result.h"
 #include "core/protocol/dialect.h"
+#include "core/sim/faults/fault.h"
+#include "core/sim/radio.h"
+#include "core/sim/robots/robot_model.h"
 
 namespace usar::sim {
+
+struct SimulationOptions {
+    std::uint64_t seed = 1;
+    /// How the server speaks. UDK answers each query at once, sends each sensor on a line of its own and usually ticks
+    /// every 0.1 s (protocol.md 7).
+    protocol::Dialect profile = protocol::Dialect::Ut2004;
+    Seconds tick{0.2};                            ///< message tick; 0.2 s is UT2004's
+    int physics_steps_per_tick = 50;              ///< 250 Hz by default
+    std::optional<Seconds> battery_life{};        ///< replaces what each robot's file says
+    bool noise = true;                            ///< sensor noise and INS drift
+    std::shared_ptr<const RobotCatalog> robots{}; ///< the classes that can be spawned; null: none
+    std::vector<Fault> faults{};                  ///< scheduled from the start
+    std::string world_source{};                   ///< name or folder that the world was loaded from, for snapshots
+    RadioParameters radio{};
+    bool operator==(const SimulationOptions&) const = default;
+};
 
 /// One input of a run. Entries are in the order in which they happened.
 struct JournalEntry {
@@ -35,16 +55,9 @@ struct JournalEntry {
 /// run, about a hundred times faster than the original, and `digest` tells whether it came out the same. The world and
 /// robot files must be those of the run.
 struct Snapshot {
-    std::string world; ///< name or folder, from SimulationOptions::world_source
-    std::uint64_t seed = 1;
-    protocol::Dialect profile = protocol::Dialect::Ut2004;
-    Seconds tick{0.2};
-    int physics_steps_per_tick = 50;
-    std::optional<Seconds> battery_life{};
-    bool noise = true;
-    std::vector<std::string> faults{}; ///< scheduled from the start, as text
-    std::uint64_t ticks = 0;           ///< message ticks made
-    std::uint64_t digest = 0;          ///< covers robots, objects and all output up to that moment
+    SimulationOptions options; ///< without the robots, which are read again
+    std::uint64_t ticks = 0;   ///< message ticks made
+    std::uint64_t digest = 0;  ///< covers robots, objects and all output up to that moment
     std::vector<JournalEntry> journal{};
     bool operator==(const Snapshot&) const = default;
 };

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/base/alternatives.h"
+#include "core/base/sealed.h"
 #include "core/base/text.h"
 #include "core/sim/robots/robot_model.h"
 #include "core/sim/world/object_kinds.h"

@@ -37,10 +37,6 @@ double Survey::pieceEnd_m(const Settings& settings) const {
     return length - end_m < settings.goal_distance_m / 2.0 ? length : end_m;
 }
 
-Vec2 Survey::goal_m(const Settings& settings) const {
-    return pointAt_m(on_lane_ ? pieceEnd_m(settings) : entry_along_m_);
-}
-
 Vec2 Survey::aim_m(const Vec2& position_m, const Settings& settings) const {
     if (!on_lane_)
         return pointAt_m(entry_along_m_);

@@ -30,14 +30,12 @@ public:
     std::size_t laneCount() const { return plan_.lanes.size(); }
     const mapping::CoveragePlan& plan() const { return plan_; }
     int goalsGivenUp() const { return goals_given_up_; }
-    /// The length of the lanes that was left out by giving up goals.
-    double givenUp_m() const { return given_up_m_; }
-    /// The same as a share of the length of all lanes.
+    /// The length of the lanes that was left out by giving up goals, as a share of the length of all lanes.
     double givenUp_pct() const { return totalLength_m() > 0.0 ? 100.0 * given_up_m_ / totalLength_m() : 0.0; }
 
     /// The point to reach next: where the lane is entered, or the end of its present piece. The survey must not be
     /// done.
-    Vec2 goal_m(const Settings& settings) const;
+    Vec2 goal_m(const Settings& settings) const { return pointAt_m(on_lane_ ? pieceEnd_m(settings) : entry_along_m_); }
     /// The point to steer at: on the lane ahead of the robot, so that it returns to the lane after a detour. The survey
     /// must not be done.
     Vec2 aim_m(const Vec2& position_m, const Settings& settings) const;

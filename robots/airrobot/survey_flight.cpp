@@ -53,18 +53,12 @@ bool SurveyFlight::atBase() const {
     return landing() || (base_in_map_.position_m.head<2>() - craft_.senses.position2_m()).norm() < over_base_m;
 }
 
-double SurveyFlight::beelineHome_m() const {
-    return (craft_.senses.position_m() - base_in_map_.position_m).norm();
-}
-
 double SurveyFlight::batteryMargin() const {
     return craft_.battery.rangeLeft_m(beelineHome_m(), craft_.settings) / craft_.settings.battery_range_m;
 }
 
 bool SurveyFlight::robotBatteryLow() const {
-    const Settings& settings = craft_.settings;
-    const Seconds way_home(1.3 * beelineHome_m() / settings.transit_speed_m_s + settings.robot_battery_reserve_s);
-    return craft_.senses.robot_battery && *craft_.senses.robot_battery < way_home;
+    return isLow(craft_.senses.robot_battery, beelineHome_m(), craft_.settings);
 }
 
 bool SurveyFlight::charged() const {
@@ -121,10 +115,6 @@ void SurveyFlight::planSurvey(agent::CommandPort& port) {
     survey_ = *planned;
     port.publish(agent::PlannedPath{survey_.corners_m()});
     phase_ = Phase::Ground;
-}
-
-void SurveyFlight::beginReset() {
-    ins_reset_.start(craft_.senses.now);
 }
 
 bool SurveyFlight::stepReset(const agent::Tick& tick, agent::CommandPort& port) {
@@ -185,14 +175,6 @@ Leg SurveyFlight::takeLeg() {
     return next;
 }
 
-void SurveyFlight::holdPlace(agent::CommandPort& port) {
-    craft_.hover(hold_m_, port, "paused");
-}
-
-void SurveyFlight::nextGoal(agent::CommandPort& port) {
-    afterGoal(survey_.next(craft_.settings), port);
-}
-
 void SurveyFlight::skipGoal(agent::CommandPort& port) {
     craft_.log.mark(agent::MarkKind::GoalGivenUp, leg().goal_m, craft_.senses, port);
     port.publish(agent::BehaviorEvent{Severity::Warning, "A goal could not be reached in time and is left out."});
@@ -245,10 +227,6 @@ void SurveyFlight::landAt(const Vec2& near_m) {
     landing_m_ = landingPlace_m(craft_.memory, near_m, craft_.settings.landing_radius_m);
     craft_.touchdown.start();
     phase_ = Phase::Landing;
-}
-
-void SurveyFlight::beginLanding() {
-    landAt(base_in_map_.position_m.head<2>());
 }
 
 void SurveyFlight::landHere(agent::CommandPort& port) {

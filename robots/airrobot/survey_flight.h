@@ -65,7 +65,7 @@ public:
     LaunchState checkLaunch(const agent::Tick& tick, agent::CommandPort& port);
     /// Plans the lanes over the area; ends the flight if that fails.
     void planSurvey(agent::CommandPort& port);
-    void beginReset();
+    void beginReset() { ins_reset_.start(craft_.senses.now); }
     /// Returns true once the INS is set or all attempts have failed.
     bool stepReset(const agent::Tick& tick, agent::CommandPort& port);
     /// Starts from the ground, after the launch or a charge. Forgets all places, which belong to the old estimate.
@@ -83,12 +83,12 @@ public:
     /// Looks, decides and performs in the usual order.
     FlightState fly(agent::CommandPort& port) { return craft_.fly(takeLeg(), port); }
     /// Waits where the robot was when it was paused.
-    void holdPlace(agent::CommandPort& port);
+    void holdPlace(agent::CommandPort& port) { craft_.hover(hold_m_, port, "paused"); }
     /// Sends a zero DRIVE; ends the flight if the sensors stay silent.
     void awaitSensors(agent::CommandPort& port);
 
     // Goals.
-    void nextGoal(agent::CommandPort& port);
+    void nextGoal(agent::CommandPort& port) { afterGoal(survey_.next(craft_.settings), port); }
     /// Gives up a goal that could not be reached in time.
     void skipGoal(agent::CommandPort& port);
     void returnToCharge(agent::CommandPort& port);
@@ -98,7 +98,7 @@ public:
     void obeyRobotBattery(agent::CommandPort& port);
 
     // Down.
-    void beginLanding();
+    void beginLanding() { landAt(base_in_map_.position_m.head<2>()); }
     /// Ends the survey because the way home is blocked; lands at the present place.
     void landHere(agent::CommandPort& port);
     /// Sinks; returns true once the robot is on the ground with its rotors at rest.
@@ -120,7 +120,7 @@ private:
     void goHome(Errand errand, const std::string& why, agent::CommandPort& port);
     void landAt(const Vec2& near_m);
     void endPause(const std::string& why, agent::CommandPort& port);
-    double beelineHome_m() const;
+    double beelineHome_m() const { return (craft_.senses.position_m() - base_in_map_.position_m).norm(); }
     std::string words() const;
     std::optional<Seconds> timeLeft() const;
 

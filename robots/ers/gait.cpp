@@ -12,21 +12,6 @@ namespace {
 constexpr double spread_rad = 0.1; ///< outward angle of the legs, so that the robot does not tip over
 constexpr double deepest_nod_rad = 0.25;
 
-struct JointNames {
-    protocol::Token swing;
-    protocol::Token spread;
-    protocol::Token knee;
-};
-
-/// The joint names of the embedded simulator (robots-and-worlds.md 3.4); the names in UT2004 are unknown.
-const JointNames& namesOf(Leg leg) {
-    static const std::array<JointNames, 4> names{{{"LFLeg1", "LFLeg2", "LFLeg3"},
-                                                  {"RFLeg1", "RFLeg2", "RFLeg3"},
-                                                  {"LHLeg1", "LHLeg2", "LHLeg3"},
-                                                  {"RHLeg1", "RHLeg2", "RHLeg3"}}};
-    return names[static_cast<std::size_t>(leg)];
-}
-
 constexpr Seconds between_moves{0.19}; ///< slightly less than a tick, because the times of ticks are rounded
 constexpr int moves = 4;
 constexpr PawPlace middle = standing_paw; ///< place of the paw halfway through a step
@@ -43,10 +28,15 @@ PawPlace placeAt(int move, double stride_m, double lift_m) {
 
 void putPaw(protocol::MultiDrive& drive, Leg leg, const PawPlace& paw) {
     const agent::LegAngles angles = agent::legAngles(agent::ers_leg, paw.forward_m, paw.down_m);
-    const JointNames& names = namesOf(leg);
-    drive.joints.push_back({names.swing, angles.hip_rad});
-    drive.joints.push_back({names.spread, spread_rad});
-    drive.joints.push_back({names.knee, angles.knee_rad});
+    // The names in the embedded simulator (robots-and-worlds.md 3.4); those in UT2004 are unknown.
+    static const std::array<std::array<protocol::Token, 3>, all_legs.size()> joints{{{"LFLeg1", "LFLeg2", "LFLeg3"},
+                                                                                     {"RFLeg1", "RFLeg2", "RFLeg3"},
+                                                                                     {"LHLeg1", "LHLeg2", "LHLeg3"},
+                                                                                     {"RHLeg1", "RHLeg2", "RHLeg3"}}};
+    const auto& [swing, spread, knee] = joints[static_cast<std::size_t>(leg)];
+    drive.joints.push_back({swing, angles.hip_rad});
+    drive.joints.push_back({spread, spread_rad});
+    drive.joints.push_back({knee, angles.knee_rad});
 }
 
 /// Uses the nod first and the neck only for the rest, because leaning the neck forward shifts the weight.

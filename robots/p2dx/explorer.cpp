@@ -117,20 +117,8 @@ Seconds Explorer::scanAge() const {
     return scan_at_ && !frozen() ? run_.now - *scan_at_ : never;
 }
 
-bool Explorer::waiting() const {
-    return run_.paused || !run_.began || run_.elapsed() < Seconds(settings_.rest_time_s);
-}
-
-bool Explorer::inDanger() const {
-    return maneuver_ == Maneuver::Backing || (maneuver_ == Maneuver::None && tooClose());
-}
-
 bool Explorer::trapped() const {
     return maneuver_ == Maneuver::None && track_.progress_m(Seconds(settings_.trap_time_s)) < settings_.trap_radius_m;
-}
-
-Third Explorer::open() const {
-    return run_.now < straight_until_ ? Third::Ahead : chosen_;
 }
 
 bool Explorer::tooClose() const {

@@ -36,16 +36,16 @@ public:
     /// Whether the newest scan is older than 2 s, so that the robot must stop.
     bool blind() const { return scanAge() > Seconds{2.0}; }
     /// Whether the user paused the robot or it has not rested long enough to start.
-    bool waiting() const;
+    bool waiting() const { return run_.paused || !run_.began || run_.elapsed() < Seconds(settings_.rest_time_s); }
     /// Whether something ahead is too close, the ground falls too steeply, or the robot is still backing away from
     /// that.
-    bool inDanger() const;
+    bool inDanger() const { return maneuver_ == Maneuver::Backing || (maneuver_ == Maneuver::None && tooClose()); }
     /// Whether the robot has stayed in one place for longer than the settings allow.
     bool trapped() const;
     /// Whether the robot has backed away or is turning around and the way is not free yet.
     bool mustTurn() const { return maneuver_ == Maneuver::Turning; }
     /// The third of the scan to head for. It changes only if another third has a clear lead.
-    Third open() const;
+    Third open() const { return run_.now < straight_until_ ? Third::Ahead : chosen_; }
 
     // Acts. Each returns the wheel speeds to send in this tick.
     /// Stops the wheels; the state tells the user why the robot stands.

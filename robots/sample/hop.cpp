@@ -106,12 +106,6 @@ void Hop::order(agent::Order order, agent::CommandPort& port) {
         port.send(safeCommand(), "paused");
 }
 
-/// The command that is sent when the behavior is ended from outside. It is needed because a robot keeps executing its
-/// last command.
-protocol::Command Hop::safeCommand() const {
-    return protocol::AerialDrive{0.0, 0.0, 0.0, 0.0};
-}
-
 const char* Hop::inWords() const {
     static constexpr std::array words{"climbing", "flying forward", "landing", "on the ground"};
     return words[static_cast<std::size_t>(state_)];

@@ -23,7 +23,7 @@ public:
     void order(agent::Order order, agent::CommandPort& port) override;
     void setParameters(const agent::ParameterSet& parameters) override { parameters_ = parameters; }
     /// Hovering. A robot keeps executing its last command, so this one is sent when the behavior is ended from outside.
-    protocol::Command safeCommand() const override;
+    protocol::Command safeCommand() const override { return protocol::AerialDrive{0.0, 0.0, 0.0, 0.0}; }
 
 private:
     /// The states follow one another in this order; none is repeated.

@@ -13,18 +13,13 @@ bool Questionnaire::goOn(modules::ConfigurationModule& configuration) {
     if (asked_ == questions.size())
         return true;
     const char* const type = questions[asked_];
-    switch (configuration.state(type)) {
-    case QueryState::Unknown:
+    const QueryState state = configuration.state(type);
+    if (state == QueryState::Unknown)
         configuration.query(type);
+    if (state == QueryState::Unknown || state == QueryState::Pending)
         return false;
-    case QueryState::Pending:
-        return false;
-    case QueryState::Ready:
-        take(*configuration.answer(type));
-        break;
-    case QueryState::Failed: // The host has told the user
-        break;
-    }
+    if (const auto* const answer = configuration.answer(type)) // Otherwise the host has told the user
+        take(*answer);
     return ++asked_ == questions.size();
 }
 

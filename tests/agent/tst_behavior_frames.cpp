@@ -91,7 +91,7 @@ private slots:
 
     void refusalsAndLastWordsCross() {
         const Error error{"what", "where", "mend"};
-        QVERIFY(std::get<Refusal>(*readReply(write(Reply(Refusal{error})))).error == error);
+        QVERIFY(std::get<Error>(*readReply(write(Reply(error)))) == error);
         QCOMPARE(std::get<Dying>(*readReply(write(Reply(Dying{11})))).signal, 11);
         QVERIFY(std::get<Order>(*readRequest(write(Request(Order::LandNow)))) == Order::LandNow);
     }

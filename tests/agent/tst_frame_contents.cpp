@@ -59,9 +59,9 @@ class tst_FrameContents : public QObject {
 private slots:
     void aDescriptionCrossesWithoutLoss() {
         const RobotDescription sent = rover();
-        const auto read = readReply(write(Reply(Description{sent})));
-        QVERIFY(read && std::holds_alternative<Description>(*read));
-        const RobotDescription& got = std::get<Description>(*read).robot;
+        const auto read = readReply(write(Reply(sent)));
+        QVERIFY(read && std::holds_alternative<RobotDescription>(*read));
+        const RobotDescription& got = std::get<RobotDescription>(*read);
         QCOMPARE(got.class_name, sent.class_name);
         QCOMPARE(got.name, sent.name);
         QVERIFY(got.sensors_needed == sent.sensors_needed);
@@ -144,7 +144,7 @@ private slots:
     void everyPrefixIsRefused_data() {
         QTest::addColumn<QByteArray>("frame");
         QTest::addColumn<bool>("is_request");
-        QTest::newRow("a description") << write(Reply(Description{rover()})) << false;
+        QTest::newRow("a description") << write(Reply(rover())) << false;
         QTest::newRow("a preview") << write(Reply(TaskPreview{{{1.0, 2.0}}, 3.0, Seconds{4.0}, "5"})) << false;
         QTest::newRow("a start") << write(Request(Start{"/a.so", job()})) << true;
         QTest::newRow("a job") << write(Request(job())) << true;
@@ -162,7 +162,7 @@ private slots:
 
     void damagedBytesNeverCrash() {
         Random random = seeded(5, 1);
-        const QByteArray frames[] = {write(Reply(Description{rover()})), write(Request(Start{"/a.so", job()}))};
+        const QByteArray frames[] = {write(Reply(rover())), write(Request(Start{"/a.so", job()}))};
         std::uniform_int_distribution<int> byte(0, 255);
         for (int i = 0; i < 4000; ++i) {
             QByteArray damaged = frames[i % 2];

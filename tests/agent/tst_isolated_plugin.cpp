@@ -33,7 +33,7 @@ constexpr int answered_ms = 15000;
 
 /// A loader that isolates these, with what it has told since.
 struct Asking {
-    explicit Asking(const QStringList& files, const QStringList& isolated, const IsolationPatience& patience = {}) {
+    explicit Asking(const QStringList& files, const QStringList& isolated, const Patience& patience = {}) {
         loader.setPolicy({.host_program = host, .isolated = isolated, .patience = patience});
         loader.setNews([this](const std::vector<PluginChange>& changes) {
             for (const PluginChange& change : changes)
@@ -98,9 +98,7 @@ private slots:
         const PluginRecord& record = there.loader.records().front();
         QVERIFY2(record.state == PluginState::Loaded, qPrintable(record.reason));
         QVERIFY(record.isolated && !here.records().front().isolated);
-        const auto asBytes = [](const RobotDescription& robot) {
-            return frames::write(frames::Reply(frames::Description{robot}));
-        };
+        const auto asBytes = [](const RobotDescription& robot) { return frames::write(frames::Reply(robot)); };
         QCOMPARE(asBytes(there.loader.robots().front()), asBytes(here.robots().front()));
 
         const BehaviorContext context = there.contextOf(id, {{0.0, 0.0}, {40.0, 30.0}});

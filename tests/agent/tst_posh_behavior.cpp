@@ -2,8 +2,8 @@
 #include <QTest>
 
 #include "core/posh/trace/trace_file.h"
-#include "core/posh/trace/trace_text.h"
 #include "tests/agent/posh_run.h"
+#include "tests/doubles/trace_text.h"
 #include "tests/suite/suite.h"
 
 namespace tst_posh_behavior {
@@ -58,7 +58,7 @@ void tst_PoshBehavior::sendsWhatItsActsWantWithTheirPath() {
 
 void tst_PoshBehavior::theLastOfSeveralDriveCommandsLeaves() {
     Run run("((AP p (Tick Turn('right))) (DC d (drives ((a p)))))");
-    posh::TraceText trace(posh::TraceDetail::Full);
+    test::TraceText trace(test::TraceDetail::Full);
     run.behavior->watch(&trace);
     const auto output = run.tick();
     QCOMPARE(output.commands.size(), std::size_t(1));
@@ -358,7 +358,7 @@ void tst_PoshBehavior::aWrittenKeyHaltsIt() {
 
 void tst_PoshBehavior::theBlackboardIsTraced() {
     Run run("((DC d (drives ((a (trigger ((Count 3 !=))) Tick)) ((b Halt)))))");
-    posh::TraceText trace(posh::TraceDetail::Full);
+    test::TraceText trace(test::TraceDetail::Full);
     run.behavior->watch(&trace);
     run.tick();
     const QString text = QString::fromStdString(trace.text());
@@ -396,7 +396,7 @@ void tst_PoshBehavior::publishedTracesMakeATraceFile() {
 }
 
 void tst_PoshBehavior::theEndOfTheBehaviorEndsItsAct() {
-    posh::TraceText trace;
+    test::TraceText trace;
     {
         Run run(drive_on);
         run.behavior->watch(&trace);

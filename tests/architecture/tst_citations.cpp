@@ -1,4 +1,4 @@
-// Comments cite pages and their sections ("protocol.md 4.5"): each must be there.
+// Comments cite pages and their sections ("protocol.md 4.5"), and pages cite files of the tree: each must be there.
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
@@ -74,12 +74,24 @@ QString complaint(const Citation& citation) {
     return {};
 }
 
+/// The paths of files in a page, as `core/base/text.h`. NAME stands for any word and is not looked for.
+QStringList pathsIn(const QString& page_text) {
+    static const QRegularExpression pattern(R"(`((?:app|core|widgets|robots|resources|tests)/[\w/.-]+\.\w+)`)");
+    QStringList paths;
+    auto found = pattern.globalMatch(page_text);
+    while (found.hasNext())
+        if (const QString path = found.next().captured(1); !path.contains("NAME"))
+            paths << path;
+    return paths;
+}
+
 } // namespace
 
 class tst_Citations : public QObject {
     Q_OBJECT
 private slots:
     void eachPageAndSectionIsThere();
+    void eachFileThatAPageNamesIsThere();
     void theTestItselfSeesWhatIsMissing();
 };
 
@@ -93,7 +105,25 @@ void tst_Citations::eachPageAndSectionIsThere() {
     QVERIFY2(complaints.isEmpty(), qPrintable(complaints.join('\n')));
 }
 
+void tst_Citations::eachFileThatAPageNamesIsThere() {
+    QStringList missing;
+    qsizetype named = 0;
+    QDirIterator it(root + "/resources/docs", {"*.md"}, QDir::Files);
+    while (it.hasNext()) {
+        const QString page = it.next();
+        const QStringList paths = pathsIn(readAll(page));
+        named += paths.size();
+        for (const QString& path : paths)
+            if (!QFile::exists(root + '/' + path))
+                missing << QFileInfo(page).fileName() + " names " + path;
+    }
+    QVERIFY(named > 300);
+    QVERIFY2(missing.isEmpty(), qPrintable(missing.join('\n')));
+}
+
 void tst_Citations::theTestItselfSeesWhatIsMissing() {
+    QCOMPARE(pathsIn("see `core/base/text.h`, `resources/robots/NAME.sdf` and `text.h`"),
+             QStringList{"core/base/text.h"});
     const auto found = citationsIn("core/a.h", "// (protocol.md 4.5, robots-and-worlds.md, section 5)\n// nowhere.md");
     QCOMPARE(found.size(), std::size_t(3));
     QCOMPARE(found[0].section, QString("4.5"));

@@ -50,8 +50,8 @@ void staToDriveInAThreadOfItsOwn(benchmark::State& state) {
 BENCHMARK(staToDriveInAThreadOfItsOwn)->UseRealTime();
 
 void staToDriveInAProcessOfItsOwn(benchmark::State& state) {
-    const agent::Isolation isolation{QStringLiteral(USAR_BINARY_DIR "/bin/usar-behavior-host")};
-    answerStates(state, **agent::startBehavior(isolationPlugins(), behavior_id, climbing(), isolation));
+    const QString host_program = QStringLiteral(USAR_BINARY_DIR "/bin/usar-behavior-host");
+    answerStates(state, **agent::startBehavior(isolationPlugins(), behavior_id, climbing(), host_program));
 }
 BENCHMARK(staToDriveInAProcessOfItsOwn)->UseRealTime();
 

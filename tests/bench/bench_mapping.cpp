@@ -111,7 +111,7 @@ BENCHMARK(rasterOfAScan)->Unit(benchmark::kMillisecond);
 void planASquare(benchmark::State& state) {
     const double half_m = double(state.range(0)) / 2;
     for (auto unused : state)
-        benchmark::DoNotOptimize(planCoverage({{-half_m, -half_m}, {half_m, half_m}}, {1.0, 2.0}, {}));
+        benchmark::DoNotOptimize(planCoverage({{-half_m, -half_m}, {half_m, half_m}}, {1.0, 2.0}, {10.0}));
 }
 BENCHMARK(planASquare)->Arg(60)->Arg(200)->Arg(1000)->Arg(6000)->Unit(benchmark::kMicrosecond);
 

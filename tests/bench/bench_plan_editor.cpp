@@ -47,7 +47,9 @@ void keystroke(benchmark::State& state) {
     editor.setText(searchPlanOfLines(static_cast<int>(state.range(0))), "large.lap");
     editor.show();
     const auto middle = editor.text().find("step-5");
-    editor.textEdit().setCursorOffset(middle);
+    QTextCursor cursor = editor.textEdit().textCursor();
+    cursor.setPosition(static_cast<int>(middle));
+    editor.textEdit().setTextCursor(cursor);
     bool typed = false;
     for ([[maybe_unused]] auto _ : state) {
         if (typed)

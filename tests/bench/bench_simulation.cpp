@@ -24,18 +24,18 @@ World tallTest() {
     return world ? std::move(*world) : World{};
 }
 
-DriveBirth overTheStart(const World& world, double above_m) {
-    DriveBirth spawn;
-    spawn.base_in_map = world.start_poses.front().pose_in_map;
-    spawn.base_in_map.position_m.z() += above_m;
-    spawn.near_ground = above_m < 1.0;
-    return spawn;
+Pose overTheStart(const World& world, double above_m) {
+    Pose base_in_map = world.start_poses.front().pose_in_map;
+    base_in_map.position_m.z() += above_m;
+    return base_in_map;
 }
 
 void physicsStep(benchmark::State& state) {
     const World world = tallTest();
     const auto physics = makePhysics(world);
-    RotorDrive robot(*physics, overTheStart(world, static_cast<double>(state.range(0))));
+    const RobotModel& model = *findRobot(*doubles::shippedRobots(), "AirRobot");
+    const RobotBody body(*physics, model, overTheStart(world, static_cast<double>(state.range(0))));
+    RotorDrive robot(*physics, body.id(), state.range(0) < 1);
     const auto step = [&] {
         robot.beforeStep(dt);
         physics->step(dt);
@@ -54,7 +54,7 @@ void jointedStep(benchmark::State& state, const char* class_name) {
     const World world = tallTest();
     const auto physics = makePhysics(world);
     const RobotModel& model = *findRobot(*doubles::shippedRobots(), class_name);
-    RobotBody body(*physics, model, overTheStart(world, model.dimensions_m.z()).base_in_map);
+    RobotBody body(*physics, model, overTheStart(world, model.dimensions_m.z()));
     for (int i = 0; i < 1000; ++i)
         physics->step(dt);
     for (auto _ : state)
@@ -72,7 +72,7 @@ void sensorTick(benchmark::State& state) {
     const RobotModel& model = *findRobot(*doubles::shippedRobots(), "AirRobot");
     Scene scene;
     RobotOptions options;
-    options.base_in_map = overTheStart(world, 6.0).base_in_map;
+    options.base_in_map = overTheStart(world, 6.0);
     const auto robot = std::move(*Robot::spawn(model, {world, caster, *physics, scene}, options));
     std::vector<protocol::InfoMessage> lines;
     for (auto _ : state) {

@@ -111,7 +111,7 @@ void tst_WindowRobots::aDoubleClickedSensorValueIsPlotted() {
     QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, at);
     QTest::mouseDClick(tree->viewport(), Qt::LeftButton, {}, at);
     const auto* plots = page.window().views().plots;
-    QTRY_COMPARE_WITH_TIMEOUT(plots->seriesPaths().size(), 1, soon_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(plots->store().series().size(), 1U, soon_ms);
     const auto samples = [plots] { return plots->store().series().front().samples.size(); };
     QTRY_VERIFY_WITH_TIMEOUT(samples() >= 5, soon_ms);
 }

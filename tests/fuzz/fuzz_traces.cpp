@@ -8,8 +8,8 @@
 #include "core/posh/run/engine.h"
 #include "core/posh/trace/trace_encoder.h"
 #include "core/posh/trace/trace_file.h"
-#include "core/posh/trace/trace_text.h"
 #include "tests/doubles/stub_host.h"
+#include "tests/doubles/trace_text.h"
 
 namespace {
 
@@ -40,7 +40,8 @@ std::size_t show(TraceFile::Cursor cursor) {
         for (const auto* const events : {&cycle->events, &cycle->behind})
             for (const trace_codec::Entry& entry : *events)
                 if (cycle->program)
-                    appendLine(text, *cycle->program, entry.record, cycle->textOf(entry), TraceDetail::Full);
+                    appendLine(text, *cycle->program, entry.record, cycle->textOf(entry),
+                               usar::test::TraceDetail::Full);
         text.clear();
     }
     return read;

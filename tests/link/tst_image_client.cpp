@@ -86,7 +86,7 @@ private slots:
         QCOMPARE(asking.frames[0][1].toByteArray(), QByteArray("picture"));
         QCOMPARE(asking.client.status().state, ImageState::Live);
         QVERIFY(asking.client.status().frames_per_s > 0.0 && asking.client.status().frames_per_s <= 60.0);
-        QVERIFY(server.requests <= static_cast<int>(asking.client.framesReceived()) + 1); // one at a time
+        QVERIFY(server.requests <= asking.frames.size() + 1); // one at a time
     }
 
     void framesMayComeByteByByte() {

@@ -75,7 +75,7 @@ void tst_CoveragePath::beginsAtTheCornerNearestToTheBase() {
     QFETCH(Vec2, base_m);
     QFETCH(Vec2, start_m);
     QFETCH(Vec2, end_m);
-    const CoveragePlan plan = planCoverage(area, base_m, {}).value();
+    const CoveragePlan plan = planCoverage(area, base_m, {10.0}).value();
     QCOMPARE(plan.lanes.size(), std::size_t(4));
     QVERIFY((plan.lanes[0].start_m - start_m).norm() < 1e-9);
     QVERIFY((plan.lanes[0].end_m - end_m).norm() < 1e-9);
@@ -95,7 +95,7 @@ void tst_CoveragePath::needsTheFewestLanes_data() {
 void tst_CoveragePath::needsTheFewestLanes() {
     QFETCH(double, shorter_side_m);
     QFETCH(int, lanes);
-    const CoveragePlan plan = planCoverage({{0, 0}, {120, shorter_side_m}}, {0, 0}, {}).value();
+    const CoveragePlan plan = planCoverage({{0, 0}, {120, shorter_side_m}}, {0, 0}, {10.0}).value();
     QCOMPARE(static_cast<int>(plan.lanes.size()), lanes);
 }
 
@@ -115,7 +115,7 @@ void tst_CoveragePath::cutsLargeAreasIntoEqualQuadrants() {
     QFETCH(double, height_m);
     QFETCH(int, quadrants);
     const Rectangle area{{-width_m / 2, -height_m / 2}, {width_m / 2, height_m / 2}};
-    const CoveragePlan plan = planCoverage(area, {0, 0}, {}).value();
+    const CoveragePlan plan = planCoverage(area, {0, 0}, {10.0}).value();
     QCOMPARE(static_cast<int>(plan.quadrants.size()), quadrants);
     double area_m2 = 0.0;
     for (const Rectangle& quadrant : plan.quadrants) {
@@ -161,7 +161,7 @@ void tst_CoveragePath::coversEveryPointOfRandomAreas() {
 
 void tst_CoveragePath::eachQuadrantBeginsAtTheCornerNearestToTheRobot() {
     const Vec2 base_m(3, -7);
-    const CoveragePlan plan = planCoverage({{-170, -120}, {150, 140}}, base_m, {}).value();
+    const CoveragePlan plan = planCoverage({{-170, -120}, {150, 140}}, base_m, {10.0}).value();
     Vec2 position_m = base_m;
     int quadrant = -1;
     for (const Lane& lane : plan.lanes) {
@@ -178,7 +178,7 @@ void tst_CoveragePath::eachQuadrantBeginsAtTheCornerNearestToTheRobot() {
 
 void tst_CoveragePath::transitBetweenQuadrantsStaysShort() {
     // 7 x 7 quadrants of 143 m: the lanes' own side steps are 14 x 9.5 m each; to the next quadrant it is about a side.
-    const CoveragePlan plan = planCoverage({{0, 0}, {1000, 1000}}, {0, 0}, {}).value();
+    const CoveragePlan plan = planCoverage({{0, 0}, {1000, 1000}}, {0, 0}, {10.0}).value();
     const double side_m = 1000.0 / 7;
     const double side_steps_m = 49 * 14 * (side_m / 15);
     QVERIFY2(plan.transit_length_m < side_steps_m + 48 * side_m + 1000 * std::sqrt(2.0),
@@ -211,7 +211,7 @@ void tst_CoveragePath::refusesTheRestAndSaysWhy() {
     QVERIFY(!plan.has_value());
     QVERIFY2(QString::fromStdString(plan.error().what).contains(what), plan.error().text().c_str());
     QVERIFY(!plan.error().mend.empty());
-    QVERIFY(!planCoverage({{0, 0}, {60, 40}}, {qQNaN(), 0}, {}).has_value());
+    QVERIFY(!planCoverage({{0, 0}, {60, 40}}, {qQNaN(), 0}, {10.0}).has_value());
 }
 
 void tst_CoveragePath::estimatesTheTimeFromBothSpeeds() {

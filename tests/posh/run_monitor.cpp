@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/posh/trace/trace_text.h"
-
 using namespace usar::posh;
 
 void RunMonitor::takeProgram(const std::shared_ptr<const Program>& program) {

@@ -9,7 +9,8 @@
 #include <QJsonObject>
 
 #include "core/posh/language/plan_reader.h"
-#include "core/posh/trace/trace_text.h"
+#include "core/posh/run/engine.h"
+#include "tests/doubles/trace_text.h"
 
 using namespace usar::posh;
 
@@ -116,7 +117,7 @@ std::string runVector(const TraceVector& vector) {
     if (!program)
         return program.error().text();
     VectorHost host(vector);
-    TraceText trace;
+    usar::test::TraceText trace;
     {
         Engine engine(host, *program, vector.options);
         engine.watch(&trace);

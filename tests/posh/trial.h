@@ -10,8 +10,8 @@
 
 #include "core/posh/language/plan_reader.h"
 #include "core/posh/run/engine.h"
-#include "core/posh/trace/trace_text.h"
 #include "tests/doubles/stub_host.h"
+#include "tests/doubles/trace_text.h"
 
 inline constexpr auto running = usar::posh::ActResult::Running;
 inline constexpr auto failed = usar::posh::ActResult::Failed;
@@ -57,7 +57,7 @@ inline std::shared_ptr<const usar::posh::Program> programOf(const std::string& t
 class Trial {
 public:
     explicit Trial(const std::string& plan, usar::posh::EngineOptions options = {},
-                   usar::posh::TraceDetail detail = usar::posh::TraceDetail::Plain)
+                   usar::test::TraceDetail detail = usar::test::TraceDetail::Plain)
         : trace_(detail)
         , engine(host, programOf(plan), options) {
         engine.watch(&trace_);
@@ -88,7 +88,7 @@ private:
                 words << word;
         return words.join(' ');
     }
-    usar::posh::TraceText trace_;
+    usar::test::TraceText trace_;
 
 public:
     usar::posh::Engine engine;

@@ -7,6 +7,7 @@
 namespace tst_engine_faults {
 
 using namespace usar::posh;
+using usar::test::TraceDetail;
 
 namespace {
 

@@ -11,6 +11,7 @@
 namespace tst_sense_answers {
 
 using namespace usar::posh;
+using usar::test::TraceDetail;
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include "core/posh/language/plan_writer.h"
 #include "core/posh/trace/trace_encoder.h"
 #include "core/posh/trace/trace_file.h"
-#include "core/posh/trace/trace_text.h"
+#include "tests/doubles/trace_text.h"
 #include "tests/posh/random_plan.h"
 #include "tests/posh/scripted_host.h"
 #include "tests/posh/trial.h"
@@ -18,6 +18,7 @@ namespace tst_trace_file {
 
 using namespace usar;
 using namespace usar::posh;
+using test::TraceDetail;
 
 namespace {
 
@@ -47,7 +48,7 @@ struct Recording {
 Recording recorded(const Plan& plan, std::uint64_t seed, std::uint64_t cycles, bool throws = false) {
     ScriptedHost host({.seed = seed, .throws = throws});
     TraceEncoder encoder(writePlan(plan));
-    TraceText text(TraceDetail::Full);
+    test::TraceText text(TraceDetail::Full);
     Both both(encoder, text);
     {
         Engine engine(host, *compile(plan));

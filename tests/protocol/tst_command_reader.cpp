@@ -191,7 +191,7 @@ void tst_CommandReader::readsEveryKind_data() {
     row("one steering angle alone", "DRIVE {FrontSteer 0.17}", AckermannDrive{.front_steer_rad = -0.17});
     row("a boat", "DRIVE {Propeller 0}", NauticDrive{.propeller_rad_s = 0.0});
     row("a joint without order goes to an angle", "DRIVE {Name FrontLeft} {Value 0}",
-        JointDrive::toAngle("FrontLeft", 0));
+        JointDrive{"FrontLeft", JointOrder::Angle, 0});
     row("a joint by a relative order", "DRIVE {Name Knee}{Order 11}{Value -1}",
         JointDrive{"Knee", JointOrder::RelativeSpeed, -1.0});
     row("a brake", "DRIVE {Name FrontLeft} {Order 3} {Value 5}", JointDrive{"FrontLeft", JointOrder::Brake, 5.0});

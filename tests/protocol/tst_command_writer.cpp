@@ -39,7 +39,7 @@ void spawnsAndDrives() {
         "DRIVE {WheelNumber 0} {WheelSpeed 3} {WheelSteer -0.5} {WheelNumber 1} {WheelSpeed 3} {Normalized false}");
     row("dive", NauticDrive{20.0, 0.25, -0.125},
         "DRIVE {Propeller 20} {Rudder 0.25} {SternPlane -0.125} {Normalized false}");
-    row("a joint's speed", JointDrive::atSpeed("FLFlipper", 0.25),
+    row("a joint's speed", JointDrive{"FLFlipper", JointOrder::Speed, 0.25},
         "DRIVE {Name FLFlipper} {Order 1} {Value 0.25} {Normalized false}");
     row("a wheel by name", JointDrive{"FrontLeft", JointOrder::Speed, 2.0, -0.5},
         "DRIVE {Name FrontLeft} {Order 1} {Value 2} {Steer 0.5} {Normalized false}");
@@ -50,7 +50,7 @@ void spawnsAndDrives() {
 void questionsAndSettings() {
     row("geometry", GetGeometry{"Sonar"}, "GETGEO {Type Sonar}");
     row("geometry of the robot", GetGeometry{"Robot", "P3AT"}, "GETGEO {Type Robot} {Name P3AT}");
-    row("packages", GetConfiguration{packageType(Dialect::Ut2004)}, "GETCONF {Type MisPkg}");
+    row("packages", GetConfiguration{"MisPkg"}, "GETCONF {Type MisPkg}");
     row("configuration", GetConfiguration{"Camera", "Cam"}, "GETCONF {Type Camera} {Name Cam}");
     row("INS", SetInsPose{"INS", {{1, -2, 3}, 0.5, 0.25, -1}},
         "SET {Type INS} {Name INS} {Opcode POSE} {Params 1,2,-3,0.5,-0.25,1}");
@@ -148,7 +148,7 @@ private slots:
     void percentEndAtAHundred();
     void noTextCanBreakTheLine_data();
     void noTextCanBreakTheLine();
-    void factoriesMakeWhatTheyAreNamedAfter();
+    void aWorldControllersClassIsTheDialects();
 };
 
 void tst_CommandWriter::writingThenReadingIsTheIdentity_data() {
@@ -204,7 +204,7 @@ void tst_CommandWriter::udkHasItsOwnSpelling_data() {
         "DRIVE {Speed 2} {FrontSteer 0} {RearSteer 0} {Normalized false}");
     row("the robot in any case", GetGeometry{"robot"}, "GETGEO {Type Robot}");
     row("packages in any case", GetConfiguration{"mispkg"}, "GETCONF {Type MisPkg}");
-    row("packages by their newer word", GetConfiguration{packageType(Dialect::Udk)}, "GETCONF {Type Actuator}");
+    row("packages by their newer word", GetConfiguration{"Actuator"}, "GETCONF {Type Actuator}");
     row("a joint", SetJoint{"AllJoints", JointOpcode::Stiffness, 0.5},
         "SET {Type Joint} {Name AllJoints} {Opcode Stiffness} {Params 0.5}");
     row("whole triples", PackageDrive{"Arm", {{2, 0.5}}}, "MISPKG {Name Arm} {Link 2} {Value 0.5} {Order 0}");
@@ -288,15 +288,9 @@ void tst_CommandWriter::noTextCanBreakTheLine() {
     QVERIFY(Name::make(Name::mended(given).text()).has_value());
 }
 
-void tst_CommandWriter::factoriesMakeWhatTheyAreNamedAfter() {
-    const Pose pose{{1, 2, 3}, 0, 0, 0.5};
-    QVERIFY(Init::at("USARBot.P2DX", "R1", pose) == (Init{"USARBot.P2DX", "R1", pose}));
-    QVERIFY(Init::atStart("USARBot.P2DX", "R1", "Meadow") == (Init{"USARBot.P2DX", "R1", "Meadow"}));
+void tst_CommandWriter::aWorldControllersClassIsTheDialects() {
     QCOMPARE(Init::worldController("WC", Dialect::Ut2004).class_name.text(), std::string("USARBot.WorldController"));
-    QCOMPARE(Init::communicationStation("Base", pose).class_name.text(), std::string("USARBot.ComStation"));
-    QVERIFY(Init::communicationStation("Base", "Meadow").start == (std::variant<Pose, Token>("Meadow")));
-    QVERIFY(JointDrive::toAngle("Knee", 0.5) == (JointDrive{"Knee", JointOrder::Angle, 0.5}));
-    QVERIFY(JointDrive::withTorque("Knee", 5.0) == (JointDrive{"Knee", JointOrder::Torque, 5.0}));
+    QCOMPARE(Init::worldController("WC", Dialect::Udk).class_name.text(), std::string("USARBotAPI.WorldController"));
 }
 
 USAR_TEST(tst_CommandWriter)

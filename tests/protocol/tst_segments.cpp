@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/base/numbers.h"
 #include "core/base/random.h"
 #include "core/protocol/segments.h"
 #include "tests/suite/suite.h"
@@ -109,11 +110,11 @@ void tst_Segments::readsNumbersFromTheStartOfAValue() {
     Segments segments;
     Diagnostics diagnostics;
     segments.read(line, diagnostics);
-    const std::optional<double> read = segments.number("B");
-    QCOMPARE(read.has_value(), is_number);
-    if (read)
-        QVERIFY(*read == number || (std::isnan(*read) && std::isnan(number)));
-    QVERIFY(!segments.number("missing"));
+    const NumberPrefix read = readNumberPrefix(segments.value("B"));
+    QCOMPARE(read.used > 0, is_number);
+    if (is_number)
+        QVERIFY(read.value == number || (std::isnan(read.value) && std::isnan(number)));
+    QVERIFY(readNumberPrefix(segments.value("missing")).used == 0);
 }
 
 void tst_Segments::knowsWhereEachSegmentStarts() {

@@ -8,7 +8,6 @@
 #include "core/base/numbers.h"
 #include "core/protocol/fields.h"
 #include "core/protocol/reader.h"
-#include "core/protocol/udk_writer.h"
 #include "core/protocol/writer.h"
 #include "tests/suite/suite.h"
 

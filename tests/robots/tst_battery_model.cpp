@@ -18,7 +18,7 @@ private slots:
         for (int i = 0; i <= 100; ++i)
             battery.moveTo({i * 0.2, 0, 0});
         QVERIFY(std::abs(battery.flown_m() - 20.0) < 1e-9);
-        QVERIFY(std::abs(battery.flownSinceCharge_m() - 20.0) < 1e-9);
+        QVERIFY(std::abs(battery.used_pct(Settings{}) - 2.0) < 1e-9);
     }
 
     void addsNothingForTheNoiseOfStandingStill() {
@@ -59,7 +59,7 @@ private slots:
         battery.moveTo({0, 0, 0});
         battery.moveTo({30, 0, 0});
         battery.recharge();
-        QCOMPARE(battery.flownSinceCharge_m(), 0.0);
+        QCOMPARE(battery.used_pct(Settings{}), 0.0);
         QCOMPARE(battery.flown_m(), 30.0);
         QCOMPARE(battery.charges(), 1);
     }

@@ -5,9 +5,7 @@
 #include <iostream>
 #include <map>
 
-#include "core/sim/drives/ackermann_drive.h"
-#include "core/sim/drives/driven_joints.h"
-#include "core/sim/drives/wheeled_drive.h"
+#include "core/sim/robots/drive.h"
 #include "core/sim/robots/robot_reader.h"
 
 namespace usar::sim {
@@ -21,14 +19,6 @@ T orExit(Result<T> result) {
         std::exit(1);
     }
     return std::move(*result);
-}
-
-std::unique_ptr<Drive> driveOf(const RobotModel& model, Physics& physics, BodyId body) {
-    if (model.drive.kind == "skid")
-        return orExit(SkidDrive::make(model, physics, body));
-    if (model.drive.kind == "ackermann")
-        return orExit(AckermannDrive::make(model, physics, body));
-    return orExit(LegDrive::make(model, physics, body));
 }
 
 /// Files are read once a program: that costs more than most runs.
@@ -70,7 +60,7 @@ DrivenRobot::DrivenRobot(World world_, const std::string& robots, const std::str
     , physics(makePhysics(world))
     , model(modelOf(robots + "/" + class_name + ".sdf"))
     , body(*physics, model, standing(model, world, x_m, y_m, yaw_rad))
-    , drive(driveOf(model, *physics, body.id())) {}
+    , drive(orExit(makeDrive(model, *physics, body.id(), world, false))) {}
 
 void DrivenRobot::run(Seconds duration, const std::function<void()>& each) {
     for (long i = std::lround(duration / physics_dt); i > 0; --i) {

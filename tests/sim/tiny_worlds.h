@@ -20,13 +20,24 @@ World lake();
 /// Rises along x with this angle; height 0 on the y axis.
 World slopeWorld(double slope_rad);
 
+/// Where a flight begins; near the ground the robot lands by itself.
+struct FlightStart {
+    Pose base_in_map;
+    bool near_ground = false;
+};
+
+/// The AirRobot's ring, belly pod and four legs, which keep its rotor discs 0.2 m above the ground.
+BodyDescription airRobotBody();
+
 /// A world, its physics and one AirRobot.
 struct Flight {
-    explicit Flight(World world_, const DriveBirth& spawn);
+    explicit Flight(World world_, const FlightStart& start);
 
     /// Runs the robot; `each` is called after every physics step with the time since the call.
     void run(Seconds duration, const std::function<void(Seconds)>& each = {});
     void drive(double forward_m_s, double left_m_s, double climb_m_s, double yaw_rate_rad_s = 0.0);
+    /// True if it stands or lies still with its motors off.
+    bool atRest() const;
     Pose pose() const { return robot.state().pose(); }
     Vec3 velocity_m_s() const { return robot.state().velocity_m_s; }
 
@@ -36,8 +47,8 @@ struct Flight {
 };
 
 /// In the air at this point, level.
-DriveBirth inTheAir(const Vec3& position_m);
+FlightStart inTheAir(const Vec3& position_m);
 /// Just above the ground there, going to settle.
-DriveBirth onTheGround(const Vec3& ground_m);
+FlightStart onTheGround(const Vec3& ground_m);
 
 } // namespace usar::sim

@@ -42,7 +42,7 @@ private slots:
         QVERIFY(std::abs(car.joint("FrontLeftSteer").position - left_rad) < 0.01);
         QVERIFY(std::abs(car.joint("FrontRightSteer").position - right_rad) < 0.01);
         protocol::RobotState state;
-        car.drive->addTo(state);
+        car.drive->addState(state);
         QVERIFY(std::abs(*state.front_steer_rad - (left_rad + right_rad) / 2.0) < 0.01);
         QCOMPARE(*state.rear_steer_rad, 0.0);
     }
@@ -104,7 +104,7 @@ private slots:
     void tellsItsLimits() {
         DrivenRobot car(flatWorld(), robots, "Sedan", 0.0, 0.0);
         std::vector<protocol::Setting> settings;
-        car.drive->addTo(settings);
+        car.drive->addSettings(settings);
         QCOMPARE(settings[0], (protocol::Setting{"MaxSpeed", "", 60.0}));
         QCOMPARE(settings[2], (protocol::Setting{"MaxFrontSteer", "", 0.6}));
         QCOMPARE(settings[3], (protocol::Setting{"MaxRearSteer", "", 0.0}));
@@ -114,10 +114,10 @@ private slots:
         DrivenRobot car(flatWorld(), robots, "Sedan", 0.0, 0.0);
         RobotModel model = car.model;
         model.drive.numbers.erase("wheel_base");
-        QVERIFY(!AckermannDrive::make(model, *car.physics, car.body.id()));
+        QVERIFY(!makeDrive(model, *car.physics, car.body.id(), car.world, false));
         model = car.model;
         model.drive.numbers["steered"] = 9.0;
-        QVERIFY(!AckermannDrive::make(model, *car.physics, car.body.id()));
+        QVERIFY(!makeDrive(model, *car.physics, car.body.id(), car.world, false));
     }
 };
 

@@ -34,14 +34,14 @@ private slots:
         QFETCH(double, slope_deg);
         Flight flight(slopeWorld(radians(slope_deg)), onTheGround({0.0, 0.0, 0.0}));
         flight.run(Seconds{6.0});
-        QVERIFY(flight.robot.atRest());
+        QVERIFY(flight.atRest());
         flight.drive(0.0, 0.0, 1.0);
         flight.run(Seconds{5.0});
         QCOMPARE(flight.robot.motors(), MotorState::Flying);
         QVERIFY(flight.pose().position_m.z() > 3.0);
         flight.drive(0.0, 0.0, -0.4);
         flight.run(Seconds{30.0});
-        QVERIFY(flight.robot.atRest());
+        QVERIFY(flight.atRest());
         QCOMPARE(flight.robot.motors(), MotorState::Idle);
         QCOMPARE(flight.robot.collisions(), 0);
         QVERIFY(std::abs(degrees(flight.pose().pitch_rad) + slope_deg) < 1.0);
@@ -56,17 +56,17 @@ private slots:
         QFETCH(double, yaw_deg);
         const World world =
             groundOf([](const Vec2& p) { return 0.3 * std::sin(1.3 * p.x()) * std::cos(0.9 * p.y()) + 0.2 * p.y(); });
-        DriveBirth spawn = inTheAir({2.0, 1.0, 3.0});
+        FlightStart spawn = inTheAir({2.0, 1.0, 3.0});
         spawn.base_in_map.yaw_rad = radians(yaw_deg);
         Flight flight(world, spawn);
         flight.drive(0.0, 0.0, -0.5);
         flight.run(Seconds{15.0});
-        QVERIFY(flight.robot.atRest());
+        QVERIFY(flight.atRest());
         QCOMPARE(flight.robot.collisions(), 0);
         const Vec3 before_m = flight.pose().position_m;
         flight.run(Seconds{60.0});
         QVERIFY((flight.pose().position_m - before_m).norm() < 0.03);
-        QVERIFY(flight.robot.atRest());
+        QVERIFY(flight.atRest());
     }
 
     void touchdownSpeedDecides_data() {
@@ -128,7 +128,7 @@ private slots:
         Flight flight(treeWorld(), inTheAir({0.0, -8.0, 5.0}));
         flight.drive(0.0, 0.0, -0.5);
         flight.run(Seconds{12.0});
-        QVERIFY(flight.robot.atRest());
+        QVERIFY(flight.atRest());
         QCOMPARE(flight.robot.collisions(), 0);
         QVERIFY(std::abs(flight.pose().position_m.z() - 3.21) < 0.01);
     }
@@ -153,10 +153,10 @@ private slots:
     void twoThatMeetBothFall() {
         World world = flatWorld();
         const auto physics = makePhysics(world);
-        RotorDrive left(*physics, inTheAir({-2.0, 0.1, 5.0}));
-        RotorDrive right(*physics, inTheAir({2.0, 0.0, 5.0}));
-        left.drive({{}, 1.5, {}, {}, false});
-        right.drive({{}, -1.5, {}, {}, false});
+        RotorDrive left(*physics, physics->add(airRobotBody(), {.position_m = {-2.0, 0.1, 5.0}}), false);
+        RotorDrive right(*physics, physics->add(airRobotBody(), {.position_m = {2.0, 0.0, 5.0}}), false);
+        left.obey(protocol::Command(protocol::AerialDrive{.forward_m_s = 1.5}));
+        right.obey(protocol::Command(protocol::AerialDrive{.forward_m_s = -1.5}));
         for (int i = 0; i < 1500; ++i) {
             for (RotorDrive* robot : {&left, &right})
                 robot->beforeStep(physics_dt);

@@ -36,7 +36,7 @@ private slots:
         rotors.command({100.0, Vec3::Zero()});
         for (Seconds t{0.0}; t < parameters.rotor_lag; t += Seconds{0.001})
             rotors.step(Seconds{0.001});
-        QVERIFY(std::abs(rotors.thrusts_n()[0] / 6.0 - (1.0 - std::exp(-1.0))) < 0.01);
+        QVERIFY(std::abs(rotors.wrench().thrust_n / 24.0 - (1.0 - std::exp(-1.0))) < 0.01);
         for (int i = 0; i < 1000; ++i)
             rotors.step(Seconds{0.001});
         QVERIFY(std::abs(rotors.wrench().thrust_n - 24.0) < 1e-6);
@@ -105,7 +105,7 @@ private slots:
     void keepsTheTermsThatADriveLeavesOut() {
         Flight flight(flatWorld(), inTheAir({0.0, 0.0, 10.0}));
         flight.drive(0.5, -0.25, 0.125, 0.75);
-        flight.robot.drive({{}, 1.0, {}, {}, false});
+        flight.robot.obey(protocol::Command(protocol::AerialDrive{.forward_m_s = 1.0}));
         QCOMPARE(flight.robot.command(), (VelocityCommand{1.0, -0.25, 0.125, 0.75}));
     }
 
@@ -127,7 +127,7 @@ private slots:
         QFETCH(double, forward_m_s);
         QFETCH(double, yaw_rate_rad_s);
         Flight flight(flatWorld(), inTheAir({0.0, 0.0, 10.0}));
-        flight.robot.drive({given, given, given, given, normalized});
+        flight.robot.obey(protocol::Command(protocol::AerialDrive{given, given, given, given, normalized}));
         QVERIFY(std::abs(flight.robot.command().forward_m_s - forward_m_s) < 1e-12);
         QVERIFY(std::abs(flight.robot.command().left_m_s - forward_m_s) < 1e-12);
         QVERIFY(std::abs(flight.robot.command().climb_m_s - forward_m_s) < 1e-12);
@@ -135,7 +135,7 @@ private slots:
     }
 
     void flowsTheWayItLooks() {
-        DriveBirth spawn = inTheAir({0.0, 0.0, 10.0});
+        FlightStart spawn = inTheAir({0.0, 0.0, 10.0});
         spawn.base_in_map.yaw_rad = radians(90.0);
         Flight flight(flatWorld(), spawn);
         flight.drive(1.0, 0.0, 0.0);

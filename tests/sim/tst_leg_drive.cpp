@@ -107,7 +107,7 @@ private slots:
         QFETCH(double, wanted_rad);
         QFETCH(double, reached_rad);
         DrivenRobot dog(flatWorld(), robots, "ERS", 0.1, 0.13);
-        QVERIFY(dog.drive->obey(protocol::JointDrive::toAngle("HeadPan", wanted_rad)));
+        QVERIFY(dog.drive->obey(protocol::JointDrive{"HeadPan", protocol::JointOrder::Angle, wanted_rad}));
         dog.run(Seconds{2.0});
         QVERIFY(std::abs(dog.joint("HeadPan").position - reached_rad) < 0.02);
     }
@@ -115,7 +115,7 @@ private slots:
     void everyOrderOfASingleJoint() {
         DrivenRobot dog(flatWorld(), robots, "ERS", 0.1, 0.13);
         stand(dog);
-        dog.drive->obey(protocol::JointDrive::atSpeed("HeadPan", 0.5));
+        dog.drive->obey(protocol::JointDrive{"HeadPan", protocol::JointOrder::Speed, 0.5});
         dog.run(Seconds{1.0});
         QVERIFY(std::abs(dog.joint("HeadPan").velocity - 0.5) < 0.05);
         dog.drive->obey(protocol::JointDrive{"HeadPan", protocol::JointOrder::Brake, 1.0});
@@ -125,11 +125,11 @@ private slots:
         dog.drive->obey(protocol::JointDrive{"HeadPan", protocol::JointOrder::RelativeAngle, -0.3});
         dog.run(Seconds{1.0});
         QVERIFY(std::abs(dog.joint("HeadPan").position - stopped_rad + 0.3) < 0.02);
-        dog.drive->obey(protocol::JointDrive::withTorque("headpan", 1.0));
+        dog.drive->obey(protocol::JointDrive{"headpan", protocol::JointOrder::Torque, 1.0});
         dog.run(Seconds{2.0});
         QVERIFY(std::abs(dog.joint("HeadPan").position - radians(88.0)) < 0.05); // at its stop
-        QVERIFY(!dog.drive->obey(protocol::JointDrive::toAngle("NoSuchJoint", 0.0)));
-        QVERIFY(!dog.drive->obey(protocol::JointDrive::toAngle("HeadPan", std::nan(""))));
+        QVERIFY(!dog.drive->obey(protocol::JointDrive{"NoSuchJoint", protocol::JointOrder::Angle, 0.0}));
+        QVERIFY(!dog.drive->obey(protocol::JointDrive{"HeadPan", protocol::JointOrder::Angle, std::nan("")}));
         QVERIFY(!dog.drive->obey(protocol::SkidDrive{1.0, 1.0}));
     }
 
@@ -152,15 +152,15 @@ private slots:
         dog.drive->switchOff();
         dog.run(Seconds{2.0});
         QVERIFY(dog.position_m().z() < 0.8 * height_m);
-        QVERIFY(!dog.drive->obey(protocol::JointDrive::toAngle("HeadPan", 0.3)));
+        QVERIFY(!dog.drive->obey(protocol::JointDrive{"HeadPan", protocol::JointOrder::Angle, 0.3}));
     }
 
     void tellsEveryJointsAngle() {
         DrivenRobot dog(flatWorld(), robots, "ERS", 0.1, 0.13);
-        dog.drive->obey(protocol::JointDrive::toAngle("HeadPan", 0.3));
+        dog.drive->obey(protocol::JointDrive{"HeadPan", protocol::JointOrder::Angle, 0.3});
         dog.run(Seconds{2.0});
         protocol::RobotState state;
-        dog.drive->addTo(state);
+        dog.drive->addState(state);
         QCOMPARE(state.joints.size(), std::size_t{15});
         QCOMPARE(state.joints.front().name, std::string("LFLeg1"));
         QCOMPARE(state.joints[13].name, std::string("HeadPan"));

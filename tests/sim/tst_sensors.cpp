@@ -233,11 +233,12 @@ private slots:
         const World world = flatWorld();
         const RayCaster still(world);
         const auto physics = makePhysics(world);
-        RotorDrive self(*physics, inTheAir({0.0, 0.0, 5.0}));
-        RotorDrive other(*physics, inTheAir({3.0, 0.0, 5.0}));
+        const Pose self_in_map{.position_m = {0.0, 0.0, 5.0}};
+        const BodyId self = physics->add(airRobotBody(), self_in_map);
+        physics->add(airRobotBody(), {.position_m = {3.0, 0.0, 5.0}});
         SonarSensor sonar(quietSonar(), birth(1, 1));
-        const WorldRays rays(still, *physics, self.id());
-        QVERIFY(std::abs(sonar.range_m(self.state().pose().isometry(), rays) - 2.5) < 0.02);
+        const WorldRays rays(still, *physics, self);
+        QVERIFY(std::abs(sonar.range_m(self_in_map.isometry(), rays) - 2.5) < 0.02);
         QVERIFY(std::abs(rays.cast({0.0, 0.0, 5.0}, -Vec3::UnitZ(), 20.0) - 5.0) < 1e-6);
     }
 };

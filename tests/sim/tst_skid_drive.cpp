@@ -173,8 +173,8 @@ private slots:
         DrivenRobot robot(flatWorld(), robots, "P2DX", 0.1, 0.13);
         QVERIFY(!robot.drive->obey(protocol::AerialDrive{}));
         QVERIFY(!robot.drive->obey(protocol::MultiDrive{}));
-        QVERIFY(!robot.drive->obey(protocol::JointDrive::atSpeed("NoSuchJoint", 3.0)));
-        QVERIFY(!robot.drive->obey(protocol::JointDrive::atSpeed("CasterFork", 3.0)));
+        QVERIFY(!robot.drive->obey(protocol::JointDrive{"NoSuchJoint", protocol::JointOrder::Speed, 3.0}));
+        QVERIFY(!robot.drive->obey(protocol::JointDrive{"CasterFork", protocol::JointOrder::Speed, 3.0}));
         robot.drive->obey(protocol::SkidDrive{std::nan(""), std::nan("")});
         robot.run(Seconds{1.0});
         QVERIFY(robot.drive->idle());
@@ -184,7 +184,7 @@ private slots:
     void aWheelObeysByNameUntilTheDriveIsToldAgain() {
         DrivenRobot robot(flatWorld(), robots, "P2DX", 0.1, 0.13);
         robot.run(Seconds{0.5});
-        QVERIFY(robot.drive->obey(protocol::JointDrive::atSpeed("LeftWheel", 2.0)));
+        QVERIFY(robot.drive->obey(protocol::JointDrive{"LeftWheel", protocol::JointOrder::Speed, 2.0}));
         robot.run(Seconds{1.0});
         QVERIFY(!robot.drive->idle());
         QVERIFY(near(robot.joint("LeftWheel").velocity, 2.0, 0.05));
@@ -206,17 +206,17 @@ private slots:
     void tellsItsFigures() {
         DrivenRobot robot(flatWorld(), robots, "P2DX", 0.1, 0.13);
         protocol::GeometryInfo geometry;
-        robot.drive->addTo(geometry);
+        robot.drive->addGeometry(geometry);
         QCOMPARE(geometry.wheel_radius_m.value(), 0.097);
         QCOMPARE(geometry.wheel_separation_m.value(), 0.337);
         std::vector<protocol::Setting> settings;
-        robot.drive->addTo(settings);
+        robot.drive->addSettings(settings);
         QCOMPARE(settings.size(), std::size_t{4});
         QCOMPARE(settings[0], (protocol::Setting{"MaxSpeed", "", 16.4}));
         QCOMPARE(settings[1], (protocol::Setting{"MaxTorque", "", 5.0}));
         QCOMPARE(settings[2], (protocol::Setting{"MaxFrontSteer", "", 0.0}));
         protocol::RobotState state;
-        robot.drive->addTo(state);
+        robot.drive->addState(state);
         QCOMPARE(state.front_steer_rad.value(), 0.0);
         QCOMPARE(state.rear_steer_rad.value(), 0.0);
         QVERIFY(state.joints.empty()); // the camera's are its mission package's
@@ -226,11 +226,11 @@ private slots:
         DrivenRobot robot(flatWorld(), robots, "P2DX", 0.1, 0.13);
         RobotModel model = robot.model;
         model.drive.joints = {"LeftWheel", "RihgtWheel"};
-        const auto misspelt = SkidDrive::make(model, *robot.physics, robot.body.id());
+        const auto misspelt = makeDrive(model, *robot.physics, robot.body.id(), robot.world, false);
         QVERIFY(!misspelt);
         QVERIFY(misspelt.error().text().find("RihgtWheel") != std::string::npos);
         model.drive.joints = {"LeftWheel"};
-        QVERIFY(!SkidDrive::make(model, *robot.physics, robot.body.id()));
+        QVERIFY(!makeDrive(model, *robot.physics, robot.body.id(), robot.world, false));
     }
 };
 

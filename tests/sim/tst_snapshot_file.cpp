@@ -15,14 +15,14 @@ using namespace usar::sim;
 namespace {
 
 Snapshot example() {
-    return {.world = "tall test",
-            .seed = 18446744073709551615u,
-            .profile = protocol::Dialect::Udk,
-            .tick = Seconds{0.1},
-            .physics_steps_per_tick = 25,
-            .battery_life = Seconds{1200.5},
-            .noise = false,
-            .faults = {"wind speed=5", "link_cut from=3"},
+    return {.options = {.seed = 18446744073709551615u,
+                        .profile = protocol::Dialect::Udk,
+                        .tick = Seconds{0.1},
+                        .physics_steps_per_tick = 25,
+                        .battery_life = Seconds{1200.5},
+                        .noise = false,
+                        .faults = {readFault("wind speed=5").value(), readFault("link_cut from=3").value()},
+                        .world_source = "tall test"},
             .ticks = 12,
             .digest = 77,
             .journal = {{JournalEntry::Kind::Connect, 0, 1, ""},
@@ -102,6 +102,12 @@ private slots:
         QCOMPARE(QString::fromStdString(snapshot.error().what), what);
         QCOMPARE(QString::fromStdString(snapshot.error().where), QString("snapshot, line %1").arg(line));
         QCOMPARE(snapshot.error().mend, std::string("Choose a file that Save snapshot has written"));
+    }
+
+    void saysWhatIsWrongWithAFault() {
+        const auto snapshot = readWith("fault wind", "fault wild");
+        QVERIFY(!snapshot);
+        QVERIFY(snapshot.error() == readFault("wild speed=5").error());
     }
 
     void bytesMustBeAsManyAsCounted_data() {

@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include <QPlainTextEdit>
+
 #include "core/agent/posh/posh_primitive.h"
 #include "tests/widgets/plan_samples.h"
 
@@ -32,6 +34,13 @@ inline std::vector<agent::PrimitiveDescription> courierPrimitives() {
                    "Drives to a place.",
                    {}});
     return all;
+}
+
+/// Puts the cursor before this character of a text that is ASCII.
+inline void putCursor(QPlainTextEdit& edit, std::size_t place) {
+    QTextCursor cursor = edit.textCursor();
+    cursor.setPosition(static_cast<int>(place));
+    edit.setTextCursor(cursor);
 }
 
 } // namespace usar

@@ -497,7 +497,7 @@ void tst_Bars::withoutLimitsNothingIsMarked() {
     AreaForm form;
     form.setLimits({Vec2(-50, -50), Vec2(50, 50)});
     form.setArea(Rectangle{Vec2(-200, -10), Vec2(20, 40)});
-    form.clearLimits();
+    form.setLimits({});
     QVERIFY(!form.findChildren<QDoubleSpinBox*>()[0]->toolTip().contains(QStringLiteral("outside")));
     QVERIFY(!form.findChild<QLabel*>(QStringLiteral("size"))->text().contains(QStringLiteral("outside")));
 }

@@ -183,9 +183,9 @@ void tst_CommandRegistry::paletteIsLedByArrowKeys() {
 }
 
 void tst_CommandRegistry::sheetListsEveryShortcut() {
-    ShortcutSheet sheet(*registry_, {{QStringLiteral("Wheel"), QStringLiteral("zoom")}}, window_.get());
+    const QDialog* const sheet = makeShortcutSheet(*registry_, window_.get());
     QStringList texts;
-    for (const QLabel* label : sheet.findChildren<QLabel*>())
+    for (const QLabel* label : sheet->findChildren<QLabel*>())
         texts << label->text();
     for (const auto& command : registry_->commands())
         QCOMPARE(texts.contains(command->spec.text), !command->spec.shortcuts.isEmpty());
@@ -193,11 +193,11 @@ void tst_CommandRegistry::sheetListsEveryShortcut() {
 }
 
 void tst_CommandRegistry::sheetIsAsWideAsItsWords() {
-    const QString long_gesture(120, u'w');
-    ShortcutSheet sheet(*registry_, {{long_gesture, QStringLiteral("zoom")}}, window_.get());
-    sheet.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&sheet));
-    QCOMPARE(sheet.findChild<QScrollArea*>()->horizontalScrollBar()->maximum(), 0);
+    registry_->add({"map.long", QString(120, u'w'), "Map", {}, {}, {QKeySequence("Ctrl+L")}}, [](bool) {});
+    QDialog* const sheet = makeShortcutSheet(*registry_, window_.get());
+    sheet->show();
+    QVERIFY(QTest::qWaitForWindowExposed(sheet));
+    QCOMPARE(sheet->findChild<QScrollArea*>()->horizontalScrollBar()->maximum(), 0);
 }
 
 void tst_CommandRegistry::escapeTwiceCounts_data() {
@@ -216,8 +216,8 @@ void tst_CommandRegistry::escapeTwiceCounts_data() {
 void tst_CommandRegistry::escapeTwiceCounts() {
     QFETCH(QList<int>, keys);
     QFETCH(QList<int>, at_ms);
-    EscapeTwice watch;
-    QSignalSpy stops(&watch, &EscapeTwice::pressedTwice);
+    KeyTwice watch(QKeySequence("Esc"));
+    QSignalSpy stops(&watch, &KeyTwice::pressedTwice);
     for (qsizetype i = 0; i < keys.size(); ++i) {
         QKeyEvent press(QEvent::KeyPress, keys[i], Qt::NoModifier);
         press.setTimestamp(static_cast<quint64>(at_ms[i]));

@@ -76,7 +76,7 @@ void tst_HeightLayer::cellLandsOnItsPixel() {
     QFETCH(MapOrientation, orientation);
     PageTiles page;
     page.tiles[2 + 1 * 4] = tileWith({2, 1}, 5, 9, 3.0f);
-    const QImage image = renderPage(page, {{0.0f, 4.0f}, ColorMap::Gray, orientation}).levels[0];
+    const QImage image = renderPage(page, {{0.0f, 4.0f}, orientation}).levels[0];
     MapTransform t;
     t.orientation = orientation;
     t.pixels_per_m = 1.0;
@@ -95,7 +95,7 @@ void tst_HeightLayer::coarseLevelsAverage() {
         tile->preview_m[i] = 1.0f;
     PageTiles page;
     page.tiles[0] = tile;
-    const PagePicture picture = renderPage(page, {{0.0f, 1.0f}, ColorMap::Gray, MapOrientation::YUp});
+    const PagePicture picture = renderPage(page, {{0.0f, 1.0f}, MapOrientation::YUp});
     QCOMPARE(picture.levels[3].width(), 32);
     const QRgb low = shade(0.0f, {0.0f, 1.0f}, ColorMap::Gray);
     const QRgb high = shade(1.0f, {0.0f, 1.0f}, ColorMap::Gray);

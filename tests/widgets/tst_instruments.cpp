@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <QTest>
@@ -85,7 +86,6 @@ private slots:
     void fanDrawsGroundUnderTheRobot();
     void fanDrawsWhatIsAheadOverTheRobot();
     void sonarsComeInRingOrder();
-    void zonesKeepTheBehaviorsOrder();
     void riskIsColorAndWord_data();
     void riskIsColorAndWord();
     void staleIsGrey();
@@ -104,7 +104,9 @@ void tst_Instruments::stripShowsTheBehaviorsFigures() {
     status.distance_flown_m = 1204.0;
     status.charges = 1;
     strip.setStatus(status);
-    QCOMPARE(strip.stateText(), QStringLiteral("scanning lane 4 of 9"));
+    const auto labels = strip.findChildren<QLabel*>();
+    const auto state = std::ranges::find(labels, QStringLiteral("State of the behavior"), &QLabel::accessibleName);
+    QCOMPARE((*state)->text(), QStringLiteral("scanning lane 4 of 9"));
     QCOMPARE(readout(strip, QStringLiteral("elapsed")), QStringLiteral("00:12:31"));
     QCOMPARE(readout(strip, QStringLiteral("to goal")), QStringLiteral("38.0"));
     QCOMPARE(readout(strip, QStringLiteral("range left")), QStringLiteral("412"));
@@ -175,9 +177,8 @@ void tst_Instruments::figuresOfAColumnEndOnOneLine() {
 }
 
 void tst_Instruments::meterWarnsInWordAndColor() {
-    Meter meter(QStringLiteral("Battery used"));
+    Meter meter(QStringLiteral("Battery used"), nullptr, 70.0, 85.0);
     meter.resize(300, 20);
-    meter.setLimits(70.0, 85.0);
     meter.setValue(50.0);
     const QRect bar(100, 6, 60, 8);
     QVERIFY(pixelsNear(meter, bar, tokens().ok) > 50);
@@ -252,19 +253,14 @@ void tst_Instruments::fanDrawsWhatIsAheadOverTheRobot() {
 
 void tst_Instruments::sonarsComeInRingOrder() {
     const auto columns =
-        sonarColumns({{"F1", 1.0}, {"L1", 1.0}, {"L4", 4.0}, {"M0", 1.0}, {"R1", 1.0}, {"R4", 1.0}, {"L10", 1.0}}, 5.0);
+        zonesOf({{"F1", 1.0}, {"L1", 1.0}, {"L4", 4.0}, {"M0", 1.0}, {"R1", 1.0}, {"R4", 1.0}, {"L10", 1.0}}, 5.0)
+            .zones;
     QStringList names;
-    for (const SonarColumn& column : columns)
-        names << column.name;
+    for (const agent::SonarZone& column : columns)
+        names << QString::fromStdString(column.name);
     QCOMPARE(names.join(u' '), QStringLiteral("L10 L4 L1 M0 R1 R4 F1"));
     QCOMPARE(columns[1].range_m, 4.0);
     QCOMPARE(columns[1].low_risk_below_m, 0.0);
-}
-
-void tst_Instruments::zonesKeepTheBehaviorsOrder() {
-    const auto columns = sonarColumns(nineZones(agent::Risk::High));
-    QCOMPARE(columns.size(), std::size_t(9));
-    QCOMPARE(columns[4], (SonarColumn{QStringLiteral("M0"), 2.0, 5.0, 4.4, 4.2, agent::Risk::High}));
 }
 
 void tst_Instruments::riskIsColorAndWord_data() {

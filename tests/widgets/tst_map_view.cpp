@@ -342,7 +342,7 @@ void tst_MapView::probeIsWorded() {
     QFETCH(QPointF, at_m);
     QFETCH(bool, known);
     QFETCH(QStringList, figures);
-    const auto ground = known ? std::optional(HeightProbe{4.31f, 7}) : std::nullopt;
+    const auto ground = known ? std::optional(mapping::HeightProbe{4.31f, 7}) : std::nullopt;
     const QString text = probeText(Vec2(at_m.x(), at_m.y()), ground);
     for (const QString& part : figures + QStringList{"x ", "y ", "z ", " m", "hits "})
         QVERIFY2(text.contains(part), qPrintable(text));

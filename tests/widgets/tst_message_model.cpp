@@ -1,8 +1,6 @@
-#include <algorithm>
 #include <limits>
 
 #include <QAbstractItemModelTester>
-#include <QElapsedTimer>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -64,8 +62,6 @@ private slots:
     void caretStandsUnderItsByte_data();
     void caretStandsUnderItsByte();
     void partsOfACommandSayWhatTheyMean();
-    void aHundredThousandLinesAreFilteredFast();
-    void appendingToAFullRingIsFast();
 };
 
 void tst_MessageModel::findsWhateverTheCase_data() {
@@ -407,43 +403,6 @@ void tst_MessageModel::partsOfACommandSayWhatTheyMean() {
     QVERIFY(!parts.segments[0].help.empty());
     QCOMPARE(parts.diagnostics.size(), 1U); // x is no number
     QVERIFY(parts.fields.empty());
-}
-
-void tst_MessageModel::aHundredThousandLinesAreFilteredFast() {
-    MessageModel model;
-    const std::string tail = " {Time 751.20}" + std::string(150, '1');
-    std::vector<MessageRow> rows;
-    for (std::uint64_t i = 0; i < 100'000; ++i)
-        rows.push_back(line(i, (i % 10 == 0 ? "SEN {Type Sonar}" : "STA {Type Aerial}") + tail));
-    model.append(std::move(rows));
-    double best_ms = 1e9;
-    for (const char* words : {"sonar", "aerial", "zzz"}) {
-        QElapsedTimer timer;
-        timer.start();
-        model.setFilter({QString::fromLatin1(words), {}});
-        model.finishFilter();
-        const double ms = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
-        qInfo("filter '%s' over %d lines: %.1f ms, %d shown", words, model.total(), ms, model.rowCount());
-        best_ms = std::min(best_ms, ms);
-    }
-    QCOMPARE(model.total(), 100'000);
-    QVERIFY(best_ms < 100.0);
-}
-
-void tst_MessageModel::appendingToAFullRingIsFast() {
-    MessageModel model;
-    model.append(lines(0, 100'000));
-    std::vector<double> times_ms;
-    for (std::uint64_t i = 0; i < 30; ++i) {
-        std::vector<MessageRow> batch = lines(100'000 + i * 330, 330);
-        QElapsedTimer timer;
-        timer.start();
-        model.append(std::move(batch));
-        times_ms.push_back(static_cast<double>(timer.nsecsElapsed()) * 1e-6);
-    }
-    std::ranges::sort(times_ms);
-    qInfo("330 lines into a full ring: %.2f ms (median)", times_ms[15]);
-    QVERIFY(times_ms.front() < 16.0);
 }
 
 USAR_TEST(tst_MessageModel)

@@ -1,5 +1,8 @@
+#include <algorithm>
+
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLineEdit>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
@@ -282,17 +285,20 @@ void tst_ParameterForm::searchLooksAtLabelIdGroupAndHelp_data() {
 
 void tst_ParameterForm::searchLooksAtLabelIdGroupAndHelp() {
     QFETCH(QString, words);
-    form_->setFilter(words);
+    const auto lines = form_->findChildren<QLineEdit*>();
+    (*std::ranges::find(lines, QStringLiteral("Search parameters"), &QLineEdit::placeholderText))->setText(words);
     QTEST(visibleIds(), "ids");
 }
 
 void tst_ParameterForm::modifiedOnlyShowsWhatDiffers() {
     form_->setValues({{"lanes", 3LL}});
-    form_->setModifiedOnly(true);
+    const auto buttons = form_->findChildren<QToolButton*>();
+    auto* only = *std::ranges::find(buttons, QStringLiteral("Modified"), &QToolButton::text);
+    only->click();
     QCOMPARE(visibleIds(), QStringList{"lanes"});
     row("lanes")->findChild<QToolButton*>(QStringLiteral("reset"))->click();
     QCOMPARE(visibleIds(), QStringList{"lanes"});
-    form_->setModifiedOnly(false);
+    only->click();
     QCOMPARE(visibleIds().size(), qsizetype(specs.size()));
 }
 
@@ -352,9 +358,9 @@ void tst_ParameterForm::eachBehaviorKeepsItsValues() {
 }
 
 void tst_ParameterForm::emptyFormSaysSo() {
-    QVERIFY(!form_->emptyState()->isVisible());
+    QVERIFY(!form_->findChild<EmptyState*>()->isVisible());
     form_->setSpecs({});
-    QVERIFY(form_->emptyState()->isVisible());
+    QVERIFY(form_->findChild<EmptyState*>()->isVisible());
     QVERIFY(form_->values().empty());
 }
 

@@ -49,6 +49,11 @@ QString pathEndingIn(const QAbstractItemModel& model, const QString& end) {
     return {};
 }
 
+/// True if the value at `index` is painted as out of date.
+bool isStale(const QModelIndex& index) {
+    return index.data(Qt::ForegroundRole).value<QColor>() == tokens().stale;
+}
+
 /// A panel whose wall clock the test moves, after one scan at 1 s of the protocol's clock.
 struct TimedPanel {
     TimedPanel() {
@@ -59,7 +64,7 @@ struct TimedPanel {
     QModelIndex range() const { return leaf(panel.model(), pathEndingIn(panel.model(), QStringLiteral("F1/range"))); }
     bool stale() {
         panel.refresh();
-        return range().data(SensorModel::StaleRole).toBool();
+        return isStale(range());
     }
 
     Seconds wall{100.0};
@@ -165,7 +170,7 @@ void tst_SensorPanel::staleAfterThreePeriodsAndASecond() {
     for (int i = 0; i < 20; ++i)
         model.take(sonar("F1", 2.0), now += Seconds(period_s));
     model.flush(now + Seconds(age_s));
-    QTEST(leaf(model, pathEndingIn(model, QStringLiteral("F1/range"))).data(SensorModel::StaleRole).toBool(), "stale");
+    QTEST(isStale(leaf(model, pathEndingIn(model, QStringLiteral("F1/range")))), "stale");
 }
 
 void tst_SensorPanel::staleIsStruckOut() {
@@ -185,7 +190,7 @@ void tst_SensorPanel::answersAreNeverStale() {
     SensorModel model;
     model.take(line(protocol::GameInfo{"USARBot.USARDeathMatch", "DM-Mapping_250", {}}), Seconds(1.0));
     model.flush(Seconds(1000.0), false);
-    QVERIFY(!model.index(0, 0).data(SensorModel::StaleRole).toBool());
+    QVERIFY(!isStale(model.index(0, 0)));
     QCOMPARE(textAt(model.index(0, 0), SensorModel::Age), QStringLiteral("answer"));
 }
 
@@ -193,9 +198,9 @@ void tst_SensorPanel::noLinkIsStaleAtOnce() {
     SensorModel model;
     model.take(sonar("F1", 2.0), Seconds(1.0));
     model.flush(Seconds(1.0), false);
-    QVERIFY(model.index(0, 0).data(SensorModel::StaleRole).toBool());
+    QVERIFY(isStale(model.index(0, 0)));
     model.flush(Seconds(1.0), true);
-    QVERIFY(!model.index(0, 0).data(SensorModel::StaleRole).toBool());
+    QVERIFY(!isStale(model.index(0, 0)));
 }
 
 void tst_SensorPanel::rateFollowsTheMessages() {

@@ -138,7 +138,7 @@ void tst_ShownTexts::robotsRowIsASentence() {
     if (driven)
         row.driver = {"R2", Driver::Person, "keys"};
     RobotListModel model;
-    model.setRobots({row});
+    model.updateRobot(row);
     QTEST(model.data(model.index(0), Qt::DisplayRole).toString(), "sentence");
     QCOMPARE(model.data(model.index(0), Qt::AccessibleTextRole), model.data(model.index(0), Qt::DisplayRole));
     QVERIFY(!model.data(model.index(0), Qt::DecorationRole).isValid());
@@ -160,7 +160,7 @@ void tst_ShownTexts::onlyNineRobotsHaveAKey() {
     RobotRow row = airRobot();
     row.number = number;
     RobotListModel model;
-    model.setRobots({row});
+    model.updateRobot(row);
     const QString tip = model.data(model.index(0), Qt::ToolTipRole).toString();
     QVERIFY2(tip.endsWith(end), qPrintable(tip));
 }
@@ -405,14 +405,14 @@ void tst_ShownTexts::sonarsWithOddNamesComeLast() {
     const std::map<std::string, double> ranges_m = {{"R2", 1.0}, {"X9", 2.0}, {"M0", 3.0},
                                                     {"L1", 4.0}, {"R", 5.0},  {"L10", 6.0}};
     QStringList names;
-    for (const SonarColumn& column : sonarColumns(ranges_m, 5.0)) {
-        names << column.name;
-        QCOMPARE(column.range_m, ranges_m.at(column.name.toStdString()));
+    for (const agent::SonarZone& column : zonesOf(ranges_m, 5.0).zones) {
+        names << QString::fromStdString(column.name);
+        QCOMPARE(column.range_m, ranges_m.at(column.name));
         QCOMPARE(column.maximum_m, 5.0);
         QCOMPARE(column.low_risk_below_m, 0.0);
     }
     QCOMPARE(names, QStringList({"L10", "L1", "M0", "R2", "R", "X9"}));
-    QVERIFY(sonarColumns(std::map<std::string, double>(), 5.0).empty());
+    QVERIFY(zonesOf({}, 5.0).zones.empty());
 }
 
 void tst_ShownTexts::suffixIsAddedOnlyWhereNoneIs_data() {

@@ -161,17 +161,15 @@ void tst_Spawning::stripNamesTheNextStep() {
     QVERIFY(strip.accessibleDescription().contains(HintStrip::firstSteps()[1]));
     QVERIFY(strip.findChild<QLabel*>()->text().contains(QStringLiteral("✓")));
     strip.setDone(2, true);
-    QVERIFY(!strip.allDone());
+    QVERIFY(strip.accessibleDescription().startsWith(QStringLiteral("Next")));
     strip.setDone(1, true);
-    QVERIFY(strip.allDone());
+    QCOMPARE(strip.accessibleDescription(), QStringLiteral("All steps are done"));
 }
 
 void tst_Spawning::stripIsDismissed() {
     HintStrip strip;
     strip.show();
-    QSignalSpy dismissed(&strip, &HintStrip::dismissed);
     QTest::mouseClick(strip.findChild<QToolButton*>(), Qt::LeftButton);
-    QCOMPARE(dismissed.count(), 1);
     QVERIFY(strip.isHidden());
 }
 

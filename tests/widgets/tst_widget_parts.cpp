@@ -86,12 +86,13 @@ void tst_WidgetParts::typesOfLinesCanBeRead_data() {
 void tst_WidgetParts::typesOfLinesCanBeRead() {
     QFETCH(Theme, theme);
     std::set<QRgb> colors;
-    for (const LineFamily family : all_line_families) {
-        const QColor color = lineColor(family, theme);
+    constexpr int last = static_cast<int>(LineFamily::Other);
+    for (int family = 0; family <= last; ++family) {
+        const QColor color = lineColor(static_cast<LineFamily>(family), theme);
         colors.insert(color.rgb());
         QVERIFY2(contrast(color, tokens(theme).surface) >= 4.5, qPrintable(color.name()));
     }
-    QCOMPARE(colors.size(), all_line_families.size());
+    QCOMPARE(colors.size(), std::size_t(last + 1));
 }
 
 void tst_WidgetParts::inkCanBeReadOnEveryFill_data() {

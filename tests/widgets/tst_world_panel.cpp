@@ -106,7 +106,7 @@ private slots:
         auto* list = panel.findChild<QTreeView*>();
         const QAbstractItemModelTester tester(list->model(), QAbstractItemModelTester::FailureReportingMode::QtTest);
         panel.setObjects({object("Crate10", {1, 1}), object("Crate2", {2, 2})});
-        QCOMPARE(panel.model().object(0).name, QString("Crate2"));
+        QCOMPARE(panel.model().row(0).name, QString("Crate2"));
         panel.selectObject("Crate10");
         QSignalSpy selected(&panel, &WorldPanel::objectSelected);
         panel.setObjects({object("Crate1", {0, 0}), object("Crate10", {3, 1}), object("Crate2", {2, 2})});

@@ -1,7 +1,6 @@
 #include "widgets/bars/connection_bar.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <utility>
 
@@ -9,7 +8,6 @@
 
 #include "core/protocol/usual_values.h"
 #include "widgets/models/figures.h"
-#include "widgets/style/form_parts.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 

@@ -23,8 +23,6 @@ struct ReplayState {
     Seconds span{0.0};  ///< length of the recording
     double speed = 1.0; ///< times the pace of the recording; infinity: as fast as possible
     bool playing = false;
-    bool seeking = false; ///< the replay is on its way to another position
-    bool operator==(const ReplayState&) const = default;
 };
 
 /// Shows the state it is given and reports wishes by signals; it plays nothing itself. While the user drags the slider

@@ -28,11 +28,8 @@ HintStrip::HintStrip(QWidget* parent) : QFrame(parent) {
     text_->setWordWrap(true);
     laidOut(new QHBoxLayout(this), {gap::medium, gap::tiny, gap::small, gap::tiny}, -1, {text_, close})
         ->setStretchFactor(text_, 1);
-    connect(close, &QToolButton::clicked, this, [this] {
-        hide();
-        emit dismissed();
-    });
-    setSteps(firstSteps());
+    connect(close, &QToolButton::clicked, this, &QWidget::hide);
+    refresh();
     onThemeChange(this, [this] { refresh(); });
 }
 
@@ -40,37 +37,28 @@ QStringList HintStrip::firstSteps() {
     return {tr("Double-click a start pose to spawn a robot"), tr("Draw the mission area"), tr("Press Start")};
 }
 
-void HintStrip::setSteps(const QStringList& steps) {
-    steps_ = steps;
-    done_.assign(static_cast<std::size_t>(steps.size()), false);
-    refresh();
-}
-
 void HintStrip::setDone(int step, bool done) {
     done_[static_cast<std::size_t>(step)] = done;
     refresh();
 }
 
-bool HintStrip::allDone() const {
-    return std::ranges::all_of(done_, [](bool done) { return done; });
-}
-
 void HintStrip::refresh() {
     const Tokens& t = tokens();
+    const QStringList steps = firstSteps();
     const QString nbsp = QStringLiteral("&nbsp;"); // Keeps each step on one line.
     const auto next = static_cast<qsizetype>(std::ranges::find(done_, false) - done_.begin());
     QStringList parts;
-    for (qsizetype i = 0; i < steps_.size(); ++i) {
+    for (qsizetype i = 0; i < steps.size(); ++i) {
         const bool done = done_[static_cast<std::size_t>(i)];
         const QString mark = done ? QStringLiteral("✓") : QString::number(i + 1);
         const QColor ink = done ? t.ok : i == next ? t.text : t.text_muted;
         const QString text = QStringLiteral("<span style='color:%1'><b>%2</b>&nbsp;%3</span>")
-                                 .arg(ink.name(), mark, steps_[i].toHtmlEscaped().replace(u' ', nbsp));
+                                 .arg(ink.name(), mark, steps[i].toHtmlEscaped().replace(u' ', nbsp));
         parts << (i == next ? QStringLiteral("<b>%1</b>").arg(text) : text);
     }
     text_->setText(
         parts.join(QStringLiteral("&nbsp; <span style='color:%1'>›</span>&nbsp; ").arg(t.text_muted.name())));
-    setAccessibleDescription(next < steps_.size() ? tr("Next: %1").arg(steps_[next]) : tr("All steps are done"));
+    setAccessibleDescription(next < steps.size() ? tr("Next: %1").arg(steps[next]) : tr("All steps are done"));
 }
 
 ProgressStrip::ProgressStrip(QWidget* parent) : QFrame(parent) {

@@ -1,7 +1,7 @@
 // Strips above the map: the first steps of a new user, and the progress of a long operation.
 #pragma once
 
-#include <vector>
+#include <array>
 
 #include <QFrame>
 #include <QLabel>
@@ -22,25 +22,14 @@ public:
 
     /// The three steps of the program: spawn a robot, draw the area, press Start.
     static QStringList firstSteps();
-    /// Replaces the steps; all count as not done.
-    void setSteps(const QStringList& steps);
     /// `step` counts from 0 and must exist.
     void setDone(int step, bool done);
-    /// True if this step, counted from 0, is done.
-    bool done(int step) const { return done_[static_cast<std::size_t>(step)]; }
-    /// Also true if there are no steps.
-    bool allDone() const;
-
-signals:
-    /// The user hid the strip; the owner should remember that across restarts.
-    void dismissed();
 
 private:
     /// Renders the text from steps and state.
     void refresh();
 
-    QStringList steps_;
-    std::vector<bool> done_;
+    std::array<bool, 3> done_{}; ///< in the order of the steps
     QLabel* text_ = new QLabel(this);
 };
 

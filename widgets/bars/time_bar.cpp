@@ -1,7 +1,6 @@
 #include "widgets/bars/time_bar.h"
 
 #include "widgets/models/figures.h"
-#include "widgets/style/form_parts.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 

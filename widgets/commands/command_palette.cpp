@@ -1,6 +1,7 @@
 #include "widgets/commands/command_palette.h"
 
 #include <algorithm>
+#include <map>
 
 #include <QIcon>
 #include <QKeyEvent>
@@ -133,20 +134,11 @@ void CommandPalette::open() {
 }
 
 bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == line_ && event->type() == QEvent::KeyPress) {
-        switch (static_cast<QKeyEvent*>(event)->key()) {
-        case Qt::Key_Down:
-            return choose(1), true;
-        case Qt::Key_Up:
-            return choose(-1), true;
-        case Qt::Key_PageDown:
-            return choose(8), true;
-        case Qt::Key_PageUp:
-            return choose(-8), true;
-        default:
-            break;
-        }
-    }
+    static const std::map<int, int> steps = {
+        {Qt::Key_Down, 1}, {Qt::Key_Up, -1}, {Qt::Key_PageDown, 8}, {Qt::Key_PageUp, -8}};
+    if (watched == line_ && event->type() == QEvent::KeyPress)
+        if (const auto step = steps.find(static_cast<QKeyEvent*>(event)->key()); step != steps.end())
+            return choose(step->second), true;
     return QFrame::eventFilter(watched, event);
 }
 

@@ -13,8 +13,6 @@ namespace usar::widgets {
 
 CommandRegistry::CommandRegistry(QWidget* window) : QObject(window), window_(window) {}
 
-CommandRegistry::~CommandRegistry() = default;
-
 QAction* CommandRegistry::add(const CommandSpec& spec, std::function<void(bool)> run, std::function<bool()> enabled) {
     auto* action = new QAction(icon(spec.icon), spec.text, this);
     action->setCheckable(spec.checkable);
@@ -55,10 +53,6 @@ QAction* CommandRegistry::action(const QString& id) const {
     return command->action;
 }
 
-bool CommandRegistry::contains(const QString& id) const {
-    return find(id) != nullptr;
-}
-
 void CommandRegistry::refresh() {
     for (const auto& command : commands_)
         if (command->enabled)
@@ -95,6 +89,7 @@ CommandSpec specOf(const QString& id, const QString& group, const QJsonObject& r
     for (const auto& keys : row["keys"].toArray())
         spec.shortcuts << keysOf(keys.toString());
     spec.checkable = row["checkable"].toBool();
+    spec.twice = keysOf(row["twice"].toString());
     return spec;
 }
 

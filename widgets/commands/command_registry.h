@@ -22,6 +22,7 @@ struct CommandSpec {
     QString icon;                  ///< icon name for icons.h; may be empty
     QList<QKeySequence> shortcuts; ///< the first one is shown in tooltips; no two commands may share one
     bool checkable = false;        ///< the action has an on/off state
+    QKeySequence twice{};          ///< one key that also runs the command when it is pressed twice; see KeyTwice
 };
 
 /// Owns the actions and adds them to the window, so that shortcuts work wherever the focus is. GUI thread; must not
@@ -30,7 +31,6 @@ class CommandRegistry : public QObject {
     Q_OBJECT
 public:
     explicit CommandRegistry(QWidget* window);
-    ~CommandRegistry() override;
 
     /// Registers a command and makes its action. `run` is called with the checked state; `enabled` is evaluated now and
     /// by refresh(). An id or shortcut that is already used is a programming error (assertion).
@@ -40,7 +40,7 @@ public:
     void adopt(const CommandSpec& spec, QAction* action);
     /// Returns the action; an unknown id is a programming error (assertion).
     QAction* action(const QString& id) const;
-    bool contains(const QString& id) const;
+    bool contains(const QString& id) const { return find(id) != nullptr; }
 
     /// A registered command with its action; an empty `enabled` means that the command is always enabled.
     struct Command {
@@ -68,7 +68,8 @@ private:
 QString tooltipText(const CommandSpec& spec);
 
 /// Reads a table of commands: an object of groups, each an object of commands by id, with `text`, `help`, and possibly
-/// `icon`, `keys` and `checkable`. A key is written as in a menu ("Ctrl+K"), or names one that differs by desktop
+/// `icon`, `keys`, `checkable` and `twice`. A key is written as in a menu ("Ctrl+K"), or names one that differs by
+/// desktop
 /// ("StandardKey::Open"). Text that is no JSON object is read as an empty table.
 std::vector<CommandSpec> readCommandTable(const QByteArray& json);
 

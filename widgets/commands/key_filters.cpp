@@ -9,21 +9,21 @@
 
 namespace usar::widgets {
 
-EscapeTwice::EscapeTwice(QObject* parent) : QObject(parent) {
+KeyTwice::KeyTwice(const QKeySequence& key, QObject* parent) : QObject(parent), key_(key[0]) {
     QCoreApplication::instance()->installEventFilter(this);
 }
 
-bool EscapeTwice::eventFilter(QObject* watched, QEvent* event) {
+bool KeyTwice::eventFilter(QObject* watched, QEvent* event) {
     // A window receives each key once, before it is passed on to widgets and their parents.
     if (event->type() == QEvent::KeyPress && watched->isWindowType())
         take(*static_cast<QKeyEvent*>(event));
     return QObject::eventFilter(watched, event);
 }
 
-void EscapeTwice::take(const QKeyEvent& event) {
+void KeyTwice::take(const QKeyEvent& event) {
     if (event.isAutoRepeat())
         return;
-    if (event.key() != Qt::Key_Escape || event.modifiers() != Qt::NoModifier) {
+    if (event.keyCombination() != key_) {
         armed_ = false;
         return;
     }

@@ -1,23 +1,24 @@
-// Keys that are watched in the whole application: Escape pressed twice, and Home and End in widgets that use them.
+// Keys that are watched in the whole application: one pressed twice, and Home and End in widgets that use them.
 #pragma once
 
+#include <QKeySequence>
 #include <QObject>
 
 class QKeyEvent;
 
 namespace usar::widgets {
 
-/// Event filter on the application. Counts presses of Escape without modifiers and without auto-repeat by the time
-/// stamps of the events; both presses still reach the widget that has the focus, so that closing a popup keeps working.
-/// GUI thread.
-class EscapeTwice : public QObject {
+/// Event filter on the application. Counts presses of one key, without auto-repeat, by the time stamps of the events;
+/// both presses still reach the widget that has the focus, so that Escape keeps closing popups. GUI thread.
+class KeyTwice : public QObject {
     Q_OBJECT
 public:
     /// Longest time between the two presses; long enough for an operator wearing gloves.
     static constexpr quint64 interval_ms = 800;
 
-    /// Requires that the application object exists; the filter is removed with this object.
-    explicit EscapeTwice(QObject* parent = nullptr);
+    /// `key`: a sequence of one key. Requires that the application object exists; the filter is removed with this
+    /// object.
+    explicit KeyTwice(const QKeySequence& key, QObject* parent = nullptr);
 
 signals:
     /// Emitted once for each pair: four presses emit it twice.
@@ -29,6 +30,7 @@ protected:
 private:
     void take(const QKeyEvent& event);
 
+    QKeyCombination key_;
     /// Time stamp of the last press, on the clock of Qt's input events.
     quint64 last_press_ms_ = 0;
     /// The next press within the interval completes a pair.

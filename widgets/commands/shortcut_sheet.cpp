@@ -1,6 +1,7 @@
 #include "widgets/commands/shortcut_sheet.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QLabel>
 #include <QObject>
@@ -12,13 +13,10 @@
 namespace usar::widgets {
 namespace {
 
-struct Line {
-    QString keys;
-    QString text;
-};
+/// A heading, and below it pairs of keys or a gesture and their effect.
 struct Group {
     QString name;
-    QList<Line> lines;
+    QList<std::pair<QString, QString>> lines;
 };
 
 QList<Group> groupsOf(const CommandRegistry& registry) {
@@ -29,10 +27,12 @@ QList<Group> groupsOf(const CommandRegistry& registry) {
         QStringList keys;
         for (const QKeySequence& sequence : command->spec.shortcuts)
             keys << sequence.toString(QKeySequence::NativeText);
+        if (const QString key = command->spec.twice.toString(QKeySequence::NativeText); !key.isEmpty())
+            keys << QStringLiteral("%1 %1").arg(key);
         auto group = std::ranges::find(groups, command->spec.group, &Group::name);
         if (group == groups.end())
             group = groups.insert(groups.end(), Group{command->spec.group, {}});
-        group->lines.append(Line{keys.join(QStringLiteral("  ")), command->spec.text});
+        group->lines.emplaceBack(keys.join(QStringLiteral("  ")), command->spec.text);
     }
     return groups;
 }
@@ -44,11 +44,9 @@ QWidget* groupWidget(const Group& group) {
     title->setProperty("role", "title");
     grid->addWidget(title, 0, 0, 1, 2);
     int row = 1;
-    for (const Line& line : group.lines) {
-        auto* keys = new QLabel(line.keys);
-        keys->setProperty("role", "muted");
-        grid->addWidget(keys, row, 0);
-        grid->addWidget(new QLabel(line.text), row, 1);
+    for (const auto& [keys, effect] : group.lines) {
+        grid->addWidget(mutedLabel(keys), row, 0);
+        grid->addWidget(new QLabel(effect), row, 1);
         ++row;
     }
     grid->setColumnMinimumWidth(0, 120);
@@ -56,8 +54,6 @@ QWidget* groupWidget(const Group& group) {
     grid->setRowStretch(row, 1);
     return box;
 }
-
-} // namespace
 
 QList<std::pair<QString, QString>> gestures() {
     return {{QObject::tr("Double-click a start pose"), QObject::tr("Spawn a robot there")},
@@ -73,32 +69,29 @@ QList<std::pair<QString, QString>> gestures() {
             {QObject::tr("Drag an object"), QObject::tr("Move it")}};
 }
 
-ShortcutSheet::ShortcutSheet(const CommandRegistry& registry, const QList<std::pair<QString, QString>>& gestures,
-                             QWidget* window)
-    : QDialog(window) {
-    setWindowTitle(tr("Keys and gestures"));
-    setAccessibleName(windowTitle());
+} // namespace
+
+QDialog* makeShortcutSheet(const CommandRegistry& registry, QWidget* window) {
+    auto* dialog = new QDialog(window);
+    dialog->setWindowTitle(QObject::tr("Keys and gestures"));
+    dialog->setAccessibleName(dialog->windowTitle());
     QList<Group> groups = groupsOf(registry);
-    if (!gestures.isEmpty()) {
-        Group mouse{tr("Mouse"), {}};
-        for (const auto& [gesture, effect] : gestures)
-            mouse.lines.append(Line{gesture, effect});
-        groups.append(mouse);
-    }
+    groups.append({QObject::tr("Mouse"), gestures()});
     auto* sheet = new QWidget;
     auto* grid = new QGridLayout(sheet);
     grid->setContentsMargins(gap::large, gap::large, gap::large, gap::large);
     for (int i = 0; i < groups.size(); ++i)
         grid->addWidget(groupWidget(groups[i]), i / 2, i % 2);
     grid->setRowStretch(grid->rowCount(), 1);
-    auto* scroll = new QScrollArea(this);
+    auto* scroll = new QScrollArea(dialog);
     scroll->setWidget(sheet);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
-    laidOut(new QVBoxLayout(this), {}, 0, {scroll});
+    laidOut(new QVBoxLayout(dialog), {}, 0, {scroll});
     constexpr int scroll_bar_px = 24;
     // Wide enough to never need horizontal scrolling.
-    resize(std::max(820, sheet->sizeHint().width() + scroll_bar_px), 520);
+    dialog->resize(std::max(820, sheet->sizeHint().width() + scroll_bar_px), 520);
+    return dialog;
 }
 
 } // namespace usar::widgets

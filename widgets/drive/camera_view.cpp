@@ -13,7 +13,6 @@
 
 #include "core/base/geometry.h"
 #include "widgets/models/figures.h"
-#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
@@ -91,18 +90,10 @@ void CameraCanvas::wheelEvent(QWheelEvent* event) {
 }
 
 void CameraCanvas::keyPressEvent(QKeyEvent* event) {
-    switch (event->key()) {
-    case Qt::Key_Left:
-        return emit turned(-key_step, 0.0);
-    case Qt::Key_Right:
-        return emit turned(key_step, 0.0);
-    case Qt::Key_Up:
-        return emit turned(0.0, key_step);
-    case Qt::Key_Down:
-        return emit turned(0.0, -key_step);
-    default:
-        QWidget::keyPressEvent(event);
-    }
+    const QPointF way = key_step * arrowDirection(event->key());
+    if (way.isNull())
+        return QWidget::keyPressEvent(event);
+    emit turned(way.x(), way.y());
 }
 
 CameraView::CameraView(QWidget* parent) : QWidget(parent) {

@@ -10,7 +10,6 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "core/protocol/usual_values.h"
 #include "widgets/style/empty_state.h"
 #include "widgets/style/form_parts.h"
 #include "widgets/style/sheet.h"
@@ -61,7 +60,6 @@ struct CameraZoom {
     double now_rad = 1.396;
     double smallest_rad = 0.349;
     double largest_rad = 2.094;
-    bool operator==(const CameraZoom&) const = default;
 };
 
 /// Pictures come in by setters, wishes go out by signals. While hidden or covered it wants no pictures and says so by

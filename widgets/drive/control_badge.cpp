@@ -6,7 +6,6 @@
 #include <QMouseEvent>
 #include <QPainter>
 
-#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
@@ -93,11 +92,6 @@ void ControlBadge::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Space || event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
         return emit clicked();
     QWidget::keyPressEvent(event);
-}
-
-void ControlBadge::changeEvent(QEvent* event) {
-    update();
-    QWidget::changeEvent(event);
 }
 
 } // namespace usar::widgets

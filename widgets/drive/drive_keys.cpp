@@ -89,26 +89,16 @@ bool DriveKeys::takes(const QKeyEvent& event) const {
 bool DriveKeys::eventFilter(QObject* watched, QEvent* event) {
     if (!active_)
         return false;
-    switch (event->type()) {
-    case QEvent::ShortcutOverride:
-        if (takes(*static_cast<QKeyEvent*>(event))) {
-            event->accept();
-            return true;
-        }
-        break;
-    case QEvent::KeyPress:
-    case QEvent::KeyRelease:
-        if (watched->isWindowType())
-            return takeKey(*static_cast<QKeyEvent*>(event), event->type() == QEvent::KeyPress);
-        break;
-    case QEvent::WindowDeactivate:
-        if (watched == window_) {
-            emit focusLost();
-            release();
-        }
-        break;
-    default:
-        break;
+    const QEvent::Type type = event->type();
+    if (type == QEvent::ShortcutOverride && takes(*static_cast<QKeyEvent*>(event))) {
+        event->accept();
+        return true;
+    }
+    if ((type == QEvent::KeyPress || type == QEvent::KeyRelease) && watched->isWindowType())
+        return takeKey(*static_cast<QKeyEvent*>(event), type == QEvent::KeyPress);
+    if (type == QEvent::WindowDeactivate && watched == window_) {
+        emit focusLost();
+        release();
     }
     return false;
 }

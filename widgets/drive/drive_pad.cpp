@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -16,7 +17,6 @@ namespace {
 
 constexpr double knob_px = 13.0;
 constexpr int slider_px = 40;
-constexpr int pad_px = 176;
 constexpr int arrow_keys[] = {Qt::Key_Up, Qt::Key_Down, Qt::Key_Left, Qt::Key_Right};
 
 int arrowBit(int key) {
@@ -33,12 +33,8 @@ DrivePad::DrivePad(PadShape shape, QWidget* parent) : QWidget(parent), shape_(sh
                   shape == PadShape::Across ? QSizePolicy::Fixed : QSizePolicy::Expanding);
 }
 
-QSize DrivePad::sizeHint() const {
+QSize DrivePad::sizeWith(int pad_px) const {
     return {shape_ == PadShape::Upright ? slider_px : pad_px, shape_ == PadShape::Across ? slider_px : pad_px};
-}
-
-QSize DrivePad::minimumSizeHint() const {
-    return {shape_ == PadShape::Upright ? slider_px : 96, shape_ == PadShape::Across ? slider_px : 96};
 }
 
 void DrivePad::setShown(const QPointF& asked, const QPointF& sent) {
@@ -50,8 +46,8 @@ void DrivePad::setShown(const QPointF& asked, const QPointF& sent) {
 }
 
 void DrivePad::setKeys(const QStringList& keys) {
-    keys_ = keys;
-    update();
+    if (std::exchange(keys_, keys) != keys)
+        update();
 }
 
 void DrivePad::letGo() {
@@ -98,28 +94,20 @@ void DrivePad::put(const QPointF& value, bool held) {
 }
 
 bool DrivePad::event(QEvent* event) {
-    switch (event->type()) {
-    case QEvent::TouchBegin:
-    case QEvent::TouchUpdate: {
+    const QEvent::Type type = event->type();
+    if (type == QEvent::TouchBegin || type == QEvent::TouchUpdate) {
         const auto& points = static_cast<QTouchEvent*>(event)->points();
         if (isEnabled() && !points.isEmpty())
             hold(points.front().position());
-        event->accept();
-        return true;
-    }
-    case QEvent::TouchEnd:
-    case QEvent::TouchCancel:
+    } else if (type == QEvent::TouchEnd || type == QEvent::TouchCancel) {
         letGo();
-        event->accept();
-        return true;
-    case QEvent::ShortcutOverride: // Arrow keys pan the map elsewhere.
-        if (arrowBit(static_cast<QKeyEvent*>(event)->key()) != 0)
-            event->accept();
-        break;
-    default:
-        break;
+    } else {
+        if (type == QEvent::ShortcutOverride && arrowBit(static_cast<QKeyEvent*>(event)->key()) != 0)
+            event->accept(); // Arrow keys pan the map elsewhere.
+        return QWidget::event(event);
     }
-    return QWidget::event(event);
+    event->accept();
+    return true;
 }
 
 void DrivePad::mousePressEvent(QMouseEvent* event) {
@@ -163,7 +151,6 @@ void DrivePad::keyReleaseEvent(QKeyEvent* event) {
 
 void DrivePad::focusOutEvent(QFocusEvent* event) {
     letGo();
-    update();
     QWidget::focusOutEvent(event);
 }
 
@@ -175,7 +162,6 @@ void DrivePad::hideEvent(QHideEvent* event) {
 void DrivePad::changeEvent(QEvent* event) {
     if (event->type() == QEvent::EnabledChange && !isEnabled())
         letGo();
-    update();
     QWidget::changeEvent(event);
 }
 

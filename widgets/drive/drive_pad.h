@@ -28,8 +28,8 @@ public:
     void setKeys(const QStringList& keys);
     /// Releases the stick as if the mouse button had been released.
     void letGo();
-    QSize sizeHint() const override;
-    QSize minimumSizeHint() const override;
+    QSize sizeHint() const override { return sizeWith(176); }
+    QSize minimumSizeHint() const override { return sizeWith(96); }
 
 signals:
     /// The position changed; zero when the stick is released.
@@ -48,6 +48,8 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    /// Size of a round pad with this side, or of a slider of this length; in pixels.
+    QSize sizeWith(int pad_px) const;
     /// Rectangle, in pixels, in which the middle of the knob can move.
     QRectF travel() const;
     /// Place of the knob's middle, in pixels, for a position of the stick.

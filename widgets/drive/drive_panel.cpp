@@ -8,7 +8,6 @@
 #include "widgets/drive/drive_keys.h"
 #include "widgets/drive/drive_pad.h"
 #include "widgets/models/figures.h"
-#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
@@ -130,8 +129,6 @@ void DrivePanel::makeFigures() {
 }
 
 void DrivePanel::setState(const DriveState& state) {
-    const bool axes_changed = state.axes != state_.axes || state.taken != state_.taken || !shown_;
-    shown_ = true;
     state_ = state;
     badge_->setWords(state.control);
     const bool behavior = state.control.driver == Driver::Behavior;
@@ -145,8 +142,7 @@ void DrivePanel::setState(const DriveState& state) {
     stop_->setEnabled(!state.robot.isEmpty());
     note_->setText(state.note);
     setRole(note_, state.note_is_trouble ? "caution" : "muted");
-    if (axes_changed)
-        showAxes();
+    showAxes();
     pad_->setShown({-state.asked.turn, state.asked.forward}, {-state.sent.turn, state.sent.forward});
     side_->setShown({-state.asked.left, 0.0}, {-state.sent.left, 0.0});
     lift_->setShown({0.0, state.asked.up}, {0.0, state.sent.up});

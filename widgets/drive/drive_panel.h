@@ -4,7 +4,6 @@
 #include <array>
 #include <optional>
 
-#include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSlider>
@@ -105,7 +104,6 @@ private:
     DriveState state_;
     BodyVelocity velocity_;
     bool velocity_stale_ = false;
-    bool shown_ = false;                        ///< setState has been called
     QString empty_title_ = QStringLiteral("?"); ///< differs from any real title, so the first setEmpty takes effect
     QWidget* content_ = new QWidget(this);
     EmptyState* empty_ = new EmptyState(content_);

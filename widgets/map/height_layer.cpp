@@ -77,7 +77,7 @@ PagePicture renderPage(const PageTiles& page, const HeightStyle& style) {
     for (std::size_t i = 0; i < page.tiles.size(); ++i) {
         if (!page.tiles[i])
             continue;
-        mapping::shadeTile(*page.tiles[i], style.range, style.color_map, *pixels);
+        mapping::shadeTile(*page.tiles[i], style.range, mapping::ColorMap::Gray, *pixels);
         // Shades are opaque or fully transparent; a transparent premultiplied pixel is zero in every channel.
         std::ranges::replace_if(
             *pixels, [](std::uint32_t pixel) { return pixel >> 24 == 0; }, 0u);
@@ -167,7 +167,7 @@ Rectangle HeightLayer::bounds_in_map() const {
     return bounds;
 }
 
-std::optional<HeightProbe> HeightLayer::probe(const Vec2& point_in_map_m) const {
+std::optional<mapping::HeightProbe> HeightLayer::probe(const Vec2& point_in_map_m) const {
     return mapping::probeHeight(tiles_, cell_size_m_, point_in_map_m);
 }
 

@@ -22,9 +22,7 @@ namespace usar::widgets {
 /// How heights are turned into pixels.
 struct HeightStyle {
     mapping::HeightRange range;
-    mapping::ColorMap color_map = mapping::ColorMap::Gray;
     MapOrientation orientation = MapOrientation::XUp;
-    bool operator==(const HeightStyle&) const = default;
 };
 
 /// The tiles of one page, indexed by column + row * tiles_per_side; null if nothing is known there.
@@ -53,9 +51,6 @@ PagePicture renderPage(const PageTiles& page, const HeightStyle& style);
 mapping::GridIndex pageOfTile(mapping::GridIndex tile);
 /// The ground that a page covers, in meters of the map frame.
 Rectangle pageRectangle(mapping::GridIndex page, double cell_size_m);
-
-/// Data of one cell; shown for the cell under the cursor.
-using HeightProbe = mapping::HeightProbe;
 
 /// Double-buffered: one worker renders all changed pages together, and they are swapped in together, so that a new
 /// height range never shows next to the old one. While a batch is rendered, changes collect for the next one. Belongs
@@ -86,7 +81,7 @@ public:
     /// Extent of all tiles in meters of the map frame; empty without tiles.
     Rectangle bounds_in_map() const;
     /// Data of the cell at that point; nullopt if its height is unknown.
-    std::optional<HeightProbe> probe(const Vec2& point_in_map_m) const;
+    std::optional<mapping::HeightProbe> probe(const Vec2& point_in_map_m) const;
     /// True while a worker renders or changes wait for it.
     bool busy() const { return rendering_ || !dirty_.empty(); }
 

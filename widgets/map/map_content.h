@@ -60,7 +60,6 @@ struct MapRobot {
     Pose base_in_map;
     bool stale = false;   ///< the pose may be out of date
     bool station = false; ///< a base station: it does not move and has no heading
-    bool operator==(const MapRobot&) const = default;
 };
 
 /// A robot with everything that belongs to it.

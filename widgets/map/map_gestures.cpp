@@ -117,7 +117,7 @@ void MapGestures::move(const QPointF& at_px) {
         beginDrag();
     if (gesture_ == Gesture::Panning)
         emit panned(at_px - last_px_);
-    else if (holdsArea())
+    else if (gesture_ == Gesture::DraggingArea)
         dragArea(at_px);
     else if (gesture_ == Gesture::DraggingObject)
         content_.objects.held_to_m = held_from_m_ + transform_.toMap(at_px) - pressed_m_;
@@ -134,8 +134,8 @@ void MapGestures::release(const QMouseEvent& event) {
         click(event.position(), event.modifiers());
     else if (gesture == Gesture::DraggingObject)
         finishObjectDrag();
-    else if (gesture == Gesture::DrawingArea || gesture == Gesture::DraggingGrip)
-        finishAreaDrag(gesture == Gesture::DrawingArea, event.position());
+    else if (gesture == Gesture::DraggingArea)
+        finishAreaDrag(event.position());
     updateCursor();
     widget_.update();
 }
@@ -173,7 +173,7 @@ void MapGestures::drop(QDropEvent& event) {
 }
 
 void MapGestures::cancel() {
-    if (holdsArea())
+    if (gesture_ == Gesture::DraggingArea)
         restoreArea();
     content_.objects.held.clear();
     forget();
@@ -204,32 +204,27 @@ void MapGestures::hover(const QPointF& at_px) {
 }
 
 void MapGestures::beginDrag() {
-    if (tool_ == MapTool::Area)
-        beginAreaDrag();
-    else if (!beginObjectDrag())
+    if (tool_ == MapTool::Area) {
+        gesture_ = Gesture::DraggingArea;
+        area_before_ = content_.area.area_in_map;
+        held_grip_ = hits().gripAt(pressed_px_);
+    } else if (!beginObjectDrag()) {
         gesture_ = Gesture::Panning;
-}
-
-void MapGestures::beginAreaDrag() {
-    area_before_ = content_.area.area_in_map;
-    const auto grip = hits().gripAt(pressed_px_);
-    gesture_ = grip ? Gesture::DraggingGrip : Gesture::DrawingArea;
-    held_grip_ = grip.value_or(AreaGrip{});
+    }
 }
 
 void MapGestures::dragArea(const QPointF& at_px) {
     const Vec2 to = transform_.toMap(at_px);
-    const Rectangle area = gesture_ == Gesture::DrawingArea
-                               ? spanned(pressed_m_, to, content_.world_in_map)
-                               : dragged(*area_before_, {held_grip_, pressed_m_, to}, content_.world_in_map);
+    const Rectangle area = held_grip_ ? dragged(*area_before_, {*held_grip_, pressed_m_, to}, content_.world_in_map)
+                                      : spanned(pressed_m_, to, content_.world_in_map);
     if (area.empty())
         return;
     content_.area.area_in_map = area;
     emit areaEdited(area);
 }
 
-void MapGestures::finishAreaDrag(bool drawn, const QPointF& at_px) {
-    const QString reason = drawn ? refusal(pressed_m_, transform_.toMap(at_px), content_.world_in_map) : QString();
+void MapGestures::finishAreaDrag(const QPointF& at_px) {
+    const QString reason = held_grip_ ? QString() : refusal(pressed_m_, transform_.toMap(at_px), content_.world_in_map);
     if (!reason.isEmpty()) {
         restoreArea();
         emit areaRefused(reason);

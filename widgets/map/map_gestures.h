@@ -65,8 +65,7 @@ signals:
     void toolChanged(usar::widgets::MapTool tool);
 
 private:
-    enum class Gesture { None, Pressed, Panning, DrawingArea, DraggingGrip, DraggingObject };
-    bool holdsArea() const { return gesture_ == Gesture::DrawingArea || gesture_ == Gesture::DraggingGrip; }
+    enum class Gesture { None, Pressed, Panning, DraggingArea, DraggingObject };
     MapHits hits() const { return {content_, transform_}; }
     /// These two functions return false if the event is of another kind.
     bool takeMouse(QEvent* event);
@@ -80,11 +79,10 @@ private:
     void drop(QDropEvent& event);
     /// Starts a drag, because the pressed mouse has moved too far for a click.
     void beginDrag();
-    void beginAreaDrag();
     /// Starts to drag the object where the mouse was pressed; returns false if there is none.
     bool beginObjectDrag();
     void dragArea(const QPointF& at_px);
-    void finishAreaDrag(bool drawn, const QPointF& at_px);
+    void finishAreaDrag(const QPointF& at_px);
     void restoreArea();
     void finishObjectDrag();
     /// Updates what is highlighted under the cursor.
@@ -108,7 +106,7 @@ private:
     QPointF pressed_px_;
     Vec2 pressed_m_ = Vec2::Zero(); ///< ground point at `pressed_px_` when pressed, in the map frame
     QPointF last_px_;
-    AreaGrip held_grip_;
+    std::optional<AreaGrip> held_grip_;    ///< the part of the area that is dragged; nullopt: a new area is drawn
     std::optional<Rectangle> area_before_; ///< area before the drag
     Vec2 held_from_m_ = Vec2::Zero();      ///< center of the held object before the drag
     std::optional<MapObject> ghost_;       ///< the object to preview, wherever the cursor is

@@ -11,23 +11,22 @@ namespace usar::widgets {
 
 namespace {
 
-/// Finds the nearest of some points within reach.
-class Nearest {
-public:
-    explicit Nearest(const QPointF& to_px) : to_px_(to_px) {}
-    /// True if this point is within reach and no farther than all before.
-    bool take(const QPointF& at_px) {
-        const double distance_px = std::hypot(at_px.x() - to_px_.x(), at_px.y() - to_px_.y());
-        if (!(distance_px <= best_px_)) // Also rejects NaN.
-            return false;
-        best_px_ = distance_px;
-        return true;
+/// Finds the item that is nearest to a point within reach, the last one of equals; the end if there is none.
+/// `place_in_map` returns where an item is, in meters of the map frame.
+template <class Items, class Place>
+auto nearest(const Items& items, const QPointF& to_px, const MapTransform& transform, Place place_in_map) {
+    double best_px = 16.0;
+    auto best = items.end();
+    for (auto item = items.begin(); item != items.end(); ++item) {
+        const Vec3 at_m = place_in_map(*item);
+        const QPointF way = transform.toScreen(at_m.head<2>()) - to_px;
+        if (const double distance_px = std::hypot(way.x(), way.y()); distance_px <= best_px) { // False for NaN.
+            best_px = distance_px;
+            best = item;
+        }
     }
-
-private:
-    QPointF to_px_;
-    double best_px_ = 16.0;
-};
+    return best;
+}
 
 QString robotText(const MapRobot& robot) {
     return QObject::tr("%1, z %2 m, yaw %3°. Click selects it (key %4).")
@@ -46,21 +45,16 @@ QString objectText(const MapObject& object) {
 std::optional<std::size_t> MapHits::startPoseAt(const QPointF& point_px) const {
     if (!content_.layer(MapLayer::StartPoses).visible)
         return std::nullopt;
-    std::optional<std::size_t> best;
-    Nearest nearest(point_px);
-    for (std::size_t i = 0; i < content_.start_poses.size(); ++i)
-        if (nearest.take(transform_.toScreen(content_.start_poses[i].pose_in_map.position_m.head<2>())))
-            best = i;
-    return best;
+    const auto& poses = content_.start_poses;
+    const auto found = nearest(poses, point_px, transform_,
+                               [](const protocol::StartPose& pose) { return pose.pose_in_map.position_m; });
+    return found == poses.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - poses.begin()));
 }
 
 QString MapHits::robotAt(const QPointF& point_px) const {
-    QString best;
-    Nearest nearest(point_px);
-    for (const auto& [name, robot] : content_.robots)
-        if (nearest.take(transform_.toScreen(robot.robot.base_in_map.position_m.head<2>())))
-            best = name;
-    return best;
+    const auto found = nearest(content_.robots, point_px, transform_,
+                               [](const auto& named) { return named.second.robot.base_in_map.position_m; });
+    return found == content_.robots.end() ? QString() : found->first;
 }
 
 QString MapHits::objectAt(const QPointF& point_px) const {

@@ -1,4 +1,3 @@
-#include <QPainter>
 #include <QPainterPath>
 
 #include "widgets/map/map_painter.h"

@@ -68,7 +68,7 @@ double paintHeightLegend(QPainter& painter, const HeightLayer& heights, const QP
         const float part = static_cast<float>(i) / static_cast<float>(steps - 1);
         const float height_m = range.minimum_m + part * (range.maximum_m - range.minimum_m);
         painter.fillRect(QRectF(bar.left() + i, bar.top(), 1.0, bar.height()),
-                         QColor::fromRgba(mapping::shade(height_m, range, heights.style().color_map)));
+                         QColor::fromRgba(mapping::shade(height_m, range, mapping::ColorMap::Gray)));
     }
     painter.setFont(themeFont(FontRole::Small));
     const QRectF words = box.adjusted(gap::small, 4.0, -gap::small, -24.0);
@@ -103,7 +103,7 @@ double paintMarkLegend(QPainter& painter, const std::vector<agent::MapMark>& mar
 
 } // namespace
 
-QString probeText(const Vec2& point_in_map_m, const std::optional<HeightProbe>& ground) {
+QString probeText(const Vec2& point_in_map_m, const std::optional<mapping::HeightProbe>& ground) {
     return QStringLiteral("x %1   y %2   z %3 m   hits %4")
         .arg(figure(point_in_map_m.x(), 1, 6), figure(point_in_map_m.y(), 1, 6),
              ground ? figure(double(ground->height_m), 2, 6) : figure(qQNaN(), 2, 6),
@@ -121,12 +121,12 @@ void paintOverlay(QPainter& painter, const MapOverlay& overlay, const MapContent
     paintAxes(painter, transform);
     const double right = transform.viewport.width() - edge;
     double bottom = transform.viewport.height() - edge;
-    if (overlay.legend && !heights.empty() && content.layer(MapLayer::Heights).visible)
+    if (!heights.empty() && content.layer(MapLayer::Heights).visible)
         bottom = paintHeightLegend(painter, heights, QPointF(right, bottom)) - gap::small;
     if (!overlay.probe.isEmpty())
         bottom = paintChip(painter, QPointF(right, bottom), overlay.probe, Qt::AlignRight | Qt::AlignBottom).top() -
                  gap::small;
-    if (overlay.legend && !content.marks.empty() && content.layer(MapLayer::Marks).visible)
+    if (!content.marks.empty() && content.layer(MapLayer::Marks).visible)
         paintMarkLegend(painter, content.marks, QPointF(right, bottom));
     if (!overlay.following.isEmpty())
         paintChip(painter, QPointF(transform.viewport.width() / 2.0, edge),

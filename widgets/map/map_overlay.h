@@ -13,11 +13,10 @@ struct MapOverlay {
     QString probe;        ///< as probeText() words it; empty while the cursor is not on the map
     QString following;    ///< name of the robot that the view follows; empty: none
     bool focused = false; ///< the map has the keyboard focus
-    bool legend = true;   ///< legends of heights and marks are drawn
 };
 
 /// "x 31.2   y −8.0   z 4.31 m   hits 7": the ground at a point, in meters of the map frame; nullopt: unknown height.
-QString probeText(const Vec2& point_in_map_m, const std::optional<HeightProbe>& ground);
+QString probeText(const Vec2& point_in_map_m, const std::optional<mapping::HeightProbe>& ground);
 
 /// Area around the axes that is dimmed, in pixels; labels stay out of it.
 QRectF axesGlass_px(const MapTransform& transform);

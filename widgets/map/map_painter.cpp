@@ -27,18 +27,24 @@ MapPainter::MapPainter(QPainter& painter, const MapContent& content, const Heigh
     , labels_(placeMapLabels(content, transform)) {}
 
 void MapPainter::paintLayers() {
+    struct LayerPainter {
+        void (MapPainter::*paint)();
+        bool smooth; ///< with antialiasing
+    };
     // In the order of MapLayer.
-    static constexpr std::array<void (MapPainter::*)(), map_layer_count> painters = {
-        &MapPainter::paintWorld,   &MapPainter::paintGrid,       &MapPainter::paintHeights, &MapPainter::paintArea,
-        &MapPainter::paintLanes,   &MapPainter::paintTrails,     &MapPainter::paintTraces,  &MapPainter::paintMarks,
-        &MapPainter::paintObjects, &MapPainter::paintStartPoses, &MapPainter::paintLaser,   &MapPainter::paintGoals,
-        &MapPainter::paintRadio,   &MapPainter::paintRobots};
+    static constexpr LayerPainter painters[map_layer_count] = {
+        {&MapPainter::paintWorld, false},     {&MapPainter::paintGrid, false},  {&MapPainter::paintHeights, false},
+        {&MapPainter::paintArea, false},      {&MapPainter::paintLanes, true},  {&MapPainter::paintTrails, true},
+        {&MapPainter::paintTraces, false},    {&MapPainter::paintMarks, true},  {&MapPainter::paintObjects, true},
+        {&MapPainter::paintStartPoses, true}, {&MapPainter::paintLaser, false}, {&MapPainter::paintGoals, true},
+        {&MapPainter::paintRadio, true},      {&MapPainter::paintRobots, true}};
     for (std::size_t i = 0; i < map_layer_count; ++i) {
         if (!content_.layers[i].visible || content_.layers[i].opacity <= 0.0)
             continue;
         painter_.save();
         painter_.setOpacity(content_.layers[i].opacity);
-        (this->*painters[i])();
+        painter_.setRenderHint(QPainter::Antialiasing, painters[i].smooth);
+        (this->*painters[i].paint)();
         painter_.restore();
     }
 }
@@ -86,7 +92,6 @@ void MapPainter::paintGrid() {
         lines << QLineF(transform_.toScreen(Vec2(x, seen.min_m.y())), transform_.toScreen(Vec2(x, seen.max_m.y())));
     for (double y = std::ceil(seen.min_m.y() / step_m) * step_m; y <= seen.max_m.y(); y += step_m)
         lines << QLineF(transform_.toScreen(Vec2(seen.min_m.x(), y)), transform_.toScreen(Vec2(seen.max_m.x(), y)));
-    painter_.setRenderHint(QPainter::Antialiasing, false);
     painter_.setPen(QPen(faded(tokens_.line, 0.55), 1.0));
     painter_.drawLines(lines);
 }
@@ -94,7 +99,6 @@ void MapPainter::paintGrid() {
 void MapPainter::paintHeights() {
     const double cell_m = heights_.cellSize_m();
     const QRectF viewport(QPointF(), transform_.viewport);
-    painter_.setRenderHint(QPainter::SmoothPixmapTransform, false);
     for (const auto& [index, picture] : heights_.pages()) {
         const QRectF on_screen = transform_.toScreen(pageRectangle(index, cell_m));
         if (!on_screen.intersects(viewport))
@@ -159,7 +163,6 @@ void MapPainter::paintSegments(const std::vector<Vec2>& points_m) {
 }
 
 void MapPainter::paintLanes() {
-    painter_.setRenderHint(QPainter::Antialiasing);
     painter_.setPen(QPen(faded(tokens_.accent, 0.75), 1.0));
     paintSegments(content_.area.lanes_in_map_m);
     if (content_.area.lanes_in_map_m.empty())
@@ -170,7 +173,6 @@ void MapPainter::paintLanes() {
 }
 
 void MapPainter::paintTrails() {
-    painter_.setRenderHint(QPainter::Antialiasing);
     for (const auto& [name, robot] : content_.robots) {
         painter_.setPen(QPen(robotColor(robot.robot.number), 1.5));
         paintSegments(robot.trail.points_m());
@@ -178,7 +180,6 @@ void MapPainter::paintTrails() {
 }
 
 void MapPainter::paintMarks() {
-    painter_.setRenderHint(QPainter::Antialiasing);
     const QRectF sight = QRectF(QPointF(), transform_.viewport).adjusted(-10.0, -10.0, 10.0, 10.0);
     QVector<QPointF> path;
     for (const agent::MapMark& mark : content_.marks) {
@@ -197,7 +198,6 @@ void MapPainter::paintMarks() {
 }
 
 void MapPainter::paintStartPoses() {
-    painter_.setRenderHint(QPainter::Antialiasing);
     for (std::size_t i = 0; i < content_.start_poses.size(); ++i) {
         const protocol::StartPose& pose = content_.start_poses[i];
         const bool hot = content_.hot_start_pose == i;
@@ -222,7 +222,6 @@ void MapPainter::paintLaser() {
 }
 
 void MapPainter::paintGoals() {
-    painter_.setRenderHint(QPainter::Antialiasing);
     for (const auto& [name, robot] : content_.robots) {
         if (!robot.goal_in_map_m)
             continue;
@@ -239,7 +238,6 @@ void MapPainter::paintGoals() {
 
 void MapPainter::paintRadio() {
     constexpr double room_px = 96.0; // Shorter links have no figure.
-    painter_.setRenderHint(QPainter::Antialiasing);
     for (const RadioLink& link : content_.radio_links) {
         const auto a = content_.robots.find(link.a);
         const auto b = content_.robots.find(link.b);
@@ -258,29 +256,24 @@ void MapPainter::paintRadio() {
 }
 
 void MapPainter::paintRobots() {
-    painter_.setRenderHint(QPainter::Antialiasing);
-    for (const auto& [name, robot] : content_.robots)
-        paintRobot(robot);
-}
-
-void MapPainter::paintRobot(const RobotOnMap& on_map) {
-    const MapRobot& robot = on_map.robot;
-    const QPointF at = transform_.toScreen(flat(robot.base_in_map.position_m));
-    const bool selected = robot.name == content_.selected_robot;
-    painter_.save();
-    painter_.translate(at);
-    if (selected) {
-        painter_.setPen(QPen(tokens_.text, 2.0));
-        painter_.setBrush(faded(tokens_.background, 0.35));
-        painter_.drawEllipse(QPointF(), symbol::ring_px, symbol::ring_px);
+    for (const auto& [name, on_map] : content_.robots) {
+        const MapRobot& robot = on_map.robot;
+        const bool selected = name == content_.selected_robot;
+        painter_.save();
+        painter_.translate(transform_.toScreen(flat(robot.base_in_map.position_m)));
+        if (selected) {
+            painter_.setPen(QPen(tokens_.text, 2.0));
+            painter_.setBrush(faded(tokens_.background, 0.35));
+            painter_.drawEllipse(QPointF(), symbol::ring_px, symbol::ring_px);
+        }
+        if (robot.station)
+            paintStationSymbol(painter_, robotColor(robot.number), robot.stale);
+        else
+            paintRobotSymbol(painter_, transform_.screenRotation_rad(robot.base_in_map.yaw_rad),
+                             robotColor(robot.number), robot.stale);
+        painter_.restore();
+        paintLabel(labels_.robots.at(name), robotLabel(robot), selected);
     }
-    if (robot.station)
-        paintStationSymbol(painter_, robotColor(robot.number), robot.stale);
-    else
-        paintRobotSymbol(painter_, transform_.screenRotation_rad(robot.base_in_map.yaw_rad), robotColor(robot.number),
-                         robot.stale);
-    painter_.restore();
-    paintLabel(labels_.robots.at(robot.name), robotLabel(robot), selected);
 }
 
 void MapPainter::paintLabel(const QRectF& box, const QString& text, bool bold) {
@@ -304,7 +297,6 @@ void paintObjectSymbol(QPainter& painter, const QPolygonF& outline, bool selecte
 }
 
 void MapPainter::paintObjects() {
-    painter_.setRenderHint(QPainter::Antialiasing);
     const ObjectsOnMap& things = content_.objects;
     const MapObject* selected = nullptr;
     for (const MapObject& object : things.objects)

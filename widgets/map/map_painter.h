@@ -48,9 +48,8 @@ private:
     void paintGoals();
     /// Paints lines between robots in the color of their quality, with their dBm; dashed if there is no link.
     void paintRadio();
+    /// Paints arrowheads along the yaw; hollow and gray when stale.
     void paintRobots();
-    /// Paints an arrowhead along the yaw; hollow and gray when stale.
-    void paintRobot(const RobotOnMap& robot);
     /// Paints separate segments through the points, without segments that are shorter than a pixel or out of sight.
     void paintSegments(const std::vector<Vec2>& points_m);
     /// Paints text on a background of its own, so that it is readable everywhere.

@@ -54,18 +54,7 @@ void MapView::clear() {
 }
 
 void MapView::setArea(const std::optional<Rectangle>& area_in_map) {
-    content_.area.area_in_map = area_in_map && !area_in_map->empty() ? area_in_map : std::nullopt;
-    update();
-}
-
-void MapView::setAreaSummary(const QString& summary) {
-    content_.area.summary = summary;
-    update();
-}
-
-void MapView::setLanes(const std::vector<Vec2>& points_in_map_m) {
-    content_.area.lanes_in_map_m = points_in_map_m;
-    update();
+    put(content_.area.area_in_map, area_in_map && !area_in_map->empty() ? area_in_map : std::nullopt);
 }
 
 void MapView::setRobot(const MapRobot& robot) {
@@ -108,11 +97,6 @@ void MapView::addMark(const agent::MapMark& mark) {
     update();
 }
 
-void MapView::clearMarks() {
-    content_.marks.clear();
-    update();
-}
-
 void MapView::selectRobot(const QString& name) {
     content_.selected_robot = name;
     if (name.isEmpty())
@@ -120,18 +104,8 @@ void MapView::selectRobot(const QString& name) {
     update();
 }
 
-void MapView::setLayer(MapLayer layer, const LayerState& state) {
-    content_.layers[static_cast<std::size_t>(layer)] = state;
-    update();
-}
-
 void MapView::setObjects(const std::vector<MapObject>& objects) {
     content_.setObjects(objects);
-    update();
-}
-
-void MapView::selectObject(const QString& name) {
-    content_.objects.selected = name;
     update();
 }
 

@@ -1,6 +1,8 @@
 // The map in the center of the window: world, start poses, robots, area, lanes and the scan preview as layers.
 #pragma once
 
+#include <type_traits>
+
 #include <QWidget>
 
 #include "widgets/map/height_layer.h"
@@ -40,9 +42,9 @@ public:
     /// The mission area; nullopt: none. Never an empty rectangle.
     const std::optional<Rectangle>& area() const { return content_.area.area_in_map; }
     /// "9 lanes · 6 min 12 s": shown after the size on the area's label.
-    void setAreaSummary(const QString& summary);
+    void setAreaSummary(const QString& summary) { put(content_.area.summary, summary); }
     /// The path that is drawn as lanes, in order.
-    void setLanes(const std::vector<Vec2>& points_in_map_m);
+    void setLanes(const std::vector<Vec2>& points_in_map_m) { put(content_.area.lanes_in_map_m, points_in_map_m); }
 
     // Robots. A pose also extends the trail, unless it is stale.
     /// Adds the robot, or updates the one with the same name.
@@ -53,7 +55,7 @@ public:
     void setGoal(const QString& robot, const std::optional<Vec3>& goal_in_map_m);
     void setLaserHits(const QString& robot, const std::vector<Vec3>& hits_in_map_m);
     void addMark(const agent::MapMark& mark);
-    void clearMarks();
+    void clearMarks() { put(content_.marks, {}); }
     void setRadioLinks(const std::vector<RadioLink>& links);
     /// Draws the ring around that robot; an empty name selects nobody and ends following.
     void selectRobot(const QString& name);
@@ -62,7 +64,7 @@ public:
     /// Replaces all objects; the last one is on top. Selection and drag end if their object is missing.
     void setObjects(const std::vector<MapObject>& objects);
     /// Emits nothing; an empty name: none.
-    void selectObject(const QString& name);
+    void selectObject(const QString& name) { put(content_.objects.selected, name); }
     /// Sets the object that the Place tool and drags out of the palette show under the cursor; nullopt: none.
     void setGhost(const std::optional<MapObject>& ghost) { gestures_.setGhost(ghost); }
     /// Adds a mark that a robot left while TRACE was on.
@@ -71,7 +73,9 @@ public:
     const TraceLayer& traces() const { return traces_; }
 
     // The view.
-    void setLayer(MapLayer layer, const LayerState& state);
+    void setLayer(MapLayer layer, const LayerState& state) {
+        put(content_.layers[static_cast<std::size_t>(layer)], state);
+    }
     const LayerState& layer(MapLayer layer) const { return content_.layer(layer); }
     /// The gestures of the mouse, whose signals report what the user does on the map; owned by the map.
     MapGestures& gestures() { return gestures_; }
@@ -114,6 +118,12 @@ protected:
     bool event(QEvent* event) override;
 
 private:
+    /// Sets a part of the content and repaints.
+    template <class Part>
+    void put(Part& part, const std::type_identity_t<Part>& value) {
+        part = value;
+        update();
+    }
     void panBy(const QPointF& by_px);
     void zoomAt(const QPointF& at_px, double factor);
     bool actByKey(const QKeyEvent& event);

@@ -5,29 +5,9 @@
 #include <QWheelEvent>
 
 #include "widgets/map/map_view.h"
+#include "widgets/style/form_parts.h"
 
 namespace usar::widgets {
-
-namespace {
-
-/// Returns by how much a key moves the ground, in pixels; nullopt for keys that do not pan.
-std::optional<QPointF> panOf(const QKeyEvent& event) {
-    const double step_px = event.modifiers() & Qt::ShiftModifier ? 240.0 : 64.0;
-    switch (event.key()) {
-    case Qt::Key_Left:
-        return QPointF(step_px, 0.0);
-    case Qt::Key_Right:
-        return QPointF(-step_px, 0.0);
-    case Qt::Key_Up:
-        return QPointF(0.0, step_px);
-    case Qt::Key_Down:
-        return QPointF(0.0, -step_px);
-    default:
-        return std::nullopt;
-    }
-}
-
-} // namespace
 
 void MapView::wheelEvent(QWheelEvent* event) {
     if (const int delta = event->angleDelta().y(); delta != 0)
@@ -36,8 +16,9 @@ void MapView::wheelEvent(QWheelEvent* event) {
 }
 
 void MapView::keyPressEvent(QKeyEvent* event) {
-    if (const auto by_px = panOf(*event))
-        panBy(*by_px);
+    const double step_px = event->modifiers() & Qt::ShiftModifier ? 240.0 : 64.0;
+    if (const QPointF way = arrowDirection(event->key()); !way.isNull())
+        panBy(QPointF(-way.x(), way.y()) * step_px); // The ground moves against the arrow.
     else if (!actByKey(*event))
         QWidget::keyPressEvent(event);
 }

@@ -102,15 +102,8 @@ void SpawnCard::openFor(int start_pose, const QString& pose_name, const QString&
     spawn_->setFocus();
 }
 
-SpawnChoice SpawnCard::choice() const {
-    return {start_pose_, class_->currentData().toString(), name_->text(), behavior_->currentData().toString()};
-}
-
 SpawnChoice SpawnCard::lastChoice(int start_pose, const QString& robot_name) const {
-    SpawnChoice last = choice();
-    last.start_pose = start_pose;
-    last.robot_name = robot_name;
-    return last;
+    return {start_pose, class_->currentData().toString(), robot_name, behavior_->currentData().toString()};
 }
 
 void SpawnCard::spawn() {

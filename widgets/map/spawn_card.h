@@ -42,7 +42,7 @@ public:
     /// Opens the card beside `at` (global coordinates), within its parent.
     void openFor(int start_pose, const QString& pose_name, const QString& robot_name, const QPoint& at);
     /// The choice as shown, even if the name is invalid.
-    SpawnChoice choice() const;
+    SpawnChoice choice() const { return lastChoice(start_pose_, name_->text()); }
     /// The choice for a double-click: the class and behavior chosen last, with this pose and name.
     SpawnChoice lastChoice(int start_pose, const QString& robot_name) const;
 

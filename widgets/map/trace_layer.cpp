@@ -1,8 +1,8 @@
 #include "widgets/map/trace_layer.h"
 
-#include <array>
 #include <bitset>
 #include <cmath>
+#include <utility>
 
 namespace usar::widgets {
 
@@ -13,10 +13,6 @@ constexpr double radius_px = 3.5;
 constexpr double brush_px = radius_px + 1.5; ///< radius including the rim
 constexpr int cell_px = 2;                   ///< size of a cell; only the newest mark in a cell is drawn
 constexpr std::size_t most_tiles = 192;      ///< 48 MiB; if panning exceeds it, all tiles are made again
-
-double side_m(int level) {
-    return tile_px / std::exp2(level);
-}
 
 /// Paints the rim below existing dots, so that dots in a row look like one line with one rim.
 void paintDot(QPainter& painter, const QPointF& at_px, QRgb color) {
@@ -91,7 +87,7 @@ void TraceLayer::paint(QPainter& painter, const MapTransform& transform) const {
     orientation_ = transform.orientation;
     const double dots_per_m = transform.pixels_per_m * painter.device()->devicePixelRatioF();
     const int level = static_cast<int>(std::ceil(std::log2(dots_per_m)));
-    const double side_px = side_m(level) * transform.pixels_per_m;
+    const double side_px = tile_px / std::exp2(level) * transform.pixels_per_m;
     const QPointF origin_px = transform.toScreen(Vec2(0.0, 0.0));
     const auto first = [side_px](double from_px) { return static_cast<int>(std::floor(from_px / side_px)); };
     painter.setRenderHint(QPainter::SmoothPixmapTransform);

@@ -112,11 +112,11 @@ void WorldPanel::makeList() {
         new EmptyState(list_->viewport(), tr("No objects"), tr("Press a button above, then click on the map."));
     connect(addRowAction(list_, tr("Delete"), QKeySequence::Delete), &QAction::triggered, this, [this] {
         if (const QModelIndex current = list_->currentIndex(); current.isValid())
-            emit removeRequested(model_->object(current.row()).name);
+            emit removeRequested(model_->row(current.row()).name);
     });
     connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex& current) {
         if (!quiet_)
-            emit objectSelected(current.isValid() ? model_->object(current.row()).name : QString());
+            emit objectSelected(current.isValid() ? model_->row(current.row()).name : QString());
     });
 }
 
@@ -148,6 +148,7 @@ void WorldPanel::setKinds(const std::vector<PaletteKind>& kinds) {
     for (QAbstractButton* button : buttons_->buttons())
         delete button;
     kinds_ = kinds;
+    chosen_ = nullptr;
     for (int i = 0; i < static_cast<int>(kinds.size()); ++i) {
         const PaletteKind& kind = kinds[static_cast<std::size_t>(i)];
         auto* button = makeToolButton(
@@ -182,7 +183,7 @@ void WorldPanel::setActions(const std::vector<QAction*>& object, const std::vect
 
 void WorldPanel::setObjects(const std::vector<MapObject>& objects) {
     const QModelIndex current = list_->currentIndex();
-    const QString selected = current.isValid() ? model_->object(current.row()).name : QString();
+    const QString selected = current.isValid() ? model_->row(current.row()).name : QString();
     {
         const QScopedValueRollback quiet(quiet_, true);
         model_->setObjects(objects);
@@ -193,8 +194,8 @@ void WorldPanel::setObjects(const std::vector<MapObject>& objects) {
 
 void WorldPanel::selectObject(const QString& name) {
     const QScopedValueRollback quiet(quiet_, true);
-    const int row = model_->rowOf(name);
-    list_->setCurrentIndex(row < 0 ? QModelIndex() : model_->index(row, 0));
+    const std::optional<int> row = model_->indexOf(name);
+    list_->setCurrentIndex(row ? model_->index(*row, 0) : QModelIndex());
 }
 
 void WorldPanel::setTrouble(const QString& title, const QString& hint) {
@@ -206,57 +207,43 @@ void WorldPanel::setTrouble(const QString& title, const QString& hint) {
             child->setVisible(title.isEmpty());
 }
 
-/// Selects a kind by its index; -1: none.
 void WorldPanel::choose(int kind) {
     for (QAbstractButton* button : buttons_->buttons())
         button->setChecked(buttons_->id(button) == kind);
-    if (kind >= 0) {
+    chosen_ = kind < 0 ? nullptr : &kinds_[static_cast<std::size_t>(kind)];
+    if (chosen_) {
         const QSignalBlocker quiet(other_class_);
         other_class_->clear();
-        const PaletteKind& chosen = kinds_[static_cast<std::size_t>(kind)];
         for (int axis = 0; axis < 3; ++axis) {
             const QSignalBlocker quiet_box(size_m_[axis]);
-            size_m_[axis]->setValue(chosen.size_m[axis]);
+            size_m_[axis]->setValue(chosen_->size_m[axis]);
         }
-        size_m_[1]->setEnabled(chosen.form == ObjectForm::Box);
-        size_m_[2]->setEnabled(chosen.form != ObjectForm::Sphere);
     }
-    size_m_[0]->setEnabled(kind >= 0);
-    if (kind < 0)
-        for (QuantityBox* box : size_m_)
-            box->setEnabled(false);
+    size_m_[0]->setEnabled(chosen_);
+    size_m_[1]->setEnabled(chosen_ && chosen_->form == ObjectForm::Box);
+    size_m_[2]->setEnabled(chosen_ && chosen_->form != ObjectForm::Sphere);
     emit choiceChanged();
 }
 
-const PaletteKind* WorldPanel::chosen() const {
-    for (std::size_t i = 0; i < kinds_.size(); ++i)
-        if (buttons_->button(static_cast<int>(i))->isChecked())
-            return &kinds_[i];
-    return nullptr;
-}
-
 std::optional<PaletteChoice> WorldPanel::choice() const {
-    const PaletteKind* const kind = chosen();
-    if (!kind && other_class_->text().trimmed().isEmpty())
-        return std::nullopt;
-    if (!kind)
-        return PaletteChoice{other_class_->text().trimmed()};
-    PaletteChoice choice{kind->class_name, {}, {}, kind->form, kind->conveyor};
+    const QString typed = other_class_->text().trimmed();
+    if (!chosen_)
+        return typed.isEmpty() ? std::nullopt : std::optional(PaletteChoice{{typed}});
+    PaletteChoice choice{*chosen_};
     choice.size_m = {size_m_[0]->value(), size_m_[1]->value(), size_m_[2]->value()};
-    if (kind->form != ObjectForm::Box)
+    if (choice.form != ObjectForm::Box)
         choice.size_m.y() = choice.size_m.x();
-    if (kind->form == ObjectForm::Sphere)
+    if (choice.form == ObjectForm::Sphere)
         choice.size_m.z() = choice.size_m.x();
-    choice.scale = choice.size_m.cwiseQuotient(kind->size_m);
+    choice.scale = choice.size_m.cwiseQuotient(chosen_->size_m);
     return choice;
 }
 
 void WorldPanel::disarm() {
     if (!choice())
         return;
-    QSignalBlocker quiet(other_class_);
+    const QSignalBlocker quiet(other_class_);
     other_class_->clear();
-    quiet.unblock();
     choose(-1);
 }
 

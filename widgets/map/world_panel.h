@@ -8,7 +8,6 @@
 #include <QComboBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QLineEdit>
 #include <QToolButton>
 #include <QTreeView>
@@ -27,20 +26,16 @@ class EmptyState;
 /// A class of objects that the server can make; `size_m` is its size at a scale of 1.
 struct PaletteKind {
     QString class_name;
-    QString icon; ///< name for icons.h
+    QString icon{}; ///< name for icons.h
     ObjectForm form = ObjectForm::Box;
     Vec3 size_m = Vec3::Ones();
     bool conveyor = false; ///< it has a belt instead of way points
 };
 
-/// The object that the next click on the map would place.
-struct PaletteChoice {
-    QString class_name;
-    Vec3 size_m = Vec3::Ones();
+/// The object that the next click on the map would place: its class, with the chosen size instead of that of the kind.
+struct PaletteChoice : PaletteKind {
     /// Factor per axis relative to the size of the kind.
     Vec3 scale = Vec3::Ones();
-    ObjectForm form = ObjectForm::Box;
-    bool conveyor = false;
 };
 
 /// State comes in by setters, choices go out by signals. The user presses a button of the palette and clicks on the
@@ -102,10 +97,10 @@ private:
     void choose(int kind);
     /// Chooses the button's kind, lets the user drag it to the map, and disarms after the drop.
     void drag(QToolButton* button);
-    /// The kind whose button is pressed; nullptr if there is none.
-    const PaletteKind* chosen() const;
 
     std::vector<PaletteKind> kinds_;
+    /// The kind whose button is pressed; nullptr if there is none.
+    const PaletteKind* chosen_ = nullptr;
     QGridLayout* palette_ = new QGridLayout;
     QButtonGroup* buttons_ = new QButtonGroup(this);
     QLineEdit* other_class_ = new QLineEdit(this);

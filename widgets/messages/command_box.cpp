@@ -240,8 +240,13 @@ bool CommandBox::takeKey(int key, Qt::KeyboardModifiers modifiers) {
             return false;
         send();
         return true;
-    case Qt::Key_Tab:
-        return popupOpen() && acceptFirst();
+    case Qt::Key_Tab: {
+        if (!popupOpen())
+            return false;
+        const QModelIndex current = completer_->popup()->currentIndex();
+        accept(current.isValid() ? current : completer_->completionModel()->index(0, 0));
+        return true;
+    }
     case Qt::Key_Up:
     case Qt::Key_Down:
         if (popupOpen())
@@ -257,12 +262,6 @@ bool CommandBox::takeKey(int key, Qt::KeyboardModifiers modifiers) {
     default:
         return false;
     }
-}
-
-bool CommandBox::acceptFirst() {
-    const QModelIndex current = completer_->popup()->currentIndex();
-    accept(current.isValid() ? current : completer_->completionModel()->index(0, 0));
-    return true;
 }
 
 void CommandBox::accept(const QModelIndex& index) {

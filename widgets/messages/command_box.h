@@ -107,8 +107,6 @@ private:
     bool popupOpen() const;
     /// True if an entry of the completion list is marked.
     bool chosenInPopup() const;
-    /// Accepts the marked completion, or the first one. Returns true.
-    bool acceptFirst();
     void accept(const QModelIndex& index);
     /// Marks and shows what is wrong; without `all` it skips the word that is still being typed.
     Diagnostics check(bool all);

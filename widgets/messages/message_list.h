@@ -5,7 +5,6 @@
 #include <map>
 
 #include <QAction>
-#include <QLabel>
 #include <QSplitter>
 #include <QTableView>
 #include <QTimer>
@@ -75,14 +74,10 @@ public:
     MessageDetail* detail() const { return detail_; }
     MessageFilterBar* bar() const { return bar_; }
     const MessageActions& actions() const { return actions_; }
-    /// The sheet that says whether there are no lines at all or none that passes the filter.
-    EmptyState* emptyState() const { return empty_state_; }
     QSize sizeHint() const override { return {640, 240}; }
     QSize minimumSizeHint() const override { return {280, 120}; }
 
 public slots:
-    /// While paused, the list stands still; the newest 100,000 lines are stored, and their number is shown.
-    void setPaused(bool paused) { actions_.pause->setChecked(paused); }
     /// Removes all lines, also those not inserted yet; filter and pause stay.
     void clear();
 
@@ -101,8 +96,6 @@ protected:
 
 private:
     void makeActions();
-    QAction* makeAction(const QString& text, const QString& help, const QString& icon_name = {});
-    QAction* makeToggle(const QString& text, const QString& help, const QString& icon_name, bool on);
     void wireActions();
     void setUpView();
     void wireView();

@@ -26,45 +26,43 @@ QString jsonTextOf(const MessageRow& row, const QString& robot) {
 
 } // namespace
 
-QAction* MessageList::makeAction(const QString& text, const QString& help, const QString& icon_name) {
-    auto* action = new QAction(icon(icon_name), text, this);
-    action->setToolTip(help);
-    return action;
-}
-
-QAction* MessageList::makeToggle(const QString& text, const QString& help, const QString& icon_name, bool on) {
-    QAction* action = makeAction(text, help, icon_name);
-    action->setCheckable(true);
-    action->setChecked(on);
-    return action;
-}
-
 void MessageList::makeActions() {
-    actions_.copy = makeAction(tr("Copy lines"), tr("The selected lines with number, time and direction"));
+    const struct {
+        QAction*& action;
+        QString text;
+        QString help;
+        const char* icon_name = "";
+        std::optional<bool> on = {}; ///< as it is at the beginning; nullopt: not checkable
+    } rows[] = {
+        {actions_.copy, tr("Copy lines"), tr("The selected lines with number, time and direction")},
+        {actions_.copy_text, tr("Copy text of lines"), tr("The selected lines as they are on the wire")},
+        {actions_.copy_json, tr("Copy lines as JSON"),
+         tr("The selected lines with fields, units, diagnostics and cause")},
+        {actions_.copy_shown, tr("Copy all shown lines"), tr("Copies the text of all shown lines to the clipboard")},
+        {actions_.save, tr("Save shown lines…"), tr("As text, or as JSON lines"), "export"},
+        {actions_.resend, tr("Send again"), tr("Sends the selected commands once more, as they were"), "reset"},
+        {actions_.only_type, tr("Show only this type"), tr("Hides all other types of lines")},
+        {actions_.hide_type, tr("Hide this type"), tr("Lines of the selected line's type are not shown")},
+        {actions_.no_filter, tr("Show all lines"), tr("Removes all filters")},
+        {actions_.cause, tr("Go to its cause"), tr("The line that made us send the selected command")},
+        {actions_.details, tr("Take lines apart"), tr("Shows values, units, errors and cause of the selected line"),
+         "note", false},
+        {actions_.only_trouble, tr("Only trouble"), tr("Only lines with errors, warnings or notes"), "warning", false},
+        {actions_.pause, tr("Hold messages"), tr("Freezes the list; new lines are kept and shown later"), "pause",
+         false},
+        {actions_.follow, tr("Follow messages"), tr("Stays at the newest line"), "land", true},
+        {actions_.all_robots, tr("Messages of all robots"),
+         tr("Shows the messages of all robots, or only those of the selected one"), "robot", false},
+        {actions_.clear, tr("Clear messages"), tr("Removes all lines"), "clear"},
+    };
+    for (const auto& [action, text, help, icon_name, on] : rows) {
+        action = new QAction(icon(icon_name), text, this);
+        action->setToolTip(help);
+        action->setCheckable(on.has_value());
+        action->setChecked(on.value_or(false));
+    }
     actions_.copy->setShortcut(QKeySequence::Copy);
     actions_.copy->setShortcutContext(Qt::WidgetShortcut);
-    actions_.copy_text = makeAction(tr("Copy text of lines"), tr("The selected lines as they are on the wire"));
-    actions_.copy_json =
-        makeAction(tr("Copy lines as JSON"), tr("The selected lines with fields, units, diagnostics and cause"));
-    actions_.copy_shown =
-        makeAction(tr("Copy all shown lines"), tr("Copies the text of all shown lines to the clipboard"));
-    actions_.save = makeAction(tr("Save shown lines…"), tr("As text, or as JSON lines"), "export");
-    actions_.resend = makeAction(tr("Send again"), tr("Sends the selected commands once more, as they were"), "reset");
-    actions_.only_type = makeAction(tr("Show only this type"), tr("Hides all other types of lines"));
-    actions_.hide_type = makeAction(tr("Hide this type"), tr("Lines of the selected line's type are not shown"));
-    actions_.no_filter = makeAction(tr("Show all lines"), tr("Removes all filters"));
-    actions_.cause = makeAction(tr("Go to its cause"), tr("The line that made us send the selected command"));
-    actions_.details = makeToggle(tr("Take lines apart"),
-                                  tr("Shows values, units, errors and cause of the selected line"), "note", false);
-    actions_.only_trouble =
-        makeToggle(tr("Only trouble"), tr("Only lines with errors, warnings or notes"), "warning", false);
-    actions_.pause =
-        makeToggle(tr("Hold messages"), tr("Freezes the list; new lines are kept and shown later"), "pause", false);
-    actions_.follow = makeToggle(tr("Follow messages"), tr("Stays at the newest line"), "land", true);
-    actions_.all_robots =
-        makeToggle(tr("Messages of all robots"),
-                   tr("Shows the messages of all robots, or only those of the selected one"), "robot", false);
-    actions_.clear = makeAction(tr("Clear messages"), tr("Removes all lines"), "clear");
 }
 
 void MessageList::wireActions() {

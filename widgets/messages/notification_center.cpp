@@ -11,7 +11,6 @@
 #include <QTextLayout>
 
 #include "widgets/style/empty_state.h"
-#include "widgets/style/form_parts.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/sheet.h"
 #include "widgets/style/theme.h"
@@ -176,7 +175,7 @@ QWidget* NotificationCenter::makeTools() {
     clear_cured_ = add(tr("Clear cured"), tr("Removes the notifications of problems that are over"));
     clear_all_ = add(tr("Clear all"), tr("Removes all notifications, including those of open problems"));
     connect(clear_cured_, &QToolButton::clicked, model_, &NotificationModel::clearCured);
-    connect(clear_all_, &QToolButton::clicked, this, &NotificationCenter::clearAll);
+    connect(clear_all_, &QToolButton::clicked, model_, &NotificationModel::clear);
     return tools;
 }
 

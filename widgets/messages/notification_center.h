@@ -23,10 +23,6 @@ public:
     explicit NotificationCenter(QWidget* parent = nullptr);
 
     NotificationModel* model() const { return model_; }
-    /// Number of unread groups, not reports: 137 lost links are one.
-    int unread() const { return model_->unread(); }
-    /// The sheet that says that nothing has happened yet; shown while there are no rows.
-    EmptyState* emptyState() const { return empty_state_; }
     QSize sizeHint() const override { return {400, 220}; }
 
 public slots:
@@ -40,8 +36,6 @@ public slots:
 
     /// The problem with this key is over; its row stays, grayed out.
     void cured(const QString& key) { model_->cure(key); }
-    /// Removes all rows, also open ones.
-    void clearAll() { model_->clear(); }
 
 signals:
     /// For the tab's title.

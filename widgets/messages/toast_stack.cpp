@@ -12,9 +12,7 @@
 
 namespace usar::widgets {
 
-Toast::Toast(const Notification& notification, int lifetime_ms, QWidget* parent)
-    : QFrame(parent)
-    , key_(notification.key) {
+Toast::Toast(const Notification& notification, QWidget* parent) : QFrame(parent), key_(notification.key) {
     setProperty("role", "card");
     setFocusPolicy(Qt::NoFocus);
     setCursor(Qt::PointingHandCursor);
@@ -40,7 +38,7 @@ Toast::Toast(const Notification& notification, int lifetime_ms, QWidget* parent)
     grid->addWidget(offer_, 2, 1, 1, 2, Qt::AlignRight);
     grid->setColumnStretch(1, 1);
     life_.setSingleShot(true);
-    life_.setInterval(lifetime_ms);
+    life_.setInterval(notification.severity == Severity::Note ? note_lifetime_ms : lifetime_ms);
     connect(&life_, &QTimer::timeout, this, &Toast::finished);
     connect(close, &QToolButton::clicked, this, &Toast::finished);
     connect(offer_, &QPushButton::clicked, this, &Toast::offerTaken);
@@ -106,11 +104,6 @@ ToastStack::ToastStack(QWidget* covered, NotificationModel* model) : QObject(cov
     });
 }
 
-void ToastStack::setBottomMargin(int margin_px) {
-    bottom_margin_px_ = margin_px;
-    arrange();
-}
-
 void ToastStack::push(const Notification& notification) {
     if (!notification.toast)
         return;
@@ -121,8 +114,7 @@ void ToastStack::push(const Notification& notification) {
     }
     if (count() == most)
         take(QString(toasts_.front()->key()));
-    const bool note = notification.severity == Severity::Note;
-    auto* toast = new Toast(notification, note ? std::min(note_lifetime_ms, lifetime_ms_) : lifetime_ms_, covered_);
+    auto* toast = new Toast(notification, covered_);
     connect(toast, &Toast::finished, this, [this, toast] { take(QString(toast->key())); });
     connect(toast, &Toast::offerTaken, this, [this, toast] { emit offerTaken(toast->key()); });
     connect(toast, &Toast::clicked, this, [this, toast] {
@@ -151,7 +143,7 @@ Toast* ToastStack::toastOf(const QString& key) const {
 
 void ToastStack::arrange() {
     const int width = std::min(widest_px, covered_->width() - 2 * gap::medium);
-    int bottom = covered_->height() - bottom_margin_px_;
+    int bottom = covered_->height() - gap::medium;
     for (auto toast = toasts_.rbegin(); toast != toasts_.rend(); ++toast) {
         const int height = (*toast)->layout()->totalHeightForWidth(width);
         (*toast)->setGeometry(covered_->width() - gap::medium - width, bottom - height, width, height);

@@ -19,7 +19,10 @@ namespace usar::widgets {
 class Toast : public QFrame {
     Q_OBJECT
 public:
-    Toast(const Notification& notification, int lifetime_ms, QWidget* parent);
+    static constexpr int lifetime_ms = 8000;      ///< of warnings and errors
+    static constexpr int note_lifetime_ms = 6000; ///< shorter, because good news is read faster
+
+    Toast(const Notification& notification, QWidget* parent);
 
     /// Key of the notification that it shows.
     const QString& key() const { return key_; }
@@ -56,8 +59,6 @@ private:
     QTimer life_{this};
 };
 
-class Toast;
-
 /// Shows a toast for each notification that asks for one (by default warnings and errors), newest at the bottom. A new
 /// report with the same key updates its toast, and a cure removes it. `covered` owns the stack and must outlive the
 /// model's signals. GUI thread.
@@ -66,16 +67,9 @@ class ToastStack : public QObject {
 public:
     /// Number of toasts on the screen at most; a newer one removes the oldest.
     static constexpr int most = 3;
-    /// Lifetime of warnings and errors, unless setLifetime changes it.
-    static constexpr int default_lifetime_ms = 8000;
-    static constexpr int note_lifetime_ms = 6000; ///< shorter, because good news is read faster
 
     ToastStack(QWidget* covered, NotificationModel* model);
 
-    /// Lifetime of future toasts; notes never stay longer than `note_lifetime_ms`.
-    void setLifetime(int milliseconds) { lifetime_ms_ = milliseconds; }
-    /// Room that stays free below the toasts, for a status bar.
-    void setBottomMargin(int margin_px);
     /// Number of toasts on the screen, 0..`most`.
     int count() const { return static_cast<int>(toasts_.size()); }
 
@@ -98,8 +92,6 @@ private:
 
     QWidget* covered_;
     std::vector<Toast*> toasts_; ///< oldest first; children of `covered_`
-    int lifetime_ms_ = default_lifetime_ms;
-    int bottom_margin_px_ = 16;
 };
 
 } // namespace usar::widgets

@@ -13,8 +13,8 @@ namespace {
 
 constexpr int most_bars = 4;
 
-bool samePair(const RadioLink& one, const RadioLink& other) {
-    return one.a == other.a && one.b == other.b;
+std::pair<QString, QString> pairOf(const RadioLink& link) {
+    return {link.a, link.b};
 }
 
 QString keyOf(const std::pair<QString, QString>& pair) {
@@ -34,20 +34,17 @@ QString whyLost(const RadioLink& link) {
 } // namespace
 
 RadioQuality radioQuality(const std::optional<double>& strength_dbm) {
+    using enum RadioQuality;
     if (!strength_dbm)
-        return RadioQuality::Unknown;
-    const double margin_db = *strength_dbm - radio_cutoff_dbm;
-    if (margin_db < 0.0)
-        return RadioQuality::Lost;
-    return margin_db < radio_wall_db         ? RadioQuality::Weak
-           : margin_db < 2.0 * radio_wall_db ? RadioQuality::Fair
-                                             : RadioQuality::Good;
+        return Unknown;
+    constexpr RadioQuality by_bars[] = {Lost, Weak, Fair, Good, Good};
+    return by_bars[radioBars(strength_dbm)];
 }
 
 int radioBars(const std::optional<double>& strength_dbm) {
-    if (!strength_dbm || *strength_dbm < radio_cutoff_dbm)
+    if (!strength_dbm || !(*strength_dbm >= radio_cutoff_dbm))
         return 0;
-    return std::min(most_bars, 1 + static_cast<int>((*strength_dbm - radio_cutoff_dbm) / radio_wall_db));
+    return 1 + static_cast<int>(std::min(most_bars - 1.0, (*strength_dbm - radio_cutoff_dbm) / radio_wall_db));
 }
 
 QString radioWord(RadioQuality quality) {
@@ -63,30 +60,18 @@ QColor radioColor(RadioQuality quality) {
 }
 
 void RadioLinkModel::take(std::vector<RadioLink> links) {
-    std::ranges::sort(links,
-                      [](const RadioLink& x, const RadioLink& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); });
-    const bool same = std::ranges::equal(links, rows_, samePair, {},
-                                         [](const RadioRow& row) -> const RadioLink& { return row.link; });
+    std::ranges::sort(links, {}, pairOf);
+    const auto pair_of_row = [](const RadioRow& row) { return pairOf(row.link); };
     std::vector<RadioRow> rows;
     for (const RadioLink& link : links) {
-        const auto known = std::ranges::find_if(rows_, [&](const RadioRow& row) { return samePair(row.link, link); });
+        const auto known = std::ranges::find(rows_, pairOf(link), pair_of_row);
         RadioRow& row = rows.emplace_back(known == rows_.end() ? RadioRow{} : *known);
         row.link = link;
         if (row.history_dbm.size() == most_samples)
             row.history_dbm.erase(row.history_dbm.begin());
         row.history_dbm.push_back(link.strength_dbm.value_or(std::numeric_limits<double>::quiet_NaN()));
     }
-    if (!same)
-        beginResetModel();
-    rows_ = std::move(rows);
-    if (!same)
-        endResetModel();
-    else if (!rows_.empty())
-        emit dataChanged(index(0), index(rowCount() - 1));
-}
-
-int RadioLinkModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+    replaceAll(std::move(rows), pair_of_row);
 }
 
 QVariant RadioLinkModel::data(const QModelIndex& index, int role) const {
@@ -103,10 +88,10 @@ std::vector<RadioLosses::News> RadioLosses::take(const std::vector<RadioLink>& l
     std::vector<News> news;
     for (const RadioLink& link : links) {
         const bool linked = link.strength_dbm && *link.strength_dbm >= radio_cutoff_dbm;
-        const auto known = linked_.find({link.a, link.b});
+        const auto known = linked_.find(pairOf(link));
         if (known == linked_.end()) {
             if (linked)
-                linked_[{link.a, link.b}] = true;
+                linked_[pairOf(link)] = true;
         } else if (std::exchange(known->second, linked) != linked) {
             news.push_back({keyOf(known->first), linked ? QString() : whyLost(link)});
         }

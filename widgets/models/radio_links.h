@@ -7,10 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include <QAbstractListModel>
 #include <QColor>
 #include <QString>
 #include <QStringList>
+
+#include "widgets/models/row_model.h"
 
 namespace usar::widgets {
 
@@ -42,25 +43,20 @@ QColor radioColor(RadioQuality quality);
 struct RadioRow {
     RadioLink link;
     std::vector<double> history_dbm; ///< oldest first, one value per report; NaN: unknown
+    bool operator==(const RadioRow&) const = default;
 };
 
 /// One row per pair, sorted by name. DisplayRole is a complete sentence; views paint from `row`. GUI thread.
-class RadioLinkModel : public QAbstractListModel {
+class RadioLinkModel : public RowModel<RadioRow> {
     Q_OBJECT
 public:
     static constexpr std::size_t most_samples = 120; ///< two minutes at one report per second
 
-    using QAbstractListModel::QAbstractListModel;
+    using RowModel::RowModel;
 
     /// Replaces all links and appends to their histories; pairs that are missing are removed.
     void take(std::vector<RadioLink> links);
-    /// The reference is valid until the next take().
-    const RadioRow& row(int index) const { return rows_[static_cast<std::size_t>(index)]; }
-    int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
-
-private:
-    std::vector<RadioRow> rows_;
 };
 
 /// Compares each report of signal strengths with the one before. A pair that was never linked has lost nothing. A plain

@@ -58,27 +58,17 @@ LaserSection laserSection(const protocol::RangeScan& scan, double maximum_m) {
     return section;
 }
 
-std::vector<SonarColumn> sonarColumns(const agent::SonarZones& zones) {
-    std::vector<SonarColumn> columns;
-    for (const agent::SonarZone& zone : zones.zones)
-        columns.push_back({QString::fromStdString(zone.name), zone.range_m, zone.maximum_m, zone.low_risk_below_m,
-                           zone.high_risk_below_m, zone.risk});
-    return columns;
-}
-
-std::vector<SonarColumn> sonarColumns(const std::map<std::string, double>& ranges_m, double maximum_m) {
-    std::vector<std::pair<std::string, double>> ordered(ranges_m.begin(), ranges_m.end());
-    std::ranges::stable_sort(ordered, {}, [](const auto& entry) { return ringPlace(entry.first); });
-    std::vector<SonarColumn> columns;
-    for (const auto& [name, range_m] : ordered)
-        columns.push_back({QString::fromStdString(name), range_m, maximum_m, 0.0, 0.0, agent::Risk::None});
-    return columns;
+agent::SonarZones zonesOf(const std::map<std::string, double>& ranges_m, double maximum_m) {
+    agent::SonarZones all;
+    for (const auto& [name, range_m] : ranges_m)
+        all.zones.push_back({.name = name, .range_m = range_m, .maximum_m = maximum_m});
+    std::ranges::stable_sort(all.zones, {}, [](const agent::SonarZone& zone) { return ringPlace(zone.name); });
+    return all;
 }
 
 QString riskWord(agent::Risk risk) {
-    return risk == agent::Risk::None  ? QString()
-           : risk == agent::Risk::Low ? QStringLiteral("low")
-                                      : QStringLiteral("high");
+    const QString words[] = {QString(), QStringLiteral("low"), QStringLiteral("high")};
+    return words[static_cast<std::size_t>(risk)];
 }
 
 } // namespace usar::widgets

@@ -28,52 +28,20 @@ QString controlText(const ControlWords& words) {
     return QObject::tr("nobody drives");
 }
 
-void RobotListModel::setRobots(std::vector<RobotRow> robots) {
-    std::ranges::sort(robots, before);
-    if (std::ranges::equal(robots, rows_, {}, &RobotRow::id, &RobotRow::id)) {
-        for (const RobotRow& robot : robots)
-            updateRobot(robot);
-        return;
-    }
-    beginResetModel();
-    rows_ = std::move(robots);
-    endResetModel();
-}
-
 void RobotListModel::updateRobot(const RobotRow& robot) {
     if (const std::optional<int> known = indexOf(robot.id)) {
         if (row(*known) == robot)
             return;
-        if (row(*known).number == robot.number) {
-            rows_[static_cast<std::size_t>(*known)] = robot;
-            emit dataChanged(index(*known), index(*known));
-            return;
-        }
-        removeRobot(robot.id);
+        if (row(*known).number == robot.number)
+            return change(*known, robot);
+        remove(*known);
     }
-    const auto place = std::ranges::upper_bound(rows_, robot, before);
-    const int at = static_cast<int>(place - rows_.begin());
-    beginInsertRows({}, at, at);
-    rows_.insert(place, robot);
-    endInsertRows();
+    insert(static_cast<int>(std::ranges::upper_bound(rows_, robot, before) - rows_.begin()), robot);
 }
 
 void RobotListModel::removeRobot(RobotId id) {
-    const std::optional<int> at = indexOf(id);
-    if (!at)
-        return;
-    beginRemoveRows({}, *at, *at);
-    rows_.erase(rows_.begin() + *at);
-    endRemoveRows();
-}
-
-std::optional<int> RobotListModel::indexOf(RobotId id) const {
-    const auto found = std::ranges::find(rows_, id, &RobotRow::id);
-    return found == rows_.end() ? std::nullopt : std::optional(static_cast<int>(found - rows_.begin()));
-}
-
-int RobotListModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+    if (const std::optional<int> at = indexOf(id))
+        remove(*at);
 }
 
 QVariant RobotListModel::data(const QModelIndex& index, int role) const {

@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include <QAbstractListModel>
 #include <QString>
 
 #include "core/base/robot_id.h"
+#include "widgets/models/row_model.h"
 
 namespace usar::widgets {
 
@@ -38,29 +38,21 @@ struct RobotRow {
     bool operator==(const RobotRow&) const = default;
 };
 
-/// DisplayRole is a complete sentence for assistive tools and type-ahead; views paint from `row`. GUI thread.
-class RobotListModel : public QAbstractListModel {
+/// Sorted by number, then id. DisplayRole is a complete sentence for assistive tools and type-ahead; views paint from
+/// `row`. GUI thread.
+class RobotListModel : public RowModel<RobotRow> {
     Q_OBJECT
 public:
-    using QAbstractListModel::QAbstractListModel;
+    using RowModel::RowModel;
 
-    /// Replaces all robots. Views keep their selection if the ids are the same; otherwise the model is reset.
-    void setRobots(std::vector<RobotRow> robots);
     /// Updates the robot with this id, or adds it. Emits nothing if nothing changed.
     void updateRobot(const RobotRow& robot);
     /// An unknown id changes nothing.
     void removeRobot(RobotId id);
 
-    /// `index` 0 is at the top; the reference is valid until the next change.
-    const RobotRow& row(int index) const { return rows_[static_cast<std::size_t>(index)]; }
     /// Row of that robot; nullopt if it is not listed.
-    std::optional<int> indexOf(RobotId id) const;
-    /// Number of robots; 0 for any valid parent, because the list has no tree.
-    int rowCount(const QModelIndex& parent = {}) const override;
+    std::optional<int> indexOf(RobotId id) const { return find(&RobotRow::id, id); }
     QVariant data(const QModelIndex& index, int role) const override;
-
-private:
-    std::vector<RobotRow> rows_; ///< sorted by number, then id
 };
 
 } // namespace usar::widgets

@@ -7,8 +7,10 @@
 #include <QMimeData>
 #include <QSize>
 
+#include "core/protocol/silence.h"
 #include "widgets/models/figures.h"
 #include "widgets/models/parameter_display.h"
+#include "widgets/models/row_model.h"
 #include "widgets/models/series_store.h"
 #include "widgets/style/theme.h"
 
@@ -82,7 +84,7 @@ void SensorModel::Timing::arrived(Seconds now, int count) {
 bool SensorModel::Timing::stale(Seconds now, bool linked) const {
     if (!repeats)
         return false;
-    return !linked || now - last > std::max(3.0 * period.value_or(Seconds(0.0)), Seconds(1.0));
+    return !linked || now - last > std::max(3.0 * period.value_or(Seconds(0.0)), protocol::silence::reading);
 }
 
 QString SensorModel::Source::title() const {
@@ -182,10 +184,6 @@ int SensorModel::rowCount(const QModelIndex& parent) const {
     return static_cast<int>(sources_[static_cast<std::size_t>(parent.row())].leaves.size());
 }
 
-int SensorModel::columnCount(const QModelIndex&) const {
-    return ColumnCount;
-}
-
 const SensorModel::Leaf* SensorModel::leafAt(const QModelIndex& index) const {
     if (!index.isValid() || index.internalId() == 0)
         return nullptr;
@@ -263,8 +261,6 @@ QVariant SensorModel::data(const QModelIndex& index, int role) const {
         return leaf ? QString::fromStdString(leaf->field.path()) : QString();
     case UnitRole:
         return leaf ? QString::fromStdString(leaf->field.unit) : QString();
-    case StaleRole:
-        return timingAt(index).stale(now_, linked_);
     case SortRole:
         return leaf ? index.row() : index.row() + (timingAt(index).repeats ? 0 : answers_from);
     case NumericRole:
@@ -275,14 +271,9 @@ QVariant SensorModel::data(const QModelIndex& index, int role) const {
 }
 
 QVariant SensorModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation != Qt::Horizontal)
-        return {};
-    if (role == Qt::TextAlignmentRole)
-        return int(Qt::AlignVCenter | (section == Name || section == Unit ? Qt::AlignLeft : Qt::AlignRight));
-    if (role != Qt::DisplayRole)
-        return {};
     const QString titles[] = {tr("Sensor"), tr("Value"), QString(), tr("Age"), tr("Rate")};
-    return titles[section];
+    return columnHead(orientation, role, titles[section],
+                      section == Name || section == Unit ? Qt::AlignLeft : Qt::AlignRight);
 }
 
 Qt::ItemFlags SensorModel::flags(const QModelIndex& index) const {

@@ -18,15 +18,16 @@
 namespace usar::widgets {
 
 /// Made from protocol::fieldsOf, so unknown sensors appear like known ones. take() only stores; flush() informs the
-/// views, once per frame. A value is stale when its age exceeds both one second and three of its periods; answers (GEO,
-/// CONF, NFO, RES) are sent once and never become stale. Ages are measured on the clock passed as `now`. GUI thread.
+/// views, once per frame. A value is stale when its age exceeds both protocol::silence::reading and three of its
+/// periods; answers (GEO, CONF, NFO, RES) are sent once and never become stale. Ages are measured on the clock passed
+/// as `now`. GUI thread.
 class SensorModel : public QAbstractItemModel {
     Q_OBJECT
 public:
     /// Value is right-aligned text; Unit has a column of its own, so that the numbers line up.
     enum Column { Name, Value, Unit, Age, Rate, ColumnCount };
     /// SortRole orders repeated messages before answers, each in the order of first appearance.
-    enum Role { PathRole = Qt::UserRole, UnitRole, StaleRole, NumericRole, SortRole };
+    enum Role { PathRole = Qt::UserRole, UnitRole, NumericRole, SortRole };
 
     using QAbstractItemModel::QAbstractItemModel;
 
@@ -43,7 +44,7 @@ public:
     QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
     QModelIndex parent(const QModelIndex& child) const override;
     int rowCount(const QModelIndex& parent = {}) const override;
-    int columnCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& = {}) const override { return ColumnCount; }
     QVariant data(const QModelIndex& index, int role) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
     Qt::ItemFlags flags(const QModelIndex& index) const override;

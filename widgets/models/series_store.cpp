@@ -11,6 +11,7 @@ namespace usar::widgets {
 namespace {
 
 constexpr double another_run_s = 1.0;
+constexpr double never_s = std::numeric_limits<double>::infinity();
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 /// Returns the value to draw: a number, 0 or 1 for a flag, NaN (a gap) for "nan"; nullopt for other texts.
@@ -33,30 +34,6 @@ std::string csvCell(const std::string& text) {
         cell += c == '"' ? std::string("\"\"") : std::string(1, c);
     return cell + '"';
 }
-
-/// Iterates over all series together in order of time.
-class Merger {
-public:
-    explicit Merger(const std::vector<Series>& series) : series_(series), at_(series.size(), 0) {}
-
-    std::optional<double> nextTime() const {
-        std::optional<double> next;
-        for (std::size_t i = 0; i < series_.size(); ++i)
-            if (at_[i] < series_[i].samples.size())
-                next =
-                    std::min(next.value_or(std::numeric_limits<double>::infinity()), series_[i].samples[at_[i]].time_s);
-        return next;
-    }
-    std::optional<double> takeAt(std::size_t i, double time_s) {
-        if (at_[i] == series_[i].samples.size() || series_[i].samples[at_[i]].time_s != time_s)
-            return std::nullopt;
-        return series_[i].samples[at_[i]++].value;
-    }
-
-private:
-    const std::vector<Series>& series_;
-    std::vector<std::size_t> at_;
-};
 
 } // namespace
 
@@ -131,17 +108,28 @@ std::string csvOf(const std::vector<Series>& series) {
     for (const Series& each : series)
         csv += ',' + csvCell(each.path + (each.unit.empty() ? "" : " [" + each.unit + ']'));
     csv += '\n';
-    Merger merger(series);
-    while (const std::optional<double> time_s = merger.nextTime()) {
-        appendShortest(csv, *time_s);
+    std::vector<std::size_t> taken(series.size(), 0);
+    const auto next = [&](std::size_t i) {
+        return taken[i] < series[i].samples.size() ? series[i].samples[taken[i]] : Sample{never_s, no_number};
+    };
+    for (;;) {
+        double time_s = never_s;
+        for (std::size_t i = 0; i < series.size(); ++i)
+            time_s = std::min(time_s, next(i).time_s);
+        if (time_s == never_s)
+            return csv;
+        appendShortest(csv, time_s);
         for (std::size_t i = 0; i < series.size(); ++i) {
             csv += ',';
-            if (const std::optional<double> value = merger.takeAt(i, *time_s); value && std::isfinite(*value))
-                appendShortest(csv, *value);
+            const Sample sample = next(i);
+            if (sample.time_s != time_s)
+                continue;
+            ++taken[i];
+            if (std::isfinite(sample.value))
+                appendShortest(csv, sample.value);
         }
         csv += '\n';
     }
-    return csv;
 }
 
 } // namespace usar::widgets

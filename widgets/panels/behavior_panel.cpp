@@ -5,7 +5,6 @@
 
 #include <QSignalBlocker>
 
-#include "widgets/style/form_parts.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 

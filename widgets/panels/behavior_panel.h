@@ -51,10 +51,9 @@ public:
     /// Area in meters of the map frame; nullopt: not drawn yet. Emits nothing. The form is hidden for behaviors that
     /// need no area.
     void setArea(const std::optional<Rectangle>& area_in_map) { area_form_->setArea(area_in_map); }
-    /// Values outside the world's extent are marked in the form.
+    /// Values outside the world's extent are marked in the form; an empty rectangle removes the limit, for real
+    /// servers, which do not tell the extent of their world.
     void setAreaLimits(const Rectangle& world_in_map) { area_form_->setLimits(world_in_map); }
-    /// For real servers, which do not tell the extent of their world.
-    void clearAreaLimits() { area_form_->clearLimits(); }
     /// The typed area, corners in order; empty() if they enclose nothing.
     Rectangle area() const { return area_form_->area(); }
     /// "5 lanes · 312 m · 6 min 10 s", or why there are no lanes; empty hides the line.

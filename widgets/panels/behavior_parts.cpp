@@ -7,7 +7,6 @@
 #include <QSignalBlocker>
 
 #include "widgets/models/figures.h"
-#include "widgets/style/form_parts.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 

@@ -31,7 +31,6 @@ public:
     void setArea(const std::optional<Rectangle>& area_in_map);
     /// Sets the extent of the world: values outside it are marked. An empty rectangle removes the limit.
     void setLimits(const Rectangle& world_in_map);
-    void clearLimits() { setLimits({}); }
     /// The typed corners in order; empty() if they enclose nothing.
     Rectangle area() const;
 

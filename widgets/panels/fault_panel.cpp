@@ -1,10 +1,10 @@
 #include "widgets/panels/fault_panel.h"
 
 #include <QHeaderView>
+#include <QLineEdit>
 
 #include "widgets/panels/quantity_box.h"
 #include "widgets/style/empty_state.h"
-#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {

@@ -7,7 +7,6 @@
 
 #include "widgets/models/figures.h"
 #include "widgets/models/map/map_transform.h"
-#include "widgets/style/sheet.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
@@ -15,10 +14,6 @@ namespace {
 
 QString heightText(double height_m) {
     return TerrainProfileView::tr("%1 m").arg(figure(height_m, 0));
-}
-
-QColor riskColor(agent::Risk risk) {
-    return risk == agent::Risk::None ? tokens().ok : risk == agent::Risk::Low ? tokens().caution : tokens().danger;
 }
 
 } // namespace
@@ -33,7 +28,8 @@ LaserFanView::LaserFanView(QWidget* parent) : Instrument(parent) {
 void LaserFanView::setScan(const protocol::RangeScan& scan, double maximum_m, ScanPlane plane) {
     section_ = laserSection(scan, maximum_m);
     plane_ = plane;
-    showFresh(section_.clearance_m        ? clearanceText(0)
+    showFresh(section_.rays.empty()       ? tr("No scan yet")
+              : section_.clearance_m      ? clearanceText(0)
               : plane == ScanPlane::Below ? tr("No ground in range")
                                           : tr("Nothing ahead in range"));
 }
@@ -41,12 +37,6 @@ void LaserFanView::setScan(const protocol::RangeScan& scan, double maximum_m, Sc
 QString LaserFanView::clearanceText(int digits) const {
     const QString distance = figure(section_.clearance_m.value_or(qQNaN()), 2, digits);
     return plane_ == ScanPlane::Below ? tr("%1 m to ground").arg(distance) : tr("%1 m ahead").arg(distance);
-}
-
-void LaserFanView::clear() {
-    section_ = {};
-    setAccessibleDescription(tr("No scan yet"));
-    update();
 }
 
 void LaserFanView::paintEvent(QPaintEvent*) {
@@ -119,13 +109,7 @@ TerrainProfileView::TerrainProfileView(QWidget* parent) : Instrument(parent) {
 
 void TerrainProfileView::setProfile(const mapping::CourseProfile& profile) {
     profile_ = profile;
-    showFresh(clearanceText());
-}
-
-void TerrainProfileView::clear() {
-    profile_ = {};
-    setAccessibleDescription(tr("No map yet"));
-    update();
+    showFresh(profile_.points.empty() ? tr("No map yet") : clearanceText());
 }
 
 QString TerrainProfileView::clearanceText() const {
@@ -201,8 +185,8 @@ SonarColumnsView::SonarColumnsView(QWidget* parent) : Instrument(parent) {
                   "Bands: high risk (dense) and low risk (light)."));
 }
 
-void SonarColumnsView::setColumns(const std::vector<SonarColumn>& columns) {
-    columns_ = columns;
+void SonarColumnsView::setZones(const agent::SonarZones& zones) {
+    columns_ = zones.zones;
     const auto risky = std::ranges::count_if(columns_, [](const auto& c) { return c.risk != agent::Risk::None; });
     showFresh(columns_.empty() ? tr("No sonars yet") : tr("%1 sonars, %2 at risk").arg(columns_.size()).arg(risky));
 }
@@ -220,7 +204,7 @@ void SonarColumnsView::paintEvent(QPaintEvent*) {
                     QRectF(gap::tiny + static_cast<double>(i) * step, top, step, height() - top - 2.0));
 }
 
-void SonarColumnsView::paintColumn(QPainter& painter, const SonarColumn& column, const QRectF& cell) const {
+void SonarColumnsView::paintColumn(QPainter& painter, const agent::SonarZone& column, const QRectF& cell) const {
     const Tokens& t = tokens();
     painter.setFont(themeFont(FontRole::Small));
     const double line = QFontMetricsF(painter.font()).height();
@@ -248,13 +232,13 @@ void SonarColumnsView::paintColumn(QPainter& painter, const SonarColumn& column,
     painter.setFont(font);
     painter.setPen(risky ? riskColor(column.risk) : t.text_muted);
     painter.drawText(QRectF(cell.left() - 4.0, shaft.bottom() + 1.0, cell.width() + 8.0, line), Qt::AlignCenter,
-                     column.name);
+                     QString::fromStdString(column.name));
     if (risky)
         painter.drawText(QRectF(cell.left() - 4.0, shaft.bottom() + 1.0 + line, cell.width() + 8.0, line),
                          Qt::AlignCenter, riskWord(column.risk));
 }
 
-void SonarColumnsView::paintZones(QPainter& painter, const SonarColumn& column, const QRectF& shaft) const {
+void SonarColumnsView::paintZones(QPainter& painter, const agent::SonarZone& column, const QRectF& shaft) const {
     const auto level = [&](double range_m) {
         return shaft.bottom() - shaft.height() * std::clamp(range_m / column.maximum_m, 0.0, 1.0);
     };
@@ -262,8 +246,8 @@ void SonarColumnsView::paintZones(QPainter& painter, const SonarColumn& column, 
         return;
     const double high = level(column.high_risk_below_m);
     const double low = level(column.low_risk_below_m);
-    const QColor danger = ink(tokens().danger);
-    const QColor caution = ink(tokens().caution);
+    const QColor danger = ink(riskColor(agent::Risk::High));
+    const QColor caution = ink(riskColor(agent::Risk::Low));
     painter.fillRect(QRectF(QPointF(shaft.left(), high), shaft.bottomRight()), faded(danger, 0.22));
     painter.fillRect(QRectF(QPointF(shaft.left(), low), QPointF(shaft.right(), high)), faded(caution, 0.40));
     painter.setPen(QPen(danger, 1.0));

@@ -3,6 +3,7 @@
 // course from the side; and the sonars as columns with their risk zones (thesis 4.2).
 #pragma once
 
+#include "core/agent/published.h"
 #include "core/mapping/profile.h"
 #include "core/protocol/usual_values.h"
 #include "widgets/models/ranges.h"
@@ -25,9 +26,7 @@ public:
     void setScan(const protocol::RangeScan& scan, double maximum_m = protocol::usual_scanner_maximum_m,
                  ScanPlane plane = ScanPlane::Below);
     /// Shows the sentence that says what will appear here.
-    void clear();
-    /// The rays as drawn; no rays before the first scan.
-    const LaserSection& section() const { return section_; }
+    void clear() { setScan({}); }
     QSize sizeHint() const override { return {280, 160}; }
     QSize minimumSizeHint() const override { return {160, 72}; }
 
@@ -59,8 +58,7 @@ public:
     /// Replaces the picture, which then counts as fresh.
     void setProfile(const mapping::CourseProfile& profile);
     /// Shows the sentence that says what will appear here.
-    void clear();
-    const mapping::CourseProfile& profile() const { return profile_; }
+    void clear() { setProfile({}); }
     /// "6.1 m above the map", or "unmapped here".
     QString clearanceText() const;
     QSize sizeHint() const override { return {280, 110}; }
@@ -95,11 +93,10 @@ class SonarColumnsView : public Instrument {
 public:
     explicit SonarColumnsView(QWidget* parent = nullptr);
 
-    /// Replaces all columns, which then count as fresh.
-    void setColumns(const std::vector<SonarColumn>& columns);
-    void setZones(const agent::SonarZones& zones) { setColumns(sonarColumns(zones)); }
-    void clear() { setColumns({}); }
-    const std::vector<SonarColumn>& columns() const { return columns_; }
+    /// Replaces all columns, which then count as fresh; they are in the order of `zones`. Without limits a sonar has no
+    /// bands.
+    void setZones(const agent::SonarZones& zones);
+    void clear() { setZones({}); }
     QSize sizeHint() const override { return {280, 150}; }
     QSize minimumSizeHint() const override { return {200, 90}; }
 
@@ -108,11 +105,11 @@ protected:
 
 private:
     /// Paints the reading on top, the column, its name and the word for its risk, all within `cell`.
-    void paintColumn(QPainter& painter, const SonarColumn& column, const QRectF& cell) const;
+    void paintColumn(QPainter& painter, const agent::SonarZone& column, const QRectF& cell) const;
     /// Paints the bands from the foot of the column up to each threshold, in the column's scale.
-    void paintZones(QPainter& painter, const SonarColumn& column, const QRectF& shaft) const;
+    void paintZones(QPainter& painter, const agent::SonarZone& column, const QRectF& shaft) const;
 
-    std::vector<SonarColumn> columns_;
+    std::vector<agent::SonarZone> columns_;
 };
 
 } // namespace usar::widgets

@@ -5,7 +5,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QLineEdit>
 #include <QPainter>
 #include <QSignalBlocker>
 #include <QWheelEvent>
@@ -13,7 +12,6 @@
 #include "widgets/models/parameter_display.h"
 #include "widgets/panels/quantity_box.h"
 #include "widgets/style/empty_state.h"
-#include "widgets/style/form_parts.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 #include "widgets/style/tool_button.h"
@@ -55,6 +53,7 @@ ParameterRow::ParameterRow(agent::ParameterSpec spec, QWidget* parent)
     editor_ = makeEditor();
     editor_->setObjectName(QString::fromStdString(spec_.id));
     editor_->setFixedWidth(editor_width_px);
+    editor_->setMinimumHeight(minimum_target);
     editor_->setAccessibleName(QString::fromStdString(spec_.label));
     editor_->setAccessibleDescription(QString::fromStdString(spec_.help));
     label_->setBuddy(editor_);
@@ -80,18 +79,20 @@ ParameterRow::ParameterRow(agent::ParameterSpec spec, QWidget* parent)
 }
 
 QWidget* ParameterRow::makeEditor() {
-    if (std::holds_alternative<bool>(spec_.default_value))
-        return makeSwitch();
+    if (std::holds_alternative<bool>(spec_.default_value)) {
+        auto* box = new QCheckBox(tr("on"), this);
+        connect(box, &QCheckBox::toggled, this, [this](bool on) { take(on); });
+        show_in_editor_ = [this, box] { box->setChecked(std::get<bool>(value_)); };
+        return box;
+    }
     if (!std::holds_alternative<std::string>(spec_.default_value))
         return makeNumber();
-    return spec_.choices.empty() ? makeText() : makeChoice();
-}
-
-QWidget* ParameterRow::makeSwitch() {
-    auto* box = new QCheckBox(tr("on"), this);
-    box->setMinimumHeight(minimum_target);
-    connect(box, &QCheckBox::toggled, this, [this](bool on) { take(on); });
-    return box;
+    if (!spec_.choices.empty())
+        return makeChoice();
+    auto* edit = new QLineEdit(this);
+    connect(edit, &QLineEdit::editingFinished, this, [this, edit] { take(edit->text().toStdString()); });
+    show_in_editor_ = [this, edit] { edit->setText(QString::fromStdString(std::get<std::string>(value_))); };
+    return edit;
 }
 
 QWidget* ParameterRow::makeNumber() {
@@ -108,23 +109,20 @@ QWidget* ParameterRow::makeNumber() {
         else
             take(std::clamp(shown / unit.factor, spec_.minimum, spec_.maximum));
     });
+    show_in_editor_ = [this, box, unit] {
+        const auto* integer = std::get_if<long long>(&value_);
+        box->setValue((integer ? static_cast<double>(*integer) : std::get<double>(value_)) * unit.factor);
+    };
     return box;
 }
 
 QWidget* ParameterRow::makeChoice() {
     auto* box = new QuietComboBox(this);
-    box->setMinimumHeight(minimum_target);
     for (const std::string& choice : spec_.choices)
         box->addItem(QString::fromStdString(choice));
     connect(box, &QComboBox::currentTextChanged, this, [this](const QString& text) { take(text.toStdString()); });
+    show_in_editor_ = [this, box] { box->setCurrentText(QString::fromStdString(std::get<std::string>(value_))); };
     return box;
-}
-
-QWidget* ParameterRow::makeText() {
-    auto* edit = new QLineEdit(this);
-    edit->setMinimumHeight(minimum_target);
-    connect(edit, &QLineEdit::editingFinished, this, [this, edit] { take(edit->text().toStdString()); });
-    return edit;
 }
 
 void ParameterRow::setValue(const agent::ParameterValue& value) {
@@ -153,17 +151,7 @@ void ParameterRow::take(const agent::ParameterValue& value) {
 
 void ParameterRow::showValue() {
     const QSignalBlocker quiet(editor_);
-    if (auto* box = qobject_cast<QCheckBox*>(editor_))
-        box->setChecked(std::get<bool>(value_));
-    else if (auto* combo = qobject_cast<QComboBox*>(editor_))
-        combo->setCurrentText(QString::fromStdString(std::get<std::string>(value_)));
-    else if (auto* edit = qobject_cast<QLineEdit*>(editor_))
-        edit->setText(QString::fromStdString(std::get<std::string>(value_)));
-    else if (auto* number = qobject_cast<QuantityBox*>(editor_)) {
-        const auto* integer = std::get_if<long long>(&value_);
-        const double si = integer ? static_cast<double>(*integer) : std::get<double>(value_);
-        number->setValue(si * displayUnit(spec_.unit).factor);
-    }
+    show_in_editor_();
     showMark();
 }
 

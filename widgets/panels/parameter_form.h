@@ -1,6 +1,7 @@
 // Form for the parameters of a behavior, generated from their specs: grouped, searchable, usable at a width of 280 px.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -38,12 +39,10 @@ signals:
     void edited();
 
 private:
-    // Make the editor for each type of value; every editor has the spec's id as its object name.
+    /// Makes the editor for the type of value and sets `show_in_editor_`.
     QWidget* makeEditor();
-    QWidget* makeSwitch();
     QWidget* makeNumber();
     QWidget* makeChoice();
-    QWidget* makeText();
     /// Stores the value of the editor and emits `edited`.
     void take(const agent::ParameterValue& value);
     /// Shows the value in the editor without emitting.
@@ -55,12 +54,12 @@ private:
     agent::ParameterValue value_; ///< exact, whatever the editor's decimals
     QWidget* mark_ = nullptr;
     QLabel* label_ = nullptr;
-    QWidget* editor_ = nullptr;
+    QWidget* editor_ = nullptr; ///< has the spec's id as its object name
+    std::function<void()> show_in_editor_;
     QToolButton* reset_ = nullptr;
 };
 
 class EmptyState;
-class ParameterRow;
 
 /// Values are set by setters, edits are reported by `changed`. Values are in SI units and radians; angles are shown and
 /// edited in degrees. Values set for one list of specs are kept while another list is shown. A modified row has a bar
@@ -85,12 +84,6 @@ public:
     /// The values that differ from their defaults, which is what a mission file stores.
     Values modified() const;
 
-    /// Shows only rows with `words` in label, id, group or help, ignoring case.
-    void setFilter(const QString& words) { search_->setText(words); }
-    /// Shows only rows that differ from their default.
-    void setModifiedOnly(bool on) { modified_only_->setChecked(on); }
-    /// The sheet that is shown while there are no specs.
-    EmptyState* emptyState() const { return empty_state_; }
     QSize sizeHint() const override { return {320, 400}; }
 
 public slots:

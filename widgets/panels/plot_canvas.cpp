@@ -112,12 +112,10 @@ void PlotCanvas::matchLines(const SeriesStore& store) {
         paths.push_back(series.path);
     if (paths == order_)
         return;
-    for (auto line = lines_.begin(); line != lines_.end();) {
-        const bool gone = std::ranges::find(paths, line->first) == paths.end();
-        if (gone)
-            plot_->removeGraph(line->second.graph);
-        line = gone ? lines_.erase(line) : std::next(line);
-    }
+    std::erase_if(lines_, [&](const auto& line) {
+        const bool gone = std::ranges::find(paths, line.first) == paths.end();
+        return gone && plot_->removeGraph(line.second.graph);
+    });
     for (const std::string& path : paths)
         if (!lines_.contains(path))
             lines_[path].graph = plot_->addGraph();
@@ -196,21 +194,15 @@ void PlotCanvas::fitValues() {
 }
 
 void PlotCanvas::fitAxis(QCPAxis* axis) {
-    QCPRange all;
-    bool any = false;
+    std::optional<QCPRange> all;
     for (const QCPGraph* graph : axis->graphs()) {
         bool found = false;
         const QCPRange range = graph->getValueRange(found, QCP::sdBoth, plot_->xAxis->range());
-        if (!found)
-            continue;
-        if (any)
-            all.expand(range);
-        else
-            all = range;
-        any = true;
+        if (found)
+            all = all ? all->expanded(range) : range;
     }
-    if (any)
-        axis->setRange(roomy(all));
+    if (all)
+        axis->setRange(roomy(*all));
 }
 
 void PlotCanvas::emphasize(const std::set<std::string>& paths) {

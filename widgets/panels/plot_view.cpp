@@ -168,13 +168,6 @@ void PlotView::addSeries(const QString& path, const QString& unit) {
         listChanged();
 }
 
-QStringList PlotView::seriesPaths() const {
-    QStringList paths;
-    for (const Series& series : store_.series())
-        paths << QString::fromStdString(series.path);
-    return paths;
-}
-
 void PlotView::clear() {
     store_.clear();
     listChanged();
@@ -273,7 +266,6 @@ void PlotView::showEvent(QShowEvent* event) {
 void PlotView::listChanged() {
     rebuildLegend();
     refreshSoon();
-    emit seriesChanged(seriesPaths());
 }
 
 void PlotView::rebuildLegend() {

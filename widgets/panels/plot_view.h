@@ -26,8 +26,6 @@ public:
 
     /// Starts to watch a field; `path` as protocol::Field::path() returns it. An empty or known path changes nothing.
     void addSeries(const QString& path, const QString& unit = {});
-    /// In the order in which they were added, which determines the colors.
-    QStringList seriesPaths() const;
     /// Removes all series and their samples.
     void clear();
     /// Keeps the watched fields and discards the samples, for another robot.
@@ -45,20 +43,10 @@ public:
     PlotCanvas* canvas() const { return canvas_; }
     /// All recorded samples, in SI units and radians.
     const SeriesStore& store() const { return store_; }
-    /// The sheet that covers the drawing surface while nothing is watched.
-    EmptyState* emptyState() const { return empty_state_; }
     QSize sizeHint() const override { return {640, 240}; }
     QSize minimumSizeHint() const override { return {280, 140}; }
 
-public slots:
-    /// Freezes the picture; recording continues.
-    void setPaused(bool paused) { pause_->setChecked(paused); }
-    /// Keeps the newest sample at the right edge.
-    void setFollowing(bool following) { follow_->setChecked(following); }
-
 signals:
-    /// A series was added, removed or cleared; saved as part of the layout.
-    void seriesChanged(const QStringList& paths);
     /// An export failed; `text` is a sentence for a notification.
     void failed(const QString& text);
 

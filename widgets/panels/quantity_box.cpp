@@ -42,8 +42,7 @@ double QuantityBox::valueFromText(const QString& text) const {
 
 // Qt's own box refuses keys that would leave the range and replaces invalid text by zero; users could not type a number
 // and see it being clamped.
-QValidator::State QuantityBox::validate(QString& text, int& position) const {
-    Q_UNUSED(position)
+QValidator::State QuantityBox::validate(QString& text, int&) const {
     const QString number = numberIn(text);
     if (const auto value = readNumber(number.toStdString()); value && std::isfinite(*value))
         return QValidator::Acceptable;

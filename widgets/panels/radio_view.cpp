@@ -8,7 +8,6 @@
 
 #include "widgets/models/figures.h"
 #include "widgets/style/empty_state.h"
-#include "widgets/style/form_parts.h"
 #include "widgets/style/sheet.h"
 #include "widgets/style/theme.h"
 

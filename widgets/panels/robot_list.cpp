@@ -144,17 +144,6 @@ RobotList::RobotList(QWidget* parent) : QWidget(parent) {
     empty_state_ = new EmptyState(view_, tr("No robot yet"), tr("Double-click a start pose on the map to spawn one."));
 }
 
-void RobotList::setRobots(const std::vector<RobotRow>& robots) {
-    const std::optional<RobotId> selected = selectedRobot();
-    {
-        const QScopedValueRollback quiet(quiet_, true);
-        model_->setRobots(robots);
-    }
-    if (selected)
-        selectRobot(*selected);
-    updateEmptyState();
-}
-
 void RobotList::updateRobot(const RobotRow& robot) {
     const QScopedValueRollback quiet(quiet_, true);
     const std::optional<RobotId> selected = selectedRobot();

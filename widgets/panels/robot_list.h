@@ -16,8 +16,6 @@ class RobotList : public QWidget {
 public:
     explicit RobotList(QWidget* parent = nullptr);
 
-    /// Replaces all robots; the selection stays with its robot.
-    void setRobots(const std::vector<RobotRow>& robots);
     /// Updates the robot with this id, or adds it.
     void updateRobot(const RobotRow& robot);
     /// If the robot was selected, its neighbor is selected and robotSelected emitted.
@@ -28,8 +26,6 @@ public:
     std::optional<RobotId> selectedRobot() const;
 
     const RobotListModel& model() const { return *model_; }
-    /// The sheet that is shown while there is no robot; set the action that spawns one on it.
-    EmptyState* emptyState() const { return empty_state_; }
     QSize sizeHint() const override { return {260, 220}; }
     QSize minimumSizeHint() const override { return {180, 100}; }
 

@@ -5,6 +5,7 @@
 
 #include <QHeaderView>
 
+#include "core/protocol/silence.h"
 #include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 #include "widgets/style/tool_button.h"
@@ -91,7 +92,7 @@ void SensorPanel::setWallClock(std::function<Seconds()> wall_clock) {
 }
 
 bool SensorPanel::silent() const {
-    const Seconds limit = std::clamp(2.0 * pace_, Seconds(2.0), Seconds(10.0));
+    const Seconds limit = std::clamp(2.0 * pace_, protocol::silence::robot, Seconds(10.0));
     return !linked_ || (!paused_ && silence() > limit);
 }
 

@@ -7,7 +7,6 @@
 #include <QPainter>
 
 #include "widgets/models/figures.h"
-#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
@@ -74,7 +73,11 @@ void Readout::paintEvent(QPaintEvent*) {
     painter.drawText(QRect(0, big_metrics.height(), field, small_metrics.height()), Qt::AlignRight, caption_);
 }
 
-Meter::Meter(const QString& caption, QWidget* parent) : Instrument(parent), caption_(caption) {
+Meter::Meter(const QString& caption, QWidget* parent, double caution_pct, double danger_pct)
+    : Instrument(parent)
+    , caption_(caption)
+    , caution_pct_(caution_pct)
+    , danger_pct_(danger_pct) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setAccessibleName(caption);
     setValue(std::nullopt);
@@ -83,12 +86,6 @@ Meter::Meter(const QString& caption, QWidget* parent) : Instrument(parent), capt
 void Meter::setValue(std::optional<double> value_pct) {
     value_pct_ = value_pct;
     setAccessibleDescription(value_pct ? figure(*value_pct, 0) + QStringLiteral(" %") : tr("unknown"));
-    update();
-}
-
-void Meter::setLimits(double caution_pct, double danger_pct) {
-    caution_pct_ = caution_pct;
-    danger_pct_ = danger_pct;
     update();
 }
 
@@ -139,7 +136,6 @@ StatusStrip::StatusStrip(QWidget* parent)
     flown_->setToolTip(tr("Distance flown since the behavior started, in meters"));
     charges_->setToolTip(tr("How often the battery was recharged"));
     battery_->setToolTip(tr("Used part of the battery's capacity, in percent"));
-    battery_->setLimits(70.0, 85.0);
     progress_->setToolTip(tr("Part of the whole task that is done, in percent"));
     coverage_->setToolTip(tr("Part of the mission area whose height is known, in percent"));
     state_->setAccessibleName(tr("State of the behavior"));

@@ -44,14 +44,14 @@ private:
 class Meter : public Instrument {
     Q_OBJECT
 public:
-    explicit Meter(const QString& caption, QWidget* parent = nullptr);
+    /// High values are bad from these limits on; above 100 means never.
+    explicit Meter(const QString& caption, QWidget* parent = nullptr, double caution_pct = 101.0,
+                   double danger_pct = 101.0);
 
     /// In percent, 0..100; nullopt: unknown.
     void setValue(std::optional<double> value_pct);
     /// The percentage as last set, not clamped; nullopt: unknown.
     std::optional<double> value() const { return value_pct_; }
-    /// High values are bad from these limits on; above 100 means never.
-    void setLimits(double caution_pct, double danger_pct);
     QSize sizeHint() const override { return {240, fontMetrics().height() + 2}; }
     QSize minimumSizeHint() const override { return {160, fontMetrics().height() + 2}; }
 
@@ -61,8 +61,8 @@ protected:
 private:
     QString caption_;
     std::optional<double> value_pct_;
-    double caution_pct_ = 101.0;
-    double danger_pct_ = 101.0;
+    double caution_pct_;
+    double danger_pct_;
 };
 
 /// Unknown figures are shown as a dash, never as zero. GUI thread.
@@ -85,8 +85,6 @@ public:
     bool stale() const { return !stale_->isHidden(); }
     /// Makes all figures unknown and shows `words`.
     void clear(const QString& words);
-    /// The words at the top, as last set.
-    QString stateText() const { return state_->text(); }
 
 private:
     /// Sets word and shape together, so that they always match.
@@ -102,7 +100,7 @@ private:
     Readout* range_;
     Readout* flown_;
     Readout* charges_;
-    Meter* battery_ = new Meter(tr("Battery used"), this);
+    Meter* battery_ = new Meter(tr("Battery used"), this, 70.0, 85.0);
     Meter* progress_ = new Meter(tr("Progress"), this);
     Meter* coverage_ = new Meter(tr("Coverage"), this);
 };

@@ -7,6 +7,7 @@
 #include "core/posh/language/plan_reader.h"
 #include "widgets/models/plan/breakpoint_list.h"
 #include "widgets/plan/plan_parts.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
@@ -25,8 +26,7 @@ constexpr std::array choices{
     Choice{BreakOn::Result, ActResult::RunningOnce},   Choice{BreakOn::Result, ActResult::Finished},
     Choice{BreakOn::VerdictChange, ActResult::Failed}, Choice{BreakOn::Interruption, ActResult::Failed}};
 
-constexpr std::array pinned_results{posh::ActResult::Failed, posh::ActResult::Running, posh::ActResult::RunningOnce,
-                                    posh::ActResult::Finished};
+constexpr std::array pinned_results{ActResult::Failed, ActResult::Running, ActResult::RunningOnce, ActResult::Finished};
 
 } // namespace
 
@@ -60,8 +60,7 @@ BreakpointDialog::BreakpointDialog(posh::Breakpoint breakpoint, QWidget* parent)
     from_hit_->setAccessibleName(tr("First hit that stops"));
     once_->setChecked(breakpoint_.once);
     enabled_->setChecked(breakpoint_.enabled);
-    auto* form = new QFormLayout(this);
-    form->setSpacing(gap::small);
+    auto* form = laidOut(new QFormLayout(this), gap::small);
     form->addRow(makeLabel(this, "title", QString::fromStdString(breakpoint_.names)));
     form->addRow(tr("&Stop"), on_);
     form->addRow(tr("&If"), condition_);
@@ -96,49 +95,35 @@ void BreakpointDialog::check() {
     ok_->setEnabled(fine.has_value());
 }
 
-PinDialog::PinDialog(const QString& call, const QString& question, QWidget* parent)
+PinDialog::PinDialog(const QString& call, const std::optional<QString>& answer, QWidget* parent)
     : QDialog(parent)
     , complaint_(makeLabel(this, "danger")) {
     setWindowTitle(tr("Pin"));
-    auto* form = new QFormLayout(this);
-    form->setSpacing(gap::small);
+    auto* form = laidOut(new QFormLayout(this), gap::small);
     form->addRow(makeLabel(this, "title", call));
-    auto* words = makeLabel(this, "muted", question);
+    auto* words = makeLabel(
+        this, "muted",
+        answer ? tr("Until you release it, the plan gets this answer, whatever the robot senses.")
+               : tr("Until you release it, the robot does not do this and stands still; the plan gets this answer."));
     words->setMinimumWidth(320);
     form->addRow(words);
-    complaint_->hide();
-}
-
-void PinDialog::add(QWidget* field) {
-    auto* form = static_cast<QFormLayout*>(layout());
+    QWidget* field = nullptr;
+    if (answer) {
+        field = answer_ = new QLineEdit(*answer, this);
+        answer_->setPlaceholderText(tr("true, 0.3, 'high, \"text\" or nil"));
+        answer_->selectAll();
+        connect(answer_, &QLineEdit::textChanged, this, &PinDialog::check);
+    } else {
+        field = result_ = new QComboBox(this);
+        for (const ActResult result : pinned_results)
+            result_->addItem(resultText(result));
+    }
     field->setAccessibleName(tr("Answer"));
     form->addRow(tr("&Answer"), field);
     form->addRow(complaint_);
     ok_ = addDialogButtons(form);
     field->setFocus();
-}
-
-PinDialog* PinDialog::forSense(const QString& call, const QString& answer, QWidget* parent) {
-    auto* dialog =
-        new PinDialog(call, tr("Until you release it, the plan gets this answer, whatever the robot senses."), parent);
-    dialog->answer_ = new QLineEdit(answer, dialog);
-    dialog->answer_->setPlaceholderText(tr("true, 0.3, 'high, \"text\" or nil"));
-    dialog->answer_->selectAll();
-    connect(dialog->answer_, &QLineEdit::textChanged, dialog, &PinDialog::check);
-    dialog->add(dialog->answer_);
-    dialog->check();
-    return dialog;
-}
-
-PinDialog* PinDialog::forAct(const QString& call, QWidget* parent) {
-    auto* dialog = new PinDialog(
-        call, tr("Until you release it, the robot does not do this and stands still; the plan gets this answer."),
-        parent);
-    dialog->result_ = new QComboBox(dialog);
-    for (const posh::ActResult result : pinned_results)
-        dialog->result_->addItem(resultText(result));
-    dialog->add(dialog->result_);
-    return dialog;
+    check();
 }
 
 std::optional<posh::Value> PinDialog::answer() const {
@@ -150,7 +135,7 @@ posh::ActResult PinDialog::result() const {
 }
 
 void PinDialog::check() {
-    const bool fine = answer().has_value();
+    const bool fine = result_ || answer();
     complaint_->setText(fine ? QString()
                              : tr("This is not a value. Write true, false, a number, 'a-symbol, \"a text\" or nil."));
     complaint_->setVisible(!fine);

@@ -41,15 +41,13 @@ private:
     QPushButton* ok_;
 };
 
-/// Asks which answer a sense or an act should give instead of the robot. Either for a sense or for an act, depending on
-/// the function that makes it. GUI thread.
+/// Asks which answer a sense or an act should give instead of the robot. GUI thread.
 class PinDialog : public QDialog {
     Q_OBJECT
 public:
-    /// `call` is spelled as in traces; `answer` is the initial text, spelled as in a plan. Both dialogs belong to
-    /// `parent`.
-    static PinDialog* forSense(const QString& call, const QString& answer, QWidget* parent);
-    static PinDialog* forAct(const QString& call, QWidget* parent);
+    /// `call` is spelled as in traces. `answer` is the initial text for a sense, spelled as in a plan; nullopt makes a
+    /// dialog for an act.
+    PinDialog(const QString& call, const std::optional<QString>& answer, QWidget* parent);
 
     /// The typed value for a sense; nullopt while the text is not a value, and in a dialog for an act.
     std::optional<posh::Value> answer() const;
@@ -57,16 +55,13 @@ public:
     posh::ActResult result() const;
 
 private:
-    PinDialog(const QString& call, const QString& question, QWidget* parent);
-    /// Adds the field for the answer, and what is below it.
-    void add(QWidget* field);
     /// Shows whether the typed answer is a value, and enables OK accordingly.
     void check();
 
     QLineEdit* answer_ = nullptr;
     QComboBox* result_ = nullptr;
     QLabel* complaint_;
-    QPushButton* ok_ = nullptr;
+    QPushButton* ok_;
 };
 
 } // namespace usar::widgets

@@ -35,11 +35,6 @@ PlanTree PlanDrawing::remake() {
     return std::exchange(tree_, PlanTree(plan_, sharing_));
 }
 
-void PlanDrawing::forgetFolds() {
-    folds_.unfoldAll();
-    valid_ = false;
-}
-
 void PlanDrawing::forgetSizes() {
     sizes_.clear();
     valid_ = false;
@@ -63,7 +58,7 @@ std::optional<QPointF> PlanDrawing::refold(PlanNodeId held, const std::function<
 
 PlanNodeId PlanDrawing::nodeAt(const QPointF& place, PlanDetail detail) {
     const PlanNodeId node = layout().nodeAt(tree_, place);
-    return node.valid() && tree_[node].in_card && detail != PlanDetail::Full ? tree_[node].parent : node;
+    return node.valid() && detail != PlanDetail::Full ? tree_.cardOf(node) : node;
 }
 
 bool PlanDrawing::onFoldMark(PlanNodeId node, const QPointF& place, PlanDetail detail) {

@@ -27,7 +27,8 @@ public:
     PlanSharing sharing() const { return sharing_; }
     /// nullopt selects the usual flow. Call turn() for it to take effect immediately.
     void setFlow(std::optional<PlanFlow> flow) { flow_ = flow; }
-    void forgetFolds();
+    /// Takes effect with the next tree.
+    void forgetFolds() { folds_.unfoldAll(); }
     /// Forgets the measured sizes, because the fonts may have changed.
     void forgetSizes();
     /// Forgets the layout and returns true if another flow is now wanted.

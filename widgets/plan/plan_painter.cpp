@@ -1,9 +1,7 @@
 #include "widgets/plan/plan_painter.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 
 #include <QFontInfo>
@@ -26,16 +24,25 @@ QColor mixed(const QColor& from, const QColor& to, double share) {
     return QColor(part(from.red(), to.red()), part(from.green(), to.green()), part(from.blue(), to.blue()));
 }
 
+/// Returns the font in pixels at a scale of 1, so that screen and paper agree; `bold` for titles.
+QFont planFont(bool bold = false) {
+    QFont font = themeFont(FontRole::Body, bold ? QFont::DemiBold : QFont::Normal);
+    font.setPixelSize(QFontInfo(themeFont()).pixelSize());
+    return font;
+}
+
+/// Returns "1234", "12k", "3M": at most four characters.
+QString shortCount(std::uint64_t count) {
+    return count < 10'000          ? QString::number(count)
+           : count < 1'000'000     ? QString::number(count / 1000) + u'k'
+           : count < 1'000'000'000 ? QString::number(count / 1'000'000) + u'M'
+                                   : QStringLiteral("1G+");
+}
+
 } // namespace
 
 PlanDetail planDetailAt(double scale) {
     return scale >= full_scale ? PlanDetail::Full : scale >= names_scale ? PlanDetail::Names : PlanDetail::Blocks;
-}
-
-QFont planFont(bool bold) {
-    QFont font = themeFont(FontRole::Body, bold ? QFont::DemiBold : QFont::Normal);
-    font.setPixelSize(QFontInfo(themeFont()).pixelSize());
-    return font;
 }
 
 PlanMetrics planMetrics() {
@@ -43,13 +50,6 @@ PlanMetrics planMetrics() {
     const QFontMetricsF texts(planFont());
     return {[names](const QString& text) { return names.horizontalAdvance(text); },
             [texts](const QString& text) { return texts.horizontalAdvance(text); }, std::ceil(texts.height()) + 4.0};
-}
-
-QString shortCount(std::uint64_t count) {
-    return count < 10'000          ? QString::number(count)
-           : count < 1'000'000     ? QString::number(count / 1000) + u'k'
-           : count < 1'000'000'000 ? QString::number(count / 1'000'000) + u'M'
-                                   : QStringLiteral("1G+");
 }
 
 PlanPainter::PlanPainter(QPainter& painter, const PlanScene& scene, double scale)

@@ -33,12 +33,8 @@ enum class PlanDetail { Full, Names, Blocks };
 /// Level of detail for a number of screen pixels per layout pixel.
 PlanDetail planDetailAt(double scale);
 
-/// Font in pixels at a scale of 1, so that screen and paper agree; `bold` for titles.
-QFont planFont(bool bold = false);
-/// Text widths in planFont. GUI thread.
+/// Text widths in the fonts of the drawing. GUI thread.
 PlanMetrics planMetrics();
-/// "1234", "12k", "3M": at most four characters.
-QString shortCount(std::uint64_t count);
 
 /// The painter's transform maps layout pixels to the device; `scale` is the number of device pixels per layout pixel.
 class PlanPainter {

@@ -14,6 +14,7 @@
 #include "widgets/models/plan/plan_places.h"
 #include "widgets/models/plan/plan_reasons.h"
 #include "widgets/plan/plan_parts.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 #include "widgets/style/tool_button.h"
@@ -81,8 +82,7 @@ PlanPanel::PlanPanel(QWidget* parent)
     , halt_bar_(new PlanHaltBar(this))
     , time_bar_(new PlanTimeBar(this)) {
     setAccessibleName(tr("Plan"));
-    head_->setSpacing(gap::tiny);
-    head_->addLayout(makeSearchRow(), 1);
+    laidOut(head_, gap::tiny)->addLayout(makeSearchRow(), 1);
     head_->addLayout(makeButtonRow());
     side_ = new SectionStack(tr("Lists of the plan"), this);
     fillSide();
@@ -91,8 +91,7 @@ PlanPanel::PlanPanel(QWidget* parent)
     body_->addWidget(side_);
     body_->setStretchFactor(1, 1);
     body_->setHandleWidth(gap::small);
-    auto* column = makeColumn(this);
-    column->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
+    auto* column = laidOut(new QVBoxLayout(this), {gap::small, gap::small, gap::small, gap::small}, gap::tiny);
     // By default the minimum width of the wide row would keep the panel from becoming narrow.
     column->setSizeConstraint(QLayout::SetNoConstraint);
     column->addLayout(head_);
@@ -111,10 +110,13 @@ PlanPanel::PlanPanel(QWidget* parent)
     connect(view_, &PlanView::treeChanged, this, &PlanPanel::showTree);
     connect(view_, &PlanView::refreshed, this, &PlanPanel::showRunningLines);
     connect(view_, &PlanView::selectionChanged, this, &PlanPanel::showTextPlace);
-    connect(view_, &PlanView::activated, this, [this](PlanNodeId node) {
+    connect(view_, &PlanView::activated, this, [this] {
         if (text_shown_->isEnabled())
             text_shown_->setChecked(true);
-        emit textRequested(view_->tree()[node].at);
+    });
+    onThemeChange(this, [this] { // Icons have the colors of the theme.
+        reasons_->clear();
+        showReasons();
     });
     side_->hide();
     time_bar_->hide();
@@ -141,16 +143,13 @@ void PlanPanel::showTree() {
 }
 
 QBoxLayout* PlanPanel::makeSearchRow() {
-    auto* row = new QHBoxLayout;
-    row->setSpacing(gap::tiny);
     search_ = makeSearchLine(tr("Find in the plan"),
                              tr("Names or kinds (drive, competence, element, act, sense, …); Return goes to the next, "
                                 "Shift+Return to the previous (Ctrl+F)"),
                              this);
-    row->addWidget(search_, 1);
-    found_ = new QLabel(this);
-    found_->setProperty("role", "muted");
-    row->addWidget(found_);
+    found_ = mutedLabel({}, this);
+    auto* row = laidOut(new QHBoxLayout, gap::tiny, {search_, found_});
+    row->setStretchFactor(search_, 1);
     const auto goBack = [this] { view_->findNext(true); };
     const auto goOn = [this] { view_->findNext(); };
     previous_ = addButton(row, "up", tr("Previous match (Shift+Return)"), goBack);
@@ -175,8 +174,7 @@ QToolButton* PlanPanel::addButton(QBoxLayout* row, const char* icon_name, const 
 }
 
 QBoxLayout* PlanPanel::makeButtonRow() {
-    auto* row = new QHBoxLayout;
-    row->setSpacing(gap::tiny);
+    auto* row = laidOut(new QHBoxLayout, gap::tiny);
     text_shown_ = addButton(row, "text", tr("Shows the plan's text beside the drawing"));
     text_shown_->setCheckable(true);
     text_shown_->setEnabled(false);
@@ -201,12 +199,10 @@ QBoxLayout* PlanPanel::makeButtonRow() {
 
 QWidget* PlanPanel::makeText() {
     auto* pane = new QWidget(this);
-    auto* column = makeColumn(pane);
     text_ = new PlanTextEdit(pane);
     finding_ = makeLabel(pane);
     finding_->hide();
-    column->addWidget(text_, 1);
-    column->addWidget(finding_);
+    laidOut(new QVBoxLayout(pane), {}, gap::tiny, {text_, finding_})->setStretchFactor(text_, 1);
     pane->hide();
     connect(text_shown_, &QToolButton::toggled, pane, &QWidget::setVisible);
     connect(text_, &PlanTextEdit::placeEntered, this, [this](int line, int column_number) {
@@ -303,9 +299,7 @@ void PlanPanel::setBreakpoints(const std::vector<BreakpointRow>& rows) {
 }
 
 QListWidget* PlanPanel::makeList(const QString& name, const QString& help) {
-    auto* list = new QListWidget(this);
-    list->setAccessibleName(name);
-    list->setToolTip(help);
+    auto* list = named(new QListWidget(this), name, help);
     list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list->setMinimumHeight(24);
     list->setIconSize({14, 14});
@@ -428,14 +422,6 @@ void PlanPanel::keyPressEvent(QKeyEvent* event) {
         return QWidget::keyPressEvent(event);
     search_->setFocus(Qt::ShortcutFocusReason);
     search_->selectAll();
-}
-
-void PlanPanel::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::PaletteChange) { // Icons have the colors of the theme.
-        reasons_->clear();
-        showReasons();
-    }
-    QWidget::changeEvent(event);
 }
 
 } // namespace usar::widgets

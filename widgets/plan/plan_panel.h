@@ -25,7 +25,6 @@ struct BreakpointRow {
     QString help;
     std::string path; ///< path in the plan; empty: the plan has no such place
     bool enabled = true;
-    bool operator==(const BreakpointRow&) const = default;
 };
 
 /// State comes in by setters, wishes go out by signals. A narrow panel stacks what a wide one shows side by side; in a
@@ -59,8 +58,6 @@ public:
     QSize minimumSizeHint() const override { return {240, 170}; }
 
 signals:
-    /// The user wants to see where a part is in the plan's text; the panel itself shows it if it has the text.
-    void textRequested(const usar::posh::Spot& at);
     /// The user wants to save the drawing as a picture.
     void exportRequested();
     /// The user enabled or disabled a breakpoint in the list.
@@ -76,7 +73,6 @@ signals:
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
-    void changeEvent(QEvent* event) override;
     bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 

@@ -2,9 +2,6 @@
 
 #include <QDialog>
 #include <QDialogButtonBox>
-#include <QStyle>
-
-#include "widgets/style/theme.h"
 
 namespace usar::widgets {
 
@@ -13,21 +10,6 @@ QLabel* makeLabel(QWidget* parent, const char* role, const QString& text) {
     label->setProperty("role", role);
     label->setWordWrap(true);
     return label;
-}
-
-void changeRole(QWidget* widget, const QString& role) {
-    if (widget->property("role") == role)
-        return;
-    widget->setProperty("role", role);
-    widget->style()->unpolish(widget); // Otherwise the color of the previous role would stay.
-    widget->style()->polish(widget);
-}
-
-QVBoxLayout* makeColumn(QWidget* parent) {
-    auto* column = new QVBoxLayout(parent);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(gap::tiny);
-    return column;
 }
 
 QPushButton* addDialogButtons(QFormLayout* form) {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <QBuffer>
 #include <QFileInfo>
-#include <QObject>
 #include <QPageSize>
 #include <QPainter>
 #include <QPdfWriter>
@@ -71,16 +71,11 @@ Result<void> savePlanPicture(PlanView& view, const QString& file) {
     const std::string where = file.toStdString();
     if (view.tree().empty())
         return failure("there is no plan to draw", where, "Choose a robot that has one");
-    const QString ending = QFileInfo(file).suffix().toLower();
-    QByteArray bytes;
-    if (ending == u"svg")
-        bytes = svg(view);
-    else if (ending == u"pdf")
-        bytes = pdf(view);
-    else if (ending == u"png")
-        bytes = png(view);
-    else
+    static const std::map<QString, QByteArray (*)(PlanView&)> formats{{"svg", svg}, {"pdf", pdf}, {"png", png}};
+    const auto format = formats.find(QFileInfo(file).suffix().toLower());
+    if (format == formats.end())
         return failure("the name does not say what kind of picture", where, "End it in .svg, .pdf or .png");
+    const QByteArray bytes = format->second(view);
     if (bytes.isEmpty())
         return failure("the drawing is too large for the memory", where, "Fold some parts, or write it as .svg");
     QSaveFile out(file);

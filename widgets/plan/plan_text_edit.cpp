@@ -13,7 +13,7 @@
 #include <QTextBlock>
 #include <QToolTip>
 
-#include "widgets/models/plan/plan_places.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
@@ -110,7 +110,10 @@ PlanTextEdit::PlanTextEdit(QWidget* parent) : QPlainTextEdit(parent), gutter_(ne
     setTabStopDistance(4.0 * QFontMetricsF(codeFont()).horizontalAdvance(u' '));
     setAccessibleName(tr("Text of the plan"));
     setAccessibleDescription(tr("F8 goes to the next error or warning, Shift+F8 to the previous one."));
-    new PlanHighlighter(document());
+    onThemeChange(this, [this, highlighter = new PlanHighlighter(document())] {
+        highlighter->rehighlight();
+        mark();
+    });
     connect(this, &QPlainTextEdit::updateRequest, gutter_, [this](const QRect& area, int dy) {
         dy ? gutter_->scroll(0, dy) : gutter_->update(0, area.y(), gutter_->width(), area.height());
     });
@@ -321,15 +324,6 @@ void PlanTextEdit::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_F8)
         return nextFinding(event->modifiers() & Qt::ShiftModifier);
     QPlainTextEdit::keyPressEvent(event);
-}
-
-void PlanTextEdit::changeEvent(QEvent* event) {
-    QPlainTextEdit::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange) {
-        if (auto* const highlighter = document()->findChild<QSyntaxHighlighter*>())
-            highlighter->rehighlight();
-        mark();
-    }
 }
 
 bool PlanTextEdit::event(QEvent* event) {

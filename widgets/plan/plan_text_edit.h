@@ -50,7 +50,6 @@ signals:
 protected:
     void resizeEvent(QResizeEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
-    void changeEvent(QEvent* event) override;
     bool event(QEvent* event) override;
 
     /// Sets all marks again.
@@ -59,8 +58,6 @@ protected:
     virtual void addMarks(QList<QTextEdit::ExtraSelection>&) const {}
     /// Selects the spot; a spot after the end of the text is mapped to the last line.
     QTextCursor cursorAt(const posh::Spot& spot) const;
-    /// True while the program moves the cursor, so that placeEntered is not emitted.
-    bool& quiet() { return quiet_; }
 
 private:
     enum class Kind { Note, Warning, Error };
@@ -80,7 +77,7 @@ private:
     std::set<int> running_lines_;
     posh::Spot shown_; ///< the spot set by showPlace
     QWidget* gutter_;
-    bool quiet_ = false; ///< the program moves the cursor
+    bool quiet_ = false; ///< the program moves the cursor, so placeEntered is not emitted
 };
 
 } // namespace usar::widgets

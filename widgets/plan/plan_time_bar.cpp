@@ -4,12 +4,11 @@
 #include <cmath>
 
 #include <QAction>
-#include <QEvent>
-#include <QHBoxLayout>
 #include <QSignalBlocker>
 
 #include "widgets/models/figures.h"
 #include "widgets/plan/plan_parts.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 #include "widgets/style/time_controls.h"
@@ -19,9 +18,7 @@ namespace usar::widgets {
 
 namespace {
 
-constexpr int run_steps = 10000;
 constexpr int broad_bar_px = 620;
-
 constexpr int narrow_px = 560;
 constexpr int halt_icon_px = 18;
 
@@ -47,20 +44,14 @@ PlanTimeBar::PlanTimeBar(QWidget* parent)
     , slider_(new TimeSlider(this))
     , words_(new QLabel(this)) {
     setAccessibleName(tr("Moment of the run"));
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(gap::tiny);
     slider_->setRange(0, run_steps);
     slider_->setPageStep(run_steps / 20);
-    slider_->setAccessibleName(tr("Moment of the plan's run"));
-    slider_->setToolTip(tr("Click or drag to see what the plan did at another moment"));
+    named(slider_, tr("Moment of the plan's run"), tr("Click or drag to see what the plan did at another moment"));
     slider_->setMinimumHeight(minimum_target);
-    words_->setAccessibleName(tr("Shown moment of the run"));
-    words_->setToolTip(tr("Time since the start of the plan, by the robot's clock"));
+    named(words_, tr("Shown moment of the run"), tr("Time since the start of the plan, by the robot's clock"));
     words_->setMinimumWidth(words_->fontMetrics().horizontalAdvance(QStringLiteral("at 0000.0 s of 0000.0 s")));
-    for (QWidget* const part :
-         std::initializer_list<QWidget*>{halt_, back_, forward_, slider_, words_, look_back_, live_})
-        row->addWidget(part, part == slider_ ? 1 : 0);
+    laidOut(new QHBoxLayout(this), {}, gap::tiny, {halt_, back_, forward_, slider_, words_, look_back_, live_})
+        ->setStretchFactor(slider_, 1);
     connect(slider_, &QSlider::sliderMoved, this, [this](int value) { emit timeWanted(timeOf(value)); });
     connect(slider_, &QSlider::actionTriggered, this, [this](int action) { // Keys and wheel.
         if (action == QAbstractSlider::SliderMove || time_.cycle == 0)
@@ -81,9 +72,8 @@ void PlanTimeBar::setActions(QAction* halt, QAction* back, QAction* forward, QAc
     const std::initializer_list<std::pair<QToolButton*, QAction*>> pairs{
         {halt_, halt}, {back_, back}, {forward_, forward}, {look_back_, look_back}, {live_, live}};
     for (const auto& [button, action] : pairs) {
-        button->setDefaultAction(action);
+        showAction(button, action);
         button->setToolButtonStyle(Qt::ToolButtonIconOnly);
-        button->setAccessibleName(action->text());
     }
     arrange();
 }
@@ -104,16 +94,12 @@ void PlanTimeBar::resizeEvent(QResizeEvent* event) {
     arrange();
 }
 
-Seconds PlanTimeBar::timeOf(int value) const {
-    return time_.begin + (time_.end - time_.begin) * (static_cast<double>(value) / run_steps);
-}
-
 void PlanTimeBar::setTime(const PlanTime& time) {
     time_ = time;
     // A focused slider stays enabled; otherwise its keys would go to a neighbor in the meantime.
     slider_->setEnabled(time.cycle != 0 || slider_->hasFocus());
     arrange();
-    changeRole(words_, time.live ? QStringLiteral("ok") : QStringLiteral("caution"));
+    setRole(words_, time.live ? "ok" : "caution");
     words_->setText(planTimeText(time));
     if (slider_->isSliderDown())
         return;
@@ -126,21 +112,21 @@ void PlanTimeBar::setTime(const PlanTime& time) {
 PlanHaltBar::PlanHaltBar(QWidget* parent)
     : QFrame(parent)
     , column_(new QBoxLayout(QBoxLayout::LeftToRight, this))
-    , icon_(new QLabel(this))
     , text_(makeLabel(this, "title"))
     , buttons_(new QBoxLayout(QBoxLayout::LeftToRight)) {
     setProperty("role", "card");
     setAccessibleName(tr("The plan is halted"));
-    column_->setContentsMargins(gap::small, gap::tiny, gap::small, gap::tiny);
-    column_->setSpacing(gap::small);
-    auto* words = new QHBoxLayout;
-    words->setSpacing(gap::small);
-    words->addWidget(icon_, 0, Qt::AlignTop);
-    words->addWidget(text_, 1);
-    buttons_->setSpacing(gap::tiny);
-    column_->addLayout(words, 1);
-    column_->addLayout(buttons_);
-    showIcon();
+    auto* const symbol = new QLabel(this);
+    auto* const words = laidOut(new QHBoxLayout, gap::small, {symbol, text_});
+    words->setAlignment(symbol, Qt::AlignTop);
+    words->setStretchFactor(text_, 1);
+    laidOut(column_, {gap::small, gap::tiny, gap::small, gap::tiny}, gap::small)->addLayout(words, 1);
+    column_->addLayout(laidOut(buttons_, gap::tiny));
+    const auto showSymbol = [symbol] {
+        symbol->setPixmap(icon(QStringLiteral("pause"), tokens().caution).pixmap(halt_icon_px, halt_icon_px));
+    };
+    showSymbol();
+    onThemeChange(this, showSymbol);
     hide();
 }
 
@@ -163,16 +149,6 @@ void PlanHaltBar::setText(const QString& text) {
 void PlanHaltBar::resizeEvent(QResizeEvent* event) {
     column_->setDirection(width() < narrow_px ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
     QFrame::resizeEvent(event);
-}
-
-void PlanHaltBar::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::PaletteChange)
-        showIcon();
-    QFrame::changeEvent(event);
-}
-
-void PlanHaltBar::showIcon() {
-    icon_->setPixmap(icon(QStringLiteral("pause"), tokens().caution).pixmap(halt_icon_px, halt_icon_px));
 }
 
 } // namespace usar::widgets

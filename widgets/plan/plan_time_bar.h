@@ -36,7 +36,9 @@ protected:
 private:
     void arrange();
     /// The moment at a value of the slider.
-    Seconds timeOf(int value) const;
+    Seconds timeOf(int value) const { return time_.begin + (time_.end - time_.begin) * (double(value) / run_steps); }
+
+    static constexpr int run_steps = 10000; ///< steps of the slider over the whole run
 
     PlanTime time_;
     QToolButton* halt_;
@@ -66,13 +68,9 @@ public:
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
-    void changeEvent(QEvent* event) override;
 
 private:
-    void showIcon();
-
     QBoxLayout* column_;
-    QLabel* icon_;
     QLabel* text_;
     QBoxLayout* buttons_;
 };

@@ -17,17 +17,23 @@ constexpr int tick_ms = 16;
 PlanView::PlanView(QWidget* parent)
     : QWidget(parent)
     , drawing_([this] { return width() < broad_node_px ? PlanFlow::Down : PlanFlow::Across; })
-    , empty_state_(new EmptyState(this)) {
+    , empty_state_(
+          new EmptyState(this, tr("No plan"),
+                         tr("The plan of a robot appears here. Choose a behavior that is a plan, then start it."))) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);
     setAccessibleName(tr("Plan"));
-    empty_state_->setText(tr("No plan"), tr("The plan of a robot appears here. Choose a behavior that is a plan, then "
-                                            "start it."));
     tick_.setSingleShot(true);
     tick_.setInterval(tick_ms);
     tick_.setTimerType(Qt::PreciseTimer);
     connect(&tick_, &QTimer::timeout, this, &PlanView::takeNews);
+    const auto measureAgain = [this] {
+        drawing_.forgetSizes();
+        update();
+    };
+    onThemeChange(this, measureAgain);
+    onThemeChange(this, measureAgain, QEvent::FontChange);
     describe();
 }
 
@@ -87,7 +93,6 @@ void PlanView::takeNews() {
     if (!news_ || !isVisible())
         return;
     news_ = false;
-    ++news_taken_;
     states_.take(tree(), snapshot_);
     describe();
     emit refreshed();
@@ -189,14 +194,6 @@ void PlanView::zoomAt(const QPointF& on_screen, double factor) {
     update();
 }
 
-void PlanView::zoomIn() {
-    zoomAt(QRectF(rect()).center(), zoom_step::closer);
-}
-
-void PlanView::zoomOut() {
-    zoomAt(QRectF(rect()).center(), zoom_step::farther);
-}
-
 void PlanView::panBy(const QPointF& by_px) {
     zoom_.panBy(by_px);
     framing_ = Framing::Own;
@@ -219,10 +216,6 @@ void PlanView::describe() {
         selected().valid() ? nodeText(selected())
                            : tr("Ctrl with arrow keys walks over the parts, arrow keys pan, plus and minus zoom, Space "
                                 "folds, N goes to what runs."));
-}
-
-QSizeF PlanView::drawingSize() {
-    return layout().bounds().size() + QSizeF(2.0 * PanZoom::margin_px, 2.0 * PanZoom::margin_px);
 }
 
 void PlanView::paintDrawing(QPainter& painter) {

@@ -66,11 +66,9 @@ public:
     void holdStill() { framing_ = Framing::Own; }
     /// Description of a node, as in its tooltip and for screen readers.
     QString nodeText(PlanNodeId node) const;
-    /// Number of snapshots taken; stands still while the view is hidden.
-    int newsTaken() const { return news_taken_; }
 
     /// Size at a scale of 1. paintDrawing() draws all that is not folded in the light theme, its corner at the origin.
-    QSizeF drawingSize();
+    QSizeF drawingSize() { return layout().bounds().size() + 2.0 * QSizeF(PanZoom::margin_px, PanZoom::margin_px); }
     void paintDrawing(QPainter& painter);
 
     QSize sizeHint() const override { return {900, 420}; }
@@ -78,8 +76,8 @@ public:
 
 public slots:
     void fit();
-    void zoomIn();
-    void zoomOut();
+    void zoomIn() { zoomAt(QRectF(rect()).center(), zoom_step::closer); }
+    void zoomOut() { zoomAt(QRectF(rect()).center(), zoom_step::farther); }
     void foldAll();
     void unfoldAll();
     /// Unfolds what is running and folds the rest.
@@ -92,7 +90,7 @@ signals:
     void activated(usar::widgets::PlanNodeId node);
     /// The user wants the context menu of a part, which is selected already, or of the background (none).
     void menuRequested(usar::widgets::PlanNodeId node, const QPoint& at_global);
-    /// A snapshot was taken: states() changed.
+    /// A snapshot was taken: states() changed. Not emitted while the view is hidden.
     void refreshed();
     /// The plan or the sharing changed: node ids changed.
     void treeChanged();
@@ -109,11 +107,14 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
-    void changeEvent(QEvent* event) override;
     bool event(QEvent* event) override;
 
     /// The node at that place, or its card if the scale is too small for sense rows.
     PlanNodeId nodeAt(const QPointF& on_screen) { return drawing_.nodeAt(toLayout(on_screen), planDetailAt(scale())); }
+    /// True if that place is on the node's fold mark or link arrow.
+    bool onFoldMark(PlanNodeId node, const QPointF& on_screen) {
+        return drawing_.onFoldMark(node, toLayout(on_screen), planDetailAt(scale()));
+    }
 
 private:
     void takeTree(const PlanTree& before);
@@ -121,7 +122,6 @@ private:
     /// Lays out again if `change` returns true, and keeps the node in its place on the screen.
     void refold(PlanNodeId held, const std::function<bool(PlanFolds&)>& change);
     bool selectionIsHidden() { return selected().valid() && drawing_.hides(selected()); }
-    bool onFoldMark(PlanNodeId node, const QPointF& on_screen);
     void bringIntoView(PlanNodeId node);
     void zoomAt(const QPointF& on_screen, double factor);
     void panBy(const QPointF& by_px);
@@ -136,7 +136,6 @@ private:
     std::vector<PlanMark> marks_by_path_;
     PlanMarks marks_;
     bool news_ = false; ///< the snapshot has not been taken yet
-    int news_taken_ = 0;
     QTimer tick_;
     PanZoom zoom_;
     enum class Framing { Beginning, Whole, Own } framing_ = Framing::Beginning; ///< kept when the view is resized

@@ -54,10 +54,6 @@ void PlanView::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
 }
 
-bool PlanView::onFoldMark(PlanNodeId node, const QPointF& on_screen) {
-    return drawing_.onFoldMark(node, toLayout(on_screen), planDetailAt(scale()));
-}
-
 void PlanView::mousePressEvent(QMouseEvent* event) {
     pressed_at_ = last_at_ = event->position();
     gesture_ = event->button() == Qt::LeftButton     ? Gesture::Pressed
@@ -154,7 +150,7 @@ bool PlanView::actByKey(const QKeyEvent& event) {
         return true;
     case Qt::Key_Space:
         if (selected().valid())
-            open(tree()[selected()].in_card ? tree()[selected()].parent : selected());
+            open(tree().cardOf(selected()));
         return true;
     case Qt::Key_Return:
     case Qt::Key_Enter:
@@ -184,14 +180,6 @@ void PlanView::contextMenuEvent(QContextMenuEvent* event) {
     if (event->reason() == QContextMenuEvent::Keyboard && selected().valid())
         at = mapToGlobal(toScreen(layout().box(tree(), selected()).center()).toPoint());
     emit menuRequested(selected(), at);
-}
-
-void PlanView::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::FontChange || event->type() == QEvent::PaletteChange) {
-        drawing_.forgetSizes();
-        update();
-    }
-    QWidget::changeEvent(event);
 }
 
 bool PlanView::event(QEvent* event) {

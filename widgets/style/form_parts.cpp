@@ -73,6 +73,12 @@ void showAction(QToolButton* button, QAction* action) {
     button->setAccessibleName(action->text());
 }
 
+QPointF arrowDirection(int key) {
+    const int right = (key == Qt::Key_Right) - (key == Qt::Key_Left);
+    const int up = (key == Qt::Key_Up) - (key == Qt::Key_Down);
+    return QPointF(right, up);
+}
+
 QAction* addRowAction(QAbstractItemView* view, const QString& text, const QKeySequence& keys) {
     auto* action = new QAction(text, view);
     action->setShortcut(keys);
@@ -153,27 +159,18 @@ void StateDot::paintEvent(QPaintEvent*) {
     const QColor color = stateColor(state_);
     const QRectF circle(-5.0, -5.0, 10.0, 10.0);
     painter.setPen(QPen(color, 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    switch (state_) {
-    case StateShape::Off:
+    if (state_ == StateShape::Good)
+        painter.setBrush(color);
+    if (state_ == StateShape::Waiting)
+        painter.drawPolygon(QPolygonF({{0.0, -5.5}, {6.0, 5.0}, {-6.0, 5.0}}));
+    else
         painter.drawEllipse(circle);
-        break;
-    case StateShape::Busy:
-        painter.drawEllipse(circle);
+    if (state_ == StateShape::Busy) {
         painter.setBrush(color);
         painter.drawChord(circle, 90 * 16, 180 * 16);
-        break;
-    case StateShape::Good:
-        painter.setBrush(color);
-        painter.drawEllipse(circle);
-        break;
-    case StateShape::Waiting:
-        painter.drawPolygon(QPolygonF({{0.0, -5.5}, {6.0, 5.0}, {-6.0, 5.0}}));
-        break;
-    case StateShape::Bad:
-        painter.drawEllipse(circle);
+    } else if (state_ == StateShape::Bad) {
         painter.drawLine(QPointF(-2.0, -2.0), QPointF(2.0, 2.0));
         painter.drawLine(QPointF(2.0, -2.0), QPointF(-2.0, 2.0));
-        break;
     }
 }
 

@@ -12,6 +12,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QListView>
+#include <QPointF>
 #include <QPushButton>
 #include <QToolButton>
 #include <QWidget>
@@ -58,6 +59,9 @@ void setRole(QWidget* widget, const char* role);
 void makeFlat(QToolButton* button);
 /// Lets a button show and trigger `action`, and read out the action's text.
 void showAction(QToolButton* button, QAction* action);
+
+/// Direction of an arrow key (Qt::Key): 1 to the right or up, -1 to the left or down; zero for all other keys.
+QPointF arrowDirection(int key);
 
 /// Makes an action for the context menu of a list. Its shortcut works only while the list has the focus.
 QAction* addRowAction(QAbstractItemView* view, const QString& text, const QKeySequence& keys);

@@ -1,7 +1,7 @@
 #include "widgets/style/icons.h"
 
-#include <map>
-#include <span>
+#include <algorithm>
+#include <iterator>
 
 #include <QIconEngine>
 #include <QPainter>
@@ -20,7 +20,8 @@ struct Drawing {
     const char* stroke;
 };
 
-constexpr Drawing time_and_map[] = {
+constexpr Drawing drawings[] = {
+    // Time and map.
     {"play", "M 7 4 L 20 12 L 7 20 Z", ""},
     {"pause", "R 6 5 4 14 R 14 5 4 14", ""},
     {"step", "M 5 5 L 15 12 L 5 19 Z R 16 5 3 14", ""},
@@ -36,9 +37,8 @@ constexpr Drawing time_and_map[] = {
     {"area", "R 2 3 4 4 R 18 3 4 4 R 2 17 4 4 R 18 17 4 4", "M 6 5 L 18 5 M 20 7 L 20 17 M 18 19 L 6 19 M 4 17 L 4 7"},
     {"hand", "",
      "M 12 2 L 12 22 M 2 12 L 22 12 M 9 5 L 12 2 L 15 5 M 9 19 L 12 22 L 15 19 M 5 9 L 2 12 L 5 15 "
-     "M 19 9 L 22 12 L 19 15"}};
-
-constexpr Drawing window[] = {
+     "M 19 9 L 22 12 L 19 15"},
+    // The window.
     {"export", "", "M 12 15 L 12 3 M 7 8 L 12 3 L 17 8 M 4 15 L 4 20 L 20 20 L 20 15"},
     {"open", "", "M 3 19 L 3 5 L 9 5 L 11 8 L 20 8 L 20 11 M 3 19 L 7 11 L 23 11 L 19 19 Z"},
     {"edit", "", "M 4 20 L 5 15 L 16 4 L 20 8 L 9 19 Z M 13 7 L 17 11"},
@@ -61,9 +61,8 @@ constexpr Drawing window[] = {
     {"help", "O 12 19.5 1.5", "M 7.5 8.5 Q 7.5 3.5 12 3.5 Q 16.5 3.5 16.5 8 Q 16.5 10.5 13.5 11.8 Q 12 12.6 12 15"},
     {"message", "", "M 3 4 L 21 4 L 21 16 L 10 16 L 5 21 L 5 16 L 3 16 Z"},
     {"bell", "M 9 20 L 15 20 Q 12 24 9 20 Z", "M 4 18 Q 7 15 7 10 Q 7 4 12 4 Q 17 4 17 10 Q 17 15 20 18 Z"},
-    {"settings", "O 9 6 2.5 O 16 12 2.5 O 7 18 2.5", "M 3 6 L 21 6 M 3 12 L 21 12 M 3 18 L 21 18"}};
-
-constexpr Drawing signs_and_objects[] = {
+    {"settings", "O 9 6 2.5 O 16 12 2.5 O 7 18 2.5", "M 3 6 L 21 6 M 3 12 L 21 12 M 3 18 L 21 18"},
+    // Signs and objects.
     {"note", "O 12 7 1.5", "O 12 12 9 M 12 11 L 12 17"},
     {"warning", "O 12 17.3 1.3", "M 12 3 L 22 20.5 L 2 20.5 Z M 12 9 L 12 14"},
     {"error", "",
@@ -82,9 +81,8 @@ constexpr Drawing signs_and_objects[] = {
      "L 19 6"},
     {"conveyor", "O 6 16 1.5 O 18 16 1.5",
      "M 6 12 L 18 12 Q 22 12 22 16 Q 22 20 18 20 L 6 20 Q 2 20 2 16 Q 2 12 6 12 M 5 6 L 18 6 "
-     "M 15 3 L 18 6 L 15 9"}};
-
-constexpr Drawing plans_and_ways[] = {
+     "M 15 3 L 18 6 L 15 9"},
+    // Plans and ways.
     {"turn-left", "M 2 10 L 10 10 L 6 16 Z", "M 6 11 Q 6 4 13 4 Q 20 4 20 11 Q 20 18 13 19"},
     {"turn-right", "M 22 10 L 14 10 L 18 16 Z", "M 18 11 Q 18 4 11 4 Q 4 4 4 11 Q 4 18 11 19"},
     {"spin", "M 17 1 L 23 5 L 16 8 Z M 7 23 L 1 19 L 8 16 Z",
@@ -110,18 +108,6 @@ constexpr Drawing plans_and_ways[] = {
     {"branches", "O 4 12 2.5 O 19 4 2.5 O 19 12 2.5 O 19 20 2.5",
      "M 4 12 L 19 12 M 11 12 L 11 4 L 19 4 M 11 12 L 11 20 L 19 20"},
     {"trace", "O 4 19 2 O 9 15 2 O 13 10 2 O 19 6 2", ""}};
-
-const std::map<QString, Drawing>& drawings() {
-    static const std::map<QString, Drawing> all = [] {
-        std::map<QString, Drawing> table;
-        for (const std::span<const Drawing> topic :
-             {std::span<const Drawing>(time_and_map), {window}, {signs_and_objects}, {plans_and_ways}})
-            for (const Drawing& drawing : topic)
-                table.emplace(QLatin1String(drawing.name), drawing);
-        return table;
-    }();
-    return all;
-}
 
 /// Parses one of the drawings above. They are the only input, so there is no error handling.
 QPainterPath pathOf(const char* text) {
@@ -196,14 +182,14 @@ private:
 } // namespace
 
 QIcon icon(const QString& name, const QColor& color) {
-    const auto found = drawings().find(name);
-    return found == drawings().end() ? QIcon() : QIcon(new VectorIconEngine(found->second, color));
+    const auto* const found = std::ranges::find(drawings, name, &Drawing::name);
+    return found == std::end(drawings) ? QIcon() : QIcon(new VectorIconEngine(*found, color));
 }
 
 QStringList iconNames() {
     QStringList names;
-    for (const auto& [name, drawing] : drawings())
-        names << name;
+    for (const Drawing& drawing : drawings)
+        names << drawing.name;
     return names;
 }
 

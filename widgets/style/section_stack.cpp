@@ -1,6 +1,7 @@
 #include "widgets/style/section_stack.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QSignalBlocker>
 
@@ -28,25 +29,10 @@ void SectionStack::add(QLabel* title, QWidget* body, const QString& tab, int str
     showTabs();
 }
 
-SectionStack::Section* SectionStack::sectionOf(const QWidget* body) {
+void SectionStack::change(const QWidget* body, bool Section::*part, bool value) {
     const auto found = std::ranges::find(sections_, body, &Section::body);
-    return found == sections_.end() ? nullptr : &*found;
-}
-
-void SectionStack::setSectionShown(const QWidget* body, bool shown) {
-    Section* const section = sectionOf(body);
-    if (!section || section->shown == shown)
-        return;
-    section->shown = shown;
-    showTabs();
-}
-
-void SectionStack::setTitleKept(const QWidget* body, bool kept) {
-    Section* const section = sectionOf(body);
-    if (!section || section->keeps_title == kept)
-        return;
-    section->keeps_title = kept;
-    arrange();
+    if (found != sections_.end() && std::exchange((*found).*part, value) != value)
+        showTabs();
 }
 
 void SectionStack::show(const QWidget* body) {
@@ -76,14 +62,14 @@ void SectionStack::showTabs() {
 }
 
 void SectionStack::arrange() {
-    tabbed_ = height() < tabs_->count() * least_px && tabs_->count() > 1;
-    tabs_->setVisible(tabbed_);
+    const bool tabbed = height() < tabs_->count() * least_px && tabs_->count() > 1;
+    tabs_->setVisible(tabbed);
     const int front = tabs_->currentIndex();
     for (uint number = 0; number < sections_.size(); ++number) {
         const Section& section = sections_[number];
         const bool in_front = front >= 0 && tabs_->tabData(front).toUInt() == number;
-        const bool seen = section.shown && (!tabbed_ || in_front);
-        section.title->setVisible(seen && (!tabbed_ || section.keeps_title));
+        const bool seen = section.shown && (!tabbed || in_front);
+        section.title->setVisible(seen && (!tabbed || section.keeps_title));
         section.body->setVisible(seen);
     }
 }

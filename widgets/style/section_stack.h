@@ -24,9 +24,9 @@ public:
     /// `stretch`.
     void add(QLabel* title, QWidget* body, const QString& tab, int stretch);
     /// An unknown `body` changes nothing, here and below.
-    void setSectionShown(const QWidget* body, bool shown);
+    void setSectionShown(const QWidget* body, bool shown) { change(body, &Section::shown, shown); }
     /// Keeps the section's title visible even with tabs, because it says more than the tab.
-    void setTitleKept(const QWidget* body, bool kept);
+    void setTitleKept(const QWidget* body, bool kept) { change(body, &Section::keeps_title, kept); }
     /// Brings this section to the front; has a visible effect only with tabs.
     void show(const QWidget* body);
     using QWidget::show;
@@ -44,8 +44,8 @@ private:
         bool shown = true;
         bool keeps_title = false;
     };
-    /// The section of this body; nullptr if it was never added.
-    Section* sectionOf(const QWidget* body);
+    /// Changes one part of this body's section.
+    void change(const QWidget* body, bool Section::*part, bool value);
     /// Switches between stacked sections and tabs, depending on the height.
     void arrange();
     /// Makes a tab for each shown section.
@@ -54,7 +54,6 @@ private:
     std::vector<Section> sections_;
     QVBoxLayout* column_ = new QVBoxLayout(this);
     QTabBar* tabs_ = new QTabBar(this); ///< one per shown section; the tab's data is the index in `sections_`
-    bool tabbed_ = false;               ///< sections are shown one at a time
 };
 
 } // namespace usar::widgets

@@ -1,6 +1,8 @@
 #include "widgets/style/theme.h"
 
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include <QApplication>
 #include <QFontDatabase>
@@ -9,6 +11,8 @@
 #include <QProxyStyle>
 #include <QStyleFactory>
 #include <QStyleOption>
+
+#include "core/agent/published.h"
 
 namespace usar::widgets {
 
@@ -237,6 +241,10 @@ QColor robotColor(int number) {
 QColor inkOn(const QColor& fill) {
     const QColor black(0x0b0e12);
     return contrast(black, fill) >= contrast(Qt::white, fill) ? black : QColor(Qt::white);
+}
+
+QColor riskColor(agent::Risk risk) {
+    return risk == agent::Risk::None ? tokens().ok : risk == agent::Risk::Low ? tokens().caution : tokens().danger;
 }
 
 QColor traceColor(protocol::TraceColor color) {

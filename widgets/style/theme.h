@@ -2,13 +2,15 @@
 // mission without a window show them, too.
 #pragma once
 
-#include <array>
-
 #include <QColor>
 #include <QFont>
 
 #include "core/agent/mark_style.h"
 #include "core/protocol/commands/trace.h"
+
+namespace usar::agent {
+enum class Risk;
+}
 
 namespace usar::widgets {
 
@@ -51,13 +53,12 @@ QColor inkOn(const QColor& fill);
 
 /// Colors of the thesis's marks (figure 4.4); the same in both themes and in exported pictures.
 QColor markColor(agent::MarkKind kind);
+/// Colors of a sonar's risk, for its column and the zones on it; as readable as the text tokens. GUI thread only.
+QColor riskColor(agent::Risk risk);
 /// Colors of the protocol's TRACE; the same in both themes. On the map each mark has a dark rim.
 QColor traceColor(protocol::TraceColor color);
 /// Topic of a line of traffic. `Other`: none of these.
 enum class LineFamily { State, Range, Pose, Sensor, Answer, Drive, Command, Other };
-inline constexpr std::array all_line_families = {LineFamily::State,   LineFamily::Range,  LineFamily::Pose,
-                                                 LineFamily::Sensor,  LineFamily::Answer, LineFamily::Drive,
-                                                 LineFamily::Command, LineFamily::Other};
 /// Text color for the type of a line; as readable as the text tokens. Our own commands are blue.
 QColor lineColor(LineFamily family, Theme theme);
 

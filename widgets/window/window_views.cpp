@@ -9,16 +9,6 @@ namespace usar::widgets {
 
 namespace {
 
-QDockWidget* addDock(QMainWindow& window, WindowViews& views, const QString& name, const QString& title,
-                     Qt::DockWidgetArea area, QWidget* content) {
-    auto* dock = new QDockWidget(title, &window);
-    dock->setObjectName(name); // QMainWindow::saveState identifies it by this.
-    dock->setWidget(content);
-    window.addDockWidget(area, dock);
-    views.docks.push_back(dock);
-    return dock;
-}
-
 QToolBar* addBar(QMainWindow& window, const QString& name, const QString& title) {
     auto* bar = window.addToolBar(title);
     bar->setObjectName(name);
@@ -78,11 +68,10 @@ QWidget* makeInspector(WindowViews& views) {
     column->setStretchFactor(views.messages, 1);
     auto* row = new QHBoxLayout;
     row->setContentsMargins(gap::small, 0, gap::tiny, gap::tiny);
-    row->addWidget(views.message_count = new QLabel);
+    row->addWidget(views.message_count = mutedLabel());
     row->addStretch(1);
     row->addWidget(views.traffic = new QToolButton);
     column->addLayout(row);
-    views.message_count->setProperty("role", "muted");
     views.message_count->setFont(themeFont(FontRole::Small));
     views.traffic->setAutoRaise(true);
     views.traffic->setFont(themeFont(FontRole::Small));
@@ -93,43 +82,42 @@ QWidget* makeInspector(WindowViews& views) {
 }
 
 void makeDocks(QMainWindow& window, WindowViews& views) {
+    constexpr auto left = Qt::LeftDockWidgetArea;
+    constexpr auto right = Qt::RightDockWidgetArea;
+    constexpr auto bottom = Qt::BottomDockWidgetArea;
+    const auto add = [&](const QString& name, const QString& title, Qt::DockWidgetArea area, QWidget* content) {
+        auto* dock = new QDockWidget(title, &window);
+        dock->setObjectName(name); // QMainWindow::saveState identifies it by this.
+        dock->setWidget(content);
+        window.addDockWidget(area, dock);
+        return views.docks.emplace_back(dock);
+    };
     views.parameters = new ParameterForm;
-    addDock(window, views, "robots", QObject::tr("Robots"), Qt::LeftDockWidgetArea, views.robots = new RobotList);
-    auto* behavior = addDock(window, views, "behavior", QObject::tr("Behavior"), Qt::LeftDockWidgetArea,
-                             views.behavior = new BehaviorPanel(views.parameters));
-    auto* instruments = addDock(window, views, "instruments", QObject::tr("Instruments"), Qt::RightDockWidgetArea,
-                                makeInstruments(views));
-    addDock(window, views, "sensors", QObject::tr("Sensors"), Qt::RightDockWidgetArea, views.sensors = new SensorPanel);
-    views.plots_dock =
-        addDock(window, views, "plots", QObject::tr("Plots"), Qt::BottomDockWidgetArea, views.plots = new PlotView);
-    views.messages_dock =
-        addDock(window, views, "messages", QObject::tr("Messages"), Qt::BottomDockWidgetArea, makeInspector(views));
-    views.notifications_dock = addDock(window, views, "notifications", QObject::tr("Notifications"),
-                                       Qt::BottomDockWidgetArea, views.notifications = new NotificationCenter);
+    add("robots", QObject::tr("Robots"), left, views.robots = new RobotList);
+    auto* behavior =
+        add("behavior", QObject::tr("Behavior"), left, views.behavior = new BehaviorPanel(views.parameters));
+    auto* instruments = add("instruments", QObject::tr("Instruments"), right, makeInstruments(views));
+    add("sensors", QObject::tr("Sensors"), right, views.sensors = new SensorPanel);
+    views.plots_dock = add("plots", QObject::tr("Plots"), bottom, views.plots = new PlotView);
+    views.messages_dock = add("messages", QObject::tr("Messages"), bottom, makeInspector(views));
+    views.notifications_dock =
+        add("notifications", QObject::tr("Notifications"), bottom, views.notifications = new NotificationCenter);
     views.toasts = new ToastStack(views.map, views.notifications->model());
-    auto* layers =
-        addDock(window, views, "layers", QObject::tr("Layers"), Qt::LeftDockWidgetArea, views.layers = new LayersPanel);
-    layers->hide();
-    auto* faults =
-        addDock(window, views, "faults", QObject::tr("Faults"), Qt::LeftDockWidgetArea, views.faults = new FaultPanel);
-    window.tabifyDockWidget(views.docks[1], faults); // On the behavior dock, which is tall enough.
+    add("layers", QObject::tr("Layers"), left, views.layers = new LayersPanel)->hide();
+    auto* faults = add("faults", QObject::tr("Faults"), left, views.faults = new FaultPanel);
+    window.tabifyDockWidget(behavior, faults); // It is tall enough.
     faults->hide();
-    auto* camera =
-        addDock(window, views, "camera", QObject::tr("Camera"), Qt::RightDockWidgetArea, views.camera = new CameraView);
+    auto* camera = add("camera", QObject::tr("Camera"), right, views.camera = new CameraView);
     window.tabifyDockWidget(instruments, camera); // The tallest place.
     instruments->raise();
     QObject::connect(camera, &QDockWidget::visibilityChanged, views.camera, &CameraView::setUncovered);
-    views.world_dock =
-        addDock(window, views, "world", QObject::tr("World"), Qt::LeftDockWidgetArea, views.world = new WorldPanel);
+    views.world_dock = add("world", QObject::tr("World"), left, views.world = new WorldPanel);
     window.tabifyDockWidget(behavior, views.world_dock); // Both show what should happen in the world.
-    views.drive_dock =
-        addDock(window, views, "drive", QObject::tr("Drive"), Qt::LeftDockWidgetArea, views.drive = new DrivePanel);
+    views.drive_dock = add("drive", QObject::tr("Drive"), left, views.drive = new DrivePanel);
     window.tabifyDockWidget(views.world_dock, views.drive_dock);
     behavior->raise();
-    views.radio_dock =
-        addDock(window, views, "radio", QObject::tr("Radio"), Qt::BottomDockWidgetArea, views.radio = new RadioView);
-    views.plan_dock =
-        addDock(window, views, "plan", QObject::tr("Plan"), Qt::BottomDockWidgetArea, views.plan = new PlanPanel);
+    views.radio_dock = add("radio", QObject::tr("Radio"), bottom, views.radio = new RadioView);
+    views.plan_dock = add("plan", QObject::tr("Plan"), bottom, views.plan = new PlanPanel);
     window.tabifyDockWidget(views.plots_dock, views.plan_dock);
     window.tabifyDockWidget(views.plan_dock, views.messages_dock);
     window.tabifyDockWidget(views.messages_dock, views.notifications_dock);

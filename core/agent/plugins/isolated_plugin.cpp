@@ -8,7 +8,7 @@
 
 namespace usar::agent {
 
-IsolatedPlugin::IsolatedPlugin(QString program, QString file, const IsolationPatience& patience)
+IsolatedPlugin::IsolatedPlugin(QString program, QString file, const Patience& patience)
     : program_(std::move(program))
     , file_(std::move(file))
     , allowed_(patience) {
@@ -87,11 +87,11 @@ void IsolatedPlugin::listen() {
 
 void IsolatedPlugin::take(frames::Reply reply) {
     patience_.stop();
-    if (auto* const refusal = std::get_if<frames::Refusal>(&reply))
-        return fail(std::move(refusal->error));
-    if (auto* const told = std::get_if<frames::Description>(&reply); told && doing_ == Doing::Loading) {
+    if (auto* const refusal = std::get_if<Error>(&reply))
+        return fail(std::move(*refusal));
+    if (auto* const told = std::get_if<RobotDescription>(&reply); told && doing_ == Doing::Loading) {
         doing_ = Doing::Nothing;
-        description_ = std::move(told->robot);
+        description_ = std::move(*told);
         if (const auto tell = std::exchange(told_, nullptr))
             return tell({});
         return goOn();
@@ -116,9 +116,7 @@ void IsolatedPlugin::runOut() {
     if (ending_)
         return lose(host_->howItEnded(std::nullopt, Seconds{0.0}));
     host_->kill();
-    std::string said = "did not answer for ";
-    appendShortest(said, Seconds(patience_.intervalAsDuration()).count());
-    lose(said + " s");
+    lose("did not answer for " + shortest(Seconds(patience_.intervalAsDuration()).count()) + " s");
 }
 
 void IsolatedPlugin::lose(const std::string& what) {

@@ -11,17 +11,11 @@
 #include <QString>
 #include <QTimer>
 
+#include "core/agent/patience.h"
 #include "core/agent/process/host_process.h"
 #include "core/agent/robot_plugin.h"
 
 namespace usar::agent {
-
-/// Time limits in wall time, after which a process is killed.
-struct IsolationPatience {
-    Seconds loading{5.0}; ///< starting the process, loading its libraries and the plugin, and its description
-    Seconds preview{1.0}; ///< computing a preview
-    Seconds end{0.5};     ///< ending after it has closed the connection
-};
 
 /// Represents the plugin for its description and previews. Its behaviors are started as IsolatedBehavior, each in yet
 /// another process; `createBehavior` is refused. No call waits: the answer of the process, its death, or the fact that
@@ -34,7 +28,7 @@ public:
     template <class Answer>
     using Told = std::function<void(Result<Answer>)>;
 
-    IsolatedPlugin(QString program, QString file, const IsolationPatience& patience = {});
+    IsolatedPlugin(QString program, QString file, const Patience& patience = {});
     ~IsolatedPlugin() override;
     Q_DISABLE_COPY_MOVE(IsolatedPlugin)
 
@@ -80,7 +74,7 @@ private:
 
     QString program_;
     QString file_;
-    IsolationPatience allowed_;
+    Patience allowed_;
     RobotDescription description_;
     std::unique_ptr<HostProcess> host_; ///< none after a crash
     std::unique_ptr<QSocketNotifier> ear_;

@@ -18,19 +18,11 @@ namespace usar::agent {
 
 namespace {
 
-/// Qt stores its own version in the metadata as 0xMMmmpp.
-bool builtForOurQt(int version) {
-    const int major = (version >> 16) & 0xff;
-    const int minor = (version >> 8) & 0xff;
-    return major == QT_VERSION_MAJOR && minor <= QT_VERSION_MINOR;
-}
-
 QString complaintAboutIid(const QString& iid) {
     const QString ours = USAR_ROBOT_PLUGIN_IID;
-    const QString family = ours.section('/', 0, 0);
     if (iid == ours)
         return {};
-    if (iid.section('/', 0, 0) == family)
+    if (iid.section('/', 0, 0) == ours.section('/', 0, 0))
         return QString("It was built for version %1 of the plugin interface; this program has version %2. Rebuild it.")
             .arg(iid.section('/', 1), ours.section('/', 1));
     return QString("It is a Qt plugin, but not a robot plugin (its interface is %1). Remove it from the folder.")
@@ -56,10 +48,13 @@ QString complaintAboutMetadata(const QJsonObject& metadata) {
 QString complaintBeforeLoading(const QJsonObject& raw) {
     if (raw.isEmpty())
         return "It is no Qt plugin, or the file is damaged. Remove it from the folder, or build it again.";
-    if (const int version = raw.value("version").toInt(); !builtForOurQt(version))
+    const int version = raw.value("version").toInt(); // Qt stores its own version as 0xMMmmpp.
+    const int major = version >> 16 & 0xff;
+    const int minor = version >> 8 & 0xff;
+    if (major != QT_VERSION_MAJOR || minor > QT_VERSION_MINOR)
         return QString("It was built with Qt %1.%2; this program runs with Qt %3. Rebuild it.")
-            .arg(version >> 16 & 0xff)
-            .arg(version >> 8 & 0xff)
+            .arg(major)
+            .arg(minor)
             .arg(QT_VERSION_STR);
     if (const QString complaint = complaintAboutIid(raw.value("IID").toString()); !complaint.isEmpty())
         return complaint;

@@ -24,7 +24,7 @@ struct PluginPolicy {
     QString host_program;   ///< path of usar-behavior-host; empty: nothing is isolated
     QStringList isolated;   ///< the "name" in the metadata of each isolated plugin
     PluginMarks marks = {}; ///< remembers plugins whose loading ended the program
-    IsolationPatience patience = {};
+    Patience patience = {};
 };
 
 /// Asked: a process of its own loads the plugin and has not answered yet.

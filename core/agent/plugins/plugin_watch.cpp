@@ -6,7 +6,7 @@
 
 namespace usar::agent {
 
-PluginWatch::PluginWatch(QObject* parent) : QObject(parent) {
+PluginWatch::PluginWatch() {
     calm_.setSingleShot(true);
     calm_.setInterval(std::chrono::milliseconds{700});
     connect(&watcher_, &QFileSystemWatcher::directoryChanged, &calm_, qOverload<>(&QTimer::start));

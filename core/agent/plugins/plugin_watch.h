@@ -12,7 +12,7 @@ namespace usar::agent {
 class PluginWatch : public QObject {
     Q_OBJECT
 public:
-    explicit PluginWatch(QObject* parent = nullptr);
+    PluginWatch();
 
     /// Adds folders to watch. Call it again after `changed`, because replacing a file ends its watch.
     void watch(const QStringList& folders);

@@ -68,14 +68,6 @@ PoshBehavior::~PoshBehavior() {
     parts_.body->engine_ = nullptr;
 }
 
-void PoshBehavior::watch(posh::TraceObserver* observer) {
-    reporter_.watch(observer);
-}
-
-void PoshBehavior::onInfo(const protocol::InfoLine& line, CommandPort&) {
-    parts_.body->onInfo(line);
-}
-
 void PoshBehavior::tick(const Tick& tick, CommandPort& port) {
     if (finished_)
         return;
@@ -228,10 +220,6 @@ PlanReplaced PoshBehavior::replacePlan(const PlanText& plan) {
 void PoshBehavior::obey(const SetBreakpoints& asked, CommandPort& port) {
     for (std::string& refused : debugger_.set(asked))
         port.publish(BehaviorEvent{Severity::Warning, std::move(refused)});
-}
-
-void PoshBehavior::obey(const SetPins& asked, CommandPort&) {
-    debugger_.set(asked, engine_);
 }
 
 void PoshBehavior::obey(PlanStep step, CommandPort& port) {

@@ -41,7 +41,7 @@ public:
     static Result<std::unique_ptr<PoshBehavior>> make(PoshParts parts);
     ~PoshBehavior() override;
 
-    void onInfo(const protocol::InfoLine& line, CommandPort& port) override;
+    void onInfo(const protocol::InfoLine& line, CommandPort&) override { parts_.body->onInfo(line); }
     void tick(const Tick& tick, CommandPort& port) override;
     void order(Order order, CommandPort& port) override;
     void control(const PlanControl& control, CommandPort& port) override;
@@ -51,7 +51,7 @@ public:
     const std::string& planText() const { return parts_.plan_text; }
     const posh::Engine& engine() const { return engine_; }
     /// Sets an additional observer of the trace, which must outlive this object; nullptr removes it.
-    void watch(posh::TraceObserver* observer);
+    void watch(posh::TraceObserver* observer) { reporter_.watch(observer); }
 
 private:
     /// Turns errors and warnings into events, keeps the trace, and passes all records on.
@@ -90,7 +90,7 @@ private:
     void land(CommandPort& port);
     void obey(const ReplacePlan& asked, CommandPort& port);
     void obey(const SetBreakpoints& asked, CommandPort& port);
-    void obey(const SetPins& asked, CommandPort& port);
+    void obey(const SetPins& asked, CommandPort&) { debugger_.set(asked, engine_); }
     void obey(PlanStep step, CommandPort& port);
     PlanReplaced replacePlan(const PlanText& plan);
     /// Publishes a note if the plan asks for real time.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/posh/trace/trace_text.h"
+#include "core/posh/run/trace_event.h"
 
 namespace usar::agent {
 
@@ -11,21 +11,15 @@ namespace {
 
 /// The reason for a halt in words; `text` is the text of the trace record that hit the breakpoint.
 std::string reasonOf(const posh::Breakpoint& breakpoint, const std::string& names, const std::string& text) {
-    switch (breakpoint.on) {
-    case posh::BreakOn::Before:
-        return "before " + names;
-    case posh::BreakOn::After:
-        return "after " + names;
-    case posh::BreakOn::Result:
-        return names + " answered " + std::string(posh::toText(breakpoint.result));
-    case posh::BreakOn::VerdictChange:
-        return "the verdict on " + names + " changed";
-    case posh::BreakOn::Written:
-        return names + " wrote " + text;
-    case posh::BreakOn::Interruption:
-        break;
-    }
-    return names + " was interrupted";
+    const std::pair<std::string, std::string> around[] = {
+        {"before ", ""},
+        {"after ", ""},
+        {"", " answered " + std::string(posh::toText(breakpoint.result))},
+        {"the verdict on ", " changed"},
+        {"", " was interrupted"},
+        {"", " wrote " + text}}; // in the order of BreakOn
+    const auto& [before, after] = around[static_cast<std::size_t>(breakpoint.on)];
+    return before + names + after;
 }
 
 } // namespace

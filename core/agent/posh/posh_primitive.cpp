@@ -9,10 +9,7 @@ namespace {
 std::string rangeText(const PoshParameter& parameter) {
     if (parameter.minimum == 0.0 && parameter.maximum == 0.0)
         return {};
-    std::string text = " from ";
-    appendShortest(text, parameter.minimum);
-    text += " to ";
-    appendShortest(text, parameter.maximum);
+    const std::string text = " from " + shortest(parameter.minimum) + " to " + shortest(parameter.maximum);
     return parameter.unit.empty() ? text : text + " " + parameter.unit;
 }
 

@@ -57,9 +57,7 @@ struct FieldLists {
     static void pass(auto& io, Field<Answer> auto& answer) {
         io(answer.output, answer.safe, answer.halted, answer.finished, answer.broke);
     }
-    static void pass(auto& io, Field<Refusal> auto& refusal) {
-        io(refusal.error.what, refusal.error.where, refusal.error.mend);
-    }
+    static void pass(auto& io, Field<Error> auto& error) { io(error.what, error.where, error.mend); }
     static void pass(auto& io, Field<Dying> auto& dying) { io(dying.signal); }
     static void pass(auto& io, Field<ParameterSpec> auto& spec) {
         io(spec.id, spec.label, spec.group, spec.unit, spec.default_value);
@@ -81,7 +79,6 @@ struct FieldLists {
     static void pass(auto& io, Field<RobotDescription> auto& robot) {
         io(robot.class_name, robot.name, robot.sensors_needed, robot.behaviors, robot.primitives);
     }
-    static void pass(auto& io, Field<Description> auto& description) { io(description.robot); }
     static void pass(auto& io, Field<TaskPreview> auto& preview) {
         io(preview.path_in_map_m, preview.length_m, preview.duration, preview.summary);
     }

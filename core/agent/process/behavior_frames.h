@@ -47,21 +47,14 @@ using Request = std::variant<Start, Line, Order, PlanControl, std::map<std::stri
 
 /// The reply to a request; the host sends one reply for each request, in the same order.
 using Answer = BehaviorAnswer;
-/// The reply to Describe. The reply to Job is a TaskPreview.
-struct Description {
-    RobotDescription robot;
-};
-/// The reply to Start, Describe or Job if they fail.
-struct Refusal {
-    Error error;
-};
 /// The last frame of a host, sent by its signal handler.
 struct Dying {
     int signal = 0; ///< number of the signal
 };
 
-/// From the host to the program.
-using Reply = std::variant<Answer, Refusal, Dying, Description, TaskPreview>;
+/// From the host to the program. The reply to Describe is a RobotDescription, that to Job a TaskPreview; an Error is
+/// the reply to Start, Describe or Job if they fail.
+using Reply = std::variant<Answer, Error, Dying, RobotDescription, TaskPreview>;
 
 /// The bytes of one frame, without the length that FrameChannel adds.
 QByteArray write(const Request& request);

@@ -116,15 +116,15 @@ std::optional<frames::Reply> answerAboutPlugin(const std::optional<frames::Reque
     if (const auto* const describe = std::get_if<frames::Describe>(&*request)) {
         plugins.scan({QString::fromStdString(describe->plugin_file)});
         if (!plugins.robots().empty())
-            return frames::Description{plugins.robots().front()};
+            return plugins.robots().front();
         const QString reason = plugins.records().empty() ? QString("It is gone.") : plugins.records().front().reason;
-        return frames::Refusal{{reason.toStdString(), {}, {}}};
+        return Error{reason.toStdString(), {}, {}};
     }
     const auto* const job = std::get_if<frames::Job>(&*request);
     if (!job)
         return std::nullopt;
     auto preview = answerFor(*job, plugins, previewTask);
-    return preview ? frames::Reply(*std::move(preview)) : frames::Reply(frames::Refusal{preview.error()});
+    return preview ? frames::Reply(*std::move(preview)) : frames::Reply(preview.error());
 }
 
 } // namespace
@@ -147,8 +147,8 @@ int serveBehavior(int socket) {
         }
         const auto* const start = request ? std::get_if<frames::Start>(&*request) : nullptr;
         if (!request || (start == nullptr) != service.has_value()) {
-            reply(frames::Refusal{{"the program and its behavior host do not understand each other",
-                                   "usar-behavior-host", "Install both from the same version"}});
+            reply(Error{"the program and its behavior host do not understand each other", "usar-behavior-host",
+                        "Install both from the same version"});
             return 2;
         }
         RunningBehavior::Output output;
@@ -157,7 +157,7 @@ int serveBehavior(int socket) {
             plugins.scan({QString::fromStdString(start->plugin_file)});
             auto behavior = answerFor(start->job, plugins, makeBehavior);
             if (!behavior) {
-                reply(frames::Refusal{behavior.error()});
+                reply(behavior.error());
                 return 1;
             }
             service.emplace().parameters = plugins.behavior(id)->parameters;

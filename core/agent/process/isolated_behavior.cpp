@@ -16,8 +16,7 @@ RunningBehavior::Output IsolatedBehavior::begin() {
     if (!started)
         return end(started.error().text());
     host_ = *std::move(started);
-    constexpr Seconds patience{15.0}; // for starting, loading libraries and the plugin, and creating the behavior
-    return ask(start_, patience, "it was being made");
+    return ask(start_, Patience().making, "it was being made");
 }
 
 RunningBehavior::Output IsolatedBehavior::receive(const protocol::InfoLine& line) {
@@ -51,8 +50,8 @@ RunningBehavior::Output IsolatedBehavior::ask(const frames::Request& request, Se
     }
     if (reply && std::holds_alternative<frames::Answer>(*reply))
         return note(std::get<frames::Answer>(*reply));
-    if (reply && std::holds_alternative<frames::Refusal>(*reply))
-        return end(std::get<frames::Refusal>(*reply).error.text());
+    if (reply && std::holds_alternative<Error>(*reply))
+        return end(std::get<Error>(*reply).text());
     return lose(reply, at_work);
 }
 

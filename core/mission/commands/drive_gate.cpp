@@ -34,15 +34,11 @@ void DriveGate::complete(protocol::Command& drive) {
     last_ackermann_ = said;
 }
 
-std::vector<agent::CausedCommand> DriveGate::release(Seconds now) {
+std::vector<agent::CausedCommand> DriveGate::release(Seconds now, bool at_once) {
     // Times on the wire have two decimals: a difference of half a hundredth must not cost a tick.
     constexpr Seconds rounding{0.005};
-    if (last_sent_ && now >= *last_sent_ && now - *last_sent_ < spacing - rounding)
+    if (!at_once && last_sent_ && now >= *last_sent_ && now - *last_sent_ < spacing - rounding)
         return {};
-    return releaseNow(now);
-}
-
-std::vector<agent::CausedCommand> DriveGate::releaseNow(Seconds now) {
     if (!held_.empty())
         last_sent_ = now;
     return std::exchange(held_, {});

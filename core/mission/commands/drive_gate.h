@@ -17,18 +17,13 @@ class DriveGate {
 public:
     static constexpr Seconds spacing{0.05};
 
-    /// True for DRIVE and MULTIDRIVE.
-    static bool isDrive(const protocol::Command& command) { return protocol::isDrive(command); }
     /// Queues the command. Returns true if it replaced one that had not been sent yet.
     bool offer(agent::CausedCommand drive);
     /// Takes out the commands to send now, oldest first; empty if their time has not come. If the clock ran backward (a
-    /// new connection), the commands are released at once.
-    std::vector<agent::CausedCommand> release(Seconds now);
-    /// Takes out all queued commands without waiting.
-    std::vector<agent::CausedCommand> releaseNow(Seconds now);
+    /// new connection) or `at_once` is set, the commands are released without waiting.
+    std::vector<agent::CausedCommand> release(Seconds now, bool at_once = false);
     /// Drops all queued commands; the next one may be sent at once.
     void reset() { *this = {}; }
-    bool holding() const { return !held_.empty(); }
 
 private:
     void complete(protocol::Command& drive);

@@ -16,19 +16,14 @@ void Outgoing::beginConnection() {
 }
 
 void Outgoing::send(const agent::CausedCommand& command) {
-    if (DriveGate::isDrive(command.command))
+    if (protocol::isDrive(command.command))
         drives_replaced_ += gate_.offer(command);
     else
         write(command);
 }
 
-void Outgoing::release(Seconds now) {
-    for (const agent::CausedCommand& drive : gate_.release(now))
-        write(drive);
-}
-
-void Outgoing::releaseNow(Seconds now) {
-    for (const agent::CausedCommand& drive : gate_.releaseNow(now))
+void Outgoing::release(Seconds now, bool at_once) {
+    for (const agent::CausedCommand& drive : gate_.release(now, at_once))
         write(drive);
 }
 

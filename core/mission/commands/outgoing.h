@@ -36,10 +36,8 @@ public:
 
     /// Writes the command; a DRIVE waits until it is released, and replaces an older one that still waits.
     void send(const agent::CausedCommand& command);
-    /// Writes the waiting DRIVEs if enough time has passed since the last ones.
-    void release(Seconds now);
-    /// Writes the waiting DRIVEs without regard to the last ones.
-    void releaseNow(Seconds now);
+    /// Writes the waiting DRIVEs if enough time has passed since the last ones, or, with `at_once`, in any case.
+    void release(Seconds now, bool at_once = false);
     void dropWaiting() { gate_.reset(); }
 
     /// Commands that bring the robot to rest: a zero DRIVE for its kind, unless the behavior has a safe command of its

@@ -1,7 +1,6 @@
 #include "core/mission/files/mission_check.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include <QDir>
@@ -25,11 +24,9 @@ std::string inWords(const Rectangle& area) {
 agent::ParameterSpec inFileUnits(agent::ParameterSpec spec) {
     if (spec.unit != "rad")
         return spec;
-    // Rounds, so that an error says 90 and not 89.99..9.
-    const auto whole_nano = [](double angle_deg) { return std::round(angle_deg * 1e9) / 1e9; };
     spec.unit = "deg";
-    spec.minimum = whole_nano(degrees(spec.minimum));
-    spec.maximum = whole_nano(degrees(spec.maximum));
+    spec.minimum = typedDegrees(spec.minimum);
+    spec.maximum = typedDegrees(spec.maximum);
     return spec;
 }
 

@@ -10,11 +10,13 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QSaveFile>
 #include <QSet>
 #include <QStringList>
 
 #include "core/base/spelling.h"
 #include "core/mission/files/json_positions.h"
+#include "core/mission/files/scan_record.h"
 
 namespace usar::mission {
 
@@ -117,12 +119,9 @@ private:
         const std::string name = key.name.toStdString();
         if (std::ranges::find(known, name) != known.end())
             return;
-        QStringList all;
-        for (const std::string& word : known)
-            all += QString::fromStdString(word);
         fail(key.key_offset, QString("unknown key \"%1\"").arg(key.name),
              QString("did you mean \"%1\"? Known here: %2")
-                 .arg(QString::fromStdString(nearestWord(name, known)), all.join(", ")));
+                 .arg(QString::fromStdString(nearestWord(name, known)), textsOf(known).join(", ")));
     }
 
     void failMissing(const QString& key, const QString& parent) {
@@ -195,6 +194,28 @@ QString beside(const QString& file_name, const QString& path) {
     return QDir::cleanPath(QFileInfo(file_name).dir().filePath(path));
 }
 
+/// Puts the place into the error; its former `where` goes into the sentence instead.
+Error at(const std::string& place, const Error& error) {
+    return {error.where.empty() ? error.what : error.where + ": " + error.what, place, error.mend};
+}
+
+QJsonValue written(const agent::ParameterValue& value, bool is_angle) {
+    if (const auto* real = std::get_if<double>(&value))
+        return is_angle ? typedDegrees(*real) : *real;
+    if (const auto* whole = std::get_if<long long>(&value))
+        return static_cast<qint64>(*whole);
+    if (const auto* flag = std::get_if<bool>(&value))
+        return *flag;
+    return QString::fromStdString(std::get<std::string>(value));
+}
+
+/// Returns the path relative to the folder if the plan is inside it, so that both can be moved together; else absolute.
+QString planPath(const QString& plan, const QString& folder) {
+    const QString absolute = QFileInfo(plan).absoluteFilePath();
+    const QString relative = folder.isEmpty() ? absolute : QDir(folder).relativeFilePath(absolute);
+    return relative.startsWith("..") ? absolute : relative;
+}
+
 } // namespace
 
 Result<Mission> readMission(const QByteArray& json, const QString& file_name) {
@@ -245,15 +266,6 @@ Result<Mission> readMissionFile(const QString& path) {
     return readMission(json, path);
 }
 
-namespace {
-
-/// Puts the place into the error; its former `where` goes into the sentence instead.
-Error at(const std::string& place, const Error& error) {
-    return {error.where.empty() ? error.what : error.where + ": " + error.what, place, error.mend};
-}
-
-} // namespace
-
 Error atKey(const Mission& mission, const std::string& path, const Error& error) {
     const auto found = mission.places.find(path);
     return found == mission.places.end() ? error : at(found->second.key, error);
@@ -277,6 +289,47 @@ withAnglesInRadians(std::map<std::string, agent::ParameterValue> parameters,
             found->second = radians(*real);
     }
     return parameters;
+}
+
+double typedDegrees(double angle_rad) {
+    constexpr double grain = 1e9;
+    return std::round(degrees(angle_rad) * grain) / grain;
+}
+
+QByteArray writeMission(const Mission& mission, const std::vector<agent::ParameterSpec>& specs, const QString& folder) {
+    QJsonObject parameters;
+    for (const auto& [id, value] : mission.parameters) {
+        const bool is_angle = std::ranges::any_of(
+            specs, [&id = id](const agent::ParameterSpec& spec) { return spec.id == id && spec.unit == "rad"; });
+        parameters[QString::fromStdString(id)] = written(value, is_angle);
+    }
+    QJsonObject all{{"name", QString::fromStdString(mission.name)},
+                    {"world", QString::fromStdString(mission.world)},
+                    {"robot", QString::fromStdString(mission.robot_class)},
+                    {"start", QString::fromStdString(mission.start)},
+                    {"behavior", QString::fromStdString(mission.behavior)},
+                    {"parameters", parameters},
+                    {"cell_size_m", mission.cell_size_m}};
+    if (!mission.plan.empty())
+        all["plan"] = planPath(QString::fromStdString(mission.plan), folder);
+    if (const Rectangle& area = mission.area_in_map; !area.empty())
+        all["area"] = QJsonObject{
+            {"x", area.min_m.x()}, {"y", area.min_m.y()}, {"width", area.width_m()}, {"height", area.height_m()}};
+    if (mission.isolate)
+        all["isolate"] = true;
+    if (!mission.faults.empty())
+        all["faults"] = QJsonArray::fromStringList(textsOf(mission.faults));
+    return QJsonDocument(all).toJson(QJsonDocument::Indented);
+}
+
+Result<void> writeMissionFile(const Mission& mission, const std::vector<agent::ParameterSpec>& specs,
+                              const QString& path) {
+    QSaveFile file(path);
+    const QByteArray json = writeMission(mission, specs, QFileInfo(path).absolutePath());
+    if (file.open(QIODevice::WriteOnly) && file.write(json) == json.size() && file.commit())
+        return {};
+    return failure("the mission is not saved: " + file.errorString().toStdString(), path.toStdString(),
+                   "Choose a folder that you may write to, with room on its disk");
 }
 
 } // namespace usar::mission

@@ -1,4 +1,5 @@
-// The mission file (MISSION.json): what to fly, where, and how.
+// The mission file (MISSION.json): what to fly, where, and how; it is read, and written so that the mission can be
+// flown again.
 #pragma once
 
 #include <map>
@@ -60,5 +61,21 @@ Error atValue(const Mission& mission, const std::string& path, const Error& erro
 std::map<std::string, agent::ParameterValue>
 withAnglesInRadians(std::map<std::string, agent::ParameterValue> parameters,
                     const std::vector<agent::ParameterSpec>& specs);
+
+/// Returns the degrees that the user typed, without the rounding error of the conversion to radians: 90 and not
+/// 89.99..9.
+double typedDegrees(double angle_rad);
+
+/// Returns JSON that `readMission` accepts, ending with a newline. Values in `mission` are in a behavior's units: those
+/// whose spec says "rad" are written in degrees. Reading the text and converting the angles back gives the same
+/// mission, except for reals with whole values, which the file cannot distinguish from integers and a behavior accepts
+/// as either. The path of a plan is written as an absolute path, or as a relative one if it is inside `folder`, the
+/// folder of the mission.
+QByteArray writeMission(const Mission& mission, const std::vector<agent::ParameterSpec>& specs,
+                        const QString& folder = {});
+
+/// Writes the mission file completely or not at all; an error names path and reason.
+Result<void> writeMissionFile(const Mission& mission, const std::vector<agent::ParameterSpec>& specs,
+                              const QString& path);
 
 } // namespace usar::mission

@@ -1,7 +1,6 @@
 #include "core/mission/files/picture_legend.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <QFont>
@@ -14,19 +13,13 @@ namespace usar::mission {
 
 namespace {
 
-QColor colorOf(const agent::MarkStyle& style) {
-    return QColor(style.rgb);
-}
-
 /// "low risk": the legend is in lowercase.
 QString labelOf(agent::MarkKind kind) {
-    return QString::fromStdString(std::string(agent::styleOf(kind).name)).toLower();
+    return QString::fromUtf8(agent::styleOf(kind).name).toLower();
 }
 
 using agent::MarkKind;
 
-constexpr std::array mark_order{MarkKind::Path,     MarkKind::Diversion, MarkKind::LowRisk,    MarkKind::HighRisk,
-                                MarkKind::Recharge, MarkKind::Landing,   MarkKind::GoalGivenUp};
 const QColor strip_color(24, 28, 36);
 const QColor ink_color(232, 235, 240);
 const QColor rim_color(0, 0, 0, 170);
@@ -57,7 +50,7 @@ template <class Place>
 int flowMarks(double width_px, double text_px, const Place& place) {
     double x = text_px;
     int line = 0;
-    for (const MarkKind kind : mark_order) {
+    for (const MarkKind kind : agent::all_mark_kinds) {
         const double entry_px = textWidth(labelOf(kind), text_px) + 3.0 * text_px;
         if (x + entry_px > width_px && x > text_px) {
             x = text_px;
@@ -70,7 +63,7 @@ int flowMarks(double width_px, double text_px, const Place& place) {
 }
 
 /// Formats a length in meters without trailing zeros.
-QString metres(double length_m) {
+QString meters(double length_m) {
     return QString::number(length_m, 'g', 6) + " m";
 }
 
@@ -100,7 +93,7 @@ void drawScaleBar(QPainter& painter, double pixels_per_m, double text_px, const 
     painter.drawLine(QPointF(left_px, right_end.y()), right_end);
     for (const double x : {left_px, right_end.x()})
         painter.drawLine(QPointF(x, right_end.y() - 0.35 * text_px), QPointF(x, right_end.y() + 0.35 * text_px));
-    const QString label = metres(length_m);
+    const QString label = meters(length_m);
     drawText(painter, {left_px - textWidth(label, text_px) - 0.6 * text_px, right_end.y() + 0.35 * text_px}, label);
 }
 
@@ -108,7 +101,7 @@ void drawScaleBar(QPainter& painter, double pixels_per_m, double text_px, const 
 
 void drawMark(QPainter& painter, MarkKind kind, const QPointF& center, double unit_px) {
     const agent::MarkStyle& style = agent::styleOf(kind);
-    const QColor color = colorOf(style);
+    const QColor color(style.rgb);
     painter.setPen(QPen(rim_color, std::max(1.0, unit_px * 0.4)));
     painter.setBrush(color);
     if (style.shape == agent::MarkShape::Square) {

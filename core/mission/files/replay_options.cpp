@@ -1,7 +1,6 @@
 #include "core/mission/files/replay_options.h"
 
-#include <array>
-#include <utility>
+#include <QMap>
 
 #include "core/base/numbers.h"
 #include "core/link/replay.h"
@@ -11,11 +10,14 @@ namespace usar::mission {
 
 namespace {
 
-const std::array<std::pair<QString, ReplayVerb>, 3> verbs{{{"replay", ReplayVerb::Replay},
-                                                           {"recording-to-text", ReplayVerb::ToText},
-                                                           {"text-to-recording", ReplayVerb::ToRecording}}};
+const QMap<QString, ReplayVerb> verbs{{"replay", ReplayVerb::Replay},
+                                      {"recording-to-text", ReplayVerb::ToText},
+                                      {"text-to-recording", ReplayVerb::ToRecording}};
 
-Result<Seconds> readMoment(const QCommandLineParser& parser, const QString& option) {
+/// The moment that the option gives; nullopt without the option.
+Result<std::optional<Seconds>> readMoment(const QCommandLineParser& parser, const QString& option) {
+    if (!parser.isSet(option))
+        return std::nullopt;
     const auto seconds = readNumber(parser.value(option).toStdString());
     if (!seconds || !(*seconds >= 0.0))
         return failure("the moment is not a number of seconds from 0 up", asWritten(parser, option),
@@ -40,34 +42,24 @@ Result<void> readValues(const QCommandLineParser& parser, ReplayOptions& options
                            "For example --speed 10");
         options.speed = *speed;
     }
-    for (const QString& option : {QString("from"), QString("to")}) {
-        if (!parser.isSet(option))
-            continue;
-        const auto moment = readMoment(parser, option);
-        if (!moment)
-            return tl::unexpected(moment.error());
-        if (option == "from")
-            options.from = *moment;
-        else
-            options.to = *moment;
-    }
+    const auto from = readMoment(parser, "from");
+    const auto to = readMoment(parser, "to");
+    if (!from || !to)
+        return tl::unexpected(from ? to.error() : from.error());
+    options.from = from->value_or(options.from);
+    options.to = *to;
     return {};
 }
 
 } // namespace
 
 bool isReplayVerb(const QString& word) {
-    for (const auto& [known, verb] : verbs)
-        if (known == word)
-            return true;
-    return false;
+    return verbs.contains(word);
 }
 
 Result<ReplayOptions> readReplayOptions(const QStringList& arguments) {
     ReplayOptions options;
-    for (const auto& [known, verb] : verbs)
-        if (known == arguments.value(0))
-            options.verb = verb;
+    options.verb = verbs.value(arguments.value(0));
     QCommandLineParser parser;
     const auto parsed = parseArguments(parser, optionsOf(options.verb), arguments.mid(1));
     options.help = parser.isSet("help");

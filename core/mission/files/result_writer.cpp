@@ -91,7 +91,7 @@ QJsonArray marksOf(const ScanRecord& record) {
     for (const agent::MapMark& mark : record.marks) {
         if (mark.kind == agent::MarkKind::Path)
             continue;
-        marks.append(QJsonObject{{"kind", QString::fromStdString(std::string(agent::styleOf(mark.kind).word))},
+        marks.append(QJsonObject{{"kind", QString::fromUtf8(agent::styleOf(mark.kind).word)},
                                  {"x_m", mark.position_in_map_m.x()},
                                  {"y_m", mark.position_in_map_m.y()},
                                  {"z_m", mark.position_in_map_m.z()},
@@ -127,15 +127,9 @@ QByteArray summaryBytes(const ScanRecord& record, QJsonObject summary, const QSt
 }
 
 QByteArray worldFile(const mapping::Raster& raster) {
-    const QString cell = numberText(raster.cell_size_m);
-    return QStringList{cell,
-                       "0",
-                       "0",
-                       '-' + cell,
-                       numberText(raster.upper_left_center_m.x()),
-                       numberText(raster.upper_left_center_m.y()),
-                       {}}
-        .join('\n')
+    return QString("%1\n0\n0\n-%1\n%2\n%3\n")
+        .arg(numberText(raster.cell_size_m), numberText(raster.upper_left_center_m.x()),
+             numberText(raster.upper_left_center_m.y()))
         .toLatin1();
 }
 

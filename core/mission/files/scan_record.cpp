@@ -1,11 +1,16 @@
 #include "core/mission/files/scan_record.h"
 
-#include <QStringList>
-
 namespace usar::mission {
 
 QString numberText(double value) {
     return QString::number(value, 'g', 12);
+}
+
+QStringList textsOf(const std::vector<std::string>& texts) {
+    QStringList converted;
+    for (const std::string& text : texts)
+        converted << QString::fromStdString(text);
+    return converted;
 }
 
 std::vector<std::pair<QString, QString>> metadataOf(const ScanRecord& record) {
@@ -19,11 +24,8 @@ std::vector<std::pair<QString, QString>> metadataOf(const ScanRecord& record) {
         {"cell_size_m", numberText(raster.cell_size_m)},
         {"upper_left_center_x_m", numberText(raster.upper_left_center_m.x())},
         {"upper_left_center_y_m", numberText(raster.upper_left_center_m.y())}};
-    QStringList faults;
-    for (const std::string& fault : record.faults)
-        faults << QString::fromStdString(fault);
-    if (!faults.isEmpty())
-        data.emplace_back("faults", faults.join("; "));
+    if (!record.faults.empty())
+        data.emplace_back("faults", textsOf(record.faults).join("; "));
     if (const auto range = raster.range()) {
         data.emplace_back("minimum_m", numberText(double(range->minimum_m)));
         data.emplace_back("maximum_m", numberText(double(range->maximum_m)));

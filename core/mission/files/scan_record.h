@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <QString>
+#include <QStringList>
 
 #include "core/agent/published.h"
 #include "core/mapping/raster_export.h"
@@ -47,6 +48,9 @@ inline std::size_t knownCellCount(const ScanRecord& record) {
 /// (meters, map frame), faults if there were any, lowest and highest height (missing for an empty map). Keys carry
 /// their unit.
 std::vector<std::pair<QString, QString>> metadataOf(const ScanRecord& record);
+
+/// Converts each of the texts.
+QStringList textsOf(const std::vector<std::string>& texts);
 
 /// Formats a number with up to twelve significant digits; C locale.
 QString numberText(double value);

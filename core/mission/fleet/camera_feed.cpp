@@ -59,7 +59,7 @@ void CameraReceiver::take(link::ImageType type, const QByteArray& data) {
     emit pictureArrived(*picture, client.status().frames_per_s);
 }
 
-CameraFeed::CameraFeed(QObject* parent) : QObject(parent) {
+CameraFeed::CameraFeed() {
     CameraReceiver* const receiver = receiver_.get();
     link::connectAcross(receiver, &CameraReceiver::pictureArrived, this,
                         [this, receiver](const QImage& picture, double frames_per_s) {

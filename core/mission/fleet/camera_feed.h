@@ -44,7 +44,7 @@ private:
 class CameraFeed : public QObject {
     Q_OBJECT
 public:
-    explicit CameraFeed(QObject* parent = nullptr);
+    CameraFeed();
 
     /// Closes any open connection, then connects to this server; a call with the same address changes nothing. Lost
     /// connections are made again until `close`.

@@ -5,7 +5,6 @@
 
 #include "core/mission/files/mission_check.h"
 #include "core/mission/fleet/fleet_private.h"
-#include "core/mission/fleet/robot_name.h"
 
 namespace usar::mission {
 
@@ -15,12 +14,7 @@ constexpr std::chrono::seconds closing_patience{5};
 
 } // namespace
 
-Fleet::Private::Private(Fleet& fleet, const QString& host_program)
-    : q(fleet)
-    , behavior_host(host_program)
-    , replays([this](std::unique_ptr<Robot> robot, const RecordingFacts& facts,
-                     const QString& complaint) { addReplay(std::move(robot), facts, complaint); },
-              [this](const QString& reason) { q.note(Severity::Error, "replay", reason); }) {
+Fleet::Private::Private(Fleet& fleet, const QString& host_program) : q(fleet), behavior_host(host_program) {
     plugins.setNews([this](const auto& changes) { emit q.pluginsChanged(changes); });
     patience.setSingleShot(true);
     patience.setInterval(closing_patience);
@@ -380,7 +374,7 @@ void Fleet::note(Severity severity, const QString& key, const QString& text) {
 }
 
 void Fleet::endSessions() {
-    d_->replays.clear();
+    d_->opening.clear();
     d_->next.reset();
     d_->roster.clear();
 }

@@ -4,7 +4,6 @@
 #include <QTimer>
 
 #include "core/mission/fleet/fleet.h"
-#include "core/mission/fleet/replay_opener.h"
 #include "core/mission/fleet/roster.h"
 #include "core/mission/fleet/scan_keeper.h"
 #include "core/mission/fleet/start_check.h"
@@ -30,7 +29,11 @@ struct Fleet::Private {
     void closeWhenSaved();
 
     void record(Robot& robot, const SpawnRequest& as);
+    /// Opens the file as a robot. With `moment` (protocol clock) the replay begins there. `looks_back_on`: see
+    /// RobotIdentity.
     void openReplay(const QString& path, ConnectionId looks_back_on, std::optional<Seconds> moment);
+    /// Takes a robot out of those whose recordings are being opened; null if it is not among them.
+    std::unique_ptr<Robot> takeOpening(const Robot* robot);
     void addReplay(std::unique_ptr<Robot> robot, const RecordingFacts& facts, const QString& complaint);
 
     /// The fleet that owns this object.
@@ -47,8 +50,8 @@ struct Fleet::Private {
     /// As the server last reported them.
     std::vector<protocol::StartPose> start_poses;
     Roster roster;
-    std::unique_ptr<Robot> next; ///< connected, not spawned
-    ReplayOpener replays;
+    std::unique_ptr<Robot> next;                 ///< connected, not spawned
+    std::vector<std::unique_ptr<Robot>> opening; ///< robots of recordings whose files are not open yet
     std::map<ConnectionId, Seconds>
         wanted_moments;                    ///< by connection: moment to look back on, once the file contains it
     std::map<RobotId, TrueFigures> truths; ///< by robot id

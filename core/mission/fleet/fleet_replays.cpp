@@ -1,4 +1,5 @@
 // Recordings that a fleet writes and opens.
+#include <algorithm>
 #include <utility>
 
 #include <QDateTime>
@@ -6,7 +7,6 @@
 
 #include "core/mission/files/result_writer.h"
 #include "core/mission/fleet/fleet_private.h"
-#include "core/mission/fleet/robot_name.h"
 
 namespace usar::mission {
 
@@ -41,7 +41,29 @@ void Fleet::openRecording(const QString& path) {
 }
 
 void Fleet::Private::openReplay(const QString& path, ConnectionId looks_back_on, std::optional<Seconds> moment) {
-    connectRobot(&replays.open(path, looks_back_on, moment));
+    Robot* const robot = opening.emplace_back(std::make_unique<Robot>()).get();
+    connect(robot, &Robot::replayOpened, &q, [this, robot](const RecordingFacts& facts, const QString& complaint) {
+        if (auto opened = takeOpening(robot))
+            addReplay(std::move(opened), facts, complaint);
+    });
+    connect(robot, &Robot::replayFailed, &q, [this, robot](const QString& reason) {
+        q.note(Severity::Error, "replay", reason);
+        if (auto refused = takeOpening(robot))
+            refused.release()->deleteLater();
+    });
+    robot->openRecording(QFileInfo(path).absoluteFilePath(), looks_back_on);
+    if (moment)
+        robot->orderReplay({.seek_clock = moment});
+    connectRobot(robot);
+}
+
+std::unique_ptr<Robot> Fleet::Private::takeOpening(const Robot* robot) {
+    const auto found = std::ranges::find(opening, robot, &std::unique_ptr<Robot>::get);
+    if (found == opening.end())
+        return nullptr;
+    std::unique_ptr<Robot> taken = std::move(*found);
+    opening.erase(found);
+    return taken;
 }
 
 void Fleet::lookBack(RobotId id, Seconds moment) {
@@ -64,7 +86,8 @@ RobotId Fleet::lookedBackOn(RobotId id) const {
 void Fleet::Private::addReplay(std::unique_ptr<Robot> robot, const RecordingFacts& facts, const QString& complaint) {
     if (roster.full()) {
         q.note(Severity::Error, "replay",
-               tr("There can be no more than nine robots. Remove one, then open the recording again."));
+               tr("There can be no more than %1 robots. Remove one, then open the recording again.")
+                   .arg(Roster::most_robots));
         robot.release()->deleteLater();
         return;
     }

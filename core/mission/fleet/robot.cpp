@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/base/alternatives.h"
 #include "core/base/numbers.h"
 #include "core/link/across_threads.h"
 #include "core/mission/runs/mission_score.h"
@@ -10,19 +11,11 @@ namespace usar::mission {
 
 namespace {
 
-template <class... Calls>
-struct Overloaded : Calls... {
-    using Calls::operator()...;
-};
-
 int connections_made = 0; // Used in the GUI thread only, where all robots are made.
 
 } // namespace
 
-Robot::Robot(QObject* parent)
-    : QObject(parent)
-    , thread_(new QThread)
-    , session_(new RobotSession(RobotView{}.cell_size_m)) {
+Robot::Robot() : thread_(new QThread), session_(new RobotSession(RobotView{}.cell_size_m)) {
     view_.connection = {++connections_made};
     thread_->setObjectName("robot");
     session_->moveToThread(thread_);
@@ -75,10 +68,8 @@ void Robot::spawn(RobotId id, const SpawnRequest& request) {
 Result<void> Robot::startBehavior(const agent::PluginLoader& plugins, const StartedBehavior& start,
                                   const agent::ParameterSet& parameters, const QString& host_program) {
     const agent::Task task{view_.spawn.robot_name, view_.spawn.start_in_map, start.area_in_map};
-    std::optional<agent::Isolation> isolation;
-    if (start.isolated)
-        isolation = {host_program};
-    const auto behavior = agent::startBehavior(plugins, start.id, {task, parameters, start.plan}, isolation);
+    const auto behavior = agent::startBehavior(plugins, start.id, {task, parameters, start.plan},
+                                               start.isolated ? std::optional(host_program) : std::nullopt);
     if (!behavior)
         return tl::unexpected(behavior.error());
     // Both in one call, so that the behavior does nothing before its breakpoints are set.

@@ -21,7 +21,7 @@ namespace usar::mission {
 class Robot : public QObject {
     Q_OBJECT
 public:
-    explicit Robot(QObject* parent = nullptr);
+    Robot();
     /// Sends the safe command and closes the connection. Waits at most two seconds for the session's thread, which is
     /// left behind if a plugin hangs in it.
     ~Robot() override;
@@ -117,5 +117,10 @@ private:
     std::optional<Seconds> took_;               ///< wall time of the behavior that has ended
     std::optional<agent::PlanText> asked_plan_; ///< replacement that the running plan has not been exchanged for yet
 };
+
+/// The name that the robot was spawned with, as in the protocol, for texts in the window.
+inline QString nameOf(const Robot& robot) {
+    return QString::fromStdString(robot.view().spawn.robot_name);
+}
 
 } // namespace usar::mission

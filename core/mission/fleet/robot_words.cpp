@@ -6,6 +6,11 @@ namespace usar::mission {
 
 namespace {
 
+/// True for a replay of which nothing has been played.
+bool hasNotBegun(const RobotView& view) {
+    return !view.recording.isEmpty() && view.figures.lines_received == 0;
+}
+
 QString liveStateText(const RobotView& view) {
     const auto tr = [](const char* text) { return QObject::tr(text); };
     if (hasNotBegun(view))
@@ -22,10 +27,6 @@ QString liveStateText(const RobotView& view) {
 }
 
 } // namespace
-
-bool hasNotBegun(const RobotView& view) {
-    return !view.recording.isEmpty() && view.figures.lines_received == 0;
-}
 
 bool isStale(const RobotView& view) {
     return view.link.state != link::LinkState::Connected && !hasNotBegun(view);

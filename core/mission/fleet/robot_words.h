@@ -7,8 +7,6 @@
 
 namespace usar::mission {
 
-/// True for a replay of which nothing has been played.
-bool hasNotBegun(const RobotView& view);
 /// True if the robot has no link to its server; a replay that has not begun has none to lose.
 bool isStale(const RobotView& view);
 /// The robot's state, as the list of robots shows it: "idle", "no link", or the behavior's own word. A replay is marked

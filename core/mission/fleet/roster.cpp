@@ -30,7 +30,8 @@ Result<SpawnRequest> Roster::accept(SpawnRequest request) const {
     if (request.class_name.empty())
         return failure("no plugin says which robot to spawn", request.robot_name, "Start with --plugins FOLDER");
     if (full())
-        return failure("there can be no more than nine robots", request.robot_name, "Remove one first");
+        return failure("there can be no more than " + std::to_string(most_robots) + " robots", request.robot_name,
+                       "Remove one first");
     if (request.robot_name.empty())
         request.robot_name = nextName().toStdString();
     if (has(request.robot_name))

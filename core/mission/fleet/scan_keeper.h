@@ -22,7 +22,7 @@ namespace usar::mission {
 class ScanKeeper : public QObject {
     Q_OBJECT
 public:
-    explicit ScanKeeper(QObject* parent = nullptr) : QObject(parent) { pool_.setMaxThreadCount(1); }
+    ScanKeeper() { pool_.setMaxThreadCount(1); }
     ~ScanKeeper() override { pool_.waitForDone(); }
 
     /// Sets the result folder; empty means the default one. Retries scans of robots that have left at once.

@@ -13,7 +13,7 @@ namespace usar::mission {
 class WorldLink : public QObject {
     Q_OBJECT
 public:
-    explicit WorldLink(QObject* parent = nullptr) : QObject(parent) {
+    WorldLink() {
         link::connectAcross(session_.get(), &WorldSession::changed, this, [this](const auto& view) {
             view_ = view;
             emit changed();

@@ -1,7 +1,6 @@
 #include "core/mission/hand/camera_mount.h"
 
 #include <algorithm>
-#include <utility>
 
 #include <QString>
 
@@ -148,10 +147,6 @@ std::optional<protocol::Command> CameraMount::next() {
     protocol::Command first = sets_.front();
     sets_.pop_front();
     return first;
-}
-
-bool CameraMount::takeAnswered() {
-    return std::exchange(set_answered_, false);
 }
 
 } // namespace usar::mission

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/protocol/command.h"
@@ -62,7 +63,7 @@ public:
     /// Removes and returns the next SET to send; nullopt if none is waiting.
     std::optional<protocol::Command> next();
     /// True once after the server answered a SET: the next one may follow.
-    bool takeAnswered();
+    bool takeAnswered() { return std::exchange(set_answered_, false); }
 
 private:
     struct Package {

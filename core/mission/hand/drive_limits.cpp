@@ -40,26 +40,16 @@ void DriveLimits::takeState(const protocol::RobotState& state) {
     if (state.kind == kind)
         return;
     kind = state.kind;
-    switch (kind) {
-    case VehicleKind::Aerial:
+    if (kind == VehicleKind::Aerial)
         style = DriveStyle::Aerial;
-        break;
-    case VehicleKind::Nautic:
+    else if (kind == VehicleKind::Nautic)
         style = DriveStyle::Nautic;
-        break;
-    case VehicleKind::Legged:
-        if (WalkingGait::fits(state.joints))
-            style = DriveStyle::Walker;
-        else
-            hindrance = "It walks on legs that no gait is known for; its joints can be moved by typed commands.";
-        break;
-    case VehicleKind::StaticPlatform:
+    else if (kind == VehicleKind::StaticPlatform)
         hindrance = "It is fixed to the ground.";
-        break;
-    case VehicleKind::Ground:
-    case VehicleKind::Unknown:
-        break;
-    }
+    else if (kind == VehicleKind::Legged && WalkingGait::fits(state.joints))
+        style = DriveStyle::Walker;
+    else if (kind == VehicleKind::Legged)
+        hindrance = "It walks on legs that no gait is known for; its joints can be moved by typed commands.";
 }
 
 void DriveLimits::takeConfiguration(const protocol::ConfigurationInfo& info) {
@@ -106,33 +96,16 @@ void DriveLimits::giveUpAsking() {
 }
 
 StickAxes DriveLimits::axes() const {
-    switch (style) {
-    case DriveStyle::Aerial:
-        return {.forward = true, .left = true, .turn = true, .up = true};
-    case DriveStyle::Nautic:
-        return {.forward = true, .turn = true, .up = true};
-    case DriveStyle::Skid:
-    case DriveStyle::Ackermann:
-    case DriveStyle::Walker:
-        return {.forward = true, .turn = true};
-    case DriveStyle::Unknown:
-        break;
-    }
-    return {};
+    const bool flies = style == DriveStyle::Aerial;
+    return {.forward = known(), .left = flies, .turn = known(), .up = flies || style == DriveStyle::Nautic};
 }
 
 std::optional<double> DriveLimits::topSpeed_m_s() const {
-    switch (style) {
-    case DriveStyle::Aerial:
+    if (style == DriveStyle::Aerial)
         return forward_m_s;
-    case DriveStyle::Skid:
-    case DriveStyle::Ackermann:
-        if (wheel_speed_rad_s && wheel_radius_m)
-            return *wheel_speed_rad_s * *wheel_radius_m;
-        break;
-    default:
-        break;
-    }
+    const bool rolls = style == DriveStyle::Skid || style == DriveStyle::Ackermann;
+    if (rolls && wheel_speed_rad_s && wheel_radius_m)
+        return *wheel_speed_rad_s * *wheel_radius_m;
     return std::nullopt;
 }
 

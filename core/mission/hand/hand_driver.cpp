@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/protocol/silence.h"
+
 namespace usar::mission {
 
 namespace {
 
 const std::string robot_type = "Robot";
-constexpr Seconds shortest_silence{1.0};
 constexpr Seconds longest_spacing{3.0}; // Longest time between two STA, at the slowest speed of a simulator.
 
 } // namespace
@@ -112,7 +113,7 @@ std::optional<std::string> HandDriver::reasonToStop(Seconds wall, Seconds patien
                                                     const std::string& robot_name) const {
     if (hands_.overdue(wall, patience))
         return "nothing was heard from the input device";
-    if (robot_silent_for && *robot_silent_for > std::max(shortest_silence, 4.0 * ticks_.spacing))
+    if (robot_silent_for && *robot_silent_for > std::max(protocol::silence::driven_robot, 4.0 * ticks_.spacing))
         return robot_name + " is silent";
     return std::nullopt;
 }

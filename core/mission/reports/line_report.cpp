@@ -21,7 +21,7 @@ namespace {
 
 QString shown(std::string_view text) {
     // Latin-1 is the encoding of the wire.
-    return QString::fromLatin1(text.data(), static_cast<qsizetype>(text.size()));
+    return QString::fromLatin1(text);
 }
 
 QJsonArray toJson(const std::vector<protocol::Field>& fields) {
@@ -108,15 +108,15 @@ QByteArray takeLine(QIODevice& input, bool& too_long) {
 
 } // namespace
 
-QJsonObject LineReporter::report(std::string_view text, std::uint64_t line) {
-    QJsonObject object = isCommand(text) ? reportCommand(text) : reportInfo(reader_.read(text));
+QJsonObject reportLine(protocol::Reader& reader, std::string_view text, std::uint64_t line) {
+    QJsonObject object = isCommand(text) ? reportCommand(text) : reportInfo(reader.read(text));
     object["line"] = static_cast<qint64>(line);
     object["text"] = shown(text);
     return object;
 }
 
 Result<LineCounts> reportLines(QIODevice& input, QIODevice& output) {
-    LineReporter reporter;
+    protocol::Reader reader;
     LineCounts counts;
     for (std::uint64_t number = 1;; ++number) {
         bool too_long = false;
@@ -135,7 +135,7 @@ Result<LineCounts> reportLines(QIODevice& input, QIODevice& output) {
                       {"fields", QJsonArray()},
                       {"diagnostics", toJson(Diagnostics{{Severity::Error, 0, "the line is longer than 4 MiB"}})}};
         else
-            object = reporter.report(text, number);
+            object = reportLine(reader, text, number);
         ++counts.lines;
         counts.with_diagnostics += object["diagnostics"].toArray().isEmpty() ? 0 : 1;
         if (const auto printed = printLine(object, output, "line " + std::to_string(number)); !printed)

@@ -12,19 +12,13 @@
 
 namespace usar::mission {
 
-/// Reads the lines of one log in their order, in both directions. A line counts as a command if its first word is one,
-/// else as a line from the server.
-class LineReporter {
-public:
-    /// `text` is one line without its line end, `line` its number in the file. The object has `line`, `direction` ("in"
-    /// from the server, "out" to it), `type` ("SEN Sonar", "DRIVE"), `container` (our struct), `fields` (objects with
-    /// `item`, `field`, `value`, `unit`; SI units and our frame for lines from the server, as on the wire for
-    /// commands), `diagnostics` (objects with `severity`, `column` from 1, `message`) and `text`.
-    QJsonObject report(std::string_view text, std::uint64_t line);
-
-private:
-    protocol::Reader reader_;
-};
+/// Reports on one line of a log; those of a log share a reader and come in their order, in both directions. A line
+/// counts as a command if its first word is one, else as a line from the server. `text` has no line end, `line` is its
+/// number in the file. The object has `line`, `direction` ("in" from the server, "out" to it), `type` ("SEN Sonar",
+/// "DRIVE"), `container` (our struct), `fields` (objects with `item`, `field`, `value`, `unit`; SI units and our frame
+/// for lines from the server, as on the wire for commands), `diagnostics` (objects with `severity`, `column` from 1,
+/// `message`) and `text`.
+QJsonObject reportLine(protocol::Reader& reader, std::string_view text, std::uint64_t line);
 
 /// Line counts of a whole log.
 struct LineCounts {

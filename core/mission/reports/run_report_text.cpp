@@ -123,8 +123,7 @@ QByteArray runReportJson(const posh::RunStatistics& statistics, int runs) {
                                  {"time_s", seconds(statistics.at(0).active_ms)}});
     for (const posh::RunFinding& finding : posh::reportOn(statistics)) {
         QJsonObject object = placeObject(program, finding.place, "finding");
-        object["remark"] = QString::fromUtf8(posh::toText(finding.remark).data(),
-                                             static_cast<qsizetype>(posh::toText(finding.remark).size()));
+        object["remark"] = QString::fromUtf8(posh::toText(finding.remark));
         object["message"] = QString::fromStdString(finding.message);
         lines += jsonLine(object);
     }

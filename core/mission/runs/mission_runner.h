@@ -3,15 +3,17 @@
 
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 
+#include <QElapsedTimer>
 #include <QJsonObject>
 #include <QObject>
+#include <QTimer>
 
 #include "core/agent/plugins/plugin_loader.h"
 #include "core/base/result.h"
+#include "core/mission/files/mission_check.h"
 #include "core/mission/files/mission_file.h"
 #include "core/mission/files/mission_options.h"
 #include "core/mission/runs/mission_score.h"
@@ -67,7 +69,7 @@ enum ExitCode { Done = 0, MissionFailed = 1, BadInput = 2 };
 class MissionRunner : public QObject {
     Q_OBJECT
 public:
-    MissionRunner(Mission mission, const agent::PluginLoader& plugins, RunOptions options, QObject* parent = nullptr);
+    MissionRunner(Mission mission, const agent::PluginLoader& plugins, RunOptions options);
     ~MissionRunner() override;
 
     /// Starts the run. A mission that fails the checks ends with BadInput.
@@ -75,9 +77,9 @@ public:
     /// Ends the run (Ctrl+C): stops the robot and keeps what was scanned.
     void interrupt();
     /// Notes a fault as RobotSession::noteFault does; it also appears in the summary.
-    void noteFault(const QString& sentence);
+    void noteFault(const QString& sentence) { session_.noteFault(sentence.toStdString()); }
     /// The JSON summary; headless.md lists its keys. Valid after `finished`.
-    const QJsonObject& summary() const;
+    const QJsonObject& summary() const { return summary_; }
 
 signals:
     /// Emitted several times a second until the run ends.
@@ -87,8 +89,35 @@ signals:
     void finished(int exit_code);
 
 private:
-    struct Private;
-    std::unique_ptr<Private> d_;
+    enum class Phase { Idle, Connecting, Spawning, Flying, Over };
+
+    Result<void> prepare();
+    void takeStartPoses(const protocol::StartPoses& poses);
+    void takeRobot();
+    void look();
+    /// Time since the spawn, on the protocol clock.
+    Seconds flightTime() const;
+    Progress progress() const;
+    void conclude(bool success, const std::string& reason, int exit_code);
+    RunSummary figuresOf(const ScanRecord& record);
+    /// Writes the results. If that fails, because the disk has filled up since the check, the scan is saved to the
+    /// folder for temporary files instead.
+    Result<QStringList> save(const ScanRecord& record, const RunSummary& figures);
+
+    Mission mission_;
+    const agent::PluginLoader& plugins_;
+    RunOptions options_;
+    RobotSession session_;
+    QTimer timer_{this};
+    QElapsedTimer since_start_;
+    QElapsedTimer since_spawn_;
+    QElapsedTimer since_flight_;
+    QElapsedTimer since_time_moved_;
+    std::optional<PreparedBehavior> behavior_;
+    Pose start_in_map_;
+    Seconds last_now_{-1.0};
+    Phase phase_ = Phase::Idle;
+    QJsonObject summary_;
 };
 
 /// Returns a summary with the reason and whatever is known about the run; a null pointer stands for an argument that

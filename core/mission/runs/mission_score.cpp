@@ -47,14 +47,15 @@ struct Errors {
     }
 };
 
-} // namespace
-
+/// Returns the cells whose centers are in [low_m, high_m); the center of cell 0 is at `first_center_m`.
 CellSpan centersWithin(double first_center_m, double cell_size_m, double low_m, double high_m) {
     const auto index = [&](double at_m) {
         return static_cast<std::int64_t>(std::ceil((at_m - first_center_m) / cell_size_m - 1e-9));
     };
     return {index(low_m), index(high_m) - 1};
 }
+
+} // namespace
 
 AreaCells cellsOf(const Rectangle& area_in_map, double cell_size_m) {
     const double first_center_m = cell_size_m / 2.0;

@@ -19,9 +19,6 @@ struct CellSpan {
     std::int64_t count() const { return last < first ? 0 : last - first + 1; }
 };
 
-/// Returns the cells whose centers are in [low_m, high_m); the center of cell 0 is at `first_center_m`.
-CellSpan centersWithin(double first_center_m, double cell_size_m, double low_m, double high_m);
-
 /// The cells of a height map whose centers are in an area.
 struct AreaCells {
     CellSpan columns, rows;

@@ -32,9 +32,8 @@ QJsonObject toJson(const std::map<std::string, std::string>& facts) {
 
 } // namespace
 
-ReplayRunner::ReplayRunner(std::unique_ptr<link::RecordingReader> recording, ReplayOptions options, QObject* parent)
-    : QObject(parent)
-    , path_(recording->path())
+ReplayRunner::ReplayRunner(std::unique_ptr<link::RecordingReader> recording, ReplayOptions options)
+    : path_(recording->path())
     , options_(std::move(options))
     , replayer_(std::move(recording), *this) {
     connect(&replayer_, &link::Replayer::ended, this, [this] { conclude(false); });

@@ -20,7 +20,7 @@ class ReplayRunner : public QObject, private link::ReplayTaker {
     Q_OBJECT
 public:
     /// Takes over the recording; nothing is played before `start`.
-    ReplayRunner(std::unique_ptr<link::RecordingReader> recording, ReplayOptions options, QObject* parent = nullptr);
+    ReplayRunner(std::unique_ptr<link::RecordingReader> recording, ReplayOptions options);
 
     /// To be called once.
     void start();

@@ -29,13 +29,12 @@ QJsonValue seedOf(const RunSummary& summary) {
 }
 
 /// All keys are there; those of unknown figures are null.
-QJsonObject truthToJson(const std::optional<TrueFigures>& truth) {
-    QJsonObject json;
+void addTruth(QJsonObject& json, const std::optional<TrueFigures>& truth) {
     for (const char* key : {"collisions", "true_distance_m", "longest_stay_s", "falls", "touches", "first_touch_s",
                             "least_height_m", "mean_height_m", "height_spread_m"})
         json[key] = QJsonValue::Null;
     if (!truth)
-        return json;
+        return;
     json["collisions"] = truth->collisions;
     json["true_distance_m"] = number(truth->distance_m, 2);
     json["longest_stay_s"] = number(truth->longest_stay.count(), 1);
@@ -48,7 +47,6 @@ QJsonObject truthToJson(const std::optional<TrueFigures>& truth) {
         json["mean_height_m"] = number(height->mean_m, 2);
         json["height_spread_m"] = number(height->spread_m, 2);
     }
-    return json;
 }
 
 } // namespace
@@ -64,14 +62,12 @@ void addRecord(RunSummary& summary, const ScanRecord& record, const Truth* truth
     summary.charges = record.status.charges;
     summary.score = score(record.raster, record.area_in_map, truth);
     summary.cells = knownCellCount(record);
-    for (const std::string& fault : record.faults)
-        summary.faults << QString::fromStdString(fault);
+    summary.faults += textsOf(record.faults);
 }
 
 QJsonObject toJson(const RunSummary& summary) {
     const double wall_s = summary.wall.count();
-    QJsonObject all = truthToJson(summary.truth);
-    const QJsonObject own{
+    QJsonObject json{
         {"success", summary.success},
         {"reason", QString::fromStdString(summary.reason)},
         {"mission", text(summary.mission)},
@@ -92,9 +88,8 @@ QJsonObject toJson(const RunSummary& summary) {
         {"lockstep", summary.lockstep},
         {"faults", QJsonArray::fromStringList(summary.faults)},
         {"files", QJsonArray::fromStringList(summary.files)}};
-    for (auto one = own.begin(); one != own.end(); ++one)
-        all[one.key()] = one.value();
-    return all;
+    addTruth(json, summary.truth);
+    return json;
 }
 
 } // namespace usar::mission

@@ -48,14 +48,15 @@ void Helm::hear(std::string_view text, const protocol::InfoLine& line) {
     hand_.take(line);
 }
 
-agent::RunningBehavior::Output Helm::answerTo(const protocol::InfoLine& line) {
-    return host_ ? host_->receive(line) : agent::RunningBehavior::Output{};
+void Helm::answer(const protocol::InfoLine& line) {
+    takeOutput(host_ ? host_->receive(line) : agent::RunningBehavior::Output{},
+               std::holds_alternative<protocol::RobotState>(line.message));
 }
 
 void Helm::takeOutput(agent::RunningBehavior::Output output, bool is_tick) {
     const bool finishing = host_ && (host_->finished() || host_->ending());
     for (const agent::CausedCommand& command : output.commands)
-        if (!hand_.on() || !DriveGate::isDrive(command.command))
+        if (!hand_.on() || !protocol::isDrive(command.command))
             outgoing_.send(command);
     if (host_ && host_->ending()) {
         makeSafe(by::Behavior{host_->behaviorId(), "its process has ended"});
@@ -100,10 +101,8 @@ void Helm::stepOwed() {
 }
 
 void Helm::releaseDrives(bool at_once) {
-    if (at_once)
-        outgoing_.releaseNow(view_.incoming.now());
-    else if (!owner_.congested())
-        outgoing_.release(view_.incoming.now());
+    if (at_once || !owner_.congested())
+        outgoing_.release(view_.incoming.now(), at_once);
 }
 
 void Helm::look() {
@@ -146,7 +145,7 @@ void Helm::stopBehavior(const by::Source& source, const std::string& reason) {
 
 void Helm::start(std::shared_ptr<agent::RunningBehavior> host) {
     host_ = std::move(host);
-    host_->setPatience(lockstep_ ? limits_.behavior_lockstep : limits_.behavior);
+    host_->setPatience(lockstep_ ? limits_.behavior.answer_in_lockstep : limits_.behavior.answer);
     agent::RunningBehavior::Output output = host_->begin();
     if (host_->endHandle() >= 0) {
         end_watch_ = std::make_unique<QSocketNotifier>(host_->endHandle(), QSocketNotifier::Read);

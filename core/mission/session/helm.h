@@ -69,8 +69,8 @@ public:
     void setLockstep(bool on) { lockstep_ = on; }
     /// To be called with a line, as text and as a value, before what it says is acted upon.
     void hear(std::string_view text, const protocol::InfoLine& line);
-    /// Lets the behavior answer to a line; empty without a behavior.
-    agent::RunningBehavior::Output answerTo(const protocol::InfoLine& line);
+    /// Lets the behavior answer to a line and sends what it says. An STA ends the tick, also without a behavior.
+    void answer(const protocol::InfoLine& line);
     /// Sends the commands before processing the results, so that the simulator computes its next tick meanwhile. In the
     /// last tick it is the other way around: receivers of the end must find the simulator's time standing still.
     void takeOutput(agent::RunningBehavior::Output output, bool is_tick);

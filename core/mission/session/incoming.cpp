@@ -4,15 +4,12 @@
 #include <utility>
 #include <variant>
 
+#include "core/base/text.h"
 #include "core/mission/session/stream_name.h"
 
 namespace usar::mission {
 
 namespace {
-
-bool isWordByte(char c) {
-    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
-}
 
 /// Returns the message without its numbers and quoted words.
 std::string kindOf(std::string_view message) {
@@ -21,7 +18,7 @@ std::string kindOf(std::string_view message) {
     for (const char c : message) {
         if (c == '"' || c == '\'')
             quoted = !quoted;
-        else if (!quoted && (c < '0' || c > '9') && c != '.' && c != '-')
+        else if (!quoted && !isDigit(c) && c != '.' && c != '-')
             kind += c;
     }
     return kind;

@@ -26,9 +26,7 @@ std::string textOf(Topic topic, std::string_view which) {
 }
 
 std::string spanText(Seconds span) {
-    std::string text;
-    appendShortest(text, span.count());
-    return text + " s";
+    return shortest(span.count()) + " s";
 }
 
 void Notices::say(Severity severity, Topic topic, std::string text, std::string_view which) {

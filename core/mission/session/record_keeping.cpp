@@ -21,18 +21,12 @@ constexpr std::size_t longest_piece = link::recording::longest_payload_bytes / 8
 
 std::string rectangleText(const Rectangle& area) {
     std::string text;
-    for (const double value : {area.min_m.x(), area.min_m.y(), area.max_m.x(), area.max_m.y()}) {
-        text += text.empty() ? "" : " ";
-        appendShortest(text, value);
-    }
+    for (const double value : {area.min_m.x(), area.min_m.y(), area.max_m.x(), area.max_m.y()})
+        text += (text.empty() ? "" : " ") + shortest(value);
     return text;
 }
 
 } // namespace
-
-std::string placeOf(const link::LinkStatus& status) {
-    return status.host.toStdString() + ':' + std::to_string(status.port);
-}
 
 RecordKeeping::RecordKeeping(QObject& owner, Notices& notices, const Incoming& incoming, std::function<void()> looked)
     : notices_(notices)
@@ -52,8 +46,7 @@ Result<void> RecordKeeping::begin(const QString& path, RecordingFacts facts, con
         facts["port"] = std::to_string(scene.link.port);
     }
     facts["started"] = QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs).toStdString();
-    facts["cell_size_m"].clear();
-    appendShortest(facts["cell_size_m"], scene.cell_size_m);
+    facts["cell_size_m"] = shortest(scene.cell_size_m);
     if (!scene.level.empty())
         facts["level"] = scene.level;
     auto made = link::RecordingWriter::create(path, facts, incoming_.newest());

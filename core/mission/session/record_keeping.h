@@ -20,9 +20,6 @@
 
 namespace usar::mission {
 
-/// Returns "host:port".
-std::string placeOf(const link::LinkStatus& status);
-
 /// State of a session when its recording begins.
 struct RecordingScene {
     link::LinkStatus link;

@@ -83,7 +83,7 @@ std::optional<link::ReplayFigures> ReplayFeed::figures() const {
 
 void ReplayFeed::setLink(link::LinkState now, std::string_view reason) {
     link_.state = now;
-    link_.trouble = link_.reason = QString::fromUtf8(reason.data(), static_cast<qsizetype>(reason.size()));
+    link_.trouble = link_.reason = QString::fromUtf8(reason);
     if (!on_the_way_)
         stage_.replayLinkChanged(link_);
 }

@@ -1,6 +1,7 @@
 // The life of a session: connection, lines, behavior, replay. Each part does its own; the order is decided here.
 #include "core/mission/session/robot_session_private.h"
 
+#include <functional>
 #include <utility>
 
 #include <QMetaMethod>
@@ -26,8 +27,8 @@ RobotSession::Private::Private(RobotSession& session, double cell_size_m)
     clock.start();
     watch_timer.setInterval(toMilliseconds(limits.stale) / 8);
     connect(&watch_timer, &QTimer::timeout, &q, [this] { watch(); });
-    link.setLineTaker([this](std::string_view text) { takeLine(text); });
-    link.setByteTaker([this](std::string_view bytes) { records.received(bytes); });
+    link.setLineTaker(std::bind_front(&Private::takeLine, this));
+    link.setByteTaker(std::bind_front(&RecordKeeping::received, &records));
     connect(&link, &link::TcpLink::statusChanged, &q, &RobotSession::linkChanged);
     connect(&link, &link::TcpLink::opened, &q, [this] { opened(); });
     connect(&link, &link::TcpLink::closed, &q, [this] {
@@ -88,10 +89,9 @@ void RobotSession::Private::takeLine(std::string_view text) {
         emit q.startPosesKnown(*poses, QString::fromStdString(book.record().level));
     }
     spawning.passed(incoming.now());
-    agent::RunningBehavior::Output output = helm.answerTo(line);
     updates.addLine(line); // First, so that the frame of a finished behavior contains its last line.
-    helm.takeOutput(std::move(output), std::holds_alternative<protocol::RobotState>(line.message));
-    touched();
+    helm.answer(line);
+    updates.touched();
 }
 
 void RobotSession::Private::watch() {

@@ -6,9 +6,11 @@
 #include <optional>
 #include <string>
 
+#include "core/agent/patience.h"
 #include "core/base/clock.h"
 #include "core/base/geometry.h"
 #include "core/link/tcp_link.h"
+#include "core/protocol/silence.h"
 
 namespace usar::mission {
 
@@ -35,13 +37,12 @@ struct SpawnRequest {
 /// How long a session waits before it reports that something is missing. Tests shorten the limits.
 struct SessionLimits {
     link::LinkLimits link;
-    Seconds greeting{5.0};               ///< wall: no start poses after connecting
-    Seconds spawn{5.0};                  ///< wall: silence after INIT means a failed spawn (protocol.md 2.4)
-    Seconds stale{2.0};                  ///< wall: silence of a spawned robot
-    Seconds sensor_silence{3.0};         ///< protocol clock: silence of a sensor that used to send
+    Seconds greeting{5.0};                    ///< wall: no start poses after connecting
+    Seconds spawn{5.0};                       ///< wall: silence after INIT means a failed spawn (protocol.md 2.4)
+    Seconds stale = protocol::silence::robot; ///< wall: silence of a spawned robot
+    Seconds sensor_silence = protocol::silence::sensor; ///< protocol clock: silence of a sensor that used to send
     Seconds hand{0.3};                   ///< wall: silence of an input device that drives; it then counts as released
-    Seconds behavior{1.0};               ///< wall: the behavior's answer
-    Seconds behavior_lockstep{5.0};      ///< the same if the server's time waits for the answer
+    agent::Patience behavior;            ///< wall: the behavior's answers
     std::size_t unsent_bytes = 1u << 16; ///< above this, DRIVEs wait, and newer ones replace older ones
 };
 

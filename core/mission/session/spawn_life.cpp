@@ -2,15 +2,22 @@
 
 #include <utility>
 
+#include "core/base/result.h"
+
 namespace usar::mission {
 
+namespace {
+
+/// Returns the INIT command for a request; fails if a protocol line cannot contain its names.
 Result<protocol::Init> initOf(const SpawnRequest& request) {
     const auto class_name = protocol::Token::make(request.class_name);
     const auto robot_name = protocol::Name::make(request.robot_name);
     if (!class_name || !robot_name)
         return tl::unexpected(class_name ? robot_name.error() : class_name.error());
-    return protocol::Init::at(*class_name, *robot_name, request.start_in_map);
+    return protocol::Init{*class_name, *robot_name, request.start_in_map};
 }
+
+} // namespace
 
 std::optional<protocol::Init> SpawnLife::standingInit() const {
     const auto init = initOf(request_);

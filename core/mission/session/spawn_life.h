@@ -4,7 +4,6 @@
 #include <optional>
 #include <string>
 
-#include "core/base/result.h"
 #include "core/mission/session/notices.h"
 #include "core/mission/session/session_orders.h"
 #include "core/protocol/command.h"
@@ -32,8 +31,7 @@ public:
 
     SpawnState state() const { return state_; }
     bool done() const { return state_ == SpawnState::Done; }
-    /// The newest request, also after its robot was lost.
-    const SpawnRequest& request() const { return request_; }
+    /// The robot of the newest request, also after it was lost.
     const std::string& robotName() const { return request_.robot_name; }
     /// True for a base station, which sends no data and does not drive; it counts as spawned as soon as INIT is sent.
     bool isStation() const { return protocol::isStation(request_.class_name); }
@@ -79,8 +77,5 @@ private:
     std::optional<Seconds> asked_at_;     ///< wall time of the newest INIT
     Seconds spawned_at_{0.0};             ///< protocol clock; 0 until it is known
 };
-
-/// Returns the INIT command for a request; fails if a protocol line cannot contain its names.
-Result<protocol::Init> initOf(const SpawnRequest& request);
 
 } // namespace usar::mission

@@ -111,28 +111,24 @@ void UpdateFeed::describe(SessionFigures& figures) const {
 
 void UpdateFeed::measureRates(const SessionFigures& figures) {
     constexpr qint64 span_ms = 500;
-    if (!since_measured_.isValid()) {
-        since_measured_.start();
-        lines_at_measuring_ = figures.lines_received;
-        traffic_at_measuring_ = figures.traffic;
-        return;
-    }
-    const qint64 elapsed_ms = since_measured_.elapsed();
+    const bool is_first = !since_measured_.isValid();
+    const qint64 elapsed_ms = is_first ? span_ms : since_measured_.elapsed();
     if (elapsed_ms < span_ms)
         return;
-    const auto lines = static_cast<double>(figures.lines_received - lines_at_measuring_);
-    lines_per_second_ = lines * 1000.0 / static_cast<double>(elapsed_ms);
-    lines_at_measuring_ = figures.lines_received;
     const protocol::TrafficCounts& now = figures.traffic;
     const protocol::TrafficCounts& then = traffic_at_measuring_;
     const auto rate = [&](std::uint64_t count, std::uint64_t before) {
         const std::uint64_t more = count < before ? count : count - before; // Less than before means a new connection.
         return static_cast<double>(more) * 1000.0 / static_cast<double>(elapsed_ms);
     };
-    rates_ = {rate(now.lines_in, then.lines_in), rate(now.lines_out, then.lines_out), rate(now.bytes_in, then.bytes_in),
-              rate(now.bytes_out, then.bytes_out)};
+    if (!is_first) {
+        lines_per_second_ = rate(figures.lines_received, lines_at_measuring_);
+        rates_ = {rate(now.lines_in, then.lines_in), rate(now.lines_out, then.lines_out),
+                  rate(now.bytes_in, then.bytes_in), rate(now.bytes_out, then.bytes_out)};
+    }
+    lines_at_measuring_ = figures.lines_received;
     traffic_at_measuring_ = now;
-    since_measured_.restart();
+    since_measured_.start();
 }
 
 } // namespace usar::mission

@@ -1,5 +1,6 @@
 #include "core/mission/world/world_edits.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace usar::mission {
@@ -13,6 +14,19 @@ Vec2 placeOf(const Pose& pose) {
 }
 
 } // namespace
+
+double groundHeight_m(const GroundSources& sources, const Vec2& at_m) {
+    if (sources.terrain_m)
+        if (const auto height_m = sources.terrain_m(at_m))
+            return *height_m;
+    if (sources.tiles)
+        if (const auto probe = mapping::probeHeight(*sources.tiles, sources.cell_size_m, at_m))
+            return double(probe->height_m);
+    const auto nearest = std::ranges::min_element(sources.start_poses, {}, [&](const protocol::StartPose& pose) {
+        return (placeOf(pose.pose_in_map) - at_m).norm();
+    });
+    return nearest == sources.start_poses.end() ? 0.0 : nearest->pose_in_map.position_m.z();
+}
 
 protocol::Token tokenOf(const std::string& name) {
     return protocol::Token::make(name).value_or(protocol::Token("unnamed"));

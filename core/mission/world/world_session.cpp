@@ -15,13 +15,9 @@ constexpr int answers_until_missed = 3; ///< the first may have been under way, 
 constexpr qint64 speed_span_ms = 1000;
 const char* const topic = "world";
 
-std::string place(const link::LinkStatus& status) {
-    return status.host.toStdString() + ':' + std::to_string(status.port);
-}
-
 } // namespace
 
-WorldSession::WorldSession(QObject* parent) : QObject(parent), link_(this), beat_(this) {
+WorldSession::WorldSession() : link_(this), beat_(this) {
     beat_.setSingleShot(true);
     clock_.start();
     link_.setLineTaker([this](std::string_view line) { takeLine(line); });
@@ -33,8 +29,6 @@ WorldSession::WorldSession(QObject* parent) : QObject(parent), link_(this), beat
     });
     connect(&beat_, &QTimer::timeout, this, [this] { beat(); });
 }
-
-WorldSession::~WorldSession() = default;
 
 void WorldSession::setLimits(const WorldSessionLimits& limits) {
     limits_ = limits;
@@ -144,7 +138,7 @@ void WorldSession::missAnswer() {
         const link::LinkStatus status = link_.status();
         return link_.open(status.host, status.port);
     }
-    const std::string where = place(link_.status());
+    const std::string where = placeOf(link_.status());
     if (ever_answered_)
         setState(WorldState::Asking, where + " no longer says where things are. Is the game paused there?");
     else

@@ -56,8 +56,7 @@ struct WorldSessionLimits {
 class WorldSession : public QObject {
     Q_OBJECT
 public:
-    explicit WorldSession(QObject* parent = nullptr);
-    ~WorldSession() override;
+    WorldSession();
 
     /// To be called before `open`.
     void setLimits(const WorldSessionLimits& limits);

@@ -104,9 +104,7 @@ private:
     static std::string formText(const Form& form) { return kindWord(form) + inQuotes(nameOf(form).text); }
 
     void tell(ChangeKind kind, std::optional<PlanPart> before, std::optional<PlanPart> after, std::string line) {
-        PlanChange change{kind, before, after, {}, {}, std::move(line)};
-        if (const Name* const name = before ? nameOf(old_, *before) : nullptr)
-            change.before_at = name->at;
+        PlanChange change{kind, before, after, {}, std::move(line)};
         if (const Name* const name = after ? nameOf(new_, *after) : nullptr)
             change.after_at = name->at;
         changes_.push_back(std::move(change));
@@ -176,11 +174,9 @@ private:
         if (before.has_value() == after.has_value() && (!before || saysTheSame(*before, *after)))
             return;
         const ChangeKind kind = !before ? ChangeKind::Added : !after ? ChangeKind::Removed : ChangeKind::Changed;
-        PlanChange change{kind, std::nullopt, std::nullopt, {}, {}, "documentation "};
-        change.line += !before ? "added" : !after ? "removed" : "changed";
-        change.before_at = before ? before->at : Spot();
-        change.after_at = after ? after->at : Spot();
-        changes_.push_back(std::move(change));
+        const char* const what = !before ? "added" : !after ? "removed" : "changed";
+        changes_.push_back(
+            {kind, std::nullopt, std::nullopt, after ? after->at : Spot(), std::string("documentation ") + what});
     }
 
     void compareForms(std::size_t before, std::size_t after) {

@@ -17,10 +17,8 @@ struct PlanChange {
     ChangeKind kind = ChangeKind::Changed;
     std::optional<PlanPart> before; ///< the part in the old plan; nullopt if it was added
     std::optional<PlanPart> after;  ///< the part in the new plan; nullopt if it was removed
-    Spot before_at;                 ///< place in the old text; line 0 if there is none
     Spot after_at;                  ///< place in the new text; line 0 if there is none
     std::string line;               ///< "drive "work": trigger was ((a)), is ((b))"
-    bool operator==(const PlanChange&) const = default;
 };
 
 /// Returns all differences; an empty list means that both plans have the same meaning. Layout, `;` comments and the

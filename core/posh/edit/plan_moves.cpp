@@ -82,9 +82,7 @@ tl::unexpected<Error> atTheEnd(const Plan& plan, const PlanPart& part, int by) {
 /// Swaps a sense with its neighbor in the goal or trigger; fails at the first or last one.
 Result<PlanPart> shiftSense(Plan& plan, const PlanPart& part, int by) {
     PlanPart other = part;
-    if (by < 0 && part.index == 0)
-        return atTheEnd(plan, part, by);
-    other.index = by < 0 ? part.index - 1 : part.index + 1;
+    other.index = by < 0 ? part.index - 1 : part.index + 1; // Wraps around before the first, where there is no sense
     if (!senseOf(plan, other))
         return atTheEnd(plan, part, by);
     std::swap(senseIn(plan, part), senseIn(plan, other));
@@ -108,10 +106,7 @@ Result<PlanEdit> moveMember(std::string_view text, const PlanPart& part, const M
         if (staysWhereItIs(sizesAround(plan, part).own, part, to))
             return part;
         MemberPlace place = to;
-        auto taken = take(plan, part, place);
-        if (!taken)
-            return tl::unexpected(taken.error());
-        return put(plan, place, *std::move(taken));
+        return take(plan, part, place).and_then([&](Member taken) { return put(plan, place, std::move(taken)); });
     });
 }
 

@@ -56,8 +56,7 @@ Result<PlanPart> wrapSteps(Plan& plan, std::size_t form, const Stretch& stretch,
     auto reference = referenceTo(plan, name, "do-" + withoutModule(callOf(pattern.steps[stretch.begin]).name.text));
     if (!reference)
         return tl::unexpected(reference.error());
-    Pattern made;
-    made.name = {name};
+    Pattern made{.name = {name}};
     for (std::size_t i = stretch.begin; i < stretch.end; ++i)
         handOn(callOf(pattern.steps[i]), plan.forms[form], *reference, made.formals);
     made.steps = replaceStretch(pattern.steps, stretch, Step(*std::move(reference)));

@@ -1,7 +1,9 @@
 #include "core/posh/language/form_reader.h"
 
+#include <cstdint>
 #include <string>
 
+#include "core/base/numbers.h"
 #include "core/base/spelling.h"
 #include "core/base/text.h"
 #include "core/posh/model/literal.h"
@@ -42,7 +44,7 @@ bool setValue(const TokenCursor& cursor, Value& value) {
     const std::string_view word = cursor.word();
     switch (cursor.peek().kind) {
     case TokenKind::Integer:
-        return setNumber(integerOf(word), value);
+        return setNumber<std::int64_t>(readInteger(word), value);
     case TokenKind::Float:
         return setNumber(floatOf(word), value);
     case TokenKind::String:
@@ -155,15 +157,8 @@ bool readName(TokenCursor& cursor, std::string_view whose, Name& name) {
 }
 
 bool atValue(const TokenCursor& cursor) {
-    switch (cursor.peek().kind) {
-    case TokenKind::Integer:
-    case TokenKind::Float:
-    case TokenKind::String:
-    case TokenKind::Symbol:
-        return true;
-    default:
-        return isLiteral(cursor.keyword());
-    }
+    return cursor.atNumber() || cursor.at(TokenKind::String) || cursor.at(TokenKind::Symbol) ||
+           isLiteral(cursor.keyword());
 }
 
 bool readValue(TokenCursor& cursor, Literal& literal) {

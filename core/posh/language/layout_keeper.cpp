@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -57,14 +58,6 @@ std::string withLineEnds(std::string_view text, std::string words) {
     return result;
 }
 
-const char* listStart(const Competence&) {
-    return " (elements ((";
-}
-
-const char* listStart(const Collection&) {
-    return " (drives ((";
-}
-
 class FormSplicer {
 public:
     FormSplicer(std::string_view text, const TokenList& tokens, const Chunk& chunk)
@@ -100,8 +93,9 @@ private:
         if (old.levels.empty() || wanted.levels.empty())
             return std::nullopt;
         const Spot& first = old.levels.front().front().at;
+        const char* const list_start = std::is_same_v<Kind, Collection> ? " (drives ((" : " (elements ((";
         if (const std::string head = headText(wanted);
-            head != headText(old) && !splice(old.at.offset, std::size_t{first.offset} + 1, head + listStart(wanted)))
+            head != headText(old) && !splice(old.at.offset, std::size_t{first.offset} + 1, head + list_start))
             return std::nullopt;
         makeChunks(old.levels);
         std::string out = spliced(text_, chunk_.begin, chunks_.front().begin, splices_);

@@ -63,13 +63,11 @@ Value classicValue(const Value& value) {
 /// Returns the text on one line, with double quotes, backslashes, ; and # replaced by similar characters.
 std::string classicText(std::string_view text) {
     std::string plain(text);
+    constexpr std::string_view marks = "\";#\\";
+    constexpr std::string_view replacements = "',,/";
     for (char& c : plain) {
-        if (c == '"')
-            c = '\'';
-        else if (c == ';' || c == '#')
-            c = ',';
-        else if (c == '\\')
-            c = '/';
+        if (const std::size_t mark = marks.find(c); mark != std::string_view::npos)
+            c = replacements[mark];
         else if (static_cast<unsigned char>(c) < ' ')
             c = ' ';
     }

@@ -17,7 +17,6 @@ enum class Dialect {
 struct Loss {
     Spot at;             ///< place in the original plan; line 0 if the plan was not read from a text
     std::string message; ///< what the dialect lacks and what replaces it
-    bool operator==(const Loss&) const = default;
 };
 
 struct PlanExport {

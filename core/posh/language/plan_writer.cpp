@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
 
 #include "core/posh/model/keyword.h"
 #include "core/posh/model/literal.h"
@@ -17,6 +18,14 @@ void appendArgument(std::string& out, const Argument& argument) {
         appendLiteral(out, *literal);
     else
         out += '$' + std::get<Variable>(argument.value).name;
+}
+
+void appendGoal(std::string& out, const Senses& goal) {
+    if (goal.empty())
+        return;
+    out += " (goal ";
+    appendSenses(out, goal);
+    out += ')';
 }
 
 constexpr std::size_t line_length = 120;
@@ -64,7 +73,8 @@ void appendLevel(std::string& out, const Level& level, std::size_t width, const 
 
 /// Writes a form with levels: its head, the list of levels, the comment string and the parentheses that close them.
 template <class Form>
-std::string textWithLevels(const Form& form, const char* list) {
+std::string text(const Form& form) {
+    const char* const list = std::is_same_v<Form, Collection> ? "(drives" : "(elements";
     std::string out = headText(form) + besideText(form.remarks) + "\n    " + list;
     const std::size_t width = nameWidth(form.levels);
     const Remarks start; // The line with the list's keyword ends like that of a member
@@ -76,14 +86,6 @@ std::string textWithLevels(const Form& form, const char* list) {
     out += ')' + besideText(last ? *last : start) + "\n   ";
     appendComment(out, form.comment);
     return out + ')';
-}
-
-std::string text(const Competence& competence) {
-    return textWithLevels(competence, "(elements");
-}
-
-std::string text(const Collection& collection) {
-    return textWithLevels(collection, "(drives");
 }
 
 /// Returns the text of a pattern; the steps are wrapped if the form is too long for one line.
@@ -185,14 +187,6 @@ void appendInterval(std::string& out, const std::optional<Interval>& interval) {
         return;
     ((out += " (") += toText(interval->unit)) += ' ';
     appendLiteral(out, interval->amount);
-    out += ')';
-}
-
-void appendGoal(std::string& out, const Senses& goal) {
-    if (goal.empty())
-        return;
-    out += " (goal ";
-    appendSenses(out, goal);
     out += ')';
 }
 

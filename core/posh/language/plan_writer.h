@@ -43,7 +43,6 @@ void appendSenses(std::string& out, const Senses& senses);
 /// the same: they begin with a blank and append nothing for an absent part.
 void appendFormals(std::string& out, const std::vector<Formal>& formals);
 void appendInterval(std::string& out, const std::optional<Interval>& interval);
-void appendGoal(std::string& out, const Senses& goal);
 void appendComment(std::string& out, const std::optional<Literal>& comment);
 
 /// Appends a drive or an element from `(` to `)`. The text after the name begins at least `name_width` columns after

@@ -68,9 +68,9 @@ private:
             else
                 passCharacter();
     }
-    Spot spotFrom(std::size_t begin) const {
+    Spot spotFrom(std::size_t begin, std::size_t length = 0) const {
         return {line_, static_cast<std::uint32_t>(begin - line_start_ - extra_bytes_ + 1),
-                static_cast<std::uint32_t>(begin), 0};
+                static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(length)};
     }
     /// Adds a token from `at` to at_ and returns its whole spot.
     Spot add(TokenKind kind, Spot at) {
@@ -80,8 +80,7 @@ private:
     }
     /// Adds a token from at_ to `end` that consists of single-byte characters only.
     void addPlain(TokenKind kind, Keyword keyword, std::size_t end) {
-        Spot at = spotFrom(at_);
-        at.length = static_cast<std::uint32_t>(end - at_);
+        const Spot at = spotFrom(at_, end - at_);
         at_ = end;
         push(kind, keyword, at);
     }
@@ -110,30 +109,23 @@ private:
             do
                 ++at_;
             while (at_ < text_.size() && classOf(text_[at_]) == Class::Blank);
-            break;
+            return;
         case Class::LineEnd:
-            lineEnd();
-            break;
+            return lineEnd();
         case Class::Open:
-            addPlain(TokenKind::Open, Keyword::None, at_ + 1);
-            break;
+            return addPlain(TokenKind::Open, Keyword::None, at_ + 1);
         case Class::Close:
-            addPlain(TokenKind::Close, Keyword::None, at_ + 1);
-            break;
+            return addPlain(TokenKind::Close, Keyword::None, at_ + 1);
         case Class::Delimiter:
-            delimiter();
-            break;
+            return delimiter();
         case Class::High:
-            highCharacter();
-            break;
+            return highCharacter();
         case Class::NameStart:
-            name();
-            break;
+            return name();
         case Class::NamePart:
-            number();
-            break;
+            return number();
         case Class::Word:
-            word();
+            return word();
         }
     }
     void warn(Code code, const Spot& at, std::string message) {
@@ -157,11 +149,9 @@ private:
             return;
         }
         const CodePoint character = codePointAt(text_, at_);
-        if (!character.valid) {
-            Spot at = spotFrom(at_);
-            at.length = 1;
-            warn(Code::BadByte, at, "this byte is not valid UTF-8 and is read as U+FFFD; save the file as UTF-8");
-        }
+        if (!character.valid)
+            warn(Code::BadByte, spotFrom(at_, 1),
+                 "this byte is not valid UTF-8 and is read as U+FFFD; save the file as UTF-8");
         at_ += character.length;
         extra_bytes_ += character.length - 1;
     }
@@ -181,15 +171,13 @@ private:
         const CodePoint character = codePointAt(text_, at_);
         if (!character.valid || !isOddSpace(character.value))
             return word();
-        Spot at = spotFrom(at_);
-        at.length = static_cast<std::uint32_t>(character.length);
         if (odd_spaces_end_ != at_)
-            warn(Code::OddSpace, at, "this is not an ordinary space, though it looks like one; write a space");
+            warn(Code::OddSpace, spotFrom(at_, character.length),
+                 "this is not an ordinary space, though it looks like one; write a space");
         passCharacter();
         odd_spaces_end_ = at_;
     }
     void delimiter() {
-        const Spot begin = spotFrom(at_);
         switch (text_[at_]) {
         case ';':
         case '#':
@@ -201,9 +189,7 @@ private:
         case '\'':
             return word(TokenKind::Symbol);
         case ',':
-            ++at_;
-            add(TokenKind::Comma, begin);
-            return;
+            return addPlain(TokenKind::Comma, Keyword::None, at_ + 1);
         default:
             return predicate();
         }

@@ -1,5 +1,7 @@
 #include "core/posh/language/token.h"
 
+#include <algorithm>
+
 #include "core/base/text.h"
 
 namespace usar::posh {
@@ -65,15 +67,8 @@ std::optional<std::size_t> wrongInParts(std::string_view word, bool hyphens) {
 }
 
 bool isNameWithDigit(std::string_view word) {
-    if (word.empty() || !isDigit(word[0]))
-        return false;
-    bool has_letter = false;
-    for (const char c : word) {
-        if (!isNameCharacter(c))
-            return false;
-        has_letter = has_letter || isNameStart(c);
-    }
-    return has_letter;
+    return !word.empty() && isDigit(word[0]) && std::ranges::all_of(word, isNameCharacter) &&
+           std::ranges::any_of(word, isNameStart);
 }
 
 std::optional<std::size_t> illegalCharacter(std::string_view word) {

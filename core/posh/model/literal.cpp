@@ -113,14 +113,6 @@ std::string quoted(std::string_view text) {
     return result + '"';
 }
 
-std::optional<std::int64_t> integerOf(std::string_view word) {
-    if (word.starts_with('+'))
-        word.remove_prefix(1);
-    std::int64_t value = 0;
-    const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
-    return problem == std::errc{} && end == word.data() + word.size() ? std::optional(value) : std::nullopt;
-}
-
 std::optional<double> floatOf(std::string_view word) {
     const NumberPrefix number = readNumberPrefix(word);
     return number.used == word.size() && std::isfinite(number.value) ? std::optional(number.value) : std::nullopt;

@@ -1,7 +1,6 @@
 // Conversion between values and their spelling in a plan.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,8 +16,6 @@ std::string unescaped(std::string_view between_quotes);
 /// Returns the text in double quotes, with escapes where a string needs them.
 std::string quoted(std::string_view text);
 
-/// Returns nullopt if the number does not fit into 64 bits. `word` must be a token of kind Integer.
-std::optional<std::int64_t> integerOf(std::string_view word);
 /// Returns nullopt if the number is too large for a double. `word` must be a token of kind Float or Integer.
 std::optional<double> floatOf(std::string_view word);
 

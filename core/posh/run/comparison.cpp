@@ -49,16 +49,10 @@ std::optional<std::partial_ordering> orderOf(const Value& a, const Value& b) {
 
 /// Returns whether a predicate other than Equal and NotEqual holds for two values of this order.
 bool isOrdered(std::partial_ordering order, Predicate predicate) {
-    switch (predicate) {
-    case Predicate::Less:
-        return order < 0;
-    case Predicate::Greater:
-        return order > 0;
-    case Predicate::LessOrEqual:
-        return order <= 0;
-    default:
-        return order >= 0;
-    }
+    return predicate == Predicate::Less          ? order < 0
+           : predicate == Predicate::Greater     ? order > 0
+           : predicate == Predicate::LessOrEqual ? order <= 0
+                                                 : order >= 0;
 }
 
 } // namespace

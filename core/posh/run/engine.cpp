@@ -80,20 +80,14 @@ Outcome Engine::runEpochs() {
 }
 
 Index Engine::choose() {
-    for (Index level = 0; level < program()->levels.size(); ++level) {
-        const Range drives = program()->levels[level].drives;
-        if (drives.end - drives.first == 1) {
-            if (ready(drives.first))
-                return drives.first;
-        } else if (const Index winner = chooseIn(level); winner != nowhere) {
+    for (Index level = 0; level < program()->levels.size(); ++level)
+        if (const Index winner = chooseIn(level); winner != nowhere)
             return winner;
-        }
-    }
     return nowhere;
 }
 
 Index Engine::chooseIn(Index level) {
-    const Range drives = program()->levels[level].drives;
+    const Range drives = program()->levels[level];
     const bool has_active = drives.contains(active_) && drives_[active_].in_progress;
     if (has_active && ready(active_))
         return active_;

@@ -66,12 +66,6 @@ struct ProgramDrive {
     Index depth = 0;              ///< greatest number of forms that can be open below it
 };
 
-/// A range of drives with equal priority.
-struct ProgramLevel {
-    Range drives;
-    bool operator==(const ProgramLevel&) const = default;
-};
-
 /// A competence, pattern or adopt at one place; a form that is called twice appears twice.
 struct ProgramForm {
     PlaceKind kind = PlaceKind::Competence;
@@ -109,7 +103,7 @@ struct Program {
     std::vector<ProgramCall> act_calls;
     std::vector<ProgramTest> tests;
     std::vector<ProgramAct> acts;
-    std::vector<ProgramLevel> levels;
+    std::vector<Range> levels; ///< ranges of drives with the same priority
     std::vector<ProgramDrive> drives;
     std::vector<ProgramForm> forms; ///< in preorder, drive by drive
     std::vector<ProgramElement> elements;

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/posh/model/keyword.h"
 #include "core/posh/model/number_table.h"
 #include "core/posh/run/program.h"
 #include "core/posh/run/value_text.h"
@@ -41,25 +42,14 @@ Index sizeOf(const std::vector<Item>& list) {
     return static_cast<Index>(list.size());
 }
 
+/// Returns the time, or the time between two starts at a rate; 0 for ticks and for a rate of zero.
 double millisecondsOf(const Interval& interval) {
+    constexpr std::array unit_ms{3'600'000.0, 60'000.0, 1000.0, 1.0, 1000.0, 60'000.0, 0.0}; // Indexed by Unit
     const double amount = numberOf(interval.amount.value);
-    switch (interval.unit) {
-    case Unit::Hours:
-        return amount * 3'600'000.0;
-    case Unit::Minutes:
-        return amount * 60'000.0;
-    case Unit::Seconds:
-        return amount * 1000.0;
-    case Unit::None:
-        return amount;
-    case Unit::Hz:
-        return amount > 0.0 ? 1000.0 / amount : 0.0;
-    case Unit::PerMinute:
-        return amount > 0.0 ? 60'000.0 / amount : 0.0;
-    case Unit::Ticks:
-        break;
-    }
-    return 0.0;
+    const double one_ms = unit_ms[static_cast<std::size_t>(interval.unit)];
+    if (isTimeUnit(interval.unit))
+        return amount * one_ms;
+    return amount > 0.0 ? one_ms / amount : 0.0;
 }
 
 /// Returns a time limit in milliseconds. `(none 0)` means no limit, while `(seconds 0)` is a limit that is always
@@ -142,7 +132,7 @@ private:
             const Index first = sizeOf(program_->drives);
             for (const Member& drive : level)
                 addDrive(drive, number);
-            program_->levels.push_back({{first, sizeOf(program_->drives)}});
+            program_->levels.push_back({first, sizeOf(program_->drives)});
         }
         std::ranges::reverse(waiting_); // The first drive's form is expanded first
     }

@@ -105,6 +105,9 @@ inline std::string_view textOf(const Value& value) {
     return symbol ? std::string_view(symbol->text) : std::string_view();
 }
 
+/// Returns the word used in traces, reports and files: "RunningOnce".
+std::string_view toText(ActResult result);
+
 /// Returns the answer of a SenseEval, from its record and text.
 Value answerOf(const TraceRecord& record, std::string_view text);
 

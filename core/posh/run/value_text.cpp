@@ -49,6 +49,24 @@ void appendReal(std::string& out, double number) {
         out += ".0";
 }
 
+/// Appends the text in quotes, escaped as in JSON; characters beyond ASCII are not escaped.
+void appendQuoted(std::string& out, std::string_view text) {
+    constexpr std::string_view plain = "\"\\\b\f\n\r\t";
+    constexpr std::string_view letters = "\"\\bfnrt";
+    constexpr std::string_view digits = "0123456789abcdef";
+    out += '"';
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (const std::size_t at = plain.find(c); at != std::string_view::npos)
+            (out += '\\') += letters[at];
+        else if (byte < 0x20)
+            ((out += "\\u00") += digits[byte >> 4]) += digits[byte & 15];
+        else
+            out += c;
+    }
+    out += '"';
+}
+
 struct Append {
     std::string& out;
     void operator()(std::monostate) const { out += "nil"; }
@@ -58,22 +76,6 @@ struct Append {
     void operator()(const std::string& text) const { appendQuoted(out, text); }
     void operator()(const Symbol& symbol) const { out.append(1, '\'') += symbol.text; }
 };
-
-void appendEscaped(std::string& out, char c) {
-    constexpr std::string_view plain = "\"\\\b\f\n\r\t";
-    constexpr std::string_view letters = "\"\\bfnrt";
-    if (const std::size_t at = plain.find(c); at != std::string_view::npos) {
-        out += '\\';
-        out += letters[at];
-    } else if (const auto byte = static_cast<unsigned char>(c); byte < 0x20) {
-        constexpr std::string_view digits = "0123456789abcdef";
-        out += "\\u00";
-        out += digits[byte >> 4];
-        out += digits[byte & 15];
-    } else {
-        out += c;
-    }
-}
 
 constexpr std::string_view key_end = ": ";
 constexpr std::string_view arrow = " -> ";
@@ -93,13 +95,6 @@ std::size_t endOfValue(std::string_view text) {
 }
 
 } // namespace
-
-void appendQuoted(std::string& out, std::string_view text) {
-    out += '"';
-    for (const char c : text)
-        appendEscaped(out, c);
-    out += '"';
-}
 
 void appendValue(std::string& out, const Value& value) {
     std::visit(Append{out}, value);

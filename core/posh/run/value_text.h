@@ -9,11 +9,10 @@
 
 namespace usar::posh {
 
-/// Appends nil, true, 5, 2.0 (whole floats keep one decimal), "text" (quoted as in JSON) or 'symbol.
+/// Appends nil, true, 5, 2.0 (whole floats keep one decimal), "text" (quoted as in JSON; nothing beyond ASCII is
+/// escaped) or 'symbol.
 void appendValue(std::string& out, const Value& value);
 std::string toText(const Value& value);
-/// Appends the text in quotes, escaped as in JSON; characters beyond ASCII are not escaped.
-void appendQuoted(std::string& out, std::string_view text);
 
 /// One change of a blackboard entry. The views point into the text of a TraceEvent::Blackboard; the values are spelled
 /// as traces print them.

@@ -46,7 +46,6 @@ struct BoardEntry {
     std::string key;
     std::vector<Written> values; ///< at most `most_values`, the newest last
     std::uint64_t writes = 0;    ///< number of times that the value changed
-    bool operator==(const BoardEntry&) const = default;
 
     static constexpr std::size_t most_values = 8;
 };

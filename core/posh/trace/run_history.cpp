@@ -1,6 +1,7 @@
 #include "core/posh/trace/run_history.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace usar::posh {
@@ -12,20 +13,10 @@ constexpr std::size_t first_every = 256;
 
 /// Returns whether the event can follow an act in the same epoch.
 bool followsAct(TraceEvent event) {
-    switch (event) {
-    case TraceEvent::ActDone:
-    case TraceEvent::Pop:
-    case TraceEvent::AdoptRetry:
-    case TraceEvent::DriveSucceeded:
-    case TraceEvent::Blackboard:
-    case TraceEvent::Command:
-    case TraceEvent::Warning:
-    case TraceEvent::Error:
-    case TraceEvent::CycleEnd:
-        return true;
-    default:
-        return false;
-    }
+    using enum TraceEvent;
+    constexpr std::array followers{ActDone, Pop,     AdoptRetry, DriveSucceeded, Blackboard,
+                                   Command, Warning, Error,      CycleEnd};
+    return std::ranges::find(followers, event) != followers.end();
 }
 
 } // namespace

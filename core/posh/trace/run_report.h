@@ -28,7 +28,6 @@ struct RunFinding {
     RunRemark remark = RunRemark::NeverSelected;
     Index place = 0;     ///< for Oscillation: that of the first of the two drives
     std::string message; ///< one sentence with the names of the place and figures
-    bool operator==(const RunFinding&) const = default;
 };
 
 constexpr std::uint64_t often_asked = 50; ///< with fewer evaluations, "always held" has no significance

@@ -25,14 +25,12 @@ struct PlaceCounts {
     std::uint64_t spent_ns = 0;   ///< total duration of an act's runs; 0 if the engine has no clock
     std::uint64_t longest_ns = 0; ///< duration of the longest of them
     std::uint64_t last_cycle = 0; ///< number of the last cycle with an event here
-    bool operator==(const PlaceCounts&) const = default;
 };
 
 /// The switches between two drives.
 struct Alternation {
     int most = 0;            ///< greatest number of switches within alternation_within_ms
     std::uint64_t cycle = 0; ///< number of the cycle with the last of these switches
-    bool operator==(const Alternation&) const = default;
 };
 
 /// Counts the events of a run. Several runs of the same plan add up; another plan resets the counts. Records of places

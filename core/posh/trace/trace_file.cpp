@@ -12,20 +12,13 @@ namespace {
 
 /// Returns the greatest detail that an engine writes with an event.
 std::uint8_t mostDetail(TraceEvent event) {
-    switch (event) {
-    case TraceEvent::CycleEnd:
-        return static_cast<std::uint8_t>(Outcome::Won);
-    case TraceEvent::DriveSkipped:
-        return static_cast<std::uint8_t>(SkipReason::SwitchedOff);
-    case TraceEvent::ActRun:
-        return static_cast<std::uint8_t>(ActResult::Failed);
-    case TraceEvent::ActDone:
-        return static_cast<std::uint8_t>(DoneReason::Stopped);
-    case TraceEvent::Warning:
-        return static_cast<std::uint8_t>(WarningCode::Host);
-    default:
-        return 0;
-    }
+    const auto number = [](auto greatest) { return static_cast<std::uint8_t>(greatest); };
+    return event == TraceEvent::CycleEnd       ? number(Outcome::Won)
+           : event == TraceEvent::DriveSkipped ? number(SkipReason::SwitchedOff)
+           : event == TraceEvent::ActRun       ? number(ActResult::Failed)
+           : event == TraceEvent::ActDone      ? number(DoneReason::Stopped)
+           : event == TraceEvent::Warning      ? number(WarningCode::Host)
+                                               : std::uint8_t{0};
 }
 
 /// Returns whether the fields of a record from a file are within the ranges that an engine writes.

@@ -1,6 +1,7 @@
 #include "core/protocol/commands/checked_text.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "core/base/text.h"
 
@@ -22,10 +23,7 @@ bool fits(TextRule rule, std::string_view text) {
 
 std::string fitted(TextRule rule, std::string_view text) {
     std::string left;
-    for (const char c : text) {
-        if (fits(rule, c))
-            left += c;
-    }
+    std::ranges::copy_if(text, std::back_inserter(left), [rule](char c) { return fits(rule, c); });
     return std::string(trimmed(left));
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "core/protocol/commands/checked_text.h"
@@ -33,17 +32,6 @@ struct JointDrive {
     bool normalized = false;           ///< `value` is in percent of the maximum; not limited
     DriveSwitches switches{};
     bool operator==(const JointDrive&) const = default;
-
-    /// Commands for an angle, a speed and a torque; the units are those of a revolute joint.
-    static JointDrive toAngle(Token joint, double angle_rad) {
-        return {std::move(joint), JointOrder::Angle, angle_rad};
-    }
-    static JointDrive atSpeed(Token joint, double speed_rad_s) {
-        return {std::move(joint), JointOrder::Speed, speed_rad_s};
-    }
-    static JointDrive withTorque(Token joint, double torque_n_m) {
-        return {std::move(joint), JointOrder::Torque, torque_n_m};
-    }
 
     static constexpr auto& word = drive_word;
     /// A DRIVE with a Name is one for a joint, whatever else it has.

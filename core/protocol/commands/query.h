@@ -8,14 +8,8 @@
 #include "core/base/text.h"
 #include "core/protocol/commands/checked_text.h"
 #include "core/protocol/commands/description.h"
-#include "core/protocol/dialect.h"
 
 namespace usar::protocol {
-
-/// The type under which a server lists the mission packages of a robot. Servers compare it case-sensitively.
-inline Token packageType(Dialect dialect) {
-    return dialect == Dialect::Udk ? Token("Actuator") : Token("MisPkg");
-}
 
 /// Everything that can be asked about: Robot, MisPkg, Actuator, the types of all sensors in sensors/table.h, and the
 /// other equipment of a robot.

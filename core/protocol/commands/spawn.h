@@ -33,21 +33,10 @@ struct Init {
     std::optional<Seconds> battery_life{}; ///< accepted by the Gazebo server only
     bool operator==(const Init&) const = default;
 
-    /// Spawns a robot at a pose, or, below, at a start pose by its name.
-    static Init at(Token class_name, Name robot_name, const Pose& start_in_map) {
-        return {std::move(class_name), std::move(robot_name), start_in_map};
-    }
-    static Init atStart(Token class_name, Name robot_name, Token start_name) {
-        return {std::move(class_name), std::move(robot_name), std::move(start_name)};
-    }
     /// A world controller has no body; its connection accepts the commands in world_control.h.
     static Init worldController(Name name, Dialect dialect) {
         return {dialect == Dialect::Udk ? Token("USARBotAPI.WorldController") : Token("USARBot.WorldController"),
                 std::move(name)};
-    }
-    /// A base station of the radio network; it sends no data.
-    static Init communicationStation(Name name, std::variant<Pose, Token> start) {
-        return {"USARBot.ComStation", std::move(name), std::move(start)};
     }
 
     static constexpr CommandWord word{

@@ -94,11 +94,9 @@ CameraConfiguration cameraOf(const ConfiguredItem& item) {
 } // namespace
 
 std::optional<double> ConfiguredItem::number(const std::string& key) const {
-    for (const Setting& setting : settings) {
-        if (setting.number && sameWord(setting.key, key))
-            return setting.number;
-    }
-    return std::nullopt;
+    const auto found =
+        std::ranges::find_if(settings, [&](const Setting& one) { return one.number && sameWord(one.key, key); });
+    return found == settings.end() ? std::nullopt : found->number;
 }
 
 std::optional<RobotConfiguration> robotConfigurationOf(const ConfigurationInfo& info) {

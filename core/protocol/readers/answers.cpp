@@ -98,20 +98,16 @@ bool readItems(LineReading& line, std::vector<MountedItem>& items) {
 }
 
 /// Reads a vector that may be absent; false if it is there but damaged.
-bool readOptional(LineReading& line, std::string_view key, std::optional<Vec3>& vector) {
+bool readOptional(LineReading& line, std::string_view key, std::optional<Vec3>& vector, Crossing crossing) {
     const Segment* const segment = line.segments().find(key);
-    if (segment)
-        vector = line.threeNumbers(segment->value);
-    return !segment || vector;
+    return !segment || take(line, segment->value, vector, crossing);
 }
 
 bool readRobot(LineReading& line, GeometryInfo& out) {
     out.robot_class = line.segments().value("Name");
-    std::optional<Vec3> center_on_wire_m;
-    if (!readOptional(line, "Dimensions", out.dimensions_m) || !readOptional(line, "COG", center_on_wire_m))
+    if (!readOptional(line, "Dimensions", out.dimensions_m, Crossing::None) ||
+        !readOptional(line, "COG", out.center_of_gravity_m, Crossing::Vector))
         return false;
-    if (center_on_wire_m)
-        out.center_of_gravity_m = acrossWire(*center_on_wire_m);
     out.wheel_radius_m = line.number("WheelRadius");
     out.wheel_separation_m = line.number("WheelSeparation");
     out.wheel_base_m = line.number("WheelBase");

@@ -7,15 +7,6 @@
 
 namespace usar::protocol {
 
-namespace {
-
-/// True for a single number; 3D scanners and imagers send two.
-bool holdsOneNumber(std::string_view value) {
-    return readNumber(value).has_value();
-}
-
-} // namespace
-
 bool read(LineReading& line, RangeScan& out) {
     const Segments& segments = line.segments();
     const Segment* const range = segments.find("Range");
@@ -43,8 +34,8 @@ bool read(LineReading& line, RangeScan& out) {
 
 bool readByShape(LineReading& line, RangeScan& out) {
     const Segments& segments = line.segments();
-    return segments.find("Range") && holdsOneNumber(segments.value("FOV")) &&
-           holdsOneNumber(segments.value("Resolution")) && read(line, out);
+    return segments.find("Range") && readNumber(segments.value("FOV")) && readNumber(segments.value("Resolution")) &&
+           read(line, out); // 3D scanners and imagers send two numbers as FOV and Resolution
 }
 
 void write(LineWriter& line, const RangeScan& scan) {

@@ -15,7 +15,6 @@
 #include "core/protocol/sensors/touch.h"
 #include "core/protocol/sensors/victims.h"
 #include "core/protocol/sensors/wheels.h"
-#include "core/protocol/sensors/whereabouts.h"
 
 namespace usar::protocol {
 

@@ -6,22 +6,18 @@
 namespace usar::server {
 
 Result<std::unique_ptr<HeadlessSimulator>> HeadlessSimulator::start(const QString& world, const HeadlessSpec& spec) {
-    auto loaded = loadWorld(world);
-    if (!loaded)
-        return tl::unexpected(loaded.error());
-    return serve(*std::move(loaded), spec);
+    return loadWorld(world).and_then([&](sim::World&& loaded) { return serve(std::move(loaded), spec); });
 }
 
 Result<std::unique_ptr<HeadlessSimulator>> HeadlessSimulator::serve(sim::World world, const HeadlessSpec& spec) {
-    sim::SimulationOptions options;
-    options.seed = spec.seed;
-    options.faults = spec.faults;
-    options.battery_life = sim::survey_battery_life;
     sim::RobotsRead robots = loadRobots();
     for (const Error& refused : robots.refused)
         qWarning("%s", refused.text().c_str());
-    options.robots = std::make_shared<const sim::RobotCatalog>(std::move(robots.robots));
-    auto simulation = sim::Simulation::make(std::move(world), options);
+    auto simulation = sim::Simulation::make(
+        std::move(world), {.seed = spec.seed,
+                           .battery_life = sim::survey_battery_life,
+                           .robots = std::make_shared<const sim::RobotCatalog>(std::move(robots.robots)),
+                           .faults = spec.faults});
     if (!simulation)
         return tl::unexpected(simulation.error());
     std::unique_ptr<HeadlessSimulator> host(new HeadlessSimulator);

@@ -9,10 +9,9 @@
 namespace usar::server {
 
 Result<sim::World> loadWorld(const QString& name_or_folder) {
-    const Result<QString> folder = findWorld(name_or_folder);
-    if (!folder)
-        return tl::unexpected(folder.error());
-    return sim::readWorld(folder->toStdString());
+    return findWorld(name_or_folder).and_then([](const QString& folder) {
+        return sim::readWorld(folder.toStdString());
+    });
 }
 
 sim::RobotsRead loadRobots() {
@@ -35,7 +34,7 @@ Result<std::unique_ptr<sim::Simulation>> resumeSimulation(const QString& path,
     };
     if (!snapshot)
         return inFile(snapshot.error());
-    auto world = loadWorld(QString::fromStdString(snapshot->world));
+    auto world = loadWorld(QString::fromStdString(snapshot->options.world_source));
     if (!world)
         return inFile(world.error());
     auto simulation = sim::Simulation::resume(*std::move(world), std::move(robots), *snapshot, watch);

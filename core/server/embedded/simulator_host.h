@@ -6,7 +6,6 @@
 #include <QObject>
 #include <QThread>
 
-#include "core/base/geometry.h"
 #include "core/server/embedded/simulation_loader.h"
 #include "core/server/embedded/world_picture.h"
 #include "core/server/simulator_server.h"

@@ -44,8 +44,7 @@ std::vector<std::pair<QString, quint16*>> portOptions(SimulatorSettings& setting
 } // namespace
 
 Result<quint16> readPort(const QString& text, const QString& option) {
-    const auto port = readWhole(text, option, 65535);
-    return port ? Result<quint16>(static_cast<quint16>(*port)) : tl::unexpected(port.error());
+    return readWhole(text, option, 65535).map([](long long port) { return static_cast<quint16>(port); });
 }
 
 void addSimulatorOptions(QCommandLineParser& parser) {
@@ -116,16 +115,15 @@ Result<std::unique_ptr<sim::Simulation>> makeSimulation(const SimulatorSettings&
     auto world = loadWorld(settings.world);
     if (!world)
         return tl::unexpected(world.error());
-    sim::SimulationOptions options;
-    options.seed = settings.seed;
-    options.profile = settings.profile;
-    options.faults = settings.faults;
-    options.world_source = settings.world.toStdString();
+    sim::SimulationOptions options{.seed = settings.seed,
+                                   .profile = settings.profile,
+                                   .robots = std::move(catalog),
+                                   .faults = settings.faults,
+                                   .world_source = settings.world.toStdString()};
     if (settings.profile == protocol::Dialect::Udk) { // The robot's state at 10 Hz, sensors at their intervals.
         options.tick /= 2.0;
         options.physics_steps_per_tick /= 2;
     }
-    options.robots = std::move(catalog);
     return sim::Simulation::make(std::move(*world), options);
 }
 

@@ -38,8 +38,8 @@ struct SeenLamp {
 
 /// A camera and its current pose. Its x axis points into the picture, y left, z up.
 struct SeenFrom {
-    std::string robot;
-    std::string camera;
+    std::string robot{};
+    std::string camera{};
     Eigen::Isometry3d camera_in_map = Eigen::Isometry3d::Identity();
     double field_of_view_rad = protocol::usual_camera_fov_rad; ///< horizontally
     /// Size of the picture.
@@ -67,12 +67,12 @@ struct Viewports {
 struct CameraScene {
     std::shared_ptr<const StillWorld> still; ///< never null
     std::uint64_t tick = 0;                  ///< equal ticks of one simulation show the same
-    std::vector<SeenSolid> solids;           ///< robots, objects, victims and tags
+    std::vector<SeenSolid> solids{};         ///< robots, objects, victims and tags
     /// Only the lamps that are on.
-    std::vector<SeenLamp> lamps;
-    std::vector<SeenFrom> cameras;                ///< in the order of the robots' connections
-    std::map<std::string, CameraChoice> attached; ///< by the viewer's address
-    std::optional<Viewports> viewports{};         ///< nullopt: no client has set them
+    std::vector<SeenLamp> lamps{};
+    std::vector<SeenFrom> cameras{};                ///< in the order of the robots' connections
+    std::map<std::string, CameraChoice> attached{}; ///< by the viewer's address
+    std::optional<Viewports> viewports{};           ///< nullopt: no client has set them
 };
 
 } // namespace usar::sim

@@ -1,7 +1,10 @@
 #include "core/sim/camera/scene_capture.h"
 
 #include <array>
+#include <cmath>
+#include <variant>
 
+#include "core/base/alternatives.h"
 #include "core/base/text.h"
 #include "core/sim/robots/robot_model.h"
 
@@ -18,19 +21,6 @@ const Color skin{0.85f, 0.63f, 0.50f};
 const Color clothes{0.62f, 0.16f, 0.20f};
 const Color tag_color{0.95f, 0.95f, 0.98f};
 constexpr double tag_radius_m = 0.05;
-
-double radiusOf(const CylinderShape& shape) {
-    return std::hypot(shape.radius_m, shape.height_m / 2.0);
-}
-double radiusOf(const CapsuleShape& shape) {
-    return shape.radius_m + shape.height_m / 2.0;
-}
-double radiusOf(const BoxShape& shape) {
-    return shape.size_m.norm() / 2.0;
-}
-double radiusOf(const SphereShape& shape) {
-    return shape.radius_m;
-}
 
 Color colorOf(const SceneObject& object) {
     struct Named {
@@ -69,8 +59,11 @@ Eigen::Isometry3d shiftedTo(const Vec3& position_m) {
 } // namespace
 
 SeenSolid seenSolid(const Shape& shape, const Eigen::Isometry3d& solid_in_map, const Color& color) {
-    const double radius_m = std::visit([](const auto& one) { return radiusOf(one); }, shape);
-    return {shape, solid_in_map.translation(), solid_in_map.linear(), radius_m, color};
+    const Overloaded radius{[](const CylinderShape& rod) { return std::hypot(rod.radius_m, rod.height_m / 2.0); },
+                            [](const CapsuleShape& rod) { return rod.radius_m + rod.height_m / 2.0; },
+                            [](const BoxShape& box) { return box.size_m.norm() / 2.0; },
+                            [](const SphereShape& ball) { return ball.radius_m; }};
+    return {shape, solid_in_map.translation(), solid_in_map.linear(), std::visit(radius, shape), color};
 }
 
 void addRobot(CameraScene& seen, const Robot& robot, const std::string& name, std::uint32_t number) {

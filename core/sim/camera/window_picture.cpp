@@ -32,9 +32,7 @@ SeenFrom bystander(const StillWorld& still) {
     eye.position_m -= back_m * Vec3{std::cos(place.yaw_rad), std::sin(place.yaw_rad), 0.0};
     const double ground_m = still.caster.surface_m(eye.position_m.head<2>());
     eye.position_m.z() = std::max(ground_m, place.position_m.z()) + (room ? 1.0 : 4.0);
-    SeenFrom view;
-    view.camera_in_map = eye.isometry();
-    return view;
+    return {.camera_in_map = eye.isometry()};
 }
 
 using Views = std::array<const SeenFrom*, most_views>;

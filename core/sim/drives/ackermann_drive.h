@@ -11,12 +11,12 @@ namespace usar::sim {
 /// is that of a wheel in the middle of the rear axle; inner and outer wheels get theirs from the common center.
 class AckermannDrive : public WheeledDrive {
 public:
-    /// Fails if a joint does not exist, if none is driven or none steered, or if there is no wheel base.
-    static Result<std::unique_ptr<Drive>> make(const RobotModel& model, Physics& physics, BodyId body);
+    /// Fails if no joint is driven or none steered, or if there is no wheel base.
+    static Result<std::unique_ptr<Drive>> make(const RobotModel& model, Physics& physics, BodyId body,
+                                               const std::vector<std::size_t>& joints);
 
     bool obey(const protocol::Command& command) override;
-    using WheeledDrive::addTo;
-    void addTo(protocol::RobotState& state) const override;
+    void addState(protocol::RobotState& state) const override;
 
 private:
     AckermannDrive(const RobotModel& model, Physics& physics, BodyId body, const std::vector<std::size_t>& wheels,

@@ -5,8 +5,6 @@
 #include <cmath>
 
 #include "core/base/text.h"
-#include "core/sim/drives/wheeled_drive.h"
-#include "core/sim/robots/drive.h"
 
 namespace usar::sim {
 
@@ -173,9 +171,9 @@ std::vector<protocol::JointAngle> DrivenJoints::angles() const {
     return angles;
 }
 
-Result<std::vector<std::size_t>> linksOn(const RobotModel& model, const std::vector<std::string>& joints) {
+Result<std::vector<std::size_t>> drivenLinks(const RobotModel& model) {
     std::vector<std::size_t> links;
-    for (const std::string& joint : joints) {
+    for (const std::string& joint : model.drive.joints) {
         const auto link =
             std::ranges::find_if(model.links, [&](const ModelLink& one) { return sameWord(one.joint, joint); });
         if (link == model.links.end())
@@ -196,12 +194,6 @@ void JointDrive::letSleep(bool allowed) {
     if (allowed != may_sleep_)
         physics_.letSleep(body_, allowed);
     may_sleep_ = allowed;
-}
-
-Result<std::unique_ptr<Drive>> LegDrive::make(const RobotModel& model, Physics& physics, BodyId body) {
-    return linksOn(model, model.drive.joints).map([&](const std::vector<std::size_t>& joints) {
-        return std::unique_ptr<Drive>(new LegDrive(model, physics, body, joints));
-    });
 }
 
 LegDrive::LegDrive(const RobotModel& model, Physics& physics, BodyId body, const std::vector<std::size_t>& joints)
@@ -225,9 +217,9 @@ void LegDrive::beforeStep(Seconds dt) {
     letSleep(still_for_ > standing);
 }
 
-void LegDrive::addTo(protocol::RobotState& state) const {
+void LegDrive::addState(protocol::RobotState& state) const {
     for (const std::size_t joint : reported_)
-        state.joints.push_back({joints_.name(joint), joints_.state(joint).position});
+        state.joints.push_back({joints_[joint].name, joints_.state(joint).position});
 }
 
 } // namespace usar::sim

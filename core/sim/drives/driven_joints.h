@@ -19,10 +19,22 @@ namespace usar::sim {
 /// {FLflipper 1.5}. `physics` must outlive it.
 class DrivenJoints {
 public:
+    /// The limits are in N m or N, rad/s or m/s, and rad or m.
+    struct Joint {
+        std::string name;
+        double torque_limit = 0.0; ///< 0: the joint cannot be driven
+        double speed_limit = 0.0;
+        double lower = 1.0; ///< above `upper` if there are no limits
+        double upper = -1.0;
+        bool in_package = false; ///< belongs to a mission package
+        double stiffness = 1.0;  ///< share of the torque that UDK's SET leaves it
+        JointMotor motor{};
+        Vec3 pivot_in_base_m = Vec3::Zero(); ///< with all joints at 0, as is the axis
+        Vec3 axis_in_base = Vec3::UnitZ();   ///< unit vector
+    };
+
     DrivenJoints(const RobotModel& model, Physics& physics, BodyId body);
 
-    /// The joint by this name, in any case; nullopt if there is none.
-    std::optional<std::size_t> find(std::string_view joint) const;
     /// Obeys JointDrive, MultiDrive and SetJoint. Returns the joints that now do so; none if it is another command or
     /// the joints do not exist. `normalized` speeds and torques are percentages of the joint's limits.
     std::vector<std::size_t> obey(const protocol::Command& command);
@@ -34,37 +46,18 @@ public:
     /// Turns all motors off, except those of mission packages.
     void releaseAll();
 
-    const std::string& name(std::size_t joint) const { return joints_[joint].name; }
-    /// Current position and velocity of a joint; below, its limits in N m or N, and in rad/s or m/s.
+    /// Limits, place and last command of a joint.
+    const Joint& operator[](std::size_t joint) const { return joints_[joint]; }
+    /// Current position and velocity of a joint.
     JointState state(std::size_t joint) const { return physics_.joint(body_, joint); }
-    double torqueLimit(std::size_t joint) const { return joints_[joint].torque_limit; }
-    double speedLimit(std::size_t joint) const { return joints_[joint].speed_limit; }
-    /// The pivot, in the base's frame with all joints at 0; `axis` likewise, as a unit vector.
-    const Vec3& pivot(std::size_t joint) const { return joints_[joint].pivot_in_base_m; }
-    const Vec3& axis(std::size_t joint) const { return joints_[joint].axis_in_base; }
     /// True if no joint moves noticeably.
     bool still() const;
     /// Angles of flippers and the like: joints with torque and limits that no mission package moves.
     std::vector<protocol::JointAngle> angles() const;
 
 private:
-    struct Joint {
-        std::string name;
-        /// N m or N; 0: the joint cannot be driven.
-        double torque_limit = 0.0;
-        double speed_limit = 0.0;
-        /// rad or m; the joint has no limits if `lower` exceeds `upper`.
-        double lower = 1.0;
-        double upper = -1.0;
-        /// The joint belongs to a mission package.
-        bool in_package = false;
-        double stiffness = 1.0; ///< share of the torque that UDK's SET leaves it
-        JointMotor motor{};
-        /// With all joints at 0, as is the axis.
-        Vec3 pivot_in_base_m = Vec3::Zero();
-        Vec3 axis_in_base = Vec3::UnitZ();
-    };
-
+    /// The joint by this name, in any case; nullopt if there is none.
+    std::optional<std::size_t> find(std::string_view joint) const;
     void drive(std::size_t joint, const JointMotor& motor);
     bool obey(std::size_t joint, protocol::JointOrder order, double value, bool normalized);
     std::vector<std::size_t> obeySet(const protocol::SetJoint& wanted);
@@ -75,8 +68,8 @@ private:
     std::vector<Joint> joints_;
 };
 
-/// The links on these joints. An error names the joint that does not exist.
-Result<std::vector<std::size_t>> linksOn(const RobotModel& model, const std::vector<std::string>& joints);
+/// The links on the joints of the model's drive. An error names the joint that does not exist.
+Result<std::vector<std::size_t>> drivenLinks(const RobotModel& model);
 
 /// Base of the drives that move joints. `model` is not kept; `physics` must outlive it.
 class JointDrive : public Drive {
@@ -109,19 +102,15 @@ private:
 /// The body may sleep while it stands still without new commands.
 class LegDrive : public JointDrive {
 public:
-    /// Fails if one of the drive's joints does not exist.
-    static Result<std::unique_ptr<Drive>> make(const RobotModel& model, Physics& physics, BodyId body);
+    /// `joints` are those that it drives, in the order in which STA reports them.
+    LegDrive(const RobotModel& model, Physics& physics, BodyId body, const std::vector<std::size_t>& joints);
 
     bool obey(const protocol::Command& command) override;
     void beforeStep(Seconds dt) override;
     bool idle() const override { return still_for_ > Seconds{0.0}; }
-
-    using Drive::addTo;
-    void addTo(protocol::RobotState& state) const override;
+    void addState(protocol::RobotState& state) const override;
 
 private:
-    LegDrive(const RobotModel& model, Physics& physics, BodyId body, const std::vector<std::size_t>& joints);
-
     std::vector<std::size_t> reported_; ///< joints in the order in which STA reports them
     Seconds still_for_{0.0};            ///< time without motion or a new command
 };

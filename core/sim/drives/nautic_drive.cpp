@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/sim/robots/drive.h"
-
 namespace usar::sim {
 
 namespace {
@@ -29,36 +27,12 @@ double approach(double value, double wanted, double most) {
 
 } // namespace
 
-HullFigures hullFiguresOf(const RobotModel& model) {
-    HullFigures h;
-    setFigures(model.drive.numbers, {{"hull_radius", &h.radius_m},
-                                     {"hull_length", &h.length_m},
-                                     {"volume", &h.volume_m3},
-                                     {"center_of_buoyancy", &h.buoyancy_z_m},
-                                     {"surge_drag", &h.surge_drag_kg_m},
-                                     {"cross_drag", &h.cross_drag_kg_m},
-                                     {"roll_drag", &h.roll_drag_kg_m2},
-                                     {"pitch_drag", &h.pitch_drag_kg_m2},
-                                     {"yaw_drag", &h.yaw_drag_kg_m2},
-                                     {"surge_added_mass", &h.surge_added_mass_kg},
-                                     {"cross_added_mass", &h.cross_added_mass_kg},
-                                     {"turn_added_inertia", &h.turn_added_inertia_kg_m2},
-                                     {"fin_lift", &h.fin_lift_kg_m},
-                                     {"fin_moment", &h.fin_moment_kg},
-                                     {"propeller_limit", &h.propeller_limit_rad_s},
-                                     {"thrust_limit", &h.thrust_limit_n},
-                                     {"rudder_limit", &h.rudder_limit_rad},
-                                     {"stern_plane_limit", &h.stern_plane_limit_rad},
-                                     {"fin_rate", &h.fin_rate_rad_s}});
-    return h;
-}
-
 NauticDrive::NauticDrive(const RobotModel& model, Physics& physics, BodyId body, const World& world)
     : model_(model)
     , physics_(physics)
     , body_(body)
     , water_(world.water)
-    , hull_(hullFiguresOf(model))
+    , hull_{model.drive.numbers}
     , inertia_kg_m2_(model.body.base.inertia_kg_m2)
     , mass_kg_(model.mass_kg()) {
     if (water_ && hull_.volume_m3 <= 0.0)
@@ -175,13 +149,13 @@ bool NauticDrive::idle() const {
     return wanted_propeller_rad_s_ == 0.0;
 }
 
-void NauticDrive::addTo(protocol::RobotState& state) const {
+void NauticDrive::addState(protocol::RobotState& state) const {
     state.joints.push_back({"SternPlaneAngle", stern_plane_rad_});
     state.joints.push_back({"RudderAngle", rudder_rad_});
 }
 
 /// The names of the limits are ours, because no source gives UT2004's (robots-and-worlds.md 2).
-void NauticDrive::addTo(std::vector<protocol::Setting>& settings) const {
+void NauticDrive::addSettings(std::vector<protocol::Setting>& settings) const {
     settings.insert(settings.end(), {{"MaxPropellerSpeed", "", hull_.propeller_limit_rad_s},
                                      {"MaxRudderAngle", "", hull_.rudder_limit_rad},
                                      {"MaxSternPlaneAngle", "", hull_.stern_plane_limit_rad}});

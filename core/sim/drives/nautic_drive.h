@@ -2,38 +2,35 @@
 #pragma once
 
 #include "core/sim/robots/drive.h"
-#include "core/sim/robots/robot_figures.h"
 
 namespace usar::sim {
 
-/// Figures of a torpedo-shaped hull along the base's x axis, after the published REMUS model
-/// (robots-and-worlds.md 3.3).
+/// Figures of a torpedo-shaped hull along the base's x axis. The usual values are those of the published REMUS model
+/// (robots-and-worlds.md 3.3); the drive of a robot file can replace each of them by its name.
 struct HullFigures {
-    double radius_m = 0.095;
-    double length_m = 1.6;
-    double volume_m3 = 0.0;    ///< 0: trimmed to hover in the water of its world
-    double buoyancy_z_m = 0.0; ///< height of the center of buoyancy above the base's origin
+    Numbers numbers{}; ///< figures that replace the usual ones, by name
+    double radius_m = numberOr(numbers, "hull_radius", 0.095);
+    double length_m = numberOr(numbers, "hull_length", 1.6);
+    double volume_m3 = numberOr(numbers, "volume", 0.0); ///< 0: trimmed to hover in the water of its world
+    /// Height of the center of buoyancy above the base's origin.
+    double buoyancy_z_m = numberOr(numbers, "center_of_buoyancy", 0.0);
     // Drag is coefficient * speed^2, a force or a torque. Added mass is that of a fully submerged hull.
-    double surge_drag_kg_m = 3.9;
-    double cross_drag_kg_m = 131.0;
-    double roll_drag_kg_m2 = 0.13;
-    double pitch_drag_kg_m2 = 188.0;
-    double yaw_drag_kg_m2 = 94.0;
-    double surge_added_mass_kg = 0.93;
-    double cross_added_mass_kg = 35.5;
-    double turn_added_inertia_kg_m2 = 4.88;
-    double fin_lift_kg_m = 9.64; ///< force = lift * speed^2 * angle
-    double fin_moment_kg = 6.15; ///< moment = this * speed^2 * angle
-    double propeller_limit_rad_s = 160.0;
-    double thrust_limit_n = 10.0; ///< at the limit; quadratic below
-    double rudder_limit_rad = 0.35;
-    double stern_plane_limit_rad = 0.35;
-    double fin_rate_rad_s = 1.0; ///< turning rate of rudder and stern plane
+    double surge_drag_kg_m = numberOr(numbers, "surge_drag", 3.9);
+    double cross_drag_kg_m = numberOr(numbers, "cross_drag", 131.0);
+    double roll_drag_kg_m2 = numberOr(numbers, "roll_drag", 0.13);
+    double pitch_drag_kg_m2 = numberOr(numbers, "pitch_drag", 188.0);
+    double yaw_drag_kg_m2 = numberOr(numbers, "yaw_drag", 94.0);
+    double surge_added_mass_kg = numberOr(numbers, "surge_added_mass", 0.93);
+    double cross_added_mass_kg = numberOr(numbers, "cross_added_mass", 35.5);
+    double turn_added_inertia_kg_m2 = numberOr(numbers, "turn_added_inertia", 4.88);
+    double fin_lift_kg_m = numberOr(numbers, "fin_lift", 9.64);   ///< force = lift * speed^2 * angle
+    double fin_moment_kg = numberOr(numbers, "fin_moment", 6.15); ///< moment = this * speed^2 * angle
+    double propeller_limit_rad_s = numberOr(numbers, "propeller_limit", 160.0);
+    double thrust_limit_n = numberOr(numbers, "thrust_limit", 10.0); ///< at the limit; quadratic below
+    double rudder_limit_rad = numberOr(numbers, "rudder_limit", 0.35);
+    double stern_plane_limit_rad = numberOr(numbers, "stern_plane_limit", 0.35);
+    double fin_rate_rad_s = numberOr(numbers, "fin_rate", 1.0); ///< turning rate of rudder and stern plane
 };
-
-/// Takes the figures from the drive's numbers, whose names have no units: surge_drag, fin_lift,
-/// propeller_limit … The others keep their defaults.
-HullFigures hullFiguresOf(const RobotModel& model);
 
 /// Buoyancy acts slice by slice along the hull, so that it floats, dives and plunges in any attitude. Quadratic drag
 /// never reverses a motion within a step. Added mass reduces every force that is not a contact; its Coriolis part is
@@ -48,19 +45,16 @@ public:
     bool obey(const protocol::Command& command) override;
     /// Turns fins and propeller toward the commanded values, then applies the forces of the water.
     void beforeStep(Seconds dt) override;
-    /// Counts a collision if anything touches the hull after the step.
+    /// Counts a collision if anything touches the hull after the step, including the bottom of the sea.
     void afterStep(Seconds dt) override;
     /// Lets the propeller run down; the fins keep their commanded angles.
     void switchOff() override;
     /// True as long as the propeller is commanded to stand still.
     bool idle() const override;
-    /// Counts contacts with anything, including the bottom of the sea.
-    int collisions() const override { return collisions_.count(); }
-    using Drive::addTo;
     /// Adds SternPlaneAngle and RudderAngle in rad.
-    void addTo(protocol::RobotState& state) const override;
+    void addState(protocol::RobotState& state) const override;
     /// The names of the limits are ours, because no source gives UT2004's (robots-and-worlds.md 2).
-    void addTo(std::vector<protocol::Setting>& settings) const override;
+    void addSettings(std::vector<protocol::Setting>& settings) const override;
 
 private:
     /// A force and a torque on the body.
@@ -86,7 +80,6 @@ private:
     HullFigures hull_;
     Vec3 inertia_kg_m2_;
     double mass_kg_;
-    CollisionCounter collisions_;
     /// Current values; the commanded ones are below.
     double propeller_rad_s_ = 0.0;
     double rudder_rad_ = 0.0;

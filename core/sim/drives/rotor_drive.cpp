@@ -1,9 +1,6 @@
 #include "core/sim/drives/rotor_drive.h"
 
 #include <algorithm>
-#include <cmath>
-
-#include "core/sim/robots/drive.h"
 
 namespace usar::sim {
 
@@ -17,51 +14,41 @@ constexpr Seconds spooling_time{0.8};
 constexpr double settling_share = 0.2;
 constexpr double spooling_share = 0.3;
 constexpr Seconds ground_lost{0.3};
-constexpr double rest_m_s = 0.01;
-constexpr double rest_rad_s = 0.01;
 
 } // namespace
 
-RotorDrive::RotorDrive(Physics& physics, BodyId body, const DriveBirth& birth, const AirRobotParameters& parameters)
+RotorDrive::RotorDrive(Physics& physics, BodyId body, bool near_ground, const AirRobotParameters& parameters)
     : physics_(physics)
     , parameters_(parameters)
     , id_(body)
     , rotors_(parameters_)
     , controller_(parameters_)
-    , landing_itself_(birth.near_ground) {
+    , landing_itself_(near_ground) {
     controller_.reset(state());
     rotors_.start(parameters_.mass_kg * gravity_m_s2);
 }
 
-RotorDrive::RotorDrive(Physics& physics, const DriveBirth& birth, const AirRobotParameters& parameters)
-    : RotorDrive(physics, physics.add(bodyOf(parameters), birth.base_in_map), birth, parameters) {}
-
 bool RotorDrive::obey(const protocol::Command& command) {
     const auto* const drive = std::get_if<protocol::AerialDrive>(&command);
-    if (drive)
-        this->drive(*drive);
-    return drive != nullptr;
-}
-
-bool RotorDrive::weakenRotor(int rotor, double share) {
-    rotors_.weaken(static_cast<std::size_t>(std::clamp(rotor, 1, 4) - 1), share);
+    if (!drive)
+        return false;
+    landing_itself_ = false;
+    takeTerm(drive->forward_m_s, parameters_.forward_limit_m_s, drive->normalized, command_.forward_m_s);
+    takeTerm(drive->left_m_s, parameters_.sideways_limit_m_s, drive->normalized, command_.left_m_s);
+    takeTerm(drive->climb_m_s, parameters_.climb_limit_m_s, drive->normalized, command_.climb_m_s);
+    takeTerm(drive->yaw_rate_rad_s, parameters_.yaw_rate_limit_rad_s, drive->normalized, command_.yaw_rate_rad_s);
     return true;
 }
 
-void RotorDrive::addTo(std::vector<protocol::Setting>& settings) const {
+void RotorDrive::weakenRotor(int rotor, double share) {
+    rotors_.weaken(static_cast<std::size_t>(std::clamp(rotor, 1, 4) - 1), share);
+}
+
+void RotorDrive::addSettings(std::vector<protocol::Setting>& settings) const {
     settings.insert(settings.end(), {{"MaxLateralVelocity", "", parameters_.sideways_limit_m_s},
                                      {"MaxLinearVelocity", "", parameters_.forward_limit_m_s},
                                      {"MaxAltitudeVelocity", "", parameters_.climb_limit_m_s},
                                      {"MaxRotationalVelocity", "", parameters_.yaw_rate_limit_rad_s}});
-}
-
-void RotorDrive::drive(const protocol::AerialDrive& drive) {
-    landing_itself_ = false;
-    const bool percent = drive.normalized;
-    takeTerm(drive.forward_m_s, parameters_.forward_limit_m_s, percent, command_.forward_m_s);
-    takeTerm(drive.left_m_s, parameters_.sideways_limit_m_s, percent, command_.left_m_s);
-    takeTerm(drive.climb_m_s, parameters_.climb_limit_m_s, percent, command_.climb_m_s);
-    takeTerm(drive.yaw_rate_rad_s, parameters_.yaw_rate_limit_rad_s, percent, command_.yaw_rate_rad_s);
 }
 
 void RotorDrive::beforeStep(Seconds dt) {
@@ -155,13 +142,6 @@ void RotorDrive::enter(MotorState motors) {
     physics_.letSleep(id_, motors == MotorState::Idle || ended());
     landing_itself_ = landing_itself_ && motors != MotorState::Idle;
     controller_.reset(state());
-}
-
-bool RotorDrive::atRest() const {
-    if (motors_ == MotorState::Flying || motors_ == MotorState::SpoolingUp || motors_ == MotorState::Settling)
-        return false;
-    const BodyState now = state();
-    return now.velocity_m_s.norm() < rest_m_s && now.rate_rad_s.norm() < rest_rad_s;
 }
 
 } // namespace usar::sim

@@ -4,7 +4,6 @@
 #include "core/sim/robots/air_robot_parameters.h"
 #include "core/sim/robots/drive.h"
 #include "core/sim/robots/flight_controller.h"
-#include "core/sim/robots/robot_figures.h"
 
 namespace usar::sim {
 
@@ -17,34 +16,26 @@ enum class MotorState { Idle, SpoolingUp, Flying, Settling, Broken, Dead };
 /// sink: the motors then go idle until it is told to climb.
 class RotorDrive : public Drive {
 public:
-    /// Flies a body that the caller has added. `physics` must outlive it.
-    RotorDrive(Physics& physics, BodyId body, const DriveBirth& birth, const AirRobotParameters& parameters);
-    /// Adds a body made from the parameters to the physics, where it stays.
-    RotorDrive(Physics& physics, const DriveBirth& birth, const AirRobotParameters& parameters = {});
+    /// Flies this body, and lands by itself if it is `near_ground`. `physics` must outlive it.
+    RotorDrive(Physics& physics, BodyId body, bool near_ground, const AirRobotParameters& parameters = {});
 
+    /// Obeys protocol::AerialDrive alone. Absent terms keep their value; all are clamped to the robot's limits, of
+    /// which they are percentages when normalized.
     bool obey(const protocol::Command& command) override;
-    /// Sets the velocity command. Absent terms keep their value; all are clamped to the robot's limits, of which they
-    /// are percentages when normalized.
-    void drive(const protocol::AerialDrive& drive);
     void beforeStep(Seconds dt) override;
     void afterStep(Seconds dt) override;
     void feelWind(const Vec3& wind_in_map_m_s) override { wind_m_s_ = wind_in_map_m_s; }
-    bool weakenRotor(int rotor, double share) override;
+    void weakenRotor(int rotor, double share) override;
     /// The motors stop at the end of the next step.
     void switchOff() override { off_ = true; }
     /// True if no rotor pushes: idle on the ground, broken, or switched off.
     bool idle() const override { return motors_ == MotorState::Idle || ended(); }
     bool broken() const override { return motors_ == MotorState::Broken; }
-    int collisions() const override { return collisions_.count(); }
-    using Drive::addTo;
-    void addTo(std::vector<protocol::Setting>& settings) const override;
+    void addSettings(std::vector<protocol::Setting>& settings) const override;
 
-    BodyId id() const { return id_; }
     BodyState state() const { return physics_.state(id_); }
     const VelocityCommand& command() const { return command_; }
     MotorState motors() const { return motors_; }
-    /// True if it stands or lies still with its motors off.
-    bool atRest() const;
 
 private:
     RotorWrench wantedWrench(const BodyState& state, Seconds dt);
@@ -67,7 +58,6 @@ private:
     Seconds in_state_{0.0};   ///< time since `motors_` last changed
     Seconds since_gear_{1e9}; ///< time since the legs last touched something to stand on
     bool off_ = false;        ///< switched off
-    CollisionCounter collisions_;
 };
 
 } // namespace usar::sim

@@ -26,7 +26,7 @@ DrivenWheels::DrivenWheels(DrivenJoints& joints, const std::vector<std::size_t>&
     : joints_(joints)
     , acceleration_rad_s2_(acceleration_rad_s2) {
     for (const std::size_t joint : wheels)
-        wheels_.push_back({.joint = joint, .sign = joints.axis(joint).y() < 0.0 ? -1.0 : 1.0});
+        wheels_.push_back({.joint = joint, .sign = joints[joint].axis_in_base.y() < 0.0 ? -1.0 : 1.0});
 }
 
 void DrivenWheels::want(std::size_t wheel, double spin_rad_s) {
@@ -84,12 +84,12 @@ bool DrivenWheels::braking() const {
 }
 
 double DrivenWheels::largestSpin() const {
-    const auto limit = [&](const Wheel& wheel) { return joints_.speedLimit(wheel.joint); };
+    const auto limit = [&](const Wheel& wheel) { return joints_[wheel.joint].speed_limit; };
     return limit(*std::ranges::min_element(wheels_, {}, limit));
 }
 
 double DrivenWheels::largestTorque() const {
-    return joints_.torqueLimit(wheels_.front().joint);
+    return joints_[wheels_.front().joint].torque_limit;
 }
 
 WheeledDrive::WheeledDrive(const RobotModel& model, Physics& physics, BodyId body,
@@ -123,31 +123,29 @@ void WheeledDrive::afterStep(Seconds dt) {
             collisions_.touch();
 }
 
-void WheeledDrive::addTo(protocol::RobotState& state) const {
+void WheeledDrive::addState(protocol::RobotState& state) const {
     state.front_steer_rad = state.rear_steer_rad = 0.0;
 }
 
-void WheeledDrive::addTo(protocol::GeometryInfo& geometry) const {
+void WheeledDrive::addGeometry(protocol::GeometryInfo& geometry) const {
     geometry.wheel_radius_m = figure(figures_, "wheel_radius");
     geometry.wheel_separation_m = figure(figures_, "wheel_separation");
     geometry.wheel_base_m = figure(figures_, "wheel_base");
 }
 
-void WheeledDrive::addTo(std::vector<protocol::Setting>& settings) const {
+void WheeledDrive::addSettings(std::vector<protocol::Setting>& settings) const {
     settings.push_back({"MaxSpeed", "", wheels_.largestSpin()});
     settings.push_back({"MaxTorque", "", wheels_.largestTorque()});
     settings.push_back({"MaxFrontSteer", "", largest_front_rad_});
     settings.push_back({"MaxRearSteer", "", largest_rear_rad_});
 }
 
-Result<std::unique_ptr<Drive>> SkidDrive::make(const RobotModel& model, Physics& physics, BodyId body) {
-    const auto wheels = linksOn(model, model.drive.joints);
-    if (!wheels)
-        return tl::unexpected(wheels.error());
-    if (wheels->empty() || wheels->size() % 2 != 0)
-        return failure("a skid drive has " + std::to_string(wheels->size()) + " joints", "robot " + model.class_name,
+Result<std::unique_ptr<Drive>> SkidDrive::make(const RobotModel& model, Physics& physics, BodyId body,
+                                               const std::vector<std::size_t>& wheels) {
+    if (wheels.empty() || wheels.size() % 2 != 0)
+        return failure("a skid drive has " + std::to_string(wheels.size()) + " joints", "robot " + model.class_name,
                        "Name the left wheels' joints and then as many right ones");
-    return std::unique_ptr<Drive>(new SkidDrive(model, physics, body, *wheels));
+    return std::make_unique<SkidDrive>(model, physics, body, wheels);
 }
 
 bool SkidDrive::obey(const protocol::Command& command) {
@@ -162,8 +160,8 @@ bool SkidDrive::obey(const protocol::Command& command) {
     return true;
 }
 
-void SkidDrive::addTo(protocol::RobotState& state) const {
-    WheeledDrive::addTo(state);
+void SkidDrive::addState(protocol::RobotState& state) const {
+    WheeledDrive::addState(state);
     state.joints = joints_.angles();
 }
 

@@ -5,7 +5,6 @@
 
 #include "core/base/result.h"
 #include "core/sim/drives/driven_joints.h"
-#include "core/sim/robots/robot_figures.h"
 
 namespace usar::sim {
 
@@ -57,20 +56,18 @@ private:
 /// building or another body counts as a collision unless the robot stands on it.
 class WheeledDrive : public JointDrive {
 public:
-    void beforeStep(Seconds dt) override;
-    void afterStep(Seconds dt) override;
-    int collisions() const override { return collisions_.count(); }
-    bool idle() const override { return off() || (wheels_.braking() && !others_moving_); }
-
-    using Drive::addTo;
-    void addTo(protocol::RobotState& state) const override;
-    void addTo(protocol::GeometryInfo& geometry) const override;
-    void addTo(std::vector<protocol::Setting>& settings) const override;
-
-protected:
     /// `wheels` are the driven joints. `model` is not kept; `physics` must outlive the drive.
     WheeledDrive(const RobotModel& model, Physics& physics, BodyId body, const std::vector<std::size_t>& wheels);
 
+    void beforeStep(Seconds dt) override;
+    void afterStep(Seconds dt) override;
+    bool idle() const override { return off() || (wheels_.braking() && !others_moving_); }
+
+    void addState(protocol::RobotState& state) const override;
+    void addGeometry(protocol::GeometryInfo& geometry) const override;
+    void addSettings(std::vector<protocol::Setting>& settings) const override;
+
+protected:
     /// Obeys a command to single joints. Returns true if at least one of them is here.
     bool obeyJoint(const protocol::Command& command);
 
@@ -80,7 +77,6 @@ protected:
 
 private:
     Numbers figures_;
-    CollisionCounter collisions_;
     bool others_moving_ = false; ///< a joint with a command of its own has not come to rest
 };
 
@@ -88,17 +84,13 @@ private:
 /// of the body that the drive does not name.
 class SkidDrive : public WheeledDrive {
 public:
-    /// Fails unless the drive names an even number of existing joints, at least two.
-    static Result<std::unique_ptr<Drive>> make(const RobotModel& model, Physics& physics, BodyId body);
+    using WheeledDrive::WheeledDrive;
+    /// Fails unless there is an even number of wheels, at least two.
+    static Result<std::unique_ptr<Drive>> make(const RobotModel& model, Physics& physics, BodyId body,
+                                               const std::vector<std::size_t>& wheels);
 
     bool obey(const protocol::Command& command) override;
-
-    using WheeledDrive::addTo;
-    void addTo(protocol::RobotState& state) const override;
-
-private:
-    SkidDrive(const RobotModel& model, Physics& physics, BodyId body, const std::vector<std::size_t>& wheels)
-        : WheeledDrive(model, physics, body, wheels) {}
+    void addState(protocol::RobotState& state) const override;
 };
 
 } // namespace usar::sim

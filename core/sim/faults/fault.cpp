@@ -9,7 +9,6 @@
 
 #include "core/base/numbers.h"
 #include "core/base/spelling.h"
-#include "core/base/text.h"
 
 namespace usar::sim {
 
@@ -76,13 +75,6 @@ std::vector<std::string> keysOf(const FaultDescription& kind) {
         keys.emplace_back(number.name);
     keys.insert(keys.end(), {"from", "for"});
     return keys;
-}
-
-std::string listOf(const std::vector<std::string>& words) {
-    std::string list;
-    for (const std::string& word : words)
-        list += (list.empty() ? "" : ", ") + word;
-    return list;
 }
 
 std::vector<std::string> kindWords() {
@@ -160,8 +152,7 @@ Result<Fault> readFault(std::string_view text) {
             kind = &one;
     if (!kind)
         return unknown("kind", word, kindWords());
-    Fault fault;
-    fault.kind = kind->kind;
+    Fault fault{.kind = kind->kind};
     for (std::string_view pair = takeWord(text); !pair.empty(); pair = takeWord(text)) {
         const std::size_t equals = pair.find('=');
         if (equals == std::string_view::npos || equals + 1 == pair.size())

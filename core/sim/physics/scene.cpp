@@ -2,29 +2,29 @@
 
 #include <algorithm>
 #include <utility>
+#include <variant>
+
+#include "core/base/alternatives.h"
 
 namespace usar::sim {
 
 namespace {
 
-Vec3 halfSizeOf(const CylinderShape& shape) {
-    return {shape.radius_m, shape.radius_m, shape.height_m / 2.0};
-}
-Vec3 halfSizeOf(const CapsuleShape& shape) {
-    return {shape.radius_m, shape.radius_m, shape.height_m / 2.0 + shape.radius_m};
-}
-Vec3 halfSizeOf(const BoxShape& shape) {
-    return shape.size_m / 2.0;
-}
-Vec3 halfSizeOf(const SphereShape& shape) {
-    return Vec3::Constant(shape.radius_m);
+Vec3 halfSizeOf(const Shape& shape) {
+    return std::visit(
+        Overloaded{
+            [](const CylinderShape& rod) { return Vec3(rod.radius_m, rod.radius_m, rod.height_m / 2.0); },
+            [](const CapsuleShape& rod) { return Vec3(rod.radius_m, rod.radius_m, rod.height_m / 2.0 + rod.radius_m); },
+            [](const BoxShape& box) { return Vec3(box.size_m / 2.0); },
+            [](const SphereShape& ball) { return Vec3(Vec3::Constant(ball.radius_m)); }},
+        shape);
 }
 
 /// Bounding box of all parts along the body's axes; it includes the body's origin.
 Eigen::AlignedBox3d boundsOf(const BodyDescription& body) {
     Eigen::AlignedBox3d bounds(Vec3::Zero().eval());
     for (const BodyPart& part : body.parts) {
-        const Vec3 half_m = std::visit([](const auto& shape) { return halfSizeOf(shape); }, part.shape);
+        const Vec3 half_m = halfSizeOf(part.shape);
         const Vec3 reach_m = part.part_in_body.isometry().linear().cwiseAbs() * half_m;
         bounds.extend(part.part_in_body.position_m - reach_m);
         bounds.extend(part.part_in_body.position_m + reach_m);

@@ -9,18 +9,24 @@
 namespace usar::sim {
 
 Result<std::unique_ptr<Drive>> makeDrive(const RobotModel& model, Physics& physics, BodyId body, const World& world,
-                                         const DriveBirth& birth) {
-    if (model.drive.kind == "rotors")
-        return std::make_unique<RotorDrive>(physics, body, birth, airRobotParametersOf(model));
-    if (model.drive.kind == "nautic")
+                                         bool near_ground) {
+    const DriveModel& drive = model.drive;
+    const auto joints = drivenLinks(model);
+    if (!joints)
+        return tl::unexpected(joints.error());
+    if (drive.kind == "rotors")
+        return std::make_unique<RotorDrive>(
+            physics, body, near_ground,
+            AirRobotParameters{drive.numbers, model.mass_kg(), model.body.base.inertia_kg_m2});
+    if (drive.kind == "nautic")
         return std::make_unique<NauticDrive>(model, physics, body, world);
-    if (model.drive.kind == "skid")
-        return SkidDrive::make(model, physics, body);
-    if (model.drive.kind == "ackermann")
-        return AckermannDrive::make(model, physics, body);
-    if (model.drive.kind == "legs")
-        return LegDrive::make(model, physics, body);
-    return failure("there is no drive of the kind \"" + model.drive.kind + "\"", "robot " + model.class_name,
+    if (drive.kind == "skid")
+        return SkidDrive::make(model, physics, body, *joints);
+    if (drive.kind == "ackermann")
+        return AckermannDrive::make(model, physics, body, *joints);
+    if (drive.kind == "legs")
+        return std::make_unique<LegDrive>(model, physics, body, *joints);
+    return failure("there is no drive of the kind \"" + drive.kind + "\"", "robot " + model.class_name,
                    "Known are rotors, skid, ackermann, nautic and legs");
 }
 

@@ -12,6 +12,7 @@
 #include "core/protocol/info/answers.h"
 #include "core/protocol/info/robot_state.h"
 #include "core/sim/physics/physics.h"
+#include "core/sim/robots/robot_figures.h"
 #include "core/sim/robots/robot_model.h"
 #include "core/sim/world/world.h"
 
@@ -32,30 +33,28 @@ public:
     virtual void switchOff() = 0;
     /// Sets the velocity of the air (map frame), which matters only to flying robots.
     virtual void feelWind(const Vec3& /*wind_in_map_m_s*/) {}
-    /// Makes rotor 1..4 give only this share of its thrust. Returns false if there are no rotors.
-    virtual bool weakenRotor(int /*rotor*/, double /*share*/) { return false; }
+    /// Makes rotor 1..4 give only this share of its thrust, if there are rotors.
+    virtual void weakenRotor(int /*rotor*/, double /*share*/) {}
     /// True if nothing pushes, so that the body may count as standing still, which the INS needs to know.
     virtual bool idle() const = 0;
     /// True if the robot can no longer move because it was damaged.
     virtual bool broken() const { return false; }
-    virtual int collisions() const { return 0; }
+    /// Contacts that this kind of drive counts as collisions.
+    int collisions() const { return collisions_.count(); }
 
     /// Add the terms of this kind of drive to STA, GEO and CONF.
-    virtual void addTo(protocol::RobotState&) const {}
-    virtual void addTo(protocol::GeometryInfo&) const {}
-    virtual void addTo(std::vector<protocol::Setting>&) const {}
+    virtual void addState(protocol::RobotState&) const {}
+    virtual void addGeometry(protocol::GeometryInfo&) const {}
+    virtual void addSettings(std::vector<protocol::Setting>&) const {}
+
+protected:
+    CollisionCounter collisions_;
 };
 
-/// Initial conditions of a drive.
-struct DriveBirth {
-    Pose base_in_map;
-    bool near_ground = false; ///< if true, a flying robot lands by itself
-};
-
-/// Makes the drive that the model names. Fails if the model lacks something for it, and names what. All arguments
-/// except `birth` must outlive the drive.
+/// Makes the drive that the model names. Fails if the model lacks something for it, and names what. A flying robot
+/// `near_ground` lands by itself. All references must outlive the drive.
 Result<std::unique_ptr<Drive>> makeDrive(const RobotModel& model, Physics& physics, BodyId body, const World& world,
-                                         const DriveBirth& birth);
+                                         bool near_ground);
 
 /// Clamps a value to -limit..limit. `normalized` values are hundredths of the limit. NaN gives 0.
 inline double limited(double value, double limit, bool normalized) {

@@ -34,7 +34,6 @@ public:
     /// The wrench that the rotors exert now.
     RotorWrench wrench() const;
     /// The thrusts that the rotors give now.
-    const std::array<double, 4>& thrusts_n() const { return thrusts_n_; }
 
 private:
     AirRobotParameters parameters_;

@@ -163,8 +163,7 @@ Robot::Robot(const RobotModel& model, const RobotSurroundings& surroundings, con
 Result<void> Robot::equip(const RobotSurroundings& surroundings, const RobotOptions& options) {
     const RobotModel& model = body_.model();
     const double height_m = heightOverGround_m(surroundings, options.base_in_map.position_m);
-    auto drive =
-        makeDrive(model, surroundings.physics, body_.id(), world_, {options.base_in_map, height_m < near_ground_m});
+    auto drive = makeDrive(model, surroundings.physics, body_.id(), world_, height_m < near_ground_m);
     if (!drive)
         return tl::unexpected(drive.error());
     drive_ = std::move(*drive);
@@ -247,14 +246,14 @@ void Robot::watch() {
 }
 
 protocol::RobotState Robot::state(Seconds now) const {
-    protocol::RobotState state;
-    state.kind = body_.model().kind;
-    state.time = now;
-    state.battery_left = Seconds{std::ceil(battery_left_.count() - 1e-6)}; // In whole seconds, 1200 at first.
-    state.light_on = light_on_;
-    state.light_intensity_pct = light_on_ ? 100 : 0;
-    state.view = -1;
-    drive_->addTo(state);
+    protocol::RobotState state{.kind = body_.model().kind,
+                               .time = now,
+                               // In whole seconds, 1200 at first.
+                               .battery_left = Seconds{std::ceil(battery_left_.count() - 1e-6)},
+                               .light_on = light_on_,
+                               .light_intensity_pct = light_on_ ? 100 : 0,
+                               .view = -1};
+    drive_->addState(state);
     return state;
 }
 
@@ -266,7 +265,7 @@ protocol::GeometryInfo Robot::geometry(const std::string& type, const std::strin
         info.robot_class = model.class_name;
         info.dimensions_m = model.dimensions_m;
         info.center_of_gravity_m = model.center_of_gravity_m;
-        drive_->addTo(info);
+        drive_->addGeometry(info);
     } else if (sameWord(type, "MisPkg")) {
         info.type = "MisPkg";
         for (const MissionPackage& package : packages_)
@@ -285,7 +284,7 @@ protocol::ConfigurationInfo Robot::configuration(const std::string& type, const 
     if (sameWord(type, "Robot")) {
         protocol::ConfiguredItem item{model.class_name,
                                       {{"SteeringType", model.steering, {}}, {"Mass", "", model.mass_kg()}}};
-        drive_->addTo(item.settings);
+        drive_->addSettings(item.settings);
         return {std::string(protocol::wordOf(model.kind)), {std::move(item)}};
     }
     if (!sameWord(type, "MisPkg"))

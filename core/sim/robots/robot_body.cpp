@@ -2,19 +2,10 @@
 
 namespace usar::sim {
 
-namespace {
-
-BodyId addTo(Physics& physics, const RobotModel& model, const Pose& base_in_map) {
-    const Pose body_in_map = base_in_map * Pose{.position_m = model.center_of_mass_in_base_m};
-    return model.body.links.empty() ? physics.add(model.body.base, body_in_map) : physics.add(model.body, body_in_map);
-}
-
-} // namespace
-
 RobotBody::RobotBody(Physics& physics, const RobotModel& model, const Pose& base_in_map)
     : physics_(physics)
     , model_(model)
-    , id_(addTo(physics, model, base_in_map))
+    , id_(physics.add(model.body, base_in_map * Pose{.position_m = model.center_of_mass_in_base_m}))
     , touched_(model.links.size() + 1, false)
     , last_position_m_(base_in_map.position_m) {}
 

@@ -16,17 +16,25 @@ public:
     static constexpr Seconds apart{0.5};
 
     /// Lets time pass, to be called at each step.
-    void pass(Seconds dt) { since_ += dt; }
+    void pass(Seconds dt) {
+        now_ += dt;
+        since_ += dt;
+    }
     /// Takes a touch, several times per step if need be.
     void touch() {
         count_ += since_ > apart ? 1 : 0;
         since_ = Seconds{0.0};
+        first_ = first_.value_or(now_);
     }
     int count() const { return count_; }
+    /// Time of the first touch, counted from the counter's beginning; nullopt before it.
+    std::optional<Seconds> first() const { return first_; }
 
 private:
+    Seconds now_{0.0};
     Seconds since_{1e9};
     int count_ = 0;
+    std::optional<Seconds> first_;
 };
 
 /// The longest time that something stayed in one place, be it a robot that is trapped or one that waits. A new stay
@@ -77,30 +85,6 @@ private:
     int count_ = 0;
 };
 
-/// When a robot first touched an object or another robot, and how often it did. Time counts from the spawn.
-class TouchWatch {
-public:
-    /// Lets time pass, to be called at each step.
-    void pass(Seconds dt) {
-        now_ += dt;
-        touches_.pass(dt);
-    }
-    void touch() {
-        touches_.touch();
-        if (!first_)
-            first_ = now_;
-    }
-    /// Touches in close succession count as one; see CollisionCounter.
-    int count() const { return touches_.count(); }
-    /// Time of the first touch; nullopt before it.
-    std::optional<Seconds> first() const { return first_; }
-
-private:
-    Seconds now_{0.0};
-    CollisionCounter touches_;
-    std::optional<Seconds> first_;
-};
-
 /// Height of the base's origin above the ground straight below it, in meters.
 struct HeightFigures {
     double least_m = 0.0;
@@ -142,7 +126,7 @@ struct RobotFigures {
     double distance_m = 0.0;               ///< length of the path it actually traveled
     Seconds longest_stay{0.0};             ///< see StayWatch
     int falls = 0;                         ///< see FallWatch
-    int touches = 0;                       ///< how often it touched an object or another robot; see TouchWatch
+    int touches = 0;                       ///< how often it touched an object or another robot; see CollisionCounter
     std::optional<Seconds> first_touch{};  ///< since the spawn; nullopt before it
     std::optional<HeightFigures> height{}; ///< submarines only, since they first went under water
 };

@@ -2,12 +2,10 @@
 // built.
 #pragma once
 
-#include <initializer_list>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "core/base/clock.h"
@@ -23,12 +21,6 @@ using Numbers = std::map<std::string, double, std::less<>>;
 inline double numberOr(const Numbers& numbers, std::string_view key, double otherwise) {
     const auto found = numbers.find(key);
     return found == numbers.end() ? otherwise : found->second;
-}
-
-/// Sets the figures whose names are among the numbers; the others keep their values.
-inline void setFigures(const Numbers& numbers, std::initializer_list<std::pair<std::string_view, double*>> figures) {
-    for (const auto& [name, figure] : figures)
-        *figure = numberOr(numbers, name, *figure);
 }
 
 /// A link that is connected to another one by a joint. The frames of links are those of the file, whereas those of the

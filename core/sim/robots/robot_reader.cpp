@@ -28,12 +28,6 @@ std::vector<const sdf::Joint*> jointsOf(const sdf::Model& model) {
     return joints;
 }
 
-/// Text of the first child with this name; empty if there is none.
-std::string textOf(const sdf::Element& parent, const std::string& name) {
-    const sdf::ElementConstPtr child = parent.FindElement(name);
-    return child && child->GetValue() ? child->GetValue()->GetAsString() : std::string();
-}
-
 double numberIn(const sdf::Element& parent, const std::string& name, double otherwise) {
     return readNumber(textOf(parent, name)).value_or(otherwise);
 }
@@ -158,18 +152,16 @@ private:
         if (!body)
             return tl::unexpected(body.error());
         const Vec3 center_m = toVec3(child->Inertial().Pose().Pos());
-        LinkDescription link;
-        link.body = std::move(*body);
-        link.parent = parent;
-        link.link_in_parent = inverse(bodyInModel(*holder)) * bodyInModel(*child);
-        link.pivot_in_link_m = toVec3(joint.RawPose().Pos()) - center_m;
-        link.axis_in_link = toPose(joint.RawPose()).rotation() * toVec3(axis->Xyz());
-        link.kind = turns ? JointKind::Revolute : JointKind::Prismatic;
         const bool limited = joint.Type() != sdf::JointType::CONTINUOUS && std::abs(axis->Lower()) < 1e9;
-        link.lower = limited ? axis->Lower() : 1.0;
-        link.upper = limited ? axis->Upper() : -1.0;
-        link.damping = axis->Damping();
-        model_.body.links.push_back(std::move(link));
+        model_.body.links.push_back({.body = *std::move(body),
+                                     .parent = parent,
+                                     .link_in_parent = inverse(bodyInModel(*holder)) * bodyInModel(*child),
+                                     .pivot_in_link_m = toVec3(joint.RawPose().Pos()) - center_m,
+                                     .axis_in_link = toPose(joint.RawPose()).rotation() * toVec3(axis->Xyz()),
+                                     .kind = turns ? JointKind::Revolute : JointKind::Prismatic,
+                                     .lower = limited ? axis->Lower() : 1.0,
+                                     .upper = limited ? axis->Upper() : -1.0,
+                                     .damping = axis->Damping()});
         model_.links.push_back({child->Name(), joint.Name(), center_m, axis->Effort(), axis->MaxVelocity()});
         return {};
     }
@@ -180,9 +172,7 @@ private:
             link.Inertial().Pose().Rot() != ignition::math::Quaterniond::Identity)
             return refuse("the link \"" + link.Name() +
                           "\" needs a mass above zero and moments about its own axes only");
-        BodyDescription body;
-        body.mass_kg = mass.Mass();
-        body.inertia_kg_m2 = toVec3(mass.DiagonalMoments());
+        BodyDescription body{.mass_kg = mass.Mass(), .inertia_kg_m2 = toVec3(mass.DiagonalMoments())};
         for (uint64_t i = 0; i < link.CollisionCount(); ++i) {
             auto part = partOf(*link.CollisionByIndex(i), toVec3(link.Inertial().Pose().Pos()));
             if (!part)

@@ -59,7 +59,7 @@ bool isMeant(const SensorModel& sensor, const std::string& type, const std::stri
     return sameWord(sensor.type, type) && (name.empty() || sameWord(sensor.name, name));
 }
 
-constexpr double metres_per_degree = 111'200.0; // See robots-and-worlds.md 4.8.
+constexpr double meters_per_degree = 111'200.0; // See robots-and-worlds.md 4.8.
 
 /// Adds the bias to anything that holds numbers.
 class Bias {
@@ -87,8 +87,8 @@ public:
     void operator()(protocol::RangeScan& scan) const { (*this)(scan.ranges_m); }
     void operator()(protocol::GpsReading& gps) const { // The map's x axis points north.
         if (gps.latitude_rad && gps.longitude_rad) {
-            *gps.latitude_rad += radians(shift_m_.x() / metres_per_degree);
-            *gps.longitude_rad -= radians(shift_m_.y() / (metres_per_degree * std::cos(*gps.latitude_rad)));
+            *gps.latitude_rad += radians(shift_m_.x() / meters_per_degree);
+            *gps.longitude_rad -= radians(shift_m_.y() / (meters_per_degree * std::cos(*gps.latitude_rad)));
         }
     }
     template <class Other>

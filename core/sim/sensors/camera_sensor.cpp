@@ -41,13 +41,11 @@ std::vector<protocol::Setting> CameraSensor::udkSettings() const {
 }
 
 SeenFrom CameraSensor::view(const RobotBody& body) const {
-    SeenFrom view;
-    view.camera = model().name;
-    view.camera_in_map = body.link_in_map(model().link) * model().sensor_in_link.isometry();
-    view.field_of_view_rad = fov_rad_;
-    view.width_px = pixels("width", 320.0);
-    view.height_px = pixels("height", 240.0);
-    return view;
+    return {.camera = model().name,
+            .camera_in_map = body.link_in_map(model().link) * model().sensor_in_link.isometry(),
+            .field_of_view_rad = fov_rad_,
+            .width_px = pixels("width", 320.0),
+            .height_px = pixels("height", 240.0)};
 }
 
 } // namespace usar::sim

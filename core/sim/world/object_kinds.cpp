@@ -56,19 +56,15 @@ const ObjectKind* findObjectKind(std::string_view class_name) {
 }
 
 std::string objectKindNames() {
-    std::string names;
-    for (const ObjectKind& kind : object_kinds)
-        names += (names.empty() ? "" : ", ") + std::string(kind.name);
-    return names;
+    return listOf(object_kinds, &ObjectKind::name);
 }
 
 BodyDescription bodyOf(const ObjectKind& kind, const Vec3& scale) {
     const Vec3 size_m = kind.size_m.cwiseProduct(scale);
-    BodyDescription body;
-    body.friction = kind.friction;
-    body.restitution = kind.restitution;
-    body.rolling_friction_m = kind.rolling_m;
-    body.still = kind.conveyor;
+    BodyDescription body{.friction = kind.friction,
+                         .restitution = kind.restitution,
+                         .rolling_friction_m = kind.rolling_m,
+                         .still = kind.conveyor};
     switch (kind.shape) {
     case ObjectShape::Box:
         makeBox(body, size_m, kind.density_kg_m3);
@@ -94,11 +90,9 @@ std::optional<BodyDescription> beltOf(const ObjectKind& kind, const Vec3& scale)
     const double thick_m = std::min(0.05, size_m.z() / 2.0);
     const Vec3 belt_m(size_m.x() - std::min(0.06, 0.1 * size_m.x()), size_m.y() - std::min(0.02, 0.1 * size_m.y()),
                       thick_m);
-    BodyDescription belt;
-    belt.friction = kind.friction;
-    belt.still = true;
-    belt.parts = {{BoxShape{belt_m}, {Vec3(0.0, 0.0, (size_m.z() - thick_m) / 2.0)}}};
-    return belt;
+    return BodyDescription{.friction = kind.friction,
+                           .parts = {{BoxShape{belt_m}, {Vec3(0.0, 0.0, (size_m.z() - thick_m) / 2.0)}}},
+                           .still = true};
 }
 
 } // namespace usar::sim

@@ -162,10 +162,9 @@ std::optional<double> numberOf(const sdf::Element& element, const std::string& a
     return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
-std::optional<std::string> childText(sdf::Element& element, const std::string& name) {
-    if (!element.HasElement(name))
-        return std::nullopt;
-    return element.GetElement(name)->Get<std::string>();
+std::string textOf(const sdf::Element& parent, const std::string& name) {
+    const sdf::ElementConstPtr child = parent.FindElement(name);
+    return child && child->GetValue() ? child->GetValue()->GetAsString() : std::string();
 }
 
 bool readNumbers(std::string_view text, double* values, std::size_t count) {

@@ -47,8 +47,8 @@ std::optional<SizedShape> shapeIn(const sdf::Geometry& geometry);
 std::optional<std::string> attributeOf(const sdf::Element& element, const std::string& name);
 /// The attribute as a finite number; nullopt if it is missing or anything else.
 std::optional<double> numberOf(const sdf::Element& element, const std::string& attribute);
-/// Text of a child element of ours; nullopt if there is none.
-std::optional<std::string> childText(sdf::Element& element, const std::string& name);
+/// Text of the first child with this name; empty if there is none.
+std::string textOf(const sdf::Element& parent, const std::string& name);
 
 /// Fills `values` with exactly `count` finite numbers separated by blanks. Returns false if the text is anything else.
 bool readNumbers(std::string_view text, double* values, std::size_t count);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/text.h"
 #include "core/sim/world/world_writer.h"
 #include "core/sim/worlds/made_worlds.h"
 
@@ -47,10 +48,7 @@ Result<World> makeWorld(const std::string& name, std::uint64_t seed, const std::
                                     [&](const Generator& generator) { return name == generator.name; });
     if (found != generators.end())
         return found->make(seed, data);
-    std::string known;
-    for (const Generator& generator : generators)
-        known += (known.empty() ? "" : ", ") + std::string(generator.name);
-    return failure("there is no generator for this world", name, "Known are: " + known);
+    return failure("there is no generator for this world", name, "Known are: " + listOf(generators, &Generator::name));
 }
 
 Result<void> generateWorld(const std::string& name, std::uint64_t seed, const std::filesystem::path& data,

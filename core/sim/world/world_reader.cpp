@@ -28,13 +28,6 @@ std::optional<Vec3> positionIn(const sdf::Element& element) {
     return numbers ? std::optional(Vec3(numbers->data())) : std::nullopt;
 }
 
-struct SurfaceFigures {
-    double friction = BodyDescription{}.friction;
-    double restitution = 0.0;
-    double rolling_friction_m = 0.0;
-    bool operator==(const SurfaceFigures&) const = default;
-};
-
 /// The number at the end of a path of child elements, or `otherwise` if the path ends early.
 double numberAt(sdf::ElementPtr element, std::initializer_list<const char*> path, double otherwise) {
     for (const char* name : path) {
@@ -45,15 +38,18 @@ double numberAt(sdf::ElementPtr element, std::initializer_list<const char*> path
     return element->Get<double>();
 }
 
-SurfaceFigures surfaceOf(const sdf::Collision& collision) {
+/// A body that has only the surface of this collision.
+BodyDescription surfaceOf(const sdf::Collision& collision) {
     const sdf::ElementPtr element = collision.Element();
-    const SurfaceFigures usual;
-    return {numberAt(element, {"surface", "friction", "bullet", "friction"}, usual.friction),
-            numberAt(element, {"surface", "bounce", "restitution_coefficient"}, usual.restitution),
-            numberAt(element, {"surface", "friction", "bullet", "rolling_friction"}, usual.rolling_friction_m)};
+    BodyDescription body;
+    body.friction = numberAt(element, {"surface", "friction", "bullet", "friction"}, body.friction);
+    body.restitution = numberAt(element, {"surface", "bounce", "restitution_coefficient"}, body.restitution);
+    body.rolling_friction_m =
+        numberAt(element, {"surface", "friction", "bullet", "rolling_friction"}, body.rolling_friction_m);
+    return body;
 }
 
-bool isSound(const SurfaceFigures& surface) {
+bool isSound(const BodyDescription& surface) {
     return surface.friction >= 0.0 && surface.restitution >= 0.0 && surface.restitution <= 1.0 &&
            surface.rolling_friction_m >= 0.0;
 }
@@ -196,13 +192,14 @@ private:
         if (model.LinkCount() != 1 || model.ModelCount() != 0)
             return refuseObject("must be one link; static models may have more", model.Element());
         const sdf::Link& link = *model.LinkByIndex(0);
-        WorldObject object{model.Name(), childText(*model.Element(), "usar:class_name").value_or(""), {}, {}};
+        const bool touches = link.CollisionCount() > 0;
+        const BodyDescription surface = touches ? surfaceOf(*link.CollisionByIndex(0)) : BodyDescription{};
+        WorldObject object{model.Name(), textOf(*model.Element(), "usar:class_name"), surface, {}};
         const auto center_in_link = readInertial(link, object.body);
         if (!center_in_link)
             return refuseObject(center_in_link.error(), link.Element());
-        if (link.CollisionCount() == 0)
+        if (!touches)
             return refuseObject("has no collision, so it would fall forever", link.Element());
-        const SurfaceFigures surface = surfaceOf(*link.CollisionByIndex(0));
         for (std::uint64_t c = 0; c < link.CollisionCount(); ++c) {
             const sdf::Collision& collision = *link.CollisionByIndex(c);
             auto part = readPart(collision);
@@ -215,9 +212,6 @@ private:
             part->part_in_body = inverse(*center_in_link) * part->part_in_body;
             object.body.parts.push_back(*part);
         }
-        object.body.friction = surface.friction;
-        object.body.restitution = surface.restitution;
-        object.body.rolling_friction_m = surface.rolling_friction_m;
         object.body_in_map = toPose(model.RawPose()) * (toPose(link.RawPose()) * *center_in_link);
         world_.objects.push_back(std::move(object));
         return {};
@@ -245,10 +239,10 @@ private:
     }
 
     Result<void> readScatter(sdf::Element& element) {
-        const auto uri = childText(element, "usar:uri");
-        if (!uri || uri->empty())
+        const std::string uri = textOf(element, "usar:uri");
+        if (uri.empty())
             return refuse("a usar:scatter needs a usar:uri", element);
-        auto plants = readPlantCsv(file_.parent_path() / *uri);
+        auto plants = readPlantCsv(file_.parent_path() / uri);
         if (!plants)
             return tl::unexpected(plants.error());
         world_.plants.insert(world_.plants.end(), plants->begin(), plants->end());
@@ -257,8 +251,7 @@ private:
 
     Result<void> readWater(sdf::Element& element) {
         const auto number = [&](const std::string& name) {
-            const auto text = childText(element, name);
-            const auto value = text ? readNumber(*text) : std::nullopt;
+            const auto value = readNumber(textOf(element, name));
             return value && std::isfinite(*value) ? value : std::nullopt;
         };
         const auto surface_z_m = number("usar:surface_z");

@@ -201,8 +201,8 @@ std::string sdfText(const World& world, const HeightScale& scale) {
         text += mark("scatter", "", "<usar:uri>plants.csv</usar:uri>");
     if (world.water)
         text += mark("water", "",
-                     "<usar:surface_z>" + spaced(world.water->surface_z_m) + "</usar:surface_z><usar:density>" +
-                         spaced(world.water->density_kg_m3) + "</usar:density>");
+                     tag("usar:surface_z", spaced(world.water->surface_z_m)) +
+                         tag("usar:density", spaced(world.water->density_kg_m3)));
     for (const NamedPose& start : world.start_poses)
         text += mark("start_pose", attribute("name", start.name), poseText(start.pose_in_map));
     return text + sensorMarks(world) + "  </world>\n</sdf>\n";

@@ -53,15 +53,15 @@ void buildBeacons(World& world) {
 /// A hollow plastic ball on carpet.
 WorldObject ball() {
     constexpr double mass_kg = 0.06;
-    WorldObject ball{.name = "Ball", .class_name = "USARModels.SoccerBall", .body = {}, .body_in_map = {}};
-    ball.body.mass_kg = mass_kg;
-    ball.body.inertia_kg_m2 = Vec3::Constant(2.0 / 3.0 * mass_kg * ball_radius_m * ball_radius_m);
-    ball.body.friction = 0.6;
-    ball.body.parts = {{SphereShape{ball_radius_m}, {}}};
-    ball.body.restitution = 0.6;
-    ball.body.rolling_friction_m = 0.03 * ball_radius_m;
-    ball.body_in_map.position_m.z() = ball_radius_m;
-    return ball;
+    return {.name = "Ball",
+            .class_name = "USARModels.SoccerBall",
+            .body = {.mass_kg = mass_kg,
+                     .inertia_kg_m2 = Vec3::Constant(2.0 / 3.0 * mass_kg * ball_radius_m * ball_radius_m),
+                     .friction = 0.6,
+                     .parts = {{SphereShape{ball_radius_m}, {}}},
+                     .restitution = 0.6,
+                     .rolling_friction_m = 0.03 * ball_radius_m},
+            .body_in_map = {.position_m = {0.0, 0.0, ball_radius_m}}};
 }
 
 } // namespace

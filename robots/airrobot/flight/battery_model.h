@@ -1,9 +1,11 @@
-// The simulated battery of the thesis (4.1). The simulator cannot charge batteries, so the capacity is a distance.
+// The two batteries that the AirRobot watches: the simulated one of the thesis (4.1), whose capacity is a distance
+// because the simulator cannot charge batteries, and the robot's own, of which the server tells the time that is left.
 #pragma once
 
 #include <algorithm>
 #include <optional>
 
+#include "core/base/clock.h"
 #include "core/base/geometry.h"
 #include "robots/airrobot/settings.h"
 
@@ -31,8 +33,6 @@ public:
         ++charges_;
     }
 
-    /// The distance flown since the last recharge.
-    double flownSinceCharge_m() const { return since_charge_m_; }
     /// The total distance flown.
     double flown_m() const { return total_m_; }
     /// The number of recharges.
@@ -54,5 +54,12 @@ private:
     double total_m_ = 0.0;
     int charges_ = 0;
 };
+
+/// True if the robot's own battery may not last for the way home: 30 % longer than the beeline, at transit speed, and
+/// the reserve. `left` is what the server last said; unknown is not low.
+inline bool isLow(const std::optional<Seconds>& left, double beeline_home_m, const Settings& settings) {
+    const Seconds way_home(1.3 * beeline_home_m / settings.transit_speed_m_s + settings.robot_battery_reserve_s);
+    return left && *left < way_home;
+}
 
 } // namespace usar::airrobot

@@ -76,7 +76,9 @@ FlightState Craft::fly(const Leg& leg, agent::CommandPort& port) {
 FlightState Craft::perform(Maneuver maneuver, const Leg& leg, agent::CommandPort& port) {
     FlightState state = FlightState::Flying;
     log.goal(Vec3(leg.goal_m.x(), leg.goal_m.y(), senses.position_m().z()), port);
-    Motion motion = motionFor(maneuver, leg, state, port);
+    Motion motion = maneuver == Maneuver::Avoid       ? evade(decide(port), leg, state)
+                    : maneuver == Maneuver::ClimbOver ? climbOver(leg, state)
+                                                      : cruise(leg, state);
     const bool hindered = state != FlightState::Flying;
     stuck_.update(senses.now, senses.position2_m(), leg.goal_m, hindered);
     if (hindered && settings.climb_over && !climb_over_.active() &&
@@ -85,18 +87,6 @@ FlightState Craft::perform(Maneuver maneuver, const Leg& leg, agent::CommandPort
     makeSafe(motion);
     pilot_.fly(motion, senses, port, leg.source, settings);
     return state;
-}
-
-Motion Craft::motionFor(Maneuver maneuver, const Leg& leg, FlightState& state, agent::CommandPort& port) {
-    switch (maneuver) {
-    case Maneuver::Cruise:
-        break;
-    case Maneuver::Avoid:
-        return evade(decide(port), leg, state);
-    case Maneuver::ClimbOver:
-        return climbOver(leg, state);
-    }
-    return cruise(leg, state);
 }
 
 Motion Craft::evade(const EvasionDecision& decision, const Leg& leg, FlightState& state) {

@@ -91,7 +91,6 @@ public:
     Touchdown touchdown;
 
 private:
-    Motion motionFor(Maneuver maneuver, const Leg& leg, FlightState& state, agent::CommandPort& port);
     Motion evade(const EvasionDecision& decision, const Leg& leg, FlightState& state);
     Motion cruise(const Leg& leg, FlightState& state);
     Motion climbOver(const Leg& leg, FlightState& state);

@@ -37,14 +37,14 @@ class tst_DriveGate : public QObject {
     Q_OBJECT
 private slots:
     void knowsWhatDrives() {
-        QVERIFY(DriveGate::isDrive(protocol::AerialDrive{}));
-        QVERIFY(DriveGate::isDrive(protocol::SkidDrive{}));
-        QVERIFY(DriveGate::isDrive(protocol::MultiDrive{}));
-        QVERIFY(DriveGate::isDrive(protocol::JointDrive{"Knee"}));
-        QVERIFY(DriveGate::isDrive(protocol::DriveSwitches{}));
-        QVERIFY(!DriveGate::isDrive(protocol::PackageDrive{"Arm"}));
-        QVERIFY(!DriveGate::isDrive(protocol::Step{}));
-        QVERIFY(!DriveGate::isDrive(protocol::SetInsPose{}));
+        QVERIFY(protocol::isDrive(protocol::AerialDrive{}));
+        QVERIFY(protocol::isDrive(protocol::SkidDrive{}));
+        QVERIFY(protocol::isDrive(protocol::MultiDrive{}));
+        QVERIFY(protocol::isDrive(protocol::JointDrive{"Knee"}));
+        QVERIFY(protocol::isDrive(protocol::DriveSwitches{}));
+        QVERIFY(!protocol::isDrive(protocol::PackageDrive{"Arm"}));
+        QVERIFY(!protocol::isDrive(protocol::Step{}));
+        QVERIFY(!protocol::isDrive(protocol::SetInsPose{}));
     }
 
     void letsEveryTickOfASimulatorPass() {
@@ -70,7 +70,6 @@ private slots:
         DriveGate gate;
         gate.offer(drive({.climb_m_s = 1.0, .forward_m_s = 2.0}, "older"));
         gate.offer(drive({.forward_m_s = 3.0, .yaw_rate_rad_s = 0.5}, "newer"));
-        QVERIFY(gate.holding());
         const auto command = gate.release(Seconds{1.0});
         QCOMPARE(released(command),
                  (protocol::AerialDrive{.climb_m_s = 1.0, .forward_m_s = 3.0, .yaw_rate_rad_s = 0.5}));
@@ -80,7 +79,7 @@ private slots:
 
     void keepsTheSideThatANewerSkidDriveLeavesOut() {
         const auto releasedSkid = [](DriveGate& gate) {
-            return released<protocol::SkidDrive>(gate.releaseNow(Seconds{1.0}));
+            return released<protocol::SkidDrive>(gate.release(Seconds{1.0}, true));
         };
         DriveGate gate;
         gate.offer({protocol::SkidDrive{.left_rad_s = 1.0}, {by::Other{"left"}, {}}});
@@ -112,8 +111,8 @@ private slots:
         QVERIFY(!gate.release(Seconds{1.0}).empty());
         gate.offer(drive({.forward_m_s = 0.0}));
         QVERIFY(gate.release(Seconds{1.0}).empty());
-        QVERIFY(!gate.releaseNow(Seconds{1.0}).empty());
-        QVERIFY(gate.releaseNow(Seconds{1.0}).empty());
+        QVERIFY(!gate.release(Seconds{1.0}, true).empty());
+        QVERIFY(gate.release(Seconds{1.0}, true).empty());
     }
 
     void eachKindIsKeptToTwentyPerSecond() {
@@ -122,7 +121,7 @@ private slots:
         for (int step = 0; step < 200; ++step) { // two seconds at 100 Hz
             const double value = step;
             for (const protocol::Command& command : std::initializer_list<protocol::Command>{
-                     protocol::SkidDrive{value, value}, protocol::JointDrive::atSpeed("Pan", value),
+                     protocol::SkidDrive{value, value}, protocol::JointDrive{"Pan", protocol::JointOrder::Speed, value},
                      protocol::MultiDrive{{{"FLFlipper", value}}}})
                 gate.offer({command, {}});
             for (const agent::CausedCommand& command : gate.release(Seconds{step * 0.01}))
@@ -154,15 +153,16 @@ private slots:
         row("joints of a MULTIDRIVE", {MultiDrive{{{"A", 1.0}, {"B", 2.0}}}, MultiDrive{{{"B", 3.0}, {"C", 4.0}}}},
             {"MULTIDRIVE {B 3} {C 4} {A 1}"});
         row("joints by name",
-            {JointDrive::toAngle("A", 1.0), JointDrive::toAngle("B", 2.0), JointDrive::toAngle("A", 3.0)},
+            {JointDrive{"A", JointOrder::Angle, 1.0}, JointDrive{"B", JointOrder::Angle, 2.0},
+             JointDrive{"A", JointOrder::Angle, 3.0}},
             {"DRIVE {Name B} {Order 0} {Value 2}", "DRIVE {Name A} {Order 0} {Value 3}"});
         row("relative orders add up",
             {JointDrive{"A", JointOrder::RelativeAngle, 0.25}, JointDrive{"A", JointOrder::RelativeAngle, 0.5}},
             {"DRIVE {Name A} {Order 10} {Value 0.75}"});
         row("a joint of both commands: the newer counts",
-            {MultiDrive{{{"A", 1.0}, {"B", 2.0}}}, JointDrive::toAngle("A", 3.0), MultiDrive{{{"B", 4.0}}}},
+            {MultiDrive{{{"A", 1.0}, {"B", 2.0}}}, JointDrive{"A", JointOrder::Angle, 3.0}, MultiDrive{{{"B", 4.0}}}},
             {"DRIVE {Name A} {Order 0} {Value 3}", "MULTIDRIVE {B 4}"});
-        row("a joint named, then with others", {JointDrive::toAngle("A", 3.0), MultiDrive{{{"A", 1.0}}}},
+        row("a joint named, then with others", {JointDrive{"A", JointOrder::Angle, 3.0}, MultiDrive{{{"A", 1.0}}}},
             {"MULTIDRIVE {A 1}"});
         row("lights stay", {SkidDrive{.left_rad_s = 1.0, .switches = {true, {}}}, SkidDrive{.left_rad_s = 2.0}},
             {"DRIVE {Left 2} {Light true}"});
@@ -184,13 +184,13 @@ private slots:
     void aCarsTermsAreFilledUpFromWhatWasSent() {
         DriveGate gate;
         gate.offer({protocol::AckermannDrive{2.0, 0.5, -0.5}, {}});
-        gate.releaseNow(Seconds{1.0});
+        gate.release(Seconds{1.0}, true);
         gate.offer({protocol::AckermannDrive{.speed_rad_s = 1.0}, {}});
-        QVERIFY(released<protocol::AckermannDrive>(gate.releaseNow(Seconds{2.0})) ==
+        QVERIFY(released<protocol::AckermannDrive>(gate.release(Seconds{2.0}, true)) ==
                 (protocol::AckermannDrive{1.0, 0.5, -0.5}));
         gate.reset();
         gate.offer({protocol::AckermannDrive{.speed_rad_s = 1.0}, {}});
-        QVERIFY(released<protocol::AckermannDrive>(gate.releaseNow(Seconds{3.0})) ==
+        QVERIFY(released<protocol::AckermannDrive>(gate.release(Seconds{3.0}, true)) ==
                 (protocol::AckermannDrive{.speed_rad_s = 1.0}));
     }
 

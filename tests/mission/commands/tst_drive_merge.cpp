@@ -51,11 +51,11 @@ private slots:
             "DRIVE {WheelNumber 0} {WheelSpeed 2} {WheelSteer -0.5}");
         row("another joint", MultiDrive{{{"A", 1.0}}}, MultiDrive{{{"B", 2.0}}}, "MULTIDRIVE {B 2} {A 1}");
         row("the same joint", MultiDrive{{{"A", 1.0}}}, MultiDrive{{{"A", 2.0}}}, "MULTIDRIVE {A 2}");
-        row("a joint's newer angle", JointDrive::toAngle("A", 1.0), JointDrive::toAngle("A", 2.0),
+        row("a joint's newer angle", JointDrive{"A", JointOrder::Angle, 1.0}, JointDrive{"A", JointOrder::Angle, 2.0},
             "DRIVE {Name A} {Order 0} {Value 2}");
         row("relative orders add up", JointDrive{"A", JointOrder::RelativeAngle, 0.5},
             JointDrive{"A", JointOrder::RelativeAngle, 0.25}, "DRIVE {Name A} {Order 10} {Value 0.75}");
-        row("a relative order after another order", JointDrive::atSpeed("A", 1.0),
+        row("a relative order after another order", JointDrive{"A", JointOrder::Speed, 1.0},
             JointDrive{"A", JointOrder::RelativeSpeed, 0.25}, "DRIVE {Name A} {Order 11} {Value 0.25}");
         row("no drive at all", ResetSensor{"Odometry"}, ResetSensor{"Encoder"}, "SET {Type Encoder} {Opcode RESET}");
     }
@@ -89,11 +89,12 @@ private slots:
             nothing);
         row("lights that the newer one leaves alone", DriveSwitches{.light_on = true}, SkidDrive{1.0, 1.0},
             "DRIVE {Light true}");
-        row("a joint of several", MultiDrive{{{"A", 1.0}, {"B", 2.0}}}, JointDrive::atSpeed("A", 1.0),
+        row("a joint of several", MultiDrive{{{"A", 1.0}, {"B", 2.0}}}, JointDrive{"A", JointOrder::Speed, 1.0},
             "MULTIDRIVE {B 2}");
-        row("the only joint", MultiDrive{{{"A", 1.0}}}, JointDrive::atSpeed("A", 1.0), nothing);
-        row("a joint that is one of several", JointDrive::atSpeed("A", 1.0), MultiDrive{{{"A", 1.0}}}, nothing);
-        row("another joint than those", JointDrive::atSpeed("A", 1.0), MultiDrive{{{"B", 1.0}}},
+        row("the only joint", MultiDrive{{{"A", 1.0}}}, JointDrive{"A", JointOrder::Speed, 1.0}, nothing);
+        row("a joint that is one of several", JointDrive{"A", JointOrder::Speed, 1.0}, MultiDrive{{{"A", 1.0}}},
+            nothing);
+        row("another joint than those", JointDrive{"A", JointOrder::Speed, 1.0}, MultiDrive{{{"B", 1.0}}},
             "DRIVE {Name A} {Order 1} {Value 1}");
     }
 

@@ -27,7 +27,7 @@ QStringList textsOf(const std::vector<protocol::Command>& commands) {
     Wire wire;
     for (const protocol::Command& command : commands) {
         wire.send(command);
-        wire.out.releaseNow(Seconds{0.0});
+        wire.out.release(Seconds{0.0}, true);
     }
     return wire.lines;
 }
@@ -53,7 +53,7 @@ private slots:
         wire.send(protocol::SkidDrive{2.0, 2.0});
         wire.out.release(Seconds{1.02});
         QCOMPARE(wire.lines.size(), 1);
-        wire.out.releaseNow(Seconds{1.03});
+        wire.out.release(Seconds{1.03}, true);
         QCOMPARE(wire.lines.size(), 2);
         wire.send(protocol::SkidDrive{3.0, 3.0});
         wire.out.release(Seconds{1.08});
@@ -64,7 +64,7 @@ private slots:
         Wire wire;
         wire.send(protocol::SkidDrive{1.0, 1.0});
         wire.out.dropWaiting();
-        wire.out.releaseNow(Seconds{1.0});
+        wire.out.release(Seconds{1.0}, true);
         QVERIFY(wire.lines.isEmpty());
     }
 
@@ -75,7 +75,7 @@ private slots:
         QCOMPARE(wire.out.drivesReplaced(), std::uint64_t(2));
         wire.out.beginConnection();
         QCOMPARE(wire.out.drivesReplaced(), std::uint64_t(0));
-        wire.out.releaseNow(Seconds{1.0});
+        wire.out.release(Seconds{1.0}, true);
         QVERIFY(wire.lines.isEmpty()); // nothing of an old connection goes to a new one
     }
 
@@ -115,7 +115,7 @@ private slots:
         Wire wire;
         wire.send(protocol::SkidDrive{1.0, 1.0});
         wire.send(protocol::PackageDrive{"Arm", {{2, 0.5, protocol::LinkOrder::Speed}}});
-        wire.out.releaseNow(Seconds{1.0});
+        wire.out.release(Seconds{1.0}, true);
         QCOMPARE(textsOf(wire.out.stops(protocol::SkidDrive{0.1, 0.1}, VehicleKind::Ground)),
                  QStringList{"test: MISPKG {Name Arm} {Link 2} {Value 0} {Order 1}"});
     }
@@ -125,7 +125,7 @@ private slots:
         wire.send(protocol::AckermannDrive{2.0, 0.5, 0.0});
         QCOMPARE(wire.out.stops(std::nullopt, VehicleKind::Ground).size(),
                  std::size_t(1)); // it waits, so nothing moves
-        wire.out.releaseNow(Seconds{1.0});
+        wire.out.release(Seconds{1.0}, true);
         QCOMPARE(textsOf(wire.out.stops(std::nullopt, VehicleKind::Ground)),
                  (QStringList{"test: DRIVE {Left 0} {Right 0}", "test: DRIVE {Speed 0} {FrontSteer 0} {RearSteer 0}"}));
     }

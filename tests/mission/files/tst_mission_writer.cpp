@@ -4,7 +4,7 @@
 
 #include <QTemporaryDir>
 
-#include "core/mission/files/mission_writer.h"
+#include "core/mission/files/mission_file.h"
 #include "tests/suite/suite.h"
 
 namespace tst_mission_writer {

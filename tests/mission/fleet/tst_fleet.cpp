@@ -87,7 +87,7 @@ private slots:
         QCOMPARE(added.size(), 9);
         const auto tenth = spawnNow();
         QVERIFY(!tenth.has_value());
-        QCOMPARE(tenth.error().what, std::string("there can be no more than nine robots"));
+        QCOMPARE(tenth.error().what, std::string("there can be no more than 9 robots"));
 
         QSignalSpy removed(fleet_.get(), &Fleet::robotRemoved);
         fleet_->remove({1});

@@ -1,6 +1,6 @@
 #include <QTest>
 
-#include "core/mission/fleet/robot_name.h"
+#include "core/mission/fleet/robot.h"
 #include "core/mission/fleet/roster.h"
 #include "tests/suite/suite.h"
 
@@ -81,7 +81,7 @@ private slots:
         const auto tenth = roster.accept(requestFor("Ten"));
         QVERIFY(!tenth.has_value());
         QCOMPARE(QString::fromStdString(tenth.error().text()),
-                 QString("Ten: there can be no more than nine robots. Remove one first."));
+                 QString("Ten: there can be no more than 9 robots. Remove one first."));
         roster.take({9});
         QVERIFY(roster.accept(requestFor("Ten")));
     }

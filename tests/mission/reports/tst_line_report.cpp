@@ -14,8 +14,8 @@ using namespace usar::mission;
 namespace {
 
 QJsonObject reportOf(const QByteArray& line) {
-    LineReporter reporter;
-    return reporter.report({line.data(), static_cast<std::size_t>(line.size())}, 7);
+    protocol::Reader reader;
+    return reportLine(reader, {line.data(), static_cast<std::size_t>(line.size())}, 7);
 }
 
 } // namespace

@@ -58,8 +58,7 @@ struct Bridge : HelmOwner, NoticeBook {
         const std::string text = "STA {Type AerialVehicle} {Time " + std::to_string(time_s) + "} {Battery 1200}";
         const protocol::InfoLine& line = incoming.take(text);
         helm.hear(text, line);
-        agent::RunningBehavior::Output output = helm.answerTo(line);
-        helm.takeOutput(output, true);
+        helm.answer(line);
     }
     /// A behavior that flies forward at this speed at every tick.
     std::shared_ptr<Script> fly(double forward_m_s) {

@@ -111,7 +111,7 @@ private slots:
         record.marks.emplace_back();
         RecordingScene scene = Keeping::connected();
         scene.pending = "SEN {Ti";
-        scene.robot = protocol::Init::at("USARBot.AirRobot", "R1", {});
+        scene.robot = protocol::Init{"USARBot.AirRobot", "R1"};
         scene.of_behavior = &record;
         QVERIFY(k.records.begin(k.path(), {}, scene));
         const QStringList texts = k.written();

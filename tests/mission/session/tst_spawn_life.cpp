@@ -184,9 +184,9 @@ private slots:
 
     void aReplayedInitIsFollowedByARobot() {
         Life life;
-        life.spawn.sawInit(protocol::Init::at("USARBot.P2DX", "R7", {}));
+        life.spawn.sawInit(protocol::Init{"USARBot.P2DX", "R7"});
         QCOMPARE(life.spawn.state(), SpawnState::Asked);
-        QCOMPARE(life.spawn.request().class_name, std::string("USARBot.P2DX"));
+        QCOMPARE(life.spawn.standingInit()->class_name.text(), std::string("USARBot.P2DX"));
         QVERIFY(life.scribe.inits.empty());
         life.spawn.heard();
         QCOMPARE(life.scribe.came, Texts{"R7"});

@@ -2,7 +2,6 @@
 #include <QTest>
 
 #include "core/mission/world/deleted_objects.h"
-#include "core/mission/world/ground_height.h"
 #include "core/mission/world/world_edits.h"
 #include "core/mission/world/world_inventory.h"
 #include "tests/suite/suite.h"

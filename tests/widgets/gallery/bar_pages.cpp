@@ -129,8 +129,7 @@ std::unique_ptr<QWidget> palettePage() {
 std::unique_ptr<QWidget> sheetPage() {
     auto page = std::make_unique<RegistryPage>();
     auto* column = new QVBoxLayout(page.get());
-    auto* sheet = new ShortcutSheet(
-        page->registry(), {{QStringLiteral("Double-click a start pose"), QStringLiteral("spawn")}}, page.get());
+    auto* sheet = makeShortcutSheet(page->registry(), page.get());
     sheet->setWindowFlags(Qt::Widget);
     column->addWidget(sheet);
     return page;

@@ -12,7 +12,7 @@ using namespace usar::widgets;
 std::unique_ptr<QWidget> robotsPage() {
     auto list = std::make_unique<RobotList>();
     list->resize(260, 300);
-    list->setRobots({
+    const RobotRow rows[] = {
         {{1}, 1, QStringLiteral("R1"), QStringLiteral("AirRobot"), QStringLiteral("scanning lane 4 of 9"), 71.0, false},
         {{2}, 2, QStringLiteral("R2"), QStringLiteral("P2DX"), QStringLiteral("idle"), 22.0, false},
         {{3},
@@ -24,7 +24,9 @@ std::unique_ptr<QWidget> robotsPage() {
          false},
         {{4}, 4, QStringLiteral("R4"), QStringLiteral("AirRobot"), QStringLiteral("scanning lane 2 of 3"), 55.0, true},
         {{5}, 5, QStringLiteral("R5"), QStringLiteral("Submarine"), QStringLiteral("spawning"), std::nullopt, false},
-    });
+    };
+    for (const RobotRow& row : rows)
+        list->updateRobot(row);
     list->selectRobot({1});
     return list;
 }

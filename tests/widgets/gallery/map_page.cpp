@@ -53,7 +53,7 @@ std::unique_ptr<QWidget> mapPage() {
     const Rectangle area{{-30.0, -20.0}, {15.0, 20.0}};
     view->setArea(area);
     view->setAreaSummary(QStringLiteral("9 lanes  ·  6 min 12 s"));
-    if (const auto plan = mapping::planCoverage(area, Vec2(0.0, 0.0), {}))
+    if (const auto plan = mapping::planCoverage(area, Vec2(0.0, 0.0), {10.0}))
         view->setLanes(pointsOf(*plan));
     for (int i = 0; i < 200; ++i)
         view->setRobot({QStringLiteral("R1"), 1, {{-30.0 + i * 0.2, 10.0 + std::sin(i / 20.0), 6.0}, 0.0, 0.0, 0.1}});

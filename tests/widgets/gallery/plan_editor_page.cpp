@@ -92,7 +92,9 @@ std::unique_ptr<QWidget> faultyPlanEditorPage() {
     text.replace(text.find("SteerCloser"), 11, "SteerClozer");
     auto page = editor({1280, 760}, text);
     QTimer::singleShot(50, page.get(), [editor = page.get()] {
-        editor->textEdit().setCursorOffset(editor->text().find("SteerClozer"));
+        QTextCursor cursor = editor->textEdit().textCursor();
+        cursor.setPosition(static_cast<int>(editor->text().find("SteerClozer")));
+        editor->textEdit().setTextCursor(cursor);
         editor->textEdit().setLamp(true);
         editor->canvas().selectPath("/P:0/DC:0/DE:2/A:0/C:0/CE:1/S:0");
         editor->action(QStringLiteral("edit"))->trigger();

@@ -356,18 +356,18 @@ void tst_PlanDebugger::theDialogGivesWhatIsTyped() {
 }
 
 void tst_PlanDebugger::aPinIsAValueOrAnAnswer() {
-    const std::unique_ptr<PinDialog> sense(PinDialog::forSense(QStringLiteral("near"), QStringLiteral("0.5"), nullptr));
-    QVERIFY(okOf(*sense)->isEnabled());
-    QCOMPARE(std::get<double>(*sense->answer()), 0.5);
-    auto* line = sense->findChild<QLineEdit*>();
+    const PinDialog sense(QStringLiteral("near"), QStringLiteral("0.5"), nullptr);
+    QVERIFY(okOf(sense)->isEnabled());
+    QCOMPARE(std::get<double>(*sense.answer()), 0.5);
+    auto* line = sense.findChild<QLineEdit*>();
     line->selectAll();
     QTest::keyClicks(line, QStringLiteral("1 2"));
-    QVERIFY(!okOf(*sense)->isEnabled() && !sense->answer());
-    const std::unique_ptr<PinDialog> act(PinDialog::forAct(QStringLiteral("walk"), nullptr));
-    QVERIFY(okOf(*act)->isEnabled() && !act->answer());
-    QCOMPARE(act->result(), posh::ActResult::Failed);
-    act->findChild<QComboBox*>()->setCurrentIndex(1);
-    QCOMPARE(act->result(), posh::ActResult::Running);
+    QVERIFY(!okOf(sense)->isEnabled() && !sense.answer());
+    const PinDialog act(QStringLiteral("walk"), std::nullopt, nullptr);
+    QVERIFY(okOf(act)->isEnabled() && !act.answer());
+    QCOMPARE(act.result(), posh::ActResult::Failed);
+    act.findChild<QComboBox*>()->setCurrentIndex(1);
+    QCOMPARE(act.result(), posh::ActResult::Running);
 }
 
 USAR_TEST(tst_PlanDebugger)

@@ -116,7 +116,7 @@ void tst_PlanEditor::aNewPlanIsSoundAndDrawn() {
 
 void tst_PlanEditor::typingIsDrawnAndUndone() {
     PlanCodeEdit& text = editor_->textEdit();
-    text.setCursorOffset(editor_->text().find("Beep") + 4);
+    putCursor(text, editor_->text().find("Beep") + 4);
     QTest::keyClicks(&text, QStringLiteral("Twice"));
     QTRY_VERIFY(node(QStringLiteral("BeepTwice")).valid());
     QVERIFY(editor_->isModified());
@@ -147,7 +147,7 @@ void tst_PlanEditor::oneHistoryForTextAndDrawing() {
     const std::string second = editor_->text();
     QVERIFY(second != first);
     QCOMPARE(editor_->canvas().selected(), node(QStringLiteral("work")));
-    editor_->textEdit().setCursorOffset(2); // after the first parentheses
+    putCursor(editor_->textEdit(), 2); // after the first parentheses
     QTest::keyClicks(&editor_->textEdit(), QStringLiteral("; x"));
     const std::string third = editor_->text();
     select(QStringLiteral("rest"));
@@ -335,7 +335,7 @@ void tst_PlanEditor::aFixIsAppliedFromTheMenu() {
     std::string other(courier_plan);
     other.replace(other.find("Brake"), 5, "Broke");
     editor_->textEdit().applyText(other);
-    editor_->textEdit().setCursorOffset(other.find("Broke"));
+    putCursor(editor_->textEdit(), other.find("Broke"));
     editor_->textEdit().setFocus();
     QVERIFY(!editor_->fixes().empty());
     QTest::keyClick(&editor_->textEdit(), Qt::Key_Return, Qt::AltModifier);
@@ -445,10 +445,10 @@ void tst_PlanEditor::completionKnowsWhereSensesAreAsked() {
     PlanCodeEdit& text = editor_->textEdit();
     auto* const completer = text.findChild<QCompleter*>();
     text.setFocus();
-    text.setCursorOffset(editor_->text().find("Bumped") + 2);
+    putCursor(text, editor_->text().find("Bumped") + 2);
     QTest::keyClick(&text, Qt::Key_Space, Qt::ControlModifier);
     QCOMPARE(completer->currentCompletion(), QStringLiteral("Bumped"));
-    text.setCursorOffset(editor_->text().find("CloseGripper") + 2);
+    putCursor(text, editor_->text().find("CloseGripper") + 2);
     QTest::keyClick(&text, Qt::Key_Space, Qt::ControlModifier);
     QCOMPARE(completer->currentCompletion(), QStringLiteral("CloseGripper"));
     const auto* const beside = qobject_cast<const CompletionDelegate*>(completer->popup()->itemDelegate());
@@ -459,7 +459,7 @@ void tst_PlanEditor::completionKnowsWhereSensesAreAsked() {
 
 void tst_PlanEditor::selectionsFollowEachOther() {
     PlanCodeEdit& text = editor_->textEdit();
-    text.setCursorOffset(editor_->text().find("safety") + 1);
+    putCursor(text, editor_->text().find("safety") + 1);
     QCOMPARE(editor_->canvas().selected(), node(QStringLiteral("safety")));
     QSignalSpy entered(&text, &PlanTextEdit::placeEntered);
     select(QStringLiteral("go"));
@@ -564,7 +564,7 @@ void tst_PlanEditor::aLampShowsThatThereAreFixes() {
     std::string other(courier_plan);
     other.replace(other.find("(trigger ((Bumped)))"), 8, "(triger");
     text.applyText(other);
-    text.setCursorOffset(other.find("(triger"));
+    putCursor(text, other.find("(triger"));
     const auto lampIsOn = [&text] {
         for (const QToolButton* const button : text.findChildren<QToolButton*>())
             if (button->toolTip().contains(u"Alt+Return"))
@@ -572,7 +572,7 @@ void tst_PlanEditor::aLampShowsThatThereAreFixes() {
         return false;
     };
     QTRY_VERIFY(lampIsOn());
-    text.setCursorOffset(0);
+    putCursor(text, 0);
     QVERIFY(!lampIsOn());
 }
 

@@ -82,16 +82,18 @@ void tst_PlanEditorFiles::paletteIsSearchedAndExplains() {
     palette.findChild<QLineEdit*>()->setText(QStringLiteral("drives place"));
     auto* const list = palette.findChild<QTreeWidget*>();
     QStringList shown;
+    QString help;
     for (QTreeWidgetItemIterator item(list); *item; ++item)
-        if ((*item)->parent() && !(*item)->isHidden())
+        if ((*item)->parent() && !(*item)->isHidden()) {
             shown << (*item)->text(0);
+            help = (*item)->toolTip(0);
+        }
     QCOMPARE(shown, QStringList{QStringLiteral("DriveTo")});
-    const QString help = helpText(courierPrimitives().back());
     QVERIFY2(help.contains(QStringLiteral("$speed=1.0: a number from 0 to 3 m/s")), qPrintable(help));
     palette.findChild<QLineEdit*>()->clear();
     QVERIFY(std::ranges::any_of(palette.words(), [](const PlanWord& word) { return word.name == u"approach"; }));
-    QCOMPARE(firstTest({"Distance", agent::PrimitiveKind::Sense, {}, agent::AnswerType::Real, "m", "", {}}),
-             QStringLiteral("Distance 0.0 >"));
+    list->setCurrentItem(list->findItems("Distance", Qt::MatchExactly | Qt::MatchRecursive).value(0));
+    QCOMPARE(palette.chosen()->words, QStringLiteral("Distance 0.0 >"));
 }
 
 void tst_PlanEditorFiles::filesKeepTheirLineEnds() {

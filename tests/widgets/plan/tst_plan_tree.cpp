@@ -24,7 +24,6 @@ private slots:
     void pathsThroughALinkLeadToTheDrawnPart();
     void expandedDrawsTheFormAtEachPlace();
     void equalsOfALevelShareItsPlace();
-    void trailNamesTheWay();
     void fragmentShowsAllItsForms();
     void unusedFormsStandBesideTheCollection();
     void circleOfReferencesEndsInALink();
@@ -153,12 +152,6 @@ void tst_PlanTree::equalsOfALevelShareItsPlace() {
     QCOMPARE(element(2).level, 1);
     QVERIFY(element(1).has_equals && element(2).has_equals);
     QCOMPARE(element(3).level, 2);
-}
-
-void tst_PlanTree::trailNamesTheWay() {
-    const PlanTree tree(planOf(courier_plan));
-    QCOMPARE(tree.trail(tree.find("/P:0/DC:0/DE:1/A:0/C:0/CE:0/A:0")),
-             QStringLiteral("courier ▸ work ▸ fetch ▸ grab ▸ CloseGripper"));
 }
 
 void tst_PlanTree::fragmentShowsAllItsForms() {

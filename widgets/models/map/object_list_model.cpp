@@ -34,30 +34,13 @@ void ObjectListModel::setObjects(std::vector<MapObject> objects) {
     QCollator collator(QLocale::English); // The collation of the "C" locale has no numeric mode.
     collator.setNumericMode(true);
     std::ranges::sort(objects, [&](const MapObject& a, const MapObject& b) { return collator(a.name, b.name); });
-    const bool same_names = std::ranges::equal(objects, objects_, {}, &MapObject::name, &MapObject::name);
-    if (!same_names)
-        beginResetModel();
-    const bool changed = objects != objects_;
-    objects_ = std::move(objects);
-    if (!same_names)
-        endResetModel();
-    else if (changed)
-        emit dataChanged(index(0, 0), index(rowCount() - 1, column_count - 1));
-}
-
-int ObjectListModel::rowOf(const QString& name) const {
-    const auto found = std::ranges::find(objects_, name, &MapObject::name);
-    return found == objects_.end() ? -1 : static_cast<int>(found - objects_.begin());
-}
-
-int ObjectListModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(objects_.size());
+    replaceAll(std::move(objects), &MapObject::name);
 }
 
 QVariant ObjectListModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid())
         return {};
-    const MapObject& one = object(index.row());
+    const MapObject& one = row(index.row());
     if (role == Qt::DisplayRole)
         return cell(one, index.column());
     if (role == Qt::TextAlignmentRole)
@@ -75,12 +58,8 @@ QVariant ObjectListModel::data(const QModelIndex& index, int role) const {
 }
 
 QVariant ObjectListModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation == Qt::Horizontal && role == Qt::TextAlignmentRole && section >= Place)
-        return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
-        return {};
-    const QStringList names{tr("Object"), tr("x, y m"), tr("m/s")};
-    return names.value(section);
+    const QString names[] = {tr("Object"), tr("x, y m"), tr("m/s")};
+    return columnHead(orientation, role, names[section], section >= Place ? Qt::AlignRight : Qt::AlignLeft);
 }
 
 } // namespace usar::widgets

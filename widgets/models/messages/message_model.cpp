@@ -7,6 +7,7 @@
 
 #include "widgets/models/figures.h"
 #include "widgets/models/messages/notification_model.h"
+#include "widgets/models/row_model.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
@@ -29,6 +30,17 @@ QString toolTipOf(const MessageRow& row) {
         return QStringLiteral("<p>%1%2</p>").arg(text, tail);
     const QString note = QString::fromStdString(row.note).toHtmlEscaped().replace(u'\n', QStringLiteral("<br>"));
     return QStringLiteral("<p><b>%1</b></p><p>%2%3</p>").arg(note, text, tail);
+}
+
+QColor inkOf(const MessageRow& row, int column) {
+    const Tokens& t = tokens();
+    if (row.trouble)
+        return severityColor(*row.trouble);
+    if (column == MessageModel::Number || column == MessageModel::Time || column == MessageModel::Robot)
+        return t.text_muted;
+    if (column == MessageModel::Type)
+        return lineColor(familyOf(row), currentTheme());
+    return row.direction == Direction::Out ? t.accent : t.text;
 }
 
 } // namespace
@@ -231,10 +243,10 @@ QVariant MessageModel::data(const QModelIndex& index, int role) const {
     case Qt::ToolTipRole:
         return toolTipOf(message);
     case Qt::ForegroundRole:
-        return ink(message, index.column());
+        return inkOf(message, index.column());
     case Qt::DecorationRole:
         if (index.column() == Type && message.trouble)
-            return icon(QStringLiteral("warning"), ink(message, Text).value<QColor>());
+            return icon(QStringLiteral("warning"), inkOf(message, Text));
         return {};
     case Qt::TextAlignmentRole:
         return headerData(index.column(), Qt::Horizontal, role);
@@ -263,26 +275,9 @@ QVariant MessageModel::shownText(const MessageRow& row, int column) const {
     }
 }
 
-QVariant MessageModel::ink(const MessageRow& row, int column) const {
-    const Tokens& t = tokens();
-    if (row.trouble)
-        return severityColor(*row.trouble);
-    if (column == Number || column == Time || column == Robot)
-        return t.text_muted;
-    if (column == Type)
-        return lineColor(familyOf(row), currentTheme());
-    return row.direction == Direction::Out ? t.accent : t.text;
-}
-
 QVariant MessageModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation != Qt::Horizontal)
-        return {};
-    if (role == Qt::TextAlignmentRole)
-        return QVariant((section <= Time ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-    if (role != Qt::DisplayRole)
-        return {};
     const QString names[] = {tr("No."), tr("Time, s"), tr("Robot"), tr("Way"), tr("Type"), tr("Text")};
-    return names[section];
+    return columnHead(orientation, role, names[section], section <= Time ? Qt::AlignRight : Qt::AlignLeft);
 }
 
 } // namespace usar::widgets

@@ -89,7 +89,6 @@ private:
     /// Continues the filter's work for at most `budget_ms`.
     void filterOn(qint64 budget_ms);
     QVariant shownText(const MessageRow& row, int column) const;
-    QVariant ink(const MessageRow& row, int column) const;
 
     std::size_t capacity_;
     std::size_t capacity_bytes_;

@@ -2,29 +2,24 @@
 
 #include <algorithm>
 
-#include <QCoreApplication>
-
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
 
 QString severityWord(Severity severity) {
-    const char* const word = severity == Severity::Error     ? QT_TRANSLATE_NOOP("Notification", "Error")
-                             : severity == Severity::Warning ? QT_TRANSLATE_NOOP("Notification", "Warning")
-                                                             : QT_TRANSLATE_NOOP("Notification", "Note");
-    return QCoreApplication::translate("Notification", word);
+    const QString words[] = {NotificationModel::tr("Note"), NotificationModel::tr("Warning"),
+                             NotificationModel::tr("Error")};
+    return words[static_cast<std::size_t>(severity)];
 }
 
 QString severityIcon(Severity severity) {
-    return severity == Severity::Error     ? QStringLiteral("error")
-           : severity == Severity::Warning ? QStringLiteral("warning")
-                                           : QStringLiteral("note");
+    const QString names[] = {QStringLiteral("note"), QStringLiteral("warning"), QStringLiteral("error")};
+    return names[static_cast<std::size_t>(severity)];
 }
 
 QColor severityColor(Severity severity) {
-    return severity == Severity::Error     ? tokens().danger
-           : severity == Severity::Warning ? tokens().caution
-                                           : tokens().accent;
+    const QColor colors[] = {tokens().accent, tokens().caution, tokens().danger};
+    return colors[static_cast<std::size_t>(severity)];
 }
 
 void NotificationModel::push(const QString& key, Severity severity, const QString& text, const QDateTime& when,
@@ -37,18 +32,12 @@ void NotificationModel::push(const QString& key, Severity severity, const QStrin
             std::rotate(rows_.begin(), rows_.begin() + *known, rows_.begin() + *known + 1);
             endMoveRows();
         }
-        rows_.front() = fresh;
-        emit dataChanged(index(0), index(0));
+        change(0, fresh);
     } else {
-        beginInsertRows({}, 0, 0);
-        rows_.push_front(fresh);
-        endInsertRows();
+        insert(0, fresh);
     }
-    if (rowCount() > capacity) {
-        beginRemoveRows({}, capacity, capacity);
-        rows_.pop_back();
-        endRemoveRows();
-    }
+    if (rowCount() > capacity)
+        remove(capacity);
     tellUnread();
     emit pushed(fresh);
 }
@@ -57,10 +46,10 @@ void NotificationModel::cure(const QString& key) {
     const std::optional<int> known = indexOf(key);
     if (!known || row(*known).cured)
         return;
-    Notification& healed = rows_[static_cast<std::size_t>(*known)];
+    Notification healed = row(*known);
     healed.cured = true;
     healed.unread = false;
-    emit dataChanged(index(*known), index(*known));
+    change(*known, healed);
     tellUnread();
     emit cured(key);
 }
@@ -78,13 +67,9 @@ void NotificationModel::clear() {
 }
 
 void NotificationModel::clearCured() {
-    for (int i = rowCount() - 1; i >= 0; --i) {
-        if (!row(i).cured)
-            continue;
-        beginRemoveRows({}, i, i);
-        rows_.erase(rows_.begin() + i);
-        endRemoveRows();
-    }
+    for (int i = rowCount() - 1; i >= 0; --i)
+        if (row(i).cured)
+            remove(i);
 }
 
 void NotificationModel::markRead() {
@@ -101,10 +86,6 @@ int NotificationModel::openCount() const {
     return static_cast<int>(std::ranges::count(rows_, false, &Notification::cured));
 }
 
-int NotificationModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(rows_.size());
-}
-
 QVariant NotificationModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid() || (role != Qt::DisplayRole && role != Qt::AccessibleTextRole))
         return {};
@@ -115,11 +96,6 @@ QVariant NotificationModel::data(const QModelIndex& index, int role) const {
     if (n.offers() && role == Qt::AccessibleTextRole)
         text += tr(" Press Return to do this: %1.").arg(n.offer.text);
     return n.cured ? text + QStringLiteral(" (") + tr("cured") + u')' : text;
-}
-
-std::optional<int> NotificationModel::indexOf(const QString& key) const {
-    const auto found = std::ranges::find(rows_, key, &Notification::key);
-    return found == rows_.end() ? std::nullopt : std::optional(static_cast<int>(found - rows_.begin()));
 }
 
 void NotificationModel::tellUnread() {

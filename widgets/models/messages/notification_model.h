@@ -2,13 +2,13 @@
 // is marked when the problem is over.
 #pragma once
 
-#include <deque>
 #include <optional>
 
-#include <QAbstractListModel>
+#include <QColor>
 #include <QDateTime>
 
 #include "core/base/diagnostics.h"
+#include "widgets/models/row_model.h"
 
 namespace usar::widgets {
 
@@ -39,12 +39,13 @@ QString severityWord(Severity severity);
 QString severityIcon(Severity severity);
 QColor severityColor(Severity severity);
 
-/// Keeps the newest `capacity` rows. DisplayRole is the whole sentence; views paint from `row`. GUI thread.
-class NotificationModel : public QAbstractListModel {
+/// Keeps the newest `capacity` rows, the newest one first. DisplayRole is the whole sentence; views paint from `row`.
+/// GUI thread.
+class NotificationModel : public RowModel<Notification> {
     Q_OBJECT
 public:
     static constexpr int capacity = 500;
-    using QAbstractListModel::QAbstractListModel;
+    using RowModel::RowModel;
 
     /// Moves the row of `key` to the top with the newest text and severity, or adds one; a cured row is open again and
     /// its count restarts at 1. `when` is wall time. Warnings and errors are shown as toasts unless `toast` says
@@ -66,9 +67,6 @@ public:
     int unread() const;
     /// Number of rows that are not cured.
     int openCount() const;
-    /// `index` 0 is the newest; the reference is valid until the next change.
-    const Notification& row(int index) const { return rows_[static_cast<std::size_t>(index)]; }
-    int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
 
 signals:
@@ -82,10 +80,9 @@ signals:
     void unreadChanged(int unread);
 
 private:
-    std::optional<int> indexOf(const QString& key) const;
+    std::optional<int> indexOf(const QString& key) const { return find(&Notification::key, key); }
     void tellUnread();
 
-    std::deque<Notification> rows_; ///< newest first
     int told_unread_ = 0;
 };
 

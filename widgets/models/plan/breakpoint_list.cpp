@@ -10,7 +10,7 @@
 #include <QObject>
 #include <QStringList>
 
-#include "core/posh/trace/trace_text.h"
+#include "core/posh/run/trace_event.h"
 
 namespace usar::widgets {
 
@@ -27,7 +27,6 @@ constexpr std::array on_words{std::pair{BreakOn::Before, "before"},
                               std::pair{BreakOn::VerdictChange, "verdict"},
                               std::pair{BreakOn::Interruption, "interruption"},
                               std::pair{BreakOn::Written, "written"}};
-constexpr std::array results{ActResult::Finished, ActResult::RunningOnce, ActResult::Running, ActResult::Failed};
 
 QString resultWord(ActResult result) {
     return QString::fromLatin1(posh::toText(result));
@@ -66,7 +65,7 @@ std::optional<Breakpoint> breakpointOf(const QJsonObject& json) {
     breakpoint.key = json["key"].toString().toStdString();
     if (breakpoint.on == BreakOn::Written && breakpoint.key.empty())
         return std::nullopt;
-    for (const ActResult result : results)
+    for (const ActResult result : {ActResult::Finished, ActResult::RunningOnce, ActResult::Running, ActResult::Failed})
         if (json["result"].toString() == resultWord(result))
             breakpoint.result = result;
     breakpoint.condition = json["condition"].toString().toStdString();
@@ -108,10 +107,6 @@ BreakpointId BreakpointList::add(Breakpoint breakpoint) {
 void BreakpointList::change(BreakpointId id, Breakpoint breakpoint) {
     if (const auto found = std::ranges::find(all_, id, &agent::PlanBreakpoint::id); found != all_.end())
         found->what = std::move(breakpoint);
-}
-
-void BreakpointList::remove(BreakpointId id) {
-    std::erase_if(all_, [id](const agent::PlanBreakpoint& one) { return one.id == id; });
 }
 
 void BreakpointList::remove(const std::vector<BreakpointId>& ids) {

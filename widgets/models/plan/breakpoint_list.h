@@ -24,7 +24,9 @@ public:
     agent::BreakpointId add(posh::Breakpoint breakpoint);
     /// Changing or removing an unknown id has no effect.
     void change(agent::BreakpointId id, posh::Breakpoint breakpoint);
-    void remove(agent::BreakpointId id);
+    void remove(agent::BreakpointId id) {
+        std::erase_if(all_, [id](const auto& one) { return one.id == id; });
+    }
     void remove(const std::vector<agent::BreakpointId>& ids);
     /// Removes the breakpoints of this kind at these places of a plan; sets one at each place if there are none.
     void toggle(std::string_view plan_name, const std::vector<PlanSpot>& spots, posh::BreakOn on);

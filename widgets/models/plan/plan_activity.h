@@ -21,7 +21,6 @@ struct SenseAnswer {
     bool holds = false; ///< the comparison with this answer is true
     Seconds since{0.0}; ///< time at which the present verdict began
     Seconds asked{0.0}; ///< time of the newest answer
-    bool operator==(const SenseAnswer&) const = default;
 };
 
 /// Activity of one element of the plan since the start of the run.
@@ -34,7 +33,6 @@ struct PlanActivity {
     std::uint64_t skipped = 0;         ///< how often it was held back by its frequency or its retries
     QString hold_back;                 ///< why it is held back now, "its frequency: 1.2 s left"; empty if it is not
     std::optional<SenseAnswer> answer; ///< senses only; nullopt: not asked yet
-    bool operator==(const PlanActivity&) const = default;
 };
 
 /// The value of a key on the plan's blackboard.
@@ -92,7 +90,6 @@ struct PlanTime {
     std::size_t epochs = 1;  ///< number of epochs in the cycle
     bool live = true;        ///< follows the run
     bool replay = false;     ///< the run is a recording
-    bool operator==(const PlanTime&) const = default;
 };
 
 } // namespace usar::widgets

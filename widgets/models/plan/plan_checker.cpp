@@ -26,10 +26,6 @@ void PlanChecker::check(std::string_view text) {
     is_current_ = true;
 }
 
-bool PlanChecker::isRunnable() const {
-    return !posh::hasErrors(findings_) && posh::collectionOf(plan_);
-}
-
 std::vector<posh::QuickFix> PlanChecker::fixes(std::string_view text, const posh::Finding& finding) const {
     return posh::quickFixes(text, finding, vocabulary_, [this](auto other) { return read(other).findings; });
 }

@@ -1,7 +1,6 @@
 // Reads and checks the text of a plan that is being edited, alone or against the senses and acts of a robot.
 #pragma once
 
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -16,7 +15,6 @@ class PlanChecker {
 public:
     /// The senses and acts of the robot that the plan is for; empty: plans are checked without a robot.
     void setPrimitives(const std::vector<agent::PrimitiveDescription>& primitives);
-    const std::vector<agent::PrimitiveDescription>& primitives() const { return primitives_; }
     /// True if plans are checked against a robot.
     bool binds() const { return !primitives_.empty(); }
 
@@ -29,7 +27,7 @@ public:
     const posh::Findings& findings() const { return findings_; }
     const posh::Plan& plan() const { return plan_; }
     /// True if the plan has no errors and a drive collection, so that a robot can run it.
-    bool isRunnable() const;
+    bool isRunnable() const { return !posh::hasErrors(findings_) && posh::collectionOf(plan_); }
 
     /// The fixes known for a finding of this text, which must be the one that was checked last.
     std::vector<posh::QuickFix> fixes(std::string_view text, const posh::Finding& finding) const;

@@ -1,5 +1,7 @@
 #include "widgets/models/plan/plan_gestures.h"
 
+#include <charconv>
+
 #include <QObject>
 
 #include "core/posh/edit/plan_phrase.h"
@@ -15,37 +17,18 @@ QString nameText(const Plan& plan, const PlanPart& part) {
     return name ? QString::fromStdString(name->text) : QString();
 }
 
-/// Returns the number after "/A:" at the start of a segment.
-std::optional<std::size_t> stepNumber(const std::string& segment) {
-    if (!segment.starts_with("/A:"))
-        return std::nullopt;
+/// Returns the number after "/A:" at the start of a segment; 0 if there is none.
+std::size_t stepNumber(const std::string& segment) {
     std::size_t number = 0;
-    for (std::size_t i = 3; i < segment.size() && segment[i] >= '0' && segment[i] <= '9'; ++i)
-        number = number * 10 + static_cast<std::size_t>(segment[i] - '0');
+    if (segment.starts_with("/A:"))
+        std::from_chars(segment.data() + 3, segment.data() + segment.size(), number);
     return number;
-}
-
-/// Returns the number of members on each level of a form; empty for a pattern or an adopt.
-std::vector<std::size_t> levelSizes(const Form& form) {
-    std::vector<std::size_t> sizes;
-    std::visit(
-        [&sizes](const auto& any) {
-            if constexpr (requires { any.levels; })
-                for (const auto& level : any.levels)
-                    sizes.push_back(level.size());
-        },
-        form);
-    return sizes;
 }
 
 /// Returns the deed that calls `edit(text, arguments...)`, one of the edits in plan_edits.h.
 template <class Edit, class... Arguments>
 PlanDeed deedOf(const QString& words, Edit edit, const std::string& text, const Arguments&... arguments) {
     return {words, [=] { return edit(text, arguments...); }};
-}
-
-bool hasMembers(const Form& form) {
-    return std::holds_alternative<Competence>(form) || std::holds_alternative<Collection>(form);
 }
 
 } // namespace
@@ -68,8 +51,7 @@ std::optional<PlanPart> callOfNode(const Plan& plan, const PlanTree& tree, PlanN
         return std::nullopt;
     if (parent->kind == PartKind::Member)
         return actionPart(parent->form, parent->level, parent->member);
-    const auto number = stepNumber(tree[node].segment);
-    const PlanPart call{PartKind::Action, parent->form, 0, 0, number.value_or(0)};
+    const PlanPart call{PartKind::Action, parent->form, 0, 0, stepNumber(tree[node].segment)};
     return callOf(plan, call) ? std::optional(call) : std::nullopt;
 }
 
@@ -93,10 +75,10 @@ PlanNodeId nodeOfPart(const Plan& plan, const PlanTree& tree, const PlanPart& pa
 /// The dragged sense, member or call; `from` is its place in the plan, if it has one.
 struct PlanGestures::Dragged {
     PartKind kind = PartKind::Action;
-    SenseTest sense;
-    Call call;
-    std::optional<PlanPart> from;
-    QString name;
+    SenseTest sense{};
+    Call call{};
+    std::optional<PlanPart> from{};
+    QString name{};
     Step step() const { return kind == PartKind::Sense ? Step(sense) : Step(call); }
 };
 
@@ -106,11 +88,10 @@ struct PlanGestures::Target {
     std::optional<PlanPart> call; ///< call that leads to the part
     DropZone zone = DropZone::Onto;
     bool is_step = false;
-    QString name;
+    QString name{};
 };
 
 std::optional<PlanGestures::Dragged> PlanGestures::dragged(const std::variant<PlanPiece, PlanNodeId>& source) const {
-    Dragged what;
     if (const auto* const piece = std::get_if<PlanPiece>(&source)) {
         const std::string words = piece->words.toStdString();
         const auto sense = piece->is_sense ? readSensePhrase(words) : Result<SenseTest>();
@@ -124,9 +105,7 @@ std::optional<PlanGestures::Dragged> PlanGestures::dragged(const std::variant<Pl
     const auto part = partOfNode(plan_, tree_, node);
     if (!part)
         return std::nullopt;
-    what.name = nameText(plan_, *part);
-    what.kind = part->kind;
-    what.from = part;
+    Dragged what{.kind = part->kind, .from = part, .name = nameText(plan_, *part)};
     if (part->kind == PartKind::Sense) {
         what.sense = *senseOf(plan_, *part);
     } else if (part->kind != PartKind::Member) {
@@ -140,10 +119,7 @@ std::optional<PlanGestures::Dragged> PlanGestures::dragged(const std::variant<Pl
 }
 
 PlanGestures::Target PlanGestures::targetAt(PlanNodeId node, DropZone zone) const {
-    Target to;
-    to.part = partOfNode(plan_, tree_, node);
-    to.call = callOfNode(plan_, tree_, node);
-    to.zone = zone;
+    Target to{.part = partOfNode(plan_, tree_, node), .call = callOfNode(plan_, tree_, node), .zone = zone};
     if (to.part) {
         to.name = nameText(plan_, *to.part);
         to.is_step = isStep(plan_, to.call ? *to.call : *to.part);
@@ -160,26 +136,20 @@ PlanDeed PlanGestures::swap(const Dragged& what, const PlanPart& with) const {
 MemberPlace PlanGestures::placeAt(const Target& to) const {
     const PlanPart& part = *to.part;
     const std::size_t after = to.zone == DropZone::After ? 1 : 0;
-    if (levelSizes(plan_.forms[part.form])[part.level] > 1)
+    if ((*levelsIn(plan_.forms[part.form]))[part.level].size() > 1)
         return {part.form, part.level, part.member + after};
     return {part.form, part.level + after};
 }
 
 /// Before a last member that is always ready, because nothing after it would ever be reached.
 MemberPlace PlanGestures::endOf(std::size_t form) const {
-    std::size_t level = levelSizes(plan_.forms[form]).size();
-    std::visit(
-        [&](const auto& any) {
-            if constexpr (requires { any.levels; })
-                if (!any.levels.empty() && any.levels.back().size() == 1 && any.levels.back()[0].trigger.empty())
-                    --level;
-        },
-        plan_.forms[form]);
-    return {form, level};
+    const Levels& levels = *levelsIn(plan_.forms[form]);
+    const bool ends_ready = !levels.empty() && levels.back().size() == 1 && levels.back()[0].trigger.empty();
+    return {form, levels.size() - (ends_ready ? 1 : 0)};
 }
 
 Senses PlanGestures::firstTrigger(const MemberPlace& place) const {
-    if (place.level >= levelSizes(plan_.forms[place.form]).size())
+    if (place.level >= levelsIn(plan_.forms[place.form])->size())
         return {};
     return {SenseTest{Call{{"fail", {}}, {}}, std::nullopt, std::nullopt}};
 }
@@ -256,7 +226,7 @@ std::optional<PlanDeed> PlanGestures::dropSense(const Dragged& what, const Targe
 
 std::optional<PlanDeed> PlanGestures::dropMember(const Dragged& what, const Target& to) const {
     const PlanPart from = *what.from;
-    if (to.part->kind == PartKind::Whole && hasMembers(plan_.forms[to.part->form]))
+    if (to.part->kind == PartKind::Whole && levelsIn(plan_.forms[to.part->form]))
         return deedOf(QObject::tr("Move %1 to %2").arg(what.name, to.name), moveMember, text_, from,
                       endOf(to.part->form));
     if (to.part->kind != PartKind::Member)

@@ -71,7 +71,7 @@ private:
     std::optional<PlanDeed> putInto(const Dragged& what, std::size_t form) const;
     /// Place for a new or moved member before or after the target.
     posh::MemberPlace placeAt(const Target& to) const;
-    /// Place at the end of a form.
+    /// Place at the end of a form that has levels.
     posh::MemberPlace endOf(std::size_t form) const;
     /// Trigger for a new member at this place.
     posh::Senses firstTrigger(const posh::MemberPlace& place) const;

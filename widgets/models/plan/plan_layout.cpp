@@ -1,6 +1,7 @@
 #include "widgets/models/plan/plan_layout.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace usar::widgets {
 
@@ -54,9 +55,8 @@ void PlanFolds::showOnly(const PlanTree& tree, const std::vector<PlanNodeId>& no
 }
 
 bool PlanFolds::reveal(const PlanTree& tree, PlanNodeId node) {
-    const PlanNodeId card = tree[node].in_card ? tree[node].parent : node; // A sense is visible if its card is.
-    bool changed = false;
-    for (PlanNodeId at = tree[card].parent; at.valid(); at = tree[at].parent)
+    bool changed = false; // A sense is visible if its card is.
+    for (PlanNodeId at = tree[tree.cardOf(node)].parent; at.valid(); at = tree[at].parent)
         changed = keys_.erase(tree[at].key) > 0 || changed;
     return changed;
 }
@@ -162,13 +162,6 @@ QPointF PlanLayout::entry(PlanNodeId node) const {
     return {box.left(), box.top() + (plan_card::padding_px + row_px_) / 2.0};
 }
 
-std::size_t PlanLayout::firstBelow(std::span<const PlanNodeId> children, double top) const {
-    const auto first = std::partition_point(children.begin(), children.end(), [&](PlanNodeId child) {
-        return shown(child) && bands_[child.index()].bottom() < top;
-    });
-    return static_cast<std::size_t>(first - children.begin());
-}
-
 PlanNodeId PlanLayout::nodeAt(const PlanTree& tree, const QPointF& point) const {
     PlanNodeId found;
     for (const PlanNodeId node : nodesIn(tree, QRectF(point - QPointF(0.25, 0.25), QSizeF(0.5, 0.5))))
@@ -192,12 +185,12 @@ std::vector<PlanNodeId> PlanLayout::nodesIn(const PlanTree& tree, const QRectF& 
             continue;
         nodes.push_back(node);
         const std::span<const PlanNodeId> children = tree.children(node);
-        const std::size_t first = firstBelow(children, area.top());
-        std::size_t end = first;
-        while (end < children.size() && bands_[children[end].index()].top() <= area.bottom() && shown(children[end]))
+        const auto first = std::ranges::partition_point(
+            children, [&](PlanNodeId child) { return shown(child) && bands_[child.index()].bottom() < area.top(); });
+        auto end = first;
+        while (end != children.end() && bands_[end->index()].top() <= area.bottom() && shown(*end))
             ++end;
-        for (std::size_t i = end; i-- > first;)
-            open.push_back(children[i]);
+        open.insert(open.end(), std::make_reverse_iterator(end), std::make_reverse_iterator(first));
     }
     return nodes;
 }

@@ -99,8 +99,6 @@ private:
                const std::vector<double>& heights);
     /// Computes the bands from the boxes.
     void uniteBands(const PlanTree& tree);
-    /// Index of the first child whose band does not end above `top`.
-    std::size_t firstBelow(std::span<const PlanNodeId> children, double top) const;
 
     PlanFlow flow_ = PlanFlow::Across;
     double row_px_ = 20.0;

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include <QString>
 #include <QStringList>
 
 #include "widgets/models/plan/breakpoint_list.h"

@@ -53,18 +53,14 @@ int columnOf(const QString& line, int position) {
 }
 
 PlanNodeId nodeAtPlace(const PlanTree& tree, int line, int column) {
+    const auto placeOf = [&tree](PlanNodeId node) { return std::pair(tree[node].at.line, tree[node].at.column); };
     const std::pair place(static_cast<std::uint32_t>(std::max(0, line)),
                           static_cast<std::uint32_t>(std::max(0, column)));
     PlanNodeId found;
-    std::pair<std::uint32_t, std::uint32_t> found_at;
-    for (const PlanNodeId node : tree.nodes()) {
-        const PlanNode& what = tree[node];
-        const std::pair at(what.at.line, what.at.column);
-        if (at.first > 0 && at <= place && !what.link.valid() && (!found.valid() || at > found_at)) {
+    for (const PlanNodeId node : tree.nodes())
+        if (tree[node].at.line > 0 && placeOf(node) <= place && !tree[node].link.valid() &&
+            (!found.valid() || placeOf(node) > placeOf(found)))
             found = node;
-            found_at = at;
-        }
-    }
     return found;
 }
 

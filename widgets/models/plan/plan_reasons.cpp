@@ -102,8 +102,7 @@ QString planVerdict(const PlanTree& tree, const PlanStates& states, PlanNodeId n
     if (state.running)
         return QObject::tr("%1 runs now").arg(name);
     const auto reasons = planReasons(tree, states, node);
-    const auto refusals =
-        std::count_if(reasons.begin(), reasons.end(), [](const auto& r) { return r.verdict == PlanVerdict::No; });
+    const auto refusals = std::ranges::count(reasons, PlanVerdict::No, &PlanReason::verdict);
     if (refusals > 0)
         return refusals == 1 ? QObject::tr("%1 does not run, for one reason:").arg(name)
                              : QObject::tr("%1 does not run, for %2 reasons:").arg(name).arg(refusals);

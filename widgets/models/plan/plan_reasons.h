@@ -20,7 +20,6 @@ struct PlanReason {
     PlanVerdict verdict = PlanVerdict::Open;
     QString text;
     PlanNodeId node{};
-    bool operator==(const PlanReason&) const = default;
 };
 
 /// The verdict in one sentence: "avoid does not run, for one reason:".

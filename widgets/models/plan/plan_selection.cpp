@@ -1,8 +1,5 @@
 #include "widgets/models/plan/plan_selection.h"
 
-#include <algorithm>
-#include <utility>
-
 namespace usar::widgets {
 
 namespace {
@@ -14,7 +11,7 @@ PlanNodeId sibling(const PlanTree& tree, PlanNodeId node, int by) {
         return {node.value + 1};
     if (what.in_card && (by < 0 || node.value + by <= what.parent.value + tree[what.parent].senses))
         return {node.value + by};
-    const PlanNodeId card = what.in_card ? what.parent : node;
+    const PlanNodeId card = tree.cardOf(node);
     if (!tree[card].parent.valid())
         return {};
     const auto cards = tree.children(tree[card].parent);
@@ -54,10 +51,6 @@ PlanNodeId nextOf(const std::vector<PlanNodeId>& nodes, PlanNodeId node, bool ba
     return after == nodes.end() ? nodes.front() : *after;
 }
 
-bool PlanSelection::set(PlanNodeId node) {
-    return std::exchange(node_, node) != node;
-}
-
 void PlanSelection::moveTo(const PlanTree& to, const PlanTree& from) {
     found_.clear();
     found_by_node_.clear();
@@ -72,14 +65,6 @@ void PlanSelection::search(const PlanTree& tree, const QString& words) {
     found_by_node_.assign(found_.empty() ? 0 : static_cast<std::size_t>(tree.size()), false);
     for (const PlanNodeId node : found_)
         found_by_node_[node.index()] = true;
-}
-
-bool PlanSelection::isFound() const {
-    return std::binary_search(found_.begin(), found_.end(), node_);
-}
-
-PlanNodeId PlanSelection::nextFound(bool backward) const {
-    return nextOf(found_, node_, backward);
 }
 
 } // namespace usar::widgets

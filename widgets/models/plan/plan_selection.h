@@ -1,6 +1,8 @@
 // The selected node of a drawn plan, the nodes that a search has found, and the steps of keyboard navigation.
 #pragma once
 
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "widgets/models/plan/plan_tree.h"
@@ -23,7 +25,7 @@ class PlanSelection {
 public:
     PlanNodeId node() const { return node_; }
     /// Returns true if another node was selected before.
-    bool set(PlanNodeId node);
+    bool set(PlanNodeId node) { return std::exchange(node_, node) != node; }
     /// Selects the same part in another tree, found by its names; if that part is now drawn elsewhere, by its path.
     /// Forgets the search.
     void moveTo(const PlanTree& to, const PlanTree& from);
@@ -34,9 +36,9 @@ public:
     const std::vector<PlanNodeId>& found() const { return found_; }
     /// The same by node: true if it was found; empty if none was.
     const std::vector<bool>& foundByNode() const { return found_by_node_; }
-    bool isFound() const;
+    bool isFound() const { return std::ranges::binary_search(found_, node_); }
     /// The found node after or before the selected one, wrapping around at both ends; none if none was found.
-    PlanNodeId nextFound(bool backward) const;
+    PlanNodeId nextFound(bool backward) const { return nextOf(found_, node_, backward); }
 
 private:
     PlanNodeId node_;

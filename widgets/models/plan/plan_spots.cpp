@@ -22,14 +22,6 @@ bool PlanPins::release(const PlanSpot& spot) {
                                               : std::erase_if(pins_.senses, is_of_spot)) > 0;
 }
 
-void PlanPins::pinAct(std::string_view call, posh::ActResult result) {
-    pins_.acts.push_back({std::string(call), result});
-}
-
-void PlanPins::pinSense(std::string_view call, const posh::Value& answer) {
-    pins_.senses.push_back({std::string(call), answer});
-}
-
 void PlanPins::toggleDrive(const PlanSpot& spot) {
     const agent::DriveOff drive{spot.path, spot.names};
     if (std::erase(pins_.drives_off, drive) == 0)

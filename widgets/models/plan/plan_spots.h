@@ -17,7 +17,6 @@ struct PlanSpot {
     std::string names; ///< the same path as names, separated by " ▸ "
     std::string call;  ///< the call as traces write it; empty unless the place is a sense or an act
     posh::PlaceKind kind = posh::PlaceKind::Collection;
-    bool operator==(const PlanSpot&) const = default;
 };
 
 /// The places that a node draws, in the order of the program: more than one if the plan uses the part at several places
@@ -34,8 +33,10 @@ public:
 
     /// Removes the pin of this sense or act; returns false if it has none.
     bool release(const PlanSpot& spot);
-    void pinAct(std::string_view call, posh::ActResult result);
-    void pinSense(std::string_view call, const posh::Value& answer);
+    void pinAct(std::string_view call, posh::ActResult result) { pins_.acts.push_back({std::string(call), result}); }
+    void pinSense(std::string_view call, const posh::Value& answer) {
+        pins_.senses.push_back({std::string(call), answer});
+    }
     /// Switches the drive off, or on again.
     void toggleDrive(const PlanSpot& spot);
 

@@ -62,13 +62,6 @@ std::string PlanTree::path(PlanNodeId node) const {
     return path;
 }
 
-QString PlanTree::trail(PlanNodeId node) const {
-    QStringList names;
-    for (PlanNodeId at = node; at.valid(); at = (*this)[at].parent)
-        names.prepend((*this)[at].name);
-    return names.join(QStringLiteral(" ▸ "));
-}
-
 PlanNodeId PlanTree::findKey(std::uint64_t key) const {
     const auto found = std::ranges::find(nodes_, key, &PlanNode::key);
     return found == nodes_.end() ? PlanNodeId{} : PlanNodeId{static_cast<int>(found - nodes_.begin())};

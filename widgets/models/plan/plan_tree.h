@@ -76,6 +76,8 @@ public:
     auto rows(PlanNodeId node) const { return planNodes(node.value, node.value + 1 + (*this)[node].senses); }
     /// The senses in its card.
     auto senses(PlanNodeId node) const { return planNodes(node.value + 1, node.value + 1 + (*this)[node].senses); }
+    /// The card that shows the node: its parent for a sense in a card, else itself.
+    PlanNodeId cardOf(PlanNodeId node) const { return (*this)[node].in_card ? (*this)[node].parent : node; }
     /// Number of nodes below its card, which do not include the senses in it.
     int countBelow(PlanNodeId node) const { return (*this)[node].end.value - node.value - 1 - (*this)[node].senses; }
     /// The cards directly below the node, in order, without the senses inside its own card.
@@ -88,8 +90,6 @@ public:
     PlanNodeId find(std::string_view path) const;
     /// The engine's path of the node.
     std::string path(PlanNodeId node) const;
-    /// "robot ▸ work ▸ pick-up ▸ grab": the names from the root to the node, for the user.
-    QString trail(PlanNodeId node) const;
     /// The node with this key, if there is one. Parts of the same name in one place differ by their order.
     PlanNodeId findKey(std::uint64_t key) const;
 

@@ -149,9 +149,7 @@ const std::vector<std::string>& PlanWatch::paths() const {
 }
 
 PlanTime PlanWatch::time() const {
-    PlanTime time;
-    time.live = live();
-    time.replay = is_replay_;
+    PlanTime time{.live = live(), .replay = is_replay_};
     const auto moment = shownMoment();
     if (!moment)
         return time;
@@ -175,10 +173,6 @@ PlanWatch::News PlanWatch::goToMoment(std::optional<std::size_t> moment, std::op
     return refresh();
 }
 
-PlanWatch::News PlanWatch::goLive() {
-    return goToMoment(std::nullopt, std::nullopt);
-}
-
 PlanWatch::News PlanWatch::goTo(Seconds time) {
     if (history_.moments().empty())
         return News::None;
@@ -196,11 +190,9 @@ PlanWatch::News PlanWatch::step(int cycles) {
 }
 
 PlanWatch::News PlanWatch::stepEpoch() {
-    if (!moment_ || !epoch_)
+    if (!moment_ || !epoch_ || *epoch_ + 1 >= history_.epochCount(*moment_))
         return News::None;
-    if (*epoch_ + 1 < history_.epochCount(*moment_))
-        return goToMoment(moment_, *epoch_ + 1);
-    return News::None;
+    return goToMoment(moment_, *epoch_ + 1);
 }
 
 PlanWatch::News PlanWatch::goToFirstEpoch() {
@@ -220,11 +212,9 @@ Seconds PlanWatch::timeOfStep(int cycles) const {
 }
 
 PlanSnapshot PlanWatch::snapshot() const {
-    PlanSnapshot snapshot;
-    snapshot.paths = paths_;
+    PlanSnapshot snapshot{.paths = paths_, .activities = {}, .now = seconds(activity().now_ms())};
     for (const posh::PlaceActivity& place : activity().places())
         snapshot.activities.push_back(shown(place));
-    snapshot.now = seconds(activity().now_ms());
     for (const posh::BoardEntry& entry : activity().board())
         snapshot.board.push_back(shown(entry, *program()));
     return snapshot;

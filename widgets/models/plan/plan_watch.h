@@ -19,10 +19,6 @@ namespace usar::widgets {
 /// replay is rewound, the known trace is kept, and an earlier moment of it becomes the current one. GUI thread.
 class PlanWatch {
 public:
-    PlanWatch() = default;
-    PlanWatch(const PlanWatch&) = delete;
-    PlanWatch& operator=(const PlanWatch&) = delete;
-
     /// Data of one update from a robot's session.
     struct Update {
         std::span<const agent::Published> published{};
@@ -55,7 +51,7 @@ public:
     /// True while it follows the run.
     bool live() const { return !moment_; }
     /// Follows the run again. This and the following return what has changed.
-    News goLive();
+    News goLive() { return goToMoment(std::nullopt, std::nullopt); }
     /// Goes to the cycle that was the newest at that time of the protocol clock.
     News goTo(Seconds time);
     /// Goes forward (or back, if negative) by this many cycles. From the newest cycle on, it follows the run.

@@ -12,8 +12,6 @@
 #include <QPainter>
 
 #include "widgets/plan/editor/plan_palette.h"
-#include "widgets/plan/plan_painter.h"
-#include "widgets/style/sheet.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
@@ -43,10 +41,8 @@ PlanCanvas::PlanCanvas(QWidget* parent) : PlanView(parent), line_(new QLineEdit(
 
 /// False for the root, for the collection, and on a fold mark.
 bool PlanCanvas::canBeTaken(PlanNodeId node, const QPointF& on_screen) {
-    if (!node.valid() || tree()[node].kind == PlanNodeKind::Plan || tree()[node].kind == PlanNodeKind::Collection)
-        return false;
-    const bool has_mark = !tree().children(node).empty() || tree()[node].link.valid();
-    return !has_mark || toLayout(on_screen).x() < layout().box(tree(), node).right() - plan_card::fold_px;
+    return node.valid() && tree()[node].kind != PlanNodeKind::Plan && tree()[node].kind != PlanNodeKind::Collection &&
+           !onFoldMark(node, on_screen);
 }
 
 void PlanCanvas::mousePressEvent(QMouseEvent* event) {
@@ -125,9 +121,7 @@ std::optional<std::variant<PlanPiece, PlanNodeId>> PlanCanvas::sourceOf(const QM
 }
 
 PlanCanvas::Hover PlanCanvas::hoverAt(const std::variant<PlanPiece, PlanNodeId>& source, const QPointF& on_screen) {
-    Hover hover;
-    hover.at = on_screen;
-    hover.node = nodeAt(on_screen);
+    Hover hover{.node = nodeAt(on_screen), .at = on_screen};
     if (hover.node.valid()) {
         const QRectF box = layout().box(tree(), hover.node);
         const double share = (toLayout(on_screen).y() - box.top()) / std::max(1.0, box.height());
@@ -174,15 +168,11 @@ void PlanCanvas::dropEvent(QDropEvent* event) {
         emit dropRefused();
 }
 
-PlanNodeId PlanCanvas::cardOf(PlanNodeId node) const {
-    return node.valid() && tree()[node].in_card ? tree()[node].parent : node;
-}
-
 /// A range consists of siblings: the steps of a pattern, or the members of a form.
 void PlanCanvas::extendTo(PlanNodeId node) {
-    const PlanNodeId from = cardOf(selected());
-    const PlanNodeId to = cardOf(node);
-    if (!from.valid() || !to.valid() || tree()[from].parent != tree()[to].parent)
+    const PlanNodeId from = tree().cardOf(selected());
+    const PlanNodeId to = tree().cardOf(node);
+    if (tree()[from].parent != tree()[to].parent)
         return;
     range_end_ = to == from ? PlanNodeId{} : to;
     update();
@@ -192,7 +182,7 @@ void PlanCanvas::extendTo(PlanNodeId node) {
 std::vector<PlanNodeId> PlanCanvas::range() const {
     if (!selected().valid() || !range_end_.valid())
         return selected().valid() ? std::vector<PlanNodeId>{selected()} : std::vector<PlanNodeId>();
-    const auto [first, last] = std::minmax({cardOf(selected()), range_end_});
+    const auto [first, last] = std::minmax({tree().cardOf(selected()), range_end_});
     std::vector<PlanNodeId> nodes;
     for (const PlanNodeId card : tree().children(tree()[first].parent))
         if (card >= first && card <= last)
@@ -205,7 +195,7 @@ void PlanCanvas::keyPressEvent(QKeyEvent* event) {
                          (event->key() == Qt::Key_Up || event->key() == Qt::Key_Down);
     if (!extends)
         return PlanView::keyPressEvent(event);
-    const PlanNodeId end = range_end_.valid() ? range_end_ : cardOf(selected());
+    const PlanNodeId end = range_end_.valid() ? range_end_ : tree().cardOf(selected());
     if (!tree()[end].parent.valid())
         return;
     const auto cards = tree().children(tree()[end].parent);

@@ -70,7 +70,7 @@ private:
         PlanNodeId node;
         DropZone zone = DropZone::Onto;
         QPointF at;
-        std::optional<PlanDeed> deed;
+        std::optional<PlanDeed> deed{};
     };
     /// True if the node can be dragged from that place.
     bool canBeTaken(PlanNodeId node, const QPointF& on_screen);
@@ -80,10 +80,8 @@ private:
     Hover hoverAt(const std::variant<PlanPiece, PlanNodeId>& source, const QPointF& on_screen);
     /// Closes the line editor; reports changed words if `keep`.
     void closeLine(bool keep);
-    /// Sets the end of the range if the node is a sibling of the selection.
+    /// Sets the end of the range if the node is a sibling of the selection; there must be one.
     void extendTo(PlanNodeId node);
-    /// The card that contains the node, which may be a sense row.
-    PlanNodeId cardOf(PlanNodeId node) const;
     /// The frame of a node on the screen, with some distance from it.
     QRectF frameOf(PlanNodeId node);
 

@@ -5,7 +5,6 @@
 #include <QAbstractItemView>
 #include <QKeyEvent>
 #include <QMenu>
-#include <QScopedValueRollback>
 #include <QScrollBar>
 #include <QStandardItemModel>
 #include <QTextBlock>
@@ -14,9 +13,8 @@
 #include "core/posh/language/token.h"
 #include "core/posh/model/keyword.h"
 #include "widgets/messages/completion_delegate.h"
-#include "widgets/models/plan/plan_places.h"
 #include "widgets/plan/plan_parts.h"
-#include "widgets/style/icons.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 #include "widgets/style/tool_button.h"
 
@@ -26,12 +24,11 @@ namespace {
 
 constexpr int letters_before_completion = 2;
 constexpr int indent_blanks = 2;
+constexpr int lamp_after_ms = 300;
 
 bool isNamePart(QChar c) {
     return c.isLetterOrNumber() || c == u'_' || c == u'-' || c == u'.' || c == u'$';
 }
-
-constexpr int lamp_after_ms = 300;
 
 } // namespace
 
@@ -83,8 +80,7 @@ const std::string& PlanCodeEdit::planText() const {
 }
 
 void PlanCodeEdit::resetText(std::string_view text) {
-    const QScopedValueRollback silent(quiet(), true);
-    setPlainText(editorText(text));
+    setPlanText(text, {});
     document()->setModified(false);
 }
 
@@ -96,12 +92,6 @@ std::size_t PlanCodeEdit::cursorOffset() const {
     return static_cast<std::size_t>(document()->toRawText().left(textCursor().position()).toUtf8().size()) -
            // Each paragraph separator has three bytes of UTF-8, but counts as the one byte of LF.
            2U * static_cast<std::size_t>(textCursor().blockNumber());
-}
-
-void PlanCodeEdit::setCursorOffset(std::size_t offset) {
-    QTextCursor cursor = textCursor();
-    cursor.setPosition(std::min(positionOf(offset), document()->characterCount() - 1));
-    setTextCursor(cursor);
 }
 
 void PlanCodeEdit::applyText(std::string_view wanted) {
@@ -151,7 +141,7 @@ bool PlanCodeEdit::asksSenses(std::size_t offset) const {
             open.pop_back();
         if (list.tokens[i].kind != posh::TokenKind::Open)
             continue;
-        const posh::Keyword word = posh::keywordOf(posh::textOf(planText(), list.tokens[i + 1].at));
+        const posh::Keyword word = list.tokens[i + 1].keyword;
         open.push_back((!open.empty() && open.back()) || word == posh::Keyword::Trigger || word == posh::Keyword::Goal);
     }
     return !open.empty() && open.back();
@@ -192,9 +182,8 @@ void PlanCodeEdit::newLine() {
     int depth = 0;
     for (const posh::Token& token : list.tokens)
         depth += token.kind == posh::TokenKind::Open ? 1 : token.kind == posh::TokenKind::Close ? -1 : 0;
-    int blanks = 0;
-    while (blanks < line.size() && line[blanks].isSpace())
-        ++blanks;
+    const auto text = std::ranges::find_if_not(line, [](QChar c) { return c.isSpace(); });
+    const int blanks = static_cast<int>(text - line.begin());
     const int indent = std::max(0, blanks + std::clamp(depth, -2, 1) * indent_blanks);
     textCursor().insertText(u'\n' + QString(indent, u' '));
     ensureCursorVisible();
@@ -315,21 +304,20 @@ void PlanCodeEdit::scrollContentsBy(int dx, int dy) {
 }
 
 PlanTextPane::PlanTextPane(QWidget* parent) : QWidget(parent) {
-    auto* column = makeColumn(this);
     edit_ = new PlanCodeEdit(this);
     edit_->setMinimumSize(120, 80);
     edit_->setContextMenuPolicy(Qt::CustomContextMenu);
-    column->addWidget(edit_, 1);
-    auto* row = new QHBoxLayout;
-    row->setSpacing(gap::tiny);
     finding_ = makeLabel(this);
     finding_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     fix_ = makeToolButton(tr("Offers fixes for this (Alt+Return)"), this, QStringLiteral("lamp"));
     fix_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     fix_->setText(tr("Fix"));
-    row->addWidget(finding_, 1);
-    row->addWidget(fix_, 0, Qt::AlignTop);
+    auto* const row = laidOut(new QHBoxLayout, gap::tiny, {finding_, fix_});
+    row->setStretchFactor(finding_, 1);
+    row->setAlignment(fix_, Qt::AlignTop);
+    auto* const column = laidOut(new QVBoxLayout(this), {}, gap::tiny, {edit_});
     column->addLayout(row);
+    column->setStretchFactor(edit_, 1);
     lamp_timer_.setSingleShot(true);
     lamp_timer_.setInterval(lamp_after_ms);
     connect(fix_, &QToolButton::clicked, this, &PlanTextPane::fixesRequested);

@@ -49,7 +49,6 @@ public:
     void setWords(const std::vector<PlanWord>& words);
     /// Position of the cursor in bytes of planText().
     std::size_t cursorOffset() const;
-    void setCursorOffset(std::size_t offset);
     /// Shows or hides a lamp beside the cursor's line, which says that fixes are available there.
     void setLamp(bool on);
 

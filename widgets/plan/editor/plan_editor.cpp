@@ -8,6 +8,7 @@
 #include "widgets/models/plan/plan_places.h"
 #include "widgets/plan/plan_parts.h"
 #include "widgets/plan/plan_picture.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
@@ -58,14 +59,12 @@ void PlanEditor::addWidgets() {
     state_->hide();
     head_ = new PlanEditorHead(actions_, {palette_, text_pane_, drawing_, lists_}, menus_, this);
     offer_ = new PlanOfferBar(this);
-    auto* column = makeColumn(this);
-    column->setContentsMargins(gap::small, gap::small, gap::small, gap::small);
+    auto* column = laidOut(new QVBoxLayout(this), {gap::small, gap::small, gap::small, gap::small}, gap::tiny,
+                           {head_, offer_, column_, state_});
     // By default the minimum width of the wide rows would keep the editor from becoming narrow.
     column->setSizeConstraint(QLayout::SetNoConstraint);
-    column->addWidget(head_);
-    column->addWidget(offer_);
-    column->addWidget(column_, 1);
-    column->addWidget(state_);
+    column->setStretchFactor(column_, 1);
+    onThemeChange(this, [this] { showFindings(); });
 }
 
 /// A narrow editor stacks what a wide one shows side by side, and starts without the palette.
@@ -82,12 +81,6 @@ void PlanEditor::resizeEvent(QResizeEvent* event) {
     body_->setSizes(narrow ? QList<int>{160, 300, 300} : QList<int>{200, 460, 620});
     if (first)
         column_->setSizes({600, 120});
-}
-
-void PlanEditor::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::PaletteChange && lists_)
-        showFindings();
-    QWidget::changeEvent(event);
 }
 
 void PlanEditor::connectAll() {
@@ -305,7 +298,7 @@ void PlanEditor::showState() {
 }
 
 void PlanEditor::say(const QString& words, bool refused) {
-    changeRole(state_, refused ? "danger" : "muted");
+    setRole(state_, refused ? "danger" : "muted");
     state_->setText(words);
     state_->setVisible(!words.isEmpty());
 }

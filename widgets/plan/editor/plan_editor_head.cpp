@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "widgets/plan/plan_parts.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 #include "widgets/style/tool_button.h"
 
@@ -11,11 +12,8 @@ namespace usar::widgets {
 PlanEditorHead::PlanEditorHead(const PlanActions& actions, const PlanEditorPanes& panes, const PlanEditorMenus& menus,
                                QWidget* parent)
     : QWidget(parent) {
-    rows_ = new QBoxLayout(QBoxLayout::LeftToRight, this);
-    rows_->setContentsMargins(0, 0, 0, 0);
-    rows_->setSpacing(gap::tiny);
-    auto* files = new QHBoxLayout;
-    files->setSpacing(gap::tiny);
+    rows_ = laidOut(new QBoxLayout(QBoxLayout::LeftToRight, this), {}, gap::tiny);
+    auto* files = laidOut(new QHBoxLayout, gap::tiny);
     addMenuButton(files, tr("New plan"), QStringLiteral("page"), menus.new_plan);
     addButton(files, actions.action("open"));
     addButton(files, actions.action("save"));
@@ -29,8 +27,7 @@ PlanEditorHead::PlanEditorHead(const PlanActions& actions, const PlanEditorPanes
     title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     files->addWidget(title_, 1);
     rows_->addLayout(files, 1);
-    auto* shown = new QHBoxLayout;
-    shown->setSpacing(gap::tiny);
+    auto* shown = laidOut(new QHBoxLayout, gap::tiny);
     palette_shown_ = addToggle(shown, tr("Shows the pieces that a plan can be made of"), "pieces", panes.palette);
     text_shown_ = addToggle(shown, tr("Shows the text"), "text", panes.text);
     drawing_shown_ = addToggle(shown, tr("Shows the drawing"), "branches", panes.drawing);
@@ -46,9 +43,7 @@ PlanEditorHead::PlanEditorHead(const PlanActions& actions, const PlanEditorPanes
 
 void PlanEditorHead::addButton(QBoxLayout* row, QAction* action) {
     QToolButton* const button = makeToolButton(action->toolTip(), this);
-    button->setDefaultAction(action);
-    button->setAutoRaise(true);
-    button->setAccessibleName(action->text());
+    showAction(button, action);
     button->setToolButtonStyle(Qt::ToolButtonIconOnly);
     row->addWidget(button);
 }
@@ -65,7 +60,6 @@ QToolButton* PlanEditorHead::addToggle(QBoxLayout* row, const QString& help, con
     button->setCheckable(true);
     connect(button, &QToolButton::toggled, what, &QWidget::setVisible);
     button->setChecked(true);
-    what->setVisible(true);
     row->addWidget(button);
     return button;
 }
@@ -98,16 +92,9 @@ void PlanEditorHead::showApply() {
     apply_->setVisible(applicable_ || !why_not_applicable_.isEmpty());
 }
 
-void PlanEditorHead::setNarrow(bool narrow) {
-    rows_->setDirection(narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
-}
-
 PlanOfferBar::PlanOfferBar(QWidget* parent) : QFrame(parent) {
     setProperty("role", "card");
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(gap::small, gap::tiny, gap::small, gap::tiny);
     words_ = makeLabel(this);
-    row->addWidget(words_, 1);
     accept_ = makeToolButton(tr("Accept"), this);
     accept_->setAutoRaise(false);
     connect(accept_, &QToolButton::clicked, this, [this] {
@@ -115,10 +102,10 @@ PlanOfferBar::PlanOfferBar(QWidget* parent) : QFrame(parent) {
         if (const auto run = std::exchange(run_, nullptr))
             run();
     });
-    row->addWidget(accept_);
     auto* no = makeToolButton(tr("Dismiss"), this, QStringLiteral("clear"));
     connect(no, &QToolButton::clicked, this, &QWidget::hide);
-    row->addWidget(no);
+    laidOut(new QHBoxLayout(this), {gap::small, gap::tiny, gap::small, gap::tiny}, -1, {words_, accept_, no})
+        ->setStretchFactor(words_, 1);
     hide();
 }
 

@@ -44,7 +44,7 @@ public:
     /// `runnable`: a robot could run the current text of the plan.
     void setRunnable(bool runnable);
     /// A narrow head has two rows.
-    void setNarrow(bool narrow);
+    void setNarrow(bool narrow) { rows_->setDirection(narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight); }
 
     void setPaletteShown(bool shown) { palette_shown_->setChecked(shown); }
     void showText() { text_shown_->setChecked(true); }

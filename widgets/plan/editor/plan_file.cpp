@@ -59,11 +59,7 @@ Result<std::string> PlanFile::open(const QString& path) {
         return tl::unexpected(bytes.error());
     has_mark_ = bytes->startsWith(byte_order_mark);
     has_crlf_ = bytes->contains("\r\n");
-    saved_ = textOf(*bytes);
-    path_ = path;
-    new_name_.clear();
-    keep_timer_.stop();
-    watch();
+    become(path, {}, textOf(*bytes));
     return saved_;
 }
 
@@ -78,32 +74,29 @@ Result<void> PlanFile::save(const QString& path, std::string_view text) {
         keep(text); // Now the copy is even more important.
         return written;
     }
-    saved_ = std::string(text);
-    path_ = path;
-    new_name_.clear();
-    watch();
+    become(path, {}, text);
     return {};
 }
 
 void PlanFile::startNew(const QString& name, std::string_view text) {
-    path_.clear();
-    new_name_ = name;
-    saved_ = std::string(text);
     has_crlf_ = has_mark_ = false;
+    become({}, name, text);
+}
+
+void PlanFile::become(const QString& path, const QString& new_name, std::string_view text) {
+    path_ = path;
+    new_name_ = new_name;
+    saved_ = text;
     keep_timer_.stop();
-    watch();
+    look_timer_.stop();
+    if (!watcher_.files().isEmpty())
+        watcher_.removePaths(watcher_.files());
+    if (!path_.isEmpty())
+        watcher_.addPath(path_);
 }
 
 QString PlanFile::name() const {
     return path_.isEmpty() ? new_name_ : QFileInfo(path_).fileName();
-}
-
-void PlanFile::watch() {
-    if (!watcher_.files().isEmpty())
-        watcher_.removePaths(watcher_.files());
-    look_timer_.stop();
-    if (!path_.isEmpty())
-        watcher_.addPath(path_);
 }
 
 /// Watches the file again, because a file that was replaced is a different one to the watcher.

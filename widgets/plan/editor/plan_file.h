@@ -53,8 +53,9 @@ private:
     void writeKept();
     /// Compares the file with the saved text after a change on disk.
     void look();
-    /// Watches the current file, and no other.
-    void watch();
+    /// Makes this file the current one, and watches it and no other. `path` is empty for a new plan, else `new_name`
+    /// is.
+    void become(const QString& path, const QString& new_name, std::string_view text);
 
     QString path_;
     QString new_name_;

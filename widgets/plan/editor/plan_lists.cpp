@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "widgets/style/empty_state.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
@@ -45,15 +46,12 @@ PlanLists::PlanLists(QWidget* parent) : QTabWidget(parent) {
 }
 
 QListWidget* PlanLists::addList(const QString& name, const QString& help, const QString& title, const QString& hint) {
-    auto* list = new QListWidget(this);
-    list->setAccessibleName(name);
-    list->setToolTip(help);
+    auto* list = named(new QListWidget(this), name, help);
     list->setWordWrap(true);
     list->setIconSize({14, 14});
     list->setFrameShape(QFrame::NoFrame);
     addTab(list, name);
-    auto* const sheet = new EmptyState(list);
-    sheet->setText(title, hint);
+    auto* const sheet = new EmptyState(list, title, hint);
     const auto show = [sheet, list] { sheet->setVisible(list->count() == 0); };
     connect(list->model(), &QAbstractItemModel::rowsInserted, sheet, show);
     connect(list->model(), &QAbstractItemModel::rowsRemoved, sheet, show);

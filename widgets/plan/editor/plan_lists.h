@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include <QIcon>
 #include <QListWidget>
 #include <QTabWidget>
 

@@ -6,7 +6,9 @@
 
 #include "core/posh/model/literal.h"
 #include "widgets/plan/plan_parts.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
 #include "widgets/style/tool_button.h"
 
 namespace usar::widgets {
@@ -21,6 +23,40 @@ constexpr std::size_t first_form_group = 2; ///< the groups from here on are in 
 QString answerWord(agent::AnswerType type) {
     constexpr std::array words{"anything", "true or false", "a whole number", "a number", "a text", "a symbol"};
     return QObject::tr(words[static_cast<std::size_t>(type)]); // In the order of the types.
+}
+
+/// Describes a sense or act in sentences, one per line: help, type and unit of the answer, parameters, requirements.
+QString helpText(const agent::PrimitiveDescription& primitive) {
+    QStringList lines{QString::fromStdString(primitive.help)};
+    if (primitive.kind == agent::PrimitiveKind::Sense)
+        lines << (primitive.unit.empty()
+                      ? QObject::tr("Answers with %1.").arg(answerWord(primitive.answer))
+                      : QObject::tr("Answers with %1 in %2.")
+                            .arg(answerWord(primitive.answer), QString::fromStdString(primitive.unit)));
+    for (const agent::PoshParameter& parameter : primitive.parameters)
+        lines << QStringLiteral("$%1=%2: %3%4")
+                     .arg(QString::fromStdString(parameter.name),
+                          QString::fromStdString(posh::spelled(parameter.default_value)),
+                          QString::fromStdString(agent::typeText(parameter)),
+                          parameter.help.empty() ? QString()
+                                                 : QStringLiteral(". ") + QString::fromStdString(parameter.help));
+    if (!primitive.needs.empty()) {
+        QStringList needs;
+        for (const std::string& need : primitive.needs)
+            needs << QString::fromStdString(need);
+        lines << QObject::tr("Needs %1.").arg(needs.join(QStringLiteral(", ")));
+    }
+    lines.removeAll(QString());
+    return lines.join(u'\n');
+}
+
+/// Returns the initial test of a sense in a plan: numbers are compared with 0, everything else is tested without a
+/// comparison.
+QString firstTest(const agent::PrimitiveDescription& sense) {
+    const QString name = QString::fromStdString(sense.name);
+    return sense.answer == agent::AnswerType::Integer ? name + QStringLiteral(" 0 >")
+           : sense.answer == agent::AnswerType::Real  ? name + QStringLiteral(" 0.0 >")
+                                                      : name;
 }
 
 /// A list whose items can be dragged as pieces.
@@ -64,52 +100,18 @@ std::optional<PlanPiece> pieceOf(const QMimeData& data) {
     return PlanPiece{kind == u"sense", text.section(u' ', 1)};
 }
 
-QString helpText(const agent::PrimitiveDescription& primitive) {
-    QStringList lines{QString::fromStdString(primitive.help)};
-    if (primitive.kind == agent::PrimitiveKind::Sense)
-        lines << (primitive.unit.empty()
-                      ? QObject::tr("Answers with %1.").arg(answerWord(primitive.answer))
-                      : QObject::tr("Answers with %1 in %2.")
-                            .arg(answerWord(primitive.answer), QString::fromStdString(primitive.unit)));
-    for (const agent::PoshParameter& parameter : primitive.parameters)
-        lines << QStringLiteral("$%1=%2: %3%4")
-                     .arg(QString::fromStdString(parameter.name),
-                          QString::fromStdString(posh::spelled(parameter.default_value)),
-                          QString::fromStdString(agent::typeText(parameter)),
-                          parameter.help.empty() ? QString()
-                                                 : QStringLiteral(". ") + QString::fromStdString(parameter.help));
-    if (!primitive.needs.empty()) {
-        QStringList needs;
-        for (const std::string& need : primitive.needs)
-            needs << QString::fromStdString(need);
-        lines << QObject::tr("Needs %1.").arg(needs.join(QStringLiteral(", ")));
-    }
-    lines.removeAll(QString());
-    return lines.join(u'\n');
-}
-
-QString firstTest(const agent::PrimitiveDescription& sense) {
-    const QString name = QString::fromStdString(sense.name);
-    return sense.answer == agent::AnswerType::Integer ? name + QStringLiteral(" 0 >")
-           : sense.answer == agent::AnswerType::Real  ? name + QStringLiteral(" 0.0 >")
-                                                      : name;
-}
-
 PlanPalette::PlanPalette(QWidget* parent)
     : QWidget(parent)
     , search_(makeSearchLine(tr("Find a piece"), tr("Names and descriptions; Return goes to the list"), this))
     , list_(new PieceList(this))
     , help_(makeLabel(this, "muted")) {
     setAccessibleName(tr("Pieces"));
-    list_->setAccessibleName(tr("Senses, acts and forms"));
-    list_->setToolTip(tr("Drag a piece into the drawing; Return or a double-click adds it at the selected part"));
+    named(list_, tr("Senses, acts and forms"),
+          tr("Drag a piece into the drawing; Return or a double-click adds it at the selected part"));
     help_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     help_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     help_->setMinimumHeight(3 * help_->fontMetrics().height());
-    auto* column = makeColumn(this);
-    column->addWidget(search_);
-    column->addWidget(list_, 1);
-    column->addWidget(help_);
+    laidOut(new QVBoxLayout(this), {}, gap::tiny, {search_, list_, help_})->setStretchFactor(list_, 1);
     connect(search_, &QLineEdit::textChanged, this, &PlanPalette::applyFilter);
     connect(search_, &QLineEdit::returnPressed, this, [this] { list_->setFocus(Qt::OtherFocusReason); });
     connect(list_, &QTreeWidget::currentItemChanged, this, &PlanPalette::explain);
@@ -154,32 +156,30 @@ void PlanPalette::setPlan(const posh::Plan& plan) {
     rebuild();
 }
 
-void PlanPalette::addGroup(const QString& title, const char* icon_name, const std::vector<Entry>& entries) {
-    auto* head = new QTreeWidgetItem(list_, {title});
-    head->setFlags(Qt::ItemIsEnabled);
-    QFont font = list_->font();
-    font.setWeight(QFont::DemiBold);
-    head->setFont(0, font);
-    for (const Entry& entry : entries) {
-        auto* item = new QTreeWidgetItem(head, {entry.name});
-        item->setData(0, help_role, entry.help);
-        item->setData(0, words_role, entry.piece.words);
-        item->setData(0, sense_role, entry.piece.is_sense);
-        item->setIcon(0, icon(QString::fromLatin1(icon_name)));
-        item->setToolTip(0, entry.help);
-        item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled);
-    }
-    head->setExpanded(true);
-}
-
 void PlanPalette::rebuild() {
     const auto before = chosen();
     list_->clear();
     const std::array titles{tr("Senses"), tr("Acts"), tr("Competences"), tr("Action patterns"), tr("Adopts")};
     constexpr std::array icons{"eye", "play", "branches", "step", "reset"};
-    for (std::size_t i = 0; i < groups_.size(); ++i)
-        if (i < first_form_group || !groups_[i].empty())
-            addGroup(titles[i], icons[i], groups_[i]);
+    QFont font = list_->font();
+    font.setWeight(QFont::DemiBold);
+    for (std::size_t i = 0; i < groups_.size(); ++i) {
+        if (i >= first_form_group && groups_[i].empty())
+            continue;
+        auto* head = new QTreeWidgetItem(list_, {titles[i]});
+        head->setFlags(Qt::ItemIsEnabled);
+        head->setFont(0, font);
+        for (const Entry& entry : groups_[i]) {
+            auto* item = new QTreeWidgetItem(head, {entry.name});
+            item->setData(0, help_role, entry.help);
+            item->setData(0, words_role, entry.piece.words);
+            item->setData(0, sense_role, entry.piece.is_sense);
+            item->setIcon(0, icon(QString::fromLatin1(icons[i])));
+            item->setToolTip(0, entry.help);
+            item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled);
+        }
+        head->setExpanded(true);
+    }
     applyFilter();
     for (QTreeWidgetItemIterator item(list_); before && *item; ++item)
         if ((*item)->data(0, words_role).toString() == before->words)

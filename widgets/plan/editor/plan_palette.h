@@ -26,11 +26,6 @@ QMimeData* mimeOf(const PlanPiece& piece);
 /// The piece in the data; nullopt if there is none.
 std::optional<PlanPiece> pieceOf(const QMimeData& data);
 
-/// Describes a sense or act in sentences, one per line: help, type and unit of the answer, parameters, requirements.
-QString helpText(const agent::PrimitiveDescription& primitive);
-/// Initial test of a sense in a plan: numbers are compared with 0, everything else is tested without a comparison.
-QString firstTest(const agent::PrimitiveDescription& sense);
-
 /// A search line above a grouped list, and an explanation of the selected piece below it. Pieces are dragged from the
 /// list, or added by double-click or Return. GUI thread.
 class PlanPalette : public QWidget {
@@ -62,7 +57,6 @@ private:
         PlanPiece piece;
         bool operator==(const Entry&) const = default;
     };
-    void addGroup(const QString& title, const char* icon_name, const std::vector<Entry>& entries);
     void rebuild();
     void applyFilter();
     void explain();

@@ -8,32 +8,41 @@ PlanPartCommands::PlanPartCommands(PlanActions& actions, PlanPartEditor& parts, 
     : QObject(parent)
     , actions_(actions)
     , parts_(parts)
-    , canvas_(canvas) {
+    , canvas_(canvas)
+    , menu_(new QMenu(&canvas)) {
+    menu_->setToolTipsVisible(true);
     addChanges();
+    menu_->addSeparator();
     addMoves();
+    menu_->addSeparator();
     addWraps();
     addForms();
-    fillMenu();
+    menu_->addSeparator();
+    menu_->addAction(actions_.add(
+        {"usages", tr("Find usages"), tr("Lists all places that use it"), "search", QKeySequence("Shift+F12")},
+        [this] { emit usagesRequested(); }));
+    add(menu_, "show_text", tr("Show in the text"), tr("Goes to its place in the text"), "text", {},
+        [this] { emit textRequested(); });
 }
 
-void PlanPartCommands::add(const char* name, const QString& text, const QString& help, const char* icon,
+void PlanPartCommands::add(QMenu* menu, const char* name, const QString& text, const QString& help, const char* icon,
                            const QKeySequence& keys, std::function<void()> run) {
-    actions_.add({name, text, help, icon, keys, true}, std::move(run));
+    menu->addAction(actions_.add({name, text, help, icon, keys, true}, std::move(run)));
 }
 
 void PlanPartCommands::addChanges() {
     const auto edits = [this](InPlace what) { return [this, what] { parts_.editInPlace(what); }; };
-    add("edit", tr("Edit"), tr("Edits its name, call or sense in place"), "", Qt::Key_F2, edits(InPlace::Words));
-    add("values", tr("Values…"), tr("Edits arguments, comparison and operand, each by its type and range"), "",
+    add(menu_, "edit", tr("Edit"), tr("Edits its name, call or sense in place"), "", Qt::Key_F2, edits(InPlace::Words));
+    add(menu_, "values", tr("Values…"), tr("Edits arguments, comparison and operand, each by its type and range"), "",
         Qt::Key_V, [this] { parts_.editValues(); });
-    actions_.add({"rename", tr("Rename everywhere"), tr("Renames it and everything that refers to it"), "",
-                  QKeySequence("Shift+F2")},
-                 edits(InPlace::Rename));
-    add("trigger", tr("Trigger or goal"), tr("Edits when it may run, or when it is done"), "", Qt::Key_T,
+    menu_->addAction(actions_.add({"rename", tr("Rename everywhere"), tr("Renames it and everything that refers to it"),
+                                   "", QKeySequence("Shift+F2")},
+                                  edits(InPlace::Rename)));
+    add(menu_, "trigger", tr("Trigger or goal"), tr("Edits when it may run, or when it is done"), "", Qt::Key_T,
         edits(InPlace::Trigger));
-    add("limit", tr("Limit"), tr("Edits how often it may start, or how long it may take"), "", Qt::Key_L,
+    add(menu_, "limit", tr("Limit"), tr("Edits how often it may start, or how long it may take"), "", Qt::Key_L,
         edits(InPlace::Limit));
-    add("comment", tr("Comment"), tr("Edits the comment about it"), "", Qt::Key_C, edits(InPlace::Comment));
+    add(menu_, "comment", tr("Comment"), tr("Edits the comment about it"), "", Qt::Key_C, edits(InPlace::Comment));
 }
 
 void PlanPartCommands::addMoves() {
@@ -41,67 +50,51 @@ void PlanPartCommands::addMoves() {
         return
             [=, this] { parts_.perform([=](const auto& text, const auto& part) { return edit(text, part, steps); }); };
     };
-    add("move_up", tr("Move up"), tr("Makes it more important, or earlier"), "up", QKeySequence("Alt+Up"),
+    add(menu_, "move_up", tr("Move up"), tr("Makes it more important, or earlier"), "up", QKeySequence("Alt+Up"),
         by(posh::shiftPart, -1));
-    add("move_down", tr("Move down"), tr("Makes it less important, or later"), "down", QKeySequence("Alt+Down"),
+    add(menu_, "move_down", tr("Move down"), tr("Makes it less important, or later"), "down", QKeySequence("Alt+Down"),
         by(posh::shiftPart, 1));
-    add("join_up", tr("Make equal with the one above"), tr("Gives both the same priority"), "",
+    add(menu_, "join_up", tr("Make equal with the one above"), tr("Gives both the same priority"), "",
         QKeySequence("Alt+Shift+Up"), by(posh::joinLevel, -1));
-    add("join_down", tr("Make equal with the one below"), tr("Gives both the same priority"), "",
+    add(menu_, "join_down", tr("Make equal with the one below"), tr("Gives both the same priority"), "",
         QKeySequence("Alt+Shift+Down"), by(posh::joinLevel, 1));
-    add("add_before", tr("Add before"), tr("Adds a new one of its kind before it"), "", QKeySequence("Shift+Ins"),
-        [this] { parts_.addMember(true); });
-    add("add_after", tr("Add after"), tr("Adds a new one of its kind after it"), "plus", QKeySequence("Ins"),
+    add(menu_, "swap", tr("Swap with…"), tr("Remembers it; then use this on another part to swap the two"), "",
+        Qt::Key_X, [this] { parts_.swap(); });
+    menu_->addSeparator();
+    add(menu_, "add_before", tr("Add before"), tr("Adds a new one of its kind before it"), "",
+        QKeySequence("Shift+Ins"), [this] { parts_.addMember(true); });
+    add(menu_, "add_after", tr("Add after"), tr("Adds a new one of its kind after it"), "plus", QKeySequence("Ins"),
         [this] { parts_.addMember(false); });
-    add("swap", tr("Swap with…"), tr("Remembers it; then use this on another part to swap the two"), "", Qt::Key_X,
-        [this] { parts_.swap(); });
-    add("duplicate", tr("Duplicate"), tr("Adds a copy of it under another name"), "", QKeySequence("Ctrl+D"),
+    add(menu_, "duplicate", tr("Duplicate"), tr("Adds a copy of it under another name"), "", QKeySequence("Ctrl+D"),
         [this] { parts_.perform(posh::duplicatePart); });
-    add("delete", tr("Delete"), tr("Removes it from the plan"), "trash", QKeySequence::Delete,
+    add(menu_, "delete", tr("Delete"), tr("Removes it from the plan"), "trash", QKeySequence::Delete,
         [this] { parts_.perform(posh::removePart); });
 }
 
 void PlanPartCommands::addWraps() {
-    add("wrap_competence", tr("Wrap in a competence"),
+    QMenu* const wraps = menu_->addMenu(tr("Wrap or unwrap"));
+    add(wraps, "wrap_competence", tr("Wrap in a competence"),
         tr("Puts a competence that does this in its place; Shift+Down includes its neighbors"), "",
         QKeySequence("Ctrl+1"), [this] { parts_.wrap(posh::FormKind::C); });
-    add("wrap_pattern", tr("Wrap in an action pattern"),
+    add(wraps, "wrap_pattern", tr("Wrap in an action pattern"),
         tr("Puts a pattern that does this in its place; Shift+Down includes its neighbors"), "", QKeySequence("Ctrl+2"),
         [this] { parts_.wrap(posh::FormKind::Ap); });
-    add("wrap_adopt", tr("Wrap in an adopt"), tr("Puts an adopt that does this in its place"), "",
+    add(wraps, "wrap_adopt", tr("Wrap in an adopt"), tr("Puts an adopt that does this in its place"), "",
         QKeySequence("Ctrl+3"), [this] { parts_.wrap(posh::FormKind::Ad); });
-    add("inline", tr("Replace call by content"), tr("Puts what it does in place of its call"), "",
+    add(wraps, "inline", tr("Replace call by content"), tr("Puts what it does in place of its call"), "",
         QKeySequence("Ctrl+0"), [this] { parts_.inlineSelected(); });
-    actions_.add({"usages", tr("Find usages"), tr("Lists all places that use it"), "search", QKeySequence("Shift+F12")},
-                 [this] { emit usagesRequested(); });
-    add("show_text", tr("Show in the text"), tr("Goes to its place in the text"), "text", {},
-        [this] { emit textRequested(); });
 }
 
 void PlanPartCommands::addForms() {
-    const auto addForm = [this](const char* name, const QString& text, posh::FormKind kind, const std::string& base) {
-        actions_.add({name, text, tr("Adds one that does nothing yet; drag pieces into it")},
-                     [this, kind, base] { parts_.addForm(kind, base); });
+    QMenu* const forms = menu_->addMenu(tr("New form"));
+    const auto addForm = [&](const char* name, const QString& text, posh::FormKind kind, const std::string& base) {
+        add(forms, name, text, tr("Adds one that does nothing yet; drag pieces into it"), "", {},
+            [this, kind, base] { parts_.addForm(kind, base); });
     };
     addForm("new_competence", tr("New competence"), posh::FormKind::C, "choose");
     addForm("new_pattern", tr("New action pattern"), posh::FormKind::Ap, "steps");
     addForm("new_adopt", tr("New adopt"), posh::FormKind::Ad, "keep");
     addForm("new_collection", tr("New drive collection"), posh::FormKind::Dc, "life");
-}
-
-void PlanPartCommands::fillMenu() {
-    menu_ = new QMenu(&canvas_);
-    menu_->setToolTipsVisible(true);
-    actions_.fill(*menu_, {"edit", "values", "rename", "trigger", "limit", "comment"});
-    menu_->addSeparator();
-    actions_.fill(*menu_, {"move_up", "move_down", "join_up", "join_down", "swap"});
-    menu_->addSeparator();
-    actions_.fill(*menu_, {"add_before", "add_after", "duplicate", "delete"});
-    menu_->addSeparator();
-    actions_.fill(*menu_->addMenu(tr("Wrap or unwrap")), {"wrap_competence", "wrap_pattern", "wrap_adopt", "inline"});
-    actions_.fill(*menu_->addMenu(tr("New form")), {"new_competence", "new_pattern", "new_adopt", "new_collection"});
-    menu_->addSeparator();
-    actions_.fill(*menu_, {"usages", "show_text"});
 }
 
 void PlanPartCommands::enable() {

@@ -26,14 +26,13 @@ signals:
     void textRequested();
 
 private:
-    /// Adds a command whose keys work in the drawing only.
-    void add(const char* name, const QString& text, const QString& help, const char* icon, const QKeySequence& keys,
-             std::function<void()> run);
+    /// Adds a command whose keys work in the drawing only, here and to a menu.
+    void add(QMenu* menu, const char* name, const QString& text, const QString& help, const char* icon,
+             const QKeySequence& keys, std::function<void()> run);
     void addChanges();
     void addMoves();
     void addWraps();
     void addForms();
-    void fillMenu();
 
     PlanActions& actions_;
     PlanPartEditor& parts_;

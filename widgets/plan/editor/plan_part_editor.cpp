@@ -6,6 +6,8 @@
 #include "core/posh/edit/plan_phrase.h"
 #include "widgets/plan/editor/plan_values_dialog.h"
 #include "widgets/plan/plan_parts.h"
+#include "widgets/style/form_parts.h"
+#include "widgets/style/theme.h"
 
 namespace usar::widgets {
 
@@ -36,14 +38,6 @@ void PlanPartEditor::draw(const posh::Plan& plan, bool is_readable) {
     canvas_.setPlan(plan_);
     if (is_readable)
         gestures_.emplace(drawn_text_, plan_, canvas_.tree());
-}
-
-std::optional<PlanPart> PlanPartEditor::selectedPart() const {
-    return partOfNode(plan_, canvas_.tree(), canvas_.selected());
-}
-
-std::optional<PlanPart> PlanPartEditor::selectedCall() const {
-    return callOfNode(plan_, canvas_.tree(), canvas_.selected());
 }
 
 std::optional<PlanPart> PlanPartEditor::selectedCallOrPart() const {
@@ -88,17 +82,16 @@ void PlanPartEditor::addForm(posh::FormKind kind, const std::string& base_name) 
 }
 
 void PlanPartEditor::wrap(posh::FormKind kind) {
-    if (canvas_.rangeEnd().valid())
-        return wrapRange(kind);
-    if (const auto part = selectedCallOrPart(); part && gestures())
-        perform(posh::wrapCall(drawn_text_, *part, kind));
-}
-
-/// Wraps all parts of the range that is selected in the drawing.
-void PlanPartEditor::wrapRange(posh::FormKind kind) {
+    if (!gestures())
+        return;
+    if (!canvas_.rangeEnd().valid()) {
+        if (const auto part = selectedCallOrPart())
+            perform(posh::wrapCall(drawn_text_, *part, kind));
+        return;
+    }
     const std::vector<PlanNodeId> nodes = canvas_.range();
-    const auto first = gestures() ? partMeant(nodes.front()) : std::nullopt;
-    const auto last = gestures() ? partMeant(nodes.back()) : std::nullopt;
+    const auto first = partMeant(nodes.front());
+    const auto last = partMeant(nodes.back());
     if (first && last)
         perform(posh::wrapParts(drawn_text_, *first, *last, kind));
 }
@@ -162,13 +155,12 @@ void PlanPartEditor::enterWords(PlanNodeId node, const QString& entered, int wha
 }
 
 /// Returns the robot's description of a sense or act, or the parameters of a form of the plan, or only the name.
-agent::PrimitiveDescription PlanPartEditor::describe(const posh::Call& call, agent::PrimitiveKind kind) const {
+agent::PrimitiveDescription PlanPartEditor::describe(const posh::Call& call) const {
     const auto known = std::ranges::find(primitives_, call.name.text, &agent::PrimitiveDescription::name);
     if (known != primitives_.end())
         return *known;
     agent::PrimitiveDescription description;
     description.name = call.name.text;
-    description.kind = kind;
     for (const posh::Form& form : plan_.forms)
         if (posh::nameOf(form).text == call.name.text)
             for (const posh::Formal& formal : posh::formalsOf(form))
@@ -182,8 +174,7 @@ void PlanPartEditor::editValues() {
     if (!call)
         return;
     const posh::SenseTest* const test = posh::senseOf(plan_, *part);
-    auto* const dialog = test ? new PlanValuesDialog(describe(*call, agent::PrimitiveKind::Sense), *test, owner_)
-                              : new PlanValuesDialog(describe(*call, agent::PrimitiveKind::Act), *call, owner_);
+    auto* const dialog = new PlanValuesDialog(describe(*call), test ? posh::Step(*test) : *call, owner_);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this,
             [this, dialog, part = *part, is_sense = test != nullptr, text = drawn_text_] {
@@ -227,13 +218,11 @@ void PlanPartEditor::swap() {
 }
 
 PlanDrawingPane::PlanDrawingPane(const PlanCodeEdit& text, QWidget* editor) : QWidget(editor) {
-    auto* column = makeColumn(this);
     stale_ = makeLabel(this, "caution");
     stale_->hide();
     canvas_ = new PlanCanvas(this);
     canvas_->setMinimumSize(120, 100);
-    column->addWidget(stale_);
-    column->addWidget(canvas_, 1);
+    laidOut(new QVBoxLayout(this), {}, gap::tiny, {stale_, canvas_})->setStretchFactor(canvas_, 1);
     parts_ = new PlanPartEditor(*canvas_, text, editor);
 }
 

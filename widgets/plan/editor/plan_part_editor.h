@@ -42,8 +42,8 @@ public:
     bool isDrawn() const { return drawn_text_ == text_.planText(); }
     /// The possible edits of the drawing; nullptr while nothing can be edited.
     const PlanGestures* gestures() const { return gestures_ && isDrawn() ? &*gestures_ : nullptr; }
-    std::optional<posh::PlanPart> selectedPart() const;
-    std::optional<posh::PlanPart> selectedCall() const;
+    std::optional<posh::PlanPart> selectedPart() const { return partOfNode(plan_, canvas_.tree(), canvas_.selected()); }
+    std::optional<posh::PlanPart> selectedCall() const { return callOfNode(plan_, canvas_.tree(), canvas_.selected()); }
     /// The selected call, or else the selected part.
     std::optional<posh::PlanPart> selectedCallOrPart() const;
 
@@ -77,8 +77,7 @@ private:
     /// Requests an edit, or says why it is impossible.
     void perform(const Result<posh::PlanEdit>& edit);
     void enterWords(PlanNodeId node, const QString& entered, int what);
-    void wrapRange(posh::FormKind kind);
-    agent::PrimitiveDescription describe(const posh::Call& call, agent::PrimitiveKind kind) const;
+    agent::PrimitiveDescription describe(const posh::Call& call) const;
 
     PlanCanvas& canvas_;
     const PlanCodeEdit& text_;

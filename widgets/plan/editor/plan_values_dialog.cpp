@@ -3,22 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-
-#include <QHBoxLayout>
+#include <utility>
 
 #include "core/posh/edit/plan_phrase.h"
 #include "core/posh/language/plan_reader.h"
 #include "core/posh/model/literal.h"
 #include "widgets/plan/plan_parts.h"
+#include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
 
 using agent::AnswerType;
 using posh::Predicate;
-
-using agent::AnswerType;
 
 namespace {
 
@@ -71,39 +68,37 @@ QString spellingOf(const PlanValue& value) {
     return QString::fromStdString(literal.spelling.empty() ? posh::spelled(literal.value) : literal.spelling);
 }
 
-} // namespace
-
+/// Returns the shape of a parameter of a sense or act, from its default, range and choices.
 ValueShape shapeOf(const agent::PoshParameter& parameter) {
     return {planTypeOf(parameter.default_value), QString::fromStdString(parameter.unit), parameter.minimum,
             parameter.maximum, parameter.choices};
 }
 
+/// Returns the shape of a sense's answer.
 ValueShape shapeOf(const agent::PrimitiveDescription& sense) {
     return {sense.answer, QString::fromStdString(sense.unit), sense.minimum, sense.maximum, sense.choices};
 }
+
+} // namespace
 
 ValueField::ValueField(const ValueShape& shape, const PlanValue& value, const QString& name, QWidget* parent)
     : QWidget(parent)
     , first_(value)
     , type_(shape.type) {
-    QWidget* const editor = makeEditor(shape);
+    const auto* const literal = std::get_if<posh::Literal>(&first_);
+    QWidget* editor = nullptr;
+    if (!literal || !fitsShape(shape, literal->value))
+        editor = makeWords();
+    else if (type_ == AnswerType::Boolean)
+        editor = makeChoice({"true", "false"}, std::get<bool>(literal->value) ? "true" : "false");
+    else if (type_ == AnswerType::Symbol)
+        editor = makeChoice(shape.choices, std::get<posh::Symbol>(literal->value).text);
+    else
+        editor = makeNumber(shape, posh::numberOf(literal->value));
     editor->setAccessibleName(name);
     editor->setMinimumWidth(160);
     setFocusProxy(editor);
-    auto* const row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->addWidget(editor);
-}
-
-QWidget* ValueField::makeEditor(const ValueShape& shape) {
-    const auto* const literal = std::get_if<posh::Literal>(&first_);
-    if (!literal || !fitsShape(shape, literal->value))
-        return makeWords();
-    if (type_ == AnswerType::Boolean)
-        return makeChoice({"true", "false"}, std::get<bool>(literal->value) ? "true" : "false");
-    if (type_ == AnswerType::Symbol)
-        return makeChoice(shape.choices, std::get<posh::Symbol>(literal->value).text);
-    return makeNumber(shape, posh::numberOf(literal->value));
+    laidOut(new QHBoxLayout(this), {}, 0, {editor});
 }
 
 QWidget* ValueField::makeChoice(const std::vector<std::string>& choices, const std::string& chosen) {
@@ -166,32 +161,23 @@ std::optional<PlanValue> ValueField::value() const {
     return was && is && was->value == is->value ? first_ : now;
 }
 
-PlanValuesDialog::PlanValuesDialog(const agent::PrimitiveDescription& sense, posh::SenseTest test, QWidget* parent)
+PlanValuesDialog::PlanValuesDialog(agent::PrimitiveDescription description, const posh::Step& step, QWidget* parent)
     : QDialog(parent)
-    , description_(sense)
-    , first_(std::move(test))
-    , form_(new QFormLayout(this)) {
+    , description_(std::move(description))
+    , form_(laidOut(new QFormLayout(this), gap::small)) {
+    const auto* const test = std::get_if<posh::SenseTest>(&step);
+    first_ = test ? *test : posh::SenseTest{std::get<posh::Call>(step), {}, {}};
     addHead();
     addArguments();
-    addComparison();
-    addEnd();
-}
-
-PlanValuesDialog::PlanValuesDialog(const agent::PrimitiveDescription& act, posh::Call call, QWidget* parent)
-    : QDialog(parent)
-    , description_(act)
-    , first_{std::move(call), {}, {}}
-    , form_(new QFormLayout(this)) {
-    addHead();
-    addArguments();
-    if (arguments_.empty())
+    if (test)
+        addComparison();
+    else if (arguments_.empty())
         form_->addRow(new QLabel(tr("It takes no values."), this));
     addEnd();
 }
 
 void PlanValuesDialog::addHead() {
     setWindowTitle(tr("Values"));
-    form_->setSpacing(gap::small);
     form_->addRow(makeLabel(this, "title", QString::fromStdString(first_.call.name.text)));
     if (description_.help.empty())
         return;
@@ -221,17 +207,14 @@ void PlanValuesDialog::addArguments() {
         form_->addRow(name, row.field);
         arguments_.push_back(row);
     }
-    for (std::size_t k = 0; k < given.size(); ++k)
-        if (!is_shown[k])
-            addUndeclared(k);
-}
-
-void PlanValuesDialog::addUndeclared(std::size_t argument) {
-    const posh::Argument& given = first_.call.arguments[argument];
-    const QString name = given.name.empty() ? tr("Argument %1").arg(argument + 1) : QString::fromStdString(given.name);
-    auto* const field = new ValueField({}, given.value, name, this);
-    form_->addRow(name, field);
-    arguments_.push_back({argument, nullptr, field});
+    for (std::size_t k = 0; k < given.size(); ++k) {
+        if (is_shown[k])
+            continue;
+        const QString name =
+            given[k].name.empty() ? tr("Argument %1").arg(k + 1) : QString::fromStdString(given[k].name);
+        arguments_.push_back({k, nullptr, new ValueField({}, given[k].value, name, this)});
+        form_->addRow(name, arguments_.back().field);
+    }
 }
 
 void PlanValuesDialog::addComparison() {
@@ -303,7 +286,7 @@ void PlanValuesDialog::check() {
     }
     phrase_->setText(fine ? QString::fromStdString(posh::phraseOf(test()))
                           : tr("This is not a value. Write true, false, a number, 'a-symbol or \"a text\"."));
-    changeRole(phrase_, fine ? "muted" : "danger");
+    setRole(phrase_, fine ? "muted" : "danger");
     ok_->setEnabled(fine);
 }
 

@@ -4,7 +4,6 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -30,10 +29,6 @@ struct ValueShape {
     double maximum = 0.0;
     std::vector<std::string> choices{};
 };
-/// The shape of a parameter of a sense or act, from its default, range and choices.
-ValueShape shapeOf(const agent::PoshParameter& parameter);
-/// The shape of a sense's answer.
-ValueShape shapeOf(const agent::PrimitiveDescription& sense);
 
 /// A value in a call: a literal, or a parameter of the enclosing form.
 using PlanValue = std::variant<posh::Literal, posh::Variable>;
@@ -56,7 +51,6 @@ signals:
 
 private:
     /// These make the editor and set `edited_`.
-    QWidget* makeEditor(const ValueShape& shape);
     QWidget* makeChoice(const std::vector<std::string>& choices, const std::string& chosen);
     QWidget* makeNumber(const ValueShape& shape, double number);
     QWidget* makeWords();
@@ -71,9 +65,8 @@ private:
 class PlanValuesDialog : public QDialog {
     Q_OBJECT
 public:
-    /// The first is for a sense and includes its comparison, the second for an act or a form.
-    PlanValuesDialog(const agent::PrimitiveDescription& sense, posh::SenseTest test, QWidget* parent);
-    PlanValuesDialog(const agent::PrimitiveDescription& act, posh::Call call, QWidget* parent);
+    /// For a sense it includes the comparison. `description` is that of the sense, act or form which `step` calls.
+    PlanValuesDialog(agent::PrimitiveDescription description, const posh::Step& step, QWidget* parent);
 
     /// The call as edited so far.
     posh::Call call() const { return test().call; }
@@ -89,8 +82,6 @@ private:
     /// The following add the parts of the form from top to bottom.
     void addHead();
     void addArguments();
-    /// For an argument that the description does not list.
-    void addUndeclared(std::size_t argument);
     void addComparison();
     void addEnd();
     /// Shows the resulting phrase and enables OK if all values are valid.
