@@ -40,7 +40,7 @@ void Readout::setText(const QString& text) {
     if (text == text_)
         return;
     text_ = text;
-    setAccessibleDescription(text + QStringLiteral(" ") + unit_);
+    describe(text + QStringLiteral(" ") + unit_);
     update();
 }
 
@@ -85,7 +85,7 @@ Meter::Meter(const QString& caption, QWidget* parent, double caution_pct, double
 
 void Meter::setValue(std::optional<double> value_pct) {
     value_pct_ = value_pct;
-    setAccessibleDescription(value_pct ? figure(*value_pct, 0) + QStringLiteral(" %") : tr("unknown"));
+    describe(value_pct ? figure(*value_pct, 0) + QStringLiteral(" %") : tr("unknown"));
     update();
 }
 
@@ -138,10 +138,11 @@ StatusStrip::StatusStrip(QWidget* parent)
     battery_->setToolTip(tr("Used part of the battery's capacity, in percent"));
     progress_->setToolTip(tr("Part of the whole task that is done, in percent"));
     coverage_->setToolTip(tr("Part of the mission area whose height is known, in percent"));
-    state_->setAccessibleName(tr("State of the behavior"));
+    robot_->setFont(themeFont(FontRole::Body, QFont::DemiBold));
+    robot_->hide();
     state_->setFont(themeFont(FontRole::Body, QFont::DemiBold));
     state_->setWordWrap(true);
-    auto* head = laidOut(new QHBoxLayout, gap::small, {dot_, state_, stale_});
+    auto* head = laidOut(new QHBoxLayout, gap::small, {dot_, robot_, state_, stale_});
     head->setStretchFactor(state_, 1);
     head->setAlignment(stale_, Qt::AlignTop);
     stale_->setObjectName(QStringLiteral("stale"));
@@ -159,6 +160,12 @@ StatusStrip::StatusStrip(QWidget* parent)
     column->addLayout(figures);
     column->addLayout(laidOut(new QVBoxLayout, gap::tiny, {battery_, progress_, coverage_}));
     clear(tr("No behavior runs"));
+}
+
+void StatusStrip::setRobot(const QString& name) {
+    robot_->setText(name);
+    robot_->setHidden(name.isEmpty());
+    setAccessibleName(name.isEmpty() ? tr("Status") : tr("Status of %1").arg(name));
 }
 
 void StatusStrip::setState(const QString& words, StateShape shape) {

@@ -71,6 +71,8 @@ class StatusStrip : public QWidget {
 public:
     explicit StatusStrip(QWidget* parent = nullptr);
 
+    /// Names the robot whose figures these are; empty: none.
+    void setRobot(const QString& name);
     /// Shows the status of a running behavior; call it on every tick, only changes are repainted.
     void setStatus(const agent::BehaviorStatus& status);
     /// Nothing is running: `words` says why or what to do ("Idle. Press Start."). Time left and distance to the goal
@@ -92,6 +94,7 @@ private:
 
     StateShape shape_ = StateShape::Off; ///< the screen shows a hollow circle while stale
     StateDot* dot_ = new StateDot(this);
+    QLabel* robot_ = new QLabel(this);
     QLabel* state_ = new QLabel(this);
     QLabel* stale_ = new QLabel(tr("stale"), this);
     Readout* elapsed_;

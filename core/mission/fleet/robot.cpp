@@ -94,6 +94,8 @@ void Robot::beginTask(const std::string& behavior_id, const Rectangle& area_in_m
     view_.behavior_id = behavior_id;
     view_.area_in_map = area_in_map;
     view_.finished.reset();
+    view_.status.reset();
+    view_.zones.reset();
     countCovered();
 }
 
@@ -220,6 +222,7 @@ void Robot::take(const agent::Published& published) {
                                   view_.trail_m.push_back(point_m);
                           },
                           [this](const agent::MapMark& mark) { view_.marks.push_back(mark); },
+                          [this](const agent::SonarZones& zones) { view_.zones = zones; },
                           [this](const agent::PlannedPath& path) { view_.planned_m = path.points_in_map_m; },
                           [this](const agent::CurrentGoal& goal) { view_.goal_m = goal.goal_in_map_m; },
                           [this](const agent::BehaviorFinished& finished) {

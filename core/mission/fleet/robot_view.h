@@ -37,6 +37,7 @@ struct RobotView : RobotIdentity {
     Rectangle area_in_map;   ///< its area; empty: none
     std::optional<agent::BehaviorStatus> status;
     std::optional<agent::BehaviorFinished> finished; ///< absent until it has ended
+    std::optional<agent::SonarZones> zones;          ///< as the newest behavior judged them last
     std::optional<Pose> base_in_map; ///< as the behavior estimates it; from the INS until the first status
     std::vector<Vec2> trail_m;       ///< estimated positions, more than 0.2 m apart
     /// Marks that the behavior has published, in their order.

@@ -17,6 +17,8 @@ QString liveStateText(const RobotView& view) {
         return tr("not begun");
     if (view.link.state != link::LinkState::Connected)
         return tr("no link");
+    if (view.figures.silent)
+        return tr("silent");
     if (view.finished)
         return view.finished->success ? tr("done") : tr("ended early");
     if (view.figures.behavior_running && view.status)
@@ -29,7 +31,10 @@ QString liveStateText(const RobotView& view) {
 } // namespace
 
 bool isStale(const RobotView& view) {
-    return view.link.state != link::LinkState::Connected && !hasNotBegun(view);
+    if (hasNotBegun(view))
+        return false;
+    const bool is_there = view.figures.spawned || !view.recording.isEmpty();
+    return view.link.state != link::LinkState::Connected || !is_there || view.figures.silent;
 }
 
 QString stateText(const RobotView& view) {

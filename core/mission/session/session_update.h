@@ -48,6 +48,7 @@ struct SessionFigures {
     bool lockstep = false;                    ///< the server waits for us after each tick
     SpawnState spawn = SpawnState::None;
     bool spawned = false; ///< spawn is Done
+    bool silent = false;  ///< connected, but the robot has sent nothing for longer than SessionLimits::stale
     bool behavior_running = false;
     ControlState control{};                    ///< who drives
     std::optional<RecordingFigures> recording; ///< absent: nothing is recorded
