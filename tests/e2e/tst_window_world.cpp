@@ -54,11 +54,11 @@ struct WorldPage : WindowPage {
     /// Of the first of that kind; the number of rows where there is none.
     int rowOf(const QString& kind) {
         int row = 0;
-        while (row < count() && panel().model().object(row).kind != kind)
+        while (row < count() && panel().model().row(row).kind != kind)
             ++row;
         return row;
     }
-    Vec2 placeOf(int row) { return panel().model().object(row).body_in_map.position_m.head<2>(); }
+    Vec2 placeOf(int row) { return panel().model().row(row).body_in_map.position_m.head<2>(); }
     bool isNear(int row, const Vec2& point_m, double reach_m = 0.1) {
         return row < count() && (placeOf(row) - point_m).norm() < reach_m;
     }
@@ -109,7 +109,7 @@ private slots:
         page.lookAt({5, 5});
         page.put("Crate", {4, 6});
         QTRY_VERIFY_WITH_TIMEOUT(page.isNear(0, {4, 6}), soon_ms);
-        QCOMPARE(page.panel().model().object(0).kind, QString("Crate"));
+        QCOMPARE(page.panel().model().row(0).kind, QString("Crate"));
         QCOMPARE(page.map().tool(), widgets::MapTool::Pan);
         QTRY_COMPARE(page.map().content().objects.selected, QString("Crate1"));
 
@@ -119,9 +119,9 @@ private slots:
         QTest::mouseRelease(&page.map(), Qt::LeftButton, {}, page.at({7, 8}));
         QTRY_VERIFY_WITH_TIMEOUT(page.isNear(0, {7, 8}), soon_ms);
 
-        const double yaw_rad = page.panel().model().object(0).body_in_map.yaw_rad;
+        const double yaw_rad = page.panel().model().row(0).body_in_map.yaw_rad;
         QTest::mouseClick(page.button("Turn left"), Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(page.panel().model().object(0).body_in_map.yaw_rad - yaw_rad > 0.2, soon_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(page.panel().model().row(0).body_in_map.yaw_rad - yaw_rad > 0.2, soon_ms);
 
         page.screenshot("world_palette");
         page.map().setFocus();
@@ -155,7 +155,7 @@ private slots:
         QDropEvent drop(QPointF(page.at({3, 3})), Qt::CopyAction, &data, Qt::LeftButton, {});
         QCoreApplication::sendEvent(&page.map(), &drop);
         QTRY_COMPARE_WITH_TIMEOUT(page.count(), 1, soon_ms);
-        QCOMPARE(page.panel().model().object(0).kind, QString("Ball"));
+        QCOMPARE(page.panel().model().row(0).kind, QString("Ball"));
     }
 
     void anObjectGoesAlongItsWayPoints() {
@@ -177,7 +177,7 @@ private slots:
         page.clickMap({4, -2});
         QTest::keyClick(&page.map(), Qt::Key_Escape);
         QCOMPARE(page.map().tool(), widgets::MapTool::Pan);
-        QCOMPARE(page.panel().model().object(page.rowOf("Box")).waypoints_in_map_m.size(), std::size_t(2));
+        QCOMPARE(page.panel().model().row(page.rowOf("Box")).waypoints_in_map_m.size(), std::size_t(2));
         page.chooseSpeed("10×");
         QTest::mouseClick(page.button("Start moving"), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(page.isNear(page.rowOf("Box"), {4, -2}), soon_ms);
@@ -193,9 +193,9 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(page.map().content().objects.selected, QString("Conveyor1"), soon_ms);
         page.put("Box", {-1, 2});
         QTRY_COMPARE_WITH_TIMEOUT(page.map().content().objects.selected, QString("Box1"), soon_ms);
-        const auto box = [&] { return page.panel().model().object(page.rowOf("Box")).body_in_map.position_m; };
+        const auto box = [&] { return page.panel().model().row(page.rowOf("Box")).body_in_map.position_m; };
         QTRY_COMPARE_WITH_TIMEOUT(page.count(), 2, soon_ms);
-        const double belt_m = page.panel().model().object(page.rowOf("Conveyor")).body_in_map.position_m.z();
+        const double belt_m = page.panel().model().row(page.rowOf("Conveyor")).body_in_map.position_m.z();
         QVERIFY2(box().z() > belt_m + 0.3, "it lies on the belt, not in it");
         QVERIFY(!page.window().commands().action("world.go")->isEnabled()); // a box has nothing that runs
         page.clickMap({1, 2});
@@ -204,7 +204,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(box().x() > -0.3, soon_ms);
         page.screenshot("world_conveyor");
         QTest::mouseClick(page.button("Stop moving"), Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(page.panel().model().object(page.rowOf("Box")).speed_m_s < 0.02, soon_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(page.panel().model().row(page.rowOf("Box")).speed_m_s < 0.02, soon_ms);
         QVERIFY(box().z() > belt_m + 0.3);
         QVERIFY(page.isNear(page.rowOf("Conveyor"), {0, 2}));
     }
@@ -219,8 +219,8 @@ private slots:
         page.dropFile(folder.filePath("yard"));
         const auto named = [&](const QString& name) {
             for (int row = 0; row < page.count(); ++row)
-                if (page.panel().model().object(row).name == name)
-                    return page.panel().model().object(row);
+                if (page.panel().model().row(row).name == name)
+                    return page.panel().model().row(row);
             return widgets::MapObject{};
         };
         QTRY_COMPARE_WITH_TIMEOUT(page.count(), 2, soon_ms);

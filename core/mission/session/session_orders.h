@@ -42,7 +42,7 @@ struct SessionLimits {
     Seconds stale = protocol::silence::robot; ///< wall: silence of a spawned robot
     Seconds sensor_silence = protocol::silence::sensor; ///< protocol clock: silence of a sensor that used to send
     Seconds hand{0.3};                   ///< wall: silence of an input device that drives; it then counts as released
-    agent::Patience behavior;            ///< wall: the behavior's answers
+    agent::Patience behavior{};          ///< wall: the behavior's answers
     std::size_t unsent_bytes = 1u << 16; ///< above this, DRIVEs wait, and newer ones replace older ones
 };
 
