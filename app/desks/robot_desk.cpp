@@ -130,10 +130,10 @@ void RobotDesk::welcome(RobotId id) {
 }
 
 void RobotDesk::dismiss(RobotId id, const QString& name, RobotId instead) {
-    views_.robots->removeRobot(id);
+    const RobotId next = id == selection_.id() ? instead : selection_.id();
+    views_.robots->removeRobot(id); // The list then selects a neighbor of that row by itself.
     presenter_.remove(name);
-    if (id == selection_.id())
-        selection_.select(instead);
+    selection_.select(next);
 }
 
 void RobotDesk::spawn(const widgets::SpawnChoice& choice) {

@@ -24,22 +24,31 @@ void ViewDesk::registerCommands() {
     auto* palette = new widgets::CommandPalette(commands_, &main_window_);
     add("view.palette", [palette] { palette->open(); });
     add("help.shortcuts", [this] {
-        auto* sheet = widgets::makeShortcutSheet(commands_, &main_window_);
-        sheet->setAttribute(Qt::WA_DeleteOnClose);
-        sheet->show();
+        if (!sheet_) {
+            sheet_ = widgets::makeShortcutSheet(commands_, &main_window_);
+            sheet_->setAttribute(Qt::WA_DeleteOnClose);
+        }
+        sheet_->show();
+        sheet_->raise();
+        sheet_->activateWindow();
     });
     add("view.operate", [this] { arrange(views_.plots_dock, 0.25); });
     add("view.analyse", [this] { arrange(views_.plots_dock, 0.6); });
     add("view.debug", [this] { arrange(views_.messages_dock, 0.6); });
     add("view.plan", [this] { arrange(views_.plan_dock, 0.6); });
     for (QDockWidget* dock : views_.docks) {
-        connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool shown) {
-            if (shown)
-                dock->raise(); // It may be one of several tabs.
+        const widgets::CommandSpec spec{.id = "view.dock." + dock->objectName(),
+                                        .text = dock->windowTitle(),
+                                        .group = tr("View"),
+                                        .help = tr("Shows this dock, or hides it if it is in front"),
+                                        .checkable = true};
+        QAction* const shown = commands_.add(spec, [dock](bool) {
+            if (dock->isHidden() || dock->visibleRegion().isEmpty()) // It may be behind another tab.
+                raise(dock);
+            else
+                dock->hide();
         });
-        const QString id = "view.dock." + dock->objectName();
-        const QString help = tr("Shows or hides this dock");
-        commands_.adopt({id, dock->windowTitle(), tr("View"), help, "", {}}, dock->toggleViewAction());
+        connect(dock, &QDockWidget::visibilityChanged, shown, [dock, shown] { shown->setChecked(!dock->isHidden()); });
     }
 }
 

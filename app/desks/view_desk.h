@@ -4,7 +4,9 @@
 
 #include <optional>
 
+#include <QDialog>
 #include <QMainWindow>
+#include <QPointer>
 
 #include "app/desks/desk.h"
 #include "widgets/style/theme.h"
@@ -37,6 +39,7 @@ private:
     QMainWindow& main_window_;
     std::optional<widgets::Theme> theme_;
     QByteArray first_layout_;
+    QPointer<QDialog> sheet_; ///< of keys and gestures; nullptr while it is closed
 };
 
 } // namespace usar::app

@@ -1,5 +1,6 @@
 #include "app/window/main_window.h"
 
+#include <algorithm>
 #include <memory>
 
 #include <QApplication>
@@ -113,8 +114,18 @@ void MainWindow::wire() {
     connect(&control_, &MissionControl::exportFailed, this,
             [this](RobotId, const QString& reason) { askWhereToSave(reason); });
     connect(views_.stop_all, &QPushButton::clicked, &control_, &MissionControl::stopAll);
-    connect(new widgets::KeyTwice(widgets::commandSpec("mission.stop_all").twice, this),
-            &widgets::KeyTwice::pressedTwice, &control_, &MissionControl::stopAll);
+    auto* const twice = new widgets::KeyTwice(widgets::commandSpec("mission.stop_all").twice, this);
+    connect(twice, &widgets::KeyTwice::pressedTwice, &control_, &MissionControl::stopAll);
+    connect(views_.map, &widgets::MapView::escapeUsed, twice, &widgets::KeyTwice::forget);
+    connect(&commands_, &widgets::CommandRegistry::questionRaised, this,
+            [this](const widgets::CommandSpec& spec, const std::function<void()>& run) {
+                if (views_.question->openQuestion() == spec.id)
+                    return views_.question->give(0); // The key again is a clear answer.
+                const Robot* const robot = selection_.robot();
+                const QString question = spec.question.arg(robot ? nameOf(*robot) : tr("the robot"));
+                views_.question->ask(spec.id, question, {{spec.answer, run}, {tr("Cancel"), {}}});
+            });
+    commands_.setPlacesOfPlainKeys({views_.map, views_.robots});
     connect(views_.sensors, &widgets::SensorPanel::plotRequested, views_.plots, &widgets::PlotView::addSeries);
     connect(views_.plots, &widgets::PlotView::failed, this,
             [this](const QString& reason) { notices_.say(Severity::Error, "plot", reason); });
@@ -127,7 +138,11 @@ void MainWindow::wireDesks() {
                                                    &faults_, &radio_, &view_})
         desk->wire();
     connect(&selection_, &Selection::changed, this, &MainWindow::showTitle);
-    connect(&control_, &MissionControl::behaviorFinished, this, &MainWindow::showTitle);
+    connect(&control_, &MissionControl::behaviorFinished, this, [this] {
+        showTitle();
+        if (leaving_ && std::ranges::none_of(control_.robots(), &Robot::running))
+            close();
+    });
     connect(&control_, &MissionControl::robotUpdated, this, [this](RobotId id) {
         if (id == selection_.id())
             showTitle();
@@ -233,6 +248,24 @@ void MainWindow::askWhereToSave(const QString& reason) {
         control_.stayOpen();
 }
 
+void MainWindow::quit() {
+    may_stop_ = true;
+    close();
+}
+
+void MainWindow::askBeforeStopping(int busy) {
+    const auto land = [this] {
+        leaving_ = true;
+        for (Robot* const robot : control_.robots())
+            if (robot->running())
+                robot->order(agent::Order::LandNow);
+    };
+    views_.question->ask("quit", busy == 1 ? tr("A robot is at work.") : tr("%1 robots are at work.").arg(busy),
+                         {{tr("Land, then quit"), land},
+                          {tr("Stop and quit"), [this] { quit(); }},
+                          {tr("Stay"), [this] { leaving_ = false; }}});
+}
+
 void MainWindow::closeAtOnce() {
     may_close_ = true;
     close();
@@ -246,11 +279,14 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     saveSettings();
     drive_.leave();
     server_.cancelLoading(); // Its result is not needed any more.
-    if (may_close_ || !control_.anythingToSave())
+    const auto busy = std::ranges::count_if(control_.robots(), &Robot::running);
+    if (may_close_ || (busy == 0 && !control_.anythingToSave()))
         return event->accept();
     event->ignore();
     if (control_.closing())
         return;
+    if (busy > 0 && !may_stop_)
+        return askBeforeStopping(static_cast<int>(busy));
     notices_.say(Severity::Note, "closing", tr("Saving what was scanned, then closing…"));
     control_.prepareToClose();
 }

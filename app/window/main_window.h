@@ -38,6 +38,8 @@ public:
     /// Connects to the server or opens the files that the command line names. Not part of the constructor, so that the
     /// window can be shown first.
     void begin();
+    /// Stops busy robots without a question, saves their scans, and closes.
+    void quit();
 
     // For tests.
     /// Parts of the window; the references are valid as long as it is.
@@ -53,8 +55,8 @@ public:
     RobotId selectedRobot() const { return selection_.id(); }
 
 protected:
-    /// Closes at once if nothing is left to save. Otherwise robots are stopped and scans saved first, and the window
-    /// closes when that is done; an unsaved plan is asked about.
+    /// Closes at once if no robot is busy and nothing is left to save. Otherwise it asks about the robots in a strip,
+    /// saves scans, and closes when that is done; an unsaved plan is asked about.
     void closeEvent(QCloseEvent* event) override;
     /// Leaves out words in a narrow window, so that the time's controls stay visible: a bar that is too long hides its
     /// end.
@@ -80,6 +82,8 @@ private:
     void showTitle();
     /// Asks what to do with a scan that could not be saved, if the window is about to close.
     void askWhereToSave(const QString& reason);
+    /// Asks whether this number of busy robots is to land or to be stopped before the window closes.
+    void askBeforeStopping(int busy);
     /// Closes without saving anything more.
     void closeAtOnce();
 
@@ -108,6 +112,8 @@ private:
     RadioDesk radio_{desk_};
     ViewDesk view_;
     bool asking_ = false;    ///< the dialog of `askWhereToSave` is open
+    bool may_stop_ = false;  ///< the user has said that busy robots may be stopped
+    bool leaving_ = false;   ///< the window closes when the last busy robot has landed
     bool may_close_ = false; ///< nothing is left to save, or the user gave it up
     QThreadPool disk_;       ///< writes the settings; its destructor waits for that
 };

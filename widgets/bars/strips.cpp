@@ -61,6 +61,55 @@ void HintStrip::refresh() {
     setAccessibleDescription(next < steps.size() ? tr("Next: %1").arg(steps[next]) : tr("All steps are done"));
 }
 
+QuestionStrip::QuestionStrip(QWidget* parent) : QFrame(parent) {
+    setProperty("role", "strip");
+    text_->setWordWrap(true);
+    laidOut(new QHBoxLayout(this), {gap::medium, gap::tiny, gap::small, gap::tiny}, gap::small, {text_})
+        ->setStretchFactor(text_, 1);
+    second_.setInterval(std::chrono::seconds(1));
+    connect(&second_, &QTimer::timeout, this, &QuestionStrip::countDown);
+    hide();
+}
+
+void QuestionStrip::ask(const QString& id, const QString& question, std::vector<Answer> answers,
+                        std::chrono::seconds patience) {
+    id_ = id;
+    answers_ = std::move(answers);
+    text_->setText(question);
+    setAccessibleName(question);
+    for (QPushButton* const button : std::exchange(buttons_, {}))
+        button->deleteLater();
+    for (std::size_t i = 0; i < answers_.size(); ++i) {
+        auto* const button = new QPushButton(answers_[i].text, this);
+        button->setFocusPolicy(Qt::TabFocus); // A click leaves the keys to the map.
+        connect(button, &QPushButton::clicked, this, [this, i] { give(i); });
+        layout()->addWidget(button);
+        buttons_.push_back(button);
+    }
+    seconds_left_ = static_cast<int>(patience.count()) + 1;
+    countDown();
+    second_.start();
+    show();
+}
+
+void QuestionStrip::give(std::size_t answer) {
+    if (answer >= answers_.size())
+        return;
+    const Answer given = std::move(answers_[answer]);
+    answers_.clear();
+    id_.clear();
+    second_.stop();
+    hide();
+    if (given.run)
+        given.run();
+}
+
+void QuestionStrip::countDown() {
+    if (--seconds_left_ <= 0)
+        return give(answers_.size() - 1);
+    buttons_.back()->setText(tr("%1 (%2)").arg(answers_.back().text).arg(seconds_left_));
+}
+
 ProgressStrip::ProgressStrip(QWidget* parent) : QFrame(parent) {
     setProperty("role", "strip");
     setAccessibleName(tr("Progress"));

@@ -1,7 +1,10 @@
-// Strips above the map: the first steps of a new user, and the progress of a long operation.
+// Strips above the map: the first steps of a new user, the progress of a long operation, and a question that does not
+// stand in the way.
 #pragma once
 
 #include <array>
+#include <functional>
+#include <vector>
 
 #include <QFrame>
 #include <QLabel>
@@ -31,6 +34,37 @@ private:
 
     std::array<bool, 3> done_{}; ///< in the order of the steps
     QLabel* text_ = new QLabel(this);
+};
+
+/// Asks without a dialog: everything else goes on and can be used, the stop above all. GUI thread.
+class QuestionStrip : public QFrame {
+    Q_OBJECT
+public:
+    struct Answer {
+        QString text;
+        std::function<void()> run; ///< may be empty
+    };
+
+    explicit QuestionStrip(QWidget* parent = nullptr);
+
+    /// Shows the question with a button for each answer, in place of the one before. The last answer changes nothing:
+    /// it is given by itself after `patience`, which the strip counts down. `id` tells questions apart.
+    void ask(const QString& id, const QString& question, std::vector<Answer> answers,
+             std::chrono::seconds patience = std::chrono::seconds(20));
+    /// Id of the question that is open; empty: none.
+    const QString& openQuestion() const { return id_; }
+    /// Gives the answer with this index, counted from 0, if a question is open.
+    void give(std::size_t answer);
+
+private:
+    void countDown();
+
+    QString id_;
+    std::vector<Answer> answers_;
+    int seconds_left_ = 0;
+    QLabel* text_ = new QLabel(this);
+    std::vector<QPushButton*> buttons_;
+    QTimer second_;
 };
 
 /// Visible only while an operation takes longer than a moment. GUI thread.

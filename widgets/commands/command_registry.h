@@ -23,10 +23,13 @@ struct CommandSpec {
     QList<QKeySequence> shortcuts; ///< the first one is shown in tooltips; no two commands may share one
     bool checkable = false;        ///< the action has an on/off state
     QKeySequence twice{};          ///< one key that also runs the command when it is pressed twice; see KeyTwice
+    QString question{};            ///< asked before a key runs the command, or switches it off; %1: robot; empty: never
+    QString answer{};              ///< the answer that runs it: "Land"
 };
 
-/// Owns the actions and adds them to the window, so that shortcuts work wherever the focus is. GUI thread; must not
-/// outlive the window.
+/// Owns the actions and adds them to the window, so that shortcuts work wherever the focus is; only those that are a
+/// single key without Ctrl or Alt work in a few places alone (`setPlacesOfPlainKeys`), or what is typed elsewhere would
+/// move a robot. GUI thread; must not outlive the window.
 class CommandRegistry : public QObject {
     Q_OBJECT
 public:
@@ -50,11 +53,18 @@ public:
     };
     /// In the order of registration.
     const std::vector<std::unique_ptr<Command>>& commands() const { return commands_; }
+    /// The widgets in which a single key runs its command while one of them, or a part of it, has the focus. Before
+    /// this call it does so everywhere; to be called once, after all commands have been added.
+    void setPlacesOfPlainKeys(const QList<QWidget*>& places);
     /// Evaluates every `enabled` rule again; call it when state that the rules depend on has changed.
     void refresh();
 
     /// Appends these commands in order; an id "-" makes a separator.
     void fill(QMenu* menu, const QStringList& ids) const;
+
+signals:
+    /// A key was pressed for a command that has a question; `run` does what it asks about.
+    void questionRaised(const usar::widgets::CommandSpec& spec, const std::function<void()>& run);
 
 private:
     void list(const CommandSpec& spec, QAction* action, std::function<bool()> enabled);
@@ -68,8 +78,8 @@ private:
 QString tooltipText(const CommandSpec& spec);
 
 /// Reads a table of commands: an object of groups, each an object of commands by id, with `text`, `help`, and possibly
-/// `icon`, `keys`, `checkable` and `twice`. A key is written as in a menu ("Ctrl+K"), or names one that differs by
-/// desktop
+/// `icon`, `keys`, `checkable`, `twice`, `question` and `answer`. A key is written as in a menu ("Ctrl+K"), or names
+/// one that differs by desktop
 /// ("StandardKey::Open"). Text that is no JSON object is read as an empty table.
 std::vector<CommandSpec> readCommandTable(const QByteArray& json);
 

@@ -15,7 +15,7 @@ namespace usar::widgets {
 
 /// State comes in by setters, gestures go out by signals; it knows no session. Repaints are coalesced by Qt's update().
 /// Keys when focused: arrows pan (with Shift farther), + and - zoom, N and Shift+N step through the start poses, Return
-/// spawns there, Space asks first, Escape cancels a drag or leaves the tools Place and Waypoint, Delete asks to remove
+/// spawns there, Space asks first, Escape cancels a drag or leaves a tool, Delete asks to remove
 /// the selected object. Lengths are in meters of the map frame. GUI thread.
 class MapView : public QWidget {
     Q_OBJECT
@@ -109,6 +109,8 @@ signals:
     void startPoseClicked(int start_pose, const QPoint& at);
     void objectRemovalRequested(const QString& name);
     void followingChanged(bool following);
+    /// Escape has canceled a drag or left a tool.
+    void escapeUsed();
 
 protected:
     void paintEvent(QPaintEvent* event) override;

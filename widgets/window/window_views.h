@@ -50,6 +50,7 @@ struct WindowViews {
     DrivePanel* drive = nullptr;    ///< in drive_dock
 
     // Center: strips above the map, and the map.
+    QuestionStrip* question = nullptr; ///< what must be asked while robots go on
     HintStrip* hint = nullptr;         ///< the first steps
     ProgressStrip* progress = nullptr; ///< visible while a world or snapshot is being opened
     ReplayBar* replay = nullptr;       ///< visible while a replay is selected
