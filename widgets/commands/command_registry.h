@@ -15,16 +15,16 @@ namespace usar::widgets {
 
 /// Description of a command as its author writes it.
 struct CommandSpec {
-    QString id;                    ///< "map.fit"
-    QString text;                  ///< "Fit mission in view": shown in menus and the palette
-    QString group;                 ///< "Map": group of related commands, a heading of the help sheet
-    QString help;                  ///< one sentence; the tooltip appends the shortcut
-    QString icon;                  ///< icon name for icons.h; may be empty
-    QList<QKeySequence> shortcuts; ///< the first one is shown in tooltips; no two commands may share one
-    bool checkable = false;        ///< the action has an on/off state
-    QKeySequence twice{};          ///< one key that also runs the command when it is pressed twice; see KeyTwice
-    QString question{};            ///< asked before a key runs the command, or switches it off; %1: robot; empty: never
-    QString answer{};              ///< the answer that runs it: "Land"
+    QString id;                      ///< "map.fit"
+    QString text;                    ///< "Fit mission in view": shown in menus and the palette
+    QString group;                   ///< "Map": group of related commands, a heading of the help sheet
+    QString help{};                  ///< one sentence; the tooltip appends the shortcut
+    QString icon{};                  ///< icon name for icons.h; may be empty
+    QList<QKeySequence> shortcuts{}; ///< the first one is shown in tooltips; no two commands may share one
+    bool checkable = false;          ///< the action has an on/off state
+    QKeySequence twice{};            ///< one key that also runs the command when it is pressed twice; see KeyTwice
+    QString question{}; ///< asked before a key runs the command, or switches it off; %1: robot; empty: never
+    QString answer{};   ///< the answer that runs it: "Land"
 };
 
 /// Owns the actions and adds them to the window, so that shortcuts work wherever the focus is; only those that are a
