@@ -53,6 +53,26 @@ QString Program::figure(const QString& name) const {
     return seen ? seen->description : QString();
 }
 
+bool Program::spawnAt(const QString& start_pose, const QString& robot) {
+    const auto pose = reader_->find([&](const Seen& seen) { return seen.name == "Start pose " + start_pose; });
+    if (!pose)
+        return false;
+    desktop_.doubleClick(pose->at.center());
+    return reader_->find([&](const Seen& seen) { return seen.name == "Robot " + robot; }).has_value();
+}
+
+bool Program::fly() {
+    const auto map = reader_->find([](const Seen& seen) { return seen.name == "Map"; });
+    if (!map)
+        return false;
+    desktop_.click(map->at.topLeft() + QPoint(map->at.width() / 2, 30)); // Gives the map the keys.
+    desktop_.key("a");
+    const QPoint middle = map->at.center();
+    desktop_.drag(middle - QPoint(40, 30), middle + QPoint(40, 30));
+    return press("Start") &&
+           QTest::qWaitFor([this] { return figure("flown").section(' ', 0, 0).toDouble() > 0.0; }, 60000);
+}
+
 void Program::screenshot(const QString& name) const {
     const QDir folder(USAR_BINARY_DIR "/screenshots");
     folder.mkpath(".");

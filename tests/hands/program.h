@@ -28,6 +28,10 @@ public:
     bool says(const QString& words, int within_ms = 15000) const;
     /// Description of the instrument with this name: its figure with the unit. Empty where there is none.
     QString figure(const QString& name) const;
+    /// Double-clicks the start pose with this name and waits for the robot's row; false where either is missing.
+    bool spawnAt(const QString& start_pose, const QString& robot);
+    /// Draws a mission area in the middle of the map, presses Start, and waits until the robot flies.
+    bool fly();
     /// Saves what is on the screen as build/PRESET/screenshots/hands_NAME.png.
     void screenshot(const QString& name) const;
     /// The program's end: its exit code, or nullopt if it does not end within the time.

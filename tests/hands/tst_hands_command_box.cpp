@@ -16,7 +16,7 @@ private slots:
 private:
     /// Text of the command line.
     static QString typed(const Program& program) {
-        const auto line = program.read().find("text", "Command");
+        const auto line = program.read().find("text", "Raw command");
         return line ? program.read().textOf(*line) : QStringLiteral("(no command line)");
     }
 };
@@ -27,9 +27,16 @@ void tst_HandsCommandBox::tabCompletesAndEnterSends() {
     QVERIFY(program.says("Connected"));
     program.desk().key("F4");
     program.desk().type("DRI");
+    QVERIFY(program.read().find("list", "Completions"));
+    program.screenshot("completions");
     program.desk().key("Tab");
-    program.screenshot("command_box");
-    QCOMPARE(typed(program), QStringLiteral("DRIVE "));
+    QTRY_COMPARE(typed(program), QStringLiteral("DRIVE "));
+    program.desk().key("ctrl+a");
+    program.desk().type("SET {Type Camera}");
+    program.desk().key("Return");
+    QTRY_COMPARE(typed(program), QString());
+    QVERIFY(program.says("SET {Type Camera}")); // in the list of messages
+    program.screenshot("sent");
 }
 
 USAR_TEST(tst_HandsCommandBox)

@@ -20,6 +20,15 @@ void tst_HandsFirstFlight::fiveGesturesLeadToAMap() {
     QVERIFY2(program.trouble().isEmpty(), qPrintable(program.trouble()));
     QVERIFY(program.says("Connected"));
     program.screenshot("start");
+    QVERIFY(program.spawnAt("PlayerStart", "R1"));
+    QVERIFY(program.fly());
+    program.desk().key("ctrl+0"); // as fast as the machine can
+    QTRY_VERIFY_WITH_TIMEOUT(program.figure("Coverage").section(' ', 0, 0).toDouble() > 90.0, 110000);
+    program.screenshot("scan");
+    const QDir results(program.resultFolder());
+    QTRY_VERIFY_WITH_TIMEOUT(!results.entryList({"*_height.png"}).isEmpty(), 110000);
+    QTRY_VERIFY_WITH_TIMEOUT(!results.entryList({"*.bil"}).isEmpty(), 15000);
+    program.screenshot("done");
 }
 
 USAR_TEST(tst_HandsFirstFlight)

@@ -172,6 +172,7 @@ void StatusStrip::setState(const QString& words, StateShape shape) {
     shape_ = shape;
     dot_->setState(stale() ? StateShape::Off : shape_);
     state_->setText(words);
+    setAccessibleDescription(words);
 }
 
 void StatusStrip::setStatus(const agent::BehaviorStatus& status) {
