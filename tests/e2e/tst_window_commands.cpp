@@ -189,7 +189,7 @@ void tst_WindowCommands::theWindowIsFoundAsItWasLeft() {
         run(page, "view.dock.robots");
         run(page, "view.dark");
         page.window().views().connection->setAddress("robots.example", 3001);
-        page.window().close();
+        page.window().quit();
         QTRY_VERIFY_WITH_TIMEOUT(!page.window().isVisible(), soon_ms);
     }
     WindowPage page(setup);

@@ -236,7 +236,7 @@ void tst_WindowDrive::aClosingWindowStopsTheRobotFirst() {
         page.hold(Qt::Key_W);
         QTRY_VERIFY(!server.heardOf("DRIVE").isEmpty() &&
                     server.heardOf("DRIVE").last().contains(QByteArray("{LinearVelocity")));
-        page.window().close();
+        page.window().quit();
     }
     const QRegularExpression moves("[1-9]");
     QTRY_VERIFY(!QString(server.heardOf("DRIVE").last()).contains(moves));

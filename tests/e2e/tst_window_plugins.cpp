@@ -327,7 +327,7 @@ void tst_WindowPlugins::isolationIsChosenForAPluginAndRemembered() {
         isolationBox(page)->click();
         page.window().views().behavior->chooseBehavior("airrobot/posh"); // of the same plugin
         QVERIFY(isolationBox(page)->isChecked());
-        page.window().close();
+        page.window().quit();
     }
     WindowPage page({.plugin_folders = folders, .settings_folder = settings.path()});
     page.window().views().behavior->chooseBehavior("airrobot/cpp");

@@ -271,7 +271,7 @@ void tst_WindowTrouble::anUnwritableFolderAtClosingAsksForAnother() {
     page.chooseSpeed("max");
     page.press("Start");
     QTRY_VERIFY_WITH_TIMEOUT(page.knownTiles() >= 1, flight_ms);
-    page.window().close();
+    page.window().quit();
     const auto question = [] { return qobject_cast<QMessageBox*>(QApplication::activeModalWidget()); };
     QString asked;
     QTimer answer;
@@ -289,7 +289,7 @@ void tst_WindowTrouble::anUnwritableFolderAtClosingAsksForAnother() {
     QVERIFY(page.window().isVisible());
     QVERIFY(page.robot(1)->unsaved);
     page.window().control().setResultFolder(elsewhere.filePath("free"));
-    page.window().close();
+    page.window().quit();
     QTRY_VERIFY_WITH_TIMEOUT(!page.window().isVisible(), soon_ms);
     QCOMPARE(filesIn(elsewhere.filePath("free"), ".bil").size(), 1);
 }
