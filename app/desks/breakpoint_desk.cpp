@@ -129,7 +129,7 @@ void BreakpointDesk::edit(BreakpointId id) {
         list_.change(id, dialog->breakpoint());
         passOn();
     });
-    dialog->open();
+    dialog->show(); // Not modal: the robot goes on.
 }
 
 /// Edits the first breakpoint at the selected part; sets one if there is none.

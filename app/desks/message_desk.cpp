@@ -36,10 +36,8 @@ void MessageDesk::wire() {
 }
 
 void MessageDesk::chooseWhereToSave() {
-    const QString path =
-        widgets::askWhereToSave(window_, tr("Save messages"), tr("messages"), tr("Text (*.txt);;JSON lines (*.jsonl)"));
-    if (!path.isEmpty())
-        views_.messages->saveShown(path);
+    widgets::askWhereToSave(window_, tr("Save messages"), tr("messages"), tr("Text (*.txt);;JSON lines (*.jsonl)"),
+                            [this](const QString& path) { views_.messages->saveShown(path); });
 }
 
 void MessageDesk::sendAgain(ConnectionId connection, const QStringList& lines) {

@@ -28,13 +28,12 @@ void PlanDesk::registerCommands() {
 }
 
 void PlanDesk::chooseWhereToSavePicture() {
-    const QString path = widgets::askWhereToSave(window_, tr("Save plan as picture"), tr("plan.svg"),
-                                                 tr("Drawings (*.svg *.pdf *.png)"));
-    if (path.isEmpty())
-        return;
-    if (const auto saved = widgets::savePlanPicture(views_.plan->view(), path); !saved)
-        return notices_.complain("plan-picture", saved.error());
-    notices_.note("plan-picture", tr("Saved the plan as %1.").arg(path));
+    widgets::askWhereToSave(window_, tr("Save plan as picture"), tr("plan.svg"), tr("Drawings (*.svg *.pdf *.png)"),
+                            [this](const QString& path) {
+                                if (const auto saved = widgets::savePlanPicture(views_.plan->view(), path); !saved)
+                                    return notices_.complain("plan-picture", saved.error());
+                                notices_.note("plan-picture", tr("Saved the plan as %1.").arg(path));
+                            });
 }
 
 void PlanDesk::registerRunCommands() {
@@ -276,7 +275,7 @@ void PlanDesk::pinSelected() {
             pins_[connection].pinSense(call, *value);
         pinsChanged();
     });
-    dialog->open();
+    dialog->show(); // Not modal: the robot goes on.
 }
 
 void PlanDesk::toggleDrive() {

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QStandardPaths>
 
@@ -55,7 +54,7 @@ widgets::PlanEditor& PlanWorkshop::opened() {
 void PlanWorkshop::connectEditor() {
     using widgets::PlanEditor;
     connect(editor_, &PlanEditor::openRequested, this, &PlanWorkshop::choosePlanFile);
-    connect(editor_, &PlanEditor::saveAsRequested, this, &PlanWorkshop::chooseWhereToSave);
+    connect(editor_, &PlanEditor::saveAsRequested, this, [this] { chooseWhereToSave({}); });
     connect(editor_, &PlanEditor::exportRequested, this, &PlanWorkshop::chooseWhereToExport);
     connect(editor_, &PlanEditor::pictureRequested, this, &PlanWorkshop::chooseWhereToSavePicture);
     connect(editor_, &PlanEditor::applyRequested, this, &PlanWorkshop::putIntoRobot);
@@ -90,6 +89,7 @@ std::string PlanWorkshop::plannedBehavior() const {
 
 void PlanWorkshop::openPlan(const QString& path) {
     const std::string behavior_id = plannedBehavior();
+    emit fileUsed(path);
     if (const auto plan = mission::readOwnPlan(path, behavior_id, control_.plugins())) {
         if (editor_ && editor_->isVisible())
             load(path);
@@ -109,10 +109,9 @@ void PlanWorkshop::use(const std::string& behavior_id, const QString& path) {
 }
 
 void PlanWorkshop::choosePlanFile() {
-    const QString path = QFileDialog::getOpenFileName(window_, tr("Open plan"), views_.behavior->plan().path(),
-                                                      tr("POSH plans (*.lap *.posh);;All files (*)"));
-    if (!path.isEmpty())
-        openPlan(path);
+    widgets::askForFile(window_, tr("Open plan"), views_.behavior->plan().path(),
+                        tr("POSH plans (*.lap *.posh);;All files (*)"),
+                        [this](const QString& path) { openPlan(path); });
 }
 
 void PlanWorkshop::editPlan() {
@@ -142,16 +141,19 @@ void PlanWorkshop::newPlan() {
     });
 }
 
-void PlanWorkshop::chooseWhereToSave() {
+void PlanWorkshop::chooseWhereToSave(const std::function<void()>& then) {
     const QString begin = editor_->path().isEmpty() ? editor_->name() : editor_->path();
-    const QString path = widgets::askWhereToSave(editor_, tr("Save plan"), begin, tr("POSH plans (*.lap)"));
-    if (path.isEmpty())
-        return;
-    if (const auto saved = editor_->save(path); !saved)
-        complain(saved.error());
+    widgets::askWhereToSave(editor_, tr("Save plan"), begin, tr("POSH plans (*.lap)"),
+                            [this, then](const QString& path) {
+                                if (const auto saved = editor_->save(path); !saved)
+                                    return complain(saved.error());
+                                if (then)
+                                    then();
+                            });
 }
 
 void PlanWorkshop::takeSaved(const QString& path) {
+    emit fileUsed(path);
     notices_.cure("plan");
     const std::string behavior_id = plannedBehavior();
     if (mission::readOwnPlan(path, behavior_id, control_.plugins()))
@@ -162,9 +164,11 @@ void PlanWorkshop::takeSaved(const QString& path) {
 }
 
 void PlanWorkshop::chooseWhereToExport(posh::Dialect dialect) {
-    const QString path = widgets::askWhereToSave(editor_, tr("Export plan"), editor_->name(), tr("POSH plans (*.lap)"));
-    if (path.isEmpty())
-        return;
+    widgets::askWhereToSave(editor_, tr("Export plan"), editor_->name(), tr("POSH plans (*.lap)"),
+                            [this, dialect](const QString& path) { exportPlan(path, dialect); });
+}
+
+void PlanWorkshop::exportPlan(const QString& path, posh::Dialect dialect) {
     const auto lacks = editor_->exportTo(path, dialect);
     if (!lacks)
         return complain(lacks.error());
@@ -174,12 +178,11 @@ void PlanWorkshop::chooseWhereToExport(posh::Dialect dialect) {
 }
 
 void PlanWorkshop::chooseWhereToSavePicture() {
-    const QString path = widgets::askWhereToSave(editor_, tr("Save plan as picture"), tr("plan.svg"),
-                                                 tr("Drawings (*.svg *.pdf *.png)"));
-    if (path.isEmpty())
-        return;
-    if (const auto saved = editor_->savePicture(path); !saved)
-        complain(saved.error());
+    widgets::askWhereToSave(editor_, tr("Save plan as picture"), tr("plan.svg"), tr("Drawings (*.svg *.pdf *.png)"),
+                            [this](const QString& path) {
+                                if (const auto saved = editor_->savePicture(path); !saved)
+                                    complain(saved.error());
+                            });
 }
 
 void PlanWorkshop::putIntoRobot(const std::string& text, const QString& name) {
@@ -224,9 +227,12 @@ void PlanWorkshop::letGo(std::function<void()> go_on) {
     question_ = box;
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setDefaultButton(QMessageBox::Save);
+    box->setModal(false); // A message box is modal unless it is told otherwise.
     connect(box, &QMessageBox::finished, this, [this](int answer) {
         question_.clear(); // The next action may ask again.
         const auto next = std::exchange(after_it_, nullptr);
+        if (answer == QMessageBox::Save && editor_->path().isEmpty())
+            return chooseWhereToSave(next);
         if (answer == QMessageBox::Save)
             editor_->action("save")->trigger();
         if (answer == QMessageBox::Discard) {
@@ -237,7 +243,7 @@ void PlanWorkshop::letGo(std::function<void()> go_on) {
             next();
     });
     editor_->show();
-    box->open();
+    box->show();
 }
 
 } // namespace usar::app

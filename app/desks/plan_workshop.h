@@ -45,6 +45,8 @@ public:
 signals:
     /// Another file was chosen for the robot that is being set up.
     void planChosen();
+    /// A plan was read from this file or saved to it.
+    void fileUsed(const QString& path);
 
 private:
     /// Returns the editor; makes it first if necessary.
@@ -58,8 +60,10 @@ private:
     void load(const QString& path);
     /// Shows a plan that has no file of its own.
     void edit(const std::string& text, const QString& name);
-    void chooseWhereToSave();
+    /// Calls `then`, if any, when the plan is saved.
+    void chooseWhereToSave(const std::function<void()>& then);
     void chooseWhereToExport(posh::Dialect dialect);
+    void exportPlan(const QString& path, posh::Dialect dialect);
     void chooseWhereToSavePicture();
     /// Replaces the plan of the selected robot while it runs.
     void putIntoRobot(const std::string& text, const QString& name);

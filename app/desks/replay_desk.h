@@ -16,6 +16,10 @@ public:
     void restore(const QSettings& settings) override { setRecording(settings.value("record", true).toBool()); }
     void save(QSettings& settings) const override { settings.setValue("record", control_.recording()); }
 
+signals:
+    /// The user wants to replay this recording.
+    void recordingChosen(const QString& path);
+
 private:
     /// Updates the bar and the badge for the selected robot.
     void show();

@@ -7,7 +7,6 @@
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QScreen>
 
 #include "core/server/embedded/program_files.h"
@@ -47,7 +46,7 @@ MainWindow::~MainWindow() = default;
 void MainWindow::begin() {
     if (!options_.recording.isEmpty()) {
         views_.time->setSteerable(false); // Until a simulator is connected.
-        return control_.openRecording(options_.recording);
+        return files_.openRecording(options_.recording);
     }
     server_.begin();
     if (!options_.mission_file.isEmpty())
@@ -71,8 +70,9 @@ void MainWindow::makeMenus() {
         fill(menu, ids);
         return menu;
     };
-    add(tr("&File"), "file.open file.save - file.record file.open_recording - "
-                     "file.export file.folder file.show_folder - file.quit");
+    QMenu* const file = add(tr("&File"), "file.open file.save - file.record file.open_recording -");
+    files_.fillRecentMenu(file->addMenu(tr("Open r&ecent")));
+    fill(file, "- file.export file.folder file.show_folder - file.quit");
     add(tr("&Mission"), "mission.area - mission.start mission.start_again mission.pause mission.land mission.stop - "
                         "mission.stop_all");
     add(tr("&Robots"), "robot.select_1 robot.select_2 robot.select_3 robot.select_4 robot.select_5 robot.select_6 "
@@ -170,6 +170,7 @@ void MainWindow::connectDesks() {
     connect(&plan_, &PlanDesk::planShown, &workshop_, &PlanWorkshop::setRunningPlan);
     connect(&time_, &TimeDesk::pausedChanged, &world_, &WorldEditor::setPaused);
     connect(&time_, &TimeDesk::pausedChanged, views_.sensors, &widgets::SensorPanel::setPaused);
+    connect(&replay_, &ReplayDesk::recordingChosen, &files_, &FileDesk::openRecording);
     connect(&drive_, &DriveDesk::realTimeWanted, &time_, &TimeDesk::slowDown);
 }
 
@@ -201,19 +202,15 @@ void MainWindow::dropEvent(QDropEvent* event) {
 
 void MainWindow::restoreSettings() {
     const QSettings settings;
-    for (Desk* desk : std::initializer_list<Desk*>{&view_, &messages_, &workshop_, &server_, &replay_, &plan_})
+    for (Desk* desk : std::initializer_list<Desk*>{&view_, &messages_, &workshop_, &server_, &replay_, &plan_, &files_})
         desk->restore(settings);
-    if (options_.result_folder.isEmpty())
-        files_.restore(settings);
 }
 
 void MainWindow::saveSettings() {
     auto written = std::make_shared<QSettings>();
-    for (const Desk* desk :
-         std::initializer_list<const Desk*>{&view_, &plugins_, &messages_, &workshop_, &server_, &replay_, &plan_})
+    for (const Desk* desk : std::initializer_list<const Desk*>{&view_, &plugins_, &messages_, &workshop_, &server_,
+                                                               &replay_, &plan_, &files_})
         desk->save(*written);
-    if (options_.result_folder.isEmpty())
-        files_.save(*written);
     written->moveToThread(nullptr); // It is written by the thread that deletes it.
     disk_.start([written = std::move(written)]() mutable { written.reset(); });
 }
@@ -231,21 +228,15 @@ void MainWindow::showTitle() {
 }
 
 void MainWindow::askWhereToSave(const QString& reason) {
-    if (!control_.closing() || asking_)
-        return; // The notification reports it, and the scan is still in memory.
-    asking_ = true;
-    QMessageBox box(QMessageBox::Warning, tr("The scan is not saved"), reason, QMessageBox::NoButton, this);
-    auto* other = box.addButton(tr("Choose another folder…"), QMessageBox::AcceptRole);
-    auto* discard = box.addButton(tr("Close without saving"), QMessageBox::DestructiveRole);
-    box.addButton(tr("Keep the window open"), QMessageBox::RejectRole);
-    box.exec();
-    asking_ = false;
-    if (box.clickedButton() == other && files_.chooseResultFolder())
-        control_.prepareToClose();
-    else if (box.clickedButton() == discard)
-        closeAtOnce();
-    else
-        control_.stayOpen();
+    if (!control_.closing())
+        return;          // The notification reports it, and the scan is still in memory.
+    control_.stayOpen(); // Until there is an answer; robots that start meanwhile are asked about again.
+    may_stop_ = false;
+    leaving_ = false;
+    views_.question->ask("unsaved", reason,
+                         {{tr("Choose another folder…"), [this] { files_.chooseResultFolder([this] { close(); }); }},
+                          {tr("Close without saving"), [this] { closeAtOnce(); }},
+                          {tr("Keep the window open"), {}}});
 }
 
 void MainWindow::quit() {

@@ -105,13 +105,12 @@ private:
     DriveDesk drive_{desk_};
     CameraDesk camera_{desk_};
     WorldEditor world_{desk_};
-    FileDesk files_{desk_, server_, mission_, workshop_};
+    FileDesk files_{desk_, server_, mission_, workshop_, options_.result_folder.isEmpty()};
     ReplayDesk replay_{desk_};
     MessageDesk messages_{desk_};
     FaultDesk faults_{desk_};
     RadioDesk radio_{desk_};
     ViewDesk view_;
-    bool asking_ = false;    ///< the dialog of `askWhereToSave` is open
     bool may_stop_ = false;  ///< the user has said that busy robots may be stopped
     bool leaving_ = false;   ///< the window closes when the last busy robot has landed
     bool may_close_ = false; ///< nothing is left to save, or the user gave it up

@@ -9,7 +9,6 @@
 #include "widgets/models/parameter_display.h"
 #include "widgets/models/ranges.h"
 #include "widgets/models/robot_list_model.h"
-#include "widgets/panels/dialogs.h"
 
 namespace tst_shown_texts {
 
@@ -65,8 +64,6 @@ private slots:
     void linkIsSaidInWords();
     void badgeSaysWhetherItRecords();
     void sonarsWithOddNamesComeLast();
-    void suffixIsAddedOnlyWhereNoneIs_data();
-    void suffixIsAddedOnlyWhereNoneIs();
 };
 
 void tst_ShownTexts::whoDrivesIsSaidInAFewWords_data() {
@@ -413,24 +410,6 @@ void tst_ShownTexts::sonarsWithOddNamesComeLast() {
     }
     QCOMPARE(names, QStringList({"L10", "L1", "M0", "R2", "R", "X9"}));
     QVERIFY(zonesOf({}, 5.0).zones.empty());
-}
-
-void tst_ShownTexts::suffixIsAddedOnlyWhereNoneIs_data() {
-    QTest::addColumn<QString>("path");
-    QTest::addColumn<QString>("whole");
-    QTest::newRow("canceled") << ""
-                              << "";
-    QTest::newRow("none") << "plan"
-                          << "plan.png";
-    QTest::newRow("another") << "plan.svg"
-                             << "plan.svg";
-    QTest::newRow("a dot in the folder") << "/runs/v1.2/plan"
-                                         << "/runs/v1.2/plan.png";
-}
-
-void tst_ShownTexts::suffixIsAddedOnlyWhereNoneIs() {
-    QFETCH(QString, path);
-    QTEST(withSuffix(path, ".png"), "whole");
 }
 
 USAR_TEST(tst_ShownTexts)

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include <QDragEnterEvent>
-#include <QFileDialog>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QMenu>
@@ -16,6 +15,7 @@
 
 #include "widgets/models/figures.h"
 #include "widgets/models/parameter_display.h"
+#include "widgets/panels/dialogs.h"
 #include "widgets/style/empty_state.h"
 #include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
@@ -200,15 +200,10 @@ Result<void> PlotView::exportPicture(const QString& file) const {
 
 void PlotView::askForFile(const QString& title, const QString& filter,
                           Result<void> (PlotView::*write)(const QString&) const) {
-    auto* dialog = new QFileDialog(this, title, QString(), filter);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(filter.left(3).toLower());
-    connect(dialog, &QFileDialog::fileSelected, this, [this, write](const QString& file) {
+    askWhereToSave(this, title, {}, filter, [this, write](const QString& file) {
         if (const Result<void> done = (this->*write)(file); !done)
             emit failed(QString::fromStdString(done.error().text()));
     });
-    dialog->show();
 }
 
 void PlotView::dragEnterEvent(QDragEnterEvent* event) {

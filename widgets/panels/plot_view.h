@@ -64,7 +64,7 @@ private:
     void fillWindowChoice();
     /// Returns false if the plot does not use the key.
     bool runKey(const QKeyEvent& event);
-    /// Opens a save dialog, which is not modal because a robot may be moving, and calls `write` with the chosen file.
+    /// Calls `write` with the file that the user chooses.
     void askForFile(const QString& title, const QString& filter, Result<void> (PlotView::*write)(const QString&) const);
     void removeSelected();
     void listChanged();
