@@ -1,4 +1,4 @@
-// What a picture of the plot costs: two curves of many samples, all of them in view.
+// The cost of a picture of the plot: two curves of many samples, all of them in view.
 #include <string>
 
 #include <benchmark/benchmark.h>

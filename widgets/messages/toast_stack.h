@@ -19,7 +19,7 @@ namespace usar::widgets {
 class Toast : public QFrame {
     Q_OBJECT
 public:
-    static constexpr int lifetime_ms = 8000;      ///< of warnings and errors
+    static constexpr int lifetime_ms = 8000;      ///< warnings and errors stay this long
     static constexpr int note_lifetime_ms = 6000; ///< shorter, because good news is read faster
 
     Toast(const Notification& notification, QWidget* parent);

@@ -82,7 +82,7 @@ private:
     RobotBody body_;
     StayWatch stay_;
     FallWatch falls_;
-    CollisionCounter touches_; ///< of objects and other robots
+    CollisionCounter touches_; ///< counts those of objects and other robots
     HeightWatch heights_;
     bool went_under_ = false; ///< a submarine that has been below the surface
     WorldRays rays_;
