@@ -1,6 +1,7 @@
 // Reports of a session to the rest of the program, by value.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -73,7 +74,8 @@ struct SentCommand : agent::CausedCommand {
 struct SessionUpdate {
     /// Everything reported before is void: a replay was rewound, and this update contains all there is now.
     bool rewound = false;
-    std::optional<ReplayedTask> task;      ///< set if a replayed behavior has begun
+    std::optional<ReplayedTask> task;      ///< set if a replayed behavior has begun; the newest, if several have
+    std::size_t published_before_task = 0; ///< how many of `published` belong to earlier behaviors than `task`
     std::vector<protocol::InfoLine> lines; ///< only the newest 4000 if more came in one frame
     std::vector<SentCommand> commands;     ///< in order; `after` gives their place between the lines
     /// In the order in which the behavior published them.
