@@ -209,6 +209,12 @@ std::optional<double> Robot::coverage_pct() const {
     return all == 0 ? 0.0 : 100.0 * covered / double(all);
 }
 
+std::optional<double> Robot::batteryLeft_pct() const {
+    if (view_.status && view_.status->battery_used_pct)
+        return 100.0 - *view_.status->battery_used_pct;
+    return view_.figures.battery_left_pct;
+}
+
 Seconds Robot::wallTime() const {
     return took_ ? *took_ : Seconds(since_start_.isValid() ? double(since_start_.nsecsElapsed()) * 1e-9 : 0.0);
 }

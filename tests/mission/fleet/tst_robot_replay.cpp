@@ -23,6 +23,7 @@ namespace {
 
 std::string statusText(const std::string& state, double flown_m) {
     agent::BehaviorStatus status;
+    status.battery_used_pct = 20.0;
     status.state = state;
     status.distance_flown_m = flown_m;
     std::string text;
@@ -36,10 +37,12 @@ std::string twoFlights() {
     std::string file;
     link::recording::appendHead(file);
     const auto add = [&](link::RecordTime time, const std::string& name, const std::string& bytes) {
-        link::recording::append(file, {.kind = RecordKind::Note, .time = time, .name = name, .bytes = bytes});
+        link::recording::append(file,
+                                {.kind = RecordKind::Note, .time = time, .line = {2}, .name = name, .bytes = bytes});
     };
     link::recording::append(file, {.kind = RecordKind::Start, .bytes = "robot: R1\n"});
     link::recording::append(file, {.kind = RecordKind::Opened, .bytes = "h:1"});
+    link::recording::append(file, {.kind = RecordKind::In, .bytes = "STA {Battery 1000}\r\nSTA {Battery 500}\r\n"});
     add(1s, "behavior", "airrobot/cpp\tR1\t0 0 3 4");
     add(2s, "published", statusText("out", 7.0));
     add(3s, "finished", "0 Landed on request.");
@@ -102,6 +105,14 @@ private slots:
         QCOMPARE(replayed.view().finished->reason, std::string("Landed on request."));
         QVERIFY(replayed.view().status);
         QCOMPARE(replayed.view().status->distance_flown_m, 7.0);
+    }
+
+    void theBatteryIsTheRobotsOwnUntilABehaviorTells() {
+        Replayed replayed;
+        QVERIFY(replayed.moveTo(1.5s));
+        QCOMPARE(replayed.robot.batteryLeft_pct(), std::optional(50.0));
+        QVERIFY(replayed.moveTo(2.5s));
+        QCOMPARE(replayed.robot.batteryLeft_pct(), std::optional(80.0));
     }
 
     void backwardTheFiguresAreThoseOfThatMoment() {
