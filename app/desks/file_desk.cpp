@@ -5,6 +5,8 @@
 #include <QFileInfo>
 #include <QUrl>
 
+#include "core/mission/fleet/robot_words.h"
+
 namespace usar::app {
 
 FileDesk::FileDesk(const DeskContext& context, ServerDesk& server, MissionDesk& mission, PlanWorkshop& workshop)
@@ -21,9 +23,10 @@ void FileDesk::registerCommands() {
 }
 
 void FileDesk::wire() {
-    connect(&control_, &MissionControl::resultsWritten, this, [this](RobotId, const QStringList& files) {
-        notices_.note("saved", tr("Saved %n file(s): %1", "", static_cast<int>(files.size())).arg(files.value(0)));
-    });
+    connect(&control_, &MissionControl::resultsWritten, this,
+            [this](RobotId, const QStringList& files, const QString& robot_name) {
+                notices_.note("saved/" + robot_name, mission::savedText(robot_name, files));
+            });
 }
 
 void FileDesk::restore(const QSettings& settings) {
