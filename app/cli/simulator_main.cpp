@@ -45,6 +45,11 @@ int main(int argc, char** argv) {
     usar::server::SimulatorServer server(std::move(*simulation));
     QObject::connect(&server, &usar::server::SimulatorServer::logged,
                      [](const QString& sentence) { std::fprintf(stderr, "%s\n", sentence.toLocal8Bit().constData()); });
+    QObject::connect(&server, &usar::server::SimulatorServer::objectRefused,
+                     [](const QString& name, const QString& reason) {
+                         std::fprintf(stderr, "could not place '%s': %s\n", name.toLocal8Bit().constData(),
+                                      reason.toLocal8Bit().constData());
+                     });
     const auto port = server.listen(settings->port);
     if (!port)
         return complain(port.error());

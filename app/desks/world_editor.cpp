@@ -143,6 +143,7 @@ void WorldEditor::wire() {
     connect(views_.layers, &widgets::LayersPanel::layerChanged, this, &WorldEditor::refreshPolling);
     connect(&control_.simulator(), &server::SimulatorHost::figuresChanged, this,
             [this](const server::SimulatorFigures& figures) { real_time_factor_ = figures.real_time_factor; });
+    connect(&control_.simulator(), &server::SimulatorHost::objectRefused, &link_, &mission::WorldLink::refuse);
     wireMap();
     showState();
 }
