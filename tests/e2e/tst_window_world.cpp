@@ -180,7 +180,7 @@ private slots:
         QCOMPARE(page.panel().model().row(page.rowOf("Box")).waypoints_in_map_m.size(), std::size_t(2));
         page.chooseSpeed("10×");
         QTest::mouseClick(page.button("Start moving"), Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(page.isNear(page.rowOf("Box"), {4, -2}), soon_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(page.isNear(page.rowOf("Box"), {4, -2}), flight_ms); // at 1×, without a robot
     }
 
     void aConveyorCarriesWhatLiesOnIt() {
