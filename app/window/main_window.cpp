@@ -171,6 +171,7 @@ void MainWindow::connectDesks() {
     connect(&time_, &TimeDesk::pausedChanged, &world_, &WorldEditor::setPaused);
     connect(&time_, &TimeDesk::pausedChanged, views_.sensors, &widgets::SensorPanel::setPaused);
     connect(&drive_, &DriveDesk::realTimeWanted, &time_, &TimeDesk::slowDown);
+    connect(&drive_, &DriveDesk::drivingChanged, &world_, &WorldEditor::setDriving);
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
