@@ -75,8 +75,7 @@ public slots:
     void setPaused(bool paused);
     /// Sends one of the commands of world_control.h; without a connection it is only reported.
     void send(const usar::protocol::Command& command);
-    /// The embedded simulator refused to create the object, and `reason`, part of a sentence, says why. Objects of
-    /// others have no effect.
+    /// The embedded simulator refused to create this object of ours; `reason` is part of a sentence.
     void refuse(const QString& name, const QString& reason);
 
 signals:
