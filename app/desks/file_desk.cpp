@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QUrl>
 
+#include "core/mission/fleet/robot_words.h"
 #include "widgets/panels/dialogs.h"
 
 namespace usar::app {
@@ -25,9 +26,10 @@ void FileDesk::registerCommands() {
 }
 
 void FileDesk::wire() {
-    connect(&control_, &MissionControl::resultsWritten, this, [this](RobotId, const QStringList& files) {
-        notices_.note("saved", tr("Saved %n file(s): %1", "", static_cast<int>(files.size())).arg(files.value(0)));
-    });
+    connect(&control_, &MissionControl::resultsWritten, this,
+            [this](RobotId, const QStringList& files, const QString& robot_name) {
+                notices_.note("saved/" + robot_name, mission::savedText(robot_name, files));
+            });
     const auto remember = [this](const QString& path) { recent_.add(path); };
     connect(&mission_, &MissionDesk::fileUsed, this, remember);
     connect(&workshop_, &PlanWorkshop::fileUsed, this, remember);

@@ -73,14 +73,30 @@ void PlanWorkshop::show() {
 }
 
 void PlanWorkshop::load(const QString& path) {
-    if (editor_ && editor_->path() == path)
+    if (editor_ && editor_->path() == path) {
+        checkForChosen();
         return show();
+    }
     letGo([this, path] {
-        if (const auto read = opened().open(path); read)
-            show();
-        else
-            complain(read.error());
+        if (const auto read = opened().open(path); !read)
+            return complain(read.error());
+        checkForChosen();
+        show();
     });
+}
+
+std::string PlanWorkshop::chosenClass() const {
+    const auto* described = control_.plugins().robotOf(plannedBehavior());
+    return described ? described->class_name : std::string();
+}
+
+void PlanWorkshop::checkForChosen() {
+    const auto* described = control_.plugins().robotOf(plannedBehavior());
+    if (const std::string name = chosenClass(); checked_for_ != name) {
+        editor_->setPrimitives(described ? described->primitives : std::vector<agent::PrimitiveDescription>());
+        checked_for_ = name;
+    }
+    follow();
 }
 
 std::string PlanWorkshop::plannedBehavior() const {
@@ -130,6 +146,7 @@ void PlanWorkshop::edit(const std::string& text, const QString& name) {
         return show();
     letGo([this, text, name] {
         opened().setText(text, name);
+        checkForChosen();
         show();
     });
 }
@@ -137,6 +154,7 @@ void PlanWorkshop::edit(const std::string& text, const QString& name) {
 void PlanWorkshop::newPlan() {
     letGo([this] {
         opened().setText(posh::planTemplates().front().text, tr("new.lap"));
+        checkForChosen();
         show();
     });
 }
@@ -156,7 +174,11 @@ void PlanWorkshop::takeSaved(const QString& path) {
     emit fileUsed(path);
     notices_.cure("plan");
     const std::string behavior_id = plannedBehavior();
-    if (mission::readOwnPlan(path, behavior_id, control_.plugins()))
+    if (checked_for_ != chosenClass())
+        notices_.say(Severity::Note, "plan-ready",
+                     tr("Saved %1. It is not for the robot that is selected now, and so not used by it.")
+                         .arg(QFileInfo(path).fileName()));
+    else if (mission::readOwnPlan(path, behavior_id, control_.plugins()))
         use(behavior_id, path);
     else
         notices_.say(Severity::Note, "plan-ready",
@@ -193,19 +215,22 @@ void PlanWorkshop::putIntoRobot(const std::string& text, const QString& name) {
 void PlanWorkshop::follow() {
     if (!editor_)
         return;
-    const auto* described = control_.plugins().robotOf(plannedBehavior());
-    if (const std::string name = described ? described->class_name : std::string(); checked_for_ != name) {
-        editor_->setPrimitives(described ? described->primitives : std::vector<agent::PrimitiveDescription>());
-        checked_for_ = name;
-    }
+    if (checked_for_ && checked_for_->empty() && !chosenClass().empty())
+        return checkForChosen(); // The plan was opened for no robot, so it gets the first one.
     const Robot* robot = selection_.robot();
     const auto* behavior = robot ? control_.plugins().behavior(robot->view().behavior_id) : nullptr;
+    const auto* described = behavior ? control_.plugins().robotOf(behavior->id) : nullptr;
     const bool planned = behavior && !behavior->plan_name.empty();
-    editor_->setApplicable(robot && robot->running() && planned,
+    const bool fits = described && checked_for_ == described->class_name;
+    editor_->setApplicable(robot && robot->running() && planned && fits,
                            !robot || !robot->running()
                                ? tr("No robot runs; save the plan, and it is used at the next start")
-                               : tr("No plan controls this robot now"));
-    editor_->setRunningPlan(robot ? nameOf(*robot) : QString(), running_text_);
+                           : planned ? tr("This plan is for another kind of robot")
+                                     : tr("No plan controls this robot now"));
+    if (robot && fits)
+        editor_->setRunningPlan(nameOf(*robot), running_text_);
+    else
+        editor_->setRunningPlan({}, {});
 }
 
 void PlanWorkshop::setRunningPlan(const std::string& text) {

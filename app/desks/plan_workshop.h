@@ -29,8 +29,8 @@ public:
     /// Chooses this file for the robot, from its next start on. A plan that does not fit the robot is not used, but
     /// shown in the editor. Errors are notices.
     void openPlan(const QString& path);
-    /// Updates the editor when another robot is selected or its behavior starts or ends: the robot that the plan is
-    /// checked against, and the permission to put the plan into the running robot.
+    /// Updates the editor when another robot is selected or its behavior starts or ends: the permission to put the plan
+    /// into the running robot. The plan stays with the class of robot that it was opened for.
     void follow();
     /// Sets the current plan of the selected robot; empty: no plan decides.
     void setRunningPlan(const std::string& text);
@@ -72,6 +72,10 @@ private:
     /// Chooses behavior and file for the next start.
     void use(const std::string& behavior_id, const QString& path);
     std::string plannedBehavior() const;
+    /// Class of the robot that the chosen behavior is for; empty if there is none.
+    std::string chosenClass() const;
+    /// From now on the plan in the editor is checked against the robot that is chosen now.
+    void checkForChosen();
     void complain(const Error& error) { notices_.complain("plan", error); }
 
     QPointer<widgets::PlanEditor> editor_;

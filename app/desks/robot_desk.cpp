@@ -101,6 +101,12 @@ void RobotDesk::wireSpawning() {
         card->openFor(pose, QString::fromStdString(start.name), control_.nextRobotName(), at);
     });
     connect(card, &widgets::SpawnCard::spawnRequested, this, &RobotDesk::spawn);
+    const auto count = [this, card] {
+        card->setRoom(static_cast<int>(control_.robots().size()), mission::Roster::most_robots);
+    };
+    connect(&control_, &MissionControl::robotAdded, card, count);
+    connect(&control_, &MissionControl::robotRemoved, card, count);
+    count();
 }
 
 void RobotDesk::wireMarks() {

@@ -120,8 +120,7 @@ void RobotPresenter::showRow(RobotId id) {
     row.state = mission::stateText(view);
     row.stale = mission::isStale(view);
     row.driver = controlWords(control_, robot);
-    if (view.status && view.status->battery_used_pct)
-        row.battery_pct = 100.0 - *view.status->battery_used_pct;
+    row.battery_pct = robot->batteryLeft_pct();
     views_.robots->updateRobot(row);
 }
 
@@ -168,7 +167,8 @@ void RobotPresenter::showInstruments(const RobotView& view, const mission::Sessi
 /// Shows this robot's figures and no others: those of its last behavior after the end, dashes before the first.
 void RobotPresenter::showStatus(const RobotView& view) {
     widgets::StatusStrip& strip = *views_.status;
-    strip.setRobot(nameOf(*control_.robot(view.id)));
+    const Robot& robot = *control_.robot(view.id);
+    strip.setRobot(nameOf(robot));
     if (view.status)
         strip.setStatus(*view.status);
     else
@@ -178,7 +178,8 @@ void RobotPresenter::showStatus(const RobotView& view) {
                       view.finished->success ? widgets::StateShape::Good : widgets::StateShape::Bad);
     else if (!view.figures.behavior_running)
         strip.setIdle(QObject::tr("Idle"));
-    strip.setCoverage(control_.robot(view.id)->coverage_pct());
+    strip.setBattery(robot.batteryLeft_pct());
+    strip.setCoverage(robot.coverage_pct());
 }
 
 void RobotPresenter::showLinkState(RobotId id) {

@@ -4,11 +4,13 @@
 
 #include <QComboBox>
 #include <QDir>
+#include <QElapsedTimer>
 #include <QFile>
 #include <QMenuBar>
 #include <QRegularExpression>
 #include <QScreen>
 #include <QSettings>
+#include <QSignalSpy>
 #include <QTest>
 
 #include "tests/doubles/test_files.h"
@@ -43,6 +45,7 @@ private slots:
     void theServerIsLeftAndJoinedByCommand();
     void timeIsPausedSteppedAndRunByCommand();
     void speedIsChangedByCommand();
+    void withoutARobotTheClockDoesNotRunAway();
     void builtInLayoutsPutTheirDockFirst();
     void aDockIsHiddenAndShownByCommand();
     void aFirstStartFitsASmallScreen();
@@ -117,6 +120,25 @@ void tst_WindowCommands::speedIsChangedByCommand() {
     QVERIFY(std::isinf(time->speed()));
     run(page, "time.real");
     QCOMPARE(time->speed(), 1.0);
+}
+
+void tst_WindowCommands::withoutARobotTheClockDoesNotRunAway() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QSignalSpy figures(&page.window().control().simulator(), &server::SimulatorHost::figuresChanged);
+    run(page, "time.max");
+    const auto now = [&] { return figures.last().front().value<server::SimulatorFigures>().now; };
+    QTRY_VERIFY_WITH_TIMEOUT(!figures.isEmpty(), soon_ms);
+    const Seconds before = now();
+    QElapsedTimer since;
+    since.start();
+    QTRY_VERIFY_WITH_TIMEOUT(now() > before + Seconds(1.0), soon_ms);
+    QVERIFY2(now() - before < Seconds(2.0 + 1e-3 * double(since.elapsed())), "at most real time, and one report late");
+    QVERIFY(page.window().views().time->limited());
+    QVERIFY(page.spawnAt("PlayerStart"));
+    QVERIFY(!page.window().views().time->limited());
+    QVERIFY(std::isinf(page.window().views().time->speed()));
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->figures.now > before + Seconds(60.0), soon_ms);
 }
 
 void tst_WindowCommands::builtInLayoutsPutTheirDockFirst() {

@@ -78,6 +78,7 @@ private slots:
     void aPlanThatDoesNotFitIsShownToBeMended();
     void aChangedPlanIsAskedForAtClosing();
     void aPlanWithoutAFileIsSavedAndThenTheWindowCloses();
+    void thePlanStaysWithTheRobotItWasOpenedFor();
 };
 
 void tst_WindowEditor::theRobotsOwnPlanIsReadAndSavedElsewhere() {
@@ -173,6 +174,24 @@ void tst_WindowEditor::aPlanWithoutAFileIsSavedAndThenTheWindowCloses() {
             QTest::mouseClick(button, Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(!page.window().isVisible(), soon_ms);
     QVERIFY(textOf(folder.filePath("mine.lap")).contains("Maps an area in lanes"));
+}
+
+void tst_WindowEditor::thePlanStaysWithTheRobotItWasOpenedFor() {
+    const QTemporaryDir folder;
+    PlannedPage page(folder, "");
+    QVERIFY(QTest::qWaitFor([&] { return page.hasStartPoses(); }, soon_ms));
+    QVERIFY(page.spawnAt("PlayerStart"));
+    widgets::PlanEditor* const editor = page.editor();
+    QVERIFY(!posh::hasErrors(editor->findings()));
+    mission::SpawnRequest other;
+    other.class_name = "USARBot.P2DX";
+    other.robot_name = "R2";
+    other.start_in_map.position_m = page.map().content().start_poses.back().pose_in_map.position_m;
+    const auto spawned = [&] { return page.window().control().spawn(other).has_value(); };
+    QVERIFY(QTest::qWaitFor(spawned, soon_ms));
+    QTRY_VERIFY(QString::fromStdString(page.window().views().behavior->behaviorId()).startsWith("p2dx/"));
+    QCOMPARE(editor->name(), QString("airrobot.lap"));
+    QVERIFY2(!posh::hasErrors(editor->findings()), "these would be errors of an AirRobot's plan in a P2DX");
 }
 
 USAR_TEST(tst_WindowEditor)

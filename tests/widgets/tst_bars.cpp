@@ -50,6 +50,7 @@ private slots:
     void figuresOfTheLinkOpenFromTheRate();
     void pauseAsksAndEnablesTheStep();
     void speedsAreOffered();
+    void withoutARobotTheBarSaysWhyTimeIsNotFaster();
     void settersAreSilent();
     void realServerHasOnlyAClock();
     void clockIsUnknownAtFirst();
@@ -306,6 +307,19 @@ void tst_Bars::speedsAreOffered() {
     QVERIFY(std::isinf(asked.last()[0].toDouble()));
     QTest::keyClick(combo, Qt::Key_Home);
     QCOMPARE(asked.last()[0].toDouble(), 0.1);
+}
+
+void tst_Bars::withoutARobotTheBarSaysWhyTimeIsNotFaster() {
+    TimeBar bar;
+    const auto* const factor = bar.findChildren<QLabel*>()[1];
+    bar.setRealTimeFactor(1.0);
+    bar.setLimited(true);
+    QVERIFY2(factor->text().startsWith("RTF"), "real time is what was asked for");
+    bar.setSpeed(INFINITY);
+    QCOMPARE(factor->text(), QStringLiteral("1×: no robot"));
+    QVERIFY(factor->toolTip().contains("as soon as there is one"));
+    bar.setLimited(false);
+    QVERIFY(factor->text().startsWith("RTF"));
 }
 
 void tst_Bars::settersAreSilent() {

@@ -100,7 +100,6 @@ void tst_Instruments::stripShowsTheBehaviorsFigures() {
     status.elapsed = Seconds(751.0);
     status.distance_to_goal_m = 38.04;
     status.range_left_m = 412.3;
-    status.battery_used_pct = 29.0;
     status.distance_flown_m = 1204.0;
     status.charges = 1;
     strip.setStatus(status);
@@ -110,7 +109,9 @@ void tst_Instruments::stripShowsTheBehaviorsFigures() {
     QCOMPARE(readout(strip, QStringLiteral("elapsed")), QStringLiteral("00:12:31"));
     QCOMPARE(readout(strip, QStringLiteral("to goal")), QStringLiteral("38.0"));
     QCOMPARE(readout(strip, QStringLiteral("range left")), QStringLiteral("412"));
-    QCOMPARE(strip.findChildren<Meter*>()[0]->value(), std::optional(29.0));
+    strip.setBattery(71.0);
+    QCOMPARE(strip.findChildren<Meter*>()[0]->value(), std::optional(71.0));
+    QCOMPARE(strip.findChildren<Meter*>()[0]->accessibleName(), QStringLiteral("Battery"));
 }
 
 void tst_Instruments::unknownFiguresAreADash() {
@@ -145,8 +146,8 @@ void tst_Instruments::finishedMissionCanStillBeRead() {
 void tst_Instruments::staleStripSaysSo() {
     StatusStrip strip;
     agent::BehaviorStatus status;
-    status.battery_used_pct = 90.0;
     strip.setStatus(status);
+    strip.setBattery(10.0);
     strip.show();
     auto* word = strip.findChild<QLabel*>(QStringLiteral("stale"));
     auto* battery = strip.findChildren<Meter*>()[0];
@@ -177,14 +178,15 @@ void tst_Instruments::figuresOfAColumnEndOnOneLine() {
 }
 
 void tst_Instruments::meterWarnsInWordAndColor() {
-    Meter meter(QStringLiteral("Battery used"), nullptr, 70.0, 85.0);
+    Meter meter(QStringLiteral("Battery"), nullptr, 30.0, 15.0);
     meter.resize(300, 20);
     meter.setValue(50.0);
     const QRect bar(100, 6, 60, 8);
     QVERIFY(pixelsNear(meter, bar, tokens().ok) > 50);
-    meter.setValue(90.0);
+    meter.resize(1000, 20); // so that the bar of a low value is long enough
+    meter.setValue(10.0);
     QVERIFY(pixelsNear(meter, bar, tokens().danger) > 50);
-    QCOMPARE(meter.accessibleDescription(), QStringLiteral("90 %"));
+    QCOMPARE(meter.accessibleDescription(), QStringLiteral("10 %"));
     meter.setValue(std::nullopt);
     QCOMPARE(pixelsNear(meter, bar, tokens().ok), 0);
 }

@@ -1,3 +1,7 @@
+#include <algorithm>
+
+#include <QLabel>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
@@ -32,6 +36,7 @@ private slots:
     void theBehaviorThatIsSetUpIsChosen();
     void behaviorsFollowTheRobot();
     void refusesNamesThatTheWireCannotCarry();
+    void theGreatestNumberIsSaidBeforeAndWhenItIsReached();
     void escapeCloses();
     void pressOnTheMapClosesAndReachesIt();
     void doubleClickOnTheMapClosesAndLeavesTheFocusThere();
@@ -97,6 +102,31 @@ void tst_Spawning::refusesNamesThatTheWireCannotCarry() {
     QCOMPARE(spawned.count(), 0);
     QTest::keyClicks(name, QStringLiteral("my {robot}"));
     QCOMPARE(name->text(), QStringLiteral("myrobot"));
+}
+
+void tst_Spawning::theGreatestNumberIsSaidBeforeAndWhenItIsReached() {
+    const auto says = [this](const QString& text) {
+        return std::ranges::any_of(card_->findChildren<QLabel*>(),
+                                   [&](const QLabel* label) { return label->text() == text; });
+    };
+    const auto* const button = card_->findChild<QPushButton*>();
+    QSignalSpy spawned(card_, &SpawnCard::spawnRequested);
+    card_->setRoom(8, 9);
+    QVERIFY(says(QStringLiteral("Robot 9 of 9")));
+    QVERIFY(button->isEnabled());
+    card_->setRoom(9, 9);
+    QCOMPARE(button->text(), QStringLiteral("Limit reached: 9 robots"));
+    QVERIFY(!button->isEnabled());
+    card_->openFor(1, QStringLiteral("HillTop"), QStringLiteral("R10"), map_->mapToGlobal(QPoint(100, 100)));
+    QVERIFY2(!button->isEnabled(), "another name does not help");
+    QTest::keyClick(card_, Qt::Key_Return);
+    QCOMPARE(spawned.count(), 0);
+    QTest::keyClick(map_->window()->focusWidget(), Qt::Key_Escape);
+    QVERIFY(card_->isHidden());
+    QVERIFY(map_->hasFocus());
+    card_->setRoom(4, 9);
+    QCOMPARE(button->text(), QStringLiteral("Spawn"));
+    QVERIFY(button->isEnabled());
 }
 
 void tst_Spawning::escapeCloses() {

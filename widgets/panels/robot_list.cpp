@@ -83,7 +83,9 @@ void paintBattery(QPainter* painter, const QRect& line, const RobotRow& robot) {
     painter->setPen(Qt::NoPen);
     painter->setBrush(t.line);
     painter->drawRoundedRect(bar, bar_height_px / 2.0, bar_height_px / 2.0);
-    const QColor level = share < 0.15 ? t.danger : share < 0.3 ? t.caution : t.ok;
+    const QColor level = *robot.battery_pct < battery_danger_pct    ? t.danger
+                         : *robot.battery_pct < battery_caution_pct ? t.caution
+                                                                    : t.ok;
     bar.setWidth(bar.width() * share);
     painter->setBrush(robot.stale ? t.stale : level);
     painter->drawRoundedRect(bar, bar_height_px / 2.0, bar_height_px / 2.0);

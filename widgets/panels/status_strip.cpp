@@ -13,7 +13,7 @@ namespace usar::widgets {
 namespace {
 
 /// All captions get this width, so that the bars of meters below each other are aligned.
-const QString widest_caption = QStringLiteral("Battery used");
+const QString widest_caption = QStringLiteral("Coverage");
 
 /// One sample per column, so that the figures of a column end at the same place.
 const QString time_sample = QStringLiteral("00:00:00");
@@ -95,15 +95,16 @@ void Meter::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     const QRectF words(0, 0, width(), height());
     const double value = value_pct_.value_or(qQNaN());
-    const QColor ink = stale() ? t.stale : value >= danger_pct_ ? t.danger : value >= caution_pct_ ? t.caution : t.ok;
+    const bool low = value < caution_pct_; // Not for an unknown value, which is no number.
+    const QColor ink = stale() ? t.stale : value < danger_pct_ ? t.danger : low ? t.caution : t.ok;
     painter.setPen(t.text_muted);
     painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter, caption_);
     QFont figures = font();
     figures.setStrikeOut(stale());
     painter.setFont(figures);
-    painter.setPen(stale() || value >= caution_pct_ ? ink : t.text);
+    painter.setPen(stale() || low ? ink : t.text);
     // The strike-out also covers spaces, so a stale figure is not padded.
-    const QString mark = value >= caution_pct_ && !stale() ? QStringLiteral("! ") : QString();
+    const QString mark = low && !stale() ? QStringLiteral("! ") : QString();
     painter.drawText(words, Qt::AlignRight | Qt::AlignVCenter,
                      mark + figure(value, 0, stale() ? 0 : 3) + QStringLiteral(" %"));
     const double left = fontMetrics().horizontalAdvance(widest_caption) + gap::small;
@@ -135,7 +136,7 @@ StatusStrip::StatusStrip(QWidget* parent)
     range_->setToolTip(tr("How far the robot can fly before it uses its reserve, in meters"));
     flown_->setToolTip(tr("Distance flown since the behavior started, in meters"));
     charges_->setToolTip(tr("How often the battery was recharged"));
-    battery_->setToolTip(tr("Used part of the battery's capacity, in percent"));
+    battery_->setToolTip(tr("What is left of the battery, in percent"));
     progress_->setToolTip(tr("Part of the whole task that is done, in percent"));
     coverage_->setToolTip(tr("Part of the mission area whose height is known, in percent"));
     robot_->setFont(themeFont(FontRole::Body, QFont::DemiBold));
@@ -183,7 +184,6 @@ void StatusStrip::setStatus(const agent::BehaviorStatus& status) {
     range_->setText(orDash(status.range_left_m, 0));
     flown_->setText(figure(status.distance_flown_m, 0));
     charges_->setText(QString::number(status.charges));
-    battery_->setValue(status.battery_used_pct);
     progress_->setValue(status.progress_pct);
 }
 

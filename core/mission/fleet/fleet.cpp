@@ -22,9 +22,9 @@ Fleet::Private::Private(Fleet& fleet, const QString& host_program) : q(fleet), b
         keeper.giveUpWaiting();
         emit q.readyToClose();
     });
-    connect(&keeper, &ScanKeeper::saved, &q, [this](RobotId id, const QStringList& files) {
+    connect(&keeper, &ScanKeeper::saved, &q, [this](RobotId id, const QStringList& files, const QString& name) {
         emit q.cured("export");
-        emit q.resultsWritten(id, files);
+        emit q.resultsWritten(id, files, name);
         closeWhenSaved();
     });
     connect(&keeper, &ScanKeeper::failed, &q, [this](RobotId id, const QString& reason) {

@@ -126,7 +126,7 @@ signals:
     void behaviorFinished(usar::RobotId id, bool success, const QString& reason);
     /// The behavior threw, hung or died, as `text` says; `startAgain` may help. Replaces `noticed`; same kind of `key`.
     void behaviorBroke(usar::RobotId id, const QString& key, const QString& text);
-    void resultsWritten(usar::RobotId id, const QStringList& files);
+    void resultsWritten(usar::RobotId id, const QStringList& files, const QString& robot_name);
     void exportFailed(usar::RobotId id, const QString& reason); ///< the scan is still in memory
     /// `key` groups repeats and lets a cure clear them.
     void noticed(const QString& key, const usar::mission::Notice& notice);

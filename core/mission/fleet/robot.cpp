@@ -1,5 +1,6 @@
 #include "core/mission/fleet/robot.h"
 
+#include <span>
 #include <utility>
 
 #include "core/base/alternatives.h"
@@ -83,8 +84,6 @@ Result<void> Robot::startBehavior(const agent::PluginLoader& plugins, const Star
     since_start_.start();
     took_.reset();
     view_.broke = false;
-    view_.paused = false;
-    view_.halted.reset();
     beginTask(start.id, start.area_in_map);
     return {};
 }
@@ -93,6 +92,8 @@ Result<void> Robot::startBehavior(const agent::PluginLoader& plugins, const Star
 void Robot::beginTask(const std::string& behavior_id, const Rectangle& area_in_map) {
     view_.behavior_id = behavior_id;
     view_.area_in_map = area_in_map;
+    view_.paused = false;
+    view_.halted.reset();
     view_.finished.reset();
     view_.status.reset();
     view_.zones.reset();
@@ -162,11 +163,14 @@ void Robot::forget() {
 void Robot::take(const SessionUpdate& update) {
     if (update.rewound)
         forget();
+    const std::span<const agent::Published> published(update.published);
+    for (const agent::Published& value : published.first(update.published_before_task))
+        take(value);
     if (update.task)
         beginTask(update.task->behavior_id, update.task->area_in_map);
     view_.figures = update.figures;
-    for (const agent::Published& published : update.published)
-        take(published);
+    for (const agent::Published& value : published.subspan(update.published_before_task))
+        take(value);
     for (const auto& tile : update.tiles) {
         view_.tiles[tile->index] = tile;
         countCovered(*tile);
@@ -203,6 +207,12 @@ std::optional<double> Robot::coverage_pct() const {
         covered += cells;
     const std::int64_t all = cellsOf(view_.area_in_map, view_.cell_size_m).count();
     return all == 0 ? 0.0 : 100.0 * covered / double(all);
+}
+
+std::optional<double> Robot::batteryLeft_pct() const {
+    if (view_.status && view_.status->battery_used_pct)
+        return 100.0 - *view_.status->battery_used_pct;
+    return view_.figures.battery_left_pct;
 }
 
 Seconds Robot::wallTime() const {

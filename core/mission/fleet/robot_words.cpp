@@ -1,5 +1,7 @@
 #include "core/mission/fleet/robot_words.h"
 
+#include <QFileInfo>
+
 #include "core/protocol/commands/spawn.h"
 
 namespace usar::mission {
@@ -29,6 +31,11 @@ QString liveStateText(const RobotView& view) {
 }
 
 } // namespace
+
+QString savedText(const QString& robot_name, const QStringList& files) {
+    return QObject::tr("Saved the scan of %1: %n file(s) in %2.", "", static_cast<int>(files.size()))
+        .arg(robot_name, QFileInfo(files.value(0)).path());
+}
 
 bool isStale(const RobotView& view) {
     if (hasNotBegun(view))

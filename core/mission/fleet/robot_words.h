@@ -14,6 +14,9 @@ bool isStale(const RobotView& view);
 /// as one.
 QString stateText(const RobotView& view);
 
+/// Says that the robot's scan was saved, and in which folder. `files`: their full paths, at least one.
+QString savedText(const QString& robot_name, const QStringList& files);
+
 /// Name of the device by which the user drives the robot now; empty if none is held.
 QString deviceText(const ControlState& state);
 /// A sentence for the user who drives the robot or could take it: what is missing, why it stopped, or what to do. Empty

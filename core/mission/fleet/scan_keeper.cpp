@@ -77,23 +77,25 @@ void ScanKeeper::write(Robot& robot, const std::shared_ptr<const ScanRecord>& re
     const auto facts = facts_.find(&robot);
     const RunSummary summary = summaryOf(robot, facts == facts_.end() ? SimulatorFacts{} : facts->second());
     ++writing_;
-    pool_.start(HandedOver([this, id = robot.view().id, who = QPointer<Robot>(&robot), record, summary, to = folder()] {
-        RunSummary whole = summary;
-        whole.duration = record->status.elapsed;
-        addRecord(whole, *record, nullptr);
-        const Result<QStringList> files = writeResults(*record, toJson(whole), to);
-        link::post(this, [this, id, who, files] { written(id, who, files); });
-    }));
+    pool_.start(
+        HandedOver([this, who = Writing{robot.view().id, nameOf(robot), &robot}, record, summary, to = folder()] {
+            RunSummary whole = summary;
+            whole.duration = record->status.elapsed;
+            addRecord(whole, *record, nullptr);
+            const Result<QStringList> files = writeResults(*record, toJson(whole), to);
+            link::post(this, [this, who, files] { written(who, files); });
+        }));
 }
 
-void ScanKeeper::written(RobotId id, const QPointer<Robot>& robot, const Result<QStringList>& files) {
+void ScanKeeper::written(const Writing& writing, const Result<QStringList>& files) {
+    const auto& [id, robot_name, robot] = writing;
     --writing_;
     if (!files && robot)
         robot->markUnsaved();
     if (files && robot && !robot->view().unsaved)
         release(*robot);
     if (files)
-        emit saved(id, *files);
+        emit saved(id, *files, robot_name);
     else
         emit failed(id, QString::fromStdString(files.error().text()));
 }

@@ -159,6 +159,7 @@ private slots:
         }));
         QTRY_COMPARE(written.size(), 1);
         QTRY_VERIFY(!fleet_->anythingToSave());
+        QCOMPARE(written.front().at(2).toString(), QString("R1"));
 
         const QStringList files = QDir(folder_->path()).entryList({"*.json"});
         QCOMPARE(files.size(), 1);
