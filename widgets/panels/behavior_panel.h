@@ -21,6 +21,8 @@ class QAction;
 
 namespace usar::widgets {
 
+class ScrollBox;
+
 /// State of the selected robot's behavior.
 enum class RunState { NoRobot, Ready, Running, Paused, Replay };
 
@@ -95,6 +97,8 @@ private:
     bool busy() const { return run_state_ == RunState::Running || run_state_ == RunState::Paused; }
 
     std::vector<agent::BehaviorDescription> behaviors_; ///< in the order of the list
+    QWidget* content_ = new QWidget;                    ///< all but the buttons
+    ScrollBox* scroll_ = nullptr;                       ///< holds `content_`
     QLabel* robot_label_ = new QLabel;
     QComboBox* behavior_box_ = new QComboBox;
     QToolButton* rescan_ = new QToolButton;

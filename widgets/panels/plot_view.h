@@ -44,7 +44,7 @@ public:
     /// All recorded samples, in SI units and radians.
     const SeriesStore& store() const { return store_; }
     QSize sizeHint() const override { return {640, 240}; }
-    QSize minimumSizeHint() const override { return {280, 140}; }
+    QSize minimumSizeHint() const override { return {240, 110}; }
 
 signals:
     /// An export failed; `text` is a sentence for a notification.

@@ -27,7 +27,7 @@ public:
 
     const RobotListModel& model() const { return *model_; }
     QSize sizeHint() const override { return {260, 220}; }
-    QSize minimumSizeHint() const override { return {180, 100}; }
+    QSize minimumSizeHint() const override { return {180, 64}; }
 
 signals:
     /// By mouse or keys, or because the selected robot was removed.
