@@ -198,10 +198,7 @@ void MessageFilterBar::focusSearch() {
 void MessageFilterBar::showExpression() {
     const auto expression = expressionOf(search_->text().trimmed());
     const bool wrong = expression && !expression->isValid();
-    QPalette palette;
-    if (wrong)
-        palette.setColor(QPalette::Text, tokens().danger);
-    search_->setPalette(palette);
+    setRole(search_, wrong ? "danger" : "");
     search_->setToolTip(
         wrong ? tr("Invalid regular expression at column %1: %2. All lines are shown until you correct it.")
                     .arg(expression->patternErrorOffset() + 2)
