@@ -70,6 +70,8 @@ private slots:
     void everyDockFitsTheScreen();
     void openingLayersKeepsTheWindowsHeight();
     void startIsReachableAtTwiceTheScale();
+    void allRobotsAreSeenWhereThereIsRoom();
+    void theReasonOfAFailureIsWholeInAWideWindow();
 };
 
 void tst_WindowLayout::everyDockFitsTheScreen_data() {
@@ -120,6 +122,37 @@ void tst_WindowLayout::startIsReachableAtTwiceTheScale() {
             QTRY_COMPARE(button->visibleRegion().boundingRect(), button->rect());
     QVERIFY(page.window().rect().contains(QRect(page.window().views().stop_all->mapTo(&page.window(), QPoint()),
                                                 page.window().views().stop_all->size())));
+}
+
+void tst_WindowLayout::allRobotsAreSeenWhereThereIsRoom() {
+    WindowPage page;
+    page.window().resize(1920, 1040);
+    QTRY_COMPARE(page.window().height(), 1040);
+    widgets::RobotList& robots = *page.window().views().robots;
+    for (int number = 1; number <= 9; ++number)
+        robots.updateRobot({{number}, number, "R", "AirRobot", "idle", {}});
+    QTRY_VERIFY2(robots.height() >= robots.wholeHeight_px(), qPrintable(QString::number(robots.height())));
+    page.window().commands().action("view.operate")->trigger();
+    QTRY_VERIFY2(robots.height() >= robots.wholeHeight_px(), qPrintable(QString::number(robots.height())));
+    for (const QPushButton* button : page.window().views().behavior->findChildren<QPushButton*>())
+        if (button->text() == "Start")
+            QVERIFY(!button->visibleRegion().isEmpty());
+    page.screenshot("layout_nine_robots");
+}
+
+void tst_WindowLayout::theReasonOfAFailureIsWholeInAWideWindow() {
+    WindowPage page;
+    page.window().resize(1920, 1040);
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    page.connectToServer("127.0.0.1", 1);
+    const QLabel* state = nullptr;
+    for (const QLabel* label : page.window().views().connection->findChildren<QLabel*>())
+        if (label->accessibleName() == "State of the connection")
+            state = label;
+    QVERIFY(state);
+    QTRY_VERIFY2_WITH_TIMEOUT(state->text().contains("127.0.0.1"), qPrintable(state->text()), soon_ms);
+    QTRY_VERIFY2(state->width() >= state->fontMetrics().horizontalAdvance(state->text()),
+                 qPrintable(QString::number(state->width()) + " px for " + state->text()));
 }
 
 USAR_TEST(tst_WindowLayout)

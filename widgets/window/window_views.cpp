@@ -94,7 +94,7 @@ void makeDocks(QMainWindow& window, WindowViews& views) {
         return views.docks.emplace_back(dock);
     };
     views.parameters = new ParameterForm;
-    add("robots", QObject::tr("Robots"), left, views.robots = new RobotList);
+    views.robots_dock = add("robots", QObject::tr("Robots"), left, views.robots = new RobotList);
     auto* behavior =
         add("behavior", QObject::tr("Behavior"), left, views.behavior = new BehaviorPanel(views.parameters));
     auto* instruments = add("instruments", QObject::tr("Instruments"), right, new ScrollBox(makeInstruments(views)));
