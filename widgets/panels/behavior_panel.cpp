@@ -106,6 +106,7 @@ void BehaviorPanel::setActions(QAction* start, QAction* pause, QAction* land, QA
             const QString keys = action->shortcut().toString(QKeySequence::NativeText);
             button->setToolTip(keys.isEmpty() ? button->statusTip()
                                               : QStringLiteral("%1 (%2)").arg(button->statusTip(), keys));
+            button->setVisible(action->isVisible());
             follow(button, action);
         };
         connect(action, &QAction::changed, button, show);

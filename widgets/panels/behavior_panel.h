@@ -64,9 +64,9 @@ public:
     bool setRunState(RunState state, const QString& robot_name);
     /// Shows whether the map's area tool is active; emits nothing.
     void setAreaToolActive(bool active) { area_tool_->setChecked(active); }
-    /// Connects the buttons with these actions: from now on they trigger them, follow their enabled state and show
-    /// their shortcuts; until then they are disabled. Pause shows a new state only when setRunState reports it. The
-    /// actions must live as long as the panel, or be destroyed with it. To be called once.
+    /// Connects the buttons with these actions: from now on they trigger them, follow their visibility and enabled
+    /// state, and show their shortcuts; until then they are disabled. Pause shows a new state only when setRunState
+    /// reports it. The actions must live as long as the panel, or be destroyed with it. To be called once.
     void setActions(QAction* start, QAction* pause, QAction* land, QAction* stop);
     /// Shows this action as a button beside the list of behaviors.
     void setRescanAction(QAction* action);
