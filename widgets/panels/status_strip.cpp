@@ -150,6 +150,7 @@ StatusStrip::StatusStrip(QWidget* parent)
     robot_->hide();
     state_->setFont(themeFont(FontRole::Body, QFont::DemiBold));
     state_->setWordWrap(true);
+    state_->setAccessibleName(tr("State of the behavior"));
     auto* head = laidOut(new QHBoxLayout, gap::small, {dot_, robot_, state_, stale_});
     head->setStretchFactor(state_, 1);
     head->setAlignment(stale_, Qt::AlignTop);

@@ -39,7 +39,9 @@ void ScrollBox::fit() {
     QSize room = maximumViewportSize();
     if (leastHeight_px(room.width()) > room.height())
         room.rwidth() -= style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, this);
-    const QSize least(widget()->minimumSizeHint().width(), leastHeight_px(room.width()));
+    const QLayout* const layout = widget()->layout();
+    const QSize least((layout ? layout->totalMinimumSize() : widget()->minimumSizeHint()).width(),
+                      leastHeight_px(room.width()));
     widget()->resize(room.expandedTo(least));
 }
 

@@ -5,8 +5,9 @@
 
 namespace usar::widgets {
 
-/// Where the content's least height does not fit, it scrolls; the window never grows for it. As wide as the content at
-/// least, so that it scrolls up and down only. Takes no focus: the keys are the content's. GUI thread.
+/// Where the content's least height does not fit, it scrolls; the window never grows for it. As wide as the
+/// content's minimumSizeHint at least, so that it scrolls up and down only, unless its layout needs more than that.
+/// Takes no focus: the keys are the content's. GUI thread.
 class ScrollBox : public QScrollArea {
     Q_OBJECT
 public:
