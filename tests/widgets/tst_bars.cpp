@@ -112,14 +112,15 @@ void tst_Bars::aNewThemeColorsTheState() {
 
 void tst_Bars::aReasonIsWholeWhereThereIsRoom() {
     ConnectionBar bar;
+    bar.ensurePolished();
     const QString reason =
         QStringLiteral("Nothing listens at 127.0.0.1:3000. Start the server, or choose another port.");
     const int usual_px = bar.sizeHint().width();
     const int least_px = bar.minimumSizeHint().width();
     bar.setStatus({ConnectionState::Disconnected, {}, reason, {}});
     auto* const state = named<QLabel>(bar, QStringLiteral("State of the connection"));
-    bar.resize(bar.sizeHint());
     bar.show();
+    bar.resize(bar.sizeHint());
     QVERIFY(state->width() >= state->fontMetrics().horizontalAdvance(reason));
     QCOMPARE(bar.minimumSizeHint().width(), least_px); // Elsewhere it is cut, and the tooltip has it.
     QVERIFY(state->toolTip().contains(reason));

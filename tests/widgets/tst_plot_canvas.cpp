@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include <QMouseEvent>
 #include <QSignalSpy>
 #include <QTest>
 #include <QWheelEvent>
@@ -20,6 +21,12 @@ namespace {
 
 const std::string range = "SEN Sonar/F1/range";
 const std::string yaw = "SEN GroundTruth/G/yaw";
+
+/// As the window system tells of a mouse that is moved there without a button.
+void moveMouse(QWidget* target, QPointF at) {
+    QMouseEvent event(QEvent::MouseMove, at, target->mapToGlobal(at), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(target, &event);
+}
 
 } // namespace
 
@@ -273,7 +280,7 @@ void tst_PlotCanvas::cursorFollowsTheMouse() {
     QVERIFY(!canvas_->cursor());
     QSignalSpy moved(canvas_.get(), &PlotCanvas::cursorMoved);
     const QImage before = canvas_->grab().toImage();
-    QTest::mouseMove(surface(), surface()->rect().center());
+    moveMouse(surface(), surface()->rect().center());
     QCOMPARE(moved.count(), 1);
     QVERIFY(canvas_->cursor());
     QVERIFY(*canvas_->cursor() > canvas_->visibleFrom() && *canvas_->cursor() < canvas_->visibleTo());

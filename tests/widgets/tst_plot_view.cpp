@@ -4,6 +4,7 @@
 #include <QDropEvent>
 #include <QLabel>
 #include <QMimeData>
+#include <QMouseEvent>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -30,6 +31,12 @@ const QString f2 = QStringLiteral("SEN Sonar/F2/range");
 void wheel(QWidget* target, QPoint at, int delta) {
     QWheelEvent event(at, target->mapToGlobal(at), {}, {0, delta}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
                       false);
+    QCoreApplication::sendEvent(target, &event);
+}
+
+/// As the window system tells of a mouse that is moved there without a button.
+void moveMouse(QWidget* target, QPointF at) {
+    QMouseEvent event(QEvent::MouseMove, at, target->mapToGlobal(at), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
     QCoreApplication::sendEvent(target, &event);
 }
 
@@ -275,7 +282,7 @@ void tst_PlotView::legendReadsTheCurveAtTheMouse() {
     };
     QVERIFY2(value().startsWith(QStringLiteral("2.00")), qPrintable(value()));
     QVERIFY2(readout().contains(QStringLiteral("Wheel")), qPrintable(readout()));
-    QTest::mouseMove(surface(), {surface()->width() / 4, surface()->height() / 2});
+    moveMouse(surface(), QPointF(surface()->width() / 4.0, surface()->height() / 2.0));
     QVERIFY2(value().startsWith(QStringLiteral("1.00")), qPrintable(value()));
     QVERIFY2(readout().startsWith(QStringLiteral("at 00:00:")), qPrintable(readout()));
     QEvent leave(QEvent::Leave);

@@ -206,9 +206,9 @@ void tst_RobotList::wholeHeightShowsEveryRobot() {
     list_->updateRobot(robot(3, 3, "flying"));
     QCOMPARE(changed.count(), 9);
     list_->resize(260, list_->wholeHeight_px());
-    QCOMPARE(view()->verticalScrollBar()->maximum(), 0);
+    QTRY_COMPARE(view()->verticalScrollBar()->maximum(), 0);
     list_->resize(260, list_->wholeHeight_px() - 20);
-    QVERIFY(view()->verticalScrollBar()->maximum() > 0);
+    QTRY_VERIFY(view()->verticalScrollBar()->maximum() > 0);
     list_->removeRobot({9});
     QCOMPARE(changed.count(), 10);
 }

@@ -423,9 +423,10 @@ void tst_SensorPanel::emptyPanelIsNeverCut_data() {
 void tst_SensorPanel::emptyPanelIsNeverCut() {
     QFETCH(int, height);
     QFETCH(bool, sentence);
-    SensorPanel panel;
-    panel.resize(300, height);
-    panel.show();
+    QWidget window; // A panel that is a window itself would not be that low.
+    SensorPanel panel(&window);
+    panel.setGeometry(0, 0, 300, height);
+    window.show();
     QCOMPARE(panel.height(), height);
     auto* sheet = panel.findChild<QWidget*>(QStringLiteral("emptyState"));
     int shown = 0;
