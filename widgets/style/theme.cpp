@@ -148,8 +148,7 @@ public:
 
 /// What Fusion and a palette cannot express: tooltips, dock titles, headers, and the roles that widgets have by the
 /// dynamic property `role`: labels "muted", "title", "accent", "danger", "caution", "ok"; fields "caution", "danger";
-/// buttons "primary", "stop"; frames
-/// "card", "strip".
+/// buttons "primary", "stop"; frames "card", "strip".
 constexpr const char* rules = R"(
 QToolTip { color: %text; background: %raised; border: 1px solid %line; padding: 4px; }
 QMainWindow::separator { background: %background; width: 4px; height: 4px; }
