@@ -146,6 +146,7 @@ void RobotPresenter::showOnMap(const RobotView& view, const mission::SessionUpda
 
 void RobotPresenter::showInstruments(const RobotView& view, const mission::SessionUpdate& update) {
     showStatus(view);
+    showEquipment(view);
     if (const auto* state = mission::newest<protocol::RobotState>(update))
         scan_plane_ = scanPlaneOf(state->kind);
     if (const auto* scan = mission::newest<protocol::RangeScan>(update))
@@ -162,6 +163,14 @@ void RobotPresenter::showInstruments(const RobotView& view, const mission::Sessi
         views_.sonars->setZones(widgets::zonesOf(ranges_m, protocol::usual_sonar_maximum_m));
     }
     showLinkState(view.id);
+}
+
+void RobotPresenter::showEquipment(const RobotView& view) {
+    const mission::Equipment& has = view.equipment;
+    views_.status->setAbilities(has.mayFly(), has.mayRecharge());
+    views_.laser->setVisible(has.mayHaveScanner());
+    views_.terrain->setVisible(!view.tiles.empty() || (has.mayFly() && has.mayHaveScanner()));
+    views_.sonars->setVisible(has.mayHaveSonars() || view.zones);
 }
 
 /// Shows this robot's figures and no others: those of its last behavior after the end, dashes before the first.
@@ -237,6 +246,7 @@ void RobotPresenter::select(RobotId id) {
     views_.map->selectRobot(robot ? QString::fromStdString(robot->view().spawn.robot_name) : QString());
     if (!robot) {
         views_.status->setRobot({});
+        showEquipment({});
         return views_.status->clear(QObject::tr("No robot yet"));
     }
     const RobotView& view = robot->view();

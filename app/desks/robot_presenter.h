@@ -39,6 +39,8 @@ private:
     void restart(const RobotView& view, bool selected);
     void showOnMap(const RobotView& view, const mission::SessionUpdate& update, bool selected);
     void showStatus(const RobotView& view);
+    /// Shows only instruments that the robot can have; those of a robot that is not known yet say what will come.
+    void showEquipment(const RobotView& view);
     void showInstruments(const RobotView& view, const mission::SessionUpdate& update);
     void feedMessages(ConnectionId connection, const mission::SessionUpdate& update);
     /// Notes when the newest scan and sonar readings came.

@@ -27,7 +27,8 @@ void TaskDesk::registerCommands() {
     add("mission.start_again", broke, [this] { startAgain(brokenRobot()); });
     add("mission.pause", runs,
         [this] { give(robot() && robot()->view().paused ? agent::Order::Resume : agent::Order::Pause); });
-    add("mission.land", runs, [this] { give(agent::Order::LandNow); });
+    const auto lands = [this] { return running() && robot()->view().equipment.mayFly(); };
+    add("mission.land", lands, [this] { give(agent::Order::LandNow); });
     add("mission.stop", runs, [this] {
         if (robot())
             robot()->stop();
@@ -274,6 +275,7 @@ void TaskDesk::refreshRunState() {
         state = RunState::Replay;
     else if (robot() && robot()->view().figures.spawned)
         state = RunState::Ready;
+    action("mission.land")->setVisible(!robot() || robot()->view().equipment.mayFly());
     if (!views_.behavior->setRunState(state, robot() ? nameOf(*robot()) : QString()))
         return;
     commands_.refresh();

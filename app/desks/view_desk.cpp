@@ -1,5 +1,6 @@
 #include "app/desks/view_desk.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "widgets/commands/command_palette.h"
@@ -54,6 +55,7 @@ void ViewDesk::registerCommands() {
 
 void ViewDesk::wire() {
     connect(views_.map, &widgets::MapView::followingChanged, action("map.follow"), &QAction::setChecked);
+    connect(views_.robots, &widgets::RobotList::wholeHeightChanged, this, &ViewDesk::giveRobotsRoom);
     connect(views_.layers, &widgets::LayersPanel::layerChanged, views_.map, &widgets::MapView::setLayer);
 }
 
@@ -67,6 +69,20 @@ void ViewDesk::arrange(QDockWidget* raised, double bottom_part) {
     raised->raise();
     const int whole_px = main_window_.centralWidget()->parentWidget()->height();
     main_window_.resizeDocks({raised}, {static_cast<int>(std::lround(bottom_part * whole_px))}, Qt::Vertical);
+    giveRobotsRoom();
+}
+
+void ViewDesk::giveRobotsRoom() {
+    QDockWidget* const dock = views_.robots_dock;
+    if (dock->isHidden() || dock->isFloating() || !main_window_.tabifiedDockWidgets(dock).isEmpty())
+        return;
+    constexpr int least_px = 110;  // Of the list, also when it is empty.
+    constexpr int others_px = 300; // Of the docks below it.
+    const int column_px = main_window_.height() - main_window_.centralWidget()->y();
+    const int title_px = dock->height() - views_.robots->height();
+    const int robots_px =
+        std::clamp(views_.robots->wholeHeight_px() + title_px, least_px, std::max(least_px, column_px - others_px));
+    main_window_.resizeDocks({dock, views_.docks[1]}, {robots_px, column_px - robots_px}, Qt::Vertical);
 }
 
 void ViewDesk::restore(const QSettings& settings) {

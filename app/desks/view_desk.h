@@ -31,6 +31,8 @@ public:
 
 private:
     void setTheme(widgets::Theme theme);
+    /// Makes the list of robots as tall as its robots need, as long as the docks below it keep enough.
+    void giveRobotsRoom();
     /// Restores the first layout, raises this bottom dock, and gives the bottom docks this fraction of the height.
     void arrange(QDockWidget* raised, double bottom_part);
 

@@ -73,6 +73,7 @@ class tst_Instruments : public QObject {
 private slots:
     void initTestCase() { applyTheme(Theme::Dark); }
     void stripShowsTheBehaviorsFigures();
+    void stripShowsOnlyWhatTheRobotCanHave();
     void unknownFiguresAreADash();
     void readoutKeepsItsWidth();
     void finishedMissionCanStillBeRead();
@@ -112,6 +113,23 @@ void tst_Instruments::stripShowsTheBehaviorsFigures() {
     strip.setBattery(71.0);
     QCOMPARE(strip.findChildren<Meter*>()[0]->value(), std::optional(71.0));
     QCOMPARE(strip.findChildren<Meter*>()[0]->accessibleName(), QStringLiteral("Battery"));
+}
+
+void tst_Instruments::stripShowsOnlyWhatTheRobotCanHave() {
+    StatusStrip strip;
+    const auto shown = [&](const QString& caption) {
+        const auto readouts = strip.findChildren<Readout*>();
+        return std::ranges::any_of(readouts, [&](const Readout* one) {
+            return one->accessibleName() == caption && !one->isHidden() && !one->toolTip().isEmpty();
+        });
+    };
+    QVERIFY(shown(QStringLiteral("flown")) && shown(QStringLiteral("charges")) && shown(QStringLiteral("range left")));
+    strip.setAbilities(false, false);
+    QVERIFY(!shown(QStringLiteral("charges")) && !shown(QStringLiteral("range left")));
+    QVERIFY(!shown(QStringLiteral("flown")) && shown(QStringLiteral("traveled")));
+    QVERIFY(shown(QStringLiteral("elapsed")) && shown(QStringLiteral("to goal")));
+    strip.setAbilities(true, true);
+    QVERIFY(shown(QStringLiteral("flown")) && shown(QStringLiteral("charges")));
 }
 
 void tst_Instruments::unknownFiguresAreADash() {

@@ -1,4 +1,5 @@
 #include <QAbstractItemModelTester>
+#include <QLabel>
 #include <QMimeData>
 #include <QSignalSpy>
 #include <QTest>
@@ -102,6 +103,8 @@ private slots:
     void filterKeepsBranchesOfMatches();
     void hiddenPanelDoesNoWorkAndLosesNothing();
     void clearForgets();
+    void emptyPanelIsNeverCut_data();
+    void emptyPanelIsNeverCut();
 };
 
 void tst_SensorPanel::modelIsSound() {
@@ -408,6 +411,34 @@ void tst_SensorPanel::clearForgets() {
     panel.clear();
     QCOMPARE(panel.model().rowCount(), 0);
     QVERIFY(sheet->isVisible());
+}
+
+void tst_SensorPanel::emptyPanelIsNeverCut_data() {
+    QTest::addColumn<int>("height");
+    QTest::addColumn<bool>("sentence");
+    QTest::newRow("1280x800") << 160 << true;
+    QTest::newRow("low") << 60 << false;
+}
+
+void tst_SensorPanel::emptyPanelIsNeverCut() {
+    QFETCH(int, height);
+    QFETCH(bool, sentence);
+    QWidget window; // A panel that is a window itself would not be that low.
+    SensorPanel panel(&window);
+    panel.setGeometry(0, 0, 300, height);
+    window.show();
+    QCOMPARE(panel.height(), height);
+    auto* sheet = panel.findChild<QWidget*>(QStringLiteral("emptyState"));
+    int shown = 0;
+    for (const QLabel* label : sheet->findChildren<QLabel*>(QString(), Qt::FindDirectChildrenOnly)) {
+        if (!label->isVisible())
+            continue;
+        ++shown;
+        QVERIFY(label->height() >= label->heightForWidth(label->width()));
+        QVERIFY(sheet->rect().contains(label->geometry()));
+    }
+    QCOMPARE(shown, sentence ? 2 : 1);
+    QCOMPARE(sheet->toolTip().isEmpty(), sentence);
 }
 
 USAR_TEST(tst_SensorPanel)

@@ -90,7 +90,7 @@ public:
     const MapContent& content() const { return content_; }
     bool following() const { return following_; }
     QSize sizeHint() const override { return {800, 600}; }
-    QSize minimumSizeHint() const override { return {240, 180}; }
+    QSize minimumSizeHint() const override { return {160, 110}; }
 
 public slots:
     /// Shows the mission (area and heights) if there is one, else the world.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <QGridLayout>
 #include <QPainter>
@@ -41,6 +42,14 @@ void Readout::setText(const QString& text) {
         return;
     text_ = text;
     describe(text + QStringLiteral(" ") + unit_);
+    update();
+}
+
+void Readout::setCaption(const QString& caption) {
+    if (std::exchange(caption_, caption) == caption)
+        return;
+    setAccessibleName(caption);
+    updateGeometry();
     update();
 }
 
@@ -134,7 +143,6 @@ StatusStrip::StatusStrip(QWidget* parent)
     left_->setToolTip(tr("Estimated protocol time to the end"));
     goal_->setToolTip(tr("Distance to the goal that the robot is heading for, in meters"));
     range_->setToolTip(tr("How far the robot can fly before it uses its reserve, in meters"));
-    flown_->setToolTip(tr("Distance flown since the behavior started, in meters"));
     charges_->setToolTip(tr("How often the battery was recharged"));
     battery_->setToolTip(tr("What is left of the battery, in percent"));
     progress_->setToolTip(tr("Part of the whole task that is done, in percent"));
@@ -143,6 +151,7 @@ StatusStrip::StatusStrip(QWidget* parent)
     robot_->hide();
     state_->setFont(themeFont(FontRole::Body, QFont::DemiBold));
     state_->setWordWrap(true);
+    state_->setAccessibleName(tr("State of the behavior"));
     auto* head = laidOut(new QHBoxLayout, gap::small, {dot_, robot_, state_, stale_});
     head->setStretchFactor(state_, 1);
     head->setAlignment(stale_, Qt::AlignTop);
@@ -160,6 +169,7 @@ StatusStrip::StatusStrip(QWidget* parent)
     column->addLayout(head);
     column->addLayout(figures);
     column->addLayout(laidOut(new QVBoxLayout, gap::tiny, {battery_, progress_, coverage_}));
+    setAbilities(true, true);
     clear(tr("No behavior runs"));
 }
 
@@ -167,6 +177,14 @@ void StatusStrip::setRobot(const QString& name) {
     robot_->setText(name);
     robot_->setHidden(name.isEmpty());
     setAccessibleName(name.isEmpty() ? tr("Status") : tr("Status of %1").arg(name));
+}
+
+void StatusStrip::setAbilities(bool flies, bool recharges) {
+    range_->setVisible(recharges);
+    charges_->setVisible(recharges);
+    flown_->setCaption(flies ? tr("flown") : tr("traveled"));
+    flown_->setToolTip(flies ? tr("Distance flown since the behavior started, in meters")
+                             : tr("Distance traveled since the behavior started, in meters"));
 }
 
 void StatusStrip::setState(const QString& words, StateShape shape) {

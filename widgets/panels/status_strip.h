@@ -22,6 +22,7 @@ public:
 
     /// Sets the formatted figure without its unit; the same text again costs nothing.
     void setText(const QString& text);
+    void setCaption(const QString& caption);
     /// The figure as last set; a dash at the beginning.
     const QString& text() const { return text_; }
     /// Width of the figure alone, in pixels; readouts in a column line up if their widths are equal.
@@ -74,6 +75,9 @@ public:
 
     /// Names the robot whose figures these are; empty: none.
     void setRobot(const QString& name);
+    /// Shows what this robot can have: range and charges only if it recharges; a robot on the ground or in water is not
+    /// said to fly.
+    void setAbilities(bool flies, bool recharges);
     /// Shows the status of a running behavior; call it on every tick, only changes are repainted.
     void setStatus(const agent::BehaviorStatus& status);
     /// Nothing is running: `words` says why or what to do ("Idle. Press Start."). Time left and distance to the goal

@@ -84,6 +84,7 @@ struct WindowViews {
     FaultPanel* faults = nullptr;
     WorldPanel* world = nullptr; ///< palette and list of the world's objects
     QDockWidget* world_dock = nullptr;
+    QDockWidget* robots_dock = nullptr;
     RadioView* radio = nullptr;
 
     // Docks that desks raise or watch.

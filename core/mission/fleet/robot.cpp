@@ -182,6 +182,7 @@ void Robot::take(const SessionUpdate& update) {
     if (update.ground)
         view_.ground = update.ground;
     for (const protocol::InfoLine& line : update.lines) {
+        view_.equipment.take(line, update.figures.now);
         // Until a behavior publishes its estimate, the robot's INS gives its place on the map.
         if (const auto* ins = std::get_if<protocol::InsReading>(&line.message); ins && !view_.status)
             view_.base_in_map = ins->base_in_map;
@@ -222,6 +223,7 @@ Seconds Robot::wallTime() const {
 void Robot::take(const agent::Published& published) {
     std::visit(Overloaded{[this](const agent::BehaviorStatus& status) {
                               view_.status = status;
+                              view_.equipment.take(status);
                               view_.paused = view_.paused && (status.paused || !pause_confirmed_);
                               pause_confirmed_ = status.paused;
                           },

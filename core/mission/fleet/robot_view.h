@@ -11,6 +11,7 @@
 #include "core/agent/parameters.h"
 #include "core/base/robot_id.h"
 #include "core/mapping/height_map.h"
+#include "core/mission/fleet/equipment.h"
 #include "core/mission/session/session_orders.h"
 #include "core/mission/session/session_update.h"
 
@@ -33,6 +34,7 @@ struct RobotIdentity {
 struct RobotView : RobotIdentity {
     /// Figures of the newest update.
     SessionFigures figures;
+    Equipment equipment;
     std::string behavior_id; ///< id of the newest behavior; empty: none was started
     Rectangle area_in_map;   ///< its area; empty: none
     std::optional<agent::BehaviorStatus> status;

@@ -22,6 +22,11 @@ QColor severityColor(Severity severity) {
     return colors[static_cast<std::size_t>(severity)];
 }
 
+const char* severityRole(Severity severity) {
+    constexpr const char* roles[] = {"accent", "caution", "danger"};
+    return roles[static_cast<std::size_t>(severity)];
+}
+
 void NotificationModel::push(const QString& key, Severity severity, const QString& text, const QDateTime& when,
                              std::optional<bool> toast, const Offer& offer) {
     Notification fresh{key, severity, text, when, 1, false, true, toast.value_or(severity != Severity::Note), offer};

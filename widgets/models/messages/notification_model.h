@@ -39,6 +39,8 @@ QString severityWord(Severity severity);
 /// Name of the severity's icon for `icon()`, and its color in the current theme.
 QString severityIcon(Severity severity);
 QColor severityColor(Severity severity);
+/// The role that gives a label this color, see form_parts.h.
+const char* severityRole(Severity severity);
 
 /// Keeps the newest `capacity` rows, the newest one first. DisplayRole is the whole sentence; views paint from `row`.
 /// GUI thread.
