@@ -1,9 +1,12 @@
 #include "app/desks/file_desk.h"
 
 #include <QDesktopServices>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QUrl>
+
+#include "core/server/embedded/program_files.h"
 
 namespace usar::app {
 
@@ -16,8 +19,21 @@ FileDesk::FileDesk(const DeskContext& context, ServerDesk& server, MissionDesk& 
 void FileDesk::registerCommands() {
     add(
         "file.export", [this] { return selection_.id().valid(); }, [this] { control_.exportResults(selection_.id()); });
+    commands_.offer([this] { return missions(); });
     add("file.folder", [this] { chooseResultFolder(); });
     add("file.show_folder", [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(control_.resultFolder())); });
+}
+
+std::vector<widgets::PaletteOffer> FileDesk::missions() {
+    std::vector<widgets::PaletteOffer> offers;
+    for (const QFileInfo& file : QDir(server::missionsFolder()).entryInfoList({"*.json"}, QDir::Files, QDir::Name)) {
+        QString name = file.completeBaseName();
+        offers.push_back({tr("Open mission %1").arg(name.replace('_', ' ')),
+                          tr("File"),
+                          {file.completeBaseName(), "load", "example", "shipped"},
+                          [this, path = file.absoluteFilePath()] { open(path); }});
+    }
+    return offers;
 }
 
 void FileDesk::wire() {

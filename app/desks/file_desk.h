@@ -31,6 +31,9 @@ public:
     bool chooseResultFolder();
 
 private:
+    /// For the palette: each mission that comes with the program can be opened.
+    std::vector<widgets::PaletteOffer> missions();
+
     ServerDesk& server_;
     MissionDesk& mission_;
     PlanWorkshop& workshop_;

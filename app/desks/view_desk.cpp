@@ -23,6 +23,7 @@ void ViewDesk::registerCommands() {
     add("view.hint", [this] { views_.hint->show(); });
     auto* palette = new widgets::CommandPalette(commands_, &main_window_);
     add("view.palette", [palette] { palette->open(); });
+    commands_.offer([this] { return plots(); });
     add("help.shortcuts", [this] {
         if (!sheet_) {
             sheet_ = widgets::makeShortcutSheet(commands_, &main_window_);
@@ -41,7 +42,8 @@ void ViewDesk::registerCommands() {
                                         .text = dock->windowTitle(),
                                         .group = tr("View"),
                                         .help = tr("Shows this dock, or hides it if it is in front"),
-                                        .checkable = true};
+                                        .checkable = true,
+                                        .wish = tr("Show %1").arg(dock->windowTitle())};
         QAction* const shown = commands_.add(spec, [dock](bool) {
             if (dock->isHidden() || dock->visibleRegion().isEmpty()) // It may be behind another tab.
                 raise(dock);
@@ -50,6 +52,27 @@ void ViewDesk::registerCommands() {
         });
         connect(dock, &QDockWidget::visibilityChanged, shown, [dock, shown] { shown->setChecked(!dock->isHidden()); });
     }
+}
+
+std::vector<widgets::PaletteOffer> ViewDesk::plots() const {
+    views_.sensors->refresh(); // It does not while it is hidden.
+    std::vector<widgets::PaletteOffer> offers;
+    const widgets::SensorModel& sensors = views_.sensors->model();
+    for (int source = 0; source < sensors.rowCount(); ++source) {
+        const QModelIndex parent = sensors.index(source, 0);
+        for (int leaf = 0; leaf < sensors.rowCount(parent); ++leaf) {
+            const QModelIndex field = sensors.index(leaf, 0, parent);
+            const QString path = field.data(widgets::SensorModel::PathRole).toString();
+            if (!field.data(widgets::SensorModel::NumericRole).toBool())
+                continue;
+            const QString unit = field.data(widgets::SensorModel::UnitRole).toString();
+            offers.push_back({tr("Plot %1").arg(path), tr("Sensors"), {"graph", "chart", "curve"}, [this, path, unit] {
+                                  raise(views_.plots_dock);
+                                  views_.plots->addSeries(path, unit);
+                              }});
+        }
+    }
+    return offers;
 }
 
 void ViewDesk::wire() {

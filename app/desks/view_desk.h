@@ -36,6 +36,9 @@ private:
 
     static constexpr int layout_version = 5; ///< increased with each change of the docks; older layouts are ignored
 
+    /// For the palette: each number that the selected robot's sensors say can be plotted.
+    std::vector<widgets::PaletteOffer> plots() const;
+
     QMainWindow& main_window_;
     std::optional<widgets::Theme> theme_;
     QByteArray first_layout_;

@@ -12,6 +12,7 @@
 #include "widgets/commands/command_registry.h"
 #include "widgets/commands/key_filters.h"
 #include "widgets/commands/shortcut_sheet.h"
+#include "widgets/style/empty_state.h"
 
 namespace tst_command_registry {
 
@@ -29,9 +30,14 @@ private slots:
     void menusAndBarsAreMadeFromIds();
     void scoresMatches_data();
     void scoresMatches();
+    void aSynonymMatchesFromItsStart();
     void paletteModelIsSound();
     void paletteFindsAndRuns();
-    void paletteHidesWhatIsImpossible();
+    void paletteListsWhatIsImpossibleLast();
+    void paletteSaysThatNothingMatches();
+    void paletteOffersWhatComesAndGoes();
+    void paletteSpeaksWithVerbs();
+    void allLabelsBeginAtOnePlace();
     void paletteIsLedByArrowKeys();
     void sheetListsEveryShortcut();
     void sheetIsAsWideAsItsWords();
@@ -142,6 +148,14 @@ void tst_CommandRegistry::scoresMatches() {
     QCOMPARE(matchScore(typed, QStringLiteral("Fit mission in view Map")).value_or(-1), score);
 }
 
+void tst_CommandRegistry::aSynonymMatchesFromItsStart() {
+    const QStringList words{"zoom", "fast forward"};
+    QCOMPARE(matchScore("zo", "Fit mission", words).value_or(-1), 1);
+    QCOMPARE(matchScore("oom", "Fit mission", words).value_or(-1), -1);
+    QCOMPARE(matchScore("mission zoom", "Fit mission", words).value_or(-1), 3);
+    QCOMPARE(matchScore("fast forward", "Fit mission", words).value_or(-1), 2);
+}
+
 void tst_CommandRegistry::paletteModelIsSound() {
     CommandListModel model(*registry_);
     QAbstractItemModelTester tester(&model);
@@ -149,7 +163,8 @@ void tst_CommandRegistry::paletteModelIsSound() {
     QCOMPARE(model.rowCount(), 2);
     model.setFilter(QStringLiteral("no such command"));
     QCOMPARE(model.rowCount(), 0);
-    QCOMPARE(model.actionAt({}), nullptr);
+    model.run({});
+    QVERIFY(ran_.isEmpty());
 }
 
 void tst_CommandRegistry::paletteFindsAndRuns() {
@@ -162,14 +177,75 @@ void tst_CommandRegistry::paletteFindsAndRuns() {
     QVERIFY(palette.isHidden());
 }
 
-void tst_CommandRegistry::paletteHidesWhatIsImpossible() {
+void tst_CommandRegistry::paletteListsWhatIsImpossibleLast() {
     CommandPalette palette(*registry_, window_.get());
     palette.open();
     auto* line = palette.findChild<QLineEdit*>();
-    QTest::keyClicks(line, QStringLiteral("land"));
+    const auto* const list = palette.findChild<QListView*>();
+    QCOMPARE(list->model()->rowCount(), 3);
+    QTest::keyClicks(line, "o");
+    QCOMPARE(list->model()->rowCount(), 4);
+    const QModelIndex last = list->model()->index(3, 0);
+    QCOMPARE(last.data().toString(), QString("Land now"));
+    QVERIFY(!(last.flags() & Qt::ItemIsEnabled));
+    line->clear();
+    QTest::keyClicks(line, "land");
     QTest::keyClick(line, Qt::Key_Return);
     QVERIFY(ran_.isEmpty());
     QVERIFY(palette.isVisible());
+}
+
+void tst_CommandRegistry::paletteSaysThatNothingMatches() {
+    CommandPalette palette(*registry_, window_.get());
+    palette.open();
+    const auto* const nothing = palette.findChild<EmptyState*>();
+    QVERIFY(nothing && !nothing->isVisible());
+    auto* line = palette.findChild<QLineEdit*>();
+    QTest::keyClicks(line, "xyz");
+    QVERIFY(nothing->isVisible());
+    QCOMPARE(nothing->accessibleName(), QString("No command matches"));
+    line->clear();
+    QVERIFY(!nothing->isVisible());
+}
+
+void tst_CommandRegistry::paletteOffersWhatComesAndGoes() {
+    QStringList robots{"R1"};
+    registry_->offer([&] {
+        std::vector<PaletteOffer> offers;
+        for (const QString& name : robots)
+            offers.push_back({"Select " + name, "Robots", {"choose"}, [this, name] { ran_ << name; }});
+        return offers;
+    });
+    CommandPalette palette(*registry_, window_.get());
+    robots = {"R1", "R2"};
+    palette.open();
+    auto* line = palette.findChild<QLineEdit*>();
+    const auto* const list = palette.findChild<QListView*>();
+    QCOMPARE(list->model()->rowCount(), 3); // Commands only, until something is typed.
+    QTest::keyClicks(line, "choose");
+    QCOMPARE(list->model()->rowCount(), 2);
+    QTest::keyClick(line, Qt::Key_Down);
+    QTest::keyClick(line, Qt::Key_Return);
+    QCOMPARE(ran_, QStringList{"R2"});
+    QVERIFY(palette.isHidden());
+}
+
+void tst_CommandRegistry::paletteSpeaksWithVerbs() {
+    registry_->add({.id = "view.dock.camera", .text = "Camera", .group = "View", .wish = "Show Camera"}, [](bool) {});
+    QCOMPARE(registry_->action("view.dock.camera")->text(), QString("Camera"));
+    CommandListModel model(*registry_);
+    model.setFilter("camera");
+    QCOMPARE(model.index(0).data().toString(), QString("Show Camera"));
+}
+
+void tst_CommandRegistry::allLabelsBeginAtOnePlace() {
+    registry_->add({.id = "view.plain", .text = "Plain", .group = "View"}, [](bool) {});
+    registry_->offer([] { return std::vector<PaletteOffer>{{"Plain offer", "View", {}, [] {}}}; });
+    CommandListModel model(*registry_);
+    model.setFilter("plain");
+    QCOMPARE(model.rowCount(), 2);
+    for (int row = 0; row < 2; ++row)
+        QCOMPARE(model.index(row).data(Qt::DecorationRole).value<QIcon>().actualSize({16, 16}), QSize(16, 16));
 }
 
 void tst_CommandRegistry::paletteIsLedByArrowKeys() {
