@@ -2,6 +2,7 @@
 #include <QLabel>
 #include <QListView>
 #include <QMainWindow>
+#include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalSpy>
@@ -40,6 +41,8 @@ private slots:
     void allLabelsBeginAtOnePlace();
     void paletteIsLedByArrowKeys();
     void sheetListsEveryShortcut();
+    void sheetPutsNumberedCommandsOnOneLine();
+    void sheetFitsTheScreen();
     void sheetIsAsWideAsItsWords();
     void escapeTwiceCounts_data();
     void escapeTwiceCounts();
@@ -266,6 +269,45 @@ void tst_CommandRegistry::sheetListsEveryShortcut() {
     for (const auto& command : registry_->commands())
         QCOMPARE(texts.contains(command->spec.text), !command->spec.shortcuts.isEmpty());
     QVERIFY(texts.contains(QStringLiteral("Wheel")) && texts.contains(QStringLiteral("Ctrl+F")));
+}
+
+void tst_CommandRegistry::sheetPutsNumberedCommandsOnOneLine() {
+    for (int number = 1; number <= 9; ++number)
+        registry_->add({.id = QString("robot.select_%1").arg(number),
+                        .text = QString("Select robot %1").arg(number),
+                        .group = "Robot",
+                        .shortcuts = {QKeySequence(QString::number(number))}},
+                       [](bool) {});
+    registry_->add({.id = "mission.stop_all",
+                    .text = "Stop all robots",
+                    .group = "Robot",
+                    .shortcuts = {QKeySequence("Ctrl+.")},
+                    .twice = QKeySequence("Esc")},
+                   [](bool) {});
+    const QDialog* const sheet = makeShortcutSheet(*registry_, window_.get());
+    QStringList texts;
+    for (const QLabel* label : sheet->findChildren<QLabel*>())
+        texts << label->text();
+    QCOMPARE(texts.filter("Select robot"), QStringList("Select robot 1 – 9"));
+    QVERIFY(texts.contains("1 – 9"));
+    QVERIFY(texts.contains("Ctrl+.  Esc Esc"));
+    QVERIFY(texts.contains("N  Shift+N"));
+}
+
+/// All commands of the program; on this screen of 800 x 800 they are in two columns.
+void tst_CommandRegistry::sheetFitsTheScreen() {
+    const auto window = std::make_unique<QMainWindow>();
+    CommandRegistry registry(window.get());
+    for (const CommandSpec& spec : commandTable())
+        registry.add(spec, [](bool) {});
+    QDialog* const sheet = makeShortcutSheet(registry, window.get());
+    sheet->show();
+    QVERIFY(QTest::qWaitForWindowExposed(sheet));
+    const QSize screen = sheet->screen()->availableSize();
+    QVERIFY2(sheet->width() <= screen.width() && sheet->height() <= screen.height(),
+             qPrintable(QString("%1 x %2").arg(sheet->width()).arg(sheet->height())));
+    const auto* const bar = sheet->findChild<QScrollArea*>()->verticalScrollBar();
+    QVERIFY2(bar->maximum() <= 2 * bar->pageStep(), qPrintable(QString::number(bar->maximum())));
 }
 
 void tst_CommandRegistry::sheetIsAsWideAsItsWords() {
