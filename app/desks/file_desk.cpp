@@ -38,7 +38,8 @@ std::vector<widgets::PaletteOffer> FileDesk::missions() {
 
 void FileDesk::wire() {
     connect(&control_, &MissionControl::resultsWritten, this, [this](RobotId, const QStringList& files) {
-        notices_.note("saved", tr("Saved %n file(s): %1", "", static_cast<int>(files.size())).arg(files.value(0)));
+        notices_.note("saved", tr("Scan saved: %n file(s) in %1", "", static_cast<int>(files.size()))
+                                   .arg(QFileInfo(files.value(0)).absolutePath()));
     });
 }
 

@@ -278,7 +278,7 @@ void SurveyFlight::order(agent::Order order, agent::CommandPort& port) {
     paused_ = order == agent::Order::Pause;
     if (order != agent::Order::LandNow)
         return;
-    end_reason_ = "The robot landed because a person asked it to.";
+    end_reason_ = "Landed on request.";
     if (!inTheAir())
         return finish(false, end_reason_, port);
     errand_ = Errand::GivenUp;
@@ -310,7 +310,7 @@ std::string SurveyFlight::words() const {
         return "landing";
     case Phase::Ground:
         return ins_reset_.state() == ResetState::Done && errand_ != Errand::Start ? "charging"
-                                                                                  : "at rest, setting the INS";
+                                                                                  : "calibrating the INS on the ground";
     case Phase::Finished:
         return "finished";
     }

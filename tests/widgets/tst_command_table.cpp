@@ -21,6 +21,7 @@ private slots:
     void textThatIsNoTableIsEmpty();
     void everyCommandOfTheProgramIsComplete();
     void noIdAndNoKeyIsUsedTwice();
+    void commandsSpeakPlainly();
     void aNewcomersWordFindsACommand_data();
     void aNewcomersWordFindsACommand();
 };
@@ -83,6 +84,13 @@ void tst_CommandTable::noIdAndNoKeyIsUsedTwice() {
         for (const QKeySequence& keys : spec.shortcuts)
             QVERIFY2(used.insert(keys.toString()).second, qPrintable(spec.id + " has the key of another command"));
     }
+}
+
+void tst_CommandTable::commandsSpeakPlainly() {
+    for (const CommandSpec& spec : commandTable())
+        for (const char* const odd : {"way point", "epoch", "pinned", "verdict", "Forget", "Bring back", "what broke",
+                                      "message on", " s on", "one simulated second"})
+            QVERIFY2(!spec.text.contains(odd) && !spec.help.contains(odd), qPrintable(spec.id));
 }
 
 void tst_CommandTable::aNewcomersWordFindsACommand_data() {

@@ -22,7 +22,7 @@ struct ControlWords {
     bool operator==(const ControlWords&) const = default;
 };
 
-/// "nobody drives", "Terrain survey drives", "you drive · keys".
+/// "idle", "Terrain survey drives", "you drive · keys".
 QString controlText(const ControlWords& words);
 
 /// A robot as the list needs it. `id` is assigned by the window; `number` 1..9 selects color and key.

@@ -79,7 +79,7 @@ public slots:
 signals:
     /// Emitted after every answer and every change of the state; each view is a copy that never changes.
     void changed(std::shared_ptr<const usar::mission::WorldView> view);
-    /// The topic is "world", or "world/" and a name for a thing that did not appear.
+    /// The topic is "world", or "world/" and a name for a thing that could not be placed.
     void noticed(const usar::mission::Notice& notice);
 
 private:
