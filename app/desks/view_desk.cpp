@@ -2,7 +2,10 @@
 
 #include <cmath>
 
+#include <QWhatsThis>
+
 #include "widgets/commands/command_palette.h"
+#include "widgets/commands/help.h"
 #include "widgets/commands/shortcut_sheet.h"
 
 namespace usar::app {
@@ -32,6 +35,19 @@ void ViewDesk::registerCommands() {
         sheet_->show();
         sheet_->raise();
         sheet_->activateWindow();
+    });
+    add("help.what", [this] {
+        widgets::explainParts(main_window_);
+        QWhatsThis::enterWhatsThisMode();
+    });
+    add("help.about", [this] {
+        if (!about_) {
+            about_ = widgets::makeAbout(&main_window_);
+            about_->setAttribute(Qt::WA_DeleteOnClose);
+        }
+        about_->show();
+        about_->raise();
+        about_->activateWindow();
     });
     add("view.operate", [this] { arrange(views_.plots_dock, 0.25); });
     add("view.analyse", [this] { arrange(views_.plots_dock, 0.6); });

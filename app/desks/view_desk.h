@@ -43,6 +43,7 @@ private:
     std::optional<widgets::Theme> theme_;
     QByteArray first_layout_;
     QPointer<QDialog> sheet_; ///< of keys and gestures; nullptr while it is closed
+    QPointer<QDialog> about_; ///< the same for versions and licenses
 };
 
 } // namespace usar::app

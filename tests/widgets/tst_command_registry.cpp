@@ -1,4 +1,5 @@
 #include <QAbstractItemModelTester>
+#include <QDockWidget>
 #include <QLabel>
 #include <QListView>
 #include <QMainWindow>
@@ -11,6 +12,7 @@
 #include "tests/suite/suite.h"
 #include "widgets/commands/command_palette.h"
 #include "widgets/commands/command_registry.h"
+#include "widgets/commands/help.h"
 #include "widgets/commands/key_filters.h"
 #include "widgets/commands/shortcut_sheet.h"
 #include "widgets/style/empty_state.h"
@@ -44,6 +46,8 @@ private slots:
     void sheetPutsNumberedCommandsOnOneLine();
     void sheetFitsTheScreen();
     void sheetIsAsWideAsItsWords();
+    void aboutTellsVersionsAndLicenses();
+    void everyPartIsExplainedByItsTooltip();
     void escapeTwiceCounts_data();
     void escapeTwiceCounts();
 
@@ -316,6 +320,32 @@ void tst_CommandRegistry::sheetIsAsWideAsItsWords() {
     sheet->show();
     QVERIFY(QTest::qWaitForWindowExposed(sheet));
     QCOMPARE(sheet->findChild<QScrollArea*>()->horizontalScrollBar()->maximum(), 0);
+}
+
+void tst_CommandRegistry::aboutTellsVersionsAndLicenses() {
+    const QDialog* const about = makeAbout(window_.get());
+    QVERIFY(!about->isModal());
+    QStringList texts;
+    for (const QLabel* label : about->findChildren<QLabel*>())
+        texts << label->text();
+    const QString all = texts.join(' ');
+    QVERIFY(all.contains(QCoreApplication::applicationName()));
+    QVERIFY(all.contains("General Public License") && all.contains(qVersion()) && all.contains("LGPL"));
+}
+
+void tst_CommandRegistry::everyPartIsExplainedByItsTooltip() {
+    auto* const dock = new QDockWidget("Instruments", window_.get());
+    auto* const speed = new QLabel("0.8");
+    speed->setToolTip("Speed over the ground, m/s");
+    dock->setWidget(speed);
+    window_->addDockWidget(Qt::LeftDockWidgetArea, dock);
+    auto* const own = new QLabel("own", window_.get());
+    own->setToolTip("A tooltip");
+    own->setWhatsThis("More words");
+    explainParts(*window_);
+    QCOMPARE(speed->whatsThis(), QString("Speed over the ground, m/s"));
+    QCOMPARE(dock->whatsThis(), QString("Instruments: Speed over the ground, m/s"));
+    QCOMPARE(own->whatsThis(), QString("More words"));
 }
 
 void tst_CommandRegistry::escapeTwiceCounts_data() {
