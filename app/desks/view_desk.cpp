@@ -27,6 +27,29 @@ void ViewDesk::registerCommands() {
     auto* palette = new widgets::CommandPalette(commands_, &main_window_);
     add("view.palette", [palette] { palette->open(); });
     commands_.offer([this] { return plots(); });
+    add("view.operate", [this] { arrange(views_.plots_dock, 0.25); });
+    add("view.analyse", [this] { arrange(views_.plots_dock, 0.6); });
+    add("view.debug", [this] { arrange(views_.messages_dock, 0.6); });
+    add("view.plan", [this] { arrange(views_.plan_dock, 0.6); });
+    registerHelpCommands();
+    for (QDockWidget* dock : views_.docks) {
+        const widgets::CommandSpec spec{.id = "view.dock." + dock->objectName(),
+                                        .text = dock->windowTitle(),
+                                        .group = tr("View"),
+                                        .help = tr("Shows this dock, or hides it if it is in front"),
+                                        .checkable = true,
+                                        .wish = tr("Show %1").arg(dock->windowTitle())};
+        QAction* const shown = commands_.add(spec, [dock](bool) {
+            if (dock->isHidden() || dock->visibleRegion().isEmpty()) // It may be behind another tab.
+                raise(dock);
+            else
+                dock->hide();
+        });
+        connect(dock, &QDockWidget::visibilityChanged, shown, [dock, shown] { shown->setChecked(!dock->isHidden()); });
+    }
+}
+
+void ViewDesk::registerHelpCommands() {
     add("help.shortcuts", [this] {
         if (!sheet_) {
             sheet_ = widgets::makeShortcutSheet(commands_, &main_window_);
@@ -49,25 +72,6 @@ void ViewDesk::registerCommands() {
         about_->raise();
         about_->activateWindow();
     });
-    add("view.operate", [this] { arrange(views_.plots_dock, 0.25); });
-    add("view.analyse", [this] { arrange(views_.plots_dock, 0.6); });
-    add("view.debug", [this] { arrange(views_.messages_dock, 0.6); });
-    add("view.plan", [this] { arrange(views_.plan_dock, 0.6); });
-    for (QDockWidget* dock : views_.docks) {
-        const widgets::CommandSpec spec{.id = "view.dock." + dock->objectName(),
-                                        .text = dock->windowTitle(),
-                                        .group = tr("View"),
-                                        .help = tr("Shows this dock, or hides it if it is in front"),
-                                        .checkable = true,
-                                        .wish = tr("Show %1").arg(dock->windowTitle())};
-        QAction* const shown = commands_.add(spec, [dock](bool) {
-            if (dock->isHidden() || dock->visibleRegion().isEmpty()) // It may be behind another tab.
-                raise(dock);
-            else
-                dock->hide();
-        });
-        connect(dock, &QDockWidget::visibilityChanged, shown, [dock, shown] { shown->setChecked(!dock->isHidden()); });
-    }
 }
 
 std::vector<widgets::PaletteOffer> ViewDesk::plots() const {

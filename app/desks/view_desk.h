@@ -36,6 +36,7 @@ private:
 
     static constexpr int layout_version = 5; ///< increased with each change of the docks; older layouts are ignored
 
+    void registerHelpCommands();
     /// For the palette: each number that the selected robot's sensors say can be plotted.
     std::vector<widgets::PaletteOffer> plots() const;
 
