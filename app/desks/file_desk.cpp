@@ -6,6 +6,7 @@
 #include <QUrl>
 
 #include "core/mission/fleet/robot_words.h"
+#include "core/server/embedded/program_files.h"
 #include "widgets/panels/dialogs.h"
 
 namespace usar::app {
@@ -21,8 +22,21 @@ FileDesk::FileDesk(const DeskContext& context, ServerDesk& server, MissionDesk& 
 void FileDesk::registerCommands() {
     add(
         "file.export", [this] { return selection_.id().valid(); }, [this] { control_.exportResults(selection_.id()); });
+    commands_.offer([this] { return missions(); });
     add("file.folder", [this] { chooseResultFolder({}); });
     add("file.show_folder", [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(control_.resultFolder())); });
+}
+
+std::vector<widgets::PaletteOffer> FileDesk::missions() {
+    std::vector<widgets::PaletteOffer> offers;
+    for (const QFileInfo& file : QDir(server::missionsFolder()).entryInfoList({"*.json"}, QDir::Files, QDir::Name)) {
+        QString name = file.completeBaseName();
+        offers.push_back({tr("Open mission %1").arg(name.replace('_', ' ')),
+                          tr("File"),
+                          {file.completeBaseName(), "load", "example", "shipped"},
+                          [this, path = file.absoluteFilePath()] { open(path); }});
+    }
+    return offers;
 }
 
 void FileDesk::wire() {

@@ -41,6 +41,9 @@ public:
     void chooseResultFolder(const std::function<void()>& then);
 
 private:
+    /// For the palette: each mission that comes with the program can be opened.
+    std::vector<widgets::PaletteOffer> missions();
+
     ServerDesk& server_;
     MissionDesk& mission_;
     PlanWorkshop& workshop_;

@@ -25,6 +25,7 @@ void PlanDesk::registerCommands() {
     breakpoints_.registerCommands();
     registerPinCommands();
     run_.registerCommands();
+    commands_.offer([this] { return places(); });
 }
 
 void PlanDesk::chooseWhereToSavePicture() {
@@ -34,6 +35,25 @@ void PlanDesk::chooseWhereToSavePicture() {
                                     return notices_.complain("plan-picture", saved.error());
                                 notices_.note("plan-picture", tr("Saved the plan as %1.").arg(path));
                             });
+}
+
+std::vector<widgets::PaletteOffer> PlanDesk::places() const {
+    constexpr std::size_t most = 500; // Of a longer plan the first ones; its own search finds all.
+    std::vector<widgets::PaletteOffer> offers;
+    const widgets::PlanTree& tree = views_.plan->view().tree();
+    for (const widgets::PlanNodeId node : tree.nodes()) {
+        if (offers.size() == most)
+            break;
+        const QString kind = widgets::planKindWord(tree[node].kind);
+        offers.push_back({tr("Go to %1 %2").arg(kind, tree[node].name),
+                          tr("Plan"),
+                          {"find", "show", "jump"},
+                          [this, path = tree.path(node)] {
+                              raise(views_.plan_dock);
+                              views_.plan->view().selectPath(path);
+                          }});
+    }
+    return offers;
 }
 
 void PlanDesk::registerRunCommands() {

@@ -43,6 +43,8 @@ signals:
 private:
     void registerRunCommands();
     void registerPinCommands();
+    /// For the palette: the parts of the shown plan, to go to.
+    std::vector<widgets::PaletteOffer> places() const;
 
     /// Takes the update of any robot, so that halts are noticed even of robots that are not selected.
     void take(RobotId id, const mission::SessionUpdate& update);

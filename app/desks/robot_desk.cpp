@@ -24,6 +24,7 @@ void RobotDesk::registerCommands() {
              {QKeySequence(QString::number(number))}},
             [this, number] { return control_.robot({number}) != nullptr; },
             [this, number] { selection_.select({number}); });
+    commands_.offer([this] { return offers(); });
     const auto lost = [this] {
         return robot() && !robot()->isReplay() && !robot()->view().figures.spawned &&
                robot()->view().link.state == link::LinkState::Connected;
@@ -122,6 +123,23 @@ void RobotDesk::wireMarks() {
                 if (none_before)
                     commands_.refresh();
             });
+}
+
+std::vector<widgets::PaletteOffer> RobotDesk::offers() {
+    std::vector<widgets::PaletteOffer> offers;
+    for (const Robot* const robot : control_.robots())
+        offers.push_back({tr("Select %1").arg(nameOf(*robot)),
+                          tr("Robots"),
+                          {"robot", "choose", "show", "switch"},
+                          [this, id = robot->view().id] { selection_.select(id); }});
+    int number = 0;
+    for (const protocol::StartPose& pose : control_.startPoses())
+        offers.push_back(
+            {tr("Spawn a robot at %1").arg(QString::fromStdString(pose.name)),
+             tr("Robots"),
+             {"add", "new", "create", "place", "start"},
+             [this, at = number++] { spawn(views_.spawn_card->lastChoice(at, control_.nextRobotName())); }});
+    return offers;
 }
 
 void RobotDesk::listClasses() {

@@ -29,12 +29,12 @@ void ServerDesk::registerCommands() {
         "link.disconnect", [idle] { return !idle(); }, [this] { disconnectFromServer(); });
     const auto nothing_runs = [this] { return !control_.anyRunning(); };
     for (const QString& name : server::worldNames())
-        add({"world." + name,
-             titleOf(name),
-             tr("World"),
-             tr("Restarts the embedded simulator in this world; the robots in the old world are removed"),
-             "",
-             {}},
+        add({.id = "world." + name,
+             .text = titleOf(name),
+             .group = tr("World"),
+             .help = tr("Restarts the embedded simulator in this world; the robots in the old world are removed"),
+             .words = {name, "load", "map", "scene"},
+             .wish = tr("Open world %1").arg(titleOf(name))},
             nothing_runs, [this, name] { openWorld(name); });
     add("world.folder", nothing_runs, [this] {
         widgets::askForFolder(window_, tr("World from a folder"), QDir::homePath(),

@@ -252,7 +252,7 @@ void TaskDesk::offerToStartAgain(RobotId id, const QString& key, const QString& 
     const QString name = QString::fromStdString(control_.robot(id)->view().spawn.robot_name);
     const bool was_isolated = control_.robot(id)->started()->isolated;
     QString help = was_isolated ? tr("The same behavior with the same parameters")
-                                : tr("The same behavior with the same parameters, in a process of its own, where it "
+                                : tr("The same behavior with the same parameters, in a separate process, where it "
                                      "can disturb nothing else");
     help += " (" + action("mission.start_again")->shortcut().toString(QKeySequence::NativeText) + ")";
     notices_.offer(Severity::Warning, key, text, {tr("Start %1 again").arg(name), help},

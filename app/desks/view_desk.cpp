@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QWhatsThis>
+
 #include "widgets/commands/command_palette.h"
+#include "widgets/commands/help.h"
 #include "widgets/commands/shortcut_sheet.h"
 
 namespace usar::app {
@@ -24,6 +27,30 @@ void ViewDesk::registerCommands() {
     add("view.hint", [this] { views_.hint->show(); });
     auto* palette = new widgets::CommandPalette(commands_, &main_window_);
     add("view.palette", [palette] { palette->open(); });
+    commands_.offer([this] { return plots(); });
+    add("view.operate", [this] { arrange(views_.plots_dock, 0.25); });
+    add("view.analyse", [this] { arrange(views_.plots_dock, 0.6); });
+    add("view.debug", [this] { arrange(views_.messages_dock, 0.6); });
+    add("view.plan", [this] { arrange(views_.plan_dock, 0.6); });
+    registerHelpCommands();
+    for (QDockWidget* dock : views_.docks) {
+        const widgets::CommandSpec spec{.id = "view.dock." + dock->objectName(),
+                                        .text = dock->windowTitle(),
+                                        .group = tr("View"),
+                                        .help = tr("Shows this dock, or hides it if it is in front"),
+                                        .checkable = true,
+                                        .wish = tr("Show %1").arg(dock->windowTitle())};
+        QAction* const shown = commands_.add(spec, [dock](bool) {
+            if (dock->isHidden() || dock->visibleRegion().isEmpty()) // It may be behind another tab.
+                raise(dock);
+            else
+                dock->hide();
+        });
+        connect(dock, &QDockWidget::visibilityChanged, shown, [dock, shown] { shown->setChecked(!dock->isHidden()); });
+    }
+}
+
+void ViewDesk::registerHelpCommands() {
     add("help.shortcuts", [this] {
         if (!sheet_) {
             sheet_ = widgets::makeShortcutSheet(commands_, &main_window_);
@@ -33,24 +60,40 @@ void ViewDesk::registerCommands() {
         sheet_->raise();
         sheet_->activateWindow();
     });
-    add("view.operate", [this] { arrange(views_.plots_dock, 0.25); });
-    add("view.analyse", [this] { arrange(views_.plots_dock, 0.6); });
-    add("view.debug", [this] { arrange(views_.messages_dock, 0.6); });
-    add("view.plan", [this] { arrange(views_.plan_dock, 0.6); });
-    for (QDockWidget* dock : views_.docks) {
-        const widgets::CommandSpec spec{.id = "view.dock." + dock->objectName(),
-                                        .text = dock->windowTitle(),
-                                        .group = tr("View"),
-                                        .help = tr("Shows this dock, or hides it if it is in front"),
-                                        .checkable = true};
-        QAction* const shown = commands_.add(spec, [dock](bool) {
-            if (dock->isHidden() || dock->visibleRegion().isEmpty()) // It may be behind another tab.
-                raise(dock);
-            else
-                dock->hide();
-        });
-        connect(dock, &QDockWidget::visibilityChanged, shown, [dock, shown] { shown->setChecked(!dock->isHidden()); });
+    add("help.what", [this] {
+        widgets::explainParts(main_window_);
+        QWhatsThis::enterWhatsThisMode();
+    });
+    add("help.about", [this] {
+        if (!about_) {
+            about_ = widgets::makeAbout(&main_window_);
+            about_->setAttribute(Qt::WA_DeleteOnClose);
+        }
+        about_->show();
+        about_->raise();
+        about_->activateWindow();
+    });
+}
+
+std::vector<widgets::PaletteOffer> ViewDesk::plots() const {
+    views_.sensors->refresh(); // It does not while it is hidden.
+    std::vector<widgets::PaletteOffer> offers;
+    const widgets::SensorModel& sensors = views_.sensors->model();
+    for (int source = 0; source < sensors.rowCount(); ++source) {
+        const QModelIndex parent = sensors.index(source, 0);
+        for (int leaf = 0; leaf < sensors.rowCount(parent); ++leaf) {
+            const QModelIndex field = sensors.index(leaf, 0, parent);
+            const QString path = field.data(widgets::SensorModel::PathRole).toString();
+            if (!field.data(widgets::SensorModel::NumericRole).toBool())
+                continue;
+            const QString unit = field.data(widgets::SensorModel::UnitRole).toString();
+            offers.push_back({tr("Plot %1").arg(path), tr("Sensors"), {"graph", "chart", "curve"}, [this, path, unit] {
+                                  raise(views_.plots_dock);
+                                  views_.plots->addSeries(path, unit);
+                              }});
+        }
     }
+    return offers;
 }
 
 void ViewDesk::wire() {

@@ -38,10 +38,15 @@ private:
 
     static constexpr int layout_version = 5; ///< increased with each change of the docks; older layouts are ignored
 
+    void registerHelpCommands();
+    /// For the palette: each number that the selected robot's sensors say can be plotted.
+    std::vector<widgets::PaletteOffer> plots() const;
+
     QMainWindow& main_window_;
     std::optional<widgets::Theme> theme_;
     QByteArray first_layout_;
     QPointer<QDialog> sheet_; ///< of keys and gestures; nullptr while it is closed
+    QPointer<QDialog> about_; ///< the same for versions and licenses
 };
 
 } // namespace usar::app

@@ -359,7 +359,7 @@ void WorldEditor::removeNamed(const QStringList& names, const protocol::Command&
 void WorldEditor::addWaypoint(const Vec2& at_m) {
     const MapObject* const object = selected();
     if (!object)
-        return say(tr("Select an object first; then its way points are set by clicks on the map."));
+        return say(tr("Select an object first; then its waypoints are set by clicks on the map."));
     inventory_.addWaypoint(selected_.toStdString(), at_m);
     link_.send(protocol::AddWaypoints{tokenOf(selected_), {mission::waypointAt(object->body_in_map, at_m, ground())}});
     show();

@@ -106,7 +106,7 @@ void MainWindow::makeMenus() {
     for (const auto& command : commands_.commands())
         if (command->spec.id.startsWith("view.dock."))
             view->addAction(command->action);
-    add(tr("&Help"), "help.shortcuts");
+    add(tr("&Help"), "help.shortcuts help.what - help.about");
 }
 
 void MainWindow::wire() {

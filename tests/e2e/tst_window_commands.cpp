@@ -48,6 +48,7 @@ private slots:
     void withoutARobotTheClockDoesNotRunAway();
     void builtInLayoutsPutTheirDockFirst();
     void aDockIsHiddenAndShownByCommand();
+    void thePaletteOffersRobotsPosesWorldsAndMissions();
     void aFirstStartFitsASmallScreen();
     void onASmallScreenTimeCanBeSteered();
     void theWindowIsFoundAsItWasLeft();
@@ -162,6 +163,28 @@ void tst_WindowCommands::aDockIsHiddenAndShownByCommand() {
     QTRY_VERIFY(layers->isVisible());
     run(page, "view.dock.layers");
     QTRY_VERIFY(layers->isHidden());
+}
+
+void tst_WindowCommands::thePaletteOffersRobotsPosesWorldsAndMissions() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(page.spawnAt("PlayerStart"));
+    widgets::CommandListModel model(page.window().commands());
+    const auto first = [&](const QString& typed) {
+        model.setFilter({});
+        model.setFilter(typed);
+        return model.index(0);
+    };
+    QCOMPARE(first("select R1").data().toString(), QString("Select R1"));
+    QCOMPARE(first("spawn PlayerStart").data().toString(), QString("Spawn a robot at PlayerStart"));
+    QCOMPARE(first("world tall").data().toString(), QString("Open world Tall test"));
+    QCOMPARE(first("mission quick").data().toString(), QString("Open mission quick scan"));
+    QCOMPARE(first("camera show").data().toString(), QString("Show Camera"));
+    QTRY_VERIFY_WITH_TIMEOUT(first("plot INS").isValid(), soon_ms);
+    model.run(first("spawn FarCorner"));
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(2), soon_ms);
+    model.run(first("select R1"));
+    QCOMPARE(page.window().selectedRobot().value, 1);
 }
 
 /// 1024 x 700 with a desktop's frame around it.

@@ -172,7 +172,7 @@ private slots:
         page.put("Box", {-4, 2});
         QTRY_COMPARE_WITH_TIMEOUT(page.map().content().objects.selected, QString("Box1"), soon_ms);
         QVERIFY(!page.window().commands().action("world.go")->isEnabled());
-        QTest::mouseClick(page.button("Add way points"), Qt::LeftButton);
+        QTest::mouseClick(page.button("Add waypoints"), Qt::LeftButton);
         page.clickMap({4, 2});
         page.clickMap({4, -2});
         QTest::keyClick(&page.map(), Qt::Key_Escape);

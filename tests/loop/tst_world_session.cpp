@@ -129,8 +129,8 @@ private slots:
         world.session.open("127.0.0.1", (*simulator)->port());
         QTRY_VERIFY(world.ready());
         world.session.send(creation("Unicorn", "U1", {0, 0, 1}));
-        QTRY_VERIFY(world.said("U1 did not appear"));
-        QVERIFY(world.said("may not know the class Unicorn"));
+        QTRY_VERIFY(world.said("Could not place U1"));
+        QVERIFY(world.said("does not know Unicorn"));
     }
 
     void saysWhyTheSimulatorRefusedAThing() {

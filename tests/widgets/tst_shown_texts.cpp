@@ -71,9 +71,9 @@ void tst_ShownTexts::whoDrivesIsSaidInAFewWords_data() {
     QTest::addColumn<QString>("by");
     QTest::addColumn<QString>("words");
     QTest::newRow("nobody") << int(Driver::Nobody) << ""
-                            << "nobody drives";
+                            << "idle";
     QTest::newRow("nobody, whatever the name") << int(Driver::Nobody) << "keys"
-                                               << "nobody drives";
+                                               << "idle";
     QTest::newRow("a behavior without a name") << int(Driver::Behavior) << ""
                                                << "a behavior drives";
     QTest::newRow("a behavior") << int(Driver::Behavior) << "Terrain survey"
@@ -92,7 +92,7 @@ void tst_ShownTexts::whoDrivesIsSaidInAFewWords() {
 
 void tst_ShownTexts::chipNamesTheRobotUnlessItIsBare() {
     ControlBadge badge;
-    QCOMPARE(badge.text(), QStringLiteral("no robot to drive"));
+    QCOMPARE(badge.text(), QStringLiteral("No robot"));
     badge.setWords({"R1", Driver::Person, "keys"});
     QCOMPARE(badge.text(), QStringLiteral("R1: you drive · keys"));
     QCOMPARE(badge.accessibleName(), badge.text());
@@ -100,7 +100,7 @@ void tst_ShownTexts::chipNamesTheRobotUnlessItIsBare() {
     badge.setBare(true);
     QCOMPARE(badge.text(), QStringLiteral("you drive · keys"));
     badge.setWords({});
-    QCOMPARE(badge.text(), QStringLiteral("no robot to drive"));
+    QCOMPARE(badge.text(), QStringLiteral("No robot"));
 }
 
 void tst_ShownTexts::robotsRowIsASentence_data() {

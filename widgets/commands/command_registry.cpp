@@ -1,6 +1,7 @@
 #include "widgets/commands/command_registry.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -104,6 +105,13 @@ void CommandRegistry::refresh() {
             command->action->setEnabled(command->enabled());
 }
 
+std::vector<PaletteOffer> CommandRegistry::offers() const {
+    std::vector<PaletteOffer> all;
+    for (const auto& provider : providers_)
+        std::ranges::move(provider(), std::back_inserter(all));
+    return all;
+}
+
 void CommandRegistry::fill(QMenu* menu, const QStringList& ids) const {
     menu->setToolTipsVisible(true);
     for (const QString& id : ids)
@@ -137,6 +145,7 @@ CommandSpec specOf(const QString& id, const QString& group, const QJsonObject& r
     spec.twice = keysOf(row["twice"].toString());
     spec.question = row["question"].toString();
     spec.answer = row["answer"].toString();
+    spec.words = row["words"].toString().split(", ", Qt::SkipEmptyParts);
     return spec;
 }
 

@@ -129,9 +129,9 @@ void WorldPanel::makeList() {
 }
 
 QHBoxLayout* WorldPanel::makeWayRow() {
-    speed_ = makeBox(tr("Speed along the way points, or of the belt"), tr(" m/s"), -5.0, 20.0, this);
+    speed_ = makeBox(tr("Speed along the waypoints, or of the belt"), tr(" m/s"), -5.0, 20.0, this);
     speed_->setValue(0.5);
-    loop_ = makeToolButton(tr("Starts over at the first way point after the last one"), this, QStringLiteral("reset"));
+    loop_ = makeToolButton(tr("Starts over at the first waypoint after the last one"), this, QStringLiteral("reset"));
     loop_->setCheckable(true);
     worded(loop_)->setText(tr("Loop"));
     way_row_ = laidOut(new QHBoxLayout, gap::tiny, {speed_, loop_});

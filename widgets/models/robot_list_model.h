@@ -22,7 +22,7 @@ struct ControlWords {
     bool operator==(const ControlWords&) const = default;
 };
 
-/// "nobody drives", "Terrain survey drives", "you drive · keys".
+/// "idle", "Terrain survey drives", "you drive · keys".
 QString controlText(const ControlWords& words);
 
 /// A battery with less than this left, in percent, is shown in the color of a caution, or of a danger.

@@ -103,7 +103,7 @@ private:
     QComboBox* behavior_box_ = new QComboBox;
     QToolButton* rescan_ = new QToolButton;
     QLabel* help_label_ = mutedLabel();
-    QCheckBox* isolated_ = new QCheckBox(tr("In a process of its own"));
+    QCheckBox* isolated_ = new QCheckBox(tr("Run in a separate process"));
     PlanChoice* plan_ = new PlanChoice;
     QWidget* area_box_ = new QWidget;
     AreaForm* area_form_ = new AreaForm;

@@ -226,7 +226,7 @@ void PlanPanel::fillSide() {
     side_->add(verdict_, reasons_, tr("Why?"), 3);
     side_->setTitleKept(reasons_, true); // It is the answer.
     board_ = makeList(tr("Blackboard"), {});
-    side_->add(makeLabel(side_, "title", tr("Blackboard")), board_, tr("Board"), 2);
+    side_->add(makeLabel(side_, "title", tr("Blackboard")), board_, tr("Blackboard"), 2);
     connect(board_, &QListWidget::currentRowChanged, this, &PlanPanel::keySelected);
     connect(board_, &QListWidget::itemActivated, this, &PlanPanel::keyActivated);
     showBoard();

@@ -231,8 +231,9 @@ void WorldSession::noteAwaited() {
             ++one;
             continue;
         }
-        failToPlace(one->first + " did not appear in the world. The server may not know the class " +
-                    one->second.class_name + ", or has no room there. Choose another class or place.");
+        failToPlace("Could not place " + one->first +
+                    ": something (a tree?) is in the way, or the server does not know " + one->second.class_name +
+                    ". Choose another place or class.");
         kinds_.erase(one->first);
         one = awaited_.erase(one);
     }

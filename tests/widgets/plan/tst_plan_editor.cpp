@@ -274,7 +274,7 @@ void tst_PlanEditor::realTimeThatIsNotKeptIsSaid() {
     QVERIFY(editor_->findings().empty()); // it is no fault
     QVERIFY2(editor_->textEdit().toolTipAt(1).contains("N501"), qPrintable(editor_->textEdit().toolTipAt(1)));
     const auto lists = editor_->findChildren<QListWidget*>();
-    const auto list = std::ranges::find(lists, QStringLiteral("Findings"), &QListWidget::accessibleName);
+    const auto list = std::ranges::find(lists, QStringLiteral("Problems"), &QListWidget::accessibleName);
     QVERIFY(list != lists.end());
     QCOMPARE((*list)->count(), 1);
     QCOMPARE((*list)->item(0)->text(), editor_->textEdit().toolTipAt(1));
@@ -326,7 +326,7 @@ void tst_PlanEditor::bindingIsCheckedAgainstTheRobot() {
     QCOMPARE(editor_->findings().back().code, posh::Code::UnknownPrimitive);
     int rows = 0;
     for (const QListWidget* const list : editor_->findChildren<QListWidget*>())
-        rows += list->accessibleName() == u"Findings" ? list->count() : 0;
+        rows += list->accessibleName() == u"Problems" ? list->count() : 0;
     QCOMPARE(std::size_t(rows), editor_->findings().size());
 }
 
