@@ -23,6 +23,7 @@ enum class MapLayer {
     World,
     Grid,
     Heights,
+    Contours,
     Area,
     Lanes,
     Trails,
@@ -35,7 +36,7 @@ enum class MapLayer {
     Radio,
     Robots
 };
-inline constexpr std::size_t map_layer_count = 14;
+inline constexpr std::size_t map_layer_count = 15;
 /// "Height map": the layer's name in menus and in the layers panel.
 QString layerName(MapLayer layer);
 
@@ -48,8 +49,8 @@ struct LayerState {
 };
 
 using LayerStates = std::array<LayerState, map_layer_count>;
-/// Initial state of map and layers panel: everything visible except the radio links; the world is faint, so that it
-/// stays in the background of the measurements.
+/// Initial state of map and layers panel: everything visible except contours and radio links; the world is faint, so
+/// that it stays in the background of the measurements.
 LayerStates firstLayers();
 
 /// A robot as the map needs it. `number` 1..9 selects its color and key.

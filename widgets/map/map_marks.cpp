@@ -6,15 +6,16 @@ namespace usar::widgets {
 
 QString layerName(MapLayer layer) {
     static constexpr std::array<const char*, map_layer_count> names = {
-        "World", "Grid",    "Height map",  "Mission area", "Lanes", "Trails",      "Trace marks",
-        "Marks", "Objects", "Start poses", "Laser hits",   "Goals", "Radio links", "Robots"};
+        "World", "Grid",    "Height map",  "Contours",   "Mission area", "Lanes",       "Trails", "Trace marks",
+        "Marks", "Objects", "Start poses", "Laser hits", "Goals",        "Radio links", "Robots"};
     return QLatin1String(names[static_cast<std::size_t>(layer)]);
 }
 
 LayerStates firstLayers() {
     LayerStates layers;
     layers[static_cast<std::size_t>(MapLayer::World)].opacity = 0.4;
-    layers[static_cast<std::size_t>(MapLayer::Radio)].visible = false; // Users who need them turn them on.
+    for (const MapLayer on_request : {MapLayer::Contours, MapLayer::Radio}) // Users who need them turn them on.
+        layers[static_cast<std::size_t>(on_request)].visible = false;
     return layers;
 }
 

@@ -33,11 +33,11 @@ void MapPainter::paintLayers() {
     };
     // In the order of MapLayer.
     static constexpr LayerPainter painters[map_layer_count] = {
-        {&MapPainter::paintWorld, false},     {&MapPainter::paintGrid, false},  {&MapPainter::paintHeights, false},
-        {&MapPainter::paintArea, false},      {&MapPainter::paintLanes, true},  {&MapPainter::paintTrails, true},
-        {&MapPainter::paintTraces, false},    {&MapPainter::paintMarks, true},  {&MapPainter::paintObjects, true},
-        {&MapPainter::paintStartPoses, true}, {&MapPainter::paintLaser, false}, {&MapPainter::paintGoals, true},
-        {&MapPainter::paintRadio, true},      {&MapPainter::paintRobots, true}};
+        {&MapPainter::paintWorld, false},    {&MapPainter::paintGrid, false},      {&MapPainter::paintHeights, false},
+        {&MapPainter::paintContours, false}, {&MapPainter::paintArea, false},      {&MapPainter::paintLanes, true},
+        {&MapPainter::paintTrails, true},    {&MapPainter::paintTraces, false},    {&MapPainter::paintMarks, true},
+        {&MapPainter::paintObjects, true},   {&MapPainter::paintStartPoses, true}, {&MapPainter::paintLaser, false},
+        {&MapPainter::paintGoals, true},     {&MapPainter::paintRadio, true},      {&MapPainter::paintRobots, true}};
     for (std::size_t i = 0; i < map_layer_count; ++i) {
         if (!content_.layers[i].visible || content_.layers[i].opacity <= 0.0)
             continue;
@@ -97,6 +97,14 @@ void MapPainter::paintGrid() {
 }
 
 void MapPainter::paintHeights() {
+    paintPages(&PagePicture::levelFor);
+}
+
+void MapPainter::paintContours() {
+    paintPages(&PagePicture::contoursFor);
+}
+
+void MapPainter::paintPages(const QImage& (PagePicture::*pictureFor)(double) const) {
     const double cell_m = heights_.cellSize_m();
     const QRectF viewport(QPointF(), transform_.viewport);
     for (const auto& [index, picture] : heights_.pages()) {
@@ -106,7 +114,7 @@ void MapPainter::paintHeights() {
         // Edges are on whole pixels and shared by neighbors, so that no seams are visible.
         const QRect target(QPoint(qRound(on_screen.left()), qRound(on_screen.top())),
                            QPoint(qRound(on_screen.right()) - 1, qRound(on_screen.bottom()) - 1));
-        painter_.drawImage(target, picture.levelFor(transform_.pixels_per_m * cell_m));
+        painter_.drawImage(target, (picture.*pictureFor)(transform_.pixels_per_m * cell_m));
     }
 }
 

@@ -30,6 +30,9 @@ private:
     void paintGrid();
     /// Paints finished pages only, at the mip level that fits the scale, with edges on whole pixels.
     void paintHeights();
+    void paintContours();
+    /// Paints one picture of each page in sight; `pictureFor` takes a page and its pixels on the screen per cell.
+    void paintPages(const QImage& (PagePicture::*pictureFor)(double) const);
     void paintArea();
     void paintAreaHandles(const Rectangle& area_in_map);
     void paintLanes();

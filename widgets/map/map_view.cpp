@@ -119,6 +119,12 @@ void MapView::clearTraceMarks() {
     update();
 }
 
+void MapView::setLayer(MapLayer layer, const LayerState& state) {
+    put(content_.layers[static_cast<std::size_t>(layer)], state);
+    if (layer == MapLayer::Contours)
+        heights_->setContours(state.visible);
+}
+
 void MapView::setOrientation(MapOrientation orientation) {
     transform_.orientation = orientation;
     heights_->setOrientation(orientation);

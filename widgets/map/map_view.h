@@ -73,9 +73,7 @@ public:
     const TraceLayer& traces() const { return traces_; }
 
     // The view.
-    void setLayer(MapLayer layer, const LayerState& state) {
-        put(content_.layers[static_cast<std::size_t>(layer)], state);
-    }
+    void setLayer(MapLayer layer, const LayerState& state);
     const LayerState& layer(MapLayer layer) const { return content_.layer(layer); }
     /// The gestures of the mouse, whose signals report what the user does on the map; owned by the map.
     MapGestures& gestures() { return gestures_; }

@@ -9,6 +9,8 @@
 #include <QLinearGradient>
 #include <QPainter>
 
+#include "core/mapping/shading.h"
+
 namespace usar::mission {
 
 namespace {
@@ -75,8 +77,10 @@ void drawRange(QPainter& painter, const mapping::HeightRange& range, double text
     const QRectF bar(text_px + textWidth(height(range.minimum_m), text_px) + 0.5 * text_px, top_px, 8.0 * text_px,
                      text_px);
     QLinearGradient gradient(bar.topLeft(), bar.topRight());
-    gradient.setColorAt(0.0, Qt::black);
-    gradient.setColorAt(1.0, Qt::white);
+    constexpr float steps = 32.0f;
+    for (float step = 0.0f; step <= steps; ++step)
+        gradient.setColorAt(static_cast<double>(step / steps),
+                            QColor::fromRgb(mapping::shade(step, {0.0f, steps}, mapping::ColorMap::Color)));
     painter.setPen(QPen(ink_color, std::max(1.0, text_px / 14.0)));
     painter.setBrush(gradient);
     painter.drawRect(bar);

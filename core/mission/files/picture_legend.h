@@ -1,4 +1,4 @@
-// The legend below a map picture: explains gray levels, lengths and the colored marks.
+// The legend below a map picture: explains the colors of heights, lengths and the marks.
 #pragma once
 
 #include <optional>
