@@ -122,6 +122,11 @@ struct MapContent {
     bool empty() const { return !world_in_map && start_poses.empty() && robots.empty(); }
     /// Extent of the world, or of the start poses with 20 m around them if it is not known; empty without both.
     Rectangle groundInMap() const;
+    /// What the mission is about: the scan (empty: none), the area, the selected robot with where it began and where it
+    /// is going. Empty without scan and area.
+    Rectangle missionInMap(const Rectangle& scan_in_map) const;
+    /// Mission, ground and all robots; nullopt if there is nothing. A single point has no size.
+    std::optional<Rectangle> everythingInMap(const Rectangle& scan_in_map) const;
     /// Removes everything that comes from the server; layers and the tool's handles stay.
     void forgetServer();
 

@@ -91,7 +91,7 @@ public:
     QSize minimumSizeHint() const override { return {240, 180}; }
 
 public slots:
-    /// Shows the mission (area and heights) if there is one, else the world.
+    /// Shows the mission with the selected robot if there is one, clear of the legends; else the world.
     void fit();
     /// Shows the whole world, or the start poses with 20 m around them if its extent is not known.
     void fitWorld();
@@ -130,6 +130,8 @@ private:
     void walkStartPoses(int by);
     void askAbout(std::size_t start_pose); ///< emits startPoseClicked
     void showContent();                    ///< repaints, and shows the sheet if there is nothing
+    /// Repaints after the view moved; with nothing of the world in sight, a button leads back.
+    void moved();
 
     MapContent content_;
     MapTransform transform_;
@@ -137,6 +139,7 @@ private:
     HeightLayer* heights_ = new HeightLayer(this);
     TraceLayer traces_;
     EmptyState* empty_state_ = new EmptyState(this);
+    QPushButton* way_back_ = new QPushButton(tr("Back to the map"), this);
     bool following_ = false;
     bool view_touched_ = false; ///< by the user; until then resizing fits again
 };
