@@ -37,6 +37,7 @@ public:
 private:
     /// Clears what was shown of a replay that was rewound.
     void restart(const RobotView& view, bool selected);
+    void extendTrail(const RobotView& view, const mission::SessionUpdate& update);
     void showOnMap(const RobotView& view, const mission::SessionUpdate& update, bool selected);
     void showStatus(const RobotView& view);
     void showInstruments(const RobotView& view, const mission::SessionUpdate& update);

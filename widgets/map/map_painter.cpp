@@ -163,7 +163,8 @@ void MapPainter::paintSegments(const std::vector<Vec2>& points_m) {
         const QPointF next = transform_.toScreen(points_m[i]);
         if (i + 1 < points_m.size() && (next - last).manhattanLength() < 1.5)
             continue;
-        if (QRectF(last, next).normalized().adjusted(-1.0, -1.0, 1.0, 1.0).intersects(sight))
+        const bool gap = !points_m[i].allFinite() || !points_m[i - 1].allFinite();
+        if (!gap && QRectF(last, next).normalized().adjusted(-1.0, -1.0, 1.0, 1.0).intersects(sight))
             lines << QLineF(last, next);
         last = next;
     }

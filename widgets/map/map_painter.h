@@ -53,7 +53,8 @@ private:
     void paintRadio();
     /// Paints arrowheads along the yaw; hollow and gray when stale.
     void paintRobots();
-    /// Paints separate segments through the points, without segments that are shorter than a pixel or out of sight.
+    /// Paints separate segments through the points, without segments that are shorter than a pixel or out of sight; a
+    /// point of NaN interrupts them.
     void paintSegments(const std::vector<Vec2>& points_m);
     /// Paints text on a background of its own, so that it is readable everywhere.
     void paintLabel(const QRectF& box_px, const QString& text, bool bold);
