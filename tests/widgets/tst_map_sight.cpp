@@ -30,6 +30,10 @@ private slots:
     void cleanup();
     void aStartedMissionIsSeenWhole_data();
     void aStartedMissionIsSeenWhole();
+    void labelsLieBesideEachOtherAndTheLegends_data();
+    void labelsLieBesideEachOtherAndTheLegends();
+    void aNarrowViewShortensTheSummary();
+    void legendsLeaveASmallMapFree();
     void aWayLeadsBackFromTheEmptyMap();
 
 private:
@@ -77,6 +81,58 @@ void tst_MapSight::aStartedMissionIsSeenWhole() {
     for (const QRectF& legend : OverlayPlaces(legendsOfAMission(view_->content()), transform).all())
         QVERIFY2(!legend.intersects(needed), "a legend lies over the mission");
     QVERIFY2(std::max(needed.width(), needed.height()) > 100.0, "the mission is large enough to be read");
+}
+
+void tst_MapSight::labelsLieBesideEachOtherAndTheLegends_data() {
+    QTest::addColumn<Rectangle>("area");
+    QTest::newRow("above a robot") << Rectangle{Vec2(4, -10), Vec2(20, 10)};
+    QTest::newRow("at the lower edge") << Rectangle{Vec2(-50, -10), Vec2(-40, 10)};
+    QTest::newRow("at the right edge") << Rectangle{Vec2(10, -50), Vec2(20, -45)};
+    QTest::newRow("in the corner of the legends") << Rectangle{Vec2(-50, -50), Vec2(-40, -40)};
+    QTest::newRow("in the corner of the axes") << Rectangle{Vec2(40, -50), Vec2(50, -40)};
+    QTest::newRow("everywhere") << Rectangle{Vec2(-50, -50), Vec2(50, 50)};
+}
+
+void tst_MapSight::labelsLieBesideEachOtherAndTheLegends() {
+    QFETCH(Rectangle, area);
+    view_->setArea(area);
+    view_->setAreaSummary(QStringLiteral("9 lanes · 412 m · 6 min 12 s"));
+    place(*view_, 0, 0);
+    view_->setStartPoses({{"PlayerStart", {{0, 0, 0}, 0, 0, 0}}, {"FarCorner", {{46, -46, 0}, 0, 0, 0}}});
+    const OverlayPlaces places(legendsOfAMission(view_->content()), view_->transform());
+    const MapLabels labels = placeMapLabels(view_->content(), view_->transform(), places.all());
+    std::vector<QRectF> boxes = places.all();
+    boxes.push_back(labels.area);
+    boxes.push_back(labels.robots.at(QStringLiteral("R1")));
+    for (const auto& name : labels.start_poses)
+        if (name)
+            boxes.push_back(*name);
+    QVERIFY(!labels.area.isEmpty());
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        for (std::size_t k = i + 1; k < boxes.size(); ++k)
+            QVERIFY2(!boxes[i].intersects(boxes[k]), qPrintable(QStringLiteral("%1 and %2").arg(i).arg(k)));
+    for (std::size_t i = places.all().size(); i < boxes.size(); ++i)
+        QVERIFY(QRectF(view_->rect()).contains(boxes[i]));
+}
+
+void tst_MapSight::aNarrowViewShortensTheSummary() {
+    view_->setArea(Rectangle{Vec2(-20, -10), Vec2(20, 10)});
+    view_->setAreaSummary(QStringLiteral("9 lanes · 412 m · 6 min 12 s"));
+    QVERIFY(placeMapLabels(view_->content(), view_->transform()).area_text.endsWith(QStringLiteral("12 s")));
+    MapTransform narrow = view_->transform();
+    narrow.viewport = QSizeF(240, 300);
+    const MapLabels labels = placeMapLabels(view_->content(), narrow);
+    QVERIFY(QRectF(0, 0, 240, 300).contains(labels.area));
+    QVERIFY(labels.area_text.startsWith(QStringLiteral("x ")) && !labels.area_text.endsWith(QStringLiteral("12 s")));
+}
+
+void tst_MapSight::legendsLeaveASmallMapFree() {
+    MapTransform small;
+    small.viewport = QSizeF(372, 372);
+    double covered = 0.0;
+    for (const QRectF& legend : OverlayPlaces(legendsOfAMission(view_->content()), small).all())
+        covered += legend.width() * legend.height();
+    QVERIFY(covered < 0.2 * 372 * 372);
 }
 
 void tst_MapSight::aWayLeadsBackFromTheEmptyMap() {

@@ -109,11 +109,15 @@ void paintStationSymbol(QPainter& painter, const QColor& color, bool stale) {
     }
 }
 
+QSizeF chipSize(const QString& text) {
+    const QFontMetricsF metrics(themeFont(FontRole::Small));
+    return {metrics.horizontalAdvance(text) + 2.0 * gap::small, metrics.height() + gap::small};
+}
+
 QRectF paintChip(QPainter& painter, const QPointF& at_px, const QString& text, Qt::Alignment alignment) {
     painter.save();
     painter.setFont(themeFont(FontRole::Small));
-    const QFontMetricsF metrics(painter.font());
-    const QSizeF size(metrics.horizontalAdvance(text) + 2.0 * gap::small, metrics.height() + gap::small);
+    const QSizeF size = chipSize(text);
     QRectF chip(at_px, size);
     if (alignment & Qt::AlignRight)
         chip.moveRight(at_px.x());

@@ -2,13 +2,12 @@
 
 #include <cmath>
 
+#include "widgets/map/map_overlay.h"
 #include "widgets/models/figures.h"
 
 namespace usar::widgets {
 
 namespace {
-
-constexpr double scale_bar_px = 56.0; ///< height of the scale bar with its text above the lower edge
 
 Vec2 flat(const Vec3& point) {
     return point.head<2>();
@@ -24,7 +23,7 @@ MapPainter::MapPainter(QPainter& painter, const MapContent& content, const Heigh
     , traces_(traces)
     , transform_(transform)
     , tokens_(tokens())
-    , labels_(placeMapLabels(content, transform)) {}
+    , labels_(placeMapLabels(content, transform, OverlayPlaces(legendsOf(content, heights), transform).all())) {}
 
 void MapPainter::paintLayers() {
     struct LayerPainter {
@@ -132,13 +131,8 @@ void MapPainter::paintArea() {
     painter_.drawRect(rect);
     if (content_.area.editing)
         paintAreaHandles(area);
-    QString text = QStringLiteral("x %1 × y %2 m").arg(figure(area.width_m(), 1), figure(area.height_m(), 1));
-    if (!content_.area.summary.isEmpty())
-        text += QStringLiteral("  ·  ") + content_.area.summary;
-    const QPointF below = rect.bottomLeft() + QPointF(0.0, gap::small);
-    const bool room_below = below.y() + gap::large < transform_.viewport.height() - scale_bar_px;
-    paintChip(painter_, room_below ? below : rect.topLeft() + QPointF(gap::small, gap::small), text,
-              Qt::AlignLeft | Qt::AlignTop);
+    if (!labels_.area.isEmpty())
+        paintChip(painter_, labels_.area.topLeft(), labels_.area_text, Qt::AlignLeft | Qt::AlignTop);
 }
 
 void MapPainter::paintAreaHandles(const Rectangle& area) {

@@ -81,6 +81,8 @@ void paintStationSymbol(QPainter& painter, const QColor& color, bool stale);
 /// Paints an outline given in pixels around the painter's origin; in the accent color if `selected`.
 void paintObjectSymbol(QPainter& painter, const QPolygonF& outline_px, bool selected);
 
+/// Size of the chip that paintChip makes for a text, in pixels.
+QSizeF chipSize(const QString& text);
 /// Paints text on a raised chip; `at_px` is the corner or the middle of the chip that `alignment` names. Returns the
 /// rectangle of the chip.
 QRectF paintChip(QPainter& painter, const QPointF& at_px, const QString& text, Qt::Alignment alignment);
