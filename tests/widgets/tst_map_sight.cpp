@@ -5,6 +5,7 @@
 #include "tests/suite/suite.h"
 #include "widgets/map/map_labels.h"
 #include "widgets/map/map_overlay.h"
+#include "widgets/map/map_painter.h"
 #include "widgets/map/map_view.h"
 
 namespace tst_map_sight {
@@ -34,6 +35,7 @@ private slots:
     void labelsLieBesideEachOtherAndTheLegends();
     void aNarrowViewShortensTheSummary();
     void legendsLeaveASmallMapFree();
+    void aLandingIsARingAsInExportedPictures();
     void aWayLeadsBackFromTheEmptyMap();
 
 private:
@@ -133,6 +135,16 @@ void tst_MapSight::legendsLeaveASmallMapFree() {
     for (const QRectF& legend : OverlayPlaces(legendsOfAMission(view_->content()), small).all())
         covered += legend.width() * legend.height();
     QVERIFY(covered < 0.2 * 372 * 372);
+}
+
+void tst_MapSight::aLandingIsARingAsInExportedPictures() {
+    QImage picture(80, 80, QImage::Format_RGB32);
+    picture.fill(Qt::gray);
+    QPainter painter(&picture);
+    paintMark(painter, agent::MarkKind::Landing, QPointF(40, 40), 60.0);
+    painter.end();
+    QCOMPARE(picture.pixelColor(40, 40), QColor(Qt::gray));
+    QCOMPARE(picture.pixelColor(40, 18), markColor(agent::MarkKind::Landing));
 }
 
 void tst_MapSight::aWayLeadsBackFromTheEmptyMap() {

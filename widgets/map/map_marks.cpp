@@ -39,8 +39,9 @@ QPainterPath markShape(agent::MarkShape kind, double r) {
     case agent::MarkShape::Square:
         shape.addRect(-r, -r, 2 * r, 2 * r);
         break;
-    case agent::MarkShape::Ring:
+    case agent::MarkShape::Ring: // The inner circle is a hole.
         shape.addEllipse(QPointF(), r, r);
+        shape.addEllipse(QPointF(), 0.5 * r, 0.5 * r);
         break;
     case agent::MarkShape::Cross:
         shape.addPolygon(QPolygonF({{-r, -r},

@@ -1,8 +1,9 @@
 #include "widgets/map/map_overlay.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <set>
+#include <vector>
 
 #include "widgets/map/map_painter.h"
 #include "widgets/models/figures.h"
@@ -82,13 +83,19 @@ void paintHeightLegend(QPainter& painter, const HeightLayer& heights, bool conto
     if (box.width() < whole_legend_px)
         return;
     painter.drawText(words, Qt::AlignCenter,
-                     contours ? QStringLiteral("lines each %1 m").arg(contourStep_m(range)) : QStringLiteral("height"));
+                     contours ? QStringLiteral("lines every %1 m").arg(contourStep_m(range))
+                              : QStringLiteral("height"));
 }
 
-std::set<agent::MarkKind> kindsOf(const std::vector<agent::MapMark>& marks) {
-    std::set<agent::MarkKind> kinds;
+/// The kinds of which there is a mark. Runs in every frame, over thousands of marks.
+std::vector<agent::MarkKind> kindsOf(const std::vector<agent::MapMark>& marks) {
+    std::array<bool, agent::all_mark_kinds.size()> present{};
     for (const agent::MapMark& mark : marks)
-        kinds.insert(mark.kind);
+        present[static_cast<std::size_t>(mark.kind)] = true;
+    std::vector<agent::MarkKind> kinds;
+    for (const agent::MarkKind kind : agent::all_mark_kinds)
+        if (present[static_cast<std::size_t>(kind)])
+            kinds.push_back(kind);
     return kinds;
 }
 

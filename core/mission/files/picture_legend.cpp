@@ -8,6 +8,7 @@
 #include <QGuiApplication>
 #include <QLinearGradient>
 #include <QPainter>
+#include <QPolygonF>
 
 #include "core/mapping/shading.h"
 
@@ -123,6 +124,13 @@ void drawMark(QPainter& painter, MarkKind kind, const QPointF& center, double un
             painter.drawLine(center - slash, center + slash);
             painter.drawLine(center - back, center + back);
         }
+    } else if (style.shape == agent::MarkShape::Triangle || style.shape == agent::MarkShape::Diamond) {
+        const double r = 1.8 * unit_px;
+        painter.drawPolygon(
+            style.shape == agent::MarkShape::Triangle
+                ? QPolygonF({center + QPointF(0.0, -r), center + QPointF(r, 0.8 * r), center + QPointF(-r, 0.8 * r)})
+                : QPolygonF({center + QPointF(0.0, -r), center + QPointF(r, 0.0), center + QPointF(0.0, r),
+                             center + QPointF(-r, 0.0)}));
     } else if (style.shape == agent::MarkShape::Dot) {
         painter.setPen(Qt::NoPen); // Path dots are close together: their rims would form a black line.
         painter.drawEllipse(center, unit_px, unit_px);

@@ -1,6 +1,7 @@
-#include <QTest>
-
 #include <cmath>
+
+#include <QPainter>
+#include <QTest>
 
 #include "core/mapping/shading.h"
 #include "core/mission/files/map_picture.h"
@@ -110,6 +111,22 @@ private slots:
         record.marks.push_back({MarkKind(kind), {25, -25, 0}, {}, {}});
         QCOMPARE(before, 0);
         QVERIFY(count(mapPicture(record), color, 600) >= 5);
+    }
+
+    /// The same shapes as in the window, where color is never the only difference either.
+    void marksHaveTheShapesOfTheWindow() {
+        const auto inked = [](MarkKind kind, const QPoint& off_center) {
+            QImage picture(80, 80, QImage::Format_RGB32);
+            picture.fill(Qt::gray);
+            QPainter painter(&picture);
+            drawMark(painter, kind, {40, 40}, 10.0);
+            painter.end();
+            return picture.pixelColor(QPoint(40, 40) + off_center) == QColor(agent::styleOf(kind).rgb);
+        };
+        QVERIFY(inked(MarkKind::HighRisk, {-11, 11}) && !inked(MarkKind::HighRisk, {-11, -8}));   // a triangle
+        QVERIFY(inked(MarkKind::Diversion, {0, -14}) && !inked(MarkKind::Diversion, {-10, -10})); // a diamond
+        QVERIFY(inked(MarkKind::LowRisk, {-8, -8}) && !inked(MarkKind::LowRisk, {0, -16}));       // a disc
+        QVERIFY(inked(MarkKind::Landing, {0, -26}) && !inked(MarkKind::Landing, {0, 0}));         // a ring
     }
 
     void marksLieWhereTheyHappened() {
