@@ -113,7 +113,7 @@ public:
     bool busy() const { return rendering_ || !dirty_.empty(); }
 
 signals:
-    /// Finished pictures were swapped in, or all were removed.
+    /// Finished pictures were swapped in, all were removed, or the look has changed.
     void changed();
 
 private:

@@ -175,10 +175,12 @@ void MapView::moved() {
     const Rectangle seen = transform_.visible();
     const bool in_sight =
         !all || ((all->min_m.array() <= seen.max_m.array()).all() && (all->max_m.array() >= seen.min_m.array()).all());
+    if (!in_sight) {
+        const QSize size = way_back_->sizeHint();
+        way_back_->setGeometry(QRect(rect().center() - QPoint(size.width() / 2, size.height() / 2), size));
+    }
     if (way_back_->isHidden() != in_sight)
         way_back_->setHidden(in_sight);
-    const QSize size = way_back_->sizeHint();
-    way_back_->setGeometry(QRect(rect().center() - QPoint(size.width() / 2, size.height() / 2), size));
     update();
 }
 
