@@ -55,6 +55,7 @@ void RobotPresenter::show(RobotId id, const std::shared_ptr<const mission::Sessi
     const RobotView& view = control_.robot(id)->view();
     if (update.rewound)
         restart(view, selected);
+    extendTrail(view, update);
     showRow(id);
     showOnMap(view, update, selected);
     const std::vector<mission::TraceSpot> spots = traces_[view.connection].take(update);
@@ -111,7 +112,8 @@ void RobotPresenter::showRow(RobotId id) {
     if (!robot)
         return;
     const RobotView& view = robot->view();
-    views_.map->setRobot(onMap(view));
+    if (view.base_in_map || view.recording.isEmpty()) // A replayed robot has no place before its first message.
+        views_.map->setRobot(onMap(view));
     widgets::RobotRow row;
     row.id = id;
     row.number = id.value;
@@ -124,12 +126,22 @@ void RobotPresenter::showRow(RobotId id) {
     views_.robots->updateRobot(row);
 }
 
-void RobotPresenter::showOnMap(const RobotView& view, const mission::SessionUpdate& update, bool selected) {
+/// All poses of a fast simulation belong to the trail, in their order, and not only the newest one, which is painted.
+void RobotPresenter::extendTrail(const RobotView& view, const mission::SessionUpdate& update) {
     const QString name = QString::fromStdString(view.spawn.robot_name);
-    // All poses of a fast simulation belong to the trail, not only the newest one, which is painted.
+    const bool station = protocol::isStation(view.spawn.class_name);
     for (const agent::Published& published : update.published)
         if (const auto* estimate = std::get_if<agent::PoseEstimate>(&published))
-            views_.map->setRobot({name, view.id.value, estimate->base_in_map, false});
+            views_.map->setRobot({name, view.id.value, estimate->base_in_map, false, station});
+    if (view.status) // Then the behavior estimates the place.
+        return;
+    for (const protocol::InfoLine& line : update.lines)
+        if (const auto* ins = std::get_if<protocol::InsReading>(&line.message))
+            views_.map->setRobot({name, view.id.value, ins->base_in_map, false, station});
+}
+
+void RobotPresenter::showOnMap(const RobotView& view, const mission::SessionUpdate& update, bool selected) {
+    const QString name = QString::fromStdString(view.spawn.robot_name);
     if (mission::newestPublished<agent::CurrentGoal>(update))
         views_.map->setGoal(name, view.goal_m);
     if (!update.last_hits.empty())

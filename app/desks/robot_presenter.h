@@ -37,6 +37,7 @@ public:
 private:
     /// Clears what was shown of a replay that was rewound.
     void restart(const RobotView& view, bool selected);
+    void extendTrail(const RobotView& view, const mission::SessionUpdate& update);
     void showOnMap(const RobotView& view, const mission::SessionUpdate& update, bool selected);
     void showStatus(const RobotView& view);
     /// Shows only instruments that the robot can have; those of a robot that is not known yet say what will come.

@@ -100,6 +100,10 @@ void ViewDesk::wire() {
     connect(views_.map, &widgets::MapView::followingChanged, action("map.follow"), &QAction::setChecked);
     connect(views_.robots, &widgets::RobotList::wholeHeightChanged, this, &ViewDesk::giveRobotsRoom);
     connect(views_.layers, &widgets::LayersPanel::layerChanged, views_.map, &widgets::MapView::setLayer);
+    widgets::HeightLayer* const heights = &views_.map->heights();
+    widgets::HeightControls* const look = views_.layers->heightControls();
+    connect(look, &widgets::HeightControls::lookChanged, heights, &widgets::HeightLayer::setLook);
+    connect(heights, &widgets::HeightLayer::changed, look, [=] { look->setShownRange(heights->range()); });
 }
 
 void ViewDesk::setTheme(widgets::Theme theme) {

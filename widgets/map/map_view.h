@@ -73,9 +73,7 @@ public:
     const TraceLayer& traces() const { return traces_; }
 
     // The view.
-    void setLayer(MapLayer layer, const LayerState& state) {
-        put(content_.layers[static_cast<std::size_t>(layer)], state);
-    }
+    void setLayer(MapLayer layer, const LayerState& state);
     const LayerState& layer(MapLayer layer) const { return content_.layer(layer); }
     /// The gestures of the mouse, whose signals report what the user does on the map; owned by the map.
     MapGestures& gestures() { return gestures_; }
@@ -93,7 +91,7 @@ public:
     QSize minimumSizeHint() const override { return {160, 110}; }
 
 public slots:
-    /// Shows the mission (area and heights) if there is one, else the world.
+    /// Shows the mission with the selected robot if there is one, clear of the legends; else the world.
     void fit();
     /// Shows the whole world, or the start poses with 20 m around them if its extent is not known.
     void fitWorld();
@@ -132,6 +130,8 @@ private:
     void walkStartPoses(int by);
     void askAbout(std::size_t start_pose); ///< emits startPoseClicked
     void showContent();                    ///< repaints, and shows the sheet if there is nothing
+    /// Repaints after the view moved; with nothing of the world in sight, a button leads back.
+    void moved();
 
     MapContent content_;
     MapTransform transform_;
@@ -139,6 +139,7 @@ private:
     HeightLayer* heights_ = new HeightLayer(this);
     TraceLayer traces_;
     EmptyState* empty_state_ = new EmptyState(this);
+    QPushButton* way_back_ = new QPushButton(tr("Back to the map"), this);
     bool following_ = false;
     bool view_touched_ = false; ///< by the user; until then resizing fits again
 };

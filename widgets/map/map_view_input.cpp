@@ -70,7 +70,7 @@ void MapView::walkStartPoses(int by) {
     const Vec2 at = pose->pose_in_map.position_m.head<2>();
     if (!QRectF(QPointF(), transform_.viewport).contains(transform_.toScreen(at)))
         transform_.center_m = at;
-    update();
+    moved();
 }
 
 void MapView::askAbout(std::size_t start_pose) {
