@@ -396,7 +396,9 @@ void tst_Notifications::anOfferStaysUntilItIsTakenOrCured() {
     model.push(QStringLiteral("r2"), Severity::Warning, QStringLiteral("It died."), noon, {}, offer);
     QVERIFY(!window.findChild<Toast*>()->findChild<QTimer*>()->isActive());
     model.push(link_key, Severity::Error, no_answer, noon);
-    window.findChildren<Toast*>().last()->findChild<QTimer*>()->start(1);
+    for (const Toast* toast : window.findChildren<Toast*>())
+        if (toast->key() == link_key)
+            toast->findChild<QTimer*>()->start(1);
     QTRY_COMPARE(window.findChildren<Toast*>().size(), 1); // the other one has gone by itself
     auto* const button = window.findChild<QPushButton*>();
     QVERIFY(button->isVisible());
