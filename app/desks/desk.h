@@ -5,6 +5,7 @@
 
 #include "app/desks/notice_desk.h"
 #include "app/desks/selection.h"
+#include "app/desks/settings_sheet.h"
 #include "core/mission/fleet/robot.h"
 #include "widgets/commands/command_registry.h"
 
@@ -39,8 +40,8 @@ public:
     virtual void wire() {}
     /// Reads the settings that `save` wrote when the program ran last.
     virtual void restore(const QSettings&) {}
-    /// Writes the settings that `restore` reads.
-    virtual void save(QSettings&) const {}
+    /// Writes the settings that `restore` reads; called once a second.
+    virtual void save(SettingsSheet&) const {}
 
 protected:
     /// The selected robot; nullptr while there is none.

@@ -30,7 +30,7 @@ void FileDesk::restore(const QSettings& settings) {
     control_.setResultFolder(settings.value("result_folder").toString());
 }
 
-void FileDesk::save(QSettings& settings) const {
+void FileDesk::save(SettingsSheet& settings) const {
     if (control_.resultFolderChosen())
         settings.setValue("result_folder", control_.resultFolder());
 }

@@ -78,7 +78,7 @@ void ViewDesk::restore(const QSettings& settings) {
     views_.layers->restoreState(settings.value("layers").toByteArray());
 }
 
-void ViewDesk::save(QSettings& settings) const {
+void ViewDesk::save(SettingsSheet& settings) const {
     settings.setValue("theme", widgets::currentTheme() == widgets::Theme::Light ? "light" : "dark");
     settings.setValue("geometry", main_window_.saveGeometry());
     settings.setValue("layout", main_window_.saveState(layout_version));

@@ -1,7 +1,7 @@
 #include "app/window/main_window.h"
 
 #include <algorithm>
-#include <memory>
+#include <chrono>
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -9,7 +9,9 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QScreen>
+#include <QTimer>
 
+#include "core/base/hand_over.h"
 #include "core/server/embedded/program_files.h"
 #include "widgets/commands/key_filters.h"
 #include "widgets/models/figures.h"
@@ -40,11 +42,13 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
     restoreSettings();
     selection_.select({});
     plugins_.tellRefused();
+    keepSaving();
 }
 
 MainWindow::~MainWindow() = default;
 
 void MainWindow::begin() {
+    recovery_.offer();
     if (!options_.recording.isEmpty()) {
         views_.time->setSteerable(false); // Until a simulator is connected.
         return control_.openRecording(options_.recording);
@@ -201,21 +205,39 @@ void MainWindow::dropEvent(QDropEvent* event) {
 
 void MainWindow::restoreSettings() {
     const QSettings settings;
-    for (Desk* desk : std::initializer_list<Desk*>{&view_, &messages_, &workshop_, &server_, &replay_, &plan_})
+    for (Desk* desk : std::initializer_list<Desk*>{&view_, &messages_, &workshop_, &server_, &replay_, &plan_, &task_})
         desk->restore(settings);
     if (options_.result_folder.isEmpty())
         files_.restore(settings);
 }
 
 void MainWindow::saveSettings() {
-    auto written = std::make_shared<QSettings>();
-    for (const Desk* desk :
-         std::initializer_list<const Desk*>{&view_, &plugins_, &messages_, &workshop_, &server_, &replay_, &plan_})
-        desk->save(*written);
+    SettingsSheet sheet;
+    for (const Desk* desk : std::initializer_list<const Desk*>{&view_, &plugins_, &messages_, &workshop_, &server_,
+                                                               &replay_, &plan_, &task_})
+        desk->save(sheet);
     if (options_.result_folder.isEmpty())
-        files_.save(*written);
-    written->moveToThread(nullptr); // It is written by the thread that deletes it.
-    disk_.start([written = std::move(written)]() mutable { written.reset(); });
+        files_.save(sheet);
+    const QVariantMap changed = sheet.changedSince(saved_);
+    saved_ = sheet;
+    if (changed.isEmpty())
+        return;
+    disk_.start(HandedOver([changed, file = settings_file_] {
+        QSettings settings(file, QSettings::NativeFormat);
+        for (auto entry = changed.begin(); entry != changed.end(); ++entry)
+            settings.setValue(entry.key(), entry.value());
+    }));
+}
+
+void MainWindow::keepSaving() {
+    disk_.setMaxThreadCount(1); // What is newer is written later.
+    auto* const second = new QTimer(this);
+    connect(second, &QTimer::timeout, this, [this] {
+        recovery_.mark();
+        if (isVisible())
+            saveSettings();
+    });
+    second->start(std::chrono::seconds(1));
 }
 
 void MainWindow::showTitle() {

@@ -14,6 +14,7 @@
 #include "app/desks/plan_workshop.h"
 #include "app/desks/plugin_desk.h"
 #include "app/desks/radio_desk.h"
+#include "app/desks/recovery_desk.h"
 #include "app/desks/replay_desk.h"
 #include "app/desks/robot_desk.h"
 #include "app/desks/server_desk.h"
@@ -76,8 +77,11 @@ private:
     /// Connects signals of one desk with slots of another.
     void connectDesks();
     void restoreSettings();
-    /// Collects the settings and writes them in a pool thread, because a busy disk may take seconds.
+    /// Writes the settings that have changed since the last time, so that a crash loses a second of them at most. It
+    /// happens in a pool thread, because a busy disk may take seconds.
     void saveSettings();
+    /// Saves settings and marks recordings once a second from now on.
+    void keepSaving();
     /// Shows the progress of the selected robot's behavior in the window's title.
     void showTitle();
     /// Asks what to do with a scan that could not be saved, if the window is about to close.
@@ -111,11 +115,14 @@ private:
     FaultDesk faults_{desk_};
     RadioDesk radio_{desk_};
     ViewDesk view_;
+    RecoveryDesk recovery_{desk_, disk_};
+    QString settings_file_ = QSettings().fileName();
+    SettingsSheet saved_;    ///< the settings as they were written last
     bool asking_ = false;    ///< the dialog of `askWhereToSave` is open
     bool may_stop_ = false;  ///< the user has said that busy robots may be stopped
     bool leaving_ = false;   ///< the window closes when the last busy robot has landed
     bool may_close_ = false; ///< nothing is left to save, or the user gave it up
-    QThreadPool disk_;       ///< writes the settings; its destructor waits for that
+    QThreadPool disk_;       ///< writes what a crash must not take; its destructor waits for that
 };
 
 } // namespace usar::app
