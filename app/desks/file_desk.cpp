@@ -20,12 +20,6 @@ void FileDesk::registerCommands() {
     add("file.show_folder", [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(control_.resultFolder())); });
 }
 
-void FileDesk::wire() {
-    connect(&control_, &MissionControl::resultsWritten, this, [this](RobotId, const QStringList& files) {
-        notices_.note("saved", tr("Saved %n file(s): %1", "", static_cast<int>(files.size())).arg(files.value(0)));
-    });
-}
-
 void FileDesk::restore(const QSettings& settings) {
     control_.setResultFolder(settings.value("result_folder").toString());
 }

@@ -18,7 +18,6 @@ public:
     FileDesk(const DeskContext& context, ServerDesk& server, MissionDesk& mission, PlanWorkshop& workshop);
 
     void registerCommands() override;
-    void wire() override;
     void restore(const QSettings& settings) override;
     void save(SettingsSheet& settings) const override;
 

@@ -139,7 +139,7 @@ void MainWindow::wireDesks() {
     // The desks receive each event in this order: a task is set before it is shown, and the title comes last.
     for (Desk* desk : std::initializer_list<Desk*>{&plugins_, &server_, &task_, &mission_, &robots_, &plan_, &workshop_,
                                                    &time_, &drive_, &camera_, &world_, &files_, &replay_, &messages_,
-                                                   &faults_, &radio_, &view_})
+                                                   &faults_, &radio_, &results_, &view_})
         desk->wire();
     connect(&selection_, &Selection::changed, this, &MainWindow::showTitle);
     connect(&control_, &MissionControl::behaviorFinished, this, [this] {
@@ -168,6 +168,7 @@ void MainWindow::connectDesks() {
     connect(&plugins_, &PluginDesk::changed, &mission_, &MissionDesk::takePlugins);
     connect(&task_, &TaskDesk::begun, &plan_, &PlanDesk::begin);
     connect(&task_, &TaskDesk::begun, &robots_, &RobotDesk::showRow);
+    connect(&task_, &TaskDesk::begun, &results_, &ResultDesk::forget);
     connect(&task_, &TaskDesk::faultsWanted, &faults_, &FaultDesk::begin);
     connect(&task_, &TaskDesk::situationChanged, &workshop_, &PlanWorkshop::follow);
     connect(&workshop_, &PlanWorkshop::planChosen, &task_, &TaskDesk::takePlan);

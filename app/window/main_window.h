@@ -16,6 +16,7 @@
 #include "app/desks/radio_desk.h"
 #include "app/desks/recovery_desk.h"
 #include "app/desks/replay_desk.h"
+#include "app/desks/result_desk.h"
 #include "app/desks/robot_desk.h"
 #include "app/desks/server_desk.h"
 #include "app/desks/task_desk.h"
@@ -114,6 +115,7 @@ private:
     MessageDesk messages_{desk_};
     FaultDesk faults_{desk_};
     RadioDesk radio_{desk_};
+    ResultDesk results_{desk_};
     ViewDesk view_;
     RecoveryDesk recovery_{desk_, disk_};
     QString settings_file_ = QSettings().fileName();

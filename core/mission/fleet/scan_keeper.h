@@ -44,13 +44,14 @@ public:
     void giveUpWaiting();
 
 signals:
-    void saved(usar::RobotId id, const QStringList& files);
+    /// `summary` is complete, with the full paths of the files.
+    void saved(usar::RobotId id, const usar::mission::RunSummary& summary);
     /// The scan is still in memory; `reason` names the folder and a remedy.
     void failed(usar::RobotId id, const QString& reason);
 
 private:
     void write(Robot& robot, const std::shared_ptr<const ScanRecord>& record);
-    void written(RobotId id, const QPointer<Robot>& robot, const Result<QStringList>& files);
+    void written(RobotId id, const QPointer<Robot>& robot, const Result<RunSummary>& summary);
     /// Deletes a robot that has left; returns false for one that has not.
     bool release(const Robot& robot);
 
