@@ -207,7 +207,9 @@ void TaskDesk::askForPreview() {
     const mission::TaskDraft& draft = drafts_.shown();
     if (robot() && (robot()->running() || robot()->isReplay()))
         return;
-    views_.hint->setDone(1, !draft.area().empty());
+    views_.hint->setAreaNeeded(views_.behavior->needsArea());
+    if (!draft.area().empty())
+        views_.hint->setDone(widgets::FirstStep::Area);
     if (draft.area().empty() || !views_.behavior->needsArea() || draft.behavior_id.empty())
         return clearPreview({}); // the area form says what to do
     preview_due_.start();
@@ -248,7 +250,7 @@ void TaskDesk::start() {
     preview_due_.stop();
     begin(id);
     emit faultsWanted(server::textsOf(draft.faults));
-    views_.hint->setDone(2, true);
+    views_.hint->setDone(widgets::FirstStep::Start);
     views_.map->setAreaSummary({}); // the summary showed the preview's figures
     views_.map->fit();
     refreshRunState();

@@ -23,7 +23,10 @@ private slots:
         page.pressKey(Qt::Key_A);
         page.drawArea({{-10, -10}, {10, 10}});
         page.pressKey(Qt::Key_0, Qt::ControlModifier);
+        auto* const hint = page.window().views().hint;
+        QVERIFY(hint->accessibleDescription().contains("Press Start"));
         page.press("Start");
+        QVERIFY(hint->accessibleDescription().contains("P pauses the robot"));
         QVERIFY(card->isHidden());
         QTRY_VERIFY_WITH_TIMEOUT(card->isVisible(), flight_ms);
         QVERIFY(card->accessibleDescription().startsWith("R1: mission complete"));
