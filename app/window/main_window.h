@@ -14,9 +14,7 @@
 #include "app/desks/plan_workshop.h"
 #include "app/desks/plugin_desk.h"
 #include "app/desks/radio_desk.h"
-#include "app/desks/recovery_desk.h"
 #include "app/desks/replay_desk.h"
-#include "app/desks/result_desk.h"
 #include "app/desks/robot_desk.h"
 #include "app/desks/server_desk.h"
 #include "app/desks/task_desk.h"
@@ -24,6 +22,8 @@
 #include "app/desks/view_desk.h"
 #include "app/desks/world_editor.h"
 #include "app/window/options.h"
+#include "app/window/recovery_desk.h"
+#include "app/window/result_desk.h"
 
 namespace usar::app {
 

@@ -1,4 +1,4 @@
-#include "app/desks/result_desk.h"
+#include "app/window/result_desk.h"
 
 #include <QDesktopServices>
 #include <QImageReader>

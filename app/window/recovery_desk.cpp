@@ -1,4 +1,4 @@
-#include "app/desks/recovery_desk.h"
+#include "app/window/recovery_desk.h"
 
 #include <QFileInfo>
 
