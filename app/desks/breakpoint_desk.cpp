@@ -59,7 +59,7 @@ void BreakpointDesk::restore(const QSettings& settings) {
     passOn();
 }
 
-void BreakpointDesk::save(QSettings& settings) const {
+void BreakpointDesk::save(SettingsSheet& settings) const {
     widgets::BreakpointList lasting = list_;
     lasting.remove(temporary_);
     settings.setValue("plan/breakpoints", lasting.toJson());

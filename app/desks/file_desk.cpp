@@ -5,7 +5,6 @@
 #include <QFileInfo>
 #include <QUrl>
 
-#include "core/mission/fleet/robot_words.h"
 #include "core/server/embedded/program_files.h"
 #include "widgets/panels/dialogs.h"
 
@@ -40,10 +39,6 @@ std::vector<widgets::PaletteOffer> FileDesk::missions() {
 }
 
 void FileDesk::wire() {
-    connect(&control_, &MissionControl::resultsWritten, this,
-            [this](RobotId, const QStringList& files, const QString& robot_name) {
-                notices_.note("saved/" + robot_name, mission::savedText(robot_name, files));
-            });
     const auto remember = [this](const QString& path) { recent_.add(path); };
     connect(&mission_, &MissionDesk::fileUsed, this, remember);
     connect(&workshop_, &PlanWorkshop::fileUsed, this, remember);
@@ -56,7 +51,7 @@ void FileDesk::restore(const QSettings& settings) {
         control_.setResultFolder(settings.value("result_folder").toString());
 }
 
-void FileDesk::save(QSettings& settings) const {
+void FileDesk::save(SettingsSheet& settings) const {
     settings.setValue("recent_files", recent_.all());
     if (keeps_folder_ && control_.resultFolderChosen())
         settings.setValue("result_folder", control_.resultFolder());

@@ -26,7 +26,7 @@ public:
     void registerCommands() override;
     void wire() override;
     void restore(const QSettings& settings) override;
-    void save(QSettings& settings) const override;
+    void save(SettingsSheet& settings) const override;
 
     /// Path of the file that is dragged, if it is a single one that `open` can open; otherwise empty.
     static QString fileIn(const QMimeData& data);

@@ -20,7 +20,7 @@ public:
     void registerCommands() override;
     void wire() override;
     void restore(const QSettings& settings) override { breakpoints_.restore(settings); }
-    void save(QSettings& settings) const override { breakpoints_.save(settings); }
+    void save(SettingsSheet& settings) const override { breakpoints_.save(settings); }
 
     /// The robot's behavior is started again: its pins are removed.
     void begin(RobotId id);

@@ -32,7 +32,7 @@ void PlanWorkshop::restore(const QSettings& settings) {
     geometry_ = settings.value("plan_editor/geometry").toByteArray();
 }
 
-void PlanWorkshop::save(QSettings& settings) const {
+void PlanWorkshop::save(SettingsSheet& settings) const {
     settings.setValue("plan_editor/geometry", editor_ ? editor_->saveGeometry() : geometry_);
 }
 

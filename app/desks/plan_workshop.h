@@ -24,7 +24,7 @@ public:
     void registerCommands() override;
     void wire() override;
     void restore(const QSettings& settings) override;
-    void save(QSettings& settings) const override;
+    void save(SettingsSheet& settings) const override;
 
     /// Chooses this file for the robot, from its next start on. A plan that does not fit the robot is not used, but
     /// shown in the editor. Errors are notices.

@@ -150,7 +150,7 @@ void RobotDesk::welcome(RobotId id) {
     presenter_.showRow(id);
     selection_.select(id);
     if (!control_.robot(id)->isReplay())
-        views_.hint->setDone(0, true);
+        views_.hint->setDone(widgets::FirstStep::Spawn);
 }
 
 void RobotDesk::dismiss(RobotId id, const QString& name, RobotId instead) {

@@ -103,7 +103,7 @@ void ServerDesk::restore(const QSettings& settings) {
                                   quint16(settings.value("server/port", server_.port).toUInt()));
 }
 
-void ServerDesk::save(QSettings& settings) const {
+void ServerDesk::save(SettingsSheet& settings) const {
     settings.setValue("server/host", views_.connection->host());
     settings.setValue("server/port", views_.connection->port());
 }

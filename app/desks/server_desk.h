@@ -18,7 +18,7 @@ public:
     void registerCommands() override;
     void wire() override;
     void restore(const QSettings& settings) override;
-    void save(QSettings& settings) const override;
+    void save(SettingsSheet& settings) const override;
     /// Adds the commands that open a world of the embedded simulator.
     void fillWorldMenu(QMenu* menu) const;
 

@@ -24,7 +24,7 @@ void ViewDesk::registerCommands() {
     add("map.zoom_in", [map] { map->zoomIn(); });
     add("map.zoom_out", [map] { map->zoomOut(); });
     add("view.dark", [this](bool dark) { setTheme(dark ? widgets::Theme::Dark : widgets::Theme::Light); });
-    add("view.hint", [this] { views_.hint->show(); });
+    add("view.hint", [this] { views_.hint->setDismissed(false); });
     auto* palette = new widgets::CommandPalette(commands_, &main_window_);
     add("view.palette", [palette] { palette->open(); });
     commands_.offer([this] { return plots(); });
@@ -104,6 +104,12 @@ void ViewDesk::wire() {
     widgets::HeightControls* const look = views_.layers->heightControls();
     connect(look, &widgets::HeightControls::lookChanged, heights, &widgets::HeightLayer::setLook);
     connect(heights, &widgets::HeightLayer::changed, look, [=] { look->setShownRange(heights->range()); });
+    connect(&selection_, &Selection::changed, this,
+            [this] { views_.hint->setInReplay(robot() && robot()->isReplay()); });
+    const auto key = [this](const char* id) { return action(id)->shortcut().toString(QKeySequence::NativeText); };
+    views_.hint->setWhatNext(tr("On its way. In the simulator, %1 makes time run faster. %2 pauses the robot. At the "
+                                "end a card shows the result.")
+                                 .arg(key("time.faster"), key("mission.pause")));
 }
 
 void ViewDesk::setTheme(widgets::Theme theme) {
@@ -137,15 +143,15 @@ void ViewDesk::restore(const QSettings& settings) {
     setTheme(theme_.value_or(theme == "light" ? widgets::Theme::Light : widgets::Theme::Dark));
     main_window_.restoreGeometry(settings.value("geometry").toByteArray());
     main_window_.restoreState(settings.value("layout").toByteArray(), layout_version);
-    views_.hint->setVisible(!settings.value("hint_dismissed", false).toBool());
+    views_.hint->setDismissed(settings.value("hint_dismissed", false).toBool());
     views_.layers->restoreState(settings.value("layers").toByteArray());
 }
 
-void ViewDesk::save(QSettings& settings) const {
+void ViewDesk::save(SettingsSheet& settings) const {
     settings.setValue("theme", widgets::currentTheme() == widgets::Theme::Light ? "light" : "dark");
     settings.setValue("geometry", main_window_.saveGeometry());
     settings.setValue("layout", main_window_.saveState(layout_version));
-    settings.setValue("hint_dismissed", views_.hint->isHidden());
+    settings.setValue("hint_dismissed", views_.hint->dismissed());
     settings.setValue("layers", views_.layers->saveState());
 }
 

@@ -27,7 +27,7 @@ public:
     /// Keeps the current layout, from which the layout commands start. To be called before `restore`.
     void keepFirstLayout() { first_layout_ = main_window_.saveState(layout_version); }
     void restore(const QSettings& settings) override;
-    void save(QSettings& settings) const override;
+    void save(SettingsSheet& settings) const override;
 
 private:
     void setTheme(widgets::Theme theme);

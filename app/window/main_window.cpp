@@ -1,14 +1,16 @@
 #include "app/window/main_window.h"
 
 #include <algorithm>
-#include <memory>
+#include <chrono>
 
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QMenuBar>
 #include <QScreen>
+#include <QTimer>
 
+#include "core/base/hand_over.h"
 #include "core/server/embedded/program_files.h"
 #include "widgets/commands/key_filters.h"
 #include "widgets/models/figures.h"
@@ -39,11 +41,13 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
     restoreSettings();
     selection_.select({});
     plugins_.tellRefused();
+    keepSaving();
 }
 
 MainWindow::~MainWindow() = default;
 
 void MainWindow::begin() {
+    recovery_.offer();
     if (!options_.recording.isEmpty()) {
         views_.time->setSteerable(false); // Until a simulator is connected.
         return files_.openRecording(options_.recording);
@@ -135,7 +139,7 @@ void MainWindow::wireDesks() {
     // The desks receive each event in this order: a task is set before it is shown, and the title comes last.
     for (Desk* desk : std::initializer_list<Desk*>{&plugins_, &server_, &task_, &mission_, &robots_, &plan_, &workshop_,
                                                    &time_, &drive_, &camera_, &world_, &files_, &replay_, &messages_,
-                                                   &faults_, &radio_, &view_})
+                                                   &faults_, &radio_, &results_, &recovery_, &view_})
         desk->wire();
     connect(&selection_, &Selection::changed, this, &MainWindow::showTitle);
     connect(&control_, &MissionControl::behaviorFinished, this, [this] {
@@ -164,6 +168,7 @@ void MainWindow::connectDesks() {
     connect(&plugins_, &PluginDesk::changed, &mission_, &MissionDesk::takePlugins);
     connect(&task_, &TaskDesk::begun, &plan_, &PlanDesk::begin);
     connect(&task_, &TaskDesk::begun, &robots_, &RobotDesk::showRow);
+    connect(&task_, &TaskDesk::begun, &results_, &ResultDesk::forget);
     connect(&task_, &TaskDesk::faultsWanted, &faults_, &FaultDesk::begin);
     connect(&task_, &TaskDesk::situationChanged, &workshop_, &PlanWorkshop::follow);
     connect(&workshop_, &PlanWorkshop::planChosen, &task_, &TaskDesk::takePlan);
@@ -171,6 +176,7 @@ void MainWindow::connectDesks() {
     connect(&time_, &TimeDesk::pausedChanged, &world_, &WorldEditor::setPaused);
     connect(&time_, &TimeDesk::pausedChanged, views_.sensors, &widgets::SensorPanel::setPaused);
     connect(&replay_, &ReplayDesk::recordingChosen, &files_, &FileDesk::openRecording);
+    connect(&recovery_, &RecoveryDesk::recordingChosen, &files_, &FileDesk::openRecording);
     connect(&drive_, &DriveDesk::realTimeWanted, &time_, &TimeDesk::slowDown);
     connect(&drive_, &DriveDesk::drivingChanged, &world_, &WorldEditor::setDriving);
 }
@@ -203,17 +209,36 @@ void MainWindow::dropEvent(QDropEvent* event) {
 
 void MainWindow::restoreSettings() {
     const QSettings settings;
-    for (Desk* desk : std::initializer_list<Desk*>{&view_, &messages_, &workshop_, &server_, &replay_, &plan_, &files_})
+    for (Desk* desk :
+         std::initializer_list<Desk*>{&view_, &messages_, &workshop_, &server_, &replay_, &plan_, &task_, &files_})
         desk->restore(settings);
 }
 
 void MainWindow::saveSettings() {
-    auto written = std::make_shared<QSettings>();
+    SettingsSheet sheet;
     for (const Desk* desk : std::initializer_list<const Desk*>{&view_, &plugins_, &messages_, &workshop_, &server_,
-                                                               &replay_, &plan_, &files_})
-        desk->save(*written);
-    written->moveToThread(nullptr); // It is written by the thread that deletes it.
-    disk_.start([written = std::move(written)]() mutable { written.reset(); });
+                                                               &replay_, &plan_, &task_, &files_})
+        desk->save(sheet);
+    const QVariantMap changed = sheet.changedSince(saved_);
+    saved_ = sheet;
+    if (changed.isEmpty())
+        return;
+    disk_.start(HandedOver([changed, file = settings_file_] {
+        QSettings settings(file, QSettings::NativeFormat);
+        for (auto entry = changed.begin(); entry != changed.end(); ++entry)
+            settings.setValue(entry.key(), entry.value());
+    }));
+}
+
+void MainWindow::keepSaving() {
+    disk_.setMaxThreadCount(1); // What is newer is written later.
+    auto* const second = new QTimer(this);
+    connect(second, &QTimer::timeout, this, [this] {
+        recovery_.mark();
+        if (isVisible())
+            saveSettings();
+    });
+    second->start(std::chrono::seconds(1));
 }
 
 void MainWindow::showTitle() {

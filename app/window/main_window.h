@@ -22,6 +22,8 @@
 #include "app/desks/view_desk.h"
 #include "app/desks/world_editor.h"
 #include "app/window/options.h"
+#include "app/window/recovery_desk.h"
+#include "app/window/result_desk.h"
 
 namespace usar::app {
 
@@ -76,8 +78,11 @@ private:
     /// Connects signals of one desk with slots of another.
     void connectDesks();
     void restoreSettings();
-    /// Collects the settings and writes them in a pool thread, because a busy disk may take seconds.
+    /// Writes the settings that have changed since the last time, so that a crash loses a second of them at most. It
+    /// happens in a pool thread, because a busy disk may take seconds.
     void saveSettings();
+    /// Saves settings and marks recordings once a second from now on.
+    void keepSaving();
     /// Shows the progress of the selected robot's behavior in the window's title.
     void showTitle();
     /// Asks what to do with a scan that could not be saved, if the window is about to close.
@@ -110,11 +115,15 @@ private:
     MessageDesk messages_{desk_};
     FaultDesk faults_{desk_};
     RadioDesk radio_{desk_};
+    ResultDesk results_{desk_};
     ViewDesk view_;
+    RecoveryDesk recovery_{desk_, disk_};
+    QString settings_file_ = QSettings().fileName();
+    SettingsSheet saved_;    ///< the settings as they were written last
     bool may_stop_ = false;  ///< the user has said that busy robots may be stopped
     bool leaving_ = false;   ///< the window closes when the last busy robot has landed
     bool may_close_ = false; ///< nothing is left to save, or the user gave it up
-    QThreadPool disk_;       ///< writes the settings; its destructor waits for that
+    QThreadPool disk_;       ///< writes what a crash must not take; its destructor waits for that
 };
 
 } // namespace usar::app

@@ -87,6 +87,7 @@ void tst_WindowReplay::theReplayShowsWhatTheFlightShowed() {
     QVERIFY(opens(page));
     const RobotId id = page.window().selectedRobot();
     QVERIFY(page.window().views().replay->isVisible());
+    QVERIFY(page.window().views().hint->isHidden());
     QVERIFY(!page.robot(id)->figures.replay->playing);
     page.pressKey(Qt::Key_Space);
     for (int i = 0; i < 7; ++i)

@@ -4,10 +4,8 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
-#include <QToolButton>
 
 #include "tests/suite/suite.h"
-#include "widgets/bars/strips.h"
 #include "widgets/map/spawn_card.h"
 
 namespace tst_spawning {
@@ -45,8 +43,6 @@ private slots:
     void staysWithinTheMap();
     void neverCoversThePose();
     void remembersTheLastChoice();
-    void stripNamesTheNextStep();
-    void stripIsDismissed();
 
 private:
     std::unique_ptr<QWidget> map_;
@@ -182,25 +178,6 @@ void tst_Spawning::remembersTheLastChoice() {
     const SpawnChoice again = card_->lastChoice(0, QStringLiteral("R4"));
     QCOMPARE(again, (SpawnChoice{0, QStringLiteral("USARBot.AirRobot"), QStringLiteral("R4"),
                                  QStringLiteral("airrobot/posh")}));
-}
-
-void tst_Spawning::stripNamesTheNextStep() {
-    HintStrip strip;
-    QVERIFY(strip.accessibleDescription().contains(HintStrip::firstSteps()[0]));
-    strip.setDone(0, true);
-    QVERIFY(strip.accessibleDescription().contains(HintStrip::firstSteps()[1]));
-    QVERIFY(strip.findChild<QLabel*>()->text().contains(QStringLiteral("✓")));
-    strip.setDone(2, true);
-    QVERIFY(strip.accessibleDescription().startsWith(QStringLiteral("Next")));
-    strip.setDone(1, true);
-    QCOMPARE(strip.accessibleDescription(), QStringLiteral("All steps are done"));
-}
-
-void tst_Spawning::stripIsDismissed() {
-    HintStrip strip;
-    strip.show();
-    QTest::mouseClick(strip.findChild<QToolButton*>(), Qt::LeftButton);
-    QVERIFY(strip.isHidden());
 }
 
 USAR_TEST(tst_Spawning)

@@ -11,6 +11,7 @@ namespace usar::widgets {
 namespace {
 
 constexpr std::chrono::milliseconds moment{300};
+constexpr std::chrono::seconds reading_time{30};
 constexpr int parts = 1000;
 constexpr int bar_width_px = 180;
 
@@ -28,37 +29,76 @@ HintStrip::HintStrip(QWidget* parent) : QFrame(parent) {
     text_->setWordWrap(true);
     laidOut(new QHBoxLayout(this), {gap::medium, gap::tiny, gap::small, gap::tiny}, -1, {text_, close})
         ->setStretchFactor(text_, 1);
-    connect(close, &QToolButton::clicked, this, &QWidget::hide);
+    read_->setSingleShot(true);
+    read_->setInterval(reading_time);
+    connect(read_, &QTimer::timeout, this, [this] { setDismissed(true); });
+    connect(close, &QToolButton::clicked, this, [this] { setDismissed(true); });
     refresh();
     onThemeChange(this, [this] { refresh(); });
 }
 
-QStringList HintStrip::firstSteps() {
-    return {tr("Double-click a start pose to spawn a robot"), tr("Draw the mission area"), tr("Press Start")};
+QString HintStrip::textOf(FirstStep step) {
+    switch (step) {
+    case FirstStep::Spawn:
+        return tr("Double-click a start pose to spawn a robot");
+    case FirstStep::Area:
+        return tr("Draw the mission area");
+    case FirstStep::Start:
+        return tr("Press Start");
+    }
+    return {};
 }
 
-void HintStrip::setDone(int step, bool done) {
-    done_[static_cast<std::size_t>(step)] = done;
+void HintStrip::setDone(FirstStep step) {
+    const bool was_complete = steps_.complete();
+    steps_.setDone(step);
+    if (steps_.complete() && !was_complete)
+        read_->start();
     refresh();
 }
 
+void HintStrip::setAreaNeeded(bool needed) {
+    steps_.setAreaNeeded(needed);
+    refresh();
+}
+
+void HintStrip::setWhatNext(const QString& text) {
+    what_next_ = text;
+    refresh();
+}
+
+void HintStrip::setInReplay(bool in_replay) {
+    in_replay_ = in_replay;
+    setVisible(!dismissed_ && !in_replay_);
+}
+
+void HintStrip::setDismissed(bool dismissed) {
+    dismissed_ = dismissed;
+    if (!dismissed && steps_.complete())
+        read_->start(); // It is read once more.
+    setVisible(!dismissed_ && !in_replay_);
+}
+
 void HintStrip::refresh() {
+    const auto next = steps_.next();
+    text_->setText(next ? stepsText() : what_next_.toHtmlEscaped());
+    setAccessibleDescription(next ? tr("Next: %1").arg(textOf(*next)) : what_next_);
+}
+
+QString HintStrip::stepsText() const {
     const Tokens& t = tokens();
-    const QStringList steps = firstSteps();
     const QString nbsp = QStringLiteral("&nbsp;"); // Keeps each step on one line.
-    const auto next = static_cast<qsizetype>(std::ranges::find(done_, false) - done_.begin());
+    const auto next = steps_.next();
     QStringList parts;
-    for (qsizetype i = 0; i < steps.size(); ++i) {
-        const bool done = done_[static_cast<std::size_t>(i)];
-        const QString mark = done ? QStringLiteral("✓") : QString::number(i + 1);
-        const QColor ink = done ? t.ok : i == next ? t.text : t.text_muted;
+    for (const FirstStep step : steps_.steps()) {
+        const bool done = steps_.isDone(step);
+        const QString mark = done ? QStringLiteral("✓") : QString::number(parts.size() + 1);
+        const QColor ink = done ? t.ok : step == next ? t.text : t.text_muted;
         const QString text = QStringLiteral("<span style='color:%1'><b>%2</b>&nbsp;%3</span>")
-                                 .arg(ink.name(), mark, steps[i].toHtmlEscaped().replace(u' ', nbsp));
-        parts << (i == next ? QStringLiteral("<b>%1</b>").arg(text) : text);
+                                 .arg(ink.name(), mark, textOf(step).toHtmlEscaped().replace(u' ', nbsp));
+        parts << (step == next ? QStringLiteral("<b>%1</b>").arg(text) : text);
     }
-    text_->setText(
-        parts.join(QStringLiteral("&nbsp; <span style='color:%1'>›</span>&nbsp; ").arg(t.text_muted.name())));
-    setAccessibleDescription(next < steps.size() ? tr("Next: %1").arg(steps[next]) : tr("All steps are done"));
+    return parts.join(QStringLiteral("&nbsp; <span style='color:%1'>›</span>&nbsp; ").arg(t.text_muted.name()));
 }
 
 QuestionStrip::QuestionStrip(QWidget* parent) : QFrame(parent) {
@@ -102,6 +142,8 @@ void QuestionStrip::give(std::size_t answer) {
     hide();
     if (given.run)
         given.run();
+    if (id_.isEmpty())
+        emit freed();
 }
 
 void QuestionStrip::countDown() {

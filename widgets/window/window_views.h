@@ -8,6 +8,7 @@
 
 #include "widgets/bars/connection_bar.h"
 #include "widgets/bars/replay_bar.h"
+#include "widgets/bars/result_card.h"
 #include "widgets/bars/strips.h"
 #include "widgets/bars/time_bar.h"
 #include "widgets/commands/command_palette.h"
@@ -52,6 +53,7 @@ struct WindowViews {
     // Center: strips above the map, and the map.
     QuestionStrip* question = nullptr; ///< what must be asked while robots go on
     HintStrip* hint = nullptr;         ///< the first steps
+    ResultCard* result = nullptr;      ///< how a mission ended
     ProgressStrip* progress = nullptr; ///< visible while a world or snapshot is being opened
     ReplayBar* replay = nullptr;       ///< visible while a replay is selected
     MapView* map = nullptr;

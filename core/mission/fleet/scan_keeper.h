@@ -44,8 +44,9 @@ public:
     void giveUpWaiting();
 
 signals:
-    /// The robot may be gone from the window, so that only `robot_name` tells who it was.
-    void saved(usar::RobotId id, const QStringList& files, const QString& robot_name);
+    /// `summary` is complete, with the full paths of the files. The robot may be gone from the window, so that only
+    /// `robot_name` tells who it was.
+    void saved(usar::RobotId id, const usar::mission::RunSummary& summary, const QString& robot_name);
     /// The scan is still in memory; `reason` names the folder and a remedy.
     void failed(usar::RobotId id, const QString& reason);
 
@@ -58,7 +59,7 @@ private:
     };
 
     void write(Robot& robot, const std::shared_ptr<const ScanRecord>& record);
-    void written(const Writing& writing, const Result<QStringList>& files);
+    void written(const Writing& writing, const Result<RunSummary>& summary);
     /// Deletes a robot that has left; returns false for one that has not.
     bool release(const Robot& robot);
 
