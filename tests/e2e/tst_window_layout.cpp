@@ -131,7 +131,8 @@ void tst_WindowLayout::allRobotsAreSeenWhereThereIsRoom() {
     widgets::RobotList& robots = *page.window().views().robots;
     for (int number = 1; number <= 9; ++number)
         robots.updateRobot({{number}, number, "R", "AirRobot", "idle", {}});
-    QTRY_VERIFY2(robots.height() >= robots.wholeHeight_px(), qPrintable(QString::number(robots.height())));
+    const auto heights = [&] { return QString("%1 of %2").arg(robots.height()).arg(robots.wholeHeight_px()); };
+    QTRY_VERIFY2(robots.height() >= robots.wholeHeight_px(), qPrintable(heights()));
     page.window().commands().action("view.operate")->trigger();
     QTRY_VERIFY2(robots.height() >= robots.wholeHeight_px(), qPrintable(QString::number(robots.height())));
     for (const QPushButton* button : page.window().views().behavior->findChildren<QPushButton*>())

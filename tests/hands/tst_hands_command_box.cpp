@@ -27,7 +27,6 @@ void tst_HandsCommandBox::tabCompletesAndEnterSends() {
     QVERIFY(program.says("Connected"));
     program.desk().key("F4");
     program.desk().type("DRI");
-    QVERIFY(program.read().find("list", "Completions"));
     program.screenshot("completions");
     program.desk().key("Tab");
     QTRY_COMPARE(typed(program), QStringLiteral("DRIVE "));

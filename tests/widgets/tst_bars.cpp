@@ -488,7 +488,10 @@ void tst_Bars::layersPanelIsTheLegendOfTheMarks() {
         });
         QVERIFY(beside != swatches.end());
         const QImage picture = (*beside)->grab().toImage();
-        QCOMPARE(picture.pixelColor(picture.rect().center()), markColor(kind));
+        bool has_color = false; // Not always in the middle: a landing is a ring.
+        for (int x = 0; x < picture.width(); ++x)
+            has_color |= picture.pixelColor(x, picture.height() / 2) == markColor(kind);
+        QVERIFY2(has_color, qPrintable(markName(kind)));
     }
 }
 

@@ -52,9 +52,12 @@ bool click(const QWidget& dialog, const QString& text) {
     });
 }
 
-/// A whole path, which does not depend on the folder that is shown.
-void type(const QFileDialog& dialog, const QString& path) {
-    dialog.findChild<QLineEdit*>("fileNameEdit")->setText(path);
+/// Types a whole path, which does not depend on the folder that is shown; the edit that it was typed into.
+QLineEdit* type(const QFileDialog& dialog, const QString& path) {
+    auto* const edit = dialog.findChild<QLineEdit*>("fileNameEdit");
+    edit->selectAll();
+    QTest::keyClicks(edit, path);
+    return edit;
 }
 
 bool write(const QString& path) {
@@ -200,8 +203,7 @@ void tst_Dialogs::aFileThatIsNotThereIsNamed() {
     askForFile(window_.get(), "Open plan", folder_->path(), filters, take());
     auto* const dialog = shown<QFileDialog>(*window_);
     QVERIFY(dialog);
-    type(*dialog, folder_->filePath("gone.png"));
-    QVERIFY(click(*dialog, "Open"));
+    QTest::keyClick(type(*dialog, folder_->filePath("gone.png")), Qt::Key_Return); // Open is off for it.
     auto* const message = shown<QMessageBox>(*dialog);
     QVERIFY(message);
     QVERIFY(!QApplication::activeModalWidget());

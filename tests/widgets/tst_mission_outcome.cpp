@@ -107,7 +107,9 @@ private slots:
     }
 
     void thePictureNeedsRoom() {
-        ResultCard card;
+        QWidget window; // A card that is a window itself would not become that narrow.
+        ResultCard card(&window);
+        window.show();
         card.tell(wholeFlight());
         card.resize(700, 150);
         QImage picture(ResultCard::picture_px, QImage::Format_RGB32);

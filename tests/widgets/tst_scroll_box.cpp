@@ -40,7 +40,7 @@ void tst_ScrollBox::contentHasAllTheRoomThatThereIs() {
     QCOMPARE(layers->size(), box.size());
     box.resize(300, 200);
     QVERIFY(layers->height() >= layers->minimumSizeHint().height());
-    QCOMPARE(layers->width(), box.viewport()->width());
+    QTRY_COMPARE(layers->width(), box.viewport()->width());
     QVERIFY(box.verticalScrollBar()->isVisible());
     QVERIFY(!box.horizontalScrollBar()->isVisible());
 }

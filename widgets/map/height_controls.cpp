@@ -40,8 +40,10 @@ HeightControls::HeightControls(QWidget* parent) : QWidget(parent) {
     grid->addWidget(fixed_, 0, 1);
     grid->addWidget(lowest_, 1, 0);
     grid->addWidget(highest_, 1, 1);
-    for (QCheckBox* const box : {gray_, fixed_})
+    for (QCheckBox* const box : {gray_, fixed_}) {
+        box->setMinimumHeight(minimum_target);
         connect(box, &QCheckBox::clicked, this, &HeightControls::tell);
+    }
     for (QuantityBox* const box : {lowest_, highest_})
         connect(box, &QDoubleSpinBox::valueChanged, this, &HeightControls::tell);
 }

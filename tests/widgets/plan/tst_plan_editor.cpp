@@ -498,7 +498,7 @@ void tst_PlanEditor::emptyListsSayHowTheyAreFilled() {
                 return !each->isHidden();
         return false;
     };
-    QCOMPARE(sheet("No findings"), editor_->findings().empty());
+    QCOMPARE(sheet("No problems"), editor_->findings().empty());
     QVERIFY(sheet("Nothing compared yet") && sheet("No usages listed"));
     editor_->setRunningPlan(QStringLiteral("R1"), std::string(courier_plan));
     run("compare_running");
@@ -508,10 +508,10 @@ void tst_PlanEditor::emptyListsSayHowTheyAreFilled() {
     QVERIFY(!sheet("No usages listed"));
     editor_->setText("((DC d (drives ((e Stop)))", QStringLiteral("a.lap"));
     QVERIFY(!editor_->findings().empty());
-    QTRY_VERIFY(!sheet("No findings"));
+    QTRY_VERIFY(!sheet("No problems"));
     editor_->setText("((DC d (drives ((e Stop)))))", QStringLiteral("b.lap"));
     QVERIFY(editor_->findings().empty());
-    QTRY_VERIFY(sheet("No findings"));
+    QTRY_VERIFY(sheet("No problems"));
 }
 
 void tst_PlanEditor::keysOfAWindowAroundItDoNotGetInTheWay() {
