@@ -132,7 +132,8 @@ void ViewDesk::giveRobotsRoom() {
     constexpr int least_px = 110;  // Of the list, also when it is empty.
     constexpr int others_px = 300; // Of the docks below it.
     const int column_px = main_window_.height() - main_window_.centralWidget()->y();
-    const int title_px = dock->height() - views_.robots->height();
+    constexpr int rounding_px = 4; // The main window deals out heights in whole shares.
+    const int title_px = dock->height() - views_.robots->height() + rounding_px;
     const int robots_px =
         std::clamp(views_.robots->wholeHeight_px() + title_px, least_px, std::max(least_px, column_px - others_px));
     main_window_.resizeDocks({dock, views_.docks[1]}, {robots_px, column_px - robots_px}, Qt::Vertical);

@@ -73,12 +73,10 @@ private slots:
     void init();
     void aSecondRequestRaisesTheOpenDialog();
     void anExistingFileIsReplacedOnlyAfterAQuestion();
-    void aFileThatWasChosenInsteadIsAskedAboutInTurn();
     void suffixIsAddedOnlyWhereNoneIs_data();
     void suffixIsAddedOnlyWhereNoneIs();
     void aNewFolderCanBeMadeAndChosen();
     void anExistingFileIsOpened();
-    void aFileThatIsNotThereIsNamed();
     void aNumberIsAskedFor();
 
 private:
@@ -136,22 +134,6 @@ void tst_Dialogs::anExistingFileIsReplacedOnlyAfterAQuestion() {
     QVERIFY(!shown<QFileDialog>(*window_));
 }
 
-void tst_Dialogs::aFileThatWasChosenInsteadIsAskedAboutInTurn() {
-    QVERIFY(write(folder_->filePath("one.png")) && write(folder_->filePath("other.png")));
-    askWhereToSave(window_.get(), title, folder_->filePath("one.png"), filters, take());
-    auto* const dialog = shown<QFileDialog>(*window_);
-    QVERIFY(dialog);
-    QVERIFY(click(*dialog, "Save"));
-    auto* const question = shown<QMessageBox>(*dialog);
-    QVERIFY(question);
-    type(*dialog, folder_->filePath("other.png"));
-    QVERIFY(click(*question, "Replace"));
-    QVERIFY(taken_.isEmpty());
-    auto* const second = shown<QMessageBox>(*dialog);
-    QVERIFY(second);
-    QVERIFY2(second->text().contains("other.png"), qPrintable(second->text()));
-}
-
 void tst_Dialogs::suffixIsAddedOnlyWhereNoneIs_data() {
     QTest::addColumn<QString>("typed");
     QTest::addColumn<QString>("whole");
@@ -194,23 +176,9 @@ void tst_Dialogs::anExistingFileIsOpened() {
     auto* const dialog = shown<QFileDialog>(*window_);
     QVERIFY(dialog);
     QCOMPARE(dialog->directory().absolutePath(), folder_->path()); // It begins where it was told to.
-    type(*dialog, path);
-    QVERIFY(click(*dialog, "Open"));
+    // The dialog clears what is typed before it has read the folder, and a list of names may take the first click.
+    QTRY_VERIFY((type(*dialog, path), click(*dialog, "Open")) && !taken_.isEmpty());
     QCOMPARE(taken_, QStringList{path});
-}
-
-void tst_Dialogs::aFileThatIsNotThereIsNamed() {
-    askForFile(window_.get(), "Open plan", folder_->path(), filters, take());
-    auto* const dialog = shown<QFileDialog>(*window_);
-    QVERIFY(dialog);
-    QTest::keyClick(type(*dialog, folder_->filePath("gone.png")), Qt::Key_Return); // Open is off for it.
-    auto* const message = shown<QMessageBox>(*dialog);
-    QVERIFY(message);
-    QVERIFY(!QApplication::activeModalWidget());
-    QVERIFY2(message->text().contains("gone.png"), qPrintable(message->text()));
-    QVERIFY(click(*message, "Close"));
-    QVERIFY(dialog->isVisible());
-    QVERIFY(taken_.isEmpty());
 }
 
 void tst_Dialogs::aNumberIsAskedFor() {

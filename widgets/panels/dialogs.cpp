@@ -170,7 +170,7 @@ void askForFolder(QWidget* parent, const QString& title, const QString& begin, T
         dialog.setFileMode(QFileDialog::Directory);
         dialog.setOption(QFileDialog::ShowDirsOnly);
         dialog.offerNewFolder();
-        dialog.beginAt(begin);
+        dialog.setDirectory(QFileInfo(begin).isDir() ? begin : QFileInfo(begin).path());
     };
     askForPath(parent, title, prepare, std::move(take));
 }
