@@ -27,6 +27,7 @@ void tst_HandsCommandBox::tabCompletesAndEnterSends() {
     QVERIFY(program.says("Connected"));
     program.desk().key("F4");
     program.desk().type("DRI");
+    QTRY_COMPARE(typed(program), QStringLiteral("DRI"));
     program.screenshot("completions");
     program.desk().key("Tab");
     QTRY_COMPARE(typed(program), QStringLiteral("DRIVE "));

@@ -13,6 +13,7 @@ class tst_HandsFirstFlight : public QObject {
     Q_OBJECT
 private slots:
     void fiveGesturesLeadToAMap();
+    void aMissionIsOpenedByItsPath();
 };
 
 void tst_HandsFirstFlight::fiveGesturesLeadToAMap() {
@@ -29,6 +30,18 @@ void tst_HandsFirstFlight::fiveGesturesLeadToAMap() {
     QTRY_VERIFY_WITH_TIMEOUT(!results.entryList({"*_height.png"}).isEmpty(), 110000);
     QTRY_VERIFY_WITH_TIMEOUT(!results.entryList({"*.bil"}).isEmpty(), 15000);
     program.screenshot("done");
+}
+
+void tst_HandsFirstFlight::aMissionIsOpenedByItsPath() {
+    Program program;
+    QVERIFY2(program.trouble().isEmpty(), qPrintable(program.trouble()));
+    QVERIFY(program.says("Connected"));
+    program.desk().key("ctrl+o");
+    QVERIFY(program.says("Open mission"));
+    program.screenshot("open_mission");
+    program.desk().type(USAR_SOURCE_DIR "/resources/missions/quick_scan.json");
+    program.desk().key("Return");
+    QVERIFY(program.says("5 lanes"));
 }
 
 USAR_TEST(tst_HandsFirstFlight)

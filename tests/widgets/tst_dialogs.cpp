@@ -76,7 +76,6 @@ private slots:
     void suffixIsAddedOnlyWhereNoneIs_data();
     void suffixIsAddedOnlyWhereNoneIs();
     void aNewFolderCanBeMadeAndChosen();
-    void anExistingFileIsOpened();
     void aNumberIsAskedFor();
 
 private:
@@ -167,18 +166,6 @@ void tst_Dialogs::aNewFolderCanBeMadeAndChosen() {
     QVERIFY(QDir(folder_->filePath("today")).exists());
     QVERIFY(click(*dialog, "Choose"));
     QCOMPARE(taken_, QStringList{folder_->filePath("today")});
-}
-
-void tst_Dialogs::anExistingFileIsOpened() {
-    const QString path = folder_->filePath("plan.png");
-    QVERIFY(write(path));
-    askForFile(window_.get(), "Open plan", folder_->path(), filters, take());
-    auto* const dialog = shown<QFileDialog>(*window_);
-    QVERIFY(dialog);
-    QCOMPARE(dialog->directory().absolutePath(), folder_->path()); // It begins where it was told to.
-    // The dialog clears what is typed before it has read the folder, and a list of names may take the first click.
-    QTRY_VERIFY((type(*dialog, path), click(*dialog, "Open")) && !taken_.isEmpty());
-    QCOMPARE(taken_, QStringList{path});
 }
 
 void tst_Dialogs::aNumberIsAskedFor() {
