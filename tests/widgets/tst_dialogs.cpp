@@ -52,14 +52,6 @@ bool click(const QWidget& dialog, const QString& text) {
     });
 }
 
-/// Types a whole path, which does not depend on the folder that is shown; the edit that it was typed into.
-QLineEdit* type(const QFileDialog& dialog, const QString& path) {
-    auto* const edit = dialog.findChild<QLineEdit*>("fileNameEdit");
-    edit->selectAll();
-    QTest::keyClicks(edit, path);
-    return edit;
-}
-
 bool write(const QString& path) {
     QFile file(path);
     return file.open(QIODevice::WriteOnly) && file.write("old") == 3;
