@@ -11,7 +11,7 @@
 
 namespace usar::app {
 
-/// What the desks would keep now; only what has changed is written to the disk. A plain value.
+/// The settings that the desks would keep now; only changed ones are written to the disk. A plain value.
 class SettingsSheet {
 public:
     void setValue(const QString& key, const QVariant& value) { values_[key] = value; }

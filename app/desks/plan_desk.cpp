@@ -38,7 +38,7 @@ void PlanDesk::chooseWhereToSavePicture() {
 }
 
 std::vector<widgets::PaletteOffer> PlanDesk::places() const {
-    constexpr std::size_t most = 500; // Of a longer plan the first ones; its own search finds all.
+    constexpr std::size_t most = 500; // A longer plan gives its first ones; its own search finds all.
     std::vector<widgets::PaletteOffer> offers;
     const widgets::PlanTree& tree = views_.plan->view().tree();
     for (const widgets::PlanNodeId node : tree.nodes()) {

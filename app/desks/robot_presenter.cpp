@@ -271,7 +271,7 @@ void RobotPresenter::select(RobotId id) {
         views_.map->addMark(mark);
     if (robot->running())
         views_.map->setLanes(view.planned_m);
-    // What was heard last, as if it came now: the next update may be long in coming, as in a pause.
+    // The newest readings are shown as if they came now: the next update may be long in coming, as in a pause.
     mission::SessionUpdate last;
     last.figures = view.figures;
     last.ground = view.ground;

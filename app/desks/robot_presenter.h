@@ -52,7 +52,7 @@ private:
     widgets::WindowViews& views_;
     const Selection& selection_;
     std::map<ConnectionId, mission::TraceWatch> traces_;  ///< by connection
-    std::map<ConnectionId, widgets::NewestLines> newest_; ///< of every robot, for when it is selected, by connection
+    std::map<ConnectionId, widgets::NewestLines> newest_; ///< kept for every robot until it is selected
     std::map<ConnectionId, std::uint64_t> not_shown_;     ///< number of lines left out of updates so far, by connection
     // The following belong to the selected robot.
     widgets::ScanPlane scan_plane_ = widgets::ScanPlane::Below;

@@ -129,8 +129,8 @@ void ViewDesk::giveRobotsRoom() {
     QDockWidget* const dock = views_.robots_dock;
     if (dock->isHidden() || dock->isFloating() || !main_window_.tabifiedDockWidgets(dock).isEmpty())
         return;
-    constexpr int least_px = 110;  // Of the list, also when it is empty.
-    constexpr int others_px = 300; // Of the docks below it.
+    constexpr int least_px = 110;  // The list is never lower, even when it is empty.
+    constexpr int others_px = 300; // The docks below it need this.
     const int column_px = main_window_.height() - main_window_.centralWidget()->y();
     constexpr int rounding_px = 4; // The main window deals out heights in whole shares.
     const int title_px = dock->height() - views_.robots->height() + rounding_px;

@@ -45,7 +45,7 @@ private:
     QMainWindow& main_window_;
     std::optional<widgets::Theme> theme_;
     QByteArray first_layout_;
-    QPointer<QDialog> sheet_; ///< of keys and gestures; nullptr while it is closed
+    QPointer<QDialog> sheet_; ///< lists keys and gestures; nullptr while it is closed
     QPointer<QDialog> about_; ///< the same for versions and licenses
 };
 

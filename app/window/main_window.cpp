@@ -231,7 +231,7 @@ void MainWindow::saveSettings() {
 }
 
 void MainWindow::keepSaving() {
-    disk_.setMaxThreadCount(1); // What is newer is written later.
+    disk_.setMaxThreadCount(1); // Newer settings are written later.
     auto* const second = new QTimer(this);
     connect(second, &QTimer::timeout, this, [this] {
         recovery_.mark();

@@ -69,7 +69,7 @@ void ResultDesk::forget(RobotId id) {
 void ResultDesk::takeEnd(RobotId id) {
     const Robot* const robot = control_.robot(id);
     if (!robot || robot->view().broke)
-        return; // What broke has a notification with a button of its own.
+        return; // A broken behavior has a notification with a button of its own.
     if (robot->view().tiles.empty())
         show(id, outcomeOf(*robot));
     else

@@ -106,7 +106,7 @@ private:
     struct Slot {
         HeightTile tile;
         bool changed = false;             ///< it is listed in `changed_`
-        std::optional<HeightRange> range; ///< of the tile's array when it was last looked at
+        std::optional<HeightRange> range; ///< range of the tile when it was last looked at
         bool range_old = false;           ///< the tile was written since
     };
     /// Finds or makes the slot. Tries the slot of the last write first, because neighboring cells are written in
