@@ -13,6 +13,6 @@ int main(int argc, char** argv) {
     if (ok && socket > 2)
         return usar::agent::serveBehavior(socket);
     std::fprintf(stderr, "usar-behavior-host runs a robot's behavior for mission-control and usar-mission, which start "
-                         "it where a behavior is to have a process of its own (usar-mission run --isolate).\n");
+                         "it to run a behavior in a separate process (usar-mission run --isolate).\n");
     return 2;
 }

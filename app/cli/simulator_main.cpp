@@ -17,6 +17,18 @@ int complain(const usar::Error& error) {
     return 2;
 }
 
+void print(const QString& sentence) {
+    std::fprintf(stderr, "%s\n", sentence.toLocal8Bit().constData());
+}
+
+void printLog(const usar::server::SimulatorServer& server) {
+    using Server = usar::server::SimulatorServer;
+    QObject::connect(&server, &Server::logged, print);
+    QObject::connect(&server, &Server::objectRefused, [](const QString& name, const QString& reason) {
+        print(QStringLiteral("could not place '%1': %2").arg(name, reason));
+    });
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -43,8 +55,7 @@ int main(int argc, char** argv) {
     const std::string level = (*simulation)->world().name;
 
     usar::server::SimulatorServer server(std::move(*simulation));
-    QObject::connect(&server, &usar::server::SimulatorServer::logged,
-                     [](const QString& sentence) { std::fprintf(stderr, "%s\n", sentence.toLocal8Bit().constData()); });
+    printLog(server);
     const auto port = server.listen(settings->port);
     if (!port)
         return complain(port.error());
@@ -52,7 +63,7 @@ int main(int argc, char** argv) {
     const usar::server::OpenChannels channels =
         usar::server::openChannels(server, settings->channels, settings->images);
     for (const QString& sentence : channels.sentences)
-        std::fprintf(stderr, "%s\n", sentence.toLocal8Bit().constData());
+        print(sentence);
     std::printf("%s on 127.0.0.1:%u - connect a USARSim client there, or: nc -C 127.0.0.1 %u; Ctrl+C ends\n",
                 level.c_str(), static_cast<unsigned>(*port), static_cast<unsigned>(*port));
     std::printf("Pictures of its cameras on 127.0.0.1:%u\n", static_cast<unsigned>(channels.ports.image));

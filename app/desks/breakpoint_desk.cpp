@@ -59,7 +59,7 @@ void BreakpointDesk::restore(const QSettings& settings) {
     passOn();
 }
 
-void BreakpointDesk::save(QSettings& settings) const {
+void BreakpointDesk::save(SettingsSheet& settings) const {
     widgets::BreakpointList lasting = list_;
     lasting.remove(temporary_);
     settings.setValue("plan/breakpoints", lasting.toJson());
@@ -129,7 +129,7 @@ void BreakpointDesk::edit(BreakpointId id) {
         list_.change(id, dialog->breakpoint());
         passOn();
     });
-    dialog->open();
+    dialog->show(); // Not modal: the robot goes on.
 }
 
 /// Edits the first breakpoint at the selected part; sets one if there is none.

@@ -21,7 +21,7 @@ public:
     void wire() override;
     void restore(const QSettings& settings) override;
     /// Leaves out temporary breakpoints.
-    void save(QSettings& settings) const override;
+    void save(SettingsSheet& settings) const override;
 
     /// All breakpoints of all plans, including temporary ones.
     const widgets::BreakpointList& list() const { return list_; }

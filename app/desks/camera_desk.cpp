@@ -1,7 +1,5 @@
 #include "app/desks/camera_desk.h"
 
-#include <QInputDialog>
-
 #include "core/mission/fleet/robot_words.h"
 #include "widgets/panels/dialogs.h"
 
@@ -40,10 +38,8 @@ void CameraDesk::registerCommands() {
     const auto has_picture = [this] { return !view_.isEmpty(); };
     add("camera.save", has_picture, [this] {
         const QImage picture = view_.picture(); // The current one, not the one when the dialog closes.
-        const QString path =
-            widgets::askWhereToSave(window_, tr("Save picture"), tr("camera.png"), tr("Pictures (*.png *.jpg)"));
-        if (!path.isEmpty())
-            savePicture(picture, path);
+        widgets::askWhereToSave(window_, tr("Save picture"), tr("camera.png"), tr("Pictures (*.png *.jpg)"),
+                                [this, picture](const QString& path) { savePicture(picture, path); });
     });
     add("camera.port", [this] { chooseImagePort(); });
 }
@@ -185,15 +181,12 @@ void CameraDesk::attach() {
 }
 
 void CameraDesk::chooseImagePort() {
-    bool chosen = false;
-    const int port =
-        QInputDialog::getInt(window_, tr("Image server"), tr("Port of the image server, beside the bot port"),
-                             server_port_, 1, 65535, 1, &chosen);
-    if (!chosen)
-        return;
-    QSettings().setValue("server/image_port", port);
-    server_port_ = static_cast<quint16>(port);
-    refresh();
+    widgets::askForNumber(window_, tr("Image server"), tr("Port of the image server, beside the bot port"),
+                          server_port_, 1, 65535, [this](int port) {
+                              QSettings().setValue("server/image_port", port);
+                              server_port_ = static_cast<quint16>(port);
+                              refresh();
+                          });
 }
 
 void CameraDesk::savePicture(const QImage& picture, const QString& path) {

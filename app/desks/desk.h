@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QSettings>
+#include <QVariantMap>
 
 #include "app/desks/notice_desk.h"
 #include "app/desks/selection.h"
@@ -9,6 +10,24 @@
 #include "widgets/commands/command_registry.h"
 
 namespace usar::app {
+
+/// The settings that the desks would keep now; only changed ones are written to the disk. A plain value.
+class SettingsSheet {
+public:
+    void setValue(const QString& key, const QVariant& value) { values_[key] = value; }
+    /// The entries that `earlier` lacks or that have other values there.
+    QVariantMap changedSince(const SettingsSheet& earlier) const {
+        QVariantMap changed;
+        for (auto entry = values_.begin(); entry != values_.end(); ++entry)
+            if (const auto old = earlier.values_.find(entry.key());
+                old == earlier.values_.end() || *old != entry.value())
+                changed.insert(entry.key(), entry.value());
+        return changed;
+    }
+
+private:
+    QVariantMap values_;
+};
 
 /// The window owns all of these objects and every desk; they outlive the desks.
 struct DeskContext {
@@ -39,8 +58,8 @@ public:
     virtual void wire() {}
     /// Reads the settings that `save` wrote when the program ran last.
     virtual void restore(const QSettings&) {}
-    /// Writes the settings that `restore` reads.
-    virtual void save(QSettings&) const {}
+    /// Writes the settings that `restore` reads; called once a second.
+    virtual void save(SettingsSheet&) const {}
 
 protected:
     /// The selected robot; nullptr while there is none.

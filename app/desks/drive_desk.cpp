@@ -106,6 +106,7 @@ void DriveDesk::showControl() {
         views_.drive->letGo();
         beat_.stop();
     }
+    emit drivingChanged(taken());
     commands_.refresh();
 }
 

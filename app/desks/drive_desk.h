@@ -34,6 +34,8 @@ public:
 signals:
     /// Simulated time should run in real time, because nobody can drive by hand at another pace.
     void realTimeWanted();
+    /// The user drives from now on, or no longer does; while driving, the drive keys belong to the robot.
+    void drivingChanged(bool drives);
 
 private:
     /// Gives control of the old robot back, and empties echo and velocity until the new one reports.

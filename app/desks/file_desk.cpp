@@ -1,37 +1,59 @@
 #include "app/desks/file_desk.h"
 
 #include <QDesktopServices>
-#include <QFileDialog>
+#include <QDir>
 #include <QFileInfo>
 #include <QUrl>
 
+#include "core/server/embedded/program_files.h"
+#include "widgets/panels/dialogs.h"
+
 namespace usar::app {
 
-FileDesk::FileDesk(const DeskContext& context, ServerDesk& server, MissionDesk& mission, PlanWorkshop& workshop)
+FileDesk::FileDesk(const DeskContext& context, ServerDesk& server, MissionDesk& mission, PlanWorkshop& workshop,
+                   bool keeps_folder)
     : Desk(context)
     , server_(server)
     , mission_(mission)
-    , workshop_(workshop) {}
+    , workshop_(workshop)
+    , keeps_folder_(keeps_folder) {}
 
 void FileDesk::registerCommands() {
     add(
         "file.export", [this] { return selection_.id().valid(); }, [this] { control_.exportResults(selection_.id()); });
-    add("file.folder", [this] { chooseResultFolder(); });
+    commands_.offer([this] { return missions(); });
+    add("file.folder", [this] { chooseResultFolder({}); });
     add("file.show_folder", [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(control_.resultFolder())); });
 }
 
+std::vector<widgets::PaletteOffer> FileDesk::missions() {
+    std::vector<widgets::PaletteOffer> offers;
+    for (const QFileInfo& file : QDir(server::missionsFolder()).entryInfoList({"*.json"}, QDir::Files, QDir::Name)) {
+        QString name = file.completeBaseName();
+        offers.push_back({tr("Open mission %1").arg(name.replace('_', ' ')),
+                          tr("File"),
+                          {file.completeBaseName(), "load", "example", "shipped"},
+                          [this, path = file.absoluteFilePath()] { open(path); }});
+    }
+    return offers;
+}
+
 void FileDesk::wire() {
-    connect(&control_, &MissionControl::resultsWritten, this, [this](RobotId, const QStringList& files) {
-        notices_.note("saved", tr("Saved %n file(s): %1", "", static_cast<int>(files.size())).arg(files.value(0)));
-    });
+    const auto remember = [this](const QString& path) { recent_.add(path); };
+    connect(&mission_, &MissionDesk::fileUsed, this, remember);
+    connect(&workshop_, &PlanWorkshop::fileUsed, this, remember);
+    connect(&server_, &ServerDesk::snapshotUsed, this, remember);
 }
 
 void FileDesk::restore(const QSettings& settings) {
-    control_.setResultFolder(settings.value("result_folder").toString());
+    recent_.restore(settings.value("recent_files").toStringList());
+    if (keeps_folder_)
+        control_.setResultFolder(settings.value("result_folder").toString());
 }
 
-void FileDesk::save(QSettings& settings) const {
-    if (control_.resultFolderChosen())
+void FileDesk::save(SettingsSheet& settings) const {
+    settings.setValue("recent_files", recent_.all());
+    if (keeps_folder_ && control_.resultFolderChosen())
         settings.setValue("result_folder", control_.resultFolder());
 }
 
@@ -39,37 +61,52 @@ QString FileDesk::fileIn(const QMimeData& data) {
     if (data.urls().size() != 1)
         return {};
     const QString path = data.urls().first().toLocalFile();
-    static const QStringList known{"usarrec", "usarsnap", "json", "sdf", "lap"};
+    static const QStringList known{"usarrec", "usarsnap", "json", "sdf", "lap", "posh"};
     return known.contains(QFileInfo(path).suffix()) || QFileInfo(path + "/world.sdf").isFile() ? path : QString();
 }
 
 void FileDesk::open(const QString& path) {
     const QFileInfo file(path);
     const bool is_world = file.isDir() || file.fileName() == "world.sdf";
-    if (is_world && control_.anyRunning())
-        return notices_.say(Severity::Warning, "simulator",
-                            tr("A robot is on its mission. Stop it, then open another world."));
     if (path.endsWith(".usarsnap"))
         server_.openSnapshot(path);
     else if (path.endsWith(".usarrec"))
-        control_.openRecording(path);
+        openRecording(path);
     else if (is_world)
         server_.openWorld(file.isDir() ? path : file.absolutePath());
     else if (path.endsWith(".sdf"))
         server_.openRobotFile(path);
-    else if (path.endsWith(".lap"))
+    else if (path.endsWith(".lap") || path.endsWith(".posh"))
         workshop_.openPlan(path);
     else
         mission_.openMission(path);
 }
 
-bool FileDesk::chooseResultFolder() {
-    const QString folder =
-        QFileDialog::getExistingDirectory(window_, tr("Folder for results"), control_.resultFolder());
-    if (folder.isEmpty())
-        return false;
-    control_.setResultFolder(folder);
-    return true;
+void FileDesk::openRecording(const QString& path) {
+    recent_.add(path);
+    control_.openRecording(path);
+}
+
+void FileDesk::fillRecentMenu(QMenu* menu) {
+    menu->setToolTipsVisible(true);
+    connect(menu, &QMenu::aboutToShow, this, [this, menu] {
+        menu->clear();
+        for (const QString& path : recent_.existing()) {
+            const QString words = tr("%1 in %2").arg(QFileInfo(path).fileName(), QFileInfo(path).dir().dirName());
+            menu->addAction(QString(words).replace("&", "&&"), this, [this, path] { open(path); })->setToolTip(path);
+        }
+        if (menu->isEmpty())
+            menu->addAction(tr("No files yet"))->setEnabled(false);
+    });
+}
+
+void FileDesk::chooseResultFolder(const std::function<void()>& then) {
+    widgets::askForFolder(window_, tr("Folder for results"), control_.resultFolder(),
+                          [this, then](const QString& folder) {
+                              control_.setResultFolder(folder);
+                              if (then)
+                                  then();
+                          });
 }
 
 } // namespace usar::app

@@ -1,39 +1,54 @@
 // Desk for files: saves results, chooses their folder, and opens files of every kind.
 #pragma once
 
+#include <functional>
+
+#include <QMenu>
 #include <QMimeData>
 
 #include "app/desks/desk.h"
 #include "app/desks/mission_desk.h"
 #include "app/desks/plan_workshop.h"
 #include "app/desks/server_desk.h"
+#include "core/mission/files/recent_files.h"
 
 namespace usar::app {
 
-/// Passes each kind of file to the desk that opens it. The folder for results is kept in the settings if the user has
-/// chosen one. GUI thread.
+/// Passes each kind of file to the desk that opens it. The files that were used last are kept in the settings, and so
+/// is the folder for results if the user has chosen one. GUI thread.
 class FileDesk : public Desk {
     Q_OBJECT
 public:
-    FileDesk(const DeskContext& context, ServerDesk& server, MissionDesk& mission, PlanWorkshop& workshop);
+    /// `keeps_folder`: the settings hold the folder for results; otherwise the command line names it.
+    FileDesk(const DeskContext& context, ServerDesk& server, MissionDesk& mission, PlanWorkshop& workshop,
+             bool keeps_folder);
 
     void registerCommands() override;
     void wire() override;
     void restore(const QSettings& settings) override;
-    void save(QSettings& settings) const override;
+    void save(SettingsSheet& settings) const override;
 
     /// Path of the file that is dragged, if it is a single one that `open` can open; otherwise empty.
     static QString fileIn(const QMimeData& data);
     /// Opens a mission, plan, recording, snapshot, robot file or world (its folder or its world.sdf). Problems are
     /// notices.
     void open(const QString& path);
-    /// Lets the user choose the folder for results; returns false if the user cancels.
-    bool chooseResultFolder();
+    /// Replays a recording, and offers it again later.
+    void openRecording(const QString& path);
+    /// Lists the files that were used last in `menu`, each time that it is shown.
+    void fillRecentMenu(QMenu* menu);
+    /// Lets the user choose the folder for results, and calls `then`, if any, when it is chosen.
+    void chooseResultFolder(const std::function<void()>& then);
 
 private:
+    /// For the palette: each mission that comes with the program can be opened.
+    std::vector<widgets::PaletteOffer> missions();
+
     ServerDesk& server_;
     MissionDesk& mission_;
     PlanWorkshop& workshop_;
+    mission::RecentFiles recent_;
+    bool keeps_folder_;
 };
 
 } // namespace usar::app

@@ -36,10 +36,8 @@ void MessageDesk::wire() {
 }
 
 void MessageDesk::chooseWhereToSave() {
-    const QString path =
-        widgets::askWhereToSave(window_, tr("Save messages"), tr("messages"), tr("Text (*.txt);;JSON lines (*.jsonl)"));
-    if (!path.isEmpty())
-        views_.messages->saveShown(path);
+    widgets::askWhereToSave(window_, tr("Save messages"), tr("messages"), tr("Text (*.txt);;JSON lines (*.jsonl)"),
+                            [this](const QString& path) { views_.messages->saveShown(path); });
 }
 
 void MessageDesk::sendAgain(ConnectionId connection, const QStringList& lines) {
@@ -74,7 +72,7 @@ void MessageDesk::restore(const QSettings& settings) {
     views_.messages->actions().all_robots->setChecked(settings.value("messages/all_robots").toBool());
 }
 
-void MessageDesk::save(QSettings& settings) const {
+void MessageDesk::save(SettingsSheet& settings) const {
     settings.setValue("messages/history", views_.command_box->history());
     settings.setValue("messages/details", views_.messages->actions().details->isChecked());
     settings.setValue("messages/all_robots", views_.messages->actions().all_robots->isChecked());

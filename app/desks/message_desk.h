@@ -15,7 +15,7 @@ public:
     void registerCommands() override;
     void wire() override;
     void restore(const QSettings& settings) override;
-    void save(QSettings& settings) const override;
+    void save(SettingsSheet& settings) const override;
 
 private:
     /// Shows the right connection after another robot was selected or a connection has changed.

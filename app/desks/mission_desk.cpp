@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include <QFileDialog>
 #include <QFileInfo>
 
 #include "core/mission/files/mission_file.h"
-#include "core/server/embedded/program_files.h"
 #include "core/server/embedded/simulator_files.h"
 #include "widgets/panels/dialogs.h"
 
@@ -15,16 +13,13 @@ namespace usar::app {
 
 void MissionDesk::registerCommands() {
     add("file.open", [this] {
-        const QString path = QFileDialog::getOpenFileName(window_, tr("Open mission"), {}, tr("Missions (*.json)"));
-        if (!path.isEmpty())
-            openMission(path);
+        widgets::askForFile(window_, tr("Open mission"), folder_, tr("Missions (*.json)"),
+                            [this](const QString& path) { openMission(path); });
     });
     const auto complete = [this] { return task_.complete(); };
     add("file.save", complete, [this] {
-        const QString path =
-            widgets::askWhereToSave(window_, tr("Save mission"), tr("mission.json"), tr("Missions (*.json)"));
-        if (!path.isEmpty())
-            saveMission(path);
+        widgets::askWhereToSave(window_, tr("Save mission"), tr("mission.json"), tr("Missions (*.json)"),
+                                [this](const QString& path) { saveMission(path); });
     });
 }
 
@@ -45,6 +40,7 @@ void MissionDesk::openMission(const QString& path) {
     const auto mission = mission::readMissionFile(path);
     if (!mission)
         return notices_.complain("mission", mission.error());
+    remember(path);
     awaiting_plugin_.reset();
     if (const QString world = worldToOpenFor(*mission); !world.isEmpty()) {
         server_.openWorld(world);
@@ -52,6 +48,11 @@ void MissionDesk::openMission(const QString& path) {
         return;
     }
     setUp(*mission);
+}
+
+void MissionDesk::remember(const QString& path) {
+    folder_ = QFileInfo(path).absolutePath();
+    emit fileUsed(path);
 }
 
 QString MissionDesk::worldToOpenFor(const mission::Mission& mission) const {
@@ -127,6 +128,7 @@ void MissionDesk::saveMission(const QString& path) {
     mission.isolate = task_.isolated();
     if (const auto saved = mission::writeMissionFile(mission, behavior->parameters, path); !saved)
         return notices_.complain("mission", saved.error());
+    remember(path);
     notices_.cure("mission");
     notices_.note("mission-saved", tr("Saved the mission %1; usar-mission run flies it, too.").arg(path));
 }

@@ -6,6 +6,7 @@
 #include "app/desks/desk.h"
 #include "app/desks/server_desk.h"
 #include "app/desks/task_desk.h"
+#include "core/server/embedded/program_files.h"
 
 namespace usar::app {
 
@@ -30,7 +31,13 @@ public:
     /// Drops the mission that waits for its world, if any.
     void forgetAwaitedWorld() { awaiting_world_.reset(); }
 
+signals:
+    /// A mission was read from this file or saved to it.
+    void fileUsed(const QString& path);
+
 private:
+    /// Looks for the next mission in the folder of this one.
+    void remember(const QString& path);
     /// Returns the mission's world if the embedded simulator runs a different one without robots; else empty.
     QString worldToOpenFor(const mission::Mission& mission) const;
     /// Selects a robot and the behavior, and sets up the task. Waits while the behavior's plugin is still being loaded.
@@ -44,6 +51,7 @@ private:
 
     ServerDesk& server_;
     TaskDesk& task_;
+    QString folder_ = server::missionsFolder(); ///< where the user looks for missions
     std::optional<mission::Mission> awaiting_world_;
     std::optional<mission::Mission> awaiting_plugin_;
 };

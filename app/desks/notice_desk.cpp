@@ -10,6 +10,8 @@ NoticeDesk::NoticeDesk(MissionControl& control, const widgets::WindowViews& view
         say(notice.severity, key, QString::fromStdString(notice.text));
     });
     connect(&control, &MissionControl::cured, center, &widgets::NotificationCenter::cured);
+    connect(&control, &MissionControl::robotRemoved, center->model(),
+            [center](RobotId, const QString& name) { center->model()->cureAll(name + u'/'); });
     connect(center->model(), &widgets::NotificationModel::offerTaken, this, [this](const QString& key) {
         if (const auto offered = offers_.find(key); offered != offers_.end())
             std::function<void()>(offered->second)(); // A copy, because the call may cure the problem and erase it.

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 
 #include <QObject>
 #include <QString>
@@ -19,9 +20,9 @@ class NoticeDesk : public QObject {
 public:
     NoticeDesk(MissionControl& control, const widgets::WindowViews& views);
 
-    /// Shows a complete sentence; warnings and errors also as a toast.
-    void say(Severity severity, const QString& key, const QString& text) {
-        views_.notifications->push(key, severity, text);
+    /// Shows a complete sentence; warnings and errors also as a toast, unless `toast` says otherwise.
+    void say(Severity severity, const QString& key, const QString& text, std::optional<bool> toast = std::nullopt) {
+        views_.notifications->push(key, severity, text, toast);
     }
     /// Shows a note that the user waits for, also as a toast.
     void note(const QString& key, const QString& text) { views_.notifications->push(key, Severity::Note, text, true); }

@@ -25,16 +25,35 @@ void PlanDesk::registerCommands() {
     breakpoints_.registerCommands();
     registerPinCommands();
     run_.registerCommands();
+    commands_.offer([this] { return places(); });
 }
 
 void PlanDesk::chooseWhereToSavePicture() {
-    const QString path = widgets::askWhereToSave(window_, tr("Save plan as picture"), tr("plan.svg"),
-                                                 tr("Drawings (*.svg *.pdf *.png)"));
-    if (path.isEmpty())
-        return;
-    if (const auto saved = widgets::savePlanPicture(views_.plan->view(), path); !saved)
-        return notices_.complain("plan-picture", saved.error());
-    notices_.note("plan-picture", tr("Saved the plan as %1.").arg(path));
+    widgets::askWhereToSave(window_, tr("Save plan as picture"), tr("plan.svg"), tr("Drawings (*.svg *.pdf *.png)"),
+                            [this](const QString& path) {
+                                if (const auto saved = widgets::savePlanPicture(views_.plan->view(), path); !saved)
+                                    return notices_.complain("plan-picture", saved.error());
+                                notices_.note("plan-picture", tr("Saved the plan as %1.").arg(path));
+                            });
+}
+
+std::vector<widgets::PaletteOffer> PlanDesk::places() const {
+    constexpr std::size_t most = 500; // A longer plan gives its first ones; its own search finds all.
+    std::vector<widgets::PaletteOffer> offers;
+    const widgets::PlanTree& tree = views_.plan->view().tree();
+    for (const widgets::PlanNodeId node : tree.nodes()) {
+        if (offers.size() == most)
+            break;
+        const QString kind = widgets::planKindWord(tree[node].kind);
+        offers.push_back({tr("Go to %1 %2").arg(kind, tree[node].name),
+                          tr("Plan"),
+                          {"find", "show", "jump"},
+                          [this, path = tree.path(node)] {
+                              raise(views_.plan_dock);
+                              views_.plan->view().selectPath(path);
+                          }});
+    }
+    return offers;
 }
 
 void PlanDesk::registerRunCommands() {
@@ -276,7 +295,7 @@ void PlanDesk::pinSelected() {
             pins_[connection].pinSense(call, *value);
         pinsChanged();
     });
-    dialog->open();
+    dialog->show(); // Not modal: the robot goes on.
 }
 
 void PlanDesk::toggleDrive() {

@@ -20,7 +20,7 @@ public:
     void registerCommands() override;
     void wire() override;
     void restore(const QSettings& settings) override { breakpoints_.restore(settings); }
-    void save(QSettings& settings) const override { breakpoints_.save(settings); }
+    void save(SettingsSheet& settings) const override { breakpoints_.save(settings); }
 
     /// The robot's behavior is started again: its pins are removed.
     void begin(RobotId id);
@@ -43,6 +43,8 @@ signals:
 private:
     void registerRunCommands();
     void registerPinCommands();
+    /// For the palette: the parts of the shown plan, to go to.
+    std::vector<widgets::PaletteOffer> places() const;
 
     /// Takes the update of any robot, so that halts are noticed even of robots that are not selected.
     void take(RobotId id, const mission::SessionUpdate& update);

@@ -146,13 +146,13 @@ void PlanRunDesk::showReport() {
     auto* const dialog = new widgets::ReportDialog(tr("Run of %1").arg(plan), QString::fromStdString(text), window_);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &widgets::ReportDialog::saveRequested, this, [this, dialog, plan, statistics] {
-        const QString path =
-            widgets::askWhereToSave(dialog, tr("Save report"), plan + ".txt", tr("Text (*.txt);;JSON lines (*.jsonl)"));
-        if (path.isEmpty())
-            return;
-        if (const auto saved = mission::saveRunReport(statistics, path); !saved)
-            return notices_.complain("plan-report", saved.error());
-        notices_.note("plan-report", tr("Saved the report as %1.").arg(path));
+        const auto save = [this, statistics](const QString& path) {
+            if (const auto saved = mission::saveRunReport(statistics, path); !saved)
+                return notices_.complain("plan-report", saved.error());
+            notices_.note("plan-report", tr("Saved the report as %1.").arg(path));
+        };
+        widgets::askWhereToSave(dialog, tr("Save report"), plan + ".txt", tr("Text (*.txt);;JSON lines (*.jsonl)"),
+                                save);
     });
     dialog->show();
 }

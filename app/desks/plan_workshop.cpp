@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QStandardPaths>
 
@@ -33,7 +32,7 @@ void PlanWorkshop::restore(const QSettings& settings) {
     geometry_ = settings.value("plan_editor/geometry").toByteArray();
 }
 
-void PlanWorkshop::save(QSettings& settings) const {
+void PlanWorkshop::save(SettingsSheet& settings) const {
     settings.setValue("plan_editor/geometry", editor_ ? editor_->saveGeometry() : geometry_);
 }
 
@@ -55,7 +54,7 @@ widgets::PlanEditor& PlanWorkshop::opened() {
 void PlanWorkshop::connectEditor() {
     using widgets::PlanEditor;
     connect(editor_, &PlanEditor::openRequested, this, &PlanWorkshop::choosePlanFile);
-    connect(editor_, &PlanEditor::saveAsRequested, this, &PlanWorkshop::chooseWhereToSave);
+    connect(editor_, &PlanEditor::saveAsRequested, this, [this] { chooseWhereToSave({}); });
     connect(editor_, &PlanEditor::exportRequested, this, &PlanWorkshop::chooseWhereToExport);
     connect(editor_, &PlanEditor::pictureRequested, this, &PlanWorkshop::chooseWhereToSavePicture);
     connect(editor_, &PlanEditor::applyRequested, this, &PlanWorkshop::putIntoRobot);
@@ -74,14 +73,30 @@ void PlanWorkshop::show() {
 }
 
 void PlanWorkshop::load(const QString& path) {
-    if (editor_ && editor_->path() == path)
+    if (editor_ && editor_->path() == path) {
+        checkForChosen();
         return show();
+    }
     letGo([this, path] {
-        if (const auto read = opened().open(path); read)
-            show();
-        else
-            complain(read.error());
+        if (const auto read = opened().open(path); !read)
+            return complain(read.error());
+        checkForChosen();
+        show();
     });
+}
+
+std::string PlanWorkshop::chosenClass() const {
+    const auto* described = control_.plugins().robotOf(plannedBehavior());
+    return described ? described->class_name : std::string();
+}
+
+void PlanWorkshop::checkForChosen() {
+    const auto* described = control_.plugins().robotOf(plannedBehavior());
+    if (const std::string name = chosenClass(); checked_for_ != name) {
+        editor_->setPrimitives(described ? described->primitives : std::vector<agent::PrimitiveDescription>());
+        checked_for_ = name;
+    }
+    follow();
 }
 
 std::string PlanWorkshop::plannedBehavior() const {
@@ -90,6 +105,7 @@ std::string PlanWorkshop::plannedBehavior() const {
 
 void PlanWorkshop::openPlan(const QString& path) {
     const std::string behavior_id = plannedBehavior();
+    emit fileUsed(path);
     if (const auto plan = mission::readOwnPlan(path, behavior_id, control_.plugins())) {
         if (editor_ && editor_->isVisible())
             load(path);
@@ -109,10 +125,9 @@ void PlanWorkshop::use(const std::string& behavior_id, const QString& path) {
 }
 
 void PlanWorkshop::choosePlanFile() {
-    const QString path = QFileDialog::getOpenFileName(window_, tr("Open plan"), views_.behavior->plan().path(),
-                                                      tr("POSH plans (*.lap *.posh);;All files (*)"));
-    if (!path.isEmpty())
-        openPlan(path);
+    widgets::askForFile(window_, tr("Open plan"), views_.behavior->plan().path(),
+                        tr("POSH plans (*.lap *.posh);;All files (*)"),
+                        [this](const QString& path) { openPlan(path); });
 }
 
 void PlanWorkshop::editPlan() {
@@ -131,6 +146,7 @@ void PlanWorkshop::edit(const std::string& text, const QString& name) {
         return show();
     letGo([this, text, name] {
         opened().setText(text, name);
+        checkForChosen();
         show();
     });
 }
@@ -138,23 +154,31 @@ void PlanWorkshop::edit(const std::string& text, const QString& name) {
 void PlanWorkshop::newPlan() {
     letGo([this] {
         opened().setText(posh::planTemplates().front().text, tr("new.lap"));
+        checkForChosen();
         show();
     });
 }
 
-void PlanWorkshop::chooseWhereToSave() {
+void PlanWorkshop::chooseWhereToSave(const std::function<void()>& then) {
     const QString begin = editor_->path().isEmpty() ? editor_->name() : editor_->path();
-    const QString path = widgets::askWhereToSave(editor_, tr("Save plan"), begin, tr("POSH plans (*.lap)"));
-    if (path.isEmpty())
-        return;
-    if (const auto saved = editor_->save(path); !saved)
-        complain(saved.error());
+    widgets::askWhereToSave(editor_, tr("Save plan"), begin, tr("POSH plans (*.lap)"),
+                            [this, then](const QString& path) {
+                                if (const auto saved = editor_->save(path); !saved)
+                                    return complain(saved.error());
+                                if (then)
+                                    then();
+                            });
 }
 
 void PlanWorkshop::takeSaved(const QString& path) {
+    emit fileUsed(path);
     notices_.cure("plan");
     const std::string behavior_id = plannedBehavior();
-    if (mission::readOwnPlan(path, behavior_id, control_.plugins()))
+    if (checked_for_ != chosenClass())
+        notices_.say(Severity::Note, "plan-ready",
+                     tr("Saved %1. It is not for the robot that is selected now, and so not used by it.")
+                         .arg(QFileInfo(path).fileName()));
+    else if (mission::readOwnPlan(path, behavior_id, control_.plugins()))
         use(behavior_id, path);
     else
         notices_.say(Severity::Note, "plan-ready",
@@ -162,9 +186,11 @@ void PlanWorkshop::takeSaved(const QString& path) {
 }
 
 void PlanWorkshop::chooseWhereToExport(posh::Dialect dialect) {
-    const QString path = widgets::askWhereToSave(editor_, tr("Export plan"), editor_->name(), tr("POSH plans (*.lap)"));
-    if (path.isEmpty())
-        return;
+    widgets::askWhereToSave(editor_, tr("Export plan"), editor_->name(), tr("POSH plans (*.lap)"),
+                            [this, dialect](const QString& path) { exportPlan(path, dialect); });
+}
+
+void PlanWorkshop::exportPlan(const QString& path, posh::Dialect dialect) {
     const auto lacks = editor_->exportTo(path, dialect);
     if (!lacks)
         return complain(lacks.error());
@@ -174,12 +200,11 @@ void PlanWorkshop::chooseWhereToExport(posh::Dialect dialect) {
 }
 
 void PlanWorkshop::chooseWhereToSavePicture() {
-    const QString path = widgets::askWhereToSave(editor_, tr("Save plan as picture"), tr("plan.svg"),
-                                                 tr("Drawings (*.svg *.pdf *.png)"));
-    if (path.isEmpty())
-        return;
-    if (const auto saved = editor_->savePicture(path); !saved)
-        complain(saved.error());
+    widgets::askWhereToSave(editor_, tr("Save plan as picture"), tr("plan.svg"), tr("Drawings (*.svg *.pdf *.png)"),
+                            [this](const QString& path) {
+                                if (const auto saved = editor_->savePicture(path); !saved)
+                                    complain(saved.error());
+                            });
 }
 
 void PlanWorkshop::putIntoRobot(const std::string& text, const QString& name) {
@@ -190,19 +215,22 @@ void PlanWorkshop::putIntoRobot(const std::string& text, const QString& name) {
 void PlanWorkshop::follow() {
     if (!editor_)
         return;
-    const auto* described = control_.plugins().robotOf(plannedBehavior());
-    if (const std::string name = described ? described->class_name : std::string(); checked_for_ != name) {
-        editor_->setPrimitives(described ? described->primitives : std::vector<agent::PrimitiveDescription>());
-        checked_for_ = name;
-    }
+    if (checked_for_ && checked_for_->empty() && !chosenClass().empty())
+        return checkForChosen(); // The plan was opened for no robot, so it gets the first one.
     const Robot* robot = selection_.robot();
     const auto* behavior = robot ? control_.plugins().behavior(robot->view().behavior_id) : nullptr;
+    const auto* described = behavior ? control_.plugins().robotOf(behavior->id) : nullptr;
     const bool planned = behavior && !behavior->plan_name.empty();
-    editor_->setApplicable(robot && robot->running() && planned,
+    const bool fits = described && checked_for_ == described->class_name;
+    editor_->setApplicable(robot && robot->running() && planned && fits,
                            !robot || !robot->running()
                                ? tr("No robot runs; save the plan, and it is used at the next start")
-                               : tr("No plan controls this robot now"));
-    editor_->setRunningPlan(robot ? nameOf(*robot) : QString(), running_text_);
+                           : planned ? tr("This plan is for another kind of robot")
+                                     : tr("No plan controls this robot now"));
+    if (robot && fits)
+        editor_->setRunningPlan(nameOf(*robot), running_text_);
+    else
+        editor_->setRunningPlan({}, {});
 }
 
 void PlanWorkshop::setRunningPlan(const std::string& text) {
@@ -224,9 +252,12 @@ void PlanWorkshop::letGo(std::function<void()> go_on) {
     question_ = box;
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setDefaultButton(QMessageBox::Save);
+    box->setModal(false); // A message box is modal unless it is told otherwise.
     connect(box, &QMessageBox::finished, this, [this](int answer) {
         question_.clear(); // The next action may ask again.
         const auto next = std::exchange(after_it_, nullptr);
+        if (answer == QMessageBox::Save && editor_->path().isEmpty())
+            return chooseWhereToSave(next);
         if (answer == QMessageBox::Save)
             editor_->action("save")->trigger();
         if (answer == QMessageBox::Discard) {
@@ -237,7 +268,7 @@ void PlanWorkshop::letGo(std::function<void()> go_on) {
             next();
     });
     editor_->show();
-    box->open();
+    box->show();
 }
 
 } // namespace usar::app

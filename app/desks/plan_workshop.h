@@ -24,13 +24,13 @@ public:
     void registerCommands() override;
     void wire() override;
     void restore(const QSettings& settings) override;
-    void save(QSettings& settings) const override;
+    void save(SettingsSheet& settings) const override;
 
     /// Chooses this file for the robot, from its next start on. A plan that does not fit the robot is not used, but
     /// shown in the editor. Errors are notices.
     void openPlan(const QString& path);
-    /// Updates the editor when another robot is selected or its behavior starts or ends: the robot that the plan is
-    /// checked against, and the permission to put the plan into the running robot.
+    /// Updates the editor when another robot is selected or its behavior starts or ends: the permission to put the plan
+    /// into the running robot. The plan stays with the class of robot that it was opened for.
     void follow();
     /// Sets the current plan of the selected robot; empty: no plan decides.
     void setRunningPlan(const std::string& text);
@@ -45,6 +45,8 @@ public:
 signals:
     /// Another file was chosen for the robot that is being set up.
     void planChosen();
+    /// A plan was read from this file or saved to it.
+    void fileUsed(const QString& path);
 
 private:
     /// Returns the editor; makes it first if necessary.
@@ -58,8 +60,10 @@ private:
     void load(const QString& path);
     /// Shows a plan that has no file of its own.
     void edit(const std::string& text, const QString& name);
-    void chooseWhereToSave();
+    /// Calls `then`, if any, when the plan is saved.
+    void chooseWhereToSave(const std::function<void()>& then);
     void chooseWhereToExport(posh::Dialect dialect);
+    void exportPlan(const QString& path, posh::Dialect dialect);
     void chooseWhereToSavePicture();
     /// Replaces the plan of the selected robot while it runs.
     void putIntoRobot(const std::string& text, const QString& name);
@@ -68,6 +72,10 @@ private:
     /// Chooses behavior and file for the next start.
     void use(const std::string& behavior_id, const QString& path);
     std::string plannedBehavior() const;
+    /// Class of the robot that the chosen behavior is for; empty if there is none.
+    std::string chosenClass() const;
+    /// From now on the plan in the editor is checked against the robot that is chosen now.
+    void checkForChosen();
     void complain(const Error& error) { notices_.complain("plan", error); }
 
     QPointer<widgets::PlanEditor> editor_;

@@ -97,7 +97,7 @@ void PluginDesk::tell(const agent::PluginChange& change) {
     case agent::PluginNews::Moved:
         notices_.cure(record.file);
         return notices_.say(Severity::Note, "plugin/" + record.file,
-                            record.isolated ? tr("The plugin %1 has a process of its own now.").arg(name)
+                            record.isolated ? tr("The plugin %1 runs in a separate process now.").arg(name)
                                             : tr("The plugin %1 runs in the program now.").arg(name));
     case agent::PluginNews::Removed:
         return notices_.say(Severity::Warning, record.file,

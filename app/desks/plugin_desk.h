@@ -19,7 +19,7 @@ public:
         add("plugins.rescan", [this] { rescan(true); });
     }
     void wire() override;
-    void save(QSettings& settings) const override { settings.setValue("isolated_plugins", isolated_); }
+    void save(SettingsSheet& settings) const override { settings.setValue("isolated_plugins", isolated_); }
     /// Reports the refused plugins; to be called once notifications can be seen.
     void tellRefused();
 

@@ -73,11 +73,11 @@ void RadioDesk::take(const link::RadioStrengths& strengths) {
     std::vector<widgets::RadioLink> links;
     for (const link::RadioStrength& strength : strengths)
         links.push_back({strength.a, strength.b, strength.strength_dbm});
-    for (const auto& [key, reason] : losses_.take(links, robots_)) {
-        if (reason.isEmpty())
-            notices_.cure(key);
+    if (const auto news = losses_.take(links, robots_)) {
+        if (news->text.isEmpty())
+            notices_.cure("radio");
         else
-            notices_.say(Severity::Warning, key, reason);
+            notices_.say(Severity::Warning, "radio", news->text, news->first);
     }
     views_.radio->take(links);
     views_.map->setRadioLinks(links);

@@ -1,6 +1,6 @@
 #include "app/desks/replay_desk.h"
 
-#include <QFileDialog>
+#include "widgets/panels/dialogs.h"
 
 namespace usar::app {
 
@@ -11,10 +11,8 @@ void ReplayDesk::registerCommands() {
     const auto seekBy = [this](Seconds span) { return [this, span] { order({.seek_by = span}); }; };
     add("file.record", [this](bool on) { setRecording(on); });
     add("file.open_recording", [this] {
-        const QString path = QFileDialog::getOpenFileName(window_, tr("Open recording"), control_.resultFolder(),
-                                                          tr("Recordings (*.usarrec)"));
-        if (!path.isEmpty())
-            control_.openRecording(path);
+        widgets::askForFile(window_, tr("Open recording"), control_.resultFolder(), tr("Recordings (*.usarrec)"),
+                            [this](const QString& path) { emit recordingChosen(path); });
     });
     add("replay.play", shown, [this] { order({.play = !views_.replay->state().playing}); });
     add("replay.step", shown, [this] { order({.step = true}); });

@@ -14,7 +14,11 @@ public:
     void registerCommands() override;
     void wire() override;
     void restore(const QSettings& settings) override { setRecording(settings.value("record", true).toBool()); }
-    void save(QSettings& settings) const override { settings.setValue("record", control_.recording()); }
+    void save(SettingsSheet& settings) const override { settings.setValue("record", control_.recording()); }
+
+signals:
+    /// The user wants to replay this recording.
+    void recordingChosen(const QString& path);
 
 private:
     /// Updates the bar and the badge for the selected robot.

@@ -24,6 +24,7 @@ void RobotDesk::registerCommands() {
              {QKeySequence(QString::number(number))}},
             [this, number] { return control_.robot({number}) != nullptr; },
             [this, number] { selection_.select({number}); });
+    commands_.offer([this] { return offers(); });
     const auto lost = [this] {
         return robot() && !robot()->isReplay() && !robot()->view().figures.spawned &&
                robot()->view().link.state == link::LinkState::Connected;
@@ -101,6 +102,12 @@ void RobotDesk::wireSpawning() {
         card->openFor(pose, QString::fromStdString(start.name), control_.nextRobotName(), at);
     });
     connect(card, &widgets::SpawnCard::spawnRequested, this, &RobotDesk::spawn);
+    const auto count = [this, card] {
+        card->setRoom(static_cast<int>(control_.robots().size()), mission::Roster::most_robots);
+    };
+    connect(&control_, &MissionControl::robotAdded, card, count);
+    connect(&control_, &MissionControl::robotRemoved, card, count);
+    count();
 }
 
 void RobotDesk::wireMarks() {
@@ -118,6 +125,23 @@ void RobotDesk::wireMarks() {
             });
 }
 
+std::vector<widgets::PaletteOffer> RobotDesk::offers() {
+    std::vector<widgets::PaletteOffer> offers;
+    for (const Robot* const robot : control_.robots())
+        offers.push_back({tr("Select %1").arg(nameOf(*robot)),
+                          tr("Robots"),
+                          {"robot", "choose", "show", "switch"},
+                          [this, id = robot->view().id] { selection_.select(id); }});
+    int number = 0;
+    for (const protocol::StartPose& pose : control_.startPoses())
+        offers.push_back(
+            {tr("Spawn a robot at %1").arg(QString::fromStdString(pose.name)),
+             tr("Robots"),
+             {"add", "new", "create", "place", "start"},
+             [this, at = number++] { spawn(views_.spawn_card->lastChoice(at, control_.nextRobotName())); }});
+    return offers;
+}
+
 void RobotDesk::listClasses() {
     views_.spawn_card->setRobots(control_.robotsToSpawn());
 }
@@ -126,14 +150,14 @@ void RobotDesk::welcome(RobotId id) {
     presenter_.showRow(id);
     selection_.select(id);
     if (!control_.robot(id)->isReplay())
-        views_.hint->setDone(0, true);
+        views_.hint->setDone(widgets::FirstStep::Spawn);
 }
 
 void RobotDesk::dismiss(RobotId id, const QString& name, RobotId instead) {
-    views_.robots->removeRobot(id);
+    const RobotId next = id == selection_.id() ? instead : selection_.id();
+    views_.robots->removeRobot(id); // The list then selects a neighbor of that row by itself.
     presenter_.remove(name);
-    if (id == selection_.id())
-        selection_.select(instead);
+    selection_.select(next);
 }
 
 void RobotDesk::spawn(const widgets::SpawnChoice& choice) {

@@ -27,6 +27,8 @@ private:
     void wireRobots();
     void wireSpawning();
     void wireMarks();
+    /// For the palette: each robot can be selected, and one can be spawned at each start pose.
+    std::vector<widgets::PaletteOffer> offers();
     /// Shows and selects a new robot.
     void welcome(RobotId id);
     /// Removes a robot from the views; `instead` is selected if the robot was.

@@ -55,6 +55,7 @@ void RobotPresenter::show(RobotId id, const std::shared_ptr<const mission::Sessi
     const RobotView& view = control_.robot(id)->view();
     if (update.rewound)
         restart(view, selected);
+    extendTrail(view, update);
     showRow(id);
     showOnMap(view, update, selected);
     const std::vector<mission::TraceSpot> spots = traces_[view.connection].take(update);
@@ -62,19 +63,28 @@ void RobotPresenter::show(RobotId id, const std::shared_ptr<const mission::Sessi
         for (const mission::TraceSpot& spot : spots)
             views_.map->addTraceMark(spot.position_in_map_m.head<2>(), widgets::traceColor(spot.color));
     feedMessages(view.connection, update);
+    widgets::NewestLines& newest = newest_[view.connection];
+    for (const protocol::InfoLine& line : update.lines)
+        newest.take(line, update.figures.now);
     if (!selected)
         return;
     showTraffic(update.figures);
-    if (mission::newest<protocol::RangeScan>(update))
-        scan_heard_ = update.figures.now;
-    if (mission::newest<protocol::SonarReadings>(update))
-        sonar_heard_ = update.figures.now;
+    noteHeard(newest);
     showInstruments(view, update);
     for (const protocol::InfoLine& line : update.lines) {
         views_.sensors->take(line, update.figures.now);
         views_.plots->take(line, update.figures.now);
     }
     views_.sensors->setNow(update.figures.now);
+}
+
+void RobotPresenter::noteHeard(const widgets::NewestLines& newest) {
+    for (const widgets::CountedLine& heard : newest.lines()) {
+        if (std::holds_alternative<protocol::RangeScan>(heard.line.message))
+            scan_heard_ = std::max(scan_heard_.value_or(heard.now), heard.now);
+        else if (std::holds_alternative<protocol::SonarReadings>(heard.line.message))
+            sonar_heard_ = std::max(sonar_heard_.value_or(heard.now), heard.now);
+    }
 }
 
 bool RobotPresenter::tracing(RobotId id) const {
@@ -91,6 +101,7 @@ void RobotPresenter::restart(const RobotView& view, bool selected) {
     views_.map->removeRobot(QString::fromStdString(view.spawn.robot_name));
     if (!selected)
         return;
+    newest_.erase(view.connection);
     select(view.id);
     views_.map->clearMarks(); // The update contains those that exist now.
     views_.status->clear(QObject::tr("Replay"));
@@ -101,7 +112,8 @@ void RobotPresenter::showRow(RobotId id) {
     if (!robot)
         return;
     const RobotView& view = robot->view();
-    views_.map->setRobot(onMap(view));
+    if (view.base_in_map || view.recording.isEmpty()) // A replayed robot has no place before its first message.
+        views_.map->setRobot(onMap(view));
     widgets::RobotRow row;
     row.id = id;
     row.number = id.value;
@@ -110,17 +122,26 @@ void RobotPresenter::showRow(RobotId id) {
     row.state = mission::stateText(view);
     row.stale = mission::isStale(view);
     row.driver = controlWords(control_, robot);
-    if (view.status && view.status->battery_used_pct)
-        row.battery_pct = 100.0 - *view.status->battery_used_pct;
+    row.battery_pct = robot->batteryLeft_pct();
     views_.robots->updateRobot(row);
+}
+
+/// All poses of a fast simulation belong to the trail, in their order, and not only the newest one, which is painted.
+void RobotPresenter::extendTrail(const RobotView& view, const mission::SessionUpdate& update) {
+    const QString name = QString::fromStdString(view.spawn.robot_name);
+    const bool station = protocol::isStation(view.spawn.class_name);
+    for (const agent::Published& published : update.published)
+        if (const auto* estimate = std::get_if<agent::PoseEstimate>(&published))
+            views_.map->setRobot({name, view.id.value, estimate->base_in_map, false, station});
+    if (view.status) // Then the behavior estimates the place.
+        return;
+    for (const protocol::InfoLine& line : update.lines)
+        if (const auto* ins = std::get_if<protocol::InsReading>(&line.message))
+            views_.map->setRobot({name, view.id.value, ins->base_in_map, false, station});
 }
 
 void RobotPresenter::showOnMap(const RobotView& view, const mission::SessionUpdate& update, bool selected) {
     const QString name = QString::fromStdString(view.spawn.robot_name);
-    // All poses of a fast simulation belong to the trail, not only the newest one, which is painted.
-    for (const agent::Published& published : update.published)
-        if (const auto* estimate = std::get_if<agent::PoseEstimate>(&published))
-            views_.map->setRobot({name, view.id.value, estimate->base_in_map, false});
     if (mission::newestPublished<agent::CurrentGoal>(update))
         views_.map->setGoal(name, view.goal_m);
     if (!update.last_hits.empty())
@@ -136,15 +157,8 @@ void RobotPresenter::showOnMap(const RobotView& view, const mission::SessionUpda
 }
 
 void RobotPresenter::showInstruments(const RobotView& view, const mission::SessionUpdate& update) {
-    if (view.finished) {
-        views_.status->setIdle(QString::fromStdString(view.finished->reason),
-                               view.finished->success ? widgets::StateShape::Good : widgets::StateShape::Bad);
-    } else if (view.figures.behavior_running && view.status) {
-        views_.status->setStatus(*view.status);
-    } else {
-        views_.status->setIdle(QObject::tr("Idle"));
-    }
-    views_.status->setCoverage(control_.robot(view.id)->coverage_pct());
+    showStatus(view);
+    showEquipment(view);
     if (const auto* state = mission::newest<protocol::RobotState>(update))
         scan_plane_ = scanPlaneOf(state->kind);
     if (const auto* scan = mission::newest<protocol::RangeScan>(update))
@@ -163,9 +177,35 @@ void RobotPresenter::showInstruments(const RobotView& view, const mission::Sessi
     showLinkState(view.id);
 }
 
+void RobotPresenter::showEquipment(const RobotView& view) {
+    const mission::Equipment& has = view.equipment;
+    views_.status->setAbilities(has.mayFly(), has.mayRecharge());
+    views_.laser->setVisible(has.mayHaveScanner());
+    views_.terrain->setVisible(!view.tiles.empty() || (has.mayFly() && has.mayHaveScanner()));
+    views_.sonars->setVisible(has.mayHaveSonars() || view.zones);
+}
+
+/// Shows this robot's figures and no others: those of its last behavior after the end, dashes before the first.
+void RobotPresenter::showStatus(const RobotView& view) {
+    widgets::StatusStrip& strip = *views_.status;
+    const Robot& robot = *control_.robot(view.id);
+    strip.setRobot(nameOf(robot));
+    if (view.status)
+        strip.setStatus(*view.status);
+    else
+        strip.clear(QObject::tr("Idle"));
+    if (view.finished)
+        strip.setIdle(QString::fromStdString(view.finished->reason),
+                      view.finished->success ? widgets::StateShape::Good : widgets::StateShape::Bad);
+    else if (!view.figures.behavior_running)
+        strip.setIdle(QObject::tr("Idle"));
+    strip.setBattery(robot.batteryLeft_pct());
+    strip.setCoverage(robot.coverage_pct());
+}
+
 void RobotPresenter::showLinkState(RobotId id) {
     const Robot* robot = control_.robot(id);
-    const bool stale = robot && robot->view().link.state != link::LinkState::Connected;
+    const bool stale = robot && mission::isStale(robot->view());
     const Seconds now = robot ? robot->view().figures.now : Seconds(0.0);
     views_.status->setStale(stale && robot->view().status);
     views_.laser->setStale(stale || silent(scan_heard_, now));
@@ -216,8 +256,11 @@ void RobotPresenter::select(RobotId id) {
     const Robot* robot = control_.robot(id);
     views_.map->heights().clear(robot ? robot->view().cell_size_m : RobotView{}.cell_size_m);
     views_.map->selectRobot(robot ? QString::fromStdString(robot->view().spawn.robot_name) : QString());
-    if (!robot)
+    if (!robot) {
+        views_.status->setRobot({});
+        showEquipment({});
         return views_.status->clear(QObject::tr("No robot yet"));
+    }
     const RobotView& view = robot->view();
     views_.plots->setSource(QString::fromStdString(view.spawn.robot_name));
     std::vector<std::shared_ptr<const mapping::HeightTile>> tiles;
@@ -228,11 +271,19 @@ void RobotPresenter::select(RobotId id) {
         views_.map->addMark(mark);
     if (robot->running())
         views_.map->setLanes(view.planned_m);
-    if (view.ground)
-        views_.terrain->setProfile(*view.ground);
-    views_.status->setIdle(QObject::tr("Idle"));
-    if (view.figures.behavior_running && view.status)
-        views_.status->setStatus(*view.status);
+    // The newest readings are shown as if they came now: the next update may be long in coming, as in a pause.
+    mission::SessionUpdate last;
+    last.figures = view.figures;
+    last.ground = view.ground;
+    if (view.zones)
+        last.published.emplace_back(*view.zones);
+    for (const widgets::CountedLine& heard : newest_[view.connection].lines()) {
+        views_.sensors->take(heard.line, heard.now);
+        last.lines.push_back(heard.line);
+    }
+    views_.sensors->setNow(view.figures.now);
+    noteHeard(newest_[view.connection]);
+    showInstruments(view, last);
 }
 
 } // namespace usar::app

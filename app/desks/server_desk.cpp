@@ -1,7 +1,6 @@
 #include "app/desks/server_desk.h"
 
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 
 #include "core/server/embedded/program_files.h"
@@ -30,17 +29,16 @@ void ServerDesk::registerCommands() {
         "link.disconnect", [idle] { return !idle(); }, [this] { disconnectFromServer(); });
     const auto nothing_runs = [this] { return !control_.anyRunning(); };
     for (const QString& name : server::worldNames())
-        add({"world." + name,
-             titleOf(name),
-             tr("World"),
-             tr("Restarts the embedded simulator in this world; the robots in the old world are removed"),
-             "",
-             {}},
+        add({.id = "world." + name,
+             .text = titleOf(name),
+             .group = tr("World"),
+             .help = tr("Restarts the embedded simulator in this world; the robots in the old world are removed"),
+             .words = {name, "load", "map", "scene"},
+             .wish = tr("Open world %1").arg(titleOf(name))},
             nothing_runs, [this, name] { openWorld(name); });
     add("world.folder", nothing_runs, [this] {
-        const QString folder = QFileDialog::getExistingDirectory(window_, tr("World from a folder"), QDir::homePath());
-        if (!folder.isEmpty())
-            openWorld(folder);
+        widgets::askForFolder(window_, tr("World from a folder"), QDir::homePath(),
+                              [this](const QString& folder) { openWorld(folder); });
     });
     registerSimulatorCommands();
 }
@@ -49,22 +47,18 @@ void ServerDesk::registerSimulatorCommands() {
     const auto running = [this] { return control_.simulator().running(); };
     const QString snapshots = tr("Snapshots (*.usarsnap)");
     add("simulator.save_snapshot", running, [this, snapshots] {
-        const QString path = widgets::askWhereToSave(window_, tr("Save snapshot"), "run.usarsnap", snapshots);
-        if (!path.isEmpty())
-            control_.simulator().saveSnapshot(path);
+        widgets::askWhereToSave(window_, tr("Save snapshot"), "run.usarsnap", snapshots,
+                                [this](const QString& path) { control_.simulator().saveSnapshot(path); });
     });
     add("simulator.open_snapshot", [this, snapshots] {
-        const QString path = QFileDialog::getOpenFileName(window_, tr("Open snapshot"), {}, snapshots);
-        if (!path.isEmpty())
-            openSnapshot(path);
+        widgets::askForFile(window_, tr("Open snapshot"), {}, snapshots,
+                            [this](const QString& path) { openSnapshot(path); });
     });
     add(
         "simulator.cancel_opening", [this] { return loader_.busy(); }, [this] { abandonLoading(); });
     add("simulator.open_robot", running, [this] {
-        const QString path =
-            QFileDialog::getOpenFileName(window_, tr("Robot from a file"), QDir::homePath(), tr("Robots (*.sdf)"));
-        if (!path.isEmpty())
-            openRobotFile(path);
+        widgets::askForFile(window_, tr("Robot from a file"), QDir::homePath(), tr("Robots (*.sdf)"),
+                            [this](const QString& path) { openRobotFile(path); });
     });
 }
 
@@ -93,6 +87,7 @@ void ServerDesk::wire() {
     });
     server::SimulatorHost* const simulator = &control_.simulator();
     connect(simulator, &server::SimulatorHost::snapshotSaved, this, [this](const QString& path) {
+        emit snapshotUsed(path);
         notices_.cure("snapshot");
         notices_.say(Severity::Note, "snapshot-saved", tr("Snapshot saved: %1").arg(path));
     });
@@ -108,7 +103,7 @@ void ServerDesk::restore(const QSettings& settings) {
                                   quint16(settings.value("server/port", server_.port).toUInt()));
 }
 
-void ServerDesk::save(QSettings& settings) const {
+void ServerDesk::save(SettingsSheet& settings) const {
     settings.setValue("server/host", views_.connection->host());
     settings.setValue("server/port", views_.connection->port());
 }
@@ -186,6 +181,9 @@ void ServerDesk::openSnapshot(const QString& path) {
 }
 
 void ServerDesk::openWorld(const QString& name_or_folder) {
+    if (control_.anyRunning()) // Maybe it was started after the folder was asked for.
+        return notices_.say(Severity::Warning, "simulator",
+                            tr("A robot is on its mission. Stop it, then open another world."));
     server::SimulatorSpec spec = server_.simulator;
     spec.world = name_or_folder;
     load(spec, tr("Opening %1").arg(titleOf(QDir(name_or_folder).dirName())));
@@ -208,6 +206,8 @@ void ServerDesk::takeLoaded(const server::SimulatorSpec& spec) {
     server_.simulator = usual; // A snapshot is used once; the next start does not resume it.
     if (spec.snapshot.isEmpty())
         server_.simulator.world = spec.world;
+    else
+        emit snapshotUsed(spec.snapshot);
     commands_.refresh();
 }
 

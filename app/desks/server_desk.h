@@ -18,13 +18,13 @@ public:
     void registerCommands() override;
     void wire() override;
     void restore(const QSettings& settings) override;
-    void save(QSettings& settings) const override;
+    void save(SettingsSheet& settings) const override;
     /// Adds the commands that open a world of the embedded simulator.
     void fillWorldMenu(QMenu* menu) const;
 
     /// Connects to the server that the command line names.
     void begin();
-    /// Restarts the embedded simulator in this world. An error is a notice, here and below.
+    /// Restarts the embedded simulator in this world, unless a behavior runs. An error is a notice, here and below.
     void openWorld(const QString& name_or_folder);
     /// Restarts the embedded simulator from this snapshot.
     void openSnapshot(const QString& path);
@@ -40,6 +40,8 @@ signals:
     void leavingWorld(bool for_embedded);
     /// The world or snapshot that was being loaded will not be opened, or another one is loaded instead.
     void loadingEnded();
+    /// The embedded simulator continues from this snapshot, or has written it.
+    void snapshotUsed(const QString& path);
 
 private:
     void registerSimulatorCommands();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "core/server/embedded/simulator_files.h"
 #include "widgets/models/figures.h"
@@ -27,7 +28,8 @@ void TaskDesk::registerCommands() {
     add("mission.start_again", broke, [this] { startAgain(brokenRobot()); });
     add("mission.pause", runs,
         [this] { give(robot() && robot()->view().paused ? agent::Order::Resume : agent::Order::Pause); });
-    add("mission.land", runs, [this] { give(agent::Order::LandNow); });
+    const auto lands = [this] { return running() && robot()->view().equipment.mayFly(); };
+    add("mission.land", lands, [this] { give(agent::Order::LandNow); });
     add("mission.stop", runs, [this] {
         if (robot())
             robot()->stop();
@@ -46,6 +48,8 @@ void TaskDesk::wire() {
     connect(&selection_, &Selection::changed, this, &TaskDesk::show);
     connect(&control_, &MissionControl::worldKnown, this,
             [panel](const server::WorldPicture& world) { panel->setAreaLimits(world.extent_in_map); });
+    connect(&control_, &MissionControl::startPosesKnown, this,
+            [this](const protocol::StartPoses&, const QString& level) { bringBackArea(level); });
     wireArea();
     connectUpdates([this](const mission::SessionUpdate& update) {
         takeTask(update);
@@ -89,6 +93,34 @@ void TaskDesk::wireArea() {
     });
     connect(panel, &widgets::BehaviorPanel::areaToolToggled, map,
             [map](bool active) { map->setTool(active ? widgets::MapTool::Area : widgets::MapTool::Pan); });
+}
+
+void TaskDesk::restore(const QSettings& settings) {
+    last_world_ = settings.value("area/world").toString();
+    last_area_in_map_ = {{settings.value("area/min_x_m").toDouble(), settings.value("area/min_y_m").toDouble()},
+                         {settings.value("area/max_x_m").toDouble(), settings.value("area/max_y_m").toDouble()}};
+}
+
+void TaskDesk::save(SettingsSheet& settings) const {
+    if (control_.level().isEmpty() || (robot() && robot()->isReplay()))
+        return; // The area that was drawn last still counts.
+    const Rectangle area = drafts_.shown().area();
+    settings.setValue("area/world", control_.level());
+    settings.setValue("area/min_x_m", area.min_m.x());
+    settings.setValue("area/min_y_m", area.min_m.y());
+    settings.setValue("area/max_x_m", area.max_m.x());
+    settings.setValue("area/max_y_m", area.max_m.y());
+}
+
+void TaskDesk::bringBackArea(const QString& world) {
+    if (last_area_in_map_.empty() || world != last_world_)
+        return;
+    const Rectangle area = std::exchange(last_area_in_map_, {});
+    if (drafts_.shown().area_in_map || (robot() && robot()->isReplay()))
+        return;
+    views_.behavior->setArea(area);
+    views_.map->setArea(area);
+    setArea(area);
 }
 
 void TaskDesk::leaveWorld() {
@@ -176,7 +208,9 @@ void TaskDesk::askForPreview() {
     const mission::TaskDraft& draft = drafts_.shown();
     if (robot() && (robot()->running() || robot()->isReplay()))
         return;
-    views_.hint->setDone(1, !draft.area().empty());
+    views_.hint->setAreaNeeded(views_.behavior->needsArea());
+    if (!draft.area().empty())
+        views_.hint->setDone(widgets::FirstStep::Area);
     if (draft.area().empty() || !views_.behavior->needsArea() || draft.behavior_id.empty())
         return clearPreview({}); // the area form says what to do
     preview_due_.start();
@@ -217,7 +251,7 @@ void TaskDesk::start() {
     preview_due_.stop();
     begin(id);
     emit faultsWanted(server::textsOf(draft.faults));
-    views_.hint->setDone(2, true);
+    views_.hint->setDone(widgets::FirstStep::Start);
     views_.map->setAreaSummary({}); // the summary showed the preview's figures
     views_.map->fit();
     refreshRunState();
@@ -251,7 +285,7 @@ void TaskDesk::offerToStartAgain(RobotId id, const QString& key, const QString& 
     const QString name = QString::fromStdString(control_.robot(id)->view().spawn.robot_name);
     const bool was_isolated = control_.robot(id)->started()->isolated;
     QString help = was_isolated ? tr("The same behavior with the same parameters")
-                                : tr("The same behavior with the same parameters, in a process of its own, where it "
+                                : tr("The same behavior with the same parameters, in a separate process, where it "
                                      "can disturb nothing else");
     help += " (" + action("mission.start_again")->shortcut().toString(QKeySequence::NativeText) + ")";
     notices_.offer(Severity::Warning, key, text, {tr("Start %1 again").arg(name), help},
@@ -274,6 +308,7 @@ void TaskDesk::refreshRunState() {
         state = RunState::Replay;
     else if (robot() && robot()->view().figures.spawned)
         state = RunState::Ready;
+    action("mission.land")->setVisible(!robot() || robot()->view().equipment.mayFly());
     if (!views_.behavior->setRunState(state, robot() ? nameOf(*robot()) : QString()))
         return;
     commands_.refresh();

@@ -18,6 +18,9 @@ public:
 
     void registerCommands() override;
     void wire() override;
+    /// Keeps the area that is drawn in a world, for the next start in the same world.
+    void restore(const QSettings& settings) override;
+    void save(SettingsSheet& settings) const override;
 
     /// The draft of the robot that is selected.
     const mission::TaskDraft& draft() const { return drafts_.shown(); }
@@ -44,6 +47,8 @@ signals:
 
 private:
     void wireArea();
+    /// Draws the area of the last time if this is its world and nothing is drawn yet.
+    void bringBackArea(const QString& world);
     /// Shows the draft of this robot in the forms and on the map; 0: that without a robot.
     void show(RobotId robot);
     void showChosenBehavior();
@@ -72,8 +77,10 @@ private:
 
     PluginDesk& plugins_;
     mission::TaskDrafts drafts_;
-    std::string wanted_class_; ///< robot class that the mission needs; empty: any
-    QTimer preview_due_;       ///< fires when a preview takes long; the panel then says "asking…"
+    std::string wanted_class_;   ///< robot class that the mission needs; empty: any
+    Rectangle last_area_in_map_; ///< as it was drawn when the program ran last; empty: none
+    QString last_world_;         ///< name of the world that it was drawn in
+    QTimer preview_due_;         ///< fires when a preview takes long; the panel then says "asking…"
 };
 
 } // namespace usar::app

@@ -1,5 +1,6 @@
 #include "app/desks/time_desk.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -30,8 +31,16 @@ void TimeDesk::wire() {
     connect(&control_, &MissionControl::worldKnown, this, [this] {
         views_.time->setSpeed(1.0);
         views_.time->setPaused(false);
+        lookForRobots();
         emit pausedChanged(false);
     });
+    connect(&control_.simulator(), &server::SimulatorHost::robotsChanged, this,
+            [this](const std::vector<sim::RobotTruth>& robots) {
+                others_ = !robots.empty();
+                lookForRobots();
+            });
+    connect(&control_, &MissionControl::robotAdded, this, &TimeDesk::lookForRobots);
+    connect(&control_, &MissionControl::robotRemoved, this, &TimeDesk::lookForRobots);
     connectUpdates([this](const auto&) { showClock(); });
     connect(&control_, &MissionControl::behaviorFinished, this, &TimeDesk::returnToRealTime);
     connect(&plan_, &PlanDesk::timeWanted, this, [this](bool runs) { hold(!runs); });
@@ -43,6 +52,8 @@ void TimeDesk::wire() {
 
 void TimeDesk::begin(bool steerable) {
     server_now_.reset();
+    others_ = false;
+    views_.time->setLimited(false);
     views_.time->setSteerable(steerable);
 }
 
@@ -80,9 +91,17 @@ void TimeDesk::step() {
         control_.simulator().stepOnce();
 }
 
-/// Lets the simulator run at the chosen speed.
+void TimeDesk::lookForRobots() {
+    const bool none = control_.simulator().running() && !others_ && control_.liveNames().isEmpty();
+    if (none == views_.time->limited())
+        return;
+    views_.time->setLimited(none);
+    if (!views_.time->paused() && control_.simulator().running())
+        run();
+}
+
 void TimeDesk::run() {
-    const double speed = views_.time->speed();
+    const double speed = views_.time->limited() ? std::min(views_.time->speed(), 1.0) : views_.time->speed();
     control_.setPace(std::isinf(speed) ? server::Pace::Fast : server::Pace::Factor, speed);
 }
 

@@ -8,7 +8,8 @@
 
 namespace usar::app {
 
-/// Pauses, steps and paces simulated time for all robots. A halted plan pauses it, too. GUI thread.
+/// Pauses, steps and paces simulated time for all robots. A halted plan pauses it, too. Without a robot time runs at
+/// most at real time, so that the clock does not run away. GUI thread.
 class TimeDesk : public Desk {
     Q_OBJECT
 public:
@@ -33,8 +34,10 @@ private:
     void hold(bool hold);
     /// Makes one tick, or one cycle of the plans that are halted.
     void step();
-    /// Lets the simulator run at the chosen speed.
+    /// Lets the simulator run at the chosen speed, or at most at real time while there is no robot.
     void run();
+    /// Notes whether there is a robot, ours or another program's, and changes the pace if that has changed.
+    void lookForRobots();
     /// Returns to real time once no behavior runs, because a fast clock would only drain batteries.
     void returnToRealTime();
     /// Shows the selected robot's time, or else the simulator's, or else that of any robot.
@@ -42,6 +45,7 @@ private:
 
     PlanDesk& plan_;
     std::optional<Seconds> server_now_; ///< the embedded simulator's clock; nullopt: unknown
+    bool others_ = false;               ///< the embedded simulator has robots, of whatever program
     bool held_by_plan_ = false;         ///< time was paused by a plan, not by the user
 };
 

@@ -4,7 +4,9 @@
 
 #include <optional>
 
+#include <QDialog>
 #include <QMainWindow>
+#include <QPointer>
 
 #include "app/desks/desk.h"
 #include "widgets/style/theme.h"
@@ -25,18 +27,26 @@ public:
     /// Keeps the current layout, from which the layout commands start. To be called before `restore`.
     void keepFirstLayout() { first_layout_ = main_window_.saveState(layout_version); }
     void restore(const QSettings& settings) override;
-    void save(QSettings& settings) const override;
+    void save(SettingsSheet& settings) const override;
 
 private:
     void setTheme(widgets::Theme theme);
+    /// Makes the list of robots as tall as its robots need, as long as the docks below it keep enough.
+    void giveRobotsRoom();
     /// Restores the first layout, raises this bottom dock, and gives the bottom docks this fraction of the height.
     void arrange(QDockWidget* raised, double bottom_part);
 
     static constexpr int layout_version = 5; ///< increased with each change of the docks; older layouts are ignored
 
+    void registerHelpCommands();
+    /// For the palette: each number that the selected robot's sensors say can be plotted.
+    std::vector<widgets::PaletteOffer> plots() const;
+
     QMainWindow& main_window_;
     std::optional<widgets::Theme> theme_;
     QByteArray first_layout_;
+    QPointer<QDialog> sheet_; ///< lists keys and gestures; nullptr while it is closed
+    QPointer<QDialog> about_; ///< the same for versions and licenses
 };
 
 } // namespace usar::app

@@ -101,11 +101,13 @@ void WorldEditor::registerWayCommands() {
     const auto one = [this] { return selected() != nullptr; };
     const auto has_way = [this] { return selected() && !selected()->waypoints_in_map_m.empty(); };
     const auto can_go = [this, has_way] { return has_way() || (selected() && selected()->carries); };
-    add("world.waypoints", one, [this](bool on) {
-        views_.map->setTool(on ? MapTool::Waypoint : MapTool::Pan);
-        if (on)
-            views_.map->setFocus(); // So that it receives Escape.
-    });
+    add(
+        "world.waypoints", [this, one] { return one() && !driving_; },
+        [this](bool on) {
+            views_.map->setTool(on ? MapTool::Waypoint : MapTool::Pan);
+            if (on)
+                views_.map->setFocus(); // So that it receives Escape.
+        });
     add("world.clear_way", has_way, [this] {
         inventory_.clearWay(selected_.toStdString());
         link_.send(protocol::ClearWaypoints{tokenOf(selected_)});
@@ -115,7 +117,29 @@ void WorldEditor::registerWayCommands() {
     add("world.halt", can_go, [this] { follow(false); });
 }
 
+void WorldEditor::setDriving(bool drives) {
+    driving_ = drives;
+    if (drives && views_.map->tool() == MapTool::Waypoint)
+        views_.map->setTool(MapTool::Pan);
+    action("world.waypoints")
+        ->setToolTip(drives ? tr("Not while you drive, because W drives forward. Give control back first.")
+                            : widgets::tooltipText(widgets::commandSpec("world.waypoints")));
+    commands_.refresh();
+}
+
+/// Gives the panel's buttons words that are short enough to stand below their icons.
+void WorldEditor::nameButtons() {
+    const std::pair<const char*, QString> words[] = {
+        {"world.turn_left", tr("Left")}, {"world.turn_right", tr("Right")}, {"world.spin", tr("Spin")},
+        {"world.undo", tr("Undo")},      {"world.delete", tr("Delete")},    {"world.delete_all", tr("Delete all")},
+        {"world.waypoints", tr("Add")},  {"world.clear_way", tr("Clear")},  {"world.go", tr("Start")},
+        {"world.halt", tr("Stop")}};
+    for (const auto& [id, word] : words)
+        action(id)->setIconText(word);
+}
+
 void WorldEditor::wire() {
+    nameButtons();
     views_.world->setActions(
         {action("world.turn_left"), action("world.turn_right"), action("world.spin"), nullptr, action("world.undo"),
          action("world.delete"), action("world.delete_all")},
@@ -143,6 +167,7 @@ void WorldEditor::wire() {
     connect(views_.layers, &widgets::LayersPanel::layerChanged, this, &WorldEditor::refreshPolling);
     connect(&control_.simulator(), &server::SimulatorHost::figuresChanged, this,
             [this](const server::SimulatorFigures& figures) { real_time_factor_ = figures.real_time_factor; });
+    connect(&control_.simulator(), &server::SimulatorHost::objectRefused, &link_, &mission::WorldLink::refuse);
     wireMap();
     showState();
 }
@@ -334,7 +359,7 @@ void WorldEditor::removeNamed(const QStringList& names, const protocol::Command&
 void WorldEditor::addWaypoint(const Vec2& at_m) {
     const MapObject* const object = selected();
     if (!object)
-        return say(tr("Select an object first; then its way points are set by clicks on the map."));
+        return say(tr("Select an object first; then its waypoints are set by clicks on the map."));
     inventory_.addWaypoint(selected_.toStdString(), at_m);
     link_.send(protocol::AddWaypoints{tokenOf(selected_), {mission::waypointAt(object->body_in_map, at_m, ground())}});
     show();

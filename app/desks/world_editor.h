@@ -23,6 +23,8 @@ public:
     void wire() override;
     /// While the simulator is paused it answers nothing, and that is not reported.
     void setPaused(bool paused) { link_.setPaused(paused); }
+    /// While the user drives, W drives forward; so way points are not added then, and their command says why.
+    void setDriving(bool drives);
 
 private:
     /// Follows the connection that MissionControl keeps open.
@@ -32,6 +34,7 @@ private:
     void setWorld(const server::WorldPicture& world);
     /// Registers the commands for way points, and those that start and stop an object or a belt.
     void registerWayCommands();
+    void nameButtons();
     void wireMap();
     /// Opens the connection when the dock is visible for the first time, and updates polling and state.
     void refresh();
@@ -74,6 +77,7 @@ private:
     quint16 port_ = 0;    ///< 0: no server
     bool opened_ = false; ///< the connection to `host_` has been requested
     bool dock_seen_ = false;
+    bool driving_ = false; ///< the user drives a robot
     /// Simulated seconds per wall second, of the embedded simulator.
     double real_time_factor_ = 1.0;
     /// Name of the selected object; empty: none.

@@ -54,6 +54,7 @@ void MissionControl::enter(quint16 port, const server::WorldPicture& world,
     waiting_ = waiting;
     world_ = world;
     setWorldExtent(world.extent_in_map);
+    setTruthMaker(truthMakerOf(world.world));
     emit worldKnown(world);
     emit classesChanged();
     openLink("127.0.0.1", port, true);

@@ -1,9 +1,14 @@
 // Converts what only the embedded simulator knows to the values that missions are scored by.
 #pragma once
 
+#include <functional>
+#include <memory>
+
 #include "core/mission/runs/mission_score.h"
 #include "core/mission/runs/run_summary.h"
 #include "core/server/embedded/headless_simulator.h"
+#include "core/sim/rays/ray_caster.h"
+#include "core/sim/world/world.h"
 
 namespace usar::app {
 
@@ -11,6 +16,15 @@ namespace usar::app {
 inline mission::Truth truthOf(const server::HeadlessSimulator& simulator) {
     return {.surface_m = [&simulator](const Vec2& point_m) { return simulator.surface_m(point_m); },
             .ground_m = [&simulator](const Vec2& point_m) { return simulator.ground_m(point_m); }};
+}
+
+/// Makes the true heights of a world; made in the caller's thread, which may take a moment.
+inline std::function<mission::Truth()> truthMakerOf(const std::shared_ptr<const sim::World>& world) {
+    return [world] {
+        const auto caster = std::make_shared<const sim::RayCaster>(*world);
+        return mission::Truth{.surface_m = [world, caster](const Vec2& point_m) { return caster->surface_m(point_m); },
+                              .ground_m = [world](const Vec2& point_m) { return world->terrain.height_m(point_m); }};
+    };
 }
 
 /// Copies all figures; the height over ground is absent for a robot that has not dived.

@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
     }
     usar::server::QuitSignals signals_;
     usar::app::MainWindow window(*options);
-    QObject::connect(&signals_, &usar::server::QuitSignals::quit, &window, &QWidget::close);
+    QObject::connect(&signals_, &usar::server::QuitSignals::quit, &window, &usar::app::MainWindow::quit);
     window.show();
     window.begin();
     return QApplication::exec();

@@ -1,14 +1,16 @@
 #include "app/window/main_window.h"
 
-#include <memory>
+#include <algorithm>
+#include <chrono>
 
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QScreen>
+#include <QTimer>
 
+#include "core/base/hand_over.h"
 #include "core/server/embedded/program_files.h"
 #include "widgets/commands/key_filters.h"
 #include "widgets/models/figures.h"
@@ -39,14 +41,16 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
     restoreSettings();
     selection_.select({});
     plugins_.tellRefused();
+    keepSaving();
 }
 
 MainWindow::~MainWindow() = default;
 
 void MainWindow::begin() {
+    recovery_.offer();
     if (!options_.recording.isEmpty()) {
         views_.time->setSteerable(false); // Until a simulator is connected.
-        return control_.openRecording(options_.recording);
+        return files_.openRecording(options_.recording);
     }
     server_.begin();
     if (!options_.mission_file.isEmpty())
@@ -70,8 +74,9 @@ void MainWindow::makeMenus() {
         fill(menu, ids);
         return menu;
     };
-    add(tr("&File"), "file.open file.save - file.record file.open_recording - "
-                     "file.export file.folder file.show_folder - file.quit");
+    QMenu* const file = add(tr("&File"), "file.open file.save - file.record file.open_recording -");
+    files_.fillRecentMenu(file->addMenu(tr("Open r&ecent")));
+    fill(file, "- file.export file.folder file.show_folder - file.quit");
     add(tr("&Mission"), "mission.area - mission.start mission.start_again mission.pause mission.land mission.stop - "
                         "mission.stop_all");
     add(tr("&Robots"), "robot.select_1 robot.select_2 robot.select_3 robot.select_4 robot.select_5 robot.select_6 "
@@ -105,7 +110,7 @@ void MainWindow::makeMenus() {
     for (const auto& command : commands_.commands())
         if (command->spec.id.startsWith("view.dock."))
             view->addAction(command->action);
-    add(tr("&Help"), "help.shortcuts");
+    add(tr("&Help"), "help.shortcuts help.what - help.about");
 }
 
 void MainWindow::wire() {
@@ -113,8 +118,18 @@ void MainWindow::wire() {
     connect(&control_, &MissionControl::exportFailed, this,
             [this](RobotId, const QString& reason) { askWhereToSave(reason); });
     connect(views_.stop_all, &QPushButton::clicked, &control_, &MissionControl::stopAll);
-    connect(new widgets::KeyTwice(widgets::commandSpec("mission.stop_all").twice, this),
-            &widgets::KeyTwice::pressedTwice, &control_, &MissionControl::stopAll);
+    auto* const twice = new widgets::KeyTwice(widgets::commandSpec("mission.stop_all").twice, this);
+    connect(twice, &widgets::KeyTwice::pressedTwice, &control_, &MissionControl::stopAll);
+    connect(views_.map, &widgets::MapView::escapeUsed, twice, &widgets::KeyTwice::forget);
+    connect(&commands_, &widgets::CommandRegistry::questionRaised, this,
+            [this](const widgets::CommandSpec& spec, const std::function<void()>& run) {
+                if (views_.question->openQuestion() == spec.id)
+                    return views_.question->give(0); // The key again is a clear answer.
+                const Robot* const robot = selection_.robot();
+                const QString question = spec.question.arg(robot ? nameOf(*robot) : tr("the robot"));
+                views_.question->ask(spec.id, question, {{spec.answer, run}, {tr("Cancel"), {}}});
+            });
+    commands_.setPlacesOfPlainKeys({views_.map, views_.robots});
     connect(views_.sensors, &widgets::SensorPanel::plotRequested, views_.plots, &widgets::PlotView::addSeries);
     connect(views_.plots, &widgets::PlotView::failed, this,
             [this](const QString& reason) { notices_.say(Severity::Error, "plot", reason); });
@@ -124,10 +139,14 @@ void MainWindow::wireDesks() {
     // The desks receive each event in this order: a task is set before it is shown, and the title comes last.
     for (Desk* desk : std::initializer_list<Desk*>{&plugins_, &server_, &task_, &mission_, &robots_, &plan_, &workshop_,
                                                    &time_, &drive_, &camera_, &world_, &files_, &replay_, &messages_,
-                                                   &faults_, &radio_, &view_})
+                                                   &faults_, &radio_, &results_, &recovery_, &view_})
         desk->wire();
     connect(&selection_, &Selection::changed, this, &MainWindow::showTitle);
-    connect(&control_, &MissionControl::behaviorFinished, this, &MainWindow::showTitle);
+    connect(&control_, &MissionControl::behaviorFinished, this, [this] {
+        showTitle();
+        if (leaving_ && std::ranges::none_of(control_.robots(), &Robot::running))
+            close();
+    });
     connect(&control_, &MissionControl::robotUpdated, this, [this](RobotId id) {
         if (id == selection_.id())
             showTitle();
@@ -149,13 +168,17 @@ void MainWindow::connectDesks() {
     connect(&plugins_, &PluginDesk::changed, &mission_, &MissionDesk::takePlugins);
     connect(&task_, &TaskDesk::begun, &plan_, &PlanDesk::begin);
     connect(&task_, &TaskDesk::begun, &robots_, &RobotDesk::showRow);
+    connect(&task_, &TaskDesk::begun, &results_, &ResultDesk::forget);
     connect(&task_, &TaskDesk::faultsWanted, &faults_, &FaultDesk::begin);
     connect(&task_, &TaskDesk::situationChanged, &workshop_, &PlanWorkshop::follow);
     connect(&workshop_, &PlanWorkshop::planChosen, &task_, &TaskDesk::takePlan);
     connect(&plan_, &PlanDesk::planShown, &workshop_, &PlanWorkshop::setRunningPlan);
     connect(&time_, &TimeDesk::pausedChanged, &world_, &WorldEditor::setPaused);
     connect(&time_, &TimeDesk::pausedChanged, views_.sensors, &widgets::SensorPanel::setPaused);
+    connect(&replay_, &ReplayDesk::recordingChosen, &files_, &FileDesk::openRecording);
+    connect(&recovery_, &RecoveryDesk::recordingChosen, &files_, &FileDesk::openRecording);
     connect(&drive_, &DriveDesk::realTimeWanted, &time_, &TimeDesk::slowDown);
+    connect(&drive_, &DriveDesk::drivingChanged, &world_, &WorldEditor::setDriving);
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
@@ -186,21 +209,36 @@ void MainWindow::dropEvent(QDropEvent* event) {
 
 void MainWindow::restoreSettings() {
     const QSettings settings;
-    for (Desk* desk : std::initializer_list<Desk*>{&view_, &messages_, &workshop_, &server_, &replay_, &plan_})
+    for (Desk* desk :
+         std::initializer_list<Desk*>{&view_, &messages_, &workshop_, &server_, &replay_, &plan_, &task_, &files_})
         desk->restore(settings);
-    if (options_.result_folder.isEmpty())
-        files_.restore(settings);
 }
 
 void MainWindow::saveSettings() {
-    auto written = std::make_shared<QSettings>();
-    for (const Desk* desk :
-         std::initializer_list<const Desk*>{&view_, &plugins_, &messages_, &workshop_, &server_, &replay_, &plan_})
-        desk->save(*written);
-    if (options_.result_folder.isEmpty())
-        files_.save(*written);
-    written->moveToThread(nullptr); // It is written by the thread that deletes it.
-    disk_.start([written = std::move(written)]() mutable { written.reset(); });
+    SettingsSheet sheet;
+    for (const Desk* desk : std::initializer_list<const Desk*>{&view_, &plugins_, &messages_, &workshop_, &server_,
+                                                               &replay_, &plan_, &task_, &files_})
+        desk->save(sheet);
+    const QVariantMap changed = sheet.changedSince(saved_);
+    saved_ = sheet;
+    if (changed.isEmpty())
+        return;
+    disk_.start(HandedOver([changed, file = settings_file_] {
+        QSettings settings(file, QSettings::NativeFormat);
+        for (auto entry = changed.begin(); entry != changed.end(); ++entry)
+            settings.setValue(entry.key(), entry.value());
+    }));
+}
+
+void MainWindow::keepSaving() {
+    disk_.setMaxThreadCount(1); // Newer settings are written later.
+    auto* const second = new QTimer(this);
+    connect(second, &QTimer::timeout, this, [this] {
+        recovery_.mark();
+        if (isVisible())
+            saveSettings();
+    });
+    second->start(std::chrono::seconds(1));
 }
 
 void MainWindow::showTitle() {
@@ -216,21 +254,33 @@ void MainWindow::showTitle() {
 }
 
 void MainWindow::askWhereToSave(const QString& reason) {
-    if (!control_.closing() || asking_)
-        return; // The notification reports it, and the scan is still in memory.
-    asking_ = true;
-    QMessageBox box(QMessageBox::Warning, tr("The scan is not saved"), reason, QMessageBox::NoButton, this);
-    auto* other = box.addButton(tr("Choose another folder…"), QMessageBox::AcceptRole);
-    auto* discard = box.addButton(tr("Close without saving"), QMessageBox::DestructiveRole);
-    box.addButton(tr("Keep the window open"), QMessageBox::RejectRole);
-    box.exec();
-    asking_ = false;
-    if (box.clickedButton() == other && files_.chooseResultFolder())
-        control_.prepareToClose();
-    else if (box.clickedButton() == discard)
-        closeAtOnce();
-    else
-        control_.stayOpen();
+    if (!control_.closing())
+        return;          // The notification reports it, and the scan is still in memory.
+    control_.stayOpen(); // Until there is an answer; robots that start meanwhile are asked about again.
+    may_stop_ = false;
+    leaving_ = false;
+    views_.question->ask("unsaved", reason,
+                         {{tr("Choose another folder…"), [this] { files_.chooseResultFolder([this] { close(); }); }},
+                          {tr("Close without saving"), [this] { closeAtOnce(); }},
+                          {tr("Keep the window open"), {}}});
+}
+
+void MainWindow::quit() {
+    may_stop_ = true;
+    close();
+}
+
+void MainWindow::askBeforeStopping(int busy) {
+    const auto land = [this] {
+        leaving_ = true;
+        for (Robot* const robot : control_.robots())
+            if (robot->running())
+                robot->order(agent::Order::LandNow);
+    };
+    views_.question->ask("quit", busy == 1 ? tr("A robot is at work.") : tr("%1 robots are at work.").arg(busy),
+                         {{tr("Land, then quit"), land},
+                          {tr("Stop and quit"), [this] { quit(); }},
+                          {tr("Stay"), [this] { leaving_ = false; }}});
 }
 
 void MainWindow::closeAtOnce() {
@@ -246,11 +296,14 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     saveSettings();
     drive_.leave();
     server_.cancelLoading(); // Its result is not needed any more.
-    if (may_close_ || !control_.anythingToSave())
+    const auto busy = std::ranges::count_if(control_.robots(), &Robot::running);
+    if (may_close_ || (busy == 0 && !control_.anythingToSave()))
         return event->accept();
     event->ignore();
     if (control_.closing())
         return;
+    if (busy > 0 && !may_stop_)
+        return askBeforeStopping(static_cast<int>(busy));
     notices_.say(Severity::Note, "closing", tr("Saving what was scanned, then closing…"));
     control_.prepareToClose();
 }

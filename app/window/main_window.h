@@ -22,6 +22,8 @@
 #include "app/desks/view_desk.h"
 #include "app/desks/world_editor.h"
 #include "app/window/options.h"
+#include "app/window/recovery_desk.h"
+#include "app/window/result_desk.h"
 
 namespace usar::app {
 
@@ -38,6 +40,8 @@ public:
     /// Connects to the server or opens the files that the command line names. Not part of the constructor, so that the
     /// window can be shown first.
     void begin();
+    /// Stops busy robots without a question, saves their scans, and closes.
+    void quit();
 
     // For tests.
     /// Parts of the window; the references are valid as long as it is.
@@ -53,8 +57,8 @@ public:
     RobotId selectedRobot() const { return selection_.id(); }
 
 protected:
-    /// Closes at once if nothing is left to save. Otherwise robots are stopped and scans saved first, and the window
-    /// closes when that is done; an unsaved plan is asked about.
+    /// Closes at once if no robot is busy and nothing is left to save. Otherwise it asks about the robots in a strip,
+    /// saves scans, and closes when that is done; an unsaved plan is asked about.
     void closeEvent(QCloseEvent* event) override;
     /// Leaves out words in a narrow window, so that the time's controls stay visible: a bar that is too long hides its
     /// end.
@@ -74,12 +78,17 @@ private:
     /// Connects signals of one desk with slots of another.
     void connectDesks();
     void restoreSettings();
-    /// Collects the settings and writes them in a pool thread, because a busy disk may take seconds.
+    /// Writes the settings that have changed since the last time, so that a crash loses a second of them at most. It
+    /// happens in a pool thread, because a busy disk may take seconds.
     void saveSettings();
+    /// Saves settings and marks recordings once a second from now on.
+    void keepSaving();
     /// Shows the progress of the selected robot's behavior in the window's title.
     void showTitle();
     /// Asks what to do with a scan that could not be saved, if the window is about to close.
     void askWhereToSave(const QString& reason);
+    /// Asks whether this number of busy robots is to land or to be stopped before the window closes.
+    void askBeforeStopping(int busy);
     /// Closes without saving anything more.
     void closeAtOnce();
 
@@ -101,15 +110,20 @@ private:
     DriveDesk drive_{desk_};
     CameraDesk camera_{desk_};
     WorldEditor world_{desk_};
-    FileDesk files_{desk_, server_, mission_, workshop_};
+    FileDesk files_{desk_, server_, mission_, workshop_, options_.result_folder.isEmpty()};
     ReplayDesk replay_{desk_};
     MessageDesk messages_{desk_};
     FaultDesk faults_{desk_};
     RadioDesk radio_{desk_};
+    ResultDesk results_{desk_};
     ViewDesk view_;
-    bool asking_ = false;    ///< the dialog of `askWhereToSave` is open
+    RecoveryDesk recovery_{desk_, disk_};
+    QString settings_file_ = QSettings().fileName();
+    SettingsSheet saved_;    ///< the settings as they were written last
+    bool may_stop_ = false;  ///< the user has said that busy robots may be stopped
+    bool leaving_ = false;   ///< the window closes when the last busy robot has landed
     bool may_close_ = false; ///< nothing is left to save, or the user gave it up
-    QThreadPool disk_;       ///< writes the settings; its destructor waits for that
+    QThreadPool disk_;       ///< writes what a crash must not take; its destructor waits for that
 };
 
 } // namespace usar::app

@@ -77,7 +77,7 @@ RunningBehavior::Output WatchedBehavior::giveUp(const std::string& what) {
     return finish("stopped because it hangs",
                   "The behavior " + behavior_id_ + " hangs: it has not come back from " + what + " for " +
                       fixed(patience_.count(), 1) +
-                      " s. Fix it, or let it run in a process of its own, which can be ended; then start it again.");
+                      " s. Fix it, or let it run in a separate process, which can be ended; then start it again.");
 }
 
 RunningBehavior::Output WatchedBehavior::begin() {

@@ -46,6 +46,14 @@ void HeightRange::include(std::optional<HeightRange>& range, float height_m) {
     range->maximum_m = std::max(range->maximum_m, height_m);
 }
 
+std::optional<HeightRange> HeightRange::of(std::span<const float> heights_m) {
+    std::optional<HeightRange> range;
+    for (const float height_m : heights_m)
+        if (!std::isnan(height_m))
+            include(range, height_m);
+    return range;
+}
+
 void CellBounds::include(std::optional<CellBounds>& bounds, GridIndex cell) {
     if (!bounds)
         bounds = {cell, cell};
@@ -103,7 +111,20 @@ void HeightMap::record(GridIndex cell, float height_m, LineNumber line, bool mea
     slot.tile.line[offset] = line.value;
     if (!std::exchange(slot.changed, true))
         changed_.push_back(slot.tile.index);
-    HeightRange::include(range_, height_m);
+    slot.range_old = true;
+}
+
+std::optional<HeightRange> HeightMap::range() const {
+    std::optional<HeightRange> all;
+    for (const auto& [index, slot] : tiles_) {
+        if (std::exchange(slot->range_old, false))
+            slot->range = HeightRange::of(slot->tile.height_m);
+        if (slot->range) {
+            HeightRange::include(all, slot->range->minimum_m);
+            HeightRange::include(all, slot->range->maximum_m);
+        }
+    }
+    return all;
 }
 
 std::optional<float> HeightMap::height_m(GridIndex cell) const {

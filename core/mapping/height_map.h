@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/base/cause.h"
@@ -45,6 +46,8 @@ struct HeightRange {
 
     /// Extends `range`, which may be nullopt, so that it includes the height.
     static void include(std::optional<HeightRange>& range, float height_m);
+    /// The range of these heights without NaN; nullopt if there are no others.
+    static std::optional<HeightRange> of(std::span<const float> heights_m);
 };
 
 /// A rectangle of cells that includes `last`.
@@ -86,9 +89,9 @@ public:
 
     /// Number of known cells, measured or filled.
     std::size_t knownCellCount() const { return known_cells_; }
-    /// Minimum and maximum of all values recorded so far, for shading. The range never shrinks, even if values are
-    /// averaged or replaced; nullopt for an empty map.
-    std::optional<HeightRange> range() const { return range_; }
+    /// Lowest and highest value in the array now, as in the rasters; nullopt for an empty map. Looks again at the tiles
+    /// written since the last call.
+    std::optional<HeightRange> range() const;
     std::optional<CellBounds> bounds() const; ///< cells of all tiles; nullopt for an empty map
     std::size_t tileCount() const { return tiles_.size(); }
     std::size_t memoryBytes() const;
@@ -100,10 +103,11 @@ public:
     std::vector<std::shared_ptr<const HeightTile>> takeChangedTiles();
 
 private:
-    /// A tile, and whether it is listed in `changed_`.
     struct Slot {
         HeightTile tile;
-        bool changed = false;
+        bool changed = false;             ///< it is listed in `changed_`
+        std::optional<HeightRange> range; ///< range of the tile when it was last looked at
+        bool range_old = false;           ///< the tile was written since
     };
     /// Finds or makes the slot. Tries the slot of the last write first, because neighboring cells are written in
     /// sequence.
@@ -115,7 +119,6 @@ private:
     std::vector<GridIndex> changed_;
     Slot* last_slot_ = nullptr;
     std::size_t known_cells_ = 0;
-    std::optional<HeightRange> range_;
 };
 
 /// Tiles by their index, as whoever collects them keeps them.

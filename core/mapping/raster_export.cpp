@@ -96,11 +96,7 @@ Raster rasterOfTiles(const HeightMap& map, const std::vector<const HeightTile*>&
 } // namespace
 
 std::optional<HeightRange> Raster::range() const {
-    std::optional<HeightRange> range;
-    for (const float height_m : heights_m)
-        if (!std::isnan(height_m))
-            HeightRange::include(range, height_m);
-    return range;
+    return HeightRange::of(heights_m);
 }
 
 std::size_t Raster::knownCellCount() const {

@@ -198,6 +198,8 @@ void SimulatorServer::flush() {
 void SimulatorServer::publishLog() {
     for (const std::string& sentence : simulation_->takeLog())
         emit logged(QString::fromStdString(sentence));
+    for (const sim::RefusedObject& object : simulation_->takeRefused())
+        emit objectRefused(QString::fromStdString(object.name), QString::fromStdString(object.reason));
 }
 
 SimulatorFigures SimulatorServer::figures() const {

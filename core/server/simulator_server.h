@@ -76,6 +76,8 @@ signals:
     void figuresChanged(const usar::server::SimulatorFigures& figures); ///< a few times a second
     /// A sentence for the user about clients and robots.
     void logged(const QString& sentence);
+    /// A client's object was not created, which is not logged. `reason` is part of a sentence; `name` may be empty.
+    void objectRefused(const QString& name, const QString& reason);
     /// Emitted with all faults whenever one is added, begins or ends.
     void faultsChanged(const std::vector<usar::sim::FaultStatus>& faults);
     void faultTurned(const QString& sentence); ///< such as "60.0 s: fault begins: wind speed=5"

@@ -21,6 +21,16 @@ void Simulation::State::log(ClientId client, const std::string& sentence) {
         sentences.push_back("client " + std::to_string(client.value) + ": " + sentence);
 }
 
+std::optional<std::string> Simulation::State::control(ClientId client, const protocol::Command& command) {
+    auto trouble = controller.obey(command, client.value);
+    const auto* const creation = std::get_if<protocol::CreateObject>(&command);
+    if (!trouble || !creation)
+        return trouble;
+    if (refused.size() < most_log_sentences)
+        refused.push_back({creation->object_name.text(), *std::move(trouble)});
+    return std::nullopt;
+}
+
 std::unique_ptr<Robot> Simulation::State::spawn(ClientId client, const protocol::Init& init) {
     const RobotOptions robot{.base_in_map = startOf(client, init),
                              .seed = options.seed,
@@ -84,7 +94,7 @@ void Simulation::State::obeyAll() {
         const ClientId client = id;
         session.obeyWaiting({[&](const protocol::Init& init) { return spawn(client, init); },
                              [&](const protocol::Init& init) { return startOf(client, init); },
-                             [&](const protocol::Command& command) { return controller.obey(command, client.value); },
+                             [&](const protocol::Command& command) { return control(client, command); },
                              [&](const protocol::GetObjectStates& asked) { return controller.states(asked); },
                              [&](const protocol::Command& command) { return attachCamera(command); },
                              [&](const Viewports& wanted) { viewports = wanted; },
@@ -337,6 +347,10 @@ void Simulation::learn(RobotModel model) {
 
 std::size_t Simulation::clientCount() const {
     return state_->sessions.size();
+}
+
+std::vector<RefusedObject> Simulation::takeRefused() {
+    return std::exchange(state_->refused, {});
 }
 
 std::vector<std::string> Simulation::takeLog() {

@@ -35,6 +35,12 @@ struct RobotTruth : RobotFigures {
     std::string name{};
 };
 
+/// A creation of an object that was refused. `reason` is part of a sentence and says what helps; `name` may be empty.
+struct RefusedObject {
+    std::string name;
+    std::string reason;
+};
+
 struct TraceMark;
 
 /// One world, its robots and their connections. Single-threaded and deterministic: the same seed and the same bytes at
@@ -107,7 +113,8 @@ public:
     /// The marks after the first `made` ones, as far as they are still kept.
     std::vector<TraceMark> traceMarksSince(std::uint64_t made) const;
     std::size_t clientCount() const;
-    std::vector<std::string> takeLog(); ///< sentences for the server's log since the last call, at most 1000
+    std::vector<RefusedObject> takeRefused(); ///< since the last call, at most 1000; they are not in the log
+    std::vector<std::string> takeLog();       ///< sentences for the server's log since the last call, at most 1000
 
 private:
     struct State;

@@ -141,6 +141,7 @@ Result<std::unique_ptr<Simulation>> Simulation::resume(World world, std::shared_
                        "Use the world, the robot files and the program that it was saved with");
     simulation.apply({.kind = JournalEntry::Kind::Resume, .tick = snapshot.ticks});
     simulation.takeLog();
+    simulation.takeRefused();
     simulation.takeFaultNews();
     simulation.takeCut();
     return made;

@@ -37,6 +37,9 @@ struct Simulation::State {
 
     /// Adds a sentence for takeLog(); dropped if there are too many.
     void log(ClientId client, const std::string& sentence);
+    /// Obeys a CONTROL. Returns what to log if that is impossible; a refused creation is kept for takeRefused()
+    /// instead.
+    std::optional<std::string> control(ClientId client, const protocol::Command& command);
     /// Returns nullptr if the robot cannot be spawned; the log says why.
     std::unique_ptr<Robot> spawn(ClientId client, const protocol::Init& init);
     /// The start that INIT asks for. An unknown name is logged and gives the command's fallback or the map's origin.
@@ -85,6 +88,7 @@ struct Simulation::State {
     std::vector<JournalEntry> journal;
     std::size_t journal_bytes = 0;
     std::vector<std::string> sentences; ///< for takeLog()
+    std::vector<RefusedObject> refused; ///< for takeRefused()
 
     Seconds now() const { return static_cast<double>(ticks) * options.tick; }
 };

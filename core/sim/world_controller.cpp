@@ -51,7 +51,7 @@ WorldController::Answer WorldController::create(const protocol::CreateObject& wa
     if (!makeRoom(added)) {
         removeObject(added, physics_);
         scene_.objects.pop_back();
-        return "there is no room for '" + object.name + "' there";
+        return "something, such as a tree, is in the way there; choose another place";
     }
     added.memory = wanted.memory;
     if (!wanted.permanent.value_or(false))

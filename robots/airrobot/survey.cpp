@@ -117,7 +117,7 @@ void Survey::interrupt() {
 }
 
 double Survey::doneLength_m() const {
-    return done() ? plan_.lane_length_m : finished_lanes_m_ + std::max(entry_along_m_, reached_m_);
+    return done() ? plan_.lane_length_m : finished_lanes_m_ + alongLane_m();
 }
 
 std::vector<Vec2> Survey::corners_m() const {

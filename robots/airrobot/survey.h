@@ -1,6 +1,7 @@
 // Progress over the lanes of a survey: the current goal, what is done, and where to resume.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "core/agent/behavior.h"
@@ -51,6 +52,9 @@ public:
     /// Records that the robot leaves the lane (for the battery). The lane will be entered again at this point.
     void interrupt();
 
+    /// The distance from the start of the present lane up to which it is flown or given up. The survey must not be
+    /// done.
+    double alongLane_m() const { return std::max(entry_along_m_, reached_m_); }
     /// The length of the lanes that is finished, including parts that were given up.
     double doneLength_m() const;
     double totalLength_m() const { return plan_.lane_length_m; }

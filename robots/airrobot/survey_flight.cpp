@@ -77,6 +77,9 @@ void SurveyFlight::perceive(const agent::Tick& tick, agent::CommandPort& port) {
         endPause("the robot's own battery runs out", port);
     if (phase_ == Phase::ToLane || phase_ == Phase::Lane)
         survey_.note(craft_.senses.position2_m());
+    time_.note(phase_ == Phase::Lane && !paused_ && !silent_, tick.now, survey_.doneLength_m(), craft_.settings);
+    if (planned() && !finished())
+        time_.update(tick.now, survey_, missionState(), craft_.settings);
 }
 
 void SurveyFlight::noteSilence(agent::CommandPort& port) {
@@ -278,7 +281,7 @@ void SurveyFlight::order(agent::Order order, agent::CommandPort& port) {
     paused_ = order == agent::Order::Pause;
     if (order != agent::Order::LandNow)
         return;
-    end_reason_ = "The robot landed because a person asked it to.";
+    end_reason_ = "Landed on request.";
     if (!inTheAir())
         return finish(false, end_reason_, port);
     errand_ = Errand::GivenUp;
@@ -310,26 +313,33 @@ std::string SurveyFlight::words() const {
         return "landing";
     case Phase::Ground:
         return ins_reset_.state() == ResetState::Done && errand_ != Errand::Start ? "charging"
-                                                                                  : "at rest, setting the INS";
+                                                                                  : "calibrating the INS on the ground";
     case Phase::Finished:
         return "finished";
     }
     return {};
 }
 
-std::optional<Seconds> SurveyFlight::timeLeft() const {
-    if (survey_.laneCount() == 0)
-        return std::nullopt;
+MissionState SurveyFlight::missionState() const {
     const Settings& settings = craft_.settings;
-    const double done_m = survey_.doneLength_m();
-    const Seconds elapsed = craft_.senses.now - *started_;
-    const Seconds planned = mapping::estimatedTime(survey_.plan(), settings.scan_speed_m_s, settings.transit_speed_m_s);
-    const double part = done_m / survey_.totalLength_m();
-    const Seconds by_plan = planned * (1.0 - part);
-    if (part < 0.05)
-        return by_plan;
-    const Seconds by_pace = elapsed * ((1.0 - part) / part);
-    return by_plan * (1.0 - part) + by_pace * part + Seconds(beelineHome_m() / settings.transit_speed_m_s) * part;
+    const Vec3 place_m = craft_.senses.position_m();
+    const double height_m = std::max(0.0, place_m.z() - base_in_map_.position_m.z());
+    const auto climb = [&](double by_m) { return Seconds(std::max(0.0, by_m) / settings.climb_speed_m_s); };
+    MissionState state{place_m.head<2>(), base_in_map_.position_m.head<2>(),
+                       craft_.battery.used_pct(settings) / 100.0 * settings.battery_range_m};
+    state.lanes_left = errand_ != Errand::Done && errand_ != Errand::GivenUp;
+    state.returning = phase_ == Phase::Home;
+    if (phase_ == Phase::TakeOff)
+        state.waiting = climb(settings.scan_altitude_m - height_m);
+    if (phase_ == Phase::Landing)
+        state.waiting = Seconds(height_m / settings.landing_speed_m_s);
+    if ((phase_ == Phase::Landing || phase_ == Phase::Ground) && state.lanes_left) {
+        const Seconds charging(errand_ == Errand::Start ? 0.0 : settings.recharge_time_s);
+        const Seconds rested = phase_ == Phase::Ground ? craft_.senses.now - landed_ : Seconds{0.0};
+        state.waiting += std::max(Seconds{0.0}, charging - rested) + climb(settings.scan_altitude_m);
+        state.since_charge_m = 0.0;
+    }
+    return state;
 }
 
 agent::BehaviorStatus SurveyFlight::status() const {
@@ -341,7 +351,7 @@ agent::BehaviorStatus SurveyFlight::status() const {
     status.battery_used_pct = craft_.battery.used_pct(craft_.settings);
     status.range_left_m = craft_.battery.rangeLeft_m(beelineHome_m(), craft_.settings);
     status.progress_pct = planned() ? 100.0 * survey_.doneLength_m() / survey_.totalLength_m() : 0.0;
-    status.time_left = timeLeft();
+    status.time_left = finished() ? Seconds{0.0} : time_.left(status.time);
     status.distance_flown_m = craft_.battery.flown_m();
     status.charges = craft_.battery.charges();
     status.paused = paused_;

@@ -6,6 +6,7 @@
 #include "robots/airrobot/flight/craft.h"
 #include "robots/airrobot/flight/ins_reset.h"
 #include "robots/airrobot/flight/launch_checklist.h"
+#include "robots/airrobot/flight/time_estimate.h"
 #include "robots/airrobot/survey.h"
 
 namespace usar::airrobot {
@@ -33,12 +34,10 @@ public:
     bool inTheAir() const;
     /// Whether a sensor that the flight needs has been silent for longer than the timeout.
     bool sensorsSilent() const { return silent_; }
-    /// Whether the lanes are known.
-    bool planned() const { return survey_.laneCount() > 0; }
+    bool planned() const { return survey_.laneCount() > 0; } ///< the lanes are known
     /// The number of the lane that is being scanned or approached, counting from 1.
     std::size_t lane() const { return survey_.laneIndex() + 1; }
-    /// Whether the launch is complete.
-    bool launched() const { return launched_; }
+    bool launched() const { return launched_; } ///< the launch is complete
     /// Whether the scan altitude has been reached since the last landing.
     bool atWork() const { return at_work_; }
     /// True from the choice of a landing place until the robot takes off again.
@@ -122,13 +121,14 @@ private:
     void endPause(const std::string& why, agent::CommandPort& port);
     double beelineHome_m() const { return (craft_.senses.position_m() - base_in_map_.position_m).norm(); }
     std::string words() const;
-    std::optional<Seconds> timeLeft() const;
+    MissionState missionState() const;
 
     agent::Task task_;
     Craft craft_;
     LaunchChecklist checklist_;
     InsReset ins_reset_;
     Survey survey_;
+    TimeEstimate time_;
     Phase phase_ = Phase::Launch;
     Errand errand_ = Errand::Start;
     std::string end_reason_;

@@ -9,7 +9,7 @@ using S = Settings;
 constexpr agent::ParameterRow<Settings> rows[]{
     {&S::cruise_speed_m_s, "cruise_speed_m_s", "Cruise speed", "Driving", "m/s", 0.05, 1.6,
      "Speed where the way is free. The robot is slower near obstacles and downhill."},
-    {&S::side_lead_pct, "side_lead_pct", "Lead of a new direction", "Driving", "%", 0, 100,
+    {&S::side_lead_pct, "side_lead_pct", "Steering hysteresis", "Driving", "%", 0, 100,
      "The robot heads for another third of the view only if it is more open than the present one by this share."},
     {&S::keep_straight_s, "keep_straight_s", "Straight after a turn", "Driving", "s", 0, 60,
      "Time for which the robot drives straight ahead after a turn, however open the sides are."},

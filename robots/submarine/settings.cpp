@@ -10,7 +10,7 @@ constexpr agent::ParameterRow<Settings> rows[]{
     {&S::height_m, "height_m", "Height", "Level", "m", 1, 15, "Height that the robot keeps above the sea bottom."},
     {&S::level_band_m, "level_band_m", "Level within", "Level", "m", 0.1, 3,
      "Within this distance of that height, the robot counts as level and turns with its rudder."},
-    {&S::knows_slant, "knows_slant", "Knows its slant", "Level", "", 0, 0,
+    {&S::knows_slant, "knows_slant", "Estimate pitch", "Level", "", 0, 0,
      "The robot estimates from its fins how much its hull and its ray are tilted. Without this it takes the ray for "
      "vertical, as in the thesis, dives as steeply as it can and hits the bottom below a cliff."},
     {&S::steepest_dive_rad, "steepest_dive_rad", "Steepest dive", "Level", "rad", radians(3), radians(40),

@@ -227,7 +227,7 @@ private slots:
         loader.setPolicy({.host_program = "/nowhere/usar-behavior-host", .isolated = {"Test robot"}});
         loader.scan({plugins + "good.so"});
         QCOMPARE(loader.records().front().state, PluginState::Rejected);
-        QVERIFY(loader.records().front().reason.contains("cannot run in a process of its own"));
+        QVERIFY(loader.records().front().reason.contains("cannot run in a separate process"));
     }
 
     void onlyTheNewestPreviewIsTold() {

@@ -88,8 +88,12 @@ void handOutAFrame(benchmark::State& state) {
     for (auto unused : state) {
         for (int i = 0; i < 3; ++i, next = (next + 1) % scans.size())
             integrator.integrate({scans[next].ranges_m, pi / 180, pi, 20.0}, scans[next].scanner_in_map, {1}, map);
+        const HeightRange range = map.range().value_or(HeightRange{});
         for (const auto& tile : map.takeChangedTiles()) {
-            shadeTile(*tile, *map.range(), ColorMap::Terrain, pixels);
+            const HeightGrid grid{tile->height_m, HeightTile::side, HeightTile::side, map.cellSize_m()};
+            for (std::size_t i = 0; i < pixels.size(); ++i)
+                pixels[i] = shadeCell(grid, std::int64_t(i) % HeightTile::side, std::int64_t(i) / HeightTile::side,
+                                      range, ColorMap::Color);
             benchmark::DoNotOptimize(pixels.data());
             ++tiles;
         }

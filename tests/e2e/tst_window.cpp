@@ -87,7 +87,7 @@ void tst_Window::closingInTheMiddleKeepsTheScan() {
     page.chooseSpeed("max");
     page.press("Start");
     QTRY_VERIFY_WITH_TIMEOUT(page.knownTiles() >= 1, flight_ms);
-    page.window().close();
+    page.window().quit();
     QTRY_VERIFY_WITH_TIMEOUT(!page.window().isVisible(), soon_ms);
     QCOMPARE(filesIn(page.resultFolder(), ".bil").size(), 1);
 }

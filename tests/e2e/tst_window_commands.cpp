@@ -4,11 +4,13 @@
 
 #include <QComboBox>
 #include <QDir>
+#include <QElapsedTimer>
 #include <QFile>
 #include <QMenuBar>
 #include <QRegularExpression>
 #include <QScreen>
 #include <QSettings>
+#include <QSignalSpy>
 #include <QTest>
 
 #include "tests/doubles/test_files.h"
@@ -43,8 +45,10 @@ private slots:
     void theServerIsLeftAndJoinedByCommand();
     void timeIsPausedSteppedAndRunByCommand();
     void speedIsChangedByCommand();
+    void withoutARobotTheClockDoesNotRunAway();
     void builtInLayoutsPutTheirDockFirst();
     void aDockIsHiddenAndShownByCommand();
+    void thePaletteOffersRobotsPosesWorldsAndMissions();
     void aFirstStartFitsASmallScreen();
     void onASmallScreenTimeCanBeSteered();
     void theWindowIsFoundAsItWasLeft();
@@ -119,6 +123,25 @@ void tst_WindowCommands::speedIsChangedByCommand() {
     QCOMPARE(time->speed(), 1.0);
 }
 
+void tst_WindowCommands::withoutARobotTheClockDoesNotRunAway() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QSignalSpy figures(&page.window().control().simulator(), &server::SimulatorHost::figuresChanged);
+    run(page, "time.max");
+    const auto now = [&] { return figures.last().front().value<server::SimulatorFigures>().now; };
+    QTRY_VERIFY_WITH_TIMEOUT(!figures.isEmpty(), soon_ms);
+    const Seconds before = now();
+    QElapsedTimer since;
+    since.start();
+    QTRY_VERIFY_WITH_TIMEOUT(now() > before + Seconds(1.0), soon_ms);
+    QVERIFY2(now() - before < Seconds(2.0 + 1e-3 * double(since.elapsed())), "at most real time, and one report late");
+    QVERIFY(page.window().views().time->limited());
+    QVERIFY(page.spawnAt("PlayerStart"));
+    QVERIFY(!page.window().views().time->limited());
+    QVERIFY(std::isinf(page.window().views().time->speed()));
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->figures.now > before + Seconds(60.0), soon_ms);
+}
+
 void tst_WindowCommands::builtInLayoutsPutTheirDockFirst() {
     WindowPage page;
     const auto* messages = page.window().findChild<QDockWidget*>("messages");
@@ -140,6 +163,28 @@ void tst_WindowCommands::aDockIsHiddenAndShownByCommand() {
     QTRY_VERIFY(layers->isVisible());
     run(page, "view.dock.layers");
     QTRY_VERIFY(layers->isHidden());
+}
+
+void tst_WindowCommands::thePaletteOffersRobotsPosesWorldsAndMissions() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(page.spawnAt("PlayerStart"));
+    widgets::CommandListModel model(page.window().commands());
+    const auto first = [&](const QString& typed) {
+        model.setFilter({});
+        model.setFilter(typed);
+        return model.index(0);
+    };
+    QCOMPARE(first("select R1").data().toString(), QString("Select R1"));
+    QCOMPARE(first("spawn PlayerStart").data().toString(), QString("Spawn a robot at PlayerStart"));
+    QCOMPARE(first("world tall").data().toString(), QString("Open world Tall test"));
+    QCOMPARE(first("mission quick").data().toString(), QString("Open mission quick scan"));
+    QCOMPARE(first("camera show").data().toString(), QString("Show Camera"));
+    QTRY_VERIFY_WITH_TIMEOUT(first("plot INS").isValid(), soon_ms);
+    model.run(first("spawn FarCorner"));
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(2), soon_ms);
+    model.run(first("select R1"));
+    QCOMPARE(page.window().selectedRobot().value, 1);
 }
 
 /// 1024 x 700 with a desktop's frame around it.
@@ -189,7 +234,7 @@ void tst_WindowCommands::theWindowIsFoundAsItWasLeft() {
         run(page, "view.dock.robots");
         run(page, "view.dark");
         page.window().views().connection->setAddress("robots.example", 3001);
-        page.window().close();
+        page.window().quit();
         QTRY_VERIFY_WITH_TIMEOUT(!page.window().isVisible(), soon_ms);
     }
     WindowPage page(setup);

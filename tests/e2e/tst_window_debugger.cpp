@@ -301,7 +301,7 @@ void tst_WindowDebugger::breakpointsOutliveTheWindow() {
         page.pressKey(Qt::Key_F6);
         page.window().control().stopAll();
         QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->finished, soon_ms);
-        page.window().close();
+        page.window().quit();
     }
     WindowPage page(setup);
     Debugger debugger(page);

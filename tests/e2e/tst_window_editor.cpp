@@ -1,8 +1,11 @@
 // A plan is written, checked, saved and put into a flying robot, in the real window against the real simulator.
 #include <algorithm>
 
+#include <QApplication>
 #include <QComboBox>
 #include <QFile>
+#include <QFileDialog>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTest>
@@ -56,6 +59,7 @@ void replace(widgets::PlanEditor& editor, const QString& old_words, const QStrin
 void answer(widgets::PlanEditor& editor, const QString& text) {
     auto* const box = editor.findChild<QMessageBox*>();
     QVERIFY(box);
+    QVERIFY(!QApplication::activeModalWidget());
     for (QAbstractButton* button : box->buttons())
         if (button->text().remove('&') == text)
             return QTest::mouseClick(button, Qt::LeftButton);
@@ -73,6 +77,8 @@ private slots:
     void aChangedPlanIsPutIntoTheFlyingRobot();
     void aPlanThatDoesNotFitIsShownToBeMended();
     void aChangedPlanIsAskedForAtClosing();
+    void aPlanWithoutAFileIsSavedAndThenTheWindowCloses();
+    void thePlanStaysWithTheRobotItWasOpenedFor();
 };
 
 void tst_WindowEditor::theRobotsOwnPlanIsReadAndSavedElsewhere() {
@@ -149,6 +155,43 @@ void tst_WindowEditor::aChangedPlanIsAskedForAtClosing() {
     answer(*editor, "Discard");
     QTRY_VERIFY_WITH_TIMEOUT(!page.window().isVisible(), soon_ms);
     QCOMPARE(textOf(path), QByteArray(lookout));
+}
+
+void tst_WindowEditor::aPlanWithoutAFileIsSavedAndThenTheWindowCloses() {
+    const QTemporaryDir folder;
+    PlannedPage page(folder, "");
+    QVERIFY(QTest::qWaitFor([&] { return page.hasStartPoses(); }, soon_ms));
+    widgets::PlanEditor* const editor = page.editor();
+    replace(*editor, "Scans an area in lanes", "Maps an area in lanes");
+    page.window().close();
+    answer(*editor, "Save");
+    QTRY_VERIFY(editor->findChild<QFileDialog*>());
+    auto* const dialog = editor->findChild<QFileDialog*>();
+    QVERIFY(page.window().isVisible());
+    dialog->findChild<QLineEdit*>("fileNameEdit")->setText(folder.filePath("mine"));
+    for (QAbstractButton* button : dialog->findChildren<QAbstractButton*>())
+        if (button->text().remove('&') == "Save")
+            QTest::mouseClick(button, Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(!page.window().isVisible(), soon_ms);
+    QVERIFY(textOf(folder.filePath("mine.lap")).contains("Maps an area in lanes"));
+}
+
+void tst_WindowEditor::thePlanStaysWithTheRobotItWasOpenedFor() {
+    const QTemporaryDir folder;
+    PlannedPage page(folder, "");
+    QVERIFY(QTest::qWaitFor([&] { return page.hasStartPoses(); }, soon_ms));
+    QVERIFY(page.spawnAt("PlayerStart"));
+    widgets::PlanEditor* const editor = page.editor();
+    QVERIFY(!posh::hasErrors(editor->findings()));
+    mission::SpawnRequest other;
+    other.class_name = "USARBot.P2DX";
+    other.robot_name = "R2";
+    other.start_in_map.position_m = page.map().content().start_poses.back().pose_in_map.position_m;
+    const auto spawned = [&] { return page.window().control().spawn(other).has_value(); };
+    QVERIFY(QTest::qWaitFor(spawned, soon_ms));
+    QTRY_VERIFY(QString::fromStdString(page.window().views().behavior->behaviorId()).startsWith("p2dx/"));
+    QCOMPARE(editor->name(), QString("airrobot.lap"));
+    QVERIFY2(!posh::hasErrors(editor->findings()), "these would be errors of an AirRobot's plan in a P2DX");
 }
 
 USAR_TEST(tst_WindowEditor)

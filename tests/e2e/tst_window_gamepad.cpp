@@ -86,7 +86,7 @@ void tst_WindowGamepad::itsButtonsStopAndGiveBack() {
     // Though the stick is still pushed.
     QVERIFY(page.holdsWhileClockGoesOn([&] { return page.standsStill(); }, Seconds(0.4)));
     pad.press(SDL_CONTROLLER_BUTTON_START, true);
-    QTRY_COMPARE(page.control(), QString("R1: nobody drives"));
+    QTRY_COMPARE(page.control(), QString("R1: idle"));
 }
 
 void tst_WindowGamepad::keysAndPadDoNotFight() {

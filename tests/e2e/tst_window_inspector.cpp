@@ -178,7 +178,7 @@ void tst_WindowInspector::historyOutlivesTheWindow() {
         o.inspector.type("GETGEO {Type Robot}");
         o.inspector.press(Qt::Key_Escape);
         o.inspector.press(Qt::Key_Return);
-        o.page.window().close();
+        o.page.window().quit();
         QTRY_VERIFY_WITH_TIMEOUT(!o.page.window().isVisible(), soon_ms);
     }
     WindowPage page(setup);

@@ -327,7 +327,7 @@ void tst_WindowPlugins::isolationIsChosenForAPluginAndRemembered() {
         isolationBox(page)->click();
         page.window().views().behavior->chooseBehavior("airrobot/posh"); // of the same plugin
         QVERIFY(isolationBox(page)->isChecked());
-        page.window().close();
+        page.window().quit();
     }
     WindowPage page({.plugin_folders = folders, .settings_folder = settings.path()});
     page.window().views().behavior->chooseBehavior("airrobot/cpp");
@@ -384,7 +384,7 @@ void tst_WindowPlugins::aPluginThatHangsWhenAskedHoldsNobodyUp() {
     if (clock.elapsed() < 4000) // or it has been given up already
         QVERIFY(!page.window().commands().action("mission.start")->isEnabled());
     QTRY_VERIFY_WITH_TIMEOUT(!page.notified("did not answer for 5 s").isEmpty(), soon_ms);
-    QVERIFY(page.notified("slow_to_tell.so was refused").contains("while being loaded in a process of its own"));
+    QVERIFY(page.notified("slow_to_tell.so was refused").contains("while being loaded in a separate process"));
     const auto* const told = page.window().views().notifications->model();
     const auto about = told->match(told->index(0, 0), Qt::DisplayRole, "slow_to_tell.so", -1, Qt::MatchContains);
     QCOMPARE(about.size(), 1); // in one message

@@ -1,4 +1,6 @@
 // A real flight, recorded by the window, and watched again in it.
+#include <cmath>
+
 #include <QDir>
 #include <QMimeData>
 #include <QTest>
@@ -12,6 +14,14 @@ namespace tst_window_replay {
 using namespace usar;
 
 namespace {
+
+double lengthOf(const std::vector<Vec2>& points_m) {
+    double length_m = 0.0;
+    for (std::size_t i = 1; i < points_m.size(); ++i)
+        if (const double step_m = (points_m[i] - points_m[i - 1]).norm(); std::isfinite(step_m))
+            length_m += step_m;
+    return length_m;
+}
 
 QStringList recordingsIn(const QString& folder) {
     return QDir(folder).entryList({"*.usarrec"}, QDir::Files);
@@ -77,6 +87,7 @@ void tst_WindowReplay::theReplayShowsWhatTheFlightShowed() {
     QVERIFY(opens(page));
     const RobotId id = page.window().selectedRobot();
     QVERIFY(page.window().views().replay->isVisible());
+    QVERIFY(page.window().views().hint->isHidden());
     QVERIFY(!page.robot(id)->figures.replay->playing);
     page.pressKey(Qt::Key_Space);
     for (int i = 0; i < 7; ++i)
@@ -88,6 +99,9 @@ void tst_WindowReplay::theReplayShowsWhatTheFlightShowed() {
     QVERIFY(page.window().views().messages->model().rowCount() > 100);
     QVERIFY(!page.robot(id)->unsaved);
     page.screenshot("replay_done");
+    // A trail that jumps between the newest pose and the older ones of each update would be several times as long.
+    const auto& shown = page.map().content().robots.at(QString::fromStdString(page.robot(id)->spawn.robot_name));
+    QVERIFY(lengthOf(shown.trail.points_m()) < 1.2 * lengthOf(page.robot(id)->trail_m));
 
     const double span_s = page.robot(id)->figures.replay->span.count();
     QSlider* slider = page.window().views().replay->slider();

@@ -1,10 +1,11 @@
 // Bad input in the real window: each gets one clear message with the mend, the window lives, and no scan is lost.
+#include <QApplication>
 #include <QDir>
-#include <QMessageBox>
+#include <QFileDialog>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QTcpServer>
 #include <QTest>
-#include <QTimer>
 
 #include "core/server/embedded/headless_simulator.h"
 #include "tests/doubles/fake_server.h"
@@ -272,24 +273,25 @@ void tst_WindowTrouble::anUnwritableFolderAtClosingAsksForAnother() {
     page.press("Start");
     QTRY_VERIFY_WITH_TIMEOUT(page.knownTiles() >= 1, flight_ms);
     page.window().close();
-    const auto question = [] { return qobject_cast<QMessageBox*>(QApplication::activeModalWidget()); };
-    QString asked;
-    QTimer answer;
-    connect(&answer, &QTimer::timeout, this, [&] {
-        if (QMessageBox* box = question()) {
-            asked = box->text();
-            answer.stop();
-            for (QAbstractButton* button : box->buttons())
-                if (button->text().remove('&') == "Keep the window open")
-                    QTest::mouseClick(button, Qt::LeftButton);
-        }
-    });
-    answer.start(20);
-    QTRY_VERIFY_WITH_TIMEOUT(asked.contains("taken"), soon_ms);
+    widgets::QuestionStrip* const question = page.window().views().question;
+    if (question->openQuestion() == "quit")
+        page.press("Stop and quit");
+    QTRY_COMPARE_WITH_TIMEOUT(question->openQuestion(), QString("unsaved"), soon_ms);
+    QVERIFY(!QApplication::activeModalWidget());
+    QVERIFY2(question->accessibleName().contains("taken"), qPrintable(question->accessibleName()));
+    question->give(2); // Keep the window open.
     QVERIFY(page.window().isVisible());
     QVERIFY(page.robot(1)->unsaved);
-    page.window().control().setResultFolder(elsewhere.filePath("free"));
+    QVERIFY(QDir(elsewhere.path()).mkdir("free"));
     page.window().close();
+    QTRY_COMPARE_WITH_TIMEOUT(question->openQuestion(), QString("unsaved"), soon_ms);
+    page.press("Choose another folder…");
+    auto* const dialog = page.window().findChild<QFileDialog*>();
+    QVERIFY(dialog && dialog->isVisible());
+    dialog->findChild<QLineEdit*>("fileNameEdit")->setText(elsewhere.filePath("free"));
+    for (QAbstractButton* button : dialog->findChildren<QAbstractButton*>())
+        if (button->text().remove('&') == "Choose")
+            QTest::mouseClick(button, Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(!page.window().isVisible(), soon_ms);
     QCOMPARE(filesIn(elsewhere.filePath("free"), ".bil").size(), 1);
 }

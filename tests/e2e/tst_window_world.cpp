@@ -172,7 +172,7 @@ private slots:
         page.put("Box", {-4, 2});
         QTRY_COMPARE_WITH_TIMEOUT(page.map().content().objects.selected, QString("Box1"), soon_ms);
         QVERIFY(!page.window().commands().action("world.go")->isEnabled());
-        QTest::mouseClick(page.button("Add way points"), Qt::LeftButton);
+        QTest::mouseClick(page.button("Add waypoints"), Qt::LeftButton);
         page.clickMap({4, 2});
         page.clickMap({4, -2});
         QTest::keyClick(&page.map(), Qt::Key_Escape);
@@ -180,7 +180,27 @@ private slots:
         QCOMPARE(page.panel().model().row(page.rowOf("Box")).waypoints_in_map_m.size(), std::size_t(2));
         page.chooseSpeed("10×");
         QTest::mouseClick(page.button("Start moving"), Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(page.isNear(page.rowOf("Box"), {4, -2}), soon_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(page.isNear(page.rowOf("Box"), {4, -2}), flight_ms); // at 1×, without a robot
+    }
+
+    void wayPointsAreNotAddedWhileTheUserDrives() {
+        WorldPage page;
+        QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+        QVERIFY(page.spawnAt("PlayerStart"));
+        page.open();
+        QTRY_VERIFY_WITH_TIMEOUT(page.isOpen(), soon_ms);
+        page.lookAt({0, 0});
+        page.put("Conveyor", {0, 4});
+        QTRY_COMPARE_WITH_TIMEOUT(page.map().content().objects.selected, QString("Conveyor1"), soon_ms);
+        QAction* const add = page.window().commands().action("world.waypoints");
+        QAction* const drive = page.window().commands().action("drive.take");
+        QTRY_VERIFY(add->isEnabled());
+        drive->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(!add->isEnabled(), soon_ms);
+        QVERIFY2(add->toolTip().contains("W drives forward"), qPrintable(add->toolTip()));
+        drive->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(add->isEnabled(), soon_ms);
+        QVERIFY2(add->toolTip().contains("waypoint"), qPrintable(add->toolTip()));
     }
 
     void aConveyorCarriesWhatLiesOnIt() {

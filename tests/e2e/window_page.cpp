@@ -70,6 +70,9 @@ void WindowPage::drawArea(const Rectangle& area_in_map) {
 
 /// As the window system does it: to the window, which finds shortcuts and the focus itself.
 void WindowPage::pressKey(Qt::Key key, Qt::KeyboardModifiers modifiers) {
+    if (key < Qt::Key_Escape && modifiers == Qt::NoModifier && !map().hasFocus() &&
+        !window_->views().robots->hasFocus())
+        map().setFocus(); // A person clicks there first: letters work in no other place.
     QTest::keyClick(window_->windowHandle(), key, modifiers);
 }
 

@@ -129,8 +129,22 @@ private slots:
         world.session.open("127.0.0.1", (*simulator)->port());
         QTRY_VERIFY(world.ready());
         world.session.send(creation("Unicorn", "U1", {0, 0, 1}));
-        QTRY_VERIFY(world.said("U1 did not appear"));
-        QVERIFY(world.said("may not know the class Unicorn"));
+        QTRY_VERIFY(world.said("Could not place U1"));
+        QVERIFY(world.said("does not know Unicorn"));
+    }
+
+    void saysWhyTheSimulatorRefusedAThing() {
+        FakeWorld server;
+        Session world(std::nullopt);
+        world.session.open("127.0.0.1", server.port());
+        QTRY_VERIFY(world.ready());
+        world.session.refuse("Crate1", "something is in the way");
+        QVERIFY2(world.notices.empty(), "nobody here has asked for it");
+        world.session.send(creation("Crate", "Crate1", {0, 0, 1}));
+        world.session.refuse("Crate1", "something is in the way");
+        QVERIFY(world.said("Could not place Crate1: something is in the way."));
+        QCOMPARE(world.notices.size(), std::size_t(1));
+        QCOMPARE(world.notices.front().topic, std::string("world/placing"));
     }
 
     void asksNothingWhileNobodyPolls() {

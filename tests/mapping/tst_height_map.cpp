@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "core/mapping/height_map.h"
+#include "core/mapping/raster_export.h"
 #include "tests/suite/suite.h"
 
 namespace tst_height_map {
@@ -22,7 +23,7 @@ private slots:
     void ignoresHeightsThatAreNotFinite_data();
     void ignoresHeightsThatAreNotFinite();
     void growsInEveryDirection();
-    void rangeOnlyWidens();
+    void rangeIsThatOfTheCellsThereAre();
     void changedTilesComeOnceAndAsCopies();
     void remembersTheLineThatWroteLast();
     void hitsSaturate();
@@ -132,13 +133,19 @@ void tst_HeightMap::growsInEveryDirection() {
     QCOMPARE(bounds.rows() % HeightTile::side, 0);
 }
 
-void tst_HeightMap::rangeOnlyWidens() {
+/// Legend, picture and JSON of a scan tell one range.
+void tst_HeightMap::rangeIsThatOfTheCellsThereAre() {
     HeightMap map(0.25);
     map.write({0, 0}, 10.0f, {1});
-    map.write({0, 0}, -4.0f, {2}); // the cell is 3 now, the range remembers both
-    QVERIFY(map.range() == (HeightRange{-4.0f, 10.0f}));
-    map.fill({1, 0}, 3.0f, {3});
-    QVERIFY(map.range() == (HeightRange{-4.0f, 10.0f}));
+    QVERIFY(map.range() == (HeightRange{10.0f, 10.0f}));
+    map.write({0, 0}, -4.0f, {2}); // The cell is 3 now; no cell has either height.
+    QVERIFY(map.range() == (HeightRange{3.0f, 3.0f}));
+    map.fill({1, 0}, 3.5f, {3});
+    map.write({500, 0}, -1.0f, {4});
+    QVERIFY(map.range() == (HeightRange{-1.0f, 3.5f}));
+    QVERIFY(map.range() == rasterOf(map).range());
+    map.write({500, 0}, 1.0f, {5});
+    QVERIFY(map.range() == (HeightRange{0.0f, 3.5f}));
 }
 
 void tst_HeightMap::changedTilesComeOnceAndAsCopies() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <vector>
 
 #include <QTest>
 
@@ -31,7 +32,8 @@ inline void trySurvey(std::uint64_t seed, const Rectangle& area_in_map, Seconds 
         airrobot::AirRobot().createBehavior("airrobot/cpp", {{"R1", start_in_map, area_in_map}, *parameters});
     QVERIFY(behavior);
     SimulatedFlight flight(std::move(*simulation), std::move(*behavior), start_in_map);
-    flight.run(limit);
+    std::vector<agent::BehaviorStatus> told;
+    flight.run(limit, [&] { told.push_back(flight.status()); });
     qInfo("seed %llu: %.2f %% covered, %d collisions, %.0f s, %.0f m, %d charges",
           static_cast<unsigned long long>(seed), flight.coverage_pct(area_in_map), flight.truth().collisions,
           flight.status().elapsed.count(), flight.status().distance_flown_m, flight.status().charges);
@@ -39,6 +41,16 @@ inline void trySurvey(std::uint64_t seed, const Rectangle& area_in_map, Seconds 
     QVERIFY(flight.ending());
     QVERIFY2(flight.ending()->success, flight.ending()->reason.c_str());
     QVERIFY(flight.coverage_pct(area_in_map) >= 95.0);
+    const Seconds whole = flight.status().elapsed;
+    for (const agent::BehaviorStatus& status : told) // From a tenth of the mission on, the end is told within 10 %.
+        if (status.elapsed > whole * 0.1) {
+            QVERIFY(status.time_left);
+            QVERIFY2(std::abs((status.elapsed + *status.time_left - whole) / whole) <= 0.1,
+                     qPrintable(QString("after %1 s, %2 s were told to be left; it took %3 s")
+                                    .arg(status.elapsed.count())
+                                    .arg(status.time_left->count())
+                                    .arg(whole.count())));
+        }
     QVERIFY((flight.truth().base_in_map.position_m - start_in_map.position_m).norm() < 5.0);
 }
 

@@ -84,8 +84,9 @@ private slots:
         toy.run(Seconds(1000));
         QVERIFY(toy.ending());
         QVERIFY2(toy.ending()->success, toy.ending()->reason.c_str());
-        for (const char* state : {"waiting for Sonar geometry", "at rest", "taking off", "flying to lane 1 of 4",
-                                  "scanning lane 1 of 4", "scanning lane 4 of 4", "returning to base", "landing"})
+        for (const char* state :
+             {"waiting for Sonar geometry", "calibrating the INS on the ground", "taking off", "flying to lane 1 of 4",
+              "scanning lane 1 of 4", "scanning lane 4 of 4", "returning to base", "landing"})
             QVERIFY2(contains(toy.states(), state), state);
         QVERIFY(toy.robot().onGround());
         QVERIFY(toy.robot().position_m().head<2>().norm() < 2.0);

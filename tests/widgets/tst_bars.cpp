@@ -34,8 +34,11 @@ Widget* named(const QWidget& panel, const QString& accessible_name) {
 class tst_Bars : public QObject {
     Q_OBJECT
 private slots:
+    void initTestCase() { applyTheme(Theme::Dark); }
     void saysTheStateInWords_data();
     void saysTheStateInWords();
+    void aNewThemeColorsTheState();
+    void aReasonIsWholeWhereThereIsRoom();
     void whatDoesNotFitLosesItsLastPartFirst_data();
     void whatDoesNotFitLosesItsLastPartFirst();
     void connectsToWhatIsTyped();
@@ -50,6 +53,7 @@ private slots:
     void figuresOfTheLinkOpenFromTheRate();
     void pauseAsksAndEnablesTheStep();
     void speedsAreOffered();
+    void withoutARobotTheBarSaysWhyTimeIsNotFaster();
     void settersAreSilent();
     void realServerHasOnlyAClock();
     void clockIsUnknownAtFirst();
@@ -91,6 +95,38 @@ void tst_Bars::saysTheStateInWords() {
     bar.setStatus(status);
     QTEST(bar.statusText(), "words");
     QTEST(bar.findChild<StateDot*>()->state(), "shape");
+}
+
+void tst_Bars::aNewThemeColorsTheState() {
+    ConnectionBar bar;
+    bar.setStatus({ConnectionState::Connected, QStringLiteral("tall_test"), {}, {}});
+    bar.show();
+    const auto* const state = named<QLabel>(bar, QStringLiteral("State of the connection"));
+    for (int i = 0; i < 4; ++i) // Widgets learn of a theme in no particular order.
+        for (const Theme theme : {Theme::Light, Theme::Dark}) {
+            applyTheme(theme);
+            QCOMPARE(state->palette().color(QPalette::WindowText), tokens(theme).ok);
+        }
+    bar.setStatus({ConnectionState::Disconnected, {}, QStringLiteral("Nothing listens there."), {}});
+    QCOMPARE(state->palette().color(QPalette::WindowText), tokens().danger);
+}
+
+void tst_Bars::aReasonIsWholeWhereThereIsRoom() {
+    ConnectionBar bar;
+    bar.ensurePolished();
+    const QString reason =
+        QStringLiteral("Nothing listens at 127.0.0.1:3000. Start the server, or choose another port.");
+    const int usual_px = bar.sizeHint().width();
+    const int least_px = bar.minimumSizeHint().width();
+    bar.setStatus({ConnectionState::Disconnected, {}, reason, {}});
+    auto* const state = named<QLabel>(bar, QStringLiteral("State of the connection"));
+    bar.show();
+    bar.resize(bar.sizeHint());
+    QVERIFY(state->width() >= state->fontMetrics().horizontalAdvance(reason));
+    QCOMPARE(bar.minimumSizeHint().width(), least_px); // Elsewhere it is cut, and the tooltip has it.
+    QVERIFY(state->toolTip().contains(reason));
+    bar.setStatus({});
+    QCOMPARE(bar.sizeHint().width(), usual_px);
 }
 
 void tst_Bars::whatDoesNotFitLosesItsLastPartFirst_data() {
@@ -308,6 +344,19 @@ void tst_Bars::speedsAreOffered() {
     QCOMPARE(asked.last()[0].toDouble(), 0.1);
 }
 
+void tst_Bars::withoutARobotTheBarSaysWhyTimeIsNotFaster() {
+    TimeBar bar;
+    const auto* const factor = bar.findChildren<QLabel*>()[1];
+    bar.setRealTimeFactor(1.0);
+    bar.setLimited(true);
+    QVERIFY2(factor->text().startsWith("RTF"), "real time is what was asked for");
+    bar.setSpeed(INFINITY);
+    QCOMPARE(factor->text(), QStringLiteral("1×: no robot"));
+    QVERIFY(factor->toolTip().contains("as soon as there is one"));
+    bar.setLimited(false);
+    QVERIFY(factor->text().startsWith("RTF"));
+}
+
 void tst_Bars::settersAreSilent() {
     TimeBar bar;
     QSignalSpy asked(&bar, &TimeBar::speedRequested);
@@ -439,7 +488,10 @@ void tst_Bars::layersPanelIsTheLegendOfTheMarks() {
         });
         QVERIFY(beside != swatches.end());
         const QImage picture = (*beside)->grab().toImage();
-        QCOMPARE(picture.pixelColor(picture.rect().center()), markColor(kind));
+        bool has_color = false; // Not always in the middle: a landing is a ring.
+        for (int x = 0; x < picture.width(); ++x)
+            has_color |= picture.pixelColor(x, picture.height() / 2) == markColor(kind);
+        QVERIFY2(has_color, qPrintable(markName(kind)));
     }
 }
 

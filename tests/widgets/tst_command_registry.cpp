@@ -1,7 +1,9 @@
 #include <QAbstractItemModelTester>
+#include <QDockWidget>
 #include <QLabel>
 #include <QListView>
 #include <QMainWindow>
+#include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalSpy>
@@ -10,8 +12,10 @@
 #include "tests/suite/suite.h"
 #include "widgets/commands/command_palette.h"
 #include "widgets/commands/command_registry.h"
+#include "widgets/commands/help.h"
 #include "widgets/commands/key_filters.h"
 #include "widgets/commands/shortcut_sheet.h"
+#include "widgets/style/empty_state.h"
 
 namespace tst_command_registry {
 
@@ -29,12 +33,21 @@ private slots:
     void menusAndBarsAreMadeFromIds();
     void scoresMatches_data();
     void scoresMatches();
+    void aSynonymMatchesFromItsStart();
     void paletteModelIsSound();
     void paletteFindsAndRuns();
-    void paletteHidesWhatIsImpossible();
+    void paletteListsWhatIsImpossibleLast();
+    void paletteSaysThatNothingMatches();
+    void paletteOffersWhatComesAndGoes();
+    void paletteSpeaksWithVerbs();
+    void allLabelsBeginAtOnePlace();
     void paletteIsLedByArrowKeys();
     void sheetListsEveryShortcut();
+    void sheetPutsNumberedCommandsOnOneLine();
+    void sheetFitsTheScreen();
     void sheetIsAsWideAsItsWords();
+    void aboutTellsVersionsAndLicenses();
+    void everyPartIsExplainedByItsTooltip();
     void escapeTwiceCounts_data();
     void escapeTwiceCounts();
 
@@ -142,6 +155,14 @@ void tst_CommandRegistry::scoresMatches() {
     QCOMPARE(matchScore(typed, QStringLiteral("Fit mission in view Map")).value_or(-1), score);
 }
 
+void tst_CommandRegistry::aSynonymMatchesFromItsStart() {
+    const QStringList words{"zoom", "fast forward"};
+    QCOMPARE(matchScore("zo", "Fit mission", words).value_or(-1), 1);
+    QCOMPARE(matchScore("oom", "Fit mission", words).value_or(-1), -1);
+    QCOMPARE(matchScore("mission zoom", "Fit mission", words).value_or(-1), 3);
+    QCOMPARE(matchScore("fast forward", "Fit mission", words).value_or(-1), 2);
+}
+
 void tst_CommandRegistry::paletteModelIsSound() {
     CommandListModel model(*registry_);
     QAbstractItemModelTester tester(&model);
@@ -149,7 +170,8 @@ void tst_CommandRegistry::paletteModelIsSound() {
     QCOMPARE(model.rowCount(), 2);
     model.setFilter(QStringLiteral("no such command"));
     QCOMPARE(model.rowCount(), 0);
-    QCOMPARE(model.actionAt({}), nullptr);
+    model.run({});
+    QVERIFY(ran_.isEmpty());
 }
 
 void tst_CommandRegistry::paletteFindsAndRuns() {
@@ -162,14 +184,75 @@ void tst_CommandRegistry::paletteFindsAndRuns() {
     QVERIFY(palette.isHidden());
 }
 
-void tst_CommandRegistry::paletteHidesWhatIsImpossible() {
+void tst_CommandRegistry::paletteListsWhatIsImpossibleLast() {
     CommandPalette palette(*registry_, window_.get());
     palette.open();
     auto* line = palette.findChild<QLineEdit*>();
-    QTest::keyClicks(line, QStringLiteral("land"));
+    const auto* const list = palette.findChild<QListView*>();
+    QCOMPARE(list->model()->rowCount(), 3);
+    QTest::keyClicks(line, "o");
+    QCOMPARE(list->model()->rowCount(), 4);
+    const QModelIndex last = list->model()->index(3, 0);
+    QCOMPARE(last.data().toString(), QString("Land now"));
+    QVERIFY(!(last.flags() & Qt::ItemIsEnabled));
+    line->clear();
+    QTest::keyClicks(line, "land");
     QTest::keyClick(line, Qt::Key_Return);
     QVERIFY(ran_.isEmpty());
     QVERIFY(palette.isVisible());
+}
+
+void tst_CommandRegistry::paletteSaysThatNothingMatches() {
+    CommandPalette palette(*registry_, window_.get());
+    palette.open();
+    const auto* const nothing = palette.findChild<EmptyState*>();
+    QVERIFY(nothing && !nothing->isVisible());
+    auto* line = palette.findChild<QLineEdit*>();
+    QTest::keyClicks(line, "xyz");
+    QVERIFY(nothing->isVisible());
+    QCOMPARE(nothing->accessibleName(), QString("No command matches"));
+    line->clear();
+    QVERIFY(!nothing->isVisible());
+}
+
+void tst_CommandRegistry::paletteOffersWhatComesAndGoes() {
+    QStringList robots{"R1"};
+    registry_->offer([&] {
+        std::vector<PaletteOffer> offers;
+        for (const QString& name : robots)
+            offers.push_back({"Select " + name, "Robots", {"choose"}, [this, name] { ran_ << name; }});
+        return offers;
+    });
+    CommandPalette palette(*registry_, window_.get());
+    robots = {"R1", "R2"};
+    palette.open();
+    auto* line = palette.findChild<QLineEdit*>();
+    const auto* const list = palette.findChild<QListView*>();
+    QCOMPARE(list->model()->rowCount(), 3); // Commands only, until something is typed.
+    QTest::keyClicks(line, "choose");
+    QCOMPARE(list->model()->rowCount(), 2);
+    QTest::keyClick(line, Qt::Key_Down);
+    QTest::keyClick(line, Qt::Key_Return);
+    QCOMPARE(ran_, QStringList{"R2"});
+    QVERIFY(palette.isHidden());
+}
+
+void tst_CommandRegistry::paletteSpeaksWithVerbs() {
+    registry_->add({.id = "view.dock.camera", .text = "Camera", .group = "View", .wish = "Show Camera"}, [](bool) {});
+    QCOMPARE(registry_->action("view.dock.camera")->text(), QString("Camera"));
+    CommandListModel model(*registry_);
+    model.setFilter("camera");
+    QCOMPARE(model.index(0).data().toString(), QString("Show Camera"));
+}
+
+void tst_CommandRegistry::allLabelsBeginAtOnePlace() {
+    registry_->add({.id = "view.plain", .text = "Plain", .group = "View"}, [](bool) {});
+    registry_->offer([] { return std::vector<PaletteOffer>{{"Plain offer", "View", {}, [] {}}}; });
+    CommandListModel model(*registry_);
+    model.setFilter("plain");
+    QCOMPARE(model.rowCount(), 2);
+    for (int row = 0; row < 2; ++row)
+        QCOMPARE(model.index(row).data(Qt::DecorationRole).value<QIcon>().actualSize({16, 16}), QSize(16, 16));
 }
 
 void tst_CommandRegistry::paletteIsLedByArrowKeys() {
@@ -192,12 +275,77 @@ void tst_CommandRegistry::sheetListsEveryShortcut() {
     QVERIFY(texts.contains(QStringLiteral("Wheel")) && texts.contains(QStringLiteral("Ctrl+F")));
 }
 
+void tst_CommandRegistry::sheetPutsNumberedCommandsOnOneLine() {
+    for (int number = 1; number <= 9; ++number)
+        registry_->add({.id = QString("robot.select_%1").arg(number),
+                        .text = QString("Select robot %1").arg(number),
+                        .group = "Robot",
+                        .shortcuts = {QKeySequence(QString::number(number))}},
+                       [](bool) {});
+    registry_->add({.id = "mission.stop_all",
+                    .text = "Stop all robots",
+                    .group = "Robot",
+                    .shortcuts = {QKeySequence("Ctrl+.")},
+                    .twice = QKeySequence("Esc")},
+                   [](bool) {});
+    const QDialog* const sheet = makeShortcutSheet(*registry_, window_.get());
+    QStringList texts;
+    for (const QLabel* label : sheet->findChildren<QLabel*>())
+        texts << label->text();
+    QCOMPARE(texts.filter("Select robot"), QStringList("Select robot 1 – 9"));
+    QVERIFY(texts.contains("1 – 9"));
+    QVERIFY(texts.contains("Ctrl+.  Esc Esc"));
+    QVERIFY(texts.contains("N  Shift+N"));
+}
+
+/// All commands of the program; on this screen of 800 x 800 they are in two columns.
+void tst_CommandRegistry::sheetFitsTheScreen() {
+    const auto window = std::make_unique<QMainWindow>();
+    CommandRegistry registry(window.get());
+    for (const CommandSpec& spec : commandTable())
+        registry.add(spec, [](bool) {});
+    QDialog* const sheet = makeShortcutSheet(registry, window.get());
+    sheet->show();
+    QVERIFY(QTest::qWaitForWindowExposed(sheet));
+    const QSize screen = sheet->screen()->availableSize();
+    QVERIFY2(sheet->width() <= screen.width() && sheet->height() <= screen.height(),
+             qPrintable(QString("%1 x %2").arg(sheet->width()).arg(sheet->height())));
+    const auto* const bar = sheet->findChild<QScrollArea*>()->verticalScrollBar();
+    QVERIFY2(bar->maximum() <= 2 * bar->pageStep(), qPrintable(QString::number(bar->maximum())));
+}
+
 void tst_CommandRegistry::sheetIsAsWideAsItsWords() {
     registry_->add({"map.long", QString(120, u'w'), "Map", {}, {}, {QKeySequence("Ctrl+L")}}, [](bool) {});
     QDialog* const sheet = makeShortcutSheet(*registry_, window_.get());
     sheet->show();
     QVERIFY(QTest::qWaitForWindowExposed(sheet));
     QCOMPARE(sheet->findChild<QScrollArea*>()->horizontalScrollBar()->maximum(), 0);
+}
+
+void tst_CommandRegistry::aboutTellsVersionsAndLicenses() {
+    const QDialog* const about = makeAbout(window_.get());
+    QVERIFY(!about->isModal());
+    QStringList texts;
+    for (const QLabel* label : about->findChildren<QLabel*>())
+        texts << label->text();
+    const QString all = texts.join(' ');
+    QVERIFY(all.contains(QCoreApplication::applicationName()));
+    QVERIFY(all.contains("General Public License") && all.contains(qVersion()) && all.contains("LGPL"));
+}
+
+void tst_CommandRegistry::everyPartIsExplainedByItsTooltip() {
+    auto* const dock = new QDockWidget("Instruments", window_.get());
+    auto* const speed = new QLabel("0.8");
+    speed->setToolTip("Speed over the ground, m/s");
+    dock->setWidget(speed);
+    window_->addDockWidget(Qt::LeftDockWidgetArea, dock);
+    auto* const own = new QLabel("own", window_.get());
+    own->setToolTip("A tooltip");
+    own->setWhatsThis("More words");
+    explainParts(*window_);
+    QCOMPARE(speed->whatsThis(), QString("Speed over the ground, m/s"));
+    QCOMPARE(dock->whatsThis(), QString("Instruments: Speed over the ground, m/s"));
+    QCOMPARE(own->whatsThis(), QString("More words"));
 }
 
 void tst_CommandRegistry::escapeTwiceCounts_data() {

@@ -4,6 +4,7 @@
 #include <QTest>
 
 #include "tests/suite/suite.h"
+#include "widgets/commands/command_palette.h"
 #include "widgets/commands/command_registry.h"
 #include "widgets/style/icons.h"
 
@@ -20,11 +21,14 @@ private slots:
     void textThatIsNoTableIsEmpty();
     void everyCommandOfTheProgramIsComplete();
     void noIdAndNoKeyIsUsedTwice();
+    void commandsSpeakPlainly();
+    void aNewcomersWordFindsACommand_data();
+    void aNewcomersWordFindsACommand();
 };
 
 void tst_CommandTable::aRowIsRead() {
     const auto table = readCommandTable(R"({"Map": {"map.follow": {"text": "Follow robot", "icon": "follow",
-        "checkable": true, "keys": ["Shift+F"], "help": "Keeps the robot in the center"}, "map.fit": {"text": "Fit"}}})");
+        "checkable": true, "keys": ["Shift+F"], "words": "center, lock on", "help": "Keeps the robot in the center"}, "map.fit": {"text": "Fit"}}})");
     QCOMPARE(table.size(), 2u);
     QCOMPARE(table[0].id, QString("map.fit"));
     QCOMPARE(table[0].group, QString("Map"));
@@ -34,6 +38,8 @@ void tst_CommandTable::aRowIsRead() {
     QCOMPARE(table[1].help, QString("Keeps the robot in the center"));
     QCOMPARE(table[1].icon, QString("follow"));
     QVERIFY(table[1].checkable);
+    QCOMPARE(table[1].words, QStringList({"center", "lock on"}));
+    QVERIFY(table[0].words.isEmpty());
 }
 
 void tst_CommandTable::keysAreRead_data() {
@@ -78,6 +84,87 @@ void tst_CommandTable::noIdAndNoKeyIsUsedTwice() {
         for (const QKeySequence& keys : spec.shortcuts)
             QVERIFY2(used.insert(keys.toString()).second, qPrintable(spec.id + " has the key of another command"));
     }
+}
+
+void tst_CommandTable::commandsSpeakPlainly() {
+    for (const CommandSpec& spec : commandTable())
+        for (const char* const odd : {"way point", "epoch", "pinned", "verdict", "Forget", "Bring back", "what broke",
+                                      "message on", " s on", "one simulated second"})
+            QVERIFY2(!spec.text.contains(odd) && !spec.help.contains(odd), qPrintable(spec.id));
+}
+
+void tst_CommandTable::aNewcomersWordFindsACommand_data() {
+    QTest::addColumn<QString>("id");
+    const std::pair<const char*, const char*> words[]{
+        {"undo", "world.undo"},
+        {"export", "file.export"},
+        {"speed", "time.faster"},
+        {"reset", "view.operate"},
+        {"save", "file.export"},
+        {"quit", "file.quit"},
+        {"exit", "file.quit"},
+        {"zoom", "map.zoom_in"},
+        {"theme", "view.dark"},
+        {"light", "view.dark"},
+        {"help", "help.shortcuts"},
+        {"keyboard", "help.shortcuts"},
+        {"tutorial", "view.hint"},
+        {"settings", "view.dark"},
+        {"preferences", "file.folder"},
+        {"run", "mission.start"},
+        {"go", "mission.start"},
+        {"launch", "mission.start"},
+        {"fly", "mission.start"},
+        {"take off", "mission.start"},
+        {"abort", "mission.stop"},
+        {"emergency", "mission.stop_all"},
+        {"kill", "mission.stop_all"},
+        {"hover", "mission.pause"},
+        {"resume", "mission.pause"},
+        {"region", "mission.area"},
+        {"rectangle", "mission.area"},
+        {"manual", "drive.take"},
+        {"joystick", "drive.take"},
+        {"steer", "drive.take"},
+        {"brake", "drive.stop"},
+        {"respawn", "robot.spawn_again"},
+        {"restart", "robot.spawn_again"},
+        {"trail", "robot.trace"},
+        {"screenshot", "camera.save"},
+        {"pan", "camera.left"},
+        {"tilt", "camera.up"},
+        {"lamp", "camera.light"},
+        {"center", "map.follow"},
+        {"overview", "map.fit_world"},
+        {"freeze", "time.pause"},
+        {"turbo", "time.max"},
+        {"fast forward", "time.max"},
+        {"log", "file.record"},
+        {"rewind", "replay.back"},
+        {"seek", "replay.forward"},
+        {"console", "messages.command"},
+        {"filter", "messages.find"},
+        {"network", "link.connect"},
+        {"wifi", "radio.show"},
+        {"checkpoint", "simulator.save_snapshot"},
+        {"import", "file.open"},
+        {"rotate", "world.turn_left"},
+        {"remove", "world.delete"},
+        {"route", "world.waypoints"},
+        {"reload", "plugins.rescan"},
+        {"behavior tree", "plan.edit"},
+        {"damage", "faults.inject"},
+        {"repair", "faults.end"},
+        {"where", "file.show_folder"},
+    };
+    for (const auto& [word, id] : words)
+        QTest::newRow(word) << QString(id);
+}
+
+void tst_CommandTable::aNewcomersWordFindsACommand() {
+    QFETCH(QString, id);
+    const CommandSpec& spec = commandSpec(id);
+    QVERIFY(matchScore(QTest::currentDataTag(), spec.text + " " + spec.group, spec.words));
 }
 
 USAR_TEST(tst_CommandTable)

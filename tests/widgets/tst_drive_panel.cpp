@@ -331,7 +331,7 @@ void tst_DrivePanel::whoDrivesIsSaidInAWord_data() {
     QTest::addColumn<QString>("by");
     QTest::addColumn<QString>("text");
     QTest::newRow("nobody") << int(Driver::Nobody) << ""
-                            << "R1: nobody drives";
+                            << "R1: idle";
     QTest::newRow("a behavior") << int(Driver::Behavior) << "Terrain survey"
                                 << "R1: Terrain survey drives";
     QTest::newRow("a person who holds nothing") << int(Driver::Person) << ""
@@ -345,7 +345,7 @@ void tst_DrivePanel::whoDrivesIsSaidInAWord() {
     QFETCH(QString, by);
     QFETCH(QString, text);
     ControlBadge badge;
-    QCOMPARE(badge.text(), QString("no robot to drive"));
+    QCOMPARE(badge.text(), QString("No robot"));
     badge.setWords({"R1", Driver(driver), by});
     QCOMPARE(badge.text(), text);
     QCOMPARE(badge.accessibleName(), text);

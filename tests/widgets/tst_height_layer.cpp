@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <QSignalSpy>
 #include <QTest>
 
@@ -42,6 +44,11 @@ private slots:
     void levelFollowsTheScale();
     void picturesAppearTogether();
     void newRangeRecolorsEverything();
+    void unseenChangesOfTheRangeRecolorNothing();
+    void grayAndAFixedRangeAreOneCallAway();
+    void contoursAreDrawnOnRequest();
+    void lightComesFromTheUpperLeftOfTheScreen_data();
+    void lightComesFromTheUpperLeftOfTheScreen();
     void waitsForARange();
     void clearForgetsWhatIsStillRendered();
     void probeKnowsHeightAndHits();
@@ -95,7 +102,7 @@ void tst_HeightLayer::coarseLevelsAverage() {
         tile->preview_m[i] = 1.0f;
     PageTiles page;
     page.tiles[0] = tile;
-    const PagePicture picture = renderPage(page, {{0.0f, 1.0f}, MapOrientation::YUp});
+    const PagePicture picture = renderPage(page, {{0.0f, 1.0f}, MapOrientation::YUp, ColorMap::Gray});
     QCOMPARE(picture.levels[3].width(), 32);
     const QRgb low = shade(0.0f, {0.0f, 1.0f}, ColorMap::Gray);
     const QRgb high = shade(1.0f, {0.0f, 1.0f}, ColorMap::Gray);
@@ -133,9 +140,89 @@ void tst_HeightLayer::newRangeRecolorsEverything() {
     layer.take({}, HeightRange{0.0f, 10.0f});
     settle(layer);
     const QRgb after = layer.pages().begin()->second.levels[0].pixel(0, 255);
-    QCOMPARE(before, shade(1.0f, {0.0f, 1.0f}, ColorMap::Gray));
-    QCOMPARE(after, shade(1.0f, {0.0f, 10.0f}, ColorMap::Gray));
+    QCOMPARE(before, shade(1.0f, {0.0f, 1.0f}, ColorMap::Color));
+    QCOMPARE(after, shade(1.0f, {0.0f, 10.0f}, ColorMap::Color));
     QVERIFY(before != after);
+}
+
+/// The scan's mean heights change with each hit; the legend follows at once, the pages as soon as it can be seen.
+void tst_HeightLayer::unseenChangesOfTheRangeRecolorNothing() {
+    HeightLayer layer;
+    layer.take({tileWith({0, 0}, 0, 0, 1.0f)}, HeightRange{0.0f, 20.0f});
+    settle(layer);
+    layer.take({}, HeightRange{0.0f, 19.99f});
+    QVERIFY(!layer.busy());
+    QCOMPARE(layer.range(), (HeightRange{0.0f, 19.99f}));
+    layer.take({}, HeightRange{0.0f, 18.4f}); // A range may also shrink.
+    QVERIFY(layer.busy());
+    QCOMPARE(layer.style().range, (HeightRange{0.0f, 18.4f}));
+    settle(layer);
+}
+
+void tst_HeightLayer::grayAndAFixedRangeAreOneCallAway() {
+    HeightLayer layer;
+    layer.setOrientation(MapOrientation::YUp);
+    layer.take({tileWith({0, 0}, 0, 0, 1.0f)}, HeightRange{0.0f, 2.0f});
+    settle(layer);
+    const auto color = [&layer] { return layer.pages().begin()->second.levels[0].pixel(0, 255); };
+    QCOMPARE(color(), shade(1.0f, {0.0f, 2.0f}, ColorMap::Color));
+    layer.setLook({ColorMap::Gray, std::nullopt});
+    settle(layer);
+    QCOMPARE(color(), shade(1.0f, {0.0f, 2.0f}, ColorMap::Gray));
+    layer.setLook({ColorMap::Gray, HeightRange{-10.0f, 10.0f}});
+    layer.take({}, HeightRange{0.0f, 5.0f});
+    settle(layer);
+    QCOMPARE(layer.range(), (HeightRange{-10.0f, 10.0f}));
+    QCOMPARE(color(), shade(1.0f, {-10.0f, 10.0f}, ColorMap::Gray));
+    layer.setLook({ColorMap::Gray, std::nullopt});
+    settle(layer);
+    QCOMPARE(layer.range(), (HeightRange{0.0f, 5.0f}));
+}
+
+void tst_HeightLayer::contoursAreDrawnOnRequest() {
+    auto tile = std::make_shared<HeightTile>();
+    for (std::size_t i = 0; i < HeightTile::cell_count; ++i)
+        tile->preview_m[i] = float(i % HeightTile::side) * 0.5f; // Rises by half a meter from column to column.
+    HeightLayer layer;
+    layer.setOrientation(MapOrientation::YUp);
+    layer.take({tile}, HeightRange{0.0f, 31.5f});
+    settle(layer);
+    QVERIFY(layer.pages().begin()->second.contours[0].isNull());
+    layer.setContours(true);
+    settle(layer);
+    QCOMPARE(layer.style().contour_step_m, 5.0);
+    const QImage lines = layer.pages().begin()->second.contours[0];
+    for (int column = 0; column < HeightTile::side; ++column)
+        QCOMPARE(qAlpha(lines.pixel(column, 200)) != 0, column > 0 && column % 10 == 0);
+    QVERIFY(qAlpha(layer.pages().begin()->second.contoursFor(0.2).pixel(2, 50)) > 0);
+}
+
+void tst_HeightLayer::lightComesFromTheUpperLeftOfTheScreen_data() {
+    QTest::addColumn<MapOrientation>("orientation");
+    QTest::newRow("x up") << MapOrientation::XUp;
+    QTest::newRow("y up") << MapOrientation::YUp;
+}
+
+/// A roof with its ridge from the lower left to the upper right of the screen: its upper left side is the lighter one.
+void tst_HeightLayer::lightComesFromTheUpperLeftOfTheScreen() {
+    QFETCH(MapOrientation, orientation);
+    MapTransform t;
+    t.orientation = orientation;
+    const Vec2 to_upper_left = t.toMap(QPointF(-1, -1)) - t.toMap(QPointF(0, 0));
+    auto tile = std::make_shared<HeightTile>();
+    for (int row = 0; row < HeightTile::side; ++row)
+        for (int column = 0; column < HeightTile::side; ++column)
+            tile->preview_m[static_cast<std::size_t>(row * HeightTile::side + column)] =
+                static_cast<float>(-0.1 * std::abs(Vec2(column - 31.5, row - 31.5).dot(to_upper_left.normalized())));
+    PageTiles page;
+    page.tiles[0] = tile;
+    const QImage image = renderPage(page, {{-5.0f, 0.0f}, orientation}).levels[0];
+    t.pixels_per_m = 1.0;
+    const QPointF corner = t.toScreen(pageRectangle({0, 0}, 1.0)).topLeft();
+    const QPoint middle = (t.toScreen(Vec2(31.5, 31.5)) - corner).toPoint();
+    const int light = qGray(image.pixel(middle - QPoint(8, 8)));
+    const int dark = qGray(image.pixel(middle + QPoint(8, 8)));
+    QVERIFY2(light > dark + 10, qPrintable(QStringLiteral("%1 and %2").arg(light).arg(dark)));
 }
 
 void tst_HeightLayer::waitsForARange() {

@@ -73,6 +73,7 @@ class tst_Instruments : public QObject {
 private slots:
     void initTestCase() { applyTheme(Theme::Dark); }
     void stripShowsTheBehaviorsFigures();
+    void stripShowsOnlyWhatTheRobotCanHave();
     void unknownFiguresAreADash();
     void readoutKeepsItsWidth();
     void finishedMissionCanStillBeRead();
@@ -100,7 +101,6 @@ void tst_Instruments::stripShowsTheBehaviorsFigures() {
     status.elapsed = Seconds(751.0);
     status.distance_to_goal_m = 38.04;
     status.range_left_m = 412.3;
-    status.battery_used_pct = 29.0;
     status.distance_flown_m = 1204.0;
     status.charges = 1;
     strip.setStatus(status);
@@ -110,7 +110,26 @@ void tst_Instruments::stripShowsTheBehaviorsFigures() {
     QCOMPARE(readout(strip, QStringLiteral("elapsed")), QStringLiteral("00:12:31"));
     QCOMPARE(readout(strip, QStringLiteral("to goal")), QStringLiteral("38.0"));
     QCOMPARE(readout(strip, QStringLiteral("range left")), QStringLiteral("412"));
-    QCOMPARE(strip.findChildren<Meter*>()[0]->value(), std::optional(29.0));
+    strip.setBattery(71.0);
+    QCOMPARE(strip.findChildren<Meter*>()[0]->value(), std::optional(71.0));
+    QCOMPARE(strip.findChildren<Meter*>()[0]->accessibleName(), QStringLiteral("Battery"));
+}
+
+void tst_Instruments::stripShowsOnlyWhatTheRobotCanHave() {
+    StatusStrip strip;
+    const auto shown = [&](const QString& caption) {
+        const auto readouts = strip.findChildren<Readout*>();
+        return std::ranges::any_of(readouts, [&](const Readout* one) {
+            return one->accessibleName() == caption && !one->isHidden() && !one->toolTip().isEmpty();
+        });
+    };
+    QVERIFY(shown(QStringLiteral("flown")) && shown(QStringLiteral("charges")) && shown(QStringLiteral("range left")));
+    strip.setAbilities(false, false);
+    QVERIFY(!shown(QStringLiteral("charges")) && !shown(QStringLiteral("range left")));
+    QVERIFY(!shown(QStringLiteral("flown")) && shown(QStringLiteral("traveled")));
+    QVERIFY(shown(QStringLiteral("elapsed")) && shown(QStringLiteral("to goal")));
+    strip.setAbilities(true, true);
+    QVERIFY(shown(QStringLiteral("flown")) && shown(QStringLiteral("charges")));
 }
 
 void tst_Instruments::unknownFiguresAreADash() {
@@ -145,8 +164,8 @@ void tst_Instruments::finishedMissionCanStillBeRead() {
 void tst_Instruments::staleStripSaysSo() {
     StatusStrip strip;
     agent::BehaviorStatus status;
-    status.battery_used_pct = 90.0;
     strip.setStatus(status);
+    strip.setBattery(10.0);
     strip.show();
     auto* word = strip.findChild<QLabel*>(QStringLiteral("stale"));
     auto* battery = strip.findChildren<Meter*>()[0];
@@ -177,14 +196,15 @@ void tst_Instruments::figuresOfAColumnEndOnOneLine() {
 }
 
 void tst_Instruments::meterWarnsInWordAndColor() {
-    Meter meter(QStringLiteral("Battery used"), nullptr, 70.0, 85.0);
+    Meter meter(QStringLiteral("Battery"), nullptr, 30.0, 15.0);
     meter.resize(300, 20);
     meter.setValue(50.0);
     const QRect bar(100, 6, 60, 8);
     QVERIFY(pixelsNear(meter, bar, tokens().ok) > 50);
-    meter.setValue(90.0);
+    meter.resize(1000, 20); // so that the bar of a low value is long enough
+    meter.setValue(10.0);
     QVERIFY(pixelsNear(meter, bar, tokens().danger) > 50);
-    QCOMPARE(meter.accessibleDescription(), QStringLiteral("90 %"));
+    QCOMPARE(meter.accessibleDescription(), QStringLiteral("10 %"));
     meter.setValue(std::nullopt);
     QCOMPARE(pixelsNear(meter, bar, tokens().ok), 0);
 }

@@ -41,6 +41,7 @@ private slots:
     void straightTrailCostsTwoPoints();
     void trailKeepsBends();
     void trailIgnoresNonsense();
+    void trailIsInterruptedWherePosesAreMissing();
 };
 
 void tst_MapArithmetic::axesPointWhereTheyShould_data() {
@@ -273,6 +274,17 @@ void tst_MapArithmetic::trailIgnoresNonsense() {
     QCOMPARE(trail.points_m().size(), std::size_t(1));
     trail.clear();
     QVERIFY(trail.points_m().empty());
+}
+
+void tst_MapArithmetic::trailIsInterruptedWherePosesAreMissing() {
+    Trail trail;
+    for (const double x : {0.0, 2.0, 4.0, 60.0, 62.0, 64.0})
+        trail.add(Vec2(x, 0.0));
+    QCOMPARE(trail.points_m().size(), std::size_t(5));
+    QCOMPARE(trail.points_m()[1], Vec2(4.0, 0.0));
+    QVERIFY(trail.points_m()[2].hasNaN());
+    QCOMPARE(trail.points_m()[3], Vec2(60.0, 0.0));
+    QCOMPARE(trail.points_m()[4], Vec2(64.0, 0.0));
 }
 
 USAR_TEST(tst_MapArithmetic)

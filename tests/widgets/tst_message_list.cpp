@@ -426,7 +426,7 @@ void tst_MessageList::emptyListSaysWhy() {
     QTRY_VERIFY(!list_->findChild<EmptyState*>()->isVisible());
     list_->setFilter({QStringLiteral("zzz"), {}});
     QVERIFY(list_->findChild<EmptyState*>()->isVisible());
-    QCOMPARE(list_->findChild<EmptyState*>()->accessibleName(), QStringLiteral("No line fits"));
+    QCOMPARE(list_->findChild<EmptyState*>()->accessibleName(), QStringLiteral("No matches"));
     list_->setFilter({});
     list_->clear();
     QCOMPARE(list_->findChild<EmptyState*>()->accessibleName(), QStringLiteral("No messages yet"));

@@ -32,6 +32,8 @@ private slots:
     void initTestCase();
     void newestIsFirst();
     void theSameTroubleIsCounted();
+    void notesAreNotOpenProblems();
+    void theProblemsOfARobotAreCuredTogether();
     void curedIsMarkedAndOpensAgainFromOne();
     void modelIsSoundThroughAllChanges();
     void onlyTheNewestAreKept();
@@ -80,6 +82,22 @@ void tst_Notifications::theSameTroubleIsCounted() {
     QCOMPARE(model.rowCount(), 1);
     QCOMPARE(model.row(0).count, 137);
     QCOMPARE(model.row(0).last, noon.addSecs(136));
+}
+
+void tst_Notifications::notesAreNotOpenProblems() {
+    NotificationModel model;
+    model.push(QStringLiteral("saved/R1"), Severity::Note, QStringLiteral("Saved."), noon);
+    QCOMPARE(model.openCount(), 0);
+    QCOMPARE(model.curedCount(), 0);
+}
+
+void tst_Notifications::theProblemsOfARobotAreCuredTogether() {
+    NotificationModel model;
+    for (const char* key : {"R1/silence", "R1/spawn", "R10/silence"})
+        model.push(QString::fromLatin1(key), Severity::Warning, no_answer, noon);
+    model.cureAll(QStringLiteral("R1/"));
+    QCOMPARE(model.openCount(), 1);
+    QCOMPARE(model.curedCount(), 2);
 }
 
 void tst_Notifications::curedIsMarkedAndOpensAgainFromOne() {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include <QMouseEvent>
 #include <QSignalSpy>
 #include <QTest>
 #include <QWheelEvent>
@@ -20,6 +21,12 @@ namespace {
 
 const std::string range = "SEN Sonar/F1/range";
 const std::string yaw = "SEN GroundTruth/G/yaw";
+
+/// As the window system tells of a mouse that is moved there without a button.
+void moveMouse(QWidget* target, QPointF at) {
+    QMouseEvent event(QEvent::MouseMove, at, target->mapToGlobal(at), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(target, &event);
+}
 
 } // namespace
 
@@ -42,6 +49,8 @@ private slots:
     void pictureIsLargerThanTheScreenAndLeavesItAlone();
     void themeChangesTheGround();
     void tenthLineIsDashed();
+    void cursorFollowsTheMouse();
+    void noTooltipLiesOverTheCurve();
 
 private:
     void feed(double time_s, double range_m, double yaw_rad = 0.0);
@@ -261,6 +270,35 @@ void tst_PlotCanvas::tenthLineIsDashed() {
     canvas_->show(store_);
     QVERIFY(dashed > 0);
     QVERIFY(dashed < pixelsLike(PlotCanvas::lineColor(0)));
+}
+
+void tst_PlotCanvas::cursorFollowsTheMouse() {
+    store_.add(range);
+    for (int i = 0; i < 60; ++i)
+        feed(i, 2.0);
+    canvas_->show(store_);
+    QVERIFY(!canvas_->cursor());
+    QSignalSpy moved(canvas_.get(), &PlotCanvas::cursorMoved);
+    const QImage before = canvas_->grab().toImage();
+    moveMouse(surface(), surface()->rect().center());
+    QCOMPARE(moved.count(), 1);
+    QVERIFY(canvas_->cursor());
+    QVERIFY(*canvas_->cursor() > canvas_->visibleFrom() && *canvas_->cursor() < canvas_->visibleTo());
+    QVERIFY(canvas_->grab().toImage() != before);
+    const Seconds at = *canvas_->cursor();
+    for (int i = 60; i < 90; ++i)
+        feed(i, 2.0);
+    canvas_->show(store_); // The picture moves on below the mouse.
+    QVERIFY(*canvas_->cursor() > at);
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(surface(), &leave);
+    QVERIFY(!canvas_->cursor());
+}
+
+void tst_PlotCanvas::noTooltipLiesOverTheCurve() {
+    QVERIFY(canvas_->toolTip().isEmpty());
+    QVERIFY(surface()->toolTip().isEmpty());
+    QVERIFY(canvas_->accessibleDescription().contains(QStringLiteral("Space to pause")));
 }
 
 USAR_TEST(tst_PlotCanvas)

@@ -2,7 +2,9 @@
 
 #include <QComboBox>
 #include <QDropEvent>
+#include <QLabel>
 #include <QMimeData>
+#include <QMouseEvent>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -32,6 +34,12 @@ void wheel(QWidget* target, QPoint at, int delta) {
     QCoreApplication::sendEvent(target, &event);
 }
 
+/// As the window system tells of a mouse that is moved there without a button.
+void moveMouse(QWidget* target, QPointF at) {
+    QMouseEvent event(QEvent::MouseMove, at, target->mapToGlobal(at), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(target, &event);
+}
+
 } // namespace
 
 class tst_PlotView : public QObject {
@@ -54,6 +62,7 @@ private slots:
     void keysWorkInTheLegendToo();
     void restartKeepsTheSeries();
     void legendNamesTheRobot();
+    void legendReadsTheCurveAtTheMouse();
     void pauseKeepsRecording();
     void hiddenPlotRecordsButDoesNotDraw();
     void clockThatBeginsAgainIsDrawnAnew();
@@ -257,6 +266,28 @@ void tst_PlotView::legendNamesTheRobot() {
     view_->setSource(QStringLiteral("R2"));
     QVERIFY(!legend->isHeaderHidden());
     QCOMPARE(legend->headerItem()->text(0), QStringLiteral("R2"));
+}
+
+void tst_PlotView::legendReadsTheCurveAtTheMouse() {
+    view_->addSeries(f1);
+    for (int i = 0; i <= 60; ++i)
+        feed(i, i < 30 ? 1.0 : 2.0);
+    QTRY_COMPARE(view_->canvas()->sampleCount(f1.toStdString()), 61);
+    const auto value = [&] { return view_->findChild<QTreeWidget*>()->topLevelItem(0)->text(1); };
+    const auto readout = [&] {
+        for (const QLabel* label : view_->findChildren<QLabel*>())
+            if (label->accessibleName() == QStringLiteral("Time at the mouse"))
+                return label->text();
+        return QString();
+    };
+    QVERIFY2(value().startsWith(QStringLiteral("2.00")), qPrintable(value()));
+    QVERIFY2(readout().contains(QStringLiteral("Wheel")), qPrintable(readout()));
+    moveMouse(surface(), QPointF(surface()->width() / 4.0, surface()->height() / 2.0));
+    QVERIFY2(value().startsWith(QStringLiteral("1.00")), qPrintable(value()));
+    QVERIFY2(readout().startsWith(QStringLiteral("at 00:00:")), qPrintable(readout()));
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(surface(), &leave);
+    QVERIFY2(value().startsWith(QStringLiteral("2.00")), qPrintable(value()));
 }
 
 void tst_PlotView::pauseKeepsRecording() {

@@ -25,13 +25,14 @@ private slots:
     void aLossIsToldOnceAndWhenItIsOver_data();
     void aLossIsToldOnceAndWhenItIsOver();
     void theLossOfARobotThatIsGoneIsOver();
+    void manyLossesAreOneNoticeThatCountsPairs();
 };
 
 void tst_RadioLosses::aPairThatWasNeverLinkedHasLostNothing() {
     RadioLosses losses;
-    QVERIFY(losses.take(strength(std::nullopt), both).empty());
-    QVERIFY(losses.take(strength(radio_cutoff_dbm - 1.0), both).empty());
-    QVERIFY(losses.take(strength(radio_cutoff_dbm), both).empty());
+    QVERIFY(!losses.take(strength(std::nullopt), both).has_value());
+    QVERIFY(!losses.take(strength(radio_cutoff_dbm - 1.0), both).has_value());
+    QVERIFY(!losses.take(strength(radio_cutoff_dbm), both).has_value());
 }
 
 void tst_RadioLosses::aLossIsToldOnceAndWhenItIsOver_data() {
@@ -48,24 +49,42 @@ void tst_RadioLosses::aLossIsToldOnceAndWhenItIsOver() {
     RadioLosses losses;
     losses.take(strength(radio_cutoff_dbm + 10.0), both);
     const auto lost = losses.take(weak, both);
-    QCOMPARE(lost.size(), 1u);
-    QVERIFY2(lost[0].reason.contains(words), qPrintable(lost[0].reason));
-    QVERIFY(losses.take(weak, both).empty());
+    QVERIFY(lost && lost->first);
+    QVERIFY2(lost->text.contains(words), qPrintable(lost->text));
+    QVERIFY(!losses.take(weak, both).has_value());
     const auto back = losses.take(strength(radio_cutoff_dbm + 10.0), both);
-    QCOMPARE(back.size(), 1u);
-    QCOMPARE(back[0].key, lost[0].key);
-    QVERIFY(back[0].reason.isEmpty());
+    QVERIFY(back && back->text.isEmpty());
 }
 
 void tst_RadioLosses::theLossOfARobotThatIsGoneIsOver() {
     RadioLosses losses;
     losses.take(strength(radio_cutoff_dbm + 10.0), both);
-    const auto lost = losses.take(strength(std::nullopt), both);
+    QVERIFY(losses.take(strength(std::nullopt), both));
     const auto over = losses.take({}, {"R1"});
-    QCOMPARE(over.size(), 1u);
-    QCOMPARE(over[0].key, lost.at(0).key);
-    QVERIFY(over[0].reason.isEmpty());
-    QVERIFY(losses.take(strength(std::nullopt), both).empty()); // it is a new pair
+    QVERIFY(over && over->text.isEmpty());
+    QVERIFY(!losses.take(strength(std::nullopt), both).has_value()); // it is a new pair
+}
+
+void tst_RadioLosses::manyLossesAreOneNoticeThatCountsPairs() {
+    QStringList robots;
+    std::vector<RadioLink> near;
+    for (int i = 1; i <= 9; ++i) {
+        for (const QString& other : robots)
+            near.push_back({other, QStringLiteral("R%1").arg(i), -50.0});
+        robots << QStringLiteral("R%1").arg(i);
+    }
+    std::vector<RadioLink> far = near;
+    for (RadioLink& link : far)
+        link.strength_dbm = -99.0;
+    RadioLosses losses;
+    QVERIFY(!losses.take(near, robots));
+    const auto lost = losses.take(far, robots);
+    QVERIFY(lost && lost->first);
+    QCOMPARE(lost->text, QStringLiteral("36 pairs of robots have lost their radio link: R1 and R2, R1 and R3, "
+                                        "R1 and R4, 33 more. The Radio dock shows all links."));
+    far.back().strength_dbm = -50.0;
+    const auto fewer = losses.take(far, robots);
+    QVERIFY2(fewer && !fewer->first && fewer->text.startsWith("35 pairs"), "it is the same notice, and no news");
 }
 
 USAR_TEST(tst_RadioLosses)

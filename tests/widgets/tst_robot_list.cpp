@@ -1,5 +1,6 @@
 #include <QAbstractItemModelTester>
 #include <QListView>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -39,6 +40,7 @@ private slots:
     void deleteAsksForRemovalAndRemovesNothing();
     void emptyListSaysHowToSpawn();
     void rowHasTheRobotsColorAndGreysWhenStale();
+    void wholeHeightShowsEveryRobot();
 
 private:
     QListView* view() const { return list_->findChild<QListView*>(); }
@@ -194,6 +196,21 @@ void tst_RobotList::rowHasTheRobotsColorAndGreysWhenStale() {
     old.stale = true;
     list_->updateRobot(old);
     QVERIFY(ink() < fresh / 2);
+}
+
+void tst_RobotList::wholeHeightShowsEveryRobot() {
+    QSignalSpy changed(list_.get(), &RobotList::wholeHeightChanged);
+    for (int number = 1; number <= 9; ++number)
+        list_->updateRobot(robot(number, number));
+    QCOMPARE(changed.count(), 9);
+    list_->updateRobot(robot(3, 3, "flying"));
+    QCOMPARE(changed.count(), 9);
+    list_->resize(260, list_->wholeHeight_px());
+    QTRY_COMPARE(view()->verticalScrollBar()->maximum(), 0);
+    list_->resize(260, list_->wholeHeight_px() - 20);
+    QTRY_VERIFY(view()->verticalScrollBar()->maximum() > 0);
+    list_->removeRobot({9});
+    QCOMPARE(changed.count(), 10);
 }
 
 USAR_TEST(tst_RobotList)

@@ -1,4 +1,5 @@
 #include <QAbstractItemModelTester>
+#include <QLabel>
 #include <QMimeData>
 #include <QSignalSpy>
 #include <QTest>
@@ -102,6 +103,8 @@ private slots:
     void filterKeepsBranchesOfMatches();
     void hiddenPanelDoesNoWorkAndLosesNothing();
     void clearForgets();
+    void emptyPanelIsNeverCut_data();
+    void emptyPanelIsNeverCut();
 };
 
 void tst_SensorPanel::modelIsSound() {
@@ -408,6 +411,26 @@ void tst_SensorPanel::clearForgets() {
     panel.clear();
     QCOMPARE(panel.model().rowCount(), 0);
     QVERIFY(sheet->isVisible());
+}
+
+void tst_SensorPanel::emptyPanelIsNeverCut_data() {
+    QTest::addColumn<int>("height");
+    QTest::newRow("1280x800") << 160;
+    QTest::newRow("low") << 60;
+}
+
+void tst_SensorPanel::emptyPanelIsNeverCut() {
+    QFETCH(int, height);
+    QWidget window; // A panel that is a window itself would not be that low.
+    SensorPanel panel(&window);
+    panel.setGeometry(0, 0, 300, height);
+    window.show();
+    QCOMPARE(panel.height(), height);
+    auto* sheet = panel.findChild<QWidget*>(QStringLiteral("emptyState"));
+    const auto labels = sheet->findChildren<QLabel*>(QString(), Qt::FindDirectChildrenOnly);
+    for (const QLabel* label : labels)
+        QTRY_VERIFY(!label->isVisible() || (label->height() >= label->heightForWidth(label->width()) &&
+                                            sheet->rect().contains(label->geometry())));
 }
 
 USAR_TEST(tst_SensorPanel)

@@ -32,6 +32,7 @@ protocol::InfoLine timeless() {
 class tst_SeriesStore : public QObject {
     Q_OBJECT
 private slots:
+    void valueAtIsTheNewestUntilThen();
     void recordsOnlyWhatIsWatched();
     void learnsTheUnit();
     void watchesAPathOnce();
@@ -171,6 +172,17 @@ void tst_SeriesStore::removedAndAddedAgainIsAnotherHistory() {
     store.remove(f1);
     store.add(f1);
     QVERIFY(store.series()[0].history != before);
+}
+
+void tst_SeriesStore::valueAtIsTheNewestUntilThen() {
+    Series series;
+    QVERIFY(!valueAt(series, 1.0));
+    series.samples = {{1.0, 0.1}, {2.0, std::nan("")}, {3.0, 3.0}};
+    QVERIFY(!valueAt(series, 0.9));
+    QCOMPARE(valueAt(series, 1.0), std::optional(0.1));
+    QCOMPARE(valueAt(series, 1.9), std::optional(0.1));
+    QVERIFY(!valueAt(series, 2.5));
+    QCOMPARE(valueAt(series, 1e9), std::optional(3.0));
 }
 
 void tst_SeriesStore::csvMergesTheTimes() {

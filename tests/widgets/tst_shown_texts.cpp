@@ -9,7 +9,6 @@
 #include "widgets/models/parameter_display.h"
 #include "widgets/models/ranges.h"
 #include "widgets/models/robot_list_model.h"
-#include "widgets/panels/dialogs.h"
 
 namespace tst_shown_texts {
 
@@ -65,8 +64,6 @@ private slots:
     void linkIsSaidInWords();
     void badgeSaysWhetherItRecords();
     void sonarsWithOddNamesComeLast();
-    void suffixIsAddedOnlyWhereNoneIs_data();
-    void suffixIsAddedOnlyWhereNoneIs();
 };
 
 void tst_ShownTexts::whoDrivesIsSaidInAFewWords_data() {
@@ -74,9 +71,9 @@ void tst_ShownTexts::whoDrivesIsSaidInAFewWords_data() {
     QTest::addColumn<QString>("by");
     QTest::addColumn<QString>("words");
     QTest::newRow("nobody") << int(Driver::Nobody) << ""
-                            << "nobody drives";
+                            << "idle";
     QTest::newRow("nobody, whatever the name") << int(Driver::Nobody) << "keys"
-                                               << "nobody drives";
+                                               << "idle";
     QTest::newRow("a behavior without a name") << int(Driver::Behavior) << ""
                                                << "a behavior drives";
     QTest::newRow("a behavior") << int(Driver::Behavior) << "Terrain survey"
@@ -95,7 +92,7 @@ void tst_ShownTexts::whoDrivesIsSaidInAFewWords() {
 
 void tst_ShownTexts::chipNamesTheRobotUnlessItIsBare() {
     ControlBadge badge;
-    QCOMPARE(badge.text(), QStringLiteral("no robot to drive"));
+    QCOMPARE(badge.text(), QStringLiteral("No robot"));
     badge.setWords({"R1", Driver::Person, "keys"});
     QCOMPARE(badge.text(), QStringLiteral("R1: you drive · keys"));
     QCOMPARE(badge.accessibleName(), badge.text());
@@ -103,7 +100,7 @@ void tst_ShownTexts::chipNamesTheRobotUnlessItIsBare() {
     badge.setBare(true);
     QCOMPARE(badge.text(), QStringLiteral("you drive · keys"));
     badge.setWords({});
-    QCOMPARE(badge.text(), QStringLiteral("no robot to drive"));
+    QCOMPARE(badge.text(), QStringLiteral("No robot"));
 }
 
 void tst_ShownTexts::robotsRowIsASentence_data() {
@@ -413,24 +410,6 @@ void tst_ShownTexts::sonarsWithOddNamesComeLast() {
     }
     QCOMPARE(names, QStringList({"L10", "L1", "M0", "R2", "R", "X9"}));
     QVERIFY(zonesOf({}, 5.0).zones.empty());
-}
-
-void tst_ShownTexts::suffixIsAddedOnlyWhereNoneIs_data() {
-    QTest::addColumn<QString>("path");
-    QTest::addColumn<QString>("whole");
-    QTest::newRow("canceled") << ""
-                              << "";
-    QTest::newRow("none") << "plan"
-                          << "plan.png";
-    QTest::newRow("another") << "plan.svg"
-                             << "plan.svg";
-    QTest::newRow("a dot in the folder") << "/runs/v1.2/plan"
-                                         << "/runs/v1.2/plan.png";
-}
-
-void tst_ShownTexts::suffixIsAddedOnlyWhereNoneIs() {
-    QFETCH(QString, path);
-    QTEST(withSuffix(path, ".png"), "whole");
 }
 
 USAR_TEST(tst_ShownTexts)

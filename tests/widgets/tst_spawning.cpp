@@ -1,9 +1,11 @@
+#include <algorithm>
+
+#include <QLabel>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
-#include <QToolButton>
 
 #include "tests/suite/suite.h"
-#include "widgets/bars/strips.h"
 #include "widgets/map/spawn_card.h"
 
 namespace tst_spawning {
@@ -32,6 +34,7 @@ private slots:
     void theBehaviorThatIsSetUpIsChosen();
     void behaviorsFollowTheRobot();
     void refusesNamesThatTheWireCannotCarry();
+    void theGreatestNumberIsSaidBeforeAndWhenItIsReached();
     void escapeCloses();
     void pressOnTheMapClosesAndReachesIt();
     void doubleClickOnTheMapClosesAndLeavesTheFocusThere();
@@ -40,8 +43,6 @@ private slots:
     void staysWithinTheMap();
     void neverCoversThePose();
     void remembersTheLastChoice();
-    void stripNamesTheNextStep();
-    void stripIsDismissed();
 
 private:
     std::unique_ptr<QWidget> map_;
@@ -99,6 +100,31 @@ void tst_Spawning::refusesNamesThatTheWireCannotCarry() {
     QCOMPARE(name->text(), QStringLiteral("myrobot"));
 }
 
+void tst_Spawning::theGreatestNumberIsSaidBeforeAndWhenItIsReached() {
+    const auto says = [this](const QString& text) {
+        return std::ranges::any_of(card_->findChildren<QLabel*>(),
+                                   [&](const QLabel* label) { return label->text() == text; });
+    };
+    const auto* const button = card_->findChild<QPushButton*>();
+    QSignalSpy spawned(card_, &SpawnCard::spawnRequested);
+    card_->setRoom(8, 9);
+    QVERIFY(says(QStringLiteral("Robot 9 of 9")));
+    QVERIFY(button->isEnabled());
+    card_->setRoom(9, 9);
+    QCOMPARE(button->text(), QStringLiteral("Limit reached: 9 robots"));
+    QVERIFY(!button->isEnabled());
+    card_->openFor(1, QStringLiteral("HillTop"), QStringLiteral("R10"), map_->mapToGlobal(QPoint(100, 100)));
+    QVERIFY2(!button->isEnabled(), "another name does not help");
+    QTest::keyClick(card_, Qt::Key_Return);
+    QCOMPARE(spawned.count(), 0);
+    QTest::keyClick(map_->window()->focusWidget(), Qt::Key_Escape);
+    QVERIFY(card_->isHidden());
+    QVERIFY(map_->hasFocus());
+    card_->setRoom(4, 9);
+    QCOMPARE(button->text(), QStringLiteral("Spawn"));
+    QVERIFY(button->isEnabled());
+}
+
 void tst_Spawning::escapeCloses() {
     QTest::keyClick(card_, Qt::Key_Escape);
     QVERIFY(card_->isHidden());
@@ -152,25 +178,6 @@ void tst_Spawning::remembersTheLastChoice() {
     const SpawnChoice again = card_->lastChoice(0, QStringLiteral("R4"));
     QCOMPARE(again, (SpawnChoice{0, QStringLiteral("USARBot.AirRobot"), QStringLiteral("R4"),
                                  QStringLiteral("airrobot/posh")}));
-}
-
-void tst_Spawning::stripNamesTheNextStep() {
-    HintStrip strip;
-    QVERIFY(strip.accessibleDescription().contains(HintStrip::firstSteps()[0]));
-    strip.setDone(0, true);
-    QVERIFY(strip.accessibleDescription().contains(HintStrip::firstSteps()[1]));
-    QVERIFY(strip.findChild<QLabel*>()->text().contains(QStringLiteral("✓")));
-    strip.setDone(2, true);
-    QVERIFY(strip.accessibleDescription().startsWith(QStringLiteral("Next")));
-    strip.setDone(1, true);
-    QCOMPARE(strip.accessibleDescription(), QStringLiteral("All steps are done"));
-}
-
-void tst_Spawning::stripIsDismissed() {
-    HintStrip strip;
-    strip.show();
-    QTest::mouseClick(strip.findChild<QToolButton*>(), Qt::LeftButton);
-    QVERIFY(strip.isHidden());
 }
 
 USAR_TEST(tst_Spawning)

@@ -124,6 +124,29 @@ private slots:
         QCOMPARE(panel.model().rowCount(), 0);
     }
 
+    void everyButtonHasAWordThatIsSeen() {
+        WorldPanel panel;
+        panel.setKinds(kinds);
+        QAction turn(QStringLiteral("Turn left"));
+        turn.setIconText(QStringLiteral("Left"));
+        QAction go(QStringLiteral("Start moving"));
+        go.setIconText(QStringLiteral("Start"));
+        QAction trace(QStringLiteral("Trace"));
+        panel.setActions({&turn}, {&go}, &trace);
+        panel.resize(280, 500);
+        panel.show();
+        QCOMPARE(named<QToolButton>(panel, "Turn left")->text(), QString("Left"));
+        QCOMPARE(named<QToolButton>(panel, "Start moving")->text(), QString("Start"));
+        for (const QToolButton* button : panel.findChildren<QToolButton*>()) {
+            if (button->parent() != &panel)
+                continue; // that of a field, which clears it
+            QVERIFY2(!button->text().isEmpty(), qPrintable(button->accessibleName()));
+            QVERIFY2(button->toolButtonStyle() != Qt::ToolButtonIconOnly, qPrintable(button->text()));
+            QVERIFY2(button->width() >= button->fontMetrics().horizontalAdvance(button->text()),
+                     qPrintable(button->text()));
+        }
+    }
+
     void sizesGoWithTheFormAndBecomeScales() {
         WorldPanel panel;
         panel.setKinds(kinds);

@@ -150,8 +150,6 @@ ConnectionBar::ConnectionBar(QWidget* parent) : QWidget(parent) {
     connect(&second_, &QTimer::timeout, this, &ConnectionBar::countDown);
     setRate(std::nullopt);
     refresh();
-    onThemeChange(
-        this, [this] { refresh(); }, QEvent::StyleChange);
 }
 
 void ConnectionBar::setUpAddress() {
@@ -176,7 +174,6 @@ void ConnectionBar::setUpAddress() {
 void ConnectionBar::setUpStatus() {
     status_text_->setAccessibleName(tr("State of the connection"));
     status_text_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
-    status_text_->setRoomFor(QStringLiteral("Connected · point_lookout"));
     status_text_->setMinimumWidth(status_text_->fontMetrics().horizontalAdvance(QStringLiteral("Connected · tall")));
     retry_->setAccessibleName(tr("Next try"));
     retry_->setMinimumWidth(retry_->fontMetrics().horizontalAdvance(tr("Retrying in %1 s.").arg(u"00")));
@@ -212,6 +209,9 @@ void ConnectionBar::countDown() {
 
 void ConnectionBar::showWords() {
     status_text_->setText(words(status_));
+    // A reason has all the room there is; other words always ask for the same, so that their neighbors do not move.
+    const bool reasoned = status_text_->text() == status_.reason && !status_.reason.isEmpty();
+    status_text_->setRoomFor(reasoned ? status_.reason : QStringLiteral("Connected · point_lookout"));
     retry_->setText(retryWords(status_, retry_in_));
     retry_->setVisible(!retry_->text().isEmpty());
     const QString address =
@@ -259,10 +259,8 @@ void ConnectionBar::refresh() {
                             : tr("Closes the link; what was scanned is kept"));
     dot_->setState(shape(status_));
     showWords();
-    QPalette palette = status_text_->palette();
-    palette.setColor(QPalette::WindowText, stateColor(shape(status_)));
-    status_text_->setPalette(palette);
-    retry_->setPalette(palette);
+    for (QLabel* label : std::initializer_list<QLabel*>{status_text_, retry_})
+        setRole(label, stateRole(shape(status_)));
 }
 
 } // namespace usar::widgets

@@ -20,7 +20,6 @@ TimeBar::TimeBar(QWidget* parent) : QWidget(parent) {
     clock_->setFont(themeFont(FontRole::Body, QFont::DemiBold));
     clock_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     clock_->setMinimumWidth(QFontMetrics(clock_->font()).horizontalAdvance(QStringLiteral("00:00:00")) + gap::tiny);
-    named(factor_, tr("Real-time factor"), tr("Real-time factor: protocol seconds per second of wall time"));
     factor_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     factor_->setMinimumWidth(factor_->fontMetrics().horizontalAdvance(QStringLiteral("RTF 000.00")));
     laidOut(new QHBoxLayout(this), {gap::small, gap::tiny, gap::small, gap::tiny}, gap::tiny,
@@ -30,7 +29,10 @@ TimeBar::TimeBar(QWidget* parent) : QWidget(parent) {
         emit pauseRequested(paused);
     });
     connect(step_, &QToolButton::clicked, this, &TimeBar::stepRequested);
-    connect(speed_, &QComboBox::activated, this, [this] { emit speedRequested(speed()); });
+    connect(speed_, &QComboBox::activated, this, [this] {
+        showFactor();
+        emit speedRequested(speed());
+    });
     setPaused(false);
     setClock(std::nullopt);
     setRealTimeFactor(std::nullopt);
@@ -49,8 +51,14 @@ void TimeBar::setPaused(bool paused) {
     step_->setEnabled(paused);
 }
 
+void TimeBar::setSpeed(double speed) {
+    speed_->setSpeed(speed);
+    showFactor();
+}
+
 void TimeBar::changeSpeed(int entries) {
     speed_->step(entries);
+    showFactor();
     emit speedRequested(speed());
 }
 
@@ -59,7 +67,23 @@ void TimeBar::setClock(std::optional<Seconds> now) {
 }
 
 void TimeBar::setRealTimeFactor(std::optional<double> factor) {
-    factor_->setText(QStringLiteral("RTF ") + figure(factor.value_or(qQNaN()), 2, 6));
+    real_time_factor_ = factor;
+    showFactor();
+}
+
+void TimeBar::setLimited(bool limited) {
+    limited_ = limited;
+    showFactor();
+}
+
+void TimeBar::showFactor() {
+    if (limited_ && speed() > 1.0) {
+        named(factor_, tr("Real-time factor"),
+              tr("No robot is there, so time runs at 1×. The chosen speed holds as soon as there is one."));
+        return factor_->setText(tr("1×: no robot"));
+    }
+    named(factor_, tr("Real-time factor"), tr("Real-time factor: protocol seconds per second of wall time"));
+    factor_->setText(QStringLiteral("RTF ") + figure(real_time_factor_.value_or(qQNaN()), 2, 6));
 }
 
 } // namespace usar::widgets

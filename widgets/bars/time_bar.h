@@ -26,11 +26,14 @@ public:
     void setPaused(bool paused);
     bool paused() const { return pause_->isChecked(); }
     /// Shows the nearest speed of the list without a signal; infinity is "max".
-    void setSpeed(double speed) { speed_->setSpeed(speed); }
+    void setSpeed(double speed);
     /// Multiple of real time; infinity for "max".
     double speed() const { return speed_->speed(); }
     /// Moves so many entries up or down the list and emits speedRequested, as if the user had done it.
     void changeSpeed(int entries);
+    /// `limited`: no robot is there, so time runs at most at real time whatever speed is chosen; the bar says so.
+    void setLimited(bool limited);
+    bool limited() const { return limited_; }
     /// Protocol clock; nullopt while unknown.
     void setClock(std::optional<Seconds> now);
     /// Protocol seconds per second of wall time; nullopt while unknown.
@@ -45,11 +48,16 @@ signals:
     void speedRequested(double speed);
 
 private:
+    /// Shows the real-time factor, or why it is not the chosen speed.
+    void showFactor();
+
     QToolButton* pause_ = new QToolButton(this);
     QToolButton* step_ = new QToolButton(this);
     SpeedBox* speed_ = new SpeedBox(this);
     QLabel* clock_ = new QLabel(this);
     QLabel* factor_ = mutedLabel({}, this);
+    std::optional<double> real_time_factor_;
+    bool limited_ = false;
 };
 
 } // namespace usar::widgets

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include <QIcon>
 #include <QKeyEvent>
 #include <QPainter>
 #include <QStyledItemDelegate>
 
+#include "widgets/style/empty_state.h"
 #include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
 
@@ -34,15 +36,35 @@ public:
     }
 };
 
+/// An icon without a line, so that the text begins where it does beside other icons.
+QIcon noIcon() {
+    QPixmap blank(64, 64);
+    blank.fill(Qt::transparent);
+    return QIcon(blank);
+}
+
+QString wishOf(const CommandSpec& spec) {
+    return spec.wish.isEmpty() ? spec.text : spec.wish;
+}
+
+/// Score of one typed word; 0: it does not match.
+int scoreOf(const QString& typed, const QString& text, const QStringList& words) {
+    if (const qsizetype at = text.indexOf(typed, 0, Qt::CaseInsensitive); at >= 0)
+        return at == 0 ? 3 : !text[at - 1].isLetterOrNumber() ? 2 : 1;
+    const QString start = QStringLiteral(" ") + typed;
+    return std::ranges::any_of(
+        words, [&](const QString& word) { return (QStringLiteral(" ") + word).contains(start, Qt::CaseInsensitive); });
+}
+
 } // namespace
 
-std::optional<int> matchScore(const QString& typed, const QString& text) {
+std::optional<int> matchScore(const QString& typed, const QString& text, const QStringList& words) {
     int score = 0;
     for (const QString& word : typed.split(u' ', Qt::SkipEmptyParts)) {
-        const qsizetype at = text.indexOf(word, 0, Qt::CaseInsensitive);
-        if (at < 0)
+        const int part = scoreOf(word, text, words);
+        if (part == 0)
             return std::nullopt;
-        score += at == 0 ? 3 : !text[at - 1].isLetterOrNumber() ? 2 : 1;
+        score += part;
     }
     return score;
 }
@@ -54,24 +76,37 @@ CommandListModel::CommandListModel(const CommandRegistry& registry, QObject* par
 }
 
 void CommandListModel::setFilter(const QString& typed) {
-    std::vector<std::pair<int, const CommandRegistry::Command*>> scored;
-    for (const auto& command : registry_.commands()) {
-        if (!command->action->isEnabled())
-            continue;
-        const QString text = command->spec.text + QStringLiteral(" ") + command->spec.group;
-        if (const auto score = matchScore(typed, text))
-            scored.emplace_back(*score, command.get());
-    }
-    std::ranges::stable_sort(scored, std::ranges::greater(), [](const auto& entry) { return entry.first; });
     beginResetModel();
+    if (typed.isEmpty())
+        offers_ = registry_.offers();
+    constexpr int not_now = -1000; // Below every score of what is possible.
+    std::vector<std::pair<int, Row>> scored;
+    for (const auto& command : registry_.commands()) {
+        const bool possible = command->action->isEnabled();
+        const QString text = wishOf(command->spec) + QStringLiteral(" ") + command->spec.group;
+        const auto score = matchScore(typed, text, command->spec.words);
+        if (score && (possible || !typed.isEmpty()))
+            scored.emplace_back(possible ? *score : *score + not_now, Row{command.get(), nullptr});
+    }
+    if (!typed.isEmpty())
+        for (const PaletteOffer& offer : offers_)
+            if (const auto score = matchScore(typed, offer.text + QStringLiteral(" ") + offer.group, offer.words))
+                scored.emplace_back(*score, Row{nullptr, &offer});
+    std::ranges::stable_sort(scored, std::ranges::greater(), [](const auto& entry) { return entry.first; });
     rows_.clear();
-    for (const auto& [score, command] : scored)
-        rows_.push_back(command);
+    for (const auto& [score, row] : scored)
+        rows_.push_back(row);
     endResetModel();
 }
 
-QAction* CommandListModel::actionAt(const QModelIndex& index) const {
-    return index.isValid() ? rows_[static_cast<std::size_t>(index.row())]->action : nullptr;
+void CommandListModel::run(const QModelIndex& index) {
+    if (!index.isValid())
+        return;
+    const Row row = rows_[static_cast<std::size_t>(index.row())];
+    if (row.command)
+        return row.command->action->trigger();
+    const auto run = row.offer->run; // A copy, because it may open the palette again.
+    run();
 }
 
 int CommandListModel::rowCount(const QModelIndex& parent) const {
@@ -79,30 +114,52 @@ int CommandListModel::rowCount(const QModelIndex& parent) const {
 }
 
 QVariant CommandListModel::data(const QModelIndex& index, int role) const {
-    const auto& command = *rows_[static_cast<std::size_t>(index.row())];
+    const Row& row = rows_[static_cast<std::size_t>(index.row())];
+    if (row.command)
+        return dataOf(*row.command, role);
     switch (role) {
     case Qt::DisplayRole:
-        return command.spec.text;
+        return row.offer->text;
     case Qt::DecorationRole:
-        return command.action->icon();
-    case Qt::ToolTipRole:
-        return command.action->toolTip();
+        return noIcon();
     case GroupRole:
-        return command.spec.group;
-    case ShortcutRole:
-        return command.spec.shortcuts.isEmpty() ? QString()
-                                                : command.spec.shortcuts.front().toString(QKeySequence::NativeText);
+        return row.offer->group;
     default:
         return {};
     }
 }
 
+QVariant CommandListModel::dataOf(const CommandRegistry::Command& command, int role) const {
+    const CommandSpec& spec = command.spec;
+    switch (role) {
+    case Qt::DisplayRole:
+        return wishOf(spec);
+    case Qt::DecorationRole:
+        return command.action->icon().isNull() ? noIcon() : command.action->icon();
+    case Qt::ToolTipRole:
+        return command.action->toolTip();
+    case GroupRole:
+        return command.action->isEnabled() ? spec.group : tr("%1, not now").arg(spec.group);
+    case ShortcutRole:
+        return spec.shortcuts.isEmpty() ? QString() : spec.shortcuts.front().toString(QKeySequence::NativeText);
+    default:
+        return {};
+    }
+}
+
+Qt::ItemFlags CommandListModel::flags(const QModelIndex& index) const {
+    const Qt::ItemFlags flags = QAbstractListModel::flags(index);
+    const auto* const command = index.isValid() ? rows_[static_cast<std::size_t>(index.row())].command : nullptr;
+    return command && !command->action->isEnabled() ? flags & ~Qt::ItemIsEnabled : flags;
+}
+
 CommandPalette::CommandPalette(const CommandRegistry& registry, QWidget* window)
     : QFrame(window, Qt::Popup)
-    , model_(new CommandListModel(registry, this)) {
+    , model_(new CommandListModel(registry, this))
+    , nothing_(new EmptyState(list_->viewport(), tr("No command matches"), tr("Try another word, or fewer letters."))) {
     setProperty("role", "card");
     setAccessibleName(tr("Command palette"));
-    line_->setPlaceholderText(tr("Type a command"));
+    line_->setPlaceholderText(tr("Type a command, robot, world or mission"));
     named(line_, tr("Command"), tr("Finds commands by any part of their name; Return runs the marked one, Esc closes"));
     line_->setMinimumHeight(minimum_target);
     line_->setClearButtonEnabled(true);
@@ -113,12 +170,12 @@ CommandPalette::CommandPalette(const CommandRegistry& registry, QWidget* window)
     list_->setFrameShape(QFrame::NoFrame);
     laidOut(new QVBoxLayout(this), {gap::small, gap::small, gap::small, gap::small}, gap::small, {line_, list_});
     line_->installEventFilter(this);
-    connect(line_, &QLineEdit::textChanged, this, [this](const QString& text) {
-        model_->setFilter(text);
-        list_->setCurrentIndex(model_->index(0));
-    });
+    connect(line_, &QLineEdit::textChanged, this, &CommandPalette::filter);
     connect(line_, &QLineEdit::returnPressed, this, &CommandPalette::run);
-    connect(list_, &QListView::clicked, this, &CommandPalette::run);
+    connect(list_, &QListView::clicked, this, [this](const QModelIndex& row) {
+        if (row.flags() & Qt::ItemIsEnabled)
+            run();
+    });
 }
 
 void CommandPalette::open() {
@@ -127,10 +184,15 @@ void CommandPalette::open() {
     resize(size);
     move(window->mapToGlobal(QPoint((window->width() - size.width()) / 2, gap::large)));
     line_->clear();
-    model_->setFilter({});
-    list_->setCurrentIndex(model_->index(0));
+    filter({});
     show();
     line_->setFocus();
+}
+
+void CommandPalette::filter(const QString& typed) {
+    model_->setFilter(typed);
+    list_->setCurrentIndex(model_->index(0));
+    nothing_->setVisible(model_->rowCount() == 0);
 }
 
 bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
@@ -148,11 +210,11 @@ void CommandPalette::choose(int by) {
 }
 
 void CommandPalette::run() {
-    QAction* action = model_->actionAt(list_->currentIndex());
-    if (!action)
+    const QModelIndex marked = list_->currentIndex();
+    if (!marked.isValid())
         return;
     hide();
-    action->trigger();
+    model_->run(marked);
 }
 
 } // namespace usar::widgets

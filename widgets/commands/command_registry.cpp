@@ -1,23 +1,58 @@
 #include "widgets/commands/command_registry.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QMetaEnum>
+#include <QScopedValueRollback>
 
 #include "widgets/style/icons.h"
 
 namespace usar::widgets {
 
+namespace {
+
+/// An action that knows whether a key triggers it at the moment.
+class KeyedAction : public QAction {
+public:
+    using QAction::QAction;
+    bool byKey() const { return by_key_; }
+
+protected:
+    bool event(QEvent* event) override {
+        const QScopedValueRollback by_key(by_key_, event->type() == QEvent::Shortcut);
+        return QAction::event(event);
+    }
+
+private:
+    bool by_key_ = false;
+};
+
+/// True for keys that people type: without Ctrl, Alt or Meta, and no function key.
+bool isPlain(const QKeySequence& keys) {
+    if (keys.count() != 1 || (keys[0].keyboardModifiers() & ~Qt::KeyboardModifiers(Qt::ShiftModifier)))
+        return false;
+    return keys[0].key() < Qt::Key_F1 || keys[0].key() > Qt::Key_F35;
+}
+
+} // namespace
+
 CommandRegistry::CommandRegistry(QWidget* window) : QObject(window), window_(window) {}
 
 QAction* CommandRegistry::add(const CommandSpec& spec, std::function<void(bool)> run, std::function<bool()> enabled) {
-    auto* action = new QAction(icon(spec.icon), spec.text, this);
+    auto* action = new KeyedAction(icon(spec.icon), spec.text, this);
     action->setCheckable(spec.checkable);
     if (run)
-        connect(action, &QAction::triggered, this, std::move(run));
+        connect(action, &QAction::triggered, this, [this, action, spec, run = std::move(run)](bool on) {
+            const bool asks = action->byKey() && !spec.question.isEmpty() && !(spec.checkable && on);
+            if (!asks)
+                return run(on);
+            action->setChecked(!on); // It stays as it was until the answer.
+            emit questionRaised(spec, [run, on] { run(on); });
+        });
     list(spec, action, std::move(enabled));
     return action;
 }
@@ -53,10 +88,28 @@ QAction* CommandRegistry::action(const QString& id) const {
     return command->action;
 }
 
+void CommandRegistry::setPlacesOfPlainKeys(const QList<QWidget*>& places) {
+    for (const auto& command : commands_) {
+        if (std::ranges::none_of(command->spec.shortcuts, isPlain))
+            continue;
+        window_->removeAction(command->action);
+        command->action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+        for (QWidget* const place : places)
+            place->addAction(command->action);
+    }
+}
+
 void CommandRegistry::refresh() {
     for (const auto& command : commands_)
         if (command->enabled)
             command->action->setEnabled(command->enabled());
+}
+
+std::vector<PaletteOffer> CommandRegistry::offers() const {
+    std::vector<PaletteOffer> all;
+    for (const auto& provider : providers_)
+        std::ranges::move(provider(), std::back_inserter(all));
+    return all;
 }
 
 void CommandRegistry::fill(QMenu* menu, const QStringList& ids) const {
@@ -90,6 +143,9 @@ CommandSpec specOf(const QString& id, const QString& group, const QJsonObject& r
         spec.shortcuts << keysOf(keys.toString());
     spec.checkable = row["checkable"].toBool();
     spec.twice = keysOf(row["twice"].toString());
+    spec.question = row["question"].toString();
+    spec.answer = row["answer"].toString();
+    spec.words = row["words"].toString().split(", ", Qt::SkipEmptyParts);
     return spec;
 }
 

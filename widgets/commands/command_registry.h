@@ -15,18 +15,31 @@ namespace usar::widgets {
 
 /// Description of a command as its author writes it.
 struct CommandSpec {
-    QString id;                    ///< "map.fit"
-    QString text;                  ///< "Fit mission in view": shown in menus and the palette
-    QString group;                 ///< "Map": group of related commands, a heading of the help sheet
-    QString help;                  ///< one sentence; the tooltip appends the shortcut
-    QString icon;                  ///< icon name for icons.h; may be empty
-    QList<QKeySequence> shortcuts; ///< the first one is shown in tooltips; no two commands may share one
-    bool checkable = false;        ///< the action has an on/off state
-    QKeySequence twice{};          ///< one key that also runs the command when it is pressed twice; see KeyTwice
+    QString id;                      ///< "map.fit"
+    QString text;                    ///< "Fit mission in view": shown in menus and the palette
+    QString group;                   ///< "Map": group of related commands, a heading of the help sheet
+    QString help{};                  ///< one sentence; the tooltip appends the shortcut
+    QString icon{};                  ///< icon name for icons.h; may be empty
+    QList<QKeySequence> shortcuts{}; ///< the first one is shown in tooltips; no two commands may share one
+    bool checkable = false;          ///< the action has an on/off state
+    QKeySequence twice{};            ///< one key that also runs the command when it is pressed twice; see KeyTwice
+    QString question{};  ///< asked before a key runs the command, or switches it off; %1: robot; empty: never
+    QString answer{};    ///< the answer that runs it: "Land"
+    QStringList words{}; ///< other words for it, by which the palette finds it
+    QString wish{};      ///< the text with a verb, for the palette: "Show Camera"; empty: the text
 };
 
-/// Owns the actions and adds them to the window, so that shortcuts work wherever the focus is. GUI thread; must not
-/// outlive the window.
+/// Something that the palette offers beside the commands because it comes and goes: "Select R1".
+struct PaletteOffer {
+    QString text;
+    QString group;
+    QStringList words{}; ///< other words for it
+    std::function<void()> run;
+};
+
+/// Owns the actions and adds them to the window, so that shortcuts work wherever the focus is; only those that are a
+/// single key without Ctrl or Alt work in a few places alone (`setPlacesOfPlainKeys`), or what is typed elsewhere would
+/// move a robot. GUI thread; must not outlive the window.
 class CommandRegistry : public QObject {
     Q_OBJECT
 public:
@@ -50,11 +63,23 @@ public:
     };
     /// In the order of registration.
     const std::vector<std::unique_ptr<Command>>& commands() const { return commands_; }
+    /// The widgets in which a single key runs its command while one of them, or a part of it, has the focus. Before
+    /// this call it does so everywhere; to be called once, after all commands have been added.
+    void setPlacesOfPlainKeys(const QList<QWidget*>& places);
     /// Evaluates every `enabled` rule again; call it when state that the rules depend on has changed.
     void refresh();
 
+    /// Lets the palette offer what `provider` returns whenever the palette opens.
+    void offer(std::function<std::vector<PaletteOffer>()> provider) { providers_.push_back(std::move(provider)); }
+    /// What can be done at this moment beside the commands, in the order in which the providers were added.
+    std::vector<PaletteOffer> offers() const;
+
     /// Appends these commands in order; an id "-" makes a separator.
     void fill(QMenu* menu, const QStringList& ids) const;
+
+signals:
+    /// A key was pressed for a command that has a question; `run` does what it asks about.
+    void questionRaised(const usar::widgets::CommandSpec& spec, const std::function<void()>& run);
 
 private:
     void list(const CommandSpec& spec, QAction* action, std::function<bool()> enabled);
@@ -62,15 +87,16 @@ private:
 
     QWidget* window_;
     std::vector<std::unique_ptr<Command>> commands_;
+    std::vector<std::function<std::vector<PaletteOffer>()>> providers_;
 };
 
 /// "Help sentence (Ctrl+K)": the help, or the text if there is no help, with the first shortcut.
 QString tooltipText(const CommandSpec& spec);
 
 /// Reads a table of commands: an object of groups, each an object of commands by id, with `text`, `help`, and possibly
-/// `icon`, `keys`, `checkable` and `twice`. A key is written as in a menu ("Ctrl+K"), or names one that differs by
-/// desktop
-/// ("StandardKey::Open"). Text that is no JSON object is read as an empty table.
+/// `icon`, `keys`, `checkable`, `twice`, `question`, `answer` and `words`, which are separated by commas. A key is
+/// written as in a menu ("Ctrl+K"), or names one that differs by desktop ("StandardKey::Open"). Text that is no JSON
+/// object is read as an empty table.
 std::vector<CommandSpec> readCommandTable(const QByteArray& json);
 
 /// All commands of the program's own table, sorted by group and id.

@@ -20,6 +20,9 @@ public:
     /// object.
     explicit KeyTwice(const QKeySequence& key, QObject* parent = nullptr);
 
+    /// The last press meant something else: it does not count.
+    void forget() { armed_ = false; }
+
 signals:
     /// Emitted once for each pair: four presses emit it twice.
     void pressedTwice();

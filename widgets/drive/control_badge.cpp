@@ -13,7 +13,7 @@ namespace usar::widgets {
 namespace {
 
 constexpr int badge_height_px = 26;
-constexpr int usual_width_px = 168; // "R1: nobody drives"
+constexpr int usual_width_px = 168; // "R1: you drive · keys"
 constexpr int roomy_width_px = 264; // "R1: Terrain survey (C++) drives"
 constexpr int least_width_px = 136; // "R1: you drive"
 
@@ -45,7 +45,7 @@ void ControlBadge::setWords(const ControlWords& words) {
 
 QString ControlBadge::text() const {
     if (words_.robot.isEmpty())
-        return tr("no robot to drive");
+        return tr("No robot");
     return bare_ ? controlText(words_) : tr("%1: %2").arg(words_.robot, controlText(words_));
 }
 

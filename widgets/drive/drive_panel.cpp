@@ -133,7 +133,7 @@ void DrivePanel::setState(const DriveState& state) {
     badge_->setWords(state.control);
     const bool behavior = state.control.driver == Driver::Behavior;
     take_->setText(state.taken ? tr("Give control back") : behavior ? tr("Take control") : tr("Drive by hand"));
-    take_->setToolTip(state.taken ? tr("Then nobody drives; a paused behavior waits to be resumed (G)")
+    take_->setToolTip(state.taken ? tr("Gives up control; a paused behavior waits to be resumed (G)")
                       : behavior  ? tr("Pauses the behavior; you drive from then on (G)")
                                   : tr("Keys, pad and gamepad drive while they are held (G)"));
     take_->setEnabled(state.can_take);

@@ -1,6 +1,6 @@
 #include "widgets/map/height_layer.h"
 
-#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -10,7 +10,8 @@ namespace usar::widgets {
 namespace {
 
 constexpr int tile_side = mapping::HeightTile::side;
-using TilePixels = std::array<std::uint32_t, mapping::HeightTile::cell_count>;
+/// Heights of a whole page in the order of its picture.
+using PageHeights = std::vector<float>;
 
 std::uint32_t* scanLine(QImage& image, int y) {
     return reinterpret_cast<std::uint32_t*>(image.scanLine(y));
@@ -19,18 +20,30 @@ const std::uint32_t* scanLine(const QImage& image, int y) {
     return reinterpret_cast<const std::uint32_t*>(image.constScanLine(y));
 }
 
-/// Copies a tile into the picture. `pixels` have x to the right and y up; with x up and y left the picture is rotated
-/// by a quarter turn counter-clockwise.
-void place(QImage& image, const TilePixels& pixels, int tile_column, int tile_row, MapOrientation orientation) {
+/// Copies the preview of a tile into the page. With x up and y left the page is rotated by a quarter turn
+/// counter-clockwise.
+void place(PageHeights& heights_m, const mapping::HeightTile& tile, int tile_column, int tile_row,
+           MapOrientation orientation) {
     const int last = PageTiles::tiles_per_side - 1;
     const bool x_up = orientation == MapOrientation::XUp;
     const int left = (x_up ? last - tile_row : tile_column) * tile_side;
     const int top = (x_up ? last - tile_column : last - tile_row) * tile_side;
-    for (int y = 0; y < tile_side; ++y) {
-        std::uint32_t* out = scanLine(image, top + y) + left;
-        for (int x = 0; x < tile_side; ++x)
-            out[x] = pixels[static_cast<std::size_t>(x_up ? x * tile_side + (tile_side - 1 - y) : y * tile_side + x)];
-    }
+    for (int y = 0; y < tile_side; ++y)
+        for (int x = 0; x < tile_side; ++x) {
+            const int upward = tile_side - 1 - y;
+            const int cell = x_up ? (tile_side - 1 - x) * tile_side + upward : upward * tile_side + x;
+            heights_m[static_cast<std::size_t>((top + y) * PageTiles::side + left + x)] =
+                tile.preview_m[static_cast<std::size_t>(cell)];
+        }
+}
+
+PageHeights heightsOf(const PageTiles& page, MapOrientation orientation) {
+    PageHeights heights_m(std::size_t(PageTiles::side) * PageTiles::side, std::numeric_limits<float>::quiet_NaN());
+    for (std::size_t i = 0; i < page.tiles.size(); ++i)
+        if (page.tiles[i])
+            place(heights_m, *page.tiles[i], static_cast<int>(i) % PageTiles::tiles_per_side,
+                  static_cast<int>(i) / PageTiles::tiles_per_side, orientation);
+    return heights_m;
 }
 
 /// Mean of four premultiplied pixels, two channels at a time.
@@ -53,39 +66,57 @@ QImage halved(const QImage& image) {
     return half;
 }
 
+/// A picture of the page with what `colorOf(column, row)` gives, as premultiplied pixels, and its reductions.
+template <class ColorOf>
+PagePicture::Levels paintedBy(const ColorOf& colorOf) {
+    PagePicture::Levels levels;
+    levels[0] = QImage(PageTiles::side, PageTiles::side, QImage::Format_ARGB32_Premultiplied);
+    for (int row = 0; row < PageTiles::side; ++row) {
+        std::uint32_t* out = scanLine(levels[0], row);
+        for (int column = 0; column < PageTiles::side; ++column)
+            out[column] = qPremultiply(colorOf(column, row));
+    }
+    for (std::size_t level = 1; level < levels.size(); ++level)
+        levels[level] = halved(levels[level - 1]);
+    return levels;
+}
+
 std::int32_t floorDivided(std::int32_t a, std::int32_t b) {
     return a / b - (a % b < 0 ? 1 : 0);
 }
 
+/// True if colors would show the difference: a scale has 256 of them.
+bool looksOther(const mapping::HeightRange& range, const mapping::HeightRange& painted) {
+    const float step_m = (painted.maximum_m - painted.minimum_m) / 512.0f;
+    return std::abs(range.minimum_m - painted.minimum_m) > step_m ||
+           std::abs(range.maximum_m - painted.maximum_m) > step_m;
+}
+
 } // namespace
 
-const QImage& PagePicture::levelFor(double screen_pixels_per_cell) const {
+std::size_t PagePicture::indexFor(double screen_pixels_per_cell) {
     std::size_t level = 0;
     while (level + 1 < level_count && screen_pixels_per_cell <= 0.5) {
         screen_pixels_per_cell *= 2.0;
         ++level;
     }
-    return levels[level];
+    return level;
+}
+
+double contourStep_m(const mapping::HeightRange& range) {
+    return roundStep((double(range.maximum_m) - double(range.minimum_m)) / 5.0);
 }
 
 PagePicture renderPage(const PageTiles& page, const HeightStyle& style) {
+    const PageHeights heights_m = heightsOf(page, style.orientation);
+    const mapping::HeightGrid grid{heights_m, PageTiles::side, PageTiles::side, style.cell_size_m};
     PagePicture picture;
-    QImage& full = picture.levels[0];
-    full = QImage(PageTiles::side, PageTiles::side, QImage::Format_ARGB32_Premultiplied);
-    full.fill(Qt::transparent);
-    auto pixels = std::make_unique<TilePixels>();
-    for (std::size_t i = 0; i < page.tiles.size(); ++i) {
-        if (!page.tiles[i])
-            continue;
-        mapping::shadeTile(*page.tiles[i], style.range, mapping::ColorMap::Gray, *pixels);
-        // Shades are opaque or fully transparent; a transparent premultiplied pixel is zero in every channel.
-        std::ranges::replace_if(
-            *pixels, [](std::uint32_t pixel) { return pixel >> 24 == 0; }, 0u);
-        place(full, *pixels, static_cast<int>(i) % PageTiles::tiles_per_side,
-              static_cast<int>(i) / PageTiles::tiles_per_side, style.orientation);
-    }
-    for (std::size_t level = 1; level < PagePicture::level_count; ++level)
-        picture.levels[level] = halved(picture.levels[level - 1]);
+    picture.levels = paintedBy(
+        [&](int column, int row) { return mapping::shadeCell(grid, column, row, style.range, style.color_map); });
+    if (style.contour_step_m > 0.0)
+        picture.contours = paintedBy([&](int column, int row) {
+            return mapping::contourCell(grid, column, row, style.range, style.contour_step_m);
+        });
     return picture;
 }
 
@@ -111,12 +142,12 @@ HeightLayer::~HeightLayer() {
 }
 
 void HeightLayer::clear(double cell_size_m) {
-    cell_size_m_ = cell_size_m;
+    style_.cell_size_m = cell_size_m;
     tiles_.clear();
     sources_.clear();
     pages_.clear();
     dirty_.clear();
-    range_known_ = false;
+    scan_range_.reset();
     ++generation_;
     emit changed();
 }
@@ -141,11 +172,36 @@ void HeightLayer::take(const std::vector<std::shared_ptr<const HeightTile>>& til
         source.tiles[static_cast<std::size_t>(row * PageTiles::tiles_per_side + column)] = tile;
         dirty_.insert(page);
     }
-    if (range && (!range_known_ || *range != style_.range)) {
-        range_known_ = true;
-        restyle(&HeightStyle::range, *range);
-    }
+    if (range)
+        scan_range_ = range;
+    applyRange();
     renderNext();
+}
+
+void HeightLayer::setLook(const HeightLook& look) {
+    look_ = look;
+    restyle(&HeightStyle::color_map, look.color_map);
+    applyRange();
+    renderNext();
+    emit changed();
+}
+
+void HeightLayer::setContours(bool drawn) {
+    contours_ = drawn;
+    applyRange();
+    renderNext();
+}
+
+mapping::HeightRange HeightLayer::range() const {
+    return look_.fixed_range.value_or(scan_range_.value_or(mapping::HeightRange{}));
+}
+
+void HeightLayer::applyRange() {
+    if (!rangeKnown())
+        return;
+    if (looksOther(range(), style_.range))
+        restyle(&HeightStyle::range, range());
+    restyle(&HeightStyle::contour_step_m, contours_ ? contourStep_m(style_.range) : 0.0);
 }
 
 void HeightLayer::setOrientation(MapOrientation orientation) {
@@ -156,7 +212,7 @@ void HeightLayer::setOrientation(MapOrientation orientation) {
 Rectangle HeightLayer::bounds_in_map() const {
     if (tiles_.empty())
         return {};
-    const double side_m = HeightTile::side * cell_size_m_;
+    const double side_m = HeightTile::side * style_.cell_size_m;
     const double huge = std::numeric_limits<double>::max();
     Rectangle bounds{Vec2(huge, huge), Vec2(-huge, -huge)};
     for (const auto& [index, tile] : tiles_) {
@@ -168,11 +224,11 @@ Rectangle HeightLayer::bounds_in_map() const {
 }
 
 std::optional<mapping::HeightProbe> HeightLayer::probe(const Vec2& point_in_map_m) const {
-    return mapping::probeHeight(tiles_, cell_size_m_, point_in_map_m);
+    return mapping::probeHeight(tiles_, style_.cell_size_m, point_in_map_m);
 }
 
 void HeightLayer::renderNext() {
-    if (rendering_ || dirty_.empty() || !range_known_)
+    if (rendering_ || dirty_.empty() || !rangeKnown())
         return;
     std::vector<PageTiles> batch;
     batch.reserve(dirty_.size());

@@ -19,10 +19,20 @@
 
 namespace usar::widgets {
 
+/// How the user wants to see the heights.
+struct HeightLook {
+    mapping::ColorMap color_map = mapping::ColorMap::Color;
+    std::optional<mapping::HeightRange> fixed_range; ///< nullopt: the range follows the scan
+    bool operator==(const HeightLook&) const = default;
+};
+
 /// How heights are turned into pixels.
 struct HeightStyle {
     mapping::HeightRange range;
     MapOrientation orientation = MapOrientation::XUp;
+    mapping::ColorMap color_map = mapping::ColorMap::Color;
+    double cell_size_m = 0.25;   ///< positive
+    double contour_step_m = 0.0; ///< 0: no contours are drawn
 };
 
 /// The tiles of one page, indexed by column + row * tiles_per_side; null if nothing is known there.
@@ -38,13 +48,25 @@ struct PageTiles {
 /// screen.
 struct PagePicture {
     static constexpr std::size_t level_count = 4;
-    std::array<QImage, level_count> levels;
+    using Levels = std::array<QImage, level_count>;
+    Levels levels;
+    Levels contours; ///< transparent but for the lines; null images if no contours are drawn
 
     /// Returns the coarsest level that still has at least one pixel for every screen pixel.
-    const QImage& levelFor(double screen_pixels_per_cell) const;
+    const QImage& levelFor(double screen_pixels_per_cell) const { return levels[indexFor(screen_pixels_per_cell)]; }
+    const QImage& contoursFor(double screen_pixels_per_cell) const {
+        return contours[indexFor(screen_pixels_per_cell)];
+    }
+
+private:
+    static std::size_t indexFor(double screen_pixels_per_cell);
 };
 
-/// Renders a page; a pure function that takes 0.1 to 0.3 ms, meant for a worker thread.
+/// The distance of contour lines that divides a range into about ten: 1, 2 or 5 times a power of ten, in meters.
+double contourStep_m(const mapping::HeightRange& range);
+
+/// Renders a page; a pure function that takes about a millisecond, meant for a worker thread. Light and contours end at
+/// the edge of the page.
 PagePicture renderPage(const PageTiles& page, const HeightStyle& style);
 
 /// Index of the page that contains the tile. Both count from the map's origin and may be negative.
@@ -68,12 +90,17 @@ public:
     /// rendered before the first range is known; nullopt leaves the range unchanged.
     void take(const std::vector<std::shared_ptr<const mapping::HeightTile>>& tiles,
               const std::optional<mapping::HeightRange>& range);
-    /// Renders every page again.
+    /// Each of these renders every page again if it changes something.
     void setOrientation(MapOrientation orientation);
+    void setLook(const HeightLook& look);
+    void setContours(bool drawn);
 
     /// Side of a cell in meters.
-    double cellSize_m() const { return cell_size_m_; }
+    double cellSize_m() const { return style_.cell_size_m; }
+    /// As the pages are painted; their range may differ from `range` by less than the colors can show.
     const HeightStyle& style() const { return style_; }
+    /// What the ends of the color scale stand for; without extent until it is known.
+    mapping::HeightRange range() const;
     /// True until the first tile arrives, whether or not it has been rendered.
     bool empty() const { return tiles_.empty(); }
     /// Finished pictures by page index.
@@ -86,22 +113,26 @@ public:
     bool busy() const { return rendering_ || !dirty_.empty(); }
 
 signals:
-    /// Finished pictures were swapped in, or all were removed.
+    /// Finished pictures were swapped in, all were removed, or the look has changed.
     void changed();
 
 private:
     /// Changes one part of the style; every page must be rendered again if that is another value.
     template <class Value>
     void restyle(Value HeightStyle::*part, const Value& value);
+    /// True if heights have a color: there is a scan or a fixed range.
+    bool rangeKnown() const { return scan_range_ || look_.fixed_range; }
+    /// Paints with the present range and its contours from now on, if that can be seen.
+    void applyRange();
     /// Hands all dirty pages to the worker, unless it is busy or no range is known yet.
     void renderNext();
     /// Takes the worker's result; a result from before the last clear() is dropped.
     void swapIn(std::vector<std::pair<mapping::GridIndex, PagePicture>> finished, int generation);
 
-    double cell_size_m_ = 0.25;
     HeightStyle style_;
-    /// False until the first range arrives.
-    bool range_known_ = false;
+    HeightLook look_;
+    bool contours_ = false;
+    std::optional<mapping::HeightRange> scan_range_; ///< nullopt until the first range arrives
     mapping::HeightTiles tiles_;
     std::map<mapping::GridIndex, PageTiles> sources_;
     std::map<mapping::GridIndex, PagePicture> pages_;

@@ -25,11 +25,18 @@ void paintGridSwatch(QPainter& painter) {
         painter.drawLine(QPointF(frame.left(), y), QPointF(frame.right(), y));
 }
 
+void paintContourSwatch(QPainter& painter) {
+    painter.setPen(QPen(tokens().text, 1.0));
+    painter.setBrush(Qt::NoBrush);
+    for (const double r : {2.0, 4.5, 7.0})
+        painter.drawEllipse(QPointF(), 1.8 * r, r);
+}
+
 void paintHeightSwatch(QPainter& painter) {
     const mapping::HeightRange range{0.0f, static_cast<float>(frame.width() - 1.0)};
     for (int i = 0; i < static_cast<int>(frame.width()); ++i)
         painter.fillRect(QRectF(frame.left() + i, frame.top(), 1.0, frame.height()),
-                         QColor::fromRgba(mapping::shade(static_cast<float>(i), range, mapping::ColorMap::Gray)));
+                         QColor::fromRgba(mapping::shade(static_cast<float>(i), range, mapping::ColorMap::Color)));
 }
 
 void paintLaneSwatch(QPainter& painter) {
@@ -71,6 +78,8 @@ void paintLayer(QPainter& painter, MapLayer layer) {
         return paintGridSwatch(painter);
     case MapLayer::Heights:
         return paintHeightSwatch(painter);
+    case MapLayer::Contours:
+        return paintContourSwatch(painter);
     case MapLayer::Area:
         painter.setPen(dashedPen(tokens().accent, 1.5, {4.0, 2.5}));
         return painter.drawRect(frame);
@@ -105,6 +114,7 @@ void paintLayer(QPainter& painter, MapLayer layer) {
 
 const QString visible_key = QStringLiteral("visible");
 const QString opacity_key = QStringLiteral("opacity");
+const QString look_key = QStringLiteral("look of heights");
 
 } // namespace
 
@@ -132,6 +142,8 @@ LayersPanel::LayersPanel(QWidget* parent) : QWidget(parent) {
         line = addLayer(layer, line);
         if (layer == MapLayer::Marks)
             line = addMarkLegend(line);
+        if (layer == MapLayer::Heights)
+            grid_->addWidget(heights_ = new HeightControls(this), line++, 2, 1, 2);
         setLayer(layer, firstLayers()[i]);
     }
     grid_->setRowStretch(line, 1);
@@ -193,6 +205,7 @@ QByteArray LayersPanel::saveState() const {
         layers[layerName(static_cast<MapLayer>(i))] =
             QJsonObject{{visible_key, state.visible}, {opacity_key, state.opacity}};
     }
+    layers[look_key] = heights_->saveState();
     return QJsonDocument(layers).toJson(QJsonDocument::Compact);
 }
 
@@ -208,6 +221,7 @@ bool LayersPanel::restoreState(const QByteArray& state) {
         if (layer(which) != before)
             emit layerChanged(which, layer(which));
     }
+    heights_->restoreState(document.object()[look_key].toObject());
     return true;
 }
 

@@ -8,6 +8,7 @@
 #include <QToolButton>
 #include <QWidget>
 
+#include "widgets/map/height_controls.h"
 #include "widgets/map/map_content.h"
 
 class QGridLayout;
@@ -43,7 +44,11 @@ public:
     /// The state as shown; opacity is rounded to whole percent.
     LayerState layer(MapLayer layer) const;
 
-    /// Visibility and opacity of all layers as JSON, keyed by the layers' names; for the settings.
+    /// Colors and range of the height map.
+    HeightControls* heightControls() const { return heights_; }
+
+    /// Visibility and opacity of all layers and the look of the heights as JSON, keyed by the layers' names; for the
+    /// settings.
     QByteArray saveState() const;
     /// Emits layerChanged for each layer that changes; layers that `state` does not name keep theirs. Returns false and
     /// changes nothing if `state` is not a JSON object.
@@ -64,6 +69,7 @@ private:
         QSlider* opacity = nullptr;
     };
     QGridLayout* grid_ = nullptr;
+    HeightControls* heights_ = nullptr;
     std::array<Row, map_layer_count> rows_;
 };
 

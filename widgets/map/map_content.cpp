@@ -9,7 +9,53 @@ namespace {
 
 constexpr double around_start_poses_m = 20.0;
 
+/// Extends `extent`, which may be nullopt, so that it includes the point, unless this is not finite.
+void include(std::optional<Rectangle>& extent, const Vec2& point_m) {
+    if (!point_m.allFinite())
+        return;
+    if (!extent)
+        extent = Rectangle{point_m, point_m};
+    extent->min_m = extent->min_m.cwiseMin(point_m);
+    extent->max_m = extent->max_m.cwiseMax(point_m);
+}
+
+/// Leaves out a rectangle that is empty.
+void include(std::optional<Rectangle>& extent, const Rectangle& part) {
+    if (part.empty())
+        return;
+    include(extent, part.min_m);
+    include(extent, part.max_m);
+}
+
 } // namespace
+
+Rectangle MapContent::missionInMap(const Rectangle& scan_in_map) const {
+    std::optional<Rectangle> mission;
+    include(mission, scan_in_map);
+    include(mission, area.area_in_map.value_or(Rectangle{}));
+    if (!mission)
+        return {};
+    for (const Vec2& point_m : area.lanes_in_map_m)
+        include(mission, point_m);
+    if (const auto found = robots.find(selected_robot); found != robots.end()) {
+        const RobotOnMap& robot = found->second;
+        include(mission, Vec2(robot.robot.base_in_map.position_m.head<2>()));
+        if (!robot.trail.points_m().empty())
+            include(mission, robot.trail.points_m().front());
+        if (robot.goal_in_map_m)
+            include(mission, Vec2(robot.goal_in_map_m->head<2>()));
+    }
+    return *mission;
+}
+
+std::optional<Rectangle> MapContent::everythingInMap(const Rectangle& scan_in_map) const {
+    std::optional<Rectangle> all;
+    include(all, missionInMap(scan_in_map));
+    include(all, groundInMap());
+    for (const auto& [name, robot] : robots)
+        include(all, Vec2(robot.robot.base_in_map.position_m.head<2>()));
+    return all;
+}
 
 Rectangle MapContent::groundInMap() const {
     if (world_in_map)

@@ -23,6 +23,7 @@ enum class MapLayer {
     World,
     Grid,
     Heights,
+    Contours,
     Area,
     Lanes,
     Trails,
@@ -35,7 +36,7 @@ enum class MapLayer {
     Radio,
     Robots
 };
-inline constexpr std::size_t map_layer_count = 14;
+inline constexpr std::size_t map_layer_count = 15;
 /// "Height map": the layer's name in menus and in the layers panel.
 QString layerName(MapLayer layer);
 
@@ -48,8 +49,8 @@ struct LayerState {
 };
 
 using LayerStates = std::array<LayerState, map_layer_count>;
-/// Initial state of map and layers panel: everything visible except the radio links; the world is faint, so that it
-/// stays in the background of the measurements.
+/// Initial state of map and layers panel: everything visible except contours and radio links; the world is faint, so
+/// that it stays in the background of the measurements.
 LayerStates firstLayers();
 
 /// A robot as the map needs it. `number` 1..9 selects its color and key.
@@ -121,6 +122,11 @@ struct MapContent {
     bool empty() const { return !world_in_map && start_poses.empty() && robots.empty(); }
     /// Extent of the world, or of the start poses with 20 m around them if it is not known; empty without both.
     Rectangle groundInMap() const;
+    /// What the mission is about: the scan (empty: none), the area, the selected robot with where it began and where it
+    /// is going. Empty without scan and area.
+    Rectangle missionInMap(const Rectangle& scan_in_map) const;
+    /// Mission, ground and all robots; nullopt if there is nothing. A single point has no size.
+    std::optional<Rectangle> everythingInMap(const Rectangle& scan_in_map) const;
     /// Removes everything that comes from the server; layers and the tool's handles stay.
     void forgetServer();
 

@@ -1,11 +1,14 @@
 #include "widgets/map/map_labels.h"
 
 #include <algorithm>
+#include <span>
 
 #include <QFontMetricsF>
 #include <QTransform>
 
 #include "widgets/map/map_overlay.h"
+#include "widgets/map/map_painter.h"
+#include "widgets/models/figures.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
@@ -88,6 +91,64 @@ void addStartPoses(Layout& layout, const MapContent& content, const MapTransform
     }
 }
 
+QString areaText(const AreaOnMap& area, double room_px) {
+    const QString dot = QStringLiteral("  ·  ");
+    const Rectangle& rectangle = *area.area_in_map;
+    QString text = QStringLiteral("x %1 × y %2 m").arg(figure(rectangle.width_m(), 1), figure(rectangle.height_m(), 1));
+    if (!area.summary.isEmpty())
+        text += dot + area.summary;
+    while (chipSize(text).width() > room_px && text.contains(QStringLiteral("·")))
+        text = text.section(QStringLiteral("·"), 0, -2).trimmed();
+    return text;
+}
+
+/// Moves the box into the view, as far as it has room there.
+QRectF movedInto(QRectF box, const QRectF& view) {
+    box.moveLeft(std::max(view.left(), std::min(box.left(), view.right() - box.width())));
+    box.moveTop(std::max(view.top(), std::min(box.top(), view.bottom() - box.height())));
+    return box;
+}
+
+/// Corners of the area's label in order of preference: below the area, above it, inside at its corners, beside it.
+std::vector<QPointF> areaCorners(const QRectF& area, const QRectF& in_sight, const QSizeF& size) {
+    constexpr double away_px = gap::small;
+    const double right = in_sight.right() - size.width();
+    const double above = area.top() - away_px - size.height();
+    std::vector<QPointF> corners;
+    for (const double x : {in_sight.left(), right})
+        corners.insert(corners.end(), {{x, area.bottom() + away_px}, {x, above}});
+    for (const double x : {in_sight.left() + away_px, right - away_px})
+        corners.insert(corners.end(),
+                       {{x, in_sight.top() + away_px}, {x, in_sight.bottom() - away_px - size.height()}});
+    for (const double x : {area.left() - away_px - size.width(), area.right() + away_px})
+        for (const double steps : {0.0, -1.0, 1.0, -2.0})
+            corners.emplace_back(x, in_sight.top() + steps * size.height());
+    return corners;
+}
+
+/// The first of these places that covers nothing; else the first of all.
+void placeArea(MapLabels& labels, const MapContent& content, const MapTransform& transform,
+               const std::vector<QRectF>& taken_px) {
+    if (!content.layer(MapLayer::Area).visible || !content.area.area_in_map)
+        return;
+    const QRectF view = QRectF(QPointF(), transform.viewport).adjusted(4.0, 4.0, -4.0, -4.0);
+    const QRectF area = transform.toScreen(*content.area.area_in_map);
+    const QRectF in_sight = area.intersected(view);
+    if (in_sight.isEmpty())
+        return;
+    labels.area_text = areaText(content.area, view.width());
+    const QSizeF size = chipSize(labels.area_text);
+    for (const QPointF& corner : areaCorners(area, in_sight, size)) {
+        const QRectF there = movedInto(QRectF(corner, size), view);
+        if (labels.area.isEmpty())
+            labels.area = there;
+        if (std::ranges::none_of(taken_px, [&](const QRectF& other) { return other.intersects(there); })) {
+            labels.area = there;
+            return;
+        }
+    }
+}
+
 } // namespace
 
 std::vector<std::optional<QRectF>> placeLabels(const std::vector<LabelWish>& wishes, std::vector<QRectF> taken_px) {
@@ -105,19 +166,28 @@ QString robotLabel(const MapRobot& robot) {
     return robot.stale ? robot.name + QStringLiteral(" (stale)") : robot.name;
 }
 
-MapLabels placeMapLabels(const MapContent& content, const MapTransform& transform) {
+MapLabels placeMapLabels(const MapContent& content, const MapTransform& transform,
+                         const std::vector<QRectF>& legends_px) {
     Layout layout;
+    layout.taken_px = legends_px;
     layout.taken_px.push_back(axesGlass_px(transform));
     takeOutside(layout, transform.viewport);
     if (content.layer(MapLayer::Robots).visible)
         addRobots(layout, content, transform);
+    const std::size_t robots = layout.wishes.size();
     if (content.layer(MapLayer::StartPoses).visible)
         addStartPoses(layout, content, transform);
-    const auto places = placeLabels(layout.wishes, layout.taken_px);
+    // Symbols of robots and start poses are taken now; the names follow in the order of their importance.
+    const auto wishes = std::span(layout.wishes);
     MapLabels labels;
-    for (std::size_t i = 0; i < layout.robots.size(); ++i)
-        labels.robots[layout.robots[i]] = *places[i];
-    labels.start_poses.assign(places.begin() + static_cast<std::ptrdiff_t>(layout.robots.size()), places.end());
+    const auto robot_places = placeLabels({wishes.begin(), wishes.begin() + std::ptrdiff_t(robots)}, layout.taken_px);
+    for (std::size_t i = 0; i < robots; ++i) {
+        labels.robots[layout.robots[i]] = *robot_places[i];
+        layout.taken_px.push_back(*robot_places[i]);
+    }
+    placeArea(labels, content, transform, layout.taken_px);
+    layout.taken_px.push_back(labels.area);
+    labels.start_poses = placeLabels({wishes.begin() + std::ptrdiff_t(robots), wishes.end()}, layout.taken_px);
     return labels;
 }
 

@@ -39,13 +39,16 @@ inline constexpr double ring_px = 18.0; ///< ring around the selected robot
 struct MapLabels {
     std::map<QString, QRectF> robots;
     std::vector<std::optional<QRectF>> start_poses; ///< in the order of the content; nullopt: no room for the name
+    QRectF area;       ///< of the mission area's size and summary; empty if the area is out of sight or hidden
+    QString area_text; ///< shortened if the view is narrow
 };
 
 /// "R1", or "R1 (stale)".
 QString robotLabel(const MapRobot& robot);
-/// Computes the boxes of the labels. Robots take precedence, the selected one first; names of start poses move aside or
-/// are left out, also near the axes in the corner and at the edge of the view. Hidden layers take no room. GUI thread,
-/// because it measures fonts.
-MapLabels placeMapLabels(const MapContent& content, const MapTransform& transform);
+/// Computes the boxes of the labels. Robots take precedence, the selected one first, then the mission area; names of
+/// start poses move aside or are left out. None lies under the axes, at the edge of the view, or under the `legends_px`
+/// if there is room elsewhere. Hidden layers take no room. GUI thread, because it measures fonts.
+MapLabels placeMapLabels(const MapContent& content, const MapTransform& transform,
+                         const std::vector<QRectF>& legends_px = {});
 
 } // namespace usar::widgets

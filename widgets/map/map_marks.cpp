@@ -6,15 +6,16 @@ namespace usar::widgets {
 
 QString layerName(MapLayer layer) {
     static constexpr std::array<const char*, map_layer_count> names = {
-        "World", "Grid",    "Height map",  "Mission area", "Lanes", "Trails",      "Trace marks",
-        "Marks", "Objects", "Start poses", "Laser hits",   "Goals", "Radio links", "Robots"};
+        "World", "Grid",    "Height map",  "Contours",   "Mission area", "Lanes",       "Trails", "Trace marks",
+        "Marks", "Objects", "Start poses", "Laser hits", "Goals",        "Radio links", "Robots"};
     return QLatin1String(names[static_cast<std::size_t>(layer)]);
 }
 
 LayerStates firstLayers() {
     LayerStates layers;
     layers[static_cast<std::size_t>(MapLayer::World)].opacity = 0.4;
-    layers[static_cast<std::size_t>(MapLayer::Radio)].visible = false; // Users who need them turn them on.
+    for (const MapLayer on_request : {MapLayer::Contours, MapLayer::Radio}) // Users who need them turn them on.
+        layers[static_cast<std::size_t>(on_request)].visible = false;
     return layers;
 }
 
@@ -38,8 +39,9 @@ QPainterPath markShape(agent::MarkShape kind, double r) {
     case agent::MarkShape::Square:
         shape.addRect(-r, -r, 2 * r, 2 * r);
         break;
-    case agent::MarkShape::Ring:
+    case agent::MarkShape::Ring: // The inner circle is a hole.
         shape.addEllipse(QPointF(), r, r);
+        shape.addEllipse(QPointF(), 0.5 * r, 0.5 * r);
         break;
     case agent::MarkShape::Cross:
         shape.addPolygon(QPolygonF({{-r, -r},
@@ -108,11 +110,15 @@ void paintStationSymbol(QPainter& painter, const QColor& color, bool stale) {
     }
 }
 
+QSizeF chipSize(const QString& text) {
+    const QFontMetricsF metrics(themeFont(FontRole::Small));
+    return {metrics.horizontalAdvance(text) + 2.0 * gap::small, metrics.height() + gap::small};
+}
+
 QRectF paintChip(QPainter& painter, const QPointF& at_px, const QString& text, Qt::Alignment alignment) {
     painter.save();
     painter.setFont(themeFont(FontRole::Small));
-    const QFontMetricsF metrics(painter.font());
-    const QSizeF size(metrics.horizontalAdvance(text) + 2.0 * gap::small, metrics.height() + gap::small);
+    const QSizeF size = chipSize(text);
     QRectF chip(at_px, size);
     if (alignment & Qt::AlignRight)
         chip.moveRight(at_px.x());

@@ -1,7 +1,9 @@
 #include "widgets/map/map_overlay.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <set>
+#include <vector>
 
 #include "widgets/map/map_painter.h"
 #include "widgets/models/figures.h"
@@ -11,10 +13,15 @@ namespace usar::widgets {
 namespace {
 
 constexpr double edge = gap::medium;
+constexpr double longest_bar_px = 160.0;
+constexpr double scale_bar_px = 40.0; ///< height of the bar with its text
+constexpr double whole_legend_px = 224.0;
+constexpr double least_legend_px = 120.0; ///< of the height legend, which has room for its figures only
+constexpr double legend_row_px = 20.0;
 
 void paintScaleBar(QPainter& painter, const MapTransform& transform) {
     const Tokens& t = tokens();
-    const double length_m = roundStep(160.0 / transform.pixels_per_m);
+    const double length_m = roundStep(longest_bar_px / transform.pixels_per_m);
     const double length_px = length_m * transform.pixels_per_m;
     const double y = transform.viewport.height() - edge;
     const QString text =
@@ -56,20 +63,16 @@ void paintAxes(QPainter& painter, const MapTransform& transform) {
                t.text_muted);
 }
 
-/// Paints the color scale with the lowest and highest height; returns the top edge of the legend.
-double paintHeightLegend(QPainter& painter, const HeightLayer& heights, const QPointF& bottom_right) {
+/// Paints the color scale with the lowest and highest height, in the colors of the height layer.
+void paintHeightLegend(QPainter& painter, const HeightLayer& heights, bool contours, const QRectF& box) {
     const Tokens& t = tokens();
-    const mapping::HeightRange& range = heights.style().range;
-    const QRectF box(bottom_right.x() - 224.0, bottom_right.y() - 48.0, 224.0, 48.0);
+    const mapping::HeightRange range = heights.range();
     paintCard(painter, box);
     const QRectF bar = box.adjusted(gap::small, 26.0, -gap::small, -gap::small);
-    const int steps = static_cast<int>(bar.width());
-    for (int i = 0; i < steps; ++i) {
-        const float part = static_cast<float>(i) / static_cast<float>(steps - 1);
-        const float height_m = range.minimum_m + part * (range.maximum_m - range.minimum_m);
-        painter.fillRect(QRectF(bar.left() + i, bar.top(), 1.0, bar.height()),
-                         QColor::fromRgba(mapping::shade(height_m, range, mapping::ColorMap::Gray)));
-    }
+    const auto last = static_cast<float>(bar.width() - 1.0);
+    for (float i = 0.0f; i <= last; ++i)
+        painter.fillRect(QRectF(bar.left() + double(i), bar.top(), 1.0, bar.height()),
+                         QColor::fromRgba(mapping::shade(i, {0.0f, last}, heights.style().color_map)));
     painter.setFont(themeFont(FontRole::Small));
     const QRectF words = box.adjusted(gap::small, 4.0, -gap::small, -24.0);
     painter.setPen(t.text);
@@ -77,28 +80,37 @@ double paintHeightLegend(QPainter& painter, const HeightLayer& heights, const QP
     painter.drawText(words, Qt::AlignRight | Qt::AlignVCenter,
                      figure(double(range.maximum_m), 1) + QStringLiteral(" m"));
     painter.setPen(t.text_muted);
-    painter.drawText(words, Qt::AlignCenter, QStringLiteral("height"));
-    return box.top();
+    if (box.width() < whole_legend_px)
+        return;
+    painter.drawText(words, Qt::AlignCenter,
+                     contours ? QStringLiteral("lines every %1 m").arg(contourStep_m(range))
+                              : QStringLiteral("height"));
 }
 
-/// Paints the kinds of marks that are on the map with their names; returns the top edge of the legend.
-double paintMarkLegend(QPainter& painter, const std::vector<agent::MapMark>& marks, const QPointF& bottom_right) {
-    std::set<agent::MarkKind> present;
+/// The kinds of which there is a mark. Runs in every frame, over thousands of marks.
+std::vector<agent::MarkKind> kindsOf(const std::vector<agent::MapMark>& marks) {
+    std::array<bool, agent::all_mark_kinds.size()> present{};
     for (const agent::MapMark& mark : marks)
-        present.insert(mark.kind);
-    const double row = 20.0;
-    const double height = row * static_cast<double>(present.size()) + gap::small;
-    const QRectF box(bottom_right.x() - 124.0, bottom_right.y() - height, 124.0, height);
+        present[static_cast<std::size_t>(mark.kind)] = true;
+    std::vector<agent::MarkKind> kinds;
+    for (const agent::MarkKind kind : agent::all_mark_kinds)
+        if (present[static_cast<std::size_t>(kind)])
+            kinds.push_back(kind);
+    return kinds;
+}
+
+/// Paints the kinds of marks that are on the map with their names.
+void paintMarkLegend(QPainter& painter, const std::vector<agent::MapMark>& marks, const QRectF& box) {
     paintCard(painter, box);
     painter.setFont(themeFont(FontRole::Small));
     double y = box.top() + gap::tiny;
-    for (const agent::MarkKind kind : present) {
-        paintMark(painter, kind, QPointF(box.left() + 16.0, y + row / 2.0), 10.0);
+    for (const agent::MarkKind kind : kindsOf(marks)) {
+        paintMark(painter, kind, QPointF(box.left() + 16.0, y + legend_row_px / 2.0), 10.0);
         painter.setPen(tokens().text);
-        painter.drawText(QRectF(box.left() + 30.0, y, box.width() - 34.0, row), Qt::AlignVCenter, markName(kind));
-        y += row;
+        painter.drawText(QRectF(box.left() + 30.0, y, box.width() - 34.0, legend_row_px), Qt::AlignVCenter,
+                         markName(kind));
+        y += legend_row_px;
     }
-    return box.top();
 }
 
 } // namespace
@@ -114,20 +126,57 @@ QRectF axesGlass_px(const MapTransform& transform) {
     return {axesOrigin(transform) + QPointF(-56.0, -60.0), QSizeF(88.0, 88.0)};
 }
 
+Legends legendsOf(const MapContent& content, const HeightLayer& heights) {
+    return {!heights.empty() && content.layer(MapLayer::Heights).visible,
+            content.layer(MapLayer::Marks).visible ? kindsOf(content.marks).size() : 0};
+}
+
+Legends legendsOfAMission(const MapContent& content) {
+    return {content.layer(MapLayer::Heights).visible,
+            content.layer(MapLayer::Marks).visible ? agent::all_mark_kinds.size() : 0};
+}
+
+OverlayPlaces::OverlayPlaces(const Legends& legends, const MapTransform& transform) : axes(axesGlass_px(transform)) {
+    const QSizeF view = transform.viewport;
+    scale_bar = QRectF(edge, view.height() - edge - scale_bar_px, longest_bar_px, scale_bar_px);
+    QPointF corner(view.width() - edge, view.height() - edge);
+    if (legends.heights) {
+        const QSizeF size(std::clamp(std::round(0.35 * view.width()), least_legend_px, whole_legend_px), 48.0);
+        heights = QRectF(corner - QPointF(size.width(), size.height()), size);
+        corner.setY(heights.top() - gap::small);
+    }
+    constexpr double most = 1.0 / 12.0; // A larger part of the view belongs to the map.
+    const QSizeF size(124.0, legend_row_px * static_cast<double>(legends.mark_kinds) + gap::small);
+    if (legends.mark_kinds > 0 && size.width() * size.height() <= most * view.width() * view.height())
+        marks = QRectF(corner - QPointF(size.width(), size.height()), size);
+}
+
+std::vector<QRectF> OverlayPlaces::all() const {
+    std::vector<QRectF> places;
+    for (const QRectF& place : {axes, scale_bar, heights, marks})
+        if (!place.isEmpty())
+            places.push_back(place);
+    return places;
+}
+
 void paintOverlay(QPainter& painter, const MapOverlay& overlay, const MapContent& content, const HeightLayer& heights,
                   const MapTransform& transform) {
     painter.setRenderHint(QPainter::Antialiasing);
+    const OverlayPlaces places(legendsOf(content, heights), transform);
     paintScaleBar(painter, transform);
     paintAxes(painter, transform);
-    const double right = transform.viewport.width() - edge;
-    double bottom = transform.viewport.height() - edge;
-    if (!heights.empty() && content.layer(MapLayer::Heights).visible)
-        bottom = paintHeightLegend(painter, heights, QPointF(right, bottom)) - gap::small;
+    double top = transform.viewport.height() - edge;
+    if (!places.heights.isEmpty()) {
+        paintHeightLegend(painter, heights, content.layer(MapLayer::Contours).visible, places.heights);
+        top = places.heights.top() - gap::small;
+    }
+    if (!places.marks.isEmpty()) {
+        paintMarkLegend(painter, content.marks, places.marks);
+        top = places.marks.top() - gap::small;
+    }
     if (!overlay.probe.isEmpty())
-        bottom = paintChip(painter, QPointF(right, bottom), overlay.probe, Qt::AlignRight | Qt::AlignBottom).top() -
-                 gap::small;
-    if (!content.marks.empty() && content.layer(MapLayer::Marks).visible)
-        paintMarkLegend(painter, content.marks, QPointF(right, bottom));
+        paintChip(painter, QPointF(transform.viewport.width() - edge, top), overlay.probe,
+                  Qt::AlignRight | Qt::AlignBottom);
     if (!overlay.following.isEmpty())
         paintChip(painter, QPointF(transform.viewport.width() / 2.0, edge),
                   QStringLiteral("Following %1 — drag the map to stop").arg(overlay.following), Qt::AlignHCenter);

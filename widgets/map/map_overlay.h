@@ -21,6 +21,27 @@ QString probeText(const Vec2& point_in_map_m, const std::optional<mapping::Heigh
 /// Area around the axes that is dimmed, in pixels; labels stay out of it.
 QRectF axesGlass_px(const MapTransform& transform);
 
+/// Which legends are on the map.
+struct Legends {
+    bool heights = false;
+    std::size_t mark_kinds = 0; ///< number of rows
+};
+Legends legendsOf(const MapContent& content, const HeightLayer& heights);
+/// What a mission that begins will bring, as far as its layers are shown.
+Legends legendsOfAMission(const MapContent& content);
+/// The places of axes, scale bar and these legends in pixels, each in a corner. A legend that has no room in a small
+/// view has an empty place and is not painted; the layers panel has it, too.
+struct OverlayPlaces {
+    QRectF axes;
+    QRectF scale_bar;
+    QRectF heights;
+    QRectF marks;
+
+    OverlayPlaces(const Legends& legends, const MapTransform& transform);
+    /// Those that are not empty.
+    std::vector<QRectF> all() const;
+};
+
 /// Paints over all layers, once per frame; leaves antialiasing on. GUI thread.
 void paintOverlay(QPainter& painter, const MapOverlay& overlay, const MapContent& content, const HeightLayer& heights,
                   const MapTransform& transform);

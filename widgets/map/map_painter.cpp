@@ -2,13 +2,12 @@
 
 #include <cmath>
 
+#include "widgets/map/map_overlay.h"
 #include "widgets/models/figures.h"
 
 namespace usar::widgets {
 
 namespace {
-
-constexpr double scale_bar_px = 56.0; ///< height of the scale bar with its text above the lower edge
 
 Vec2 flat(const Vec3& point) {
     return point.head<2>();
@@ -24,7 +23,7 @@ MapPainter::MapPainter(QPainter& painter, const MapContent& content, const Heigh
     , traces_(traces)
     , transform_(transform)
     , tokens_(tokens())
-    , labels_(placeMapLabels(content, transform)) {}
+    , labels_(placeMapLabels(content, transform, OverlayPlaces(legendsOf(content, heights), transform).all())) {}
 
 void MapPainter::paintLayers() {
     struct LayerPainter {
@@ -33,11 +32,11 @@ void MapPainter::paintLayers() {
     };
     // In the order of MapLayer.
     static constexpr LayerPainter painters[map_layer_count] = {
-        {&MapPainter::paintWorld, false},     {&MapPainter::paintGrid, false},  {&MapPainter::paintHeights, false},
-        {&MapPainter::paintArea, false},      {&MapPainter::paintLanes, true},  {&MapPainter::paintTrails, true},
-        {&MapPainter::paintTraces, false},    {&MapPainter::paintMarks, true},  {&MapPainter::paintObjects, true},
-        {&MapPainter::paintStartPoses, true}, {&MapPainter::paintLaser, false}, {&MapPainter::paintGoals, true},
-        {&MapPainter::paintRadio, true},      {&MapPainter::paintRobots, true}};
+        {&MapPainter::paintWorld, false},    {&MapPainter::paintGrid, false},      {&MapPainter::paintHeights, false},
+        {&MapPainter::paintContours, false}, {&MapPainter::paintArea, false},      {&MapPainter::paintLanes, true},
+        {&MapPainter::paintTrails, true},    {&MapPainter::paintTraces, false},    {&MapPainter::paintMarks, true},
+        {&MapPainter::paintObjects, true},   {&MapPainter::paintStartPoses, true}, {&MapPainter::paintLaser, false},
+        {&MapPainter::paintGoals, true},     {&MapPainter::paintRadio, true},      {&MapPainter::paintRobots, true}};
     for (std::size_t i = 0; i < map_layer_count; ++i) {
         if (!content_.layers[i].visible || content_.layers[i].opacity <= 0.0)
             continue;
@@ -97,6 +96,14 @@ void MapPainter::paintGrid() {
 }
 
 void MapPainter::paintHeights() {
+    paintPages(&PagePicture::levelFor);
+}
+
+void MapPainter::paintContours() {
+    paintPages(&PagePicture::contoursFor);
+}
+
+void MapPainter::paintPages(const QImage& (PagePicture::*pictureFor)(double) const) {
     const double cell_m = heights_.cellSize_m();
     const QRectF viewport(QPointF(), transform_.viewport);
     for (const auto& [index, picture] : heights_.pages()) {
@@ -106,7 +113,7 @@ void MapPainter::paintHeights() {
         // Edges are on whole pixels and shared by neighbors, so that no seams are visible.
         const QRect target(QPoint(qRound(on_screen.left()), qRound(on_screen.top())),
                            QPoint(qRound(on_screen.right()) - 1, qRound(on_screen.bottom()) - 1));
-        painter_.drawImage(target, picture.levelFor(transform_.pixels_per_m * cell_m));
+        painter_.drawImage(target, (picture.*pictureFor)(transform_.pixels_per_m * cell_m));
     }
 }
 
@@ -124,13 +131,8 @@ void MapPainter::paintArea() {
     painter_.drawRect(rect);
     if (content_.area.editing)
         paintAreaHandles(area);
-    QString text = QStringLiteral("x %1 × y %2 m").arg(figure(area.width_m(), 1), figure(area.height_m(), 1));
-    if (!content_.area.summary.isEmpty())
-        text += QStringLiteral("  ·  ") + content_.area.summary;
-    const QPointF below = rect.bottomLeft() + QPointF(0.0, gap::small);
-    const bool room_below = below.y() + gap::large < transform_.viewport.height() - scale_bar_px;
-    paintChip(painter_, room_below ? below : rect.topLeft() + QPointF(gap::small, gap::small), text,
-              Qt::AlignLeft | Qt::AlignTop);
+    if (!labels_.area.isEmpty())
+        paintChip(painter_, labels_.area.topLeft(), labels_.area_text, Qt::AlignLeft | Qt::AlignTop);
 }
 
 void MapPainter::paintAreaHandles(const Rectangle& area) {
@@ -155,7 +157,8 @@ void MapPainter::paintSegments(const std::vector<Vec2>& points_m) {
         const QPointF next = transform_.toScreen(points_m[i]);
         if (i + 1 < points_m.size() && (next - last).manhattanLength() < 1.5)
             continue;
-        if (QRectF(last, next).normalized().adjusted(-1.0, -1.0, 1.0, 1.0).intersects(sight))
+        const bool gap = !points_m[i].allFinite() || !points_m[i - 1].allFinite();
+        if (!gap && QRectF(last, next).normalized().adjusted(-1.0, -1.0, 1.0, 1.0).intersects(sight))
             lines << QLineF(last, next);
         last = next;
     }

@@ -30,6 +30,9 @@ private:
     void paintGrid();
     /// Paints finished pages only, at the mip level that fits the scale, with edges on whole pixels.
     void paintHeights();
+    void paintContours();
+    /// Paints one picture of each page in sight; `pictureFor` takes a page and its pixels on the screen per cell.
+    void paintPages(const QImage& (PagePicture::*pictureFor)(double) const);
     void paintArea();
     void paintAreaHandles(const Rectangle& area_in_map);
     void paintLanes();
@@ -50,7 +53,8 @@ private:
     void paintRadio();
     /// Paints arrowheads along the yaw; hollow and gray when stale.
     void paintRobots();
-    /// Paints separate segments through the points, without segments that are shorter than a pixel or out of sight.
+    /// Paints separate segments through the points, without segments that are shorter than a pixel or out of sight; a
+    /// point of NaN interrupts them.
     void paintSegments(const std::vector<Vec2>& points_m);
     /// Paints text on a background of its own, so that it is readable everywhere.
     void paintLabel(const QRectF& box_px, const QString& text, bool bold);
@@ -77,6 +81,8 @@ void paintStationSymbol(QPainter& painter, const QColor& color, bool stale);
 /// Paints an outline given in pixels around the painter's origin; in the accent color if `selected`.
 void paintObjectSymbol(QPainter& painter, const QPolygonF& outline_px, bool selected);
 
+/// Size of the chip that paintChip makes for a text, in pixels.
+QSizeF chipSize(const QString& text);
 /// Paints text on a raised chip; `at_px` is the corner or the middle of the chip that `alignment` names. Returns the
 /// rectangle of the chip.
 QRectF paintChip(QPainter& painter, const QPointF& at_px, const QString& text, Qt::Alignment alignment);

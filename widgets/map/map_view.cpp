@@ -1,11 +1,13 @@
 #include "widgets/map/map_view.h"
 
+#include "widgets/map/map_accessible.h"
 #include "widgets/map/map_overlay.h"
 #include "widgets/map/map_painter.h"
 
 namespace usar::widgets {
 
 MapView::MapView(QWidget* parent) : QWidget(parent) {
+    describeMaps();
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);
     setAccessibleName(tr("Map"));
@@ -13,6 +15,12 @@ MapView::MapView(QWidget* parent) : QWidget(parent) {
     empty_state_->setText(tr("No world yet"),
                           tr("The world, its start poses and the height map appear here once a server answers."));
     connect(heights_, &HeightLayer::changed, this, qOverload<>(&QWidget::update));
+    way_back_->setToolTip(tr("Nothing of the world is in sight here; shows all of it again"));
+    way_back_->hide();
+    connect(way_back_, &QPushButton::clicked, this, [this] {
+        setFocus(); // The button goes; keys go on to the map.
+        fitWorld();
+    });
     connect(&gestures_, &MapGestures::panned, this, &MapView::panBy);
     connect(&gestures_, &MapGestures::startPoseClicked, this, &MapView::askAbout);
     connect(&gestures_, &MapGestures::spawnRequested, this, &MapView::spawnRequested);
@@ -117,6 +125,12 @@ void MapView::clearTraceMarks() {
     update();
 }
 
+void MapView::setLayer(MapLayer layer, const LayerState& state) {
+    put(content_.layers[static_cast<std::size_t>(layer)], state);
+    if (layer == MapLayer::Contours)
+        heights_->setContours(state.visible);
+}
+
 void MapView::setOrientation(MapOrientation orientation) {
     transform_.orientation = orientation;
     heights_->setOrientation(orientation);
@@ -127,35 +141,47 @@ void MapView::setTransform(const MapTransform& transform) {
     transform_.center_m = transform.center_m;
     transform_.pixels_per_m = transform.pixels_per_m;
     view_touched_ = true;
-    update();
+    moved();
 }
 
 void MapView::fit() {
-    Rectangle seen = heights_->bounds_in_map();
-    if (const auto& area = content_.area.area_in_map)
-        seen = seen.empty() ? *area : Rectangle{seen.min_m.cwiseMin(area->min_m), seen.max_m.cwiseMax(area->max_m)};
-    if (seen.empty())
+    const Rectangle mission = content_.missionInMap(heights_->bounds_in_map());
+    if (mission.empty())
         return fitWorld();
-    transform_.fit(seen, 48.0);
+    transform_.fitClearOf(mission, OverlayPlaces(legendsOfAMission(content_), transform_).all(), 48.0);
     view_touched_ = true;
-    update();
+    moved();
 }
 
 void MapView::fitWorld() {
     transform_.fit(content_.groundInMap());
-    update();
+    moved();
 }
 
 void MapView::zoomAt(const QPointF& at_px, double factor) {
     transform_.zoomAt(at_px, factor);
     view_touched_ = true;
-    update();
+    moved();
 }
 
 void MapView::panBy(const QPointF& by_px) {
     transform_.pan(by_px);
     view_touched_ = true;
     setFollowing(false);
+}
+
+void MapView::moved() {
+    const auto all = content_.everythingInMap(heights_->bounds_in_map());
+    const Rectangle seen = transform_.visible();
+    const bool in_sight =
+        !all || ((all->min_m.array() <= seen.max_m.array()).all() && (all->max_m.array() >= seen.min_m.array()).all());
+    if (!in_sight) {
+        const QSize size = way_back_->sizeHint();
+        way_back_->setGeometry(QRect(rect().center() - QPoint(size.width() / 2, size.height() / 2), size));
+    }
+    if (way_back_->isHidden() != in_sight)
+        way_back_->setHidden(in_sight);
+    update();
 }
 
 void MapView::setFollowing(bool following) {
@@ -167,12 +193,12 @@ void MapView::setFollowing(bool following) {
         following_ = following;
         emit followingChanged(following);
     }
-    update();
+    moved();
 }
 
 void MapView::showContent() {
     empty_state_->setVisible(content_.empty());
-    update();
+    moved();
 }
 
 void MapView::paintEvent(QPaintEvent*) {
@@ -196,6 +222,7 @@ void MapView::resizeEvent(QResizeEvent* event) {
     transform_.viewport = QSizeF(size());
     if (!view_touched_)
         fitWorld();
+    moved();
     QWidget::resizeEvent(event);
 }
 

@@ -15,7 +15,7 @@ namespace usar::widgets {
 
 /// State comes in by setters, gestures go out by signals; it knows no session. Repaints are coalesced by Qt's update().
 /// Keys when focused: arrows pan (with Shift farther), + and - zoom, N and Shift+N step through the start poses, Return
-/// spawns there, Space asks first, Escape cancels a drag or leaves the tools Place and Waypoint, Delete asks to remove
+/// spawns there, Space asks first, Escape cancels a drag or leaves a tool, Delete asks to remove
 /// the selected object. Lengths are in meters of the map frame. GUI thread.
 class MapView : public QWidget {
     Q_OBJECT
@@ -73,9 +73,7 @@ public:
     const TraceLayer& traces() const { return traces_; }
 
     // The view.
-    void setLayer(MapLayer layer, const LayerState& state) {
-        put(content_.layers[static_cast<std::size_t>(layer)], state);
-    }
+    void setLayer(MapLayer layer, const LayerState& state);
     const LayerState& layer(MapLayer layer) const { return content_.layer(layer); }
     /// The gestures of the mouse, whose signals report what the user does on the map; owned by the map.
     MapGestures& gestures() { return gestures_; }
@@ -90,10 +88,10 @@ public:
     const MapContent& content() const { return content_; }
     bool following() const { return following_; }
     QSize sizeHint() const override { return {800, 600}; }
-    QSize minimumSizeHint() const override { return {240, 180}; }
+    QSize minimumSizeHint() const override { return {160, 110}; }
 
 public slots:
-    /// Shows the mission (area and heights) if there is one, else the world.
+    /// Shows the mission with the selected robot if there is one, clear of the legends; else the world.
     void fit();
     /// Shows the whole world, or the start poses with 20 m around them if its extent is not known.
     void fitWorld();
@@ -109,6 +107,8 @@ signals:
     void startPoseClicked(int start_pose, const QPoint& at);
     void objectRemovalRequested(const QString& name);
     void followingChanged(bool following);
+    /// Escape has canceled a drag or left a tool.
+    void escapeUsed();
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -130,6 +130,8 @@ private:
     void walkStartPoses(int by);
     void askAbout(std::size_t start_pose); ///< emits startPoseClicked
     void showContent();                    ///< repaints, and shows the sheet if there is nothing
+    /// Repaints after the view moved; with nothing of the world in sight, a button leads back.
+    void moved();
 
     MapContent content_;
     MapTransform transform_;
@@ -137,6 +139,7 @@ private:
     HeightLayer* heights_ = new HeightLayer(this);
     TraceLayer traces_;
     EmptyState* empty_state_ = new EmptyState(this);
+    QPushButton* way_back_ = new QPushButton(tr("Back to the map"), this);
     bool following_ = false;
     bool view_touched_ = false; ///< by the user; until then resizing fits again
 };

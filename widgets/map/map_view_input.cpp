@@ -34,11 +34,14 @@ bool MapView::actByKey(const QKeyEvent& event) {
     case Qt::Key_N:
         return walkStartPoses(event.modifiers() & Qt::ShiftModifier ? -1 : 1), true;
     case Qt::Key_Escape:
+        if (!gestures_.inProgress() && tool() == MapTool::Pan)
+            return false;
         if (gestures_.inProgress())
-            return gestures_.cancel(), true;
-        if (tool() == MapTool::Place || tool() == MapTool::Waypoint)
-            return setTool(MapTool::Pan), true;
-        return false;
+            gestures_.cancel();
+        else
+            setTool(MapTool::Pan);
+        emit escapeUsed();
+        return true;
     case Qt::Key_Delete:
         if (content_.objects.selected.isEmpty())
             return false;
@@ -67,7 +70,7 @@ void MapView::walkStartPoses(int by) {
     const Vec2 at = pose->pose_in_map.position_m.head<2>();
     if (!QRectF(QPointF(), transform_.viewport).contains(transform_.toScreen(at)))
         transform_.center_m = at;
-    update();
+    moved();
 }
 
 void MapView::askAbout(std::size_t start_pose) {

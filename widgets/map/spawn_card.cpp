@@ -1,5 +1,7 @@
 #include "widgets/map/spawn_card.h"
 
+#include <limits>
+
 #include <QApplication>
 #include <QFormLayout>
 #include <QKeyEvent>
@@ -28,7 +30,7 @@ SpawnCard::SpawnCard(QWidget* over) : QFrame(over) {
         new QRegularExpressionValidator(QRegularExpression(QStringLiteral("[A-Za-z0-9_-]{1,32}")), name_));
     named(behavior_, tr("Behavior"), tr("What will drive the robot; you can change it until it starts"));
     spawn_->setProperty("role", "primary");
-    spawn_->setToolTip(tr("Spawns the robot here (Return)"));
+    room_ = mutedLabel({}, this);
     for (QWidget* control : std::initializer_list<QWidget*>{class_, name_, behavior_})
         control->setMinimumHeight(minimum_target);
     auto* close = named(new QToolButton(this), tr("Close"), tr("Close (Esc)"));
@@ -43,13 +45,16 @@ SpawnCard::SpawnCard(QWidget* over) : QFrame(over) {
     auto* column = laidOut(new QVBoxLayout(this), {gap::medium, gap::small, gap::medium, gap::medium}, gap::small);
     column->addLayout(head);
     column->addLayout(form);
-    column->addWidget(spawn_, 0, Qt::AlignRight);
+    auto* foot = laidOut(new QHBoxLayout, gap::small, {room_, spawn_});
+    foot->setStretchFactor(room_, 1);
+    column->addLayout(foot);
+    setRoom(0, std::numeric_limits<int>::max());
     hide();
     over->installEventFilter(this);
     connect(close, &QToolButton::clicked, this, &QWidget::hide);
     connect(spawn_, &QPushButton::clicked, this, &SpawnCard::spawn);
     connect(class_, &QComboBox::currentIndexChanged, this, &SpawnCard::listBehaviors);
-    connect(name_, &QLineEdit::textChanged, this, [this] { spawn_->setEnabled(name_->hasAcceptableInput()); });
+    connect(name_, &QLineEdit::textChanged, this, [this] { spawn_->setEnabled(ready()); });
 }
 
 void SpawnCard::setRobots(const std::vector<agent::RobotDescription>& robots) {
@@ -61,6 +66,18 @@ void SpawnCard::setRobots(const std::vector<agent::RobotDescription>& robots) {
         class_->addItem(QString::fromStdString(robot.name), QString::fromStdString(robot.class_name));
     class_->setCurrentIndex(std::max(0, class_->findData(chosen)));
     listBehaviors();
+}
+
+void SpawnCard::setRoom(int present, int most) {
+    full_ = present >= most;
+    const bool limited = most < std::numeric_limits<int>::max();
+    room_->setText(limited && !full_ ? tr("Robot %1 of %2").arg(present + 1).arg(most) : QString());
+    spawn_->setText(full_ ? tr("Limit reached: %1 robots").arg(most) : tr("Spawn"));
+    spawn_->setToolTip(full_ ? tr("Remove a robot; then another one can be spawned")
+                             : tr("Spawns the robot here (Return)"));
+    spawn_->setEnabled(ready());
+    for (QWidget* control : std::initializer_list<QWidget*>{class_, name_, behavior_})
+        control->setEnabled(!full_);
 }
 
 void SpawnCard::listBehaviors() {
@@ -99,7 +116,10 @@ void SpawnCard::openFor(int start_pose, const QString& pose_name, const QString&
     move(std::clamp(corner.x(), 0, std::max(0, room.width())), std::clamp(corner.y(), 0, std::max(0, room.height())));
     show();
     raise();
-    spawn_->setFocus();
+    if (full_)
+        setFocus(); // A disabled button takes no focus, and Escape must reach the card.
+    else
+        spawn_->setFocus();
 }
 
 SpawnChoice SpawnCard::lastChoice(int start_pose, const QString& robot_name) const {
@@ -107,7 +127,7 @@ SpawnChoice SpawnCard::lastChoice(int start_pose, const QString& robot_name) con
 }
 
 void SpawnCard::spawn() {
-    if (!name_->hasAcceptableInput())
+    if (!ready())
         return;
     hide();
     emit spawnRequested(choice());
@@ -124,7 +144,7 @@ void SpawnCard::keyPressEvent(QKeyEvent* event) {
 }
 
 void SpawnCard::hideEvent(QHideEvent* event) {
-    if (isAncestorOf(QApplication::focusWidget()))
+    if (const QWidget* const focus = QApplication::focusWidget(); focus == this || isAncestorOf(focus))
         parentWidget()->setFocus();
     QFrame::hideEvent(event);
 }

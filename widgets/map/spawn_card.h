@@ -34,6 +34,8 @@ public:
     /// Sets the classes that can be spawned, with the behaviors that plugins offer for each; the chosen class stays if
     /// it is among them. Stores a copy.
     void setRobots(const std::vector<agent::RobotDescription>& robots);
+    /// `present` of at most `most` robots are there. The card says so, and spawns none beyond that.
+    void setRoom(int present, int most);
     /// Chooses the class as if the user had done it; an unknown class changes nothing.
     void chooseClass(const QString& class_name);
     /// Chooses this behavior now and for other classes that have it; it is the one that is set up in the behavior
@@ -58,17 +60,21 @@ protected:
 private:
     /// Offers the behaviors of the chosen class, and "None" as the last entry.
     void listBehaviors();
-    /// Closes the card and emits spawnRequested, if the name is valid.
+    /// True if a robot can be spawned: the name is valid, and there is room for one more.
+    bool ready() const { return name_->hasAcceptableInput() && !full_; }
+    /// Closes the card and emits spawnRequested, if it is ready.
     void spawn();
 
     /// Entries of the class box, in its order.
     std::vector<agent::RobotDescription> robots_;
     QString preferred_behavior_;
     int start_pose_ = 0;
+    bool full_ = false; ///< the greatest number of robots is reached
     QLabel* title_ = new QLabel(this);
     QComboBox* class_ = new QComboBox(this);
     QLineEdit* name_ = new QLineEdit(this);
     QComboBox* behavior_ = new QComboBox(this);
+    QLabel* room_ = nullptr; ///< "Robot 4 of 9"
     QPushButton* spawn_ = new QPushButton(tr("Spawn"), this);
 };
 

@@ -44,10 +44,18 @@ QIcon colorIcon(protocol::TraceColor color) {
     return pixmap;
 }
 
+/// Shows the button's word below its icon.
+QToolButton* worded(QToolButton* button) {
+    button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+    button->setFont(themeFont(FontRole::Small));
+    return button;
+}
+
+/// A button with the action's short word (QAction::iconText).
 QToolButton* buttonFor(QAction* action, QWidget* parent) {
     auto* button = makeToolButton(action->toolTip(), parent);
     showAction(button, action);
-    return button;
+    return worded(button);
 }
 
 } // namespace
@@ -121,10 +129,11 @@ void WorldPanel::makeList() {
 }
 
 QHBoxLayout* WorldPanel::makeWayRow() {
-    speed_ = makeBox(tr("Speed along the way points, or of the belt"), tr(" m/s"), -5.0, 20.0, this);
+    speed_ = makeBox(tr("Speed along the waypoints, or of the belt"), tr(" m/s"), -5.0, 20.0, this);
     speed_->setValue(0.5);
-    loop_ = makeToolButton(tr("Starts over at the first way point after the last one"), this, QStringLiteral("reset"));
+    loop_ = makeToolButton(tr("Starts over at the first waypoint after the last one"), this, QStringLiteral("reset"));
     loop_->setCheckable(true);
+    worded(loop_)->setText(tr("Loop"));
     way_row_ = laidOut(new QHBoxLayout, gap::tiny, {speed_, loop_});
     way_row_->addStretch(1);
     return way_row_;
@@ -160,9 +169,7 @@ void WorldPanel::setKinds(const std::vector<PaletteKind>& kinds) {
             this, kind.icon);
         button->setAccessibleName(kind.class_name);
         button->setText(kind.class_name);
-        button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
-        button->setIconSize({object_icon_px, object_icon_px});
-        button->setFont(themeFont(FontRole::Small));
+        worded(button)->setIconSize({object_icon_px, object_icon_px});
         button->setCheckable(true);
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         button->installEventFilter(this);

@@ -48,7 +48,7 @@ public:
     /// Replaces the palette; the first kinds come first.
     void setKinds(const std::vector<PaletteKind>& kinds);
     /// Sets the buttons for actions on the selected object, on its way, and for the robot's trace; nullptr makes a gap.
-    /// The actions must outlive the panel.
+    /// A button shows the action's iconText below its icon. The actions must outlive the panel.
     void setActions(const std::vector<QAction*>& object, const std::vector<QAction*>& way, QAction* trace);
     /// Replaces all objects; the selection stays with its object.
     void setObjects(const std::vector<MapObject>& objects);

@@ -166,6 +166,8 @@ void CommandBox::setUpCompleter() {
     completer_->popup()->setFrameShape(QFrame::StyledPanel);
     completer_->popup()->setItemDelegate(new CompletionDelegate(completer_->popup()));
     completer_->popup()->setAccessibleName(tr("Completions"));
+    // The open list gets all keys first, and its own filter, the completer's, hands them to the line past any filter.
+    completer_->popup()->installEventFilter(this);
     connect(completer_, QOverload<const QModelIndex&>::of(&QCompleter::activated), this, &CommandBox::accept);
 }
 
@@ -218,13 +220,13 @@ bool CommandBox::chosenInPopup() const {
 }
 
 bool CommandBox::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == line_ && event->type() == QEvent::KeyPress) {
+    if ((watched == line_ || watched == completer_->popup()) && event->type() == QEvent::KeyPress) {
         const auto* key = static_cast<QKeyEvent*>(event);
         if (takeKey(key->key(), key->modifiers())) {
             event->accept();
             return true;
         }
-        if (chosenInPopup() && (key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter)) {
+        if (watched == line_ && chosenInPopup() && (key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter)) {
             event->ignore(); // The completer handles it then.
             return true;
         }

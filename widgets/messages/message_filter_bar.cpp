@@ -138,8 +138,9 @@ MessageFilterBar::MessageFilterBar(QAction* only_trouble, QWidget* parent)
     const QString help = tr("Lines from the server, lines sent to it, or both");
     named(way_, help, help);
     way_->setMinimumHeight(minimum_target);
-    search_->setMinimumWidth(90);
-    name_->setMinimumWidth(70);
+    search_->setMinimumWidth(60);
+    name_->setMinimumWidth(50);
+    types_->setMinimumWidth(60);
     laidOut(row_, {gap::tiny, gap::tiny, gap::tiny, gap::tiny}, gap::tiny, {search_, name_, types_, way_});
     row_->setStretchFactor(search_, 3);
     row_->setStretchFactor(name_, 1);
@@ -160,6 +161,15 @@ void MessageFilterBar::addButton(QAction* action) {
     QToolButton* button = makeToolButton(action->toolTip(), this);
     button->setDefaultAction(action);
     row_->addWidget(button);
+}
+
+void MessageFilterBar::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    name_->show();
+    way_->show();
+    const auto tooNarrow = [this] { return row_->totalMinimumSize().width() > width(); };
+    name_->setHidden(tooNarrow() && name_->text().isEmpty());
+    way_->setHidden(tooNarrow() && way_->currentIndex() == 0);
 }
 
 QString MessageFilterBar::validWords() const {
@@ -198,10 +208,7 @@ void MessageFilterBar::focusSearch() {
 void MessageFilterBar::showExpression() {
     const auto expression = expressionOf(search_->text().trimmed());
     const bool wrong = expression && !expression->isValid();
-    QPalette palette;
-    if (wrong)
-        palette.setColor(QPalette::Text, tokens().danger);
-    search_->setPalette(palette);
+    setRole(search_, wrong ? "danger" : "");
     search_->setToolTip(
         wrong ? tr("Invalid regular expression at column %1: %2. All lines are shown until you correct it.")
                     .arg(expression->patternErrorOffset() + 2)

@@ -75,12 +75,15 @@ public:
     void addButton(QAction* action);
     /// Moves the focus to the search field and selects its text.
     void focusSearch();
-    /// Small, because the fields can shrink.
+    /// Small, because fields that filter nothing make room.
     QSize minimumSizeHint() const override { return {200, QWidget::minimumSizeHint().height()}; }
 
 signals:
     /// The result of filter() may have changed, by the user or by setFilter.
     void filterChanged();
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     /// The search text; empty while it is an invalid regular expression.

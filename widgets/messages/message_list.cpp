@@ -255,7 +255,7 @@ void MessageList::updateState() {
         text += tr(", %1 waiting").arg(words.toString(static_cast<qulonglong>(waiting_.size())));
     emit countChanged(text);
     if (total > 0)
-        empty_state_->setText(tr("No line fits"), tr("No line of the traffic passes the filters above."));
+        empty_state_->setText(tr("No matches"), tr("No message matches the filters."));
     else
         empty_state_->setText(tr("No messages yet"), tr("Every line from and to the server appears here."));
     empty_state_->setAction(total > 0 ? actions_.no_filter : nullptr);

@@ -75,7 +75,7 @@ public:
     MessageFilterBar* bar() const { return bar_; }
     const MessageActions& actions() const { return actions_; }
     QSize sizeHint() const override { return {640, 240}; }
-    QSize minimumSizeHint() const override { return {280, 120}; }
+    QSize minimumSizeHint() const override { return {226, 120}; }
 
 public slots:
     /// Removes all lines, also those not inserted yet; filter and pause stay.

@@ -200,9 +200,9 @@ void NotificationCenter::copySelected() {
 
 void NotificationCenter::updateState() {
     const int all = model_->rowCount();
-    const int open = model_->openCount();
-    summary_->setText(all == 0 ? QString() : tr("%1 open, %2 cured").arg(open).arg(all - open));
-    clear_cured_->setEnabled(open < all);
+    const int cured = model_->curedCount();
+    summary_->setText(all == 0 ? QString() : tr("%1 open, %2 cured").arg(model_->openCount()).arg(cured));
+    clear_cured_->setEnabled(cured > 0);
     clear_all_->setEnabled(all > 0);
     empty_state_->setVisible(all == 0);
     showOffer();

@@ -69,9 +69,7 @@ void Toast::startLife() {
 
 void Toast::paintSign() {
     sign_->setPixmap(icon(severityIcon(severity_), severityColor(severity_)).pixmap(16, 16));
-    QPalette ink = word_->palette();
-    ink.setColor(QPalette::WindowText, severityColor(severity_));
-    word_->setPalette(ink);
+    setRole(word_, severityRole(severity_));
 }
 
 void Toast::mouseReleaseEvent(QMouseEvent* event) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <ranges>
 
 #include <QObject>
 
@@ -17,8 +18,8 @@ std::pair<QString, QString> pairOf(const RadioLink& link) {
     return {link.a, link.b};
 }
 
-QString keyOf(const std::pair<QString, QString>& pair) {
-    return QStringLiteral("radio/%1/%2").arg(pair.first, pair.second);
+bool isLinked(const RadioLink& link) {
+    return link.strength_dbm && *link.strength_dbm >= radio_cutoff_dbm;
 }
 
 QString whyLost(const RadioLink& link) {
@@ -29,6 +30,18 @@ QString whyLost(const RadioLink& link) {
                : QObject::tr("%1 and %2 do not hear each other any more: one of them has left the world, or its "
                              "battery is empty. Look at their states in the list of robots.")
                      .arg(link.a, link.b);
+}
+
+QString whyManyLost(const std::set<std::pair<QString, QString>>& lost) {
+    constexpr std::size_t most_names = 3;
+    QStringList names;
+    for (const auto& [a, b] : lost | std::views::take(most_names))
+        names << QObject::tr("%1 and %2").arg(a, b);
+    if (lost.size() > most_names)
+        names << QObject::tr("%1 more").arg(lost.size() - most_names);
+    return QObject::tr("%1 pairs of robots have lost their radio link: %2. The Radio dock shows all links.")
+        .arg(lost.size())
+        .arg(names.join(QStringLiteral(", ")));
 }
 
 } // namespace
@@ -84,26 +97,23 @@ QVariant RadioLinkModel::data(const QModelIndex& index, int role) const {
     return tr("%1 and %2: %3 dBm, %4").arg(link.a, link.b, figure(*link.strength_dbm, 1), word);
 }
 
-std::vector<RadioLosses::News> RadioLosses::take(const std::vector<RadioLink>& links, const QStringList& robots) {
-    std::vector<News> news;
-    for (const RadioLink& link : links) {
-        const bool linked = link.strength_dbm && *link.strength_dbm >= radio_cutoff_dbm;
-        const auto known = linked_.find(pairOf(link));
-        if (known == linked_.end()) {
-            if (linked)
-                linked_[pairOf(link)] = true;
-        } else if (std::exchange(known->second, linked) != linked) {
-            news.push_back({keyOf(known->first), linked ? QString() : whyLost(link)});
-        }
-    }
-    std::erase_if(linked_, [&](const auto& one) {
-        const auto& [pair, linked] = one;
-        const bool gone = !robots.contains(pair.first) || !robots.contains(pair.second);
-        if (gone && !linked)
-            news.push_back({keyOf(pair), {}});
-        return gone;
+std::optional<RadioLosses::News> RadioLosses::take(const std::vector<RadioLink>& links, const QStringList& robots) {
+    for (const RadioLink& link : links)
+        if (isLinked(link) || known_.contains(pairOf(link)))
+            known_[pairOf(link)] = link;
+    std::erase_if(known_, [&](const auto& one) {
+        return !robots.contains(one.first.first) || !robots.contains(one.first.second);
     });
-    return news;
+    std::set<Pair> lost;
+    for (const auto& [pair, link] : known_)
+        if (!isLinked(link))
+            lost.insert(pair);
+    if (lost == lost_)
+        return std::nullopt;
+    const bool first = std::exchange(lost_, lost).empty();
+    if (lost.size() <= 1)
+        return News{lost.empty() ? QString() : whyLost(known_.at(*lost.begin())), first};
+    return News{whyManyLost(lost), first};
 }
 
 } // namespace usar::widgets

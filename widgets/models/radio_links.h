@@ -4,6 +4,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -63,17 +64,21 @@ public:
 /// value.
 class RadioLosses {
 public:
-    /// A change of one link.
+    /// What to say of all lost links together, so that many robots are one notice.
     struct News {
-        QString key;    ///< the same for each change of one pair
-        QString reason; ///< why the link was lost and what to do; empty: it is back, or one of the robots is gone
+        QString text;       ///< which links are lost, and what to do; empty: none is any more
+        bool first = false; ///< until now no link was lost
     };
 
-    /// Takes the newest strengths of all pairs; `robots` are the names of those that still exist.
-    std::vector<News> take(const std::vector<RadioLink>& links, const QStringList& robots);
+    /// Takes the newest strengths of all pairs; `robots` are the names of those that still exist. Returns nullopt if
+    /// the same links are lost as before.
+    std::optional<News> take(const std::vector<RadioLink>& links, const QStringList& robots);
 
 private:
-    std::map<std::pair<QString, QString>, bool> linked_; ///< last reported state; only pairs that have been linked
+    using Pair = std::pair<QString, QString>;
+
+    std::map<Pair, RadioLink> known_; ///< newest report; only pairs that have been linked
+    std::set<Pair> lost_;             ///< those of them without a link now
 };
 
 } // namespace usar::widgets

@@ -25,7 +25,7 @@ QString controlText(const ControlWords& words) {
     case Driver::Nobody:
         break;
     }
-    return QObject::tr("nobody drives");
+    return QObject::tr("idle");
 }
 
 void RobotListModel::updateRobot(const RobotRow& robot) {

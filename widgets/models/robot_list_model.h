@@ -22,8 +22,12 @@ struct ControlWords {
     bool operator==(const ControlWords&) const = default;
 };
 
-/// "nobody drives", "Terrain survey drives", "you drive · keys".
+/// "idle", "Terrain survey drives", "you drive · keys".
 QString controlText(const ControlWords& words);
+
+/// A battery with less than this left, in percent, is shown in the color of a caution, or of a danger.
+inline constexpr double battery_caution_pct = 30.0;
+inline constexpr double battery_danger_pct = 15.0;
 
 /// A robot as the list needs it. `id` is assigned by the window; `number` 1..9 selects color and key.
 struct RobotRow {
@@ -32,7 +36,7 @@ struct RobotRow {
     QString name;
     QString class_name;                ///< "AirRobot"
     QString state;                     ///< in words: "scanning lane 4 of 9"
-    std::optional<double> battery_pct; ///< 0..100; nullopt: unknown
+    std::optional<double> battery_pct; ///< what is left, 0..100; nullopt: unknown
     bool stale = false;                ///< state and battery may be out of date
     ControlWords driver{};             ///< the one in control
     bool operator==(const RobotRow&) const = default;

@@ -115,6 +115,8 @@ class NewestLines {
 public:
     /// Stores a line; it replaces the previous line of the same stream.
     void take(const protocol::InfoLine& line, Seconds now);
+    /// The lines that were not removed yet, in the order in which their streams first appeared.
+    const std::vector<CountedLine>& lines() const { return lines_; }
     /// Removes and returns all lines, in the order in which their streams first appeared since the last call.
     std::vector<CountedLine> takeAll();
 

@@ -103,6 +103,13 @@ void SeriesStore::append(Series& series, const protocol::Field& field, double ti
     }
 }
 
+std::optional<double> valueAt(const Series& series, double time_s) {
+    const auto after = std::ranges::upper_bound(series.samples, time_s, {}, &Sample::time_s);
+    if (after == series.samples.begin() || std::isnan(std::prev(after)->value))
+        return std::nullopt;
+    return std::prev(after)->value;
+}
+
 std::string csvOf(const std::vector<Series>& series) {
     std::string csv = "time_s";
     for (const Series& each : series)

@@ -67,6 +67,9 @@ private:
     std::uint64_t last_history_ = 0;
 };
 
+/// The newest value at this time on the protocol clock; nullopt before the first sample, and in a gap.
+std::optional<double> valueAt(const Series& series, double time_s);
+
 /// CSV with the head "time_s,SEN Sonar/F1/range [m],…" and one row for every time at which any series has a sample;
 /// cells without a sample or with NaN are empty. Values are in SI units and read back to the same double.
 std::string csvOf(const std::vector<Series>& series);

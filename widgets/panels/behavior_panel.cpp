@@ -6,6 +6,7 @@
 #include <QSignalBlocker>
 
 #include "widgets/style/icons.h"
+#include "widgets/style/scroll_box.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
@@ -33,14 +34,16 @@ BehaviorPanel::BehaviorPanel(QWidget* parameter_form, QWidget* parent) : QWidget
     isolated_->setMinimumHeight(minimum_target);
     connect(isolated_, &QCheckBox::clicked, this, &BehaviorPanel::isolationChosen);
     makeAreaBox();
-    auto* column =
-        laidOut(new QVBoxLayout(this), {gap::small, gap::small, gap::small, gap::small}, gap::small, {robot_label_});
+    auto* column = laidOut(new QVBoxLayout(content_), {}, gap::small, {robot_label_});
     auto* row = laidOut(new QHBoxLayout, gap::tiny, {behavior_box_, rescan_});
     row->setStretchFactor(behavior_box_, 1);
     column->addLayout(row);
-    laidOut(column, gap::small,
-            {help_label_, plan_, isolated_, area_box_, summary_label_, parameter_form, makeButtons()});
+    laidOut(column, gap::small, {help_label_, plan_, isolated_, area_box_, summary_label_, parameter_form});
     column->setStretchFactor(parameter_form, 1);
+    // Start must be seen in the smallest window, so the rest scrolls above it.
+    laidOut(new QVBoxLayout(this), {gap::small, gap::small, gap::small, gap::small}, gap::small,
+            {scroll_ = new ScrollBox(content_), makeButtons()})
+        ->setStretchFactor(scroll_, 1);
     summary_label_->hide();
     connect(behavior_box_, &QComboBox::currentIndexChanged, this, [this] {
         showBehavior();
@@ -103,6 +106,7 @@ void BehaviorPanel::setActions(QAction* start, QAction* pause, QAction* land, QA
             const QString keys = action->shortcut().toString(QKeySequence::NativeText);
             button->setToolTip(keys.isEmpty() ? button->statusTip()
                                               : QStringLiteral("%1 (%2)").arg(button->statusTip(), keys));
+            button->setVisible(action->isVisible());
             follow(button, action);
         };
         connect(action, &QAction::changed, button, show);
@@ -184,10 +188,11 @@ void BehaviorPanel::showBehavior() {
 
 void BehaviorPanel::fitHelp() {
     constexpr int a_parameter_px = 40; // In addition to the minimum height of the form.
-    const int needed_px = layout()->totalMinimumHeightForWidth(width());
-    const int help_px = help_label_->heightForWidth(width() - 2 * gap::small) + gap::small;
+    const QSize room = scroll_->size();
+    const int needed_px = content_->layout()->totalMinimumHeightForWidth(room.width());
+    const int help_px = help_label_->heightForWidth(room.width()) + gap::small;
     const int without_px = help_label_->isHidden() ? needed_px : needed_px - help_px;
-    help_label_->setHidden(without_px + help_px + a_parameter_px > height());
+    help_label_->setHidden(without_px + help_px + a_parameter_px > room.height());
 }
 
 void BehaviorPanel::resizeEvent(QResizeEvent* event) {

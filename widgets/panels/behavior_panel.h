@@ -21,6 +21,8 @@ class QAction;
 
 namespace usar::widgets {
 
+class ScrollBox;
+
 /// State of the selected robot's behavior.
 enum class RunState { NoRobot, Ready, Running, Paused, Replay };
 
@@ -62,9 +64,9 @@ public:
     bool setRunState(RunState state, const QString& robot_name);
     /// Shows whether the map's area tool is active; emits nothing.
     void setAreaToolActive(bool active) { area_tool_->setChecked(active); }
-    /// Connects the buttons with these actions: from now on they trigger them, follow their enabled state and show
-    /// their shortcuts; until then they are disabled. Pause shows a new state only when setRunState reports it. The
-    /// actions must live as long as the panel, or be destroyed with it. To be called once.
+    /// Connects the buttons with these actions: from now on they trigger them, follow their visibility and enabled
+    /// state, and show their shortcuts; until then they are disabled. Pause shows a new state only when setRunState
+    /// reports it. The actions must live as long as the panel, or be destroyed with it. To be called once.
     void setActions(QAction* start, QAction* pause, QAction* land, QAction* stop);
     /// Shows this action as a button beside the list of behaviors.
     void setRescanAction(QAction* action);
@@ -95,11 +97,13 @@ private:
     bool busy() const { return run_state_ == RunState::Running || run_state_ == RunState::Paused; }
 
     std::vector<agent::BehaviorDescription> behaviors_; ///< in the order of the list
+    QWidget* content_ = new QWidget;                    ///< all but the buttons
+    ScrollBox* scroll_ = nullptr;                       ///< holds `content_`
     QLabel* robot_label_ = new QLabel;
     QComboBox* behavior_box_ = new QComboBox;
     QToolButton* rescan_ = new QToolButton;
     QLabel* help_label_ = mutedLabel();
-    QCheckBox* isolated_ = new QCheckBox(tr("In a process of its own"));
+    QCheckBox* isolated_ = new QCheckBox(tr("Run in a separate process"));
     PlanChoice* plan_ = new PlanChoice;
     QWidget* area_box_ = new QWidget;
     AreaForm* area_form_ = new AreaForm;

@@ -59,8 +59,6 @@ AreaForm::AreaForm(QWidget* parent) : QWidget(parent) {
             emit areaChanged(area().empty() ? Rectangle{} : area());
         });
     describe();
-    onThemeChange(
-        this, [this] { describe(); }, QEvent::StyleChange);
 }
 
 void AreaForm::setArea(const std::optional<Rectangle>& area_in_map) {
@@ -86,14 +84,11 @@ Rectangle AreaForm::area() const {
 bool AreaForm::mark(QDoubleSpinBox* box, double minimum_m, double maximum_m) {
     const bool outside = box->value() < minimum_m || box->value() > maximum_m;
     QString tip = tr("%1 of the mission area in the map frame, meters").arg(box->accessibleName());
-    QPalette palette = QWidget::palette();
-    if (outside) {
+    if (outside)
         tip += u'\n' +
                tr("This is outside the world, which spans %1 … %2 m").arg(figure(minimum_m, 1), figure(maximum_m, 1));
-        palette.setColor(QPalette::Text, tokens().caution);
-    }
     box->setToolTip(tip);
-    box->setPalette(palette);
+    setRole(box, outside ? "caution" : "");
     return outside;
 }
 

@@ -1,5 +1,7 @@
-// Dialogs: one that asks where to save a file, and one that shows a long text.
+// Dialogs that ask for files, folders and numbers without stopping anything else, and one that shows a long text.
 #pragma once
+
+#include <functional>
 
 #include <QDialog>
 #include <QPlainTextEdit>
@@ -7,12 +9,24 @@
 
 namespace usar::widgets {
 
-/// Returns `path` with `suffix` (".png") added if it has none; an empty path stays empty.
-QString withSuffix(const QString& path, const QString& suffix);
+/// Takes the path that the user chose. It is not called if the user cancels.
+using TakePath = std::function<void(const QString& path)>;
 
-/// Lets the user choose a file; empty if the user cancels. `proposal`: name or path that is offered. `filters`: as for
-/// QFileDialog. A name that is typed without a suffix gets that of the chosen filter, that is, the filter's first one.
-QString askWhereToSave(QWidget* parent, const QString& title, const QString& proposal, const QString& filters);
+/// Each of the next functions shows a dialog beside `parent` and returns at once; none is modal, because a robot may be
+/// moving and the stop must remain within reach. There is one dialog for a title: another request raises the open one,
+/// and the answer goes to the newest request. `filters`: as for QFileDialog.
+
+/// Asks for a file that exists. `begin`: the folder that is shown first, or the file that is offered; may be empty.
+void askForFile(QWidget* parent, const QString& title, const QString& begin, const QString& filters, TakePath take);
+/// Asks for a folder; the user can make a new one. `begin`: as in `askForFile`.
+void askForFolder(QWidget* parent, const QString& title, const QString& begin, TakePath take);
+/// Asks for the name of a file to write; asks again before an existing one is replaced. `proposal`: name or path that
+/// is offered. A name that is typed without a suffix gets that of the chosen filter, that is, the filter's first one.
+void askWhereToSave(QWidget* parent, const QString& title, const QString& proposal, const QString& filters,
+                    TakePath take);
+/// Asks for a whole number within `least` and `most`.
+void askForNumber(QWidget* parent, const QString& title, const QString& label, int value, int least, int most,
+                  std::function<void(int)> take);
 
 /// Only asks for saving; the window chooses the file. GUI thread.
 class ReportDialog : public QDialog {

@@ -83,6 +83,7 @@ FaultPanel::FaultPanel(QWidget* parent)
     empty_state_ = new EmptyState(this, tr("No simulator to break"),
                                   tr("Faults are made by the embedded simulator. Connect to it, and sensors, links, "
                                      "batteries, rotors and the wind can go wrong here on request."));
+    onThemeChange(this, [this] { inkStates(); });
     setAvailable(false);
     setRobots({});
     setSensors({});
@@ -227,12 +228,19 @@ void FaultPanel::setFaults(const std::vector<FaultRow>& faults) {
         item->setData(0, id_role, fault.id);
         item->setData(0, state_role, static_cast<int>(fault.state));
         item->setToolTip(0, fault.text + (fault.when.isEmpty() ? QString() : '\n' + fault.when));
-        item->setForeground(1, inkOf(fault.state));
         list_->insertTopLevelItem(0, item);
         if (fault.id == selected && fault.state != FaultState::Over)
             list_->setCurrentItem(item);
     }
+    inkStates();
     emit selectionChanged();
+}
+
+void FaultPanel::inkStates() {
+    for (int i = 0; i < list_->topLevelItemCount(); ++i) {
+        QTreeWidgetItem* const item = list_->topLevelItem(i);
+        item->setForeground(1, inkOf(static_cast<FaultState>(item->data(0, state_role).toInt())));
+    }
 }
 
 void FaultPanel::setAvailable(bool on) {

@@ -101,6 +101,8 @@ private:
     void makeForm();
     /// Makes the list of the faults of this run.
     void makeList();
+    /// Colors the states in the list.
+    void inkStates();
     /// Rebuilds the fields for the chosen kind.
     void showKind();
     /// Appends an editor with the quantity's limits and unit to the form.

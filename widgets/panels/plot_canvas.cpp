@@ -25,11 +25,11 @@ PlotCanvas::PlotCanvas(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot
     laidOut(new QVBoxLayout(this), {}, -1, {plot_});
     setFocusProxy(plot_);
     plot_->setFocusPolicy(Qt::StrongFocus);
-    named(
-        this, tr("Plot over protocol time"),
-        tr("Values over protocol time, hours:minutes:seconds. Drag or use the arrow keys to move in time, the wheel or "
-           "plus and minus to zoom, Space to pause, F to follow."));
+    setAccessibleName(tr("Plot over protocol time"));
+    setAccessibleDescription(tr("Values over protocol time, hours:minutes:seconds. Drag or use the arrow keys to move "
+                                "in time, the wheel or plus and minus to zoom, Space to pause, F to follow."));
     plot_->setAccessibleName(accessibleName());
+    plot_->setAccessibleDescription(accessibleDescription());
     plot_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
     plot_->setNoAntialiasingOnDrag(true);
     plot_->setPlottingHint(QCP::phFastPolylines);
@@ -44,6 +44,7 @@ PlotCanvas::PlotCanvas(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot
     plot_->legend->setVisible(false);
     // Decimal points in every locale, like everywhere in the window.
     plot_->setLocale(QLocale::c());
+    makeCursor();
     connectGestures();
     applyTheme();
     onThemeChange(this, [this] {
@@ -59,6 +60,7 @@ void PlotCanvas::connectGestures() {
     });
     connect(plot_, &QCustomPlot::mouseWheel, this, [this](QWheelEvent* event) { aimWheel(event->position()); });
     connect(plot_, &QCustomPlot::mouseMove, this, [this](QMouseEvent* event) {
+        moveCursor(event->position());
         if (event->buttons() & Qt::LeftButton)
             leaveFollowing();
     });
@@ -68,6 +70,37 @@ void PlotCanvas::connectGestures() {
         emit followingChanged(true);
         plot_->replot();
     });
+}
+
+void PlotCanvas::makeCursor() {
+    cursor_line_ = new QCPItemStraightLine(plot_); // The plot owns it.
+    for (QCPItemPosition* end : {cursor_line_->point1, cursor_line_->point2}) {
+        end->setTypeX(QCPItemPosition::ptAbsolute);
+        end->setTypeY(QCPItemPosition::ptAxisRectRatio);
+    }
+    cursor_line_->setLayer(QStringLiteral("overlay")); // Moving it draws no curve again.
+    cursor_line_->setSelectable(false);
+    cursor_line_->setVisible(false);
+    plot_->installEventFilter(this);
+}
+
+void PlotCanvas::moveCursor(const QPointF& at_px) {
+    cursor_px_ = plot_->axisRect()->rect().contains(at_px.toPoint()) ? std::optional(at_px.x()) : std::nullopt;
+    cursor_line_->setVisible(cursor_px_.has_value());
+    cursor_line_->point1->setCoords(at_px.x(), 0.0);
+    cursor_line_->point2->setCoords(at_px.x(), 1.0);
+    plot_->layer(QStringLiteral("overlay"))->replot();
+    emit cursorMoved();
+}
+
+std::optional<Seconds> PlotCanvas::cursor() const {
+    return cursor_px_ ? std::optional(Seconds(plot_->xAxis->pixelToCoord(*cursor_px_))) : std::nullopt;
+}
+
+bool PlotCanvas::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Leave)
+        moveCursor({-1.0, -1.0});
+    return QWidget::eventFilter(watched, event);
 }
 
 void PlotCanvas::leaveFollowing() {
@@ -238,8 +271,10 @@ int PlotCanvas::sampleCount(const std::string& path) const {
 
 QPixmap PlotCanvas::picture() const {
     plot_->legend->setVisible(true);
+    cursor_line_->setVisible(false);
     QPixmap picture = plot_->toPixmap(0, 0, 2.0);
     plot_->legend->setVisible(false);
+    cursor_line_->setVisible(cursor_px_.has_value());
     plot_->replot(QCustomPlot::rpQueuedReplot);
     return picture;
 }
@@ -257,6 +292,7 @@ void PlotCanvas::applyTheme() {
     plot_->setBackground(QBrush(t.surface));
     for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis, plot_->yAxis2})
         styleAxis(axis);
+    cursor_line_->setPen(QPen(t.text_muted, 1.0));
     plot_->legend->setBrush(t.raised);
     plot_->legend->setBorderPen(QPen(t.line));
     plot_->legend->setTextColor(t.text);

@@ -12,13 +12,14 @@
 
 class QCPAxis;
 class QCPGraph;
+class QCPItemStraightLine;
 class QCustomPlot;
 
 namespace usar::widgets {
 
 /// Draws on request (`show`), and by itself after a gesture: the wheel zooms time (over a value axis: that axis), drag
-/// pans, double-click resumes following. Angles are drawn in degrees. The first unit uses the left axis, the second the
-/// right one, all others share the left. Colors follow the theme. GUI thread.
+/// pans, double-click resumes following. A vertical line follows the mouse. Angles are drawn in degrees. The first unit
+/// uses the left axis, the second the right one, all others share the left. Colors follow the theme. GUI thread.
 class PlotCanvas : public QWidget {
     Q_OBJECT
 public:
@@ -43,6 +44,8 @@ public:
     /// Edges of the visible span on the protocol clock; samples need not reach that far.
     Seconds visibleFrom() const;
     Seconds visibleTo() const;
+    /// Time under the mouse on the protocol clock; nullopt while the mouse is elsewhere.
+    std::optional<Seconds> cursor() const;
     /// Number of samples in the line as drawn; 0 for a path that is not watched.
     int sampleCount(const std::string& path) const;
     /// The plot as on the screen, with a legend and at twice the resolution, for files.
@@ -53,6 +56,11 @@ public:
 signals:
     /// By a gesture or by zoomTime() and panTime().
     void followingChanged(bool following);
+    /// The mouse moved over the plot, or left it.
+    void cursorMoved();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     struct Line {
@@ -62,6 +70,9 @@ private:
     };
 
     void connectGestures();
+    void makeCursor();
+    /// Moves the line to this place, or hides it outside of the axes.
+    void moveCursor(const QPointF& at_px);
     /// Stops following and emits followingChanged if that is a change.
     void leaveFollowing();
     /// Directs the wheel to the axis under the mouse.
@@ -83,6 +94,8 @@ private:
     void chooseTimeFormat();
 
     QCustomPlot* plot_;
+    QCPItemStraightLine* cursor_line_ = nullptr;
+    std::optional<double> cursor_px_; ///< stays under the mouse while the picture moves
     std::map<std::string, Line> lines_;
     std::vector<std::string> order_; ///< order of the store: determines color and legend
     std::set<std::string> emphasized_;

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include <QDragEnterEvent>
-#include <QFileDialog>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QMenu>
@@ -16,6 +15,7 @@
 
 #include "widgets/models/figures.h"
 #include "widgets/models/parameter_display.h"
+#include "widgets/panels/dialogs.h"
 #include "widgets/style/empty_state.h"
 #include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
@@ -81,6 +81,10 @@ PlotView::PlotView(QWidget* parent) : QWidget(parent) {
     frame_.setInterval(frame_ms);
     connect(&frame_, &QTimer::timeout, this, &PlotView::refresh);
     connect(canvas_, &PlotCanvas::followingChanged, follow_, &QToolButton::setChecked);
+    connect(canvas_, &PlotCanvas::cursorMoved, this, [this] {
+        updateLegendValues();
+        showReadout();
+    });
     rebuildLegend();
     onThemeChange(this, [this] { rebuildLegend(); });
 }
@@ -105,8 +109,12 @@ QWidget* PlotView::makeTools() {
     export_->setMenu(menu);
     export_->setPopupMode(QToolButton::InstantPopup);
     laidOut(new QHBoxLayout(tools), {gap::tiny, gap::tiny, gap::tiny, gap::tiny}, gap::tiny,
-            {pause_, follow_, window_, clear_button, export_})
-        ->addStretch();
+            {pause_, follow_, window_, clear_button, export_, readout_ = new ElidedLabel(tools)})
+        ->setStretchFactor(readout_, 1);
+    readout_->setProperty("role", "muted");
+    readout_->setAccessibleName(tr("Time at the mouse"));
+    readout_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    showReadout();
     connect(pause_, &QToolButton::toggled, this, &PlotView::refreshSoon);
     connect(follow_, &QToolButton::toggled, canvas_, &PlotCanvas::setFollowing);
     connect(clear_button, &QToolButton::clicked, this, &PlotView::clear);
@@ -200,15 +208,10 @@ Result<void> PlotView::exportPicture(const QString& file) const {
 
 void PlotView::askForFile(const QString& title, const QString& filter,
                           Result<void> (PlotView::*write)(const QString&) const) {
-    auto* dialog = new QFileDialog(this, title, QString(), filter);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(filter.left(3).toLower());
-    connect(dialog, &QFileDialog::fileSelected, this, [this, write](const QString& file) {
+    askWhereToSave(this, title, {}, filter, [this, write](const QString& file) {
         if (const Result<void> done = (this->*write)(file); !done)
             emit failed(QString::fromStdString(done.error().text()));
     });
-    dialog->show();
 }
 
 void PlotView::dragEnterEvent(QDragEnterEvent* event) {
@@ -286,11 +289,20 @@ void PlotView::rebuildLegend() {
     updateLegendValues();
 }
 
+void PlotView::showReadout() {
+    const std::optional<Seconds> cursor = canvas_->cursor();
+    const auto tenths = std::llround(10.0 * cursor.value_or(Seconds(0.0)).count());
+    readout_->setText(cursor ? tr("at %1.%2").arg(clockText(Seconds(static_cast<double>(tenths / 10)))).arg(tenths % 10)
+                             : tr("Wheel zooms · drag moves · double-click follows"));
+}
+
 void PlotView::updateLegendValues() {
+    const std::optional<Seconds> cursor = canvas_->cursor();
     for (int row = 0; row < legend_->topLevelItemCount(); ++row) {
         const Series& series = store_.series()[static_cast<std::size_t>(row)];
         const DisplayUnit unit = displayUnit(series.unit);
-        const double value = series.samples.empty() ? std::nan("") : series.samples.back().value * unit.factor;
+        const double time_s = cursor ? cursor->count() : std::numeric_limits<double>::infinity();
+        const double value = valueAt(series, time_s).value_or(std::nan("")) * unit.factor;
         legend_->topLevelItem(row)->setText(1, figure(value, 2) + u' ' + unit.text);
     }
 }
@@ -304,6 +316,7 @@ void PlotView::refresh() {
     if (!isVisible())
         return;
     updateLegendValues();
+    showReadout();
     if (paused())
         canvas_->dropLines(store_);
     else

@@ -13,6 +13,7 @@
 
 namespace usar::widgets {
 
+class ElidedLabel;
 class EmptyState;
 
 /// Records the watched fields even while hidden or paused; draws at most 30 times per second and only while visible.
@@ -44,7 +45,7 @@ public:
     /// All recorded samples, in SI units and radians.
     const SeriesStore& store() const { return store_; }
     QSize sizeHint() const override { return {640, 240}; }
-    QSize minimumSizeHint() const override { return {280, 140}; }
+    QSize minimumSizeHint() const override { return {240, 110}; }
 
 signals:
     /// An export failed; `text` is a sentence for a notification.
@@ -64,12 +65,15 @@ private:
     void fillWindowChoice();
     /// Returns false if the plot does not use the key.
     bool runKey(const QKeyEvent& event);
-    /// Opens a save dialog, which is not modal because a robot may be moving, and calls `write` with the chosen file.
+    /// Calls `write` with the file that the user chooses.
     void askForFile(const QString& title, const QString& filter, Result<void> (PlotView::*write)(const QString&) const);
     void removeSelected();
     void listChanged();
     void rebuildLegend();
+    /// Shows the values at the cursor, or the newest ones while there is no cursor.
     void updateLegendValues();
+    /// Shows the time at the cursor, or how to move in the plot.
+    void showReadout();
     /// Starts the frame timer if the view is visible.
     void refreshSoon();
     void refresh();
@@ -77,6 +81,7 @@ private:
     SeriesStore store_;
     PlotCanvas* canvas_ = new PlotCanvas(this);
     QTreeWidget* legend_ = new QTreeWidget(this);
+    ElidedLabel* readout_ = nullptr;
     EmptyState* empty_state_;
     QToolButton* pause_ = nullptr;
     QToolButton* follow_ = nullptr;

@@ -83,7 +83,9 @@ void paintBattery(QPainter* painter, const QRect& line, const RobotRow& robot) {
     painter->setPen(Qt::NoPen);
     painter->setBrush(t.line);
     painter->drawRoundedRect(bar, bar_height_px / 2.0, bar_height_px / 2.0);
-    const QColor level = share < 0.15 ? t.danger : share < 0.3 ? t.caution : t.ok;
+    const QColor level = *robot.battery_pct < battery_danger_pct    ? t.danger
+                         : *robot.battery_pct < battery_caution_pct ? t.caution
+                                                                    : t.ok;
     bar.setWidth(bar.width() * share);
     painter->setBrush(robot.stale ? t.stale : level);
     painter->drawRoundedRect(bar, bar_height_px / 2.0, bar_height_px / 2.0);
@@ -141,6 +143,8 @@ RobotList::RobotList(QWidget* parent) : QWidget(parent) {
         if (!quiet_ && current.isValid())
             emit robotSelected(model_->row(current.row()).id);
     });
+    for (const auto change : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
+        connect(model_, change, this, &RobotList::wholeHeightChanged);
     empty_state_ = new EmptyState(view_, tr("No robot yet"), tr("Double-click a start pose on the map to spawn one."));
 }
 
@@ -167,6 +171,11 @@ void RobotList::selectRobot(RobotId id) {
 std::optional<RobotId> RobotList::selectedRobot() const {
     const QModelIndex current = view_->currentIndex();
     return current.isValid() ? std::optional(model_->row(current.row()).id) : std::nullopt;
+}
+
+int RobotList::wholeHeight_px() const {
+    const int rows = model_->rowCount();
+    return rows * std::max(0, view_->sizeHintForRow(0)) + 2 * view_->frameWidth();
 }
 
 void RobotList::updateEmptyState() {

@@ -26,12 +26,16 @@ public:
     std::optional<RobotId> selectedRobot() const;
 
     const RobotListModel& model() const { return *model_; }
+    /// Height of the list at which no robot is hidden, in pixels.
+    int wholeHeight_px() const;
     QSize sizeHint() const override { return {260, 220}; }
-    QSize minimumSizeHint() const override { return {180, 100}; }
+    QSize minimumSizeHint() const override { return {180, 64}; }
 
 signals:
     /// By mouse or keys, or because the selected robot was removed.
     void robotSelected(usar::RobotId id);
+    /// A robot came or went, so that the list needs another height.
+    void wholeHeightChanged();
     /// From the context menu or by Delete; the list itself removes nothing before `removeRobot` is called.
     void removeRequested(usar::RobotId id);
 

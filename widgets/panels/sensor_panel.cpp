@@ -29,6 +29,7 @@ SensorPanel::SensorPanel(QWidget* parent)
     empty_state_->setText(tr("No sensor data yet"),
                           tr("Every value that the robot sends appears here once it is spawned."));
     laidOut(new QVBoxLayout(this), {}, gap::tiny, {search_, tree_})->setStretchFactor(tree_, 1);
+    showEmpty(true);
     connect(search_, &QLineEdit::textChanged, filtered_, &QSortFilterProxyModel::setFilterFixedString);
     connect(filtered_, &QAbstractItemModel::rowsInserted, this, [this](const QModelIndex& branch) {
         if (filtered_->rowCount(branch) > 0)
@@ -99,14 +100,20 @@ bool SensorPanel::silent() const {
 void SensorPanel::clear() {
     newest_.takeAll();
     model_->clear();
-    empty_state_->show();
+    showEmpty(true);
+}
+
+void SensorPanel::showEmpty(bool empty) {
+    empty_state_->setVisible(empty);
+    search_->setHidden(empty);
+    tree_->setHeaderHidden(empty);
 }
 
 void SensorPanel::refresh() {
     for (const CountedLine& counted : newest_.takeAll())
         model_->take(counted.line, counted.now, counted.count);
     model_->flush(silent() ? now_ + silence() : now_, !silent());
-    empty_state_->setVisible(model_->rowCount() == 0);
+    showEmpty(model_->rowCount() == 0);
 }
 
 void SensorPanel::plot(const QModelIndex& index) {

@@ -51,6 +51,8 @@ protected:
 
 private:
     void makeTree();
+    /// Shows the sheet that says what will appear, in place of an empty list with its filter and heads.
+    void showEmpty(bool empty);
     /// Notes that the protocol clock advanced or a line arrived.
     void heard(Seconds now);
     /// Wall time since the clock last advanced or a line arrived.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <QGridLayout>
 #include <QPainter>
@@ -13,7 +14,7 @@ namespace usar::widgets {
 namespace {
 
 /// All captions get this width, so that the bars of meters below each other are aligned.
-const QString widest_caption = QStringLiteral("Battery used");
+const QString widest_caption = QStringLiteral("Coverage");
 
 /// One sample per column, so that the figures of a column end at the same place.
 const QString time_sample = QStringLiteral("00:00:00");
@@ -40,7 +41,15 @@ void Readout::setText(const QString& text) {
     if (text == text_)
         return;
     text_ = text;
-    setAccessibleDescription(text + QStringLiteral(" ") + unit_);
+    describe(text + QStringLiteral(" ") + unit_);
+    update();
+}
+
+void Readout::setCaption(const QString& caption) {
+    if (std::exchange(caption_, caption) == caption)
+        return;
+    setAccessibleName(caption);
+    updateGeometry();
     update();
 }
 
@@ -85,7 +94,7 @@ Meter::Meter(const QString& caption, QWidget* parent, double caution_pct, double
 
 void Meter::setValue(std::optional<double> value_pct) {
     value_pct_ = value_pct;
-    setAccessibleDescription(value_pct ? figure(*value_pct, 0) + QStringLiteral(" %") : tr("unknown"));
+    describe(value_pct ? figure(*value_pct, 0) + QStringLiteral(" %") : tr("unknown"));
     update();
 }
 
@@ -95,15 +104,16 @@ void Meter::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     const QRectF words(0, 0, width(), height());
     const double value = value_pct_.value_or(qQNaN());
-    const QColor ink = stale() ? t.stale : value >= danger_pct_ ? t.danger : value >= caution_pct_ ? t.caution : t.ok;
+    const bool low = value < caution_pct_; // Not for an unknown value, which is no number.
+    const QColor ink = stale() ? t.stale : value < danger_pct_ ? t.danger : low ? t.caution : t.ok;
     painter.setPen(t.text_muted);
     painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter, caption_);
     QFont figures = font();
     figures.setStrikeOut(stale());
     painter.setFont(figures);
-    painter.setPen(stale() || value >= caution_pct_ ? ink : t.text);
+    painter.setPen(stale() || low ? ink : t.text);
     // The strike-out also covers spaces, so a stale figure is not padded.
-    const QString mark = value >= caution_pct_ && !stale() ? QStringLiteral("! ") : QString();
+    const QString mark = low && !stale() ? QStringLiteral("! ") : QString();
     painter.drawText(words, Qt::AlignRight | Qt::AlignVCenter,
                      mark + figure(value, 0, stale() ? 0 : 3) + QStringLiteral(" %"));
     const double left = fontMetrics().horizontalAdvance(widest_caption) + gap::small;
@@ -133,15 +143,16 @@ StatusStrip::StatusStrip(QWidget* parent)
     left_->setToolTip(tr("Estimated protocol time to the end"));
     goal_->setToolTip(tr("Distance to the goal that the robot is heading for, in meters"));
     range_->setToolTip(tr("How far the robot can fly before it uses its reserve, in meters"));
-    flown_->setToolTip(tr("Distance flown since the behavior started, in meters"));
     charges_->setToolTip(tr("How often the battery was recharged"));
-    battery_->setToolTip(tr("Used part of the battery's capacity, in percent"));
+    battery_->setToolTip(tr("What is left of the battery, in percent"));
     progress_->setToolTip(tr("Part of the whole task that is done, in percent"));
     coverage_->setToolTip(tr("Part of the mission area whose height is known, in percent"));
-    state_->setAccessibleName(tr("State of the behavior"));
+    robot_->setFont(themeFont(FontRole::Body, QFont::DemiBold));
+    robot_->hide();
     state_->setFont(themeFont(FontRole::Body, QFont::DemiBold));
     state_->setWordWrap(true);
-    auto* head = laidOut(new QHBoxLayout, gap::small, {dot_, state_, stale_});
+    state_->setAccessibleName(tr("State of the behavior"));
+    auto* head = laidOut(new QHBoxLayout, gap::small, {dot_, robot_, state_, stale_});
     head->setStretchFactor(state_, 1);
     head->setAlignment(stale_, Qt::AlignTop);
     stale_->setObjectName(QStringLiteral("stale"));
@@ -158,13 +169,29 @@ StatusStrip::StatusStrip(QWidget* parent)
     column->addLayout(head);
     column->addLayout(figures);
     column->addLayout(laidOut(new QVBoxLayout, gap::tiny, {battery_, progress_, coverage_}));
+    setAbilities(true, true);
     clear(tr("No behavior runs"));
+}
+
+void StatusStrip::setRobot(const QString& name) {
+    robot_->setText(name);
+    robot_->setHidden(name.isEmpty());
+    setAccessibleName(name.isEmpty() ? tr("Status") : tr("Status of %1").arg(name));
+}
+
+void StatusStrip::setAbilities(bool flies, bool recharges) {
+    range_->setVisible(recharges);
+    charges_->setVisible(recharges);
+    flown_->setCaption(flies ? tr("flown") : tr("traveled"));
+    flown_->setToolTip(flies ? tr("Distance flown since the behavior started, in meters")
+                             : tr("Distance traveled since the behavior started, in meters"));
 }
 
 void StatusStrip::setState(const QString& words, StateShape shape) {
     shape_ = shape;
     dot_->setState(stale() ? StateShape::Off : shape_);
     state_->setText(words);
+    setAccessibleDescription(words);
 }
 
 void StatusStrip::setStatus(const agent::BehaviorStatus& status) {
@@ -175,7 +202,6 @@ void StatusStrip::setStatus(const agent::BehaviorStatus& status) {
     range_->setText(orDash(status.range_left_m, 0));
     flown_->setText(figure(status.distance_flown_m, 0));
     charges_->setText(QString::number(status.charges));
-    battery_->setValue(status.battery_used_pct);
     progress_->setValue(status.progress_pct);
 }
 

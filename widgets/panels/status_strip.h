@@ -8,6 +8,7 @@
 #include <QWidget>
 
 #include "core/agent/published.h"
+#include "widgets/models/robot_list_model.h"
 #include "widgets/style/form_parts.h"
 #include "widgets/style/sheet.h"
 
@@ -21,6 +22,7 @@ public:
 
     /// Sets the formatted figure without its unit; the same text again costs nothing.
     void setText(const QString& text);
+    void setCaption(const QString& caption);
     /// The figure as last set; a dash at the beginning.
     const QString& text() const { return text_; }
     /// Width of the figure alone, in pixels; readouts in a column line up if their widths are equal.
@@ -39,14 +41,14 @@ private:
 };
 
 /// Caption on the left, figure on the right, the bar between them. An unknown value is drawn as an empty, hatched bar
-/// with a dash. The color changes to the caution and danger colors from those limits on, and a "!" precedes the figure.
+/// with a dash. Below the limits the color is that of a caution or of a danger, and a "!" precedes the figure.
 /// GUI thread.
 class Meter : public Instrument {
     Q_OBJECT
 public:
-    /// High values are bad from these limits on; above 100 means never.
-    explicit Meter(const QString& caption, QWidget* parent = nullptr, double caution_pct = 101.0,
-                   double danger_pct = 101.0);
+    /// Values below these limits are bad; 0 means never.
+    explicit Meter(const QString& caption, QWidget* parent = nullptr, double caution_pct = 0.0,
+                   double danger_pct = 0.0);
 
     /// In percent, 0..100; nullopt: unknown.
     void setValue(std::optional<double> value_pct);
@@ -71,11 +73,18 @@ class StatusStrip : public QWidget {
 public:
     explicit StatusStrip(QWidget* parent = nullptr);
 
+    /// Names the robot whose figures these are; empty: none.
+    void setRobot(const QString& name);
+    /// Shows what this robot can have: range and charges only if it recharges; a robot on the ground or in water is not
+    /// said to fly.
+    void setAbilities(bool flies, bool recharges);
     /// Shows the status of a running behavior; call it on every tick, only changes are repainted.
     void setStatus(const agent::BehaviorStatus& status);
     /// Nothing is running: `words` says why or what to do ("Idle. Press Start."). Time left and distance to the goal
     /// become unknown; the other figures stay, so that a finished mission can be read.
     void setIdle(const QString& words, StateShape shape = StateShape::Off);
+    /// What is left of the battery in percent, 0..100; nullopt: unknown.
+    void setBattery(std::optional<double> left_pct) { battery_->setValue(left_pct); }
     /// Covered part of the mission area in percent, 0..100; nullopt without an area.
     void setCoverage(std::optional<double> coverage_pct) { coverage_->setValue(coverage_pct); }
     /// The link is silent: figures are gray and struck through, and the word "stale" is shown, until this is reset; new
@@ -92,6 +101,7 @@ private:
 
     StateShape shape_ = StateShape::Off; ///< the screen shows a hollow circle while stale
     StateDot* dot_ = new StateDot(this);
+    QLabel* robot_ = new QLabel(this);
     QLabel* state_ = new QLabel(this);
     QLabel* stale_ = new QLabel(tr("stale"), this);
     Readout* elapsed_;
@@ -100,7 +110,7 @@ private:
     Readout* range_;
     Readout* flown_;
     Readout* charges_;
-    Meter* battery_ = new Meter(tr("Battery used"), this, 70.0, 85.0);
+    Meter* battery_ = new Meter(tr("Battery"), this, battery_caution_pct, battery_danger_pct);
     Meter* progress_ = new Meter(tr("Progress"), this);
     Meter* coverage_ = new Meter(tr("Coverage"), this);
 };

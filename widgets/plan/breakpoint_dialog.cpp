@@ -98,7 +98,7 @@ void BreakpointDialog::check() {
 PinDialog::PinDialog(const QString& call, const std::optional<QString>& answer, QWidget* parent)
     : QDialog(parent)
     , complaint_(makeLabel(this, "danger")) {
-    setWindowTitle(tr("Pin"));
+    setWindowTitle(tr("Force an answer"));
     auto* form = laidOut(new QFormLayout(this), gap::small);
     form->addRow(makeLabel(this, "title", call));
     auto* words = makeLabel(

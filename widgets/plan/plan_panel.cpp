@@ -25,6 +25,7 @@ namespace {
 
 constexpr int narrow_panel_px = 640;
 constexpr int node_role = Qt::UserRole;
+constexpr int lost_role = Qt::UserRole + 8;       // True for a breakpoint that has no place in the plan.
 constexpr int breakpoint_role = Qt::UserRole + 2; // On items of the breakpoint list: its id.
 
 struct Row {
@@ -114,9 +115,10 @@ PlanPanel::PlanPanel(QWidget* parent)
         if (text_shown_->isEnabled())
             text_shown_->setChecked(true);
     });
-    onThemeChange(this, [this] { // Icons have the colors of the theme.
+    onThemeChange(this, [this] { // Icons and what has no place have the colors of the theme.
         reasons_->clear();
         showReasons();
+        inkBreakpoints();
     });
     side_->hide();
     time_bar_->hide();
@@ -224,7 +226,7 @@ void PlanPanel::fillSide() {
     side_->add(verdict_, reasons_, tr("Why?"), 3);
     side_->setTitleKept(reasons_, true); // It is the answer.
     board_ = makeList(tr("Blackboard"), {});
-    side_->add(makeLabel(side_, "title", tr("Blackboard")), board_, tr("Board"), 2);
+    side_->add(makeLabel(side_, "title", tr("Blackboard")), board_, tr("Blackboard"), 2);
     connect(board_, &QListWidget::currentRowChanged, this, &PlanPanel::keySelected);
     connect(board_, &QListWidget::itemActivated, this, &PlanPanel::keyActivated);
     showBoard();
@@ -294,7 +296,16 @@ void PlanPanel::setBreakpoints(const std::vector<BreakpointRow>& rows) {
         item->setCheckState(row.enabled ? Qt::Checked : Qt::Unchecked);
         item->setData(node_role, row.path.empty() ? -1 : view_->tree().find(row.path).value);
         item->setData(breakpoint_role, row.id.value);
-        item->setForeground(row.path.empty() ? tokens().stale : tokens().text);
+        item->setData(lost_role, row.path.empty());
+    }
+    inkBreakpoints();
+}
+
+void PlanPanel::inkBreakpoints() {
+    for (int i = 0; i < breakpoints_->count(); ++i) {
+        QListWidgetItem* const item = breakpoints_->item(i);
+        const bool lost = item->data(lost_role).toBool();
+        item->setData(Qt::ForegroundRole, lost ? QVariant(QBrush(tokens().stale)) : QVariant());
     }
 }
 

@@ -83,6 +83,8 @@ private:
     /// Fills the side with the lists: running, reasons, blackboard, breakpoints.
     void fillSide();
     void connectBreakpoints();
+    /// Grays out breakpoints that have no place in the plan.
+    void inkBreakpoints();
     void showBoard();
     QListWidget* makeList(const QString& name, const QString& help);
     QToolButton* addButton(QBoxLayout* row, const char* icon_name, const QString& help,

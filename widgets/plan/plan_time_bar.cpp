@@ -31,7 +31,7 @@ QString planTimeText(const PlanTime& time) {
     if (time.live && !time.replay)
         return QObject::tr("live, %1 s").arg(end);
     const QString at = QObject::tr("at %1 s of %2 s").arg(figure((time.shown - time.begin).count(), 1), end);
-    return time.epoch == 0 ? at : QObject::tr("%1, epoch %2 of %3").arg(at).arg(time.epoch).arg(time.epochs);
+    return time.epoch == 0 ? at : QObject::tr("%1, decision %2 of %3").arg(at).arg(time.epoch).arg(time.epochs);
 }
 
 PlanTimeBar::PlanTimeBar(QWidget* parent)

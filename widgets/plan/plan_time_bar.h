@@ -50,7 +50,7 @@ private:
     QLabel* words_;
 };
 
-/// "live, 80.1 s", "at 12.4 s of 80.1 s, epoch 1 of 3"; empty while there is no cycle.
+/// "live, 80.1 s", "at 12.4 s of 80.1 s, decision 1 of 3"; empty while there is no cycle.
 QString planTimeText(const PlanTime& time);
 
 /// Says that a plan is halted, where and why, with buttons to continue. Hidden while there is nothing to say. The

@@ -5,7 +5,7 @@
 namespace usar::widgets {
 
 EmptyState::EmptyState(QWidget* covered, const QString& title, const QString& hint) : QWidget(covered) {
-    auto* column = laidOut(new QVBoxLayout(this), {gap::medium, gap::medium, gap::medium, gap::medium}, gap::small);
+    auto* column = laidOut(new QVBoxLayout(this), {gap::medium, gap::tiny, gap::medium, gap::tiny}, gap::small);
     column->addStretch();
     column->addWidget(title_);
     column->addWidget(hint_);
@@ -30,16 +30,32 @@ void EmptyState::setText(const QString& title, const QString& hint) {
     hint_->setText(hint);
     setAccessibleName(title);
     setAccessibleDescription(hint);
+    fit();
 }
 
 void EmptyState::setAction(QAction* action) {
     disconnect(clicked_); // Only this connection: the style also connects to every widget.
     button_->setVisible(action != nullptr);
     if (!action)
-        return;
+        return fit();
     button_->setText(action->text());
     button_->setToolTip(action->toolTip());
     clicked_ = connect(button_, &QPushButton::clicked, action, &QAction::trigger);
+    fit();
+}
+
+void EmptyState::fit() {
+    const int width_px = width() - 2 * gap::medium;
+    int needed_px = 2 * gap::tiny + title_->heightForWidth(width_px) + gap::small + hint_->heightForWidth(width_px);
+    if (!button_->isHidden())
+        needed_px += gap::small + button_->sizeHint().height();
+    hint_->setHidden(needed_px > height());
+    setToolTip(hint_->isHidden() ? hint_->text() : QString());
+}
+
+void EmptyState::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fit();
 }
 
 bool EmptyState::eventFilter(QObject* watched, QEvent* event) {

@@ -7,8 +7,8 @@
 
 namespace usar::widgets {
 
-/// Shows a title, one sentence and, with an action, a button. Covers its parent and follows its size; the mouse reaches
-/// the parent except on the button.
+/// Shows a title, one sentence (which becomes the tooltip where there is no room for it) and, with an action, a button.
+/// Covers its parent and follows its size; the mouse reaches the parent except on the button.
 class EmptyState : public QWidget {
     Q_OBJECT
 public:
@@ -22,8 +22,12 @@ public:
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
+    /// Leaves the sentence out if it would be cut.
+    void fit();
+
     QLabel* title_ = new QLabel(this);
     QLabel* hint_ = mutedLabel({}, this);
     QPushButton* button_ = new QPushButton(this);

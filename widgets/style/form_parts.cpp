@@ -125,7 +125,8 @@ QSize ElidedLabel::sizeHint() const {
 }
 
 void ElidedLabel::setRoomFor(const QString& text) {
-    room_for_ = text;
+    if (std::exchange(room_for_, text) == text)
+        return;
     updateGeometry();
 }
 
@@ -150,6 +151,11 @@ QColor stateColor(StateShape state) {
     const Tokens& t = tokens();
     const QColor colors[] = {t.text_muted, t.accent, t.ok, t.caution, t.danger};
     return colors[static_cast<std::size_t>(state)];
+}
+
+const char* stateRole(StateShape state) {
+    constexpr const char* roles[] = {"muted", "accent", "ok", "caution", "danger"};
+    return roles[static_cast<std::size_t>(state)];
 }
 
 void StateDot::paintEvent(QPaintEvent*) {

@@ -122,5 +122,7 @@ private:
 
 /// Text color for the word of that state.
 QColor stateColor(StateShape state);
+/// The role that gives a label this color.
+const char* stateRole(StateShape state);
 
 } // namespace usar::widgets

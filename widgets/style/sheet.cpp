@@ -93,14 +93,21 @@ QPen dashedPen(const QColor& color, double width_px, const QList<qreal>& pattern
 }
 
 void Instrument::setStale(bool stale) {
-    if (std::exchange(stale_, stale) != stale)
-        update();
+    if (std::exchange(stale_, stale) == stale)
+        return;
+    describe(description_);
+    update();
 }
 
 void Instrument::showFresh(const QString& description) {
     stale_ = false;
-    setAccessibleDescription(description);
+    describe(description);
     update();
+}
+
+void Instrument::describe(const QString& words) {
+    description_ = words;
+    setAccessibleDescription(stale_ ? tr("%1, out of date").arg(words) : words);
 }
 
 QColor Instrument::ink(const QColor& fresh) const {

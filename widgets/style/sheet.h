@@ -48,10 +48,13 @@ public:
 protected:
     /// Repaints with new figures, which are not stale; `description` says them to screen readers.
     void showFresh(const QString& description);
+    /// Says the figures to screen readers, which also hear whether they are stale.
+    void describe(const QString& words);
     /// Returns `fresh`, or the color for stale figures.
     QColor ink(const QColor& fresh) const;
 
 private:
+    QString description_;
     bool stale_ = false;
 };
 

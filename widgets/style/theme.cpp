@@ -147,8 +147,8 @@ public:
 };
 
 /// What Fusion and a palette cannot express: tooltips, dock titles, headers, and the roles that widgets have by the
-/// dynamic property `role`: labels "muted", "title", "danger", "caution", "ok"; buttons "primary", "stop"; frames
-/// "card", "strip".
+/// dynamic property `role`: labels "muted", "title", "accent", "danger", "caution", "ok"; fields "caution", "danger";
+/// buttons "primary", "stop"; frames "card", "strip".
 constexpr const char* rules = R"(
 QToolTip { color: %text; background: %raised; border: 1px solid %line; padding: 4px; }
 QMainWindow::separator { background: %background; width: 4px; height: 4px; }
@@ -160,9 +160,12 @@ QHeaderView::section { background: %surface; color: %text_muted; border: none; b
 QStatusBar::item { border: none; }
 QLabel[role="muted"] { color: %text_muted; }
 QLabel[role="title"] { color: %text; font-weight: 600; }
+QLabel[role="accent"] { color: %accent; }
 QLabel[role="ok"] { color: %ok; }
 QLabel[role="caution"] { color: %caution; }
 QLabel[role="danger"] { color: %danger; }
+QAbstractSpinBox[role="caution"] { color: %caution; }
+QLineEdit[role="danger"] { color: %danger; }
 QFrame[role="card"] { background: %raised; border: 1px solid %line; border-radius: 8px; }
 QFrame[role="strip"] { background: %surface; border: none; border-bottom: 1px solid %line; }
 QPushButton[role="primary"], QPushButton[role="stop"] { color: %on_fill; border: 1px solid transparent;

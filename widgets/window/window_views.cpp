@@ -3,6 +3,7 @@
 #include <QToolBar>
 
 #include "widgets/style/form_parts.h"
+#include "widgets/style/scroll_box.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
@@ -40,8 +41,8 @@ void makeTopBars(QMainWindow& window, WindowViews& views) {
 void makeCenter(QMainWindow& window, WindowViews& views) {
     auto* center = new QWidget;
     laidOut(new QVBoxLayout(center), {}, 0,
-            {views.hint = new HintStrip, views.progress = new ProgressStrip, views.replay = new ReplayBar,
-             views.map = new MapView})
+            {views.question = new QuestionStrip, views.hint = new HintStrip, views.progress = new ProgressStrip,
+             views.result = new ResultCard, views.replay = new ReplayBar, views.map = new MapView})
         ->setStretchFactor(views.map, 1);
     views.replay->hide();
     views.map->setOrientation(MapOrientation::YUp); // As in exported pictures and in GIS.
@@ -93,31 +94,31 @@ void makeDocks(QMainWindow& window, WindowViews& views) {
         return views.docks.emplace_back(dock);
     };
     views.parameters = new ParameterForm;
-    add("robots", QObject::tr("Robots"), left, views.robots = new RobotList);
+    views.robots_dock = add("robots", QObject::tr("Robots"), left, views.robots = new RobotList);
     auto* behavior =
         add("behavior", QObject::tr("Behavior"), left, views.behavior = new BehaviorPanel(views.parameters));
-    auto* instruments = add("instruments", QObject::tr("Instruments"), right, makeInstruments(views));
+    auto* instruments = add("instruments", QObject::tr("Instruments"), right, new ScrollBox(makeInstruments(views)));
     add("sensors", QObject::tr("Sensors"), right, views.sensors = new SensorPanel);
     views.plots_dock = add("plots", QObject::tr("Plots"), bottom, views.plots = new PlotView);
-    views.messages_dock = add("messages", QObject::tr("Messages"), bottom, makeInspector(views));
+    views.messages_dock = add("messages", QObject::tr("Messages"), bottom, new ScrollBox(makeInspector(views)));
     views.notifications_dock =
         add("notifications", QObject::tr("Notifications"), bottom, views.notifications = new NotificationCenter);
     views.toasts = new ToastStack(views.map, views.notifications->model());
-    add("layers", QObject::tr("Layers"), left, views.layers = new LayersPanel)->hide();
-    auto* faults = add("faults", QObject::tr("Faults"), left, views.faults = new FaultPanel);
+    add("layers", QObject::tr("Layers"), left, new ScrollBox(views.layers = new LayersPanel))->hide();
+    auto* faults = add("faults", QObject::tr("Faults"), left, new ScrollBox(views.faults = new FaultPanel));
     window.tabifyDockWidget(behavior, faults); // It is tall enough.
     faults->hide();
-    auto* camera = add("camera", QObject::tr("Camera"), right, views.camera = new CameraView);
+    auto* camera = add("camera", QObject::tr("Camera"), right, new ScrollBox(views.camera = new CameraView));
     window.tabifyDockWidget(instruments, camera); // The tallest place.
     instruments->raise();
     QObject::connect(camera, &QDockWidget::visibilityChanged, views.camera, &CameraView::setUncovered);
-    views.world_dock = add("world", QObject::tr("World"), left, views.world = new WorldPanel);
+    views.world_dock = add("world", QObject::tr("World"), left, new ScrollBox(views.world = new WorldPanel));
     window.tabifyDockWidget(behavior, views.world_dock); // Both show what should happen in the world.
     views.drive_dock = add("drive", QObject::tr("Drive"), left, views.drive = new DrivePanel);
     window.tabifyDockWidget(views.world_dock, views.drive_dock);
     behavior->raise();
     views.radio_dock = add("radio", QObject::tr("Radio"), bottom, views.radio = new RadioView);
-    views.plan_dock = add("plan", QObject::tr("Plan"), bottom, views.plan = new PlanPanel);
+    views.plan_dock = add("plan", QObject::tr("Plan"), bottom, new ScrollBox(views.plan = new PlanPanel));
     window.tabifyDockWidget(views.plots_dock, views.plan_dock);
     window.tabifyDockWidget(views.plan_dock, views.messages_dock);
     window.tabifyDockWidget(views.messages_dock, views.notifications_dock);
@@ -137,7 +138,7 @@ WindowViews makeViews(QMainWindow& window) {
     makeCenter(window, views);
     makeDocks(window, views);
     window.resizeDocks({views.docks[0], views.docks[1]}, {110, 500}, Qt::Vertical);
-    window.resizeDocks({views.docks[2], views.docks[3]}, {430, 270}, Qt::Vertical);
+    window.resizeDocks({views.docks[2], views.docks[3]}, {450, 250}, Qt::Vertical);
     window.resizeDocks({views.docks[1], views.docks[2]}, {280, 350}, Qt::Horizontal);
     window.resizeDocks({views.docks[4]}, {215}, Qt::Vertical);
     return views;

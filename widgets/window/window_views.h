@@ -8,6 +8,7 @@
 
 #include "widgets/bars/connection_bar.h"
 #include "widgets/bars/replay_bar.h"
+#include "widgets/bars/result_card.h"
 #include "widgets/bars/strips.h"
 #include "widgets/bars/time_bar.h"
 #include "widgets/commands/command_palette.h"
@@ -50,7 +51,9 @@ struct WindowViews {
     DrivePanel* drive = nullptr;    ///< in drive_dock
 
     // Center: strips above the map, and the map.
+    QuestionStrip* question = nullptr; ///< what must be asked while robots go on
     HintStrip* hint = nullptr;         ///< the first steps
+    ResultCard* result = nullptr;      ///< how a mission ended
     ProgressStrip* progress = nullptr; ///< visible while a world or snapshot is being opened
     ReplayBar* replay = nullptr;       ///< visible while a replay is selected
     MapView* map = nullptr;
@@ -83,6 +86,7 @@ struct WindowViews {
     FaultPanel* faults = nullptr;
     WorldPanel* world = nullptr; ///< palette and list of the world's objects
     QDockWidget* world_dock = nullptr;
+    QDockWidget* robots_dock = nullptr;
     RadioView* radio = nullptr;
 
     // Docks that desks raise or watch.

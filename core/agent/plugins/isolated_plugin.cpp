@@ -126,7 +126,7 @@ void IsolatedPlugin::lose(const std::string& what) {
     if (doing_ == Doing::Nothing)
         return; // the next preview starts it again
     fail({"it " + what + " while " + (doing_ == Doing::Loading ? "being loaded" : "previewing a task") +
-              " in a process of its own",
+              " in a separate process",
           "plugin " + QFileInfo(file_).fileName().toStdString(), "Fix it and build it again"});
 }
 
@@ -162,7 +162,7 @@ void IsolatedPlugin::becomeDeaf() {
 
 Result<std::unique_ptr<Behavior>> IsolatedPlugin::createBehavior(const std::string& id, BehaviorContext) const {
     return failure("its plugin is not loaded into this program", "behavior " + id,
-                   "Start it in a process of its own, or untick that for its plugin");
+                   "Start it in a separate process, or untick that for its plugin");
 }
 
 Result<TaskPreview> IsolatedPlugin::preview(const std::string& id, const BehaviorContext&) const {

@@ -268,7 +268,7 @@ void PluginLoader::openLibrary(Library& library) {
     if (policy_.marks.endedTheProgram(record.file, library.stamp)) {
         record.dangerous = true;
         record.reason = "It ended the program when it was loaded the last time. Build it again, or let it run in a "
-                        "process of its own.";
+                        "separate process.";
         return;
     }
     const QString folder = QString::number(++copies_made_); // a path that was loaded once would not be loaded again

@@ -88,7 +88,7 @@ int spawn(const QString& program, int socket, const QTemporaryDir& scratch) {
 
 Result<std::unique_ptr<HostProcess>> HostProcess::start(const QString& program, const std::string& subject) {
     const auto wrong = [&](const std::string& what) {
-        return failure("it cannot run in a process of its own: " + what, subject,
+        return failure("it cannot run in a separate process: " + what, subject,
                        "Install or build usar-behavior-host, or let it run in the program itself");
     };
     int ends[2];

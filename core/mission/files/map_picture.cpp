@@ -86,6 +86,7 @@ std::vector<std::int64_t> cellsUnderPixels(int pixels, double pixels_per_cell, d
 void paintHeights(QImage& image, const Raster& raster, const View& view) {
     const Rectangle map = extentOf(raster);
     const HeightRange range = raster.range().value_or(HeightRange{});
+    const mapping::HeightGrid grid{raster.heights_m, raster.columns, raster.rows, raster.cell_size_m};
     const double per_cell = view.pixels_per_m * raster.cell_size_m;
     const auto columns =
         cellsUnderPixels(view.width_px, per_cell, (view.extent.min_m.x() - map.min_m.x()) / raster.cell_size_m);
@@ -95,10 +96,8 @@ void paintHeights(QImage& image, const Raster& raster, const View& view) {
         const std::int64_t row = rows[static_cast<std::size_t>(y)];
         auto* pixels = reinterpret_cast<std::uint32_t*>(image.scanLine(y));
         for (std::size_t x = 0; x < columns.size(); ++x) {
-            const bool inside = row >= 0 && row < raster.rows && columns[x] >= 0 && columns[x] < raster.columns;
-            const float height_m =
-                inside ? raster.heights_m[static_cast<std::size_t>(row * raster.columns + columns[x])] : NAN;
-            pixels[x] = std::isnan(height_m) ? unknown_color : mapping::shade(height_m, range, mapping::ColorMap::Gray);
+            const std::uint32_t color = mapping::shadeCell(grid, columns[x], row, range, mapping::ColorMap::Color);
+            pixels[x] = color == 0 ? unknown_color : color;
         }
     }
 }

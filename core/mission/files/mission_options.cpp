@@ -134,7 +134,7 @@ QString missionHelp() {
                "  --fault TEXT         a fault of the embedded simulator, for example\n"
                "                       'wind speed=4 gust=1 from=60'; repeat for more. usar-sim --help lists them\n"
                "  --plugins FOLDER     robot plugins, besides those that come with the program; repeat for more\n"
-               "  --isolate            the behavior runs in a process of its own, so that only that can crash\n"
+               "  --isolate            the behavior runs in a separate process, so that only that can crash\n"
                "\n"
                "A progress bar goes to standard error; the last line of standard output is one JSON object.\n"
                "Exit code 0: done; 1: the mission failed; 2: bad use or input. Ctrl+C keeps what was scanned.\n") +

@@ -8,6 +8,9 @@
 #include <QGuiApplication>
 #include <QLinearGradient>
 #include <QPainter>
+#include <QPolygonF>
+
+#include "core/mapping/shading.h"
 
 namespace usar::mission {
 
@@ -75,8 +78,10 @@ void drawRange(QPainter& painter, const mapping::HeightRange& range, double text
     const QRectF bar(text_px + textWidth(height(range.minimum_m), text_px) + 0.5 * text_px, top_px, 8.0 * text_px,
                      text_px);
     QLinearGradient gradient(bar.topLeft(), bar.topRight());
-    gradient.setColorAt(0.0, Qt::black);
-    gradient.setColorAt(1.0, Qt::white);
+    constexpr float steps = 32.0f;
+    for (float step = 0.0f; step <= steps; ++step)
+        gradient.setColorAt(static_cast<double>(step / steps),
+                            QColor::fromRgb(mapping::shade(step, {0.0f, steps}, mapping::ColorMap::Color)));
     painter.setPen(QPen(ink_color, std::max(1.0, text_px / 14.0)));
     painter.setBrush(gradient);
     painter.drawRect(bar);
@@ -119,6 +124,13 @@ void drawMark(QPainter& painter, MarkKind kind, const QPointF& center, double un
             painter.drawLine(center - slash, center + slash);
             painter.drawLine(center - back, center + back);
         }
+    } else if (style.shape == agent::MarkShape::Triangle || style.shape == agent::MarkShape::Diamond) {
+        const double r = 1.8 * unit_px;
+        painter.drawPolygon(
+            style.shape == agent::MarkShape::Triangle
+                ? QPolygonF({center + QPointF(0.0, -r), center + QPointF(r, 0.8 * r), center + QPointF(-r, 0.8 * r)})
+                : QPolygonF({center + QPointF(0.0, -r), center + QPointF(r, 0.0), center + QPointF(0.0, r),
+                             center + QPointF(-r, 0.0)}));
     } else if (style.shape == agent::MarkShape::Dot) {
         painter.setPen(Qt::NoPen); // Path dots are close together: their rims would form a black line.
         painter.drawEllipse(center, unit_px, unit_px);

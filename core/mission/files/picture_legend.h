@@ -1,4 +1,4 @@
-// The legend below a map picture: explains gray levels, lengths and the colored marks.
+// The legend below a map picture: explains the colors of heights, lengths and the marks.
 #pragma once
 
 #include <optional>
@@ -14,8 +14,8 @@ class QPainter;
 
 namespace usar::mission {
 
-/// Draws one mark around `center`: dots, yellow squares for recharges, violet circles for landings, crosses for
-/// abandoned goals; `unit_px` is the radius of a dot. A dark rim keeps all but path dots legible on light ground.
+/// Draws one mark around `center` in the color and shape that agent::styleOf gives it; `unit_px` is the radius of a
+/// dot. A dark rim keeps all but path dots legible on light ground.
 void drawMark(QPainter& painter, agent::MarkKind kind, const QPointF& center, double unit_px);
 
 /// Returns the longest of 1, 2, 5, 10, 20, 50 … meters that fits into `room_px`.

@@ -22,9 +22,9 @@ Fleet::Private::Private(Fleet& fleet, const QString& host_program) : q(fleet), b
         keeper.giveUpWaiting();
         emit q.readyToClose();
     });
-    connect(&keeper, &ScanKeeper::saved, &q, [this](RobotId id, const QStringList& files) {
+    connect(&keeper, &ScanKeeper::saved, &q, [this](RobotId id, const RunSummary& summary, const QString& name) {
         emit q.cured("export");
-        emit q.resultsWritten(id, files);
+        emit q.resultsWritten(id, summary, name);
         closeWhenSaved();
     });
     connect(&keeper, &ScanKeeper::failed, &q, [this](RobotId id, const QString& reason) {
@@ -69,6 +69,7 @@ void Fleet::disconnectFromServer() {
     d_->place = {};
     d_->start_poses.clear();
     d_->seed.reset();
+    d_->make_truth = {};
     emit serverLeft();
     emit linkChanged({});
 }
@@ -109,11 +110,15 @@ void Fleet::setSeed(std::optional<std::uint64_t> seed) {
     d_->seed = seed;
 }
 
+void Fleet::setTruthMaker(std::function<Truth()> make) {
+    d_->make_truth = std::move(make);
+}
+
 SimulatorFacts Fleet::Private::factsOf(const Robot& robot) const {
     if (robot.isReplay())
         return {};
     const auto truth = truths.find(robot.view().id);
-    return {truth == truths.end() ? std::nullopt : std::optional(truth->second), seed};
+    return {truth == truths.end() ? std::nullopt : std::optional(truth->second), seed, make_truth};
 }
 
 void Fleet::Private::openNext() {

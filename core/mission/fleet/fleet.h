@@ -1,6 +1,7 @@
 // All robots of the user: their sessions, behaviors, recordings and results, on any server.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -54,6 +55,7 @@ public:
     /// Sets the true figures for the summary of the robot with this name; they are kept until the robot is removed.
     void setTruth(const std::string& robot_name, const TrueFigures& truth);
     void setSeed(std::optional<std::uint64_t> seed); ///< for summaries; forgotten by `disconnectFromServer`
+    void setTruthMaker(std::function<Truth()> make); ///< SimulatorFacts::make_truth; forgotten likewise
 
     QString nextRobotName() const;
     /// Returns the id, the lowest free key 1-9; an error if all are taken or there is no link.
@@ -126,7 +128,7 @@ signals:
     void behaviorFinished(usar::RobotId id, bool success, const QString& reason);
     /// The behavior threw, hung or died, as `text` says; `startAgain` may help. Replaces `noticed`; same kind of `key`.
     void behaviorBroke(usar::RobotId id, const QString& key, const QString& text);
-    void resultsWritten(usar::RobotId id, const QStringList& files);
+    void resultsWritten(usar::RobotId id, const usar::mission::RunSummary& summary, const QString& robot_name);
     void exportFailed(usar::RobotId id, const QString& reason); ///< the scan is still in memory
     /// `key` groups repeats and lets a cure clear them.
     void noticed(const QString& key, const usar::mission::Notice& notice);

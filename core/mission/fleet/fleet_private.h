@@ -1,6 +1,8 @@
 // Private data and helpers of Fleet, shared by its source files.
 #pragma once
 
+#include <functional>
+
 #include <QTimer>
 
 #include "core/mission/fleet/fleet.h"
@@ -56,6 +58,7 @@ struct Fleet::Private {
         wanted_moments;                    ///< by connection: moment to look back on, once the file contains it
     std::map<RobotId, TrueFigures> truths; ///< by robot id
     std::optional<std::uint64_t> seed;
+    std::function<Truth()> make_truth; ///< of the embedded world; empty: none
     /// New robots are recorded.
     bool recording = true;
     bool silence_expected = false;

@@ -1,5 +1,6 @@
 #include "core/mission/fleet/robot.h"
 
+#include <span>
 #include <utility>
 
 #include "core/base/alternatives.h"
@@ -83,8 +84,6 @@ Result<void> Robot::startBehavior(const agent::PluginLoader& plugins, const Star
     since_start_.start();
     took_.reset();
     view_.broke = false;
-    view_.paused = false;
-    view_.halted.reset();
     beginTask(start.id, start.area_in_map);
     return {};
 }
@@ -93,7 +92,11 @@ Result<void> Robot::startBehavior(const agent::PluginLoader& plugins, const Star
 void Robot::beginTask(const std::string& behavior_id, const Rectangle& area_in_map) {
     view_.behavior_id = behavior_id;
     view_.area_in_map = area_in_map;
+    view_.paused = false;
+    view_.halted.reset();
     view_.finished.reset();
+    view_.status.reset();
+    view_.zones.reset();
     countCovered();
 }
 
@@ -160,11 +163,14 @@ void Robot::forget() {
 void Robot::take(const SessionUpdate& update) {
     if (update.rewound)
         forget();
+    const std::span<const agent::Published> published(update.published);
+    for (const agent::Published& value : published.first(update.published_before_task))
+        take(value);
     if (update.task)
         beginTask(update.task->behavior_id, update.task->area_in_map);
     view_.figures = update.figures;
-    for (const agent::Published& published : update.published)
-        take(published);
+    for (const agent::Published& value : published.subspan(update.published_before_task))
+        take(value);
     for (const auto& tile : update.tiles) {
         view_.tiles[tile->index] = tile;
         countCovered(*tile);
@@ -176,6 +182,7 @@ void Robot::take(const SessionUpdate& update) {
     if (update.ground)
         view_.ground = update.ground;
     for (const protocol::InfoLine& line : update.lines) {
+        view_.equipment.take(line, update.figures.now);
         // Until a behavior publishes its estimate, the robot's INS gives its place on the map.
         if (const auto* ins = std::get_if<protocol::InsReading>(&line.message); ins && !view_.status)
             view_.base_in_map = ins->base_in_map;
@@ -203,6 +210,12 @@ std::optional<double> Robot::coverage_pct() const {
     return all == 0 ? 0.0 : 100.0 * covered / double(all);
 }
 
+std::optional<double> Robot::batteryLeft_pct() const {
+    if (view_.status && view_.status->battery_used_pct)
+        return 100.0 - *view_.status->battery_used_pct;
+    return view_.figures.battery_left_pct;
+}
+
 Seconds Robot::wallTime() const {
     return took_ ? *took_ : Seconds(since_start_.isValid() ? double(since_start_.nsecsElapsed()) * 1e-9 : 0.0);
 }
@@ -210,6 +223,7 @@ Seconds Robot::wallTime() const {
 void Robot::take(const agent::Published& published) {
     std::visit(Overloaded{[this](const agent::BehaviorStatus& status) {
                               view_.status = status;
+                              view_.equipment.take(status);
                               view_.paused = view_.paused && (status.paused || !pause_confirmed_);
                               pause_confirmed_ = status.paused;
                           },
@@ -220,6 +234,7 @@ void Robot::take(const agent::Published& published) {
                                   view_.trail_m.push_back(point_m);
                           },
                           [this](const agent::MapMark& mark) { view_.marks.push_back(mark); },
+                          [this](const agent::SonarZones& zones) { view_.zones = zones; },
                           [this](const agent::PlannedPath& path) { view_.planned_m = path.points_in_map_m; },
                           [this](const agent::CurrentGoal& goal) { view_.goal_m = goal.goal_in_map_m; },
                           [this](const agent::BehaviorFinished& finished) {

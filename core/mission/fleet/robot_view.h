@@ -11,6 +11,7 @@
 #include "core/agent/parameters.h"
 #include "core/base/robot_id.h"
 #include "core/mapping/height_map.h"
+#include "core/mission/fleet/equipment.h"
 #include "core/mission/session/session_orders.h"
 #include "core/mission/session/session_update.h"
 
@@ -33,10 +34,12 @@ struct RobotIdentity {
 struct RobotView : RobotIdentity {
     /// Figures of the newest update.
     SessionFigures figures;
+    Equipment equipment;
     std::string behavior_id; ///< id of the newest behavior; empty: none was started
     Rectangle area_in_map;   ///< its area; empty: none
     std::optional<agent::BehaviorStatus> status;
     std::optional<agent::BehaviorFinished> finished; ///< absent until it has ended
+    std::optional<agent::SonarZones> zones;          ///< as the newest behavior judged them last
     std::optional<Pose> base_in_map; ///< as the behavior estimates it; from the INS until the first status
     std::vector<Vec2> trail_m;       ///< estimated positions, more than 0.2 m apart
     /// Marks that the behavior has published, in their order.

@@ -1,5 +1,7 @@
 #include "core/mission/fleet/robot_words.h"
 
+#include <QFileInfo>
+
 #include "core/protocol/commands/spawn.h"
 
 namespace usar::mission {
@@ -17,6 +19,8 @@ QString liveStateText(const RobotView& view) {
         return tr("not begun");
     if (view.link.state != link::LinkState::Connected)
         return tr("no link");
+    if (view.figures.silent)
+        return tr("silent");
     if (view.finished)
         return view.finished->success ? tr("done") : tr("ended early");
     if (view.figures.behavior_running && view.status)
@@ -28,8 +32,16 @@ QString liveStateText(const RobotView& view) {
 
 } // namespace
 
+QString savedText(const QString& robot_name, const QStringList& files) {
+    return QObject::tr("Saved the scan of %1: %n file(s) in %2.", "", static_cast<int>(files.size()))
+        .arg(robot_name, QFileInfo(files.value(0)).path());
+}
+
 bool isStale(const RobotView& view) {
-    return view.link.state != link::LinkState::Connected && !hasNotBegun(view);
+    if (hasNotBegun(view))
+        return false;
+    const bool is_there = view.figures.spawned || !view.recording.isEmpty();
+    return view.link.state != link::LinkState::Connected || !is_there || view.figures.silent;
 }
 
 QString stateText(const RobotView& view) {

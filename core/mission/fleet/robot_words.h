@@ -7,11 +7,15 @@
 
 namespace usar::mission {
 
-/// True if the robot has no link to its server; a replay that has not begun has none to lose.
+/// True if what is known of the robot may be out of date: it has no link to its server, is not (or no longer) in the
+/// world, or is silent. A replay that has not begun has nothing to lose.
 bool isStale(const RobotView& view);
 /// The robot's state, as the list of robots shows it: "idle", "no link", or the behavior's own word. A replay is marked
 /// as one.
 QString stateText(const RobotView& view);
+
+/// Says that the robot's scan was saved, and in which folder. `files`: their full paths, at least one.
+QString savedText(const QString& robot_name, const QStringList& files);
 
 /// Name of the device by which the user drives the robot now; empty if none is held.
 QString deviceText(const ControlState& state);

@@ -26,6 +26,19 @@ RunSummary summaryOf(const Robot& robot, const SimulatorFacts& facts) {
     return summary;
 }
 
+/// Writes the record with its summary, which is returned complete.
+Result<RunSummary> saveRecord(const ScanRecord& record, RunSummary summary, const std::function<Truth()>& make_truth,
+                              const QString& folder) {
+    const std::optional<Truth> truth = make_truth ? std::optional(make_truth()) : std::nullopt;
+    summary.duration = record.status.elapsed;
+    addRecord(summary, record, truth ? &*truth : nullptr);
+    const Result<QStringList> files = writeResults(record, toJson(summary), folder);
+    if (!files)
+        return tl::unexpected(files.error());
+    summary.files = *files;
+    return summary;
+}
+
 } // namespace
 
 void ScanKeeper::setFolder(const QString& folder) {
@@ -75,27 +88,26 @@ void ScanKeeper::write(Robot& robot, const std::shared_ptr<const ScanRecord>& re
         return;
     robot.markSaved(); // what comes from here on is not in the record
     const auto facts = facts_.find(&robot);
-    const RunSummary summary = summaryOf(robot, facts == facts_.end() ? SimulatorFacts{} : facts->second());
+    const SimulatorFacts known = facts == facts_.end() ? SimulatorFacts{} : facts->second();
     ++writing_;
-    pool_.start(HandedOver([this, id = robot.view().id, who = QPointer<Robot>(&robot), record, summary, to = folder()] {
-        RunSummary whole = summary;
-        whole.duration = record->status.elapsed;
-        addRecord(whole, *record, nullptr);
-        const Result<QStringList> files = writeResults(*record, toJson(whole), to);
-        link::post(this, [this, id, who, files] { written(id, who, files); });
+    pool_.start(HandedOver([this, who = Writing{robot.view().id, nameOf(robot), &robot}, record,
+                            summary = summaryOf(robot, known), make_truth = known.make_truth, to = folder()] {
+        const Result<RunSummary> whole = saveRecord(*record, summary, make_truth, to);
+        link::post(this, [this, who, whole] { written(who, whole); });
     }));
 }
 
-void ScanKeeper::written(RobotId id, const QPointer<Robot>& robot, const Result<QStringList>& files) {
+void ScanKeeper::written(const Writing& writing, const Result<RunSummary>& summary) {
+    const auto& [id, robot_name, robot] = writing;
     --writing_;
-    if (!files && robot)
+    if (!summary && robot)
         robot->markUnsaved();
-    if (files && robot && !robot->view().unsaved)
+    if (summary && robot && !robot->view().unsaved)
         release(*robot);
-    if (files)
-        emit saved(id, *files);
+    if (summary)
+        emit saved(id, *summary, robot_name);
     else
-        emit failed(id, QString::fromStdString(files.error().text()));
+        emit failed(id, QString::fromStdString(summary.error().text()));
 }
 
 bool ScanKeeper::release(const Robot& robot) {

@@ -44,13 +44,22 @@ public:
     void giveUpWaiting();
 
 signals:
-    void saved(usar::RobotId id, const QStringList& files);
+    /// `summary` is complete, with the full paths of the files. The robot may be gone from the window, so that only
+    /// `robot_name` tells who it was.
+    void saved(usar::RobotId id, const usar::mission::RunSummary& summary, const QString& robot_name);
     /// The scan is still in memory; `reason` names the folder and a remedy.
     void failed(usar::RobotId id, const QString& reason);
 
 private:
+    /// Whose record is being written.
+    struct Writing {
+        RobotId id;
+        QString robot_name;
+        QPointer<Robot> robot; ///< null once it is deleted
+    };
+
     void write(Robot& robot, const std::shared_ptr<const ScanRecord>& record);
-    void written(RobotId id, const QPointer<Robot>& robot, const Result<QStringList>& files);
+    void written(const Writing& writing, const Result<RunSummary>& summary);
     /// Deletes a robot that has left; returns false for one that has not.
     bool release(const Robot& robot);
 

@@ -33,6 +33,7 @@ public:
     }
     void setPaused(bool paused) { session_.call(&WorldSession::setPaused, paused); }
     void send(const protocol::Command& command) { session_.call(&WorldSession::send, command); }
+    void refuse(const QString& name, const QString& reason) { session_.call(&WorldSession::refuse, name, reason); }
 
 signals:
     /// `view` has changed.

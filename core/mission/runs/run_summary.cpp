@@ -62,6 +62,7 @@ void addRecord(RunSummary& summary, const ScanRecord& record, const Truth* truth
     summary.charges = record.status.charges;
     summary.score = score(record.raster, record.area_in_map, truth);
     summary.cells = knownCellCount(record);
+    summary.heights = record.raster.range();
     summary.faults += textsOf(record.faults);
 }
 

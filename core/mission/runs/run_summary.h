@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -51,8 +52,9 @@ struct RunSummary {
     double distance_m = 0.0;
     int charges = 0;
     std::optional<TrueFigures> truth;
-    Score score;           ///< keys coverage_pct, rmse_m, rmse_surface_m
-    std::size_t cells = 0; ///< known cells of the whole map
+    Score score;                                 ///< keys coverage_pct, rmse_m, rmse_surface_m
+    std::size_t cells = 0;                       ///< known cells of the whole map
+    std::optional<mapping::HeightRange> heights; ///< of the map; absent: it is empty. In the files it is under "map"
     std::uint64_t lines_received = 0;
     std::uint64_t lines_malformed = 0;
     bool lockstep = false;
@@ -64,6 +66,7 @@ struct RunSummary {
 struct SimulatorFacts {
     std::optional<TrueFigures> truth;
     std::optional<std::uint64_t> seed;
+    std::function<Truth()> make_truth{}; ///< makes the true heights, in any thread; empty: they are not known
 };
 
 /// Adds the line counts and whether the server runs in lockstep.

@@ -68,6 +68,7 @@ std::optional<Complaint> ComplaintBook::take(const protocol::InfoLine& line) {
 
 void Incoming::beginConnection() {
     state_.emplace();
+    fullest_battery_ = Seconds{0.0};
     complaints_before_ = complaints_.count();
     unknown_ = 0;
 }
@@ -87,6 +88,8 @@ const protocol::InfoLine& Incoming::take(std::string_view text) {
     const protocol::InfoLine& line = reader_.read(text);
     ++lines_;
     state_->take(line);
+    if (const auto* state = std::get_if<protocol::RobotState>(&line.message); state && state->battery_left)
+        fullest_battery_ = std::max(fullest_battery_, *state->battery_left);
     unknown_ += std::holds_alternative<protocol::GenericMessage>(line.message);
     return line;
 }
@@ -101,8 +104,16 @@ bool Incoming::batteryIsEmpty() const {
     return latest && latest->battery_left && latest->battery_left->count() <= 0.0;
 }
 
+std::optional<double> Incoming::batteryLeft_pct() const {
+    const auto& latest = state_->latest();
+    if (!latest || !latest->battery_left || *latest->battery_left >= protocol::no_battery)
+        return std::nullopt;
+    return fullest_battery_ > Seconds{0.0} ? std::max(100.0 * (*latest->battery_left / fullest_battery_), 0.0) : 0.0;
+}
+
 void Incoming::describe(SessionFigures& figures) const {
     figures.now = now();
+    figures.battery_left_pct = batteryLeft_pct();
     figures.lines_received = lines_;
     figures.lines_malformed = complaints_.count();
     figures.traffic.unknown = unknown_;

@@ -61,12 +61,16 @@ public:
     Seconds now() const { return state_->now(); }
     protocol::VehicleKind kind() const;
     bool batteryIsEmpty() const;
+    /// What is left of the battery, 0..100 percent of the most that the robot has reported on this connection, because
+    /// no message tells its capacity; nullopt if it reports none.
+    std::optional<double> batteryLeft_pct() const;
     /// Fills in the clock and the counts of lines, except those that the link counts.
     void describe(SessionFigures& figures) const;
 
 private:
     protocol::Reader reader_;
     std::optional<modules::StateModule> state_{std::in_place}; ///< a new one for each connection
+    Seconds fullest_battery_{0.0};                             ///< most that was reported on this connection
     ComplaintBook complaints_;
     std::uint64_t complaints_before_ = 0; ///< from earlier connections
     std::uint64_t lines_ = 0;

@@ -145,6 +145,7 @@ void ReplayFeed::note(const link::Record& record) {
 void ReplayFeed::takeTask(std::string_view text) {
     const std::string_view behavior_id = takeUntilTab(text);
     const std::string_view robot_name = takeUntilTab(text);
+    passNewest(); // They belong to the behavior before, so they may not come after this one has begun.
     stage_.replayTask({std::string(behavior_id), readRectangle(text)}, std::string(robot_name));
 }
 
@@ -156,13 +157,17 @@ void ReplayFeed::takePublished(const agent::Published& value) {
         stage_.replayPassed(*status);
 }
 
+void ReplayFeed::passNewest() {
+    for (const auto& [kind, value] : std::exchange(newest_on_the_way_, {}))
+        stage_.replayPublished(value);
+}
+
 void ReplayFeed::quiet(bool on) {
     on_the_way_ = on;
     stage_.replaySeeks(on);
     if (on)
         return;
-    for (const auto& [kind, value] : std::exchange(newest_on_the_way_, {}))
-        stage_.replayPublished(value);
+    passNewest();
     stage_.replayLinkChanged(link_);
     stage_.replayChanged();
 }

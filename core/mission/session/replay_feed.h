@@ -85,6 +85,8 @@ private:
     void setLink(link::LinkState now, std::string_view reason);
     void takePublished(const agent::Published& value);
     void takeTask(std::string_view text);
+    /// Passes on the newest values that were kept during a seek.
+    void passNewest();
 
     ReplayStage& stage_;
     std::unique_ptr<link::Replayer> replayer_;

@@ -162,6 +162,7 @@ SessionFigures RobotSession::Private::figures() const {
     spawning.describe(figures);
     updates.describe(figures);
     figures.lines_overlong = vigil.overlong();
+    figures.silent = vigil.robotIsSilent();
     figures.record_revision = book.record().revision;
     figures.behavior_running = behavior_running;
     figures.recording = records.figures();

@@ -43,7 +43,7 @@ private:
     void takePlacement(const agent::ScanPlacement& placement);
     void takeStatus(const agent::BehaviorStatus& status);
     void takePose(const Vec3& point_m);
-    void worthSaving() { record_.revision += mapper_.map().range() ? 1 : 0; }
+    void worthSaving() { record_.revision += mapper_.map().knownCellCount() > 0 ? 1 : 0; }
 
     Notices& notices_;
     ScanMapper mapper_;

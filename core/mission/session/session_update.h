@@ -1,6 +1,7 @@
 // Reports of a session to the rest of the program, by value.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -46,8 +47,10 @@ struct SessionFigures {
     protocol::TrafficRates rates;      ///< over about half a second of wall time
     std::optional<protocol::Dialect> dialect; ///< of this connection; absent until the server has shown it
     bool lockstep = false;                    ///< the server waits for us after each tick
+    std::optional<double> battery_left_pct; ///< of the most that the robot has reported, 0..100; absent: none reported
     SpawnState spawn = SpawnState::None;
     bool spawned = false; ///< spawn is Done
+    bool silent = false;  ///< connected, but the robot has sent nothing for longer than SessionLimits::stale
     bool behavior_running = false;
     ControlState control{};                    ///< who drives
     std::optional<RecordingFigures> recording; ///< absent: nothing is recorded
@@ -72,7 +75,8 @@ struct SentCommand : agent::CausedCommand {
 struct SessionUpdate {
     /// Everything reported before is void: a replay was rewound, and this update contains all there is now.
     bool rewound = false;
-    std::optional<ReplayedTask> task;      ///< set if a replayed behavior has begun
+    std::optional<ReplayedTask> task;      ///< set if a replayed behavior has begun; the newest, if several have
+    std::size_t published_before_task = 0; ///< how many of `published` belong to earlier behaviors than `task`
     std::vector<protocol::InfoLine> lines; ///< only the newest 4000 if more came in one frame
     std::vector<SentCommand> commands;     ///< in order; `after` gives their place between the lines
     /// In the order in which the behavior published them.

@@ -79,6 +79,11 @@ void UpdateFeed::addPublished(const std::vector<agent::Published>& published) {
         }
 }
 
+void UpdateFeed::addTask(ReplayedTask task) {
+    update_.task = std::move(task);
+    update_.published_before_task = update_.published.size();
+}
+
 void UpdateFeed::rewind() {
     update_ = {};
     update_.rewound = true;

@@ -40,7 +40,8 @@ public:
     void addLine(const protocol::InfoLine& line);
     void addCommand(const agent::CausedCommand& command, std::string text, LineNumber after, Seconds now);
     void addPublished(const std::vector<agent::Published>& published);
-    void addTask(ReplayedTask task) { update_.task = std::move(task); }
+    /// A replayed behavior begins; what was published before belongs to earlier ones.
+    void addTask(ReplayedTask task);
     /// Drops what was collected; the next update says that everything before it is void.
     void rewind();
     /// Returns everything since the last call, with the map's changed tiles and the rates measured between the calls.

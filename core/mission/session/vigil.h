@@ -69,6 +69,8 @@ public:
     std::optional<Seconds> silentFor(Seconds wall) const;
 
     void lookForStartPoses(Seconds wall);
+    /// True from the report of a silent robot until it sends again or another connection begins.
+    bool robotIsSilent() const { return silence_said_; }
     /// Reports a silent robot; to be called while a spawned robot should send.
     void lookForRobot(const std::string& robot_name, Seconds wall);
     /// Reports sensors that fell silent; an empty battery explains their silence.

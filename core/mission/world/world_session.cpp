@@ -14,6 +14,7 @@ namespace {
 constexpr int answers_until_missed = 3; ///< the first may have been under way, and a slow server takes another tick
 constexpr qint64 speed_span_ms = 1000;
 const char* const topic = "world";
+const char* const placing = "world/placing"; ///< topic of all things that did not appear, which are one notice
 
 } // namespace
 
@@ -96,6 +97,13 @@ void WorldSession::send(const protocol::Command& command) {
     if (!open_question_)
         ask();
     beat();
+}
+
+void WorldSession::refuse(const QString& name, const QString& reason) {
+    if (awaited_.erase(name.toStdString()) == 0)
+        return;
+    kinds_.erase(name.toStdString());
+    failToPlace("Could not place " + name.toStdString() + ": " + reason.toStdString() + ".");
 }
 
 /// Asks if it is time to, and schedules the next check.
@@ -212,21 +220,28 @@ void WorldSession::learnKinds() {
 }
 
 void WorldSession::noteAwaited() {
+    std::size_t came = 0;
     for (const WorldThing& thing : view_.things)
-        std::erase_if(awaited_, [&](const auto& one) { return sameWord(one.first, thing.name); });
+        came += std::erase_if(awaited_, [&](const auto& one) { return sameWord(one.first, thing.name); });
+    if (came > 0 && std::exchange(placing_failed_, false))
+        emit noticed({.severity = Severity::Note, .text = {}, .topic = placing, .over = true});
     for (auto one = awaited_.begin(); one != awaited_.end();) {
         if (++one->second.answers < answers_until_missed) {
             questions_left_ = std::max(questions_left_, 1);
             ++one;
             continue;
         }
-        emit noticed({Severity::Warning,
-                      one->first + " did not appear in the world. The server may not know the class " +
-                          one->second.class_name + ", or has no room there. Choose another class or place.",
-                      topic + std::string("/") + one->first});
+        failToPlace("Could not place " + one->first +
+                    ": something (a tree?) is in the way, or the server does not know " + one->second.class_name +
+                    ". Choose another place or class.");
         kinds_.erase(one->first);
         one = awaited_.erase(one);
     }
+}
+
+void WorldSession::failToPlace(std::string sentence) {
+    placing_failed_ = true;
+    emit noticed({Severity::Warning, std::move(sentence), placing});
 }
 
 void WorldSession::setState(WorldState state, std::string trouble) {

@@ -75,11 +75,13 @@ public slots:
     void setPaused(bool paused);
     /// Sends one of the commands of world_control.h; without a connection it is only reported.
     void send(const usar::protocol::Command& command);
+    /// The embedded simulator refused to create this object of ours; `reason` is part of a sentence.
+    void refuse(const QString& name, const QString& reason);
 
 signals:
     /// Emitted after every answer and every change of the state; each view is a copy that never changes.
     void changed(std::shared_ptr<const usar::mission::WorldView> view);
-    /// The topic is "world", or "world/" and a name for a thing that did not appear.
+    /// The topic is "world", or "world/placing" for a thing that did not appear.
     void noticed(const usar::mission::Notice& notice);
 
 private:
@@ -109,6 +111,7 @@ private:
     void learnKinds();
     /// Reports a created thing that is missing from three answers in a row.
     void noteAwaited();
+    void failToPlace(std::string sentence);
     /// Map frame, m/s; zero until positions from more than 0.05 s are known.
     Vec3 velocityOf(const std::string& name, const Vec3& position_m);
     void beat();
@@ -133,6 +136,7 @@ private:
     bool ever_answered_ = false; ///< by this server
     /// A warning about missing answers has been given and not been taken back.
     bool silence_said_ = false;
+    bool placing_failed_ = false;                           ///< reported, and nothing has appeared since
     protocol::Dialect dialect_ = protocol::Dialect::Ut2004; ///< dialect in which INIT is sent
     std::optional<Question> open_question_;
     std::deque<std::string> classes_to_ask_;

@@ -13,6 +13,9 @@ namespace usar::protocol {
 /// The kinds of vehicles by which STA, GEO and CONF classify robots; see vehicle_words.h for the words.
 enum class VehicleKind { Unknown, Ground, Aerial, Nautic, Legged, StaticPlatform };
 
+/// What a UDK robot without a battery reports as the time that its battery lasts.
+inline constexpr Seconds no_battery{99999.0};
+
 /// One joint and its angle, with the server's sign.
 struct JointAngle {
     std::string name{};
@@ -26,7 +29,7 @@ struct JointAngle {
 struct RobotState {
     VehicleKind kind = VehicleKind::Unknown; ///< also Unknown for a UDK aerial vehicle, which sends no Type
     std::optional<Seconds> time{};
-    std::optional<Seconds> battery_left{}; ///< counts down; 99999 s from a UDK robot without a battery
+    std::optional<Seconds> battery_left{}; ///< counts down; `no_battery` without one
     std::optional<double> front_steer_rad{};
     std::optional<double> rear_steer_rad{};
     std::optional<bool> light_on{};

@@ -47,6 +47,10 @@ QStringList worldNames() {
     return names;
 }
 
+QString missionsFolder() {
+    return firstThere({"../share/missions", "../share/usar-mission-control/missions"});
+}
+
 QString robotsFolder() {
     return firstThere({"../share/robots", "../share/usar-mission-control/robots"});
 }

@@ -99,6 +99,7 @@ void SimulatorHost::wire(const SimulatorServer& server) {
     link::connectAcross(&server, &Server::robotsChanged, this, &SimulatorHost::robotsChanged);
     link::connectAcross(&server, &Server::marksLeft, this, &SimulatorHost::marksLeft);
     link::connectAcross(&server, &Server::logged, this, &SimulatorHost::noted);
+    link::connectAcross(&server, &Server::objectRefused, this, &SimulatorHost::objectRefused);
     link::connectAcross(&server, &Server::faultsChanged, this, &SimulatorHost::faultsChanged);
     link::connectAcross(&server, &Server::faultTurned, this, &SimulatorHost::faultTurned);
 }

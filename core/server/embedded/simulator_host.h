@@ -64,6 +64,7 @@ signals:
     void figuresChanged(const usar::server::SimulatorFigures& figures);
     void faultsChanged(const std::vector<usar::sim::FaultStatus>& faults);
     void faultTurned(const QString& sentence);
+    void objectRefused(const QString& name, const QString& reason);
     void robotsChanged(const std::vector<usar::sim::RobotTruth>& robots);
     void marksLeft(const std::vector<usar::sim::TraceMark>& marks);
 

@@ -69,7 +69,8 @@ void paintBuildings(QImage& image, const sim::World& world, const Rectangle& ext
 
 WorldPicture pictureOf(const sim::World& world) {
     WorldPicture picture{QString::fromStdString(world.name), sim::extentOf(world), {}, {}, {}};
-    picture.ground = std::make_shared<const sim::Terrain>(world.terrain);
+    picture.world = std::make_shared<const sim::World>(world);
+    picture.ground = {picture.world, &picture.world->terrain};
     for (const sim::WorldObject& object : world.objects)
         picture.objects[QString::fromStdString(object.name)] = QString::fromStdString(object.class_name);
     const Rectangle& extent = picture.extent_in_map;

@@ -17,12 +17,13 @@ namespace usar::server {
 /// not known.
 struct WorldPicture {
     QString name;
-    Rectangle extent_in_map;    ///< meters; empty: unknown
-    QImage relief;              ///< ground, water and buildings from above; row 0 = highest y
-    QStringList robot_classes;  ///< classes that can be spawned there, without package
-    QStringList camera_classes; ///< those of them that have a camera
-    std::shared_ptr<const sim::Terrain> ground{};
-    std::map<QString, QString> objects{}; ///< classes of the objects that the world starts with, by object name
+    Rectangle extent_in_map;                      ///< meters; empty: unknown
+    QImage relief;                                ///< ground, water and buildings from above; row 0 = highest y
+    QStringList robot_classes;                    ///< classes that can be spawned there, without package
+    QStringList camera_classes;                   ///< those of them that have a camera
+    std::shared_ptr<const sim::World> world{};    ///< as it was at its start
+    std::shared_ptr<const sim::Terrain> ground{}; ///< that of `world`
+    std::map<QString, QString> objects{};         ///< classes of the objects that the world starts with, by object name
 };
 
 /// Describes a world and draws its relief, with 512 pixels on the longer side. Trees are left out, because the robots

@@ -8,6 +8,8 @@
 #include <sstream>
 #include <system_error>
 
+#include <unistd.h>
+
 #include <sdf/Box.hh>
 #include <sdf/Capsule.hh>
 #include <sdf/Console.hh>
@@ -24,7 +26,22 @@ std::string placeIn(const std::filesystem::path& file, const std::optional<int>&
     return line ? file.string() + ":" + std::to_string(*line) : file.string();
 }
 
-/// While it exists, libsdformat's console writes into `heard()` and not into the log file in the home folder.
+/// Makes libsdformat's console without its log file. The console opens ~/.sdformat/sdformat.log when it is made, and
+/// offers no other way than to find another home: here it gets an environment of its own, in which home is no folder.
+/// Nothing of the process's environment changes. Only before `main`, while no other thread reads the environment.
+bool makeConsoleWithoutLog() {
+    char no_home[] = "HOME=/dev/null";
+    char* only_home[] = {no_home, nullptr};
+    char** const real = environ;
+    environ = only_home;
+    sdf::Console::Instance();
+    environ = real;
+    return true;
+}
+
+[[maybe_unused]] const bool console_is_made = makeConsoleWithoutLog();
+
+/// While it exists, libsdformat's console writes into `heard()`.
 class Listener {
 public:
     Listener()

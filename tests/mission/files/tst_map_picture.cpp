@@ -1,7 +1,9 @@
-#include <QTest>
-
 #include <cmath>
 
+#include <QPainter>
+#include <QTest>
+
+#include "core/mapping/shading.h"
 #include "core/mission/files/map_picture.h"
 #include "core/mission/files/picture_legend.h"
 #include "tests/mission/files/sample_scan.h"
@@ -23,6 +25,11 @@ int count(const QImage& picture, const QColor& color, int rows) {
             found += picture.pixel(x, y) == color.rgb() ? 1 : 0;
     }
     return found;
+}
+
+/// The color of level ground at this fraction of the range.
+QColor groundColor(float part) {
+    return QColor::fromRgb(mapping::shade(part, {0.0f, 1.0f}, mapping::ColorMap::Color));
 }
 
 ScanRecord flatScan(int columns, int rows) {
@@ -62,20 +69,22 @@ private slots:
         QCOMPARE(picture.width(), width_px);
         QVERIFY(picture.height() > map_height_px);
         QVERIFY(picture.height() < map_height_px + std::max(180, map_height_px / 3));
-        QCOMPARE(picture.pixelColor(width_px / 2, map_height_px / 2), QColor(128, 128, 128));
+        QCOMPARE(picture.pixelColor(width_px / 2, map_height_px / 2), groundColor(0.5f));
     }
 
     void upIsUpAndRightIsRight() {
         ScanRecord record = flatScan(20, 20);
-        record.raster.heights_m[0] = 5.0f;            // lowest x, highest y
-        record.raster.heights_m[19] = NAN;            // highest x, highest y
-        record.raster.heights_m[19 * 20 + 19] = 3.0f; // highest x, lowest y
+        for (std::size_t row = 0; row < 3; ++row)
+            for (std::size_t column = 0; column < 3; ++column) {   // Level around the corner, so that it is not shaded.
+                record.raster.heights_m[row * 20 + column] = 5.0f; // lowest x, highest y
+                record.raster.heights_m[(19 - row) * 20 + 19 - column] = 3.0f; // highest x, lowest y
+            }
+        record.raster.heights_m[19] = NAN; // highest x, highest y
         const QImage picture = mapPicture(record);
-        QCOMPARE(picture.pixelColor(3, 3), QColor(255, 255, 255));
-        QCOMPARE(picture.pixelColor(590, 590), QColor(128, 128, 128));
-        QCOMPARE(picture.pixelColor(300, 300), QColor(0, 0, 0));
-        const QColor unknown = picture.pixelColor(590, 3);
-        QVERIFY(unknown.red() < unknown.blue()); // slate is none of the grays
+        QCOMPARE(picture.pixelColor(3, 3), groundColor(1.0f));
+        QCOMPARE(picture.pixelColor(590, 590), groundColor(0.5f));
+        QCOMPARE(picture.pixelColor(300, 300), groundColor(0.0f));
+        QCOMPARE(picture.pixelColor(590, 3), QColor(0x2c3340));
     }
 
     void marksHaveTheThesisColors_data() {
@@ -102,6 +111,22 @@ private slots:
         record.marks.push_back({MarkKind(kind), {25, -25, 0}, {}, {}});
         QCOMPARE(before, 0);
         QVERIFY(count(mapPicture(record), color, 600) >= 5);
+    }
+
+    /// The same shapes as in the window, where color is never the only difference either.
+    void marksHaveTheShapesOfTheWindow() {
+        const auto inked = [](MarkKind kind, const QPoint& off_center) {
+            QImage picture(80, 80, QImage::Format_RGB32);
+            picture.fill(Qt::gray);
+            QPainter painter(&picture);
+            drawMark(painter, kind, {40, 40}, 10.0);
+            painter.end();
+            return picture.pixelColor(QPoint(40, 40) + off_center) == QColor(agent::styleOf(kind).rgb);
+        };
+        QVERIFY(inked(MarkKind::HighRisk, {-11, 11}) && !inked(MarkKind::HighRisk, {-11, -8}));   // a triangle
+        QVERIFY(inked(MarkKind::Diversion, {0, -14}) && !inked(MarkKind::Diversion, {-10, -10})); // a diamond
+        QVERIFY(inked(MarkKind::LowRisk, {-8, -8}) && !inked(MarkKind::LowRisk, {0, -16}));       // a disc
+        QVERIFY(inked(MarkKind::Landing, {0, -26}) && !inked(MarkKind::Landing, {0, 0}));         // a ring
     }
 
     void marksLieWhereTheyHappened() {

@@ -2,6 +2,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -149,6 +150,10 @@ private slots:
         QTRY_VERIFY(fleet_->robot({1})->view().figures.spawned);
         fleet_->setTruth("R1", {.collisions = 3, .distance_m = 9.8765});
         fleet_->setTruth("R2", {.collisions = 5});
+        fleet_->setTruthMaker([] {
+            const auto level = [](const Vec2&) { return 0.0; };
+            return Truth{level, level};
+        });
         QVERIFY(fleet_->startBehavior({1}, "test/hop", small, {}, {}));
         QSignalSpy written(fleet_.get(), &Fleet::resultsWritten);
         const auto over = [&] { return fleet_->robot({1})->view().finished.has_value(); };
@@ -159,6 +164,7 @@ private slots:
         }));
         QTRY_COMPARE(written.size(), 1);
         QTRY_VERIFY(!fleet_->anythingToSave());
+        QCOMPARE(written.front().at(2).toString(), QString("R1"));
 
         const QStringList files = QDir(folder_->path()).entryList({"*.json"});
         QCOMPARE(files.size(), 1);
@@ -173,10 +179,14 @@ private slots:
         QCOMPARE(summary["charges"].toInt(), 1);
         QCOMPARE(summary["seed"].toInt(), 7);
         QCOMPARE(summary["collisions"].toInt(), 3);
+        QVERIFY(summary["rmse_m"].isDouble());
+        const auto told = written.front().at(1).value<RunSummary>();
+        QCOMPARE(told.files.size(), summary["files"].toArray().size());
+        QVERIFY(told.heights.has_value());
         QCOMPARE(summary["true_distance_m"].toDouble(), 9.88);
         QVERIFY(summary["cells"].toInt() > 0);
         QVERIFY(summary["wall_s"].toDouble() > 0.0);
-        QVERIFY(summary["rmse_m"].isNull() && summary["mission"].isNull() && summary["plan"].isNull());
+        QVERIFY(summary["mission"].isNull() && summary["plan"].isNull());
         const double shown_pct = fleet_->robot({1})->coverage_pct().value();
         QVERIFY(shown_pct > 0.0);
         QCOMPARE(summary["coverage_pct"].toDouble(), std::round(shown_pct * 100.0) / 100.0);

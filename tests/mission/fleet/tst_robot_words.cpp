@@ -38,6 +38,7 @@ class tst_RobotWords : public QObject {
 private slots:
     void theStateIsOneOrTwoWords_data();
     void theStateIsOneOrTwoWords();
+    void savingNamesTheRobotAndTheFolder();
     void aRobotWithoutALinkIsStale();
     void theDeviceIsNamed_data();
     void theDeviceIsNamed();
@@ -50,6 +51,10 @@ private slots:
     void onlyALiveRecordingCanBeLookedBackOn();
     void aStationGetsAFreePlaceAndANewName();
 };
+
+void tst_RobotWords::savingNamesTheRobotAndTheFolder() {
+    QCOMPARE(savedText("R4", {"/scans/a.bil", "/scans/a.hdr"}), QString("Saved the scan of R4: 2 file(s) in /scans."));
+}
 
 void tst_RobotWords::theStateIsOneOrTwoWords_data() {
     QTest::addColumn<RobotView>("view");

@@ -41,6 +41,20 @@ private slots:
         QCOMPARE(incoming.stateLine(), LineNumber{0});
     }
 
+    void aBatteryIsToldInPercentOfTheMostItReported() {
+        Incoming incoming;
+        QVERIFY(!figuresOf(incoming).battery_left_pct);
+        incoming.take(flying);
+        QCOMPARE(figuresOf(incoming).battery_left_pct, std::optional(100.0));
+        incoming.take("STA {Type AerialVehicle} {Time 2.60} {Battery 300}");
+        QCOMPARE(figuresOf(incoming).battery_left_pct, std::optional(25.0));
+        incoming.take("STA {Type AerialVehicle} {Time 2.70} {Battery 0}");
+        QCOMPARE(figuresOf(incoming).battery_left_pct, std::optional(0.0));
+        incoming.beginConnection();
+        incoming.take("STA {Type GroundVehicle} {Time 2.50} {Battery 99999}");
+        QVERIFY2(!figuresOf(incoming).battery_left_pct, "this robot has no battery");
+    }
+
     void linesAreNumberedOverAllConnections() {
         Incoming incoming;
         QCOMPARE(incoming.take(flying).number, LineNumber{1});

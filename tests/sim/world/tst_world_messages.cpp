@@ -1,4 +1,6 @@
 // What is said about a world file that has a wrong part: the whole sentence, as a user reads it.
+#include <QDir>
+#include <QFile>
 #include <QObject>
 #include <QString>
 #include <QTemporaryDir>
@@ -129,6 +131,15 @@ private slots:
         QVERIFY(!world);
         QVERIFY(!world.error().what.empty());
         QVERIFY(world.error().where.starts_with(file().string()));
+    }
+
+    /// A log would be open as long as the program runs.
+    void noLogIsKeptInTheHomeFolder() {
+        QVERIFY(!read("<broken>"));
+        for (const QString& open :
+             QDir("/proc/self/fd").entryList(QDir::NoDotAndDotDot | QDir::AllEntries | QDir::System))
+            QVERIFY2(!QFile::symLinkTarget("/proc/self/fd/" + open).contains(".sdformat"), qPrintable(open));
+        QCOMPARE(qgetenv("HOME"), QDir::homePath().toLocal8Bit());
     }
 
 private:

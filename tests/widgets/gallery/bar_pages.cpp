@@ -51,7 +51,7 @@ std::unique_ptr<QWidget> barsPage() {
     column->addWidget(topBar(ServerChoice::Real, {ConnectionState::Disconnected, {}, reason, {}}));
     column->addWidget(topBar(ServerChoice::Embedded, {}));
     auto* strip = new HintStrip;
-    strip->setDone(0, true);
+    strip->setDone(FirstStep::Spawn);
     column->addWidget(strip);
     auto* row = new QHBoxLayout;
     auto* area = new AreaForm;

@@ -164,7 +164,7 @@ void tst_PlanDebugger::timeBarSaysWhichMomentIsShown_data() {
     replay.replay = true;
     QTest::newRow("live") << timeOf(90.0, true) << "live, 80.0 s";
     QTest::newRow("before") << timeOf(22.4, false) << "at 12.4 s of 80.0 s";
-    QTest::newRow("within a cycle") << epoch << "at 12.4 s of 80.0 s, epoch 1 of 3";
+    QTest::newRow("within a cycle") << epoch << "at 12.4 s of 80.0 s, decision 1 of 3";
     QTest::newRow("of a replay") << replay << "at 12.4 s of 80.0 s";
     QTest::newRow("nothing yet") << PlanTime() << "";
 }

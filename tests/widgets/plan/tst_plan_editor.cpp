@@ -274,7 +274,7 @@ void tst_PlanEditor::realTimeThatIsNotKeptIsSaid() {
     QVERIFY(editor_->findings().empty()); // it is no fault
     QVERIFY2(editor_->textEdit().toolTipAt(1).contains("N501"), qPrintable(editor_->textEdit().toolTipAt(1)));
     const auto lists = editor_->findChildren<QListWidget*>();
-    const auto list = std::ranges::find(lists, QStringLiteral("Findings"), &QListWidget::accessibleName);
+    const auto list = std::ranges::find(lists, QStringLiteral("Problems"), &QListWidget::accessibleName);
     QVERIFY(list != lists.end());
     QCOMPARE((*list)->count(), 1);
     QCOMPARE((*list)->item(0)->text(), editor_->textEdit().toolTipAt(1));
@@ -326,7 +326,7 @@ void tst_PlanEditor::bindingIsCheckedAgainstTheRobot() {
     QCOMPARE(editor_->findings().back().code, posh::Code::UnknownPrimitive);
     int rows = 0;
     for (const QListWidget* const list : editor_->findChildren<QListWidget*>())
-        rows += list->accessibleName() == u"Findings" ? list->count() : 0;
+        rows += list->accessibleName() == u"Problems" ? list->count() : 0;
     QCOMPARE(std::size_t(rows), editor_->findings().size());
 }
 
@@ -498,7 +498,7 @@ void tst_PlanEditor::emptyListsSayHowTheyAreFilled() {
                 return !each->isHidden();
         return false;
     };
-    QCOMPARE(sheet("No findings"), editor_->findings().empty());
+    QCOMPARE(sheet("No problems"), editor_->findings().empty());
     QVERIFY(sheet("Nothing compared yet") && sheet("No usages listed"));
     editor_->setRunningPlan(QStringLiteral("R1"), std::string(courier_plan));
     run("compare_running");
@@ -508,10 +508,10 @@ void tst_PlanEditor::emptyListsSayHowTheyAreFilled() {
     QVERIFY(!sheet("No usages listed"));
     editor_->setText("((DC d (drives ((e Stop)))", QStringLiteral("a.lap"));
     QVERIFY(!editor_->findings().empty());
-    QTRY_VERIFY(!sheet("No findings"));
+    QTRY_VERIFY(!sheet("No problems"));
     editor_->setText("((DC d (drives ((e Stop)))))", QStringLiteral("b.lap"));
     QVERIFY(editor_->findings().empty());
-    QTRY_VERIFY(sheet("No findings"));
+    QTRY_VERIFY(sheet("No problems"));
 }
 
 void tst_PlanEditor::keysOfAWindowAroundItDoNotGetInTheWay() {

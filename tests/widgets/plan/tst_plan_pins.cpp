@@ -110,7 +110,7 @@ void tst_PlanPins::pinsAreMarkedWhereverTheCallIsMade() {
     QCOMPARE(std::ranges::count_if(marks, &PlanMark::pinned), 3); // the sense, and the act at both of its places
     const PlanMark* const sense = markOf(marks, run.spot("d ▸ safe ▸ near").path);
     QVERIFY(sense);
-    QCOMPARE(sense->words, QStringList{"Pinned: 0.5"});
+    QCOMPARE(sense->words, QStringList{"Forced: 0.5"});
     const PlanMark* const drive = markOf(marks, run.spot("d ▸ work").path);
     QVERIFY(drive && drive->switched_off && !drive->pinned);
     markHalt(drive->path, marks);

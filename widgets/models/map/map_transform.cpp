@@ -48,6 +48,55 @@ void MapTransform::fit(const Rectangle& rectangle_in_map, double margin_px) {
     center_m = rectangle_in_map.center_m();
 }
 
+namespace {
+
+/// What is left of the viewport beside or else above and below each of the boxes: bit i of `choice` decides for box i.
+QRectF roomFor(const QSizeF& viewport, const std::vector<QRectF>& boxes, unsigned choice, double margin_px) {
+    constexpr double gap_px = 24.0; // Half of a robot's symbol and a little more.
+    const QPointF middle(viewport.width() / 2.0, viewport.height() / 2.0);
+    QRectF room(margin_px, margin_px, viewport.width() - 2.0 * margin_px, viewport.height() - 2.0 * margin_px);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const QRectF& box = boxes[i];
+        const bool beside = (choice >> i & 1u) != 0;
+        if (beside && box.center().x() < middle.x())
+            room.setLeft(std::max(room.left(), box.right() + gap_px));
+        else if (beside)
+            room.setRight(std::min(room.right(), box.left() - gap_px));
+        else if (box.center().y() < middle.y())
+            room.setTop(std::max(room.top(), box.bottom() + gap_px));
+        else
+            room.setBottom(std::min(room.bottom(), box.top() - gap_px));
+    }
+    return room;
+}
+
+} // namespace
+
+void MapTransform::fitClearOf(const Rectangle& rectangle_in_map, const std::vector<QRectF>& corner_boxes_px,
+                              double margin_px) {
+    constexpr double least_part = 0.4;
+    fit(rectangle_in_map, margin_px);
+    MapTransform best = *this;
+    best.pixels_per_m = least_part * pixels_per_m;
+    bool found = false;
+    for (unsigned choice = 0; choice < 1u << corner_boxes_px.size(); ++choice) {
+        const QRectF room = roomFor(viewport, corner_boxes_px, choice, margin_px);
+        if (room.isEmpty())
+            continue;
+        MapTransform fitted = *this;
+        fitted.viewport = room.size();
+        fitted.fit(rectangle_in_map, 0.0);
+        if (fitted.pixels_per_m <= best.pixels_per_m)
+            continue;
+        fitted.viewport = viewport;
+        fitted.pan(room.center() - QPointF(viewport.width() / 2.0, viewport.height() / 2.0));
+        best = fitted;
+        found = true;
+    }
+    if (found)
+        *this = best;
+}
+
 double roundStep(double maximum) {
     if (!(maximum > 0.0) || !std::isfinite(maximum))
         return 1.0;

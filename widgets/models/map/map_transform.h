@@ -1,6 +1,8 @@
 // Transforms points between map and screen; all arithmetic of the map view, without painting.
 #pragma once
 
+#include <vector>
+
 #include <QPointF>
 #include <QRectF>
 #include <QSizeF>
@@ -40,6 +42,10 @@ struct MapTransform {
     void pan(const QPointF& by_px) { center_m += toMap(QPointF(0.0, 0.0)) - toMap(by_px); }
     /// Shows all of `rectangle_in_map` with a margin; an empty rectangle changes nothing.
     void fit(const Rectangle& rectangle_in_map, double margin_px = 32.0);
+
+    /// As large as possible so that `rectangle_in_map` lies under none of these boxes at the corners of the viewport
+    /// and keeps `margin_px` to its edges. Where this would leave little of the scale, the boxes are ignored.
+    void fitClearOf(const Rectangle& rectangle_in_map, const std::vector<QRectF>& corner_boxes_px, double margin_px);
 
     bool operator==(const MapTransform&) const = default;
 };

@@ -1,6 +1,7 @@
 #include "widgets/models/map/trail.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace usar::widgets {
 
@@ -28,6 +29,13 @@ bool Trail::pendingFit(const Vec2& end_m) const {
 void Trail::add(const Vec2& point) {
     if (!point.allFinite() || (!points_m_.empty() && (point - points_m_.back()).norm() < tolerance_m_ / 2.0))
         return;
+    if (!points_m_.empty() && (point - points_m_.back()).norm() > longest_step_m) {
+        pending_m_.clear();
+        points_m_.push_back(Vec2::Constant(std::numeric_limits<double>::quiet_NaN()));
+        points_m_.push_back(point);
+        return;
+    }
+    // The line from a gap passes no point within the tolerance, so the first point after it is kept.
     if (points_m_.size() < 2) {
         points_m_.push_back(point);
         return;

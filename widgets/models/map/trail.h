@@ -8,15 +8,19 @@
 namespace usar::widgets {
 
 /// Keeps a point only if the path bends by more than `tolerance_m` since the last kept one; the newest point is always
-/// the last. The trail is drawn in every frame, so its length bounds the frame time.
+/// the last. The trail is drawn in every frame, so its length bounds the frame time. It is interrupted where poses were
+/// left out.
 class Trail {
 public:
     explicit Trail(double tolerance_m = 0.1) : tolerance_m_(tolerance_m) {}
 
+    /// A longer step between two poses is a gap: no robot goes as far between two of its messages.
+    static constexpr double longest_step_m = 10.0;
+
     /// Ignores points that are not finite or closer to the last one than half the tolerance.
     void add(const Vec2& point_in_map_m);
     void clear();
-    /// The kept points in meters of the map frame, oldest first.
+    /// The kept points in meters of the map frame, oldest first; a point of NaN stands for a gap.
     const std::vector<Vec2>& points_m() const { return points_m_; }
 
 private:

@@ -276,7 +276,7 @@ QVariant MessageModel::shownText(const MessageRow& row, int column) const {
 }
 
 QVariant MessageModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    const QString names[] = {tr("No."), tr("Time, s"), tr("Robot"), tr("Way"), tr("Type"), tr("Text")};
+    const QString names[] = {tr("No."), tr("Time, s"), tr("Robot"), tr("Direction"), tr("Type"), tr("Text")};
     return columnHead(orientation, role, names[section], section <= Time ? Qt::AlignRight : Qt::AlignLeft);
 }
 

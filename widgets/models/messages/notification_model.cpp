@@ -22,6 +22,11 @@ QColor severityColor(Severity severity) {
     return colors[static_cast<std::size_t>(severity)];
 }
 
+const char* severityRole(Severity severity) {
+    constexpr const char* roles[] = {"accent", "caution", "danger"};
+    return roles[static_cast<std::size_t>(severity)];
+}
+
 void NotificationModel::push(const QString& key, Severity severity, const QString& text, const QDateTime& when,
                              std::optional<bool> toast, const Offer& offer) {
     Notification fresh{key, severity, text, when, 1, false, true, toast.value_or(severity != Severity::Note), offer};
@@ -54,6 +59,15 @@ void NotificationModel::cure(const QString& key) {
     emit cured(key);
 }
 
+void NotificationModel::cureAll(const QString& start) {
+    QStringList keys; // first, because a receiver of `cured` may push another row
+    for (const Notification& each : rows_)
+        if (each.key.startsWith(start) && each.severity != Severity::Note)
+            keys << each.key;
+    for (const QString& key : keys)
+        cure(key);
+}
+
 void NotificationModel::takeOffer(const QString& key) {
     if (const std::optional<int> known = indexOf(key); known && row(*known).offers())
         emit offerTaken(key);
@@ -83,7 +97,8 @@ int NotificationModel::unread() const {
 }
 
 int NotificationModel::openCount() const {
-    return static_cast<int>(std::ranges::count(rows_, false, &Notification::cured));
+    return static_cast<int>(std::ranges::count_if(
+        rows_, [](const Notification& each) { return !each.cured && each.severity != Severity::Note; }));
 }
 
 QVariant NotificationModel::data(const QModelIndex& index, int role) const {

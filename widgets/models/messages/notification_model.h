@@ -2,6 +2,7 @@
 // is marked when the problem is over.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include <QColor>
@@ -38,6 +39,8 @@ QString severityWord(Severity severity);
 /// Name of the severity's icon for `icon()`, and its color in the current theme.
 QString severityIcon(Severity severity);
 QColor severityColor(Severity severity);
+/// The role that gives a label this color, see form_parts.h.
+const char* severityRole(Severity severity);
 
 /// Keeps the newest `capacity` rows, the newest one first. DisplayRole is the whole sentence; views paint from `row`.
 /// GUI thread.
@@ -54,6 +57,8 @@ public:
               std::optional<bool> toast = std::nullopt, const Offer& offer = {});
     /// The problem is over; its offer is withdrawn. An unknown or already cured key changes nothing.
     void cure(const QString& key);
+    /// All problems whose keys begin with `start` are over.
+    void cureAll(const QString& start);
     /// The user accepts the offer; has no effect if there is none.
     void takeOffer(const QString& key);
     /// Removes all rows, also open ones, without emitting `cured`.
@@ -65,8 +70,10 @@ public:
 
     /// Number of rows that were reported since the last markRead and are not cured.
     int unread() const;
-    /// Number of rows that are not cured.
+    /// Number of warnings and errors that are not cured; a note tells of no problem.
     int openCount() const;
+    /// Number of problems that are over.
+    int curedCount() const { return static_cast<int>(std::ranges::count(rows_, true, &Notification::cured)); }
     QVariant data(const QModelIndex& index, int role) const override;
 
 signals:

@@ -70,8 +70,8 @@ void markPins(const agent::SetPins& pins, const posh::Program& program, const st
             continue;
         PlanMark& mark = markAt(marks, paths[place]);
         mark.pinned = true;
-        mark.words << (is_act ? QObject::tr("Pinned, so the robot does not do it: %1").arg(resultText(act->result))
-                              : QObject::tr("Pinned: %1").arg(QString::fromStdString(posh::spelled(sense->answer))));
+        mark.words << (is_act ? QObject::tr("Forced, so the robot does not do it: %1").arg(resultText(act->result))
+                              : QObject::tr("Forced: %1").arg(QString::fromStdString(posh::spelled(sense->answer))));
     }
     for (const agent::DriveOff& off : pins.drives_off)
         if (const posh::Index place = posh::findPlace(program, off.path, off.names); place < paths.size()) {

@@ -31,7 +31,7 @@ public:
     void setPrimitives(const std::vector<agent::PrimitiveDescription>& primitives);
     /// The plan that the robot is running now, for comparing; an empty text means none.
     void setRunningPlan(const QString& name, const std::string& text);
-    /// Enables "Put into the robot", or says in its tooltip why not; hidden if `why_not` is empty, too.
+    /// Enables "Load into robot", or says in its tooltip why not; hidden if `why_not` is empty, too.
     void setApplicable(bool applicable, const QString& why_not = {}) { head_->setApplicable(applicable, why_not); }
     /// Shows a new plan without a file; the undo history starts again.
     void setText(const std::string& text, const QString& name);

@@ -48,7 +48,7 @@ void PlanEditor::addFileCommands() {
     });
     actions_.add({"save_as", tr("Save as…"), tr("Saves the plan to another file"), "", QKeySequence("Ctrl+Shift+S")},
                  [this] { emit saveAsRequested(); });
-    actions_.add({"apply", tr("Put into the robot"), tr("Makes the robot continue with this plan"), "play",
+    actions_.add({"apply", tr("Load into robot"), tr("Makes the robot continue with this plan"), "play",
                   QKeySequence("Ctrl+Return")},
                  [this] { emit applyRequested(text(), name()); });
     menus_.save_as = new QMenu(this);

@@ -1,5 +1,5 @@
 // The row of buttons above a plan that is edited: file, history and comparison at the left; visibility of the panes and
-// "Put into the robot" at the right.
+// "Load into robot" at the right.
 #pragma once
 
 #include <functional>
@@ -38,7 +38,7 @@ public:
 
     /// Returns false if the title is unchanged; then the tooltip stays unchanged, too.
     bool setTitle(const QString& title, const QString& help);
-    /// Enables "Put into the robot" if the plan is runnable, too. Else its tooltip says `why_not`; it is hidden if that
+    /// Enables "Load into robot" if the plan is runnable, too. Else its tooltip says `why_not`; it is hidden if that
     /// is empty.
     void setApplicable(bool applicable, const QString& why_not);
     /// `runnable`: a robot could run the current text of the plan.

@@ -37,7 +37,7 @@ void addRow(QListWidget& list, const QString& words, const posh::Spot& at, const
 PlanLists::PlanLists(QWidget* parent) : QTabWidget(parent) {
     setDocumentMode(true);
     setMinimumHeight(64);
-    findings_ = addList(tr("Findings"), tr("What is wrong with the plan; click to go there"), tr("No findings"),
+    findings_ = addList(tr("Problems"), tr("What is wrong with the plan; click to go there"), tr("No problems"),
                         tr("What is wrong is listed here while you type, with what to write instead."));
     differences_ = addList(tr("Differences"), tr("What has changed; click to go there"), tr("Nothing compared yet"),
                            tr("Use Compare, above, to list what has changed since another version."));
@@ -75,7 +75,7 @@ void PlanLists::showFindings(const posh::Findings& findings, const std::vector<P
         addRow(*findings_, note.words, note.at, icon(QStringLiteral("note"), tokens().accent));
     findings_->setCurrentRow(std::min(row, findings_->count() - 1));
     const int count = findings_->count();
-    setTabText(0, count == 0 ? tr("Findings") : tr("Findings (%1)").arg(count));
+    setTabText(0, count == 0 ? tr("Problems") : tr("Problems (%1)").arg(count));
 }
 
 void PlanLists::showDifferences(const std::vector<posh::PlanChange>& changes, bool is_partial) {

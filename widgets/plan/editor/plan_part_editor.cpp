@@ -183,7 +183,7 @@ void PlanPartEditor::editValues() {
                 perform(is_sense ? posh::replaceSense(text, part, dialog->test())
                                  : posh::replaceCall(text, part, dialog->call()));
             });
-    dialog->open();
+    dialog->show();
 }
 
 void PlanPartEditor::addMember(bool before) {

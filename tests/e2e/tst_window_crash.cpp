@@ -1,0 +1,139 @@
+// What a killed window leaves, and what the next one makes of it.
+#include <QDir>
+#include <QFile>
+#include <QTest>
+
+#include "tests/doubles/crashed_run.h"
+#include "tests/e2e/gui_watchdog.h"
+#include "tests/e2e/window_page.h"
+#include "tests/suite/suite.h"
+#include "widgets/style/theme.h"
+
+namespace tst_window_crash {
+
+using namespace usar;
+
+class tst_WindowCrash : public QObject {
+    Q_OBJECT
+private slots:
+    void init() {
+        GuiWatchdog::instance().reset();
+        settings_ = std::make_unique<QTemporaryDir>();
+        results_ = std::make_unique<QTemporaryDir>();
+    }
+    void cleanup() { QVERIFY2(GuiWatchdog::instance().complaint().isEmpty(), GuiWatchdog::instance().complaint()); }
+
+    void whatIsChangedSurvivesAKill() {
+        const QTemporaryDir of_killed;
+        std::optional<Rectangle> area_in_map;
+        {
+            WindowPage page({.settings_folder = of_killed.path()});
+            QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+            page.window().commands().action("view.dark")->trigger();
+            page.window().commands().action("view.dock.robots")->trigger();
+            page.pressKey(Qt::Key_A);
+            page.drawArea({{-10.0, -8.0}, {10.0, 8.0}});
+            area_in_map = page.map().area();
+            QVERIFY(area_in_map.has_value());
+            const auto isWritten = [&] {
+                QFile file(of_killed.filePath(settings_file));
+                const QByteArray text = file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+                return text.contains("theme=light") && text.contains("max_x_m=") && !text.contains("max_x_m=0");
+            };
+            QTRY_VERIFY_WITH_TIMEOUT(isWritten(), soon_ms);
+            QTest::qWait(2000); // The docks are written with them, or a second later.
+            QVERIFY(QDir(settings_->path()).mkpath("USAR"));
+            QVERIFY(QFile::copy(of_killed.filePath(settings_file), settings_->filePath(settings_file)));
+        }
+        WindowPage page({.settings_folder = settings_->path()});
+        QCOMPARE(widgets::currentTheme(), widgets::Theme::Light);
+        QVERIFY(page.window().findChild<QDockWidget*>("robots")->isHidden());
+        QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(page.map().area() == area_in_map, soon_ms);
+    }
+
+    void whatIsRecordedIsMarkedUntilTheEnd() {
+        {
+            WindowPage page(setup());
+            QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+            QVERIFY(page.spawnAt("PlayerStart"));
+            QTRY_COMPARE_WITH_TIMEOUT(QDir(marks()).entryList({"*.txt"}, QDir::Files).size(), 1, soon_ms);
+            QFile list(QDir(marks()).filePath(QDir(marks()).entryList({"*.txt"}, QDir::Files).front()));
+            QTRY_VERIFY_WITH_TIMEOUT(list.size() > 0, soon_ms);
+            QVERIFY(list.open(QIODevice::ReadOnly));
+            const QString path = QString::fromUtf8(list.readAll());
+            QCOMPARE(QFileInfo(path).path(), QFileInfo(page.resultFolder()).absoluteFilePath());
+            QVERIFY(QFileInfo::exists(path));
+        }
+        QVERIFY(QDir(marks()).entryList(QDir::Files).isEmpty());
+        WindowPage next(setup());
+        QVERIFY(next.window().views().question->openQuestion().isEmpty());
+    }
+
+    void theNextStartOffersTheRecording() {
+        leaveRecording();
+        {
+            WindowPage page(setup());
+            auto* const question = page.window().views().question;
+            QCOMPARE(question->openQuestion(), QString("recovery"));
+            QTRY_VERIFY(question->isVisible());
+            page.screenshot("after_a_kill");
+            page.press("Open the recording");
+            QVERIFY(question->isHidden());
+            QTRY_VERIFY_WITH_TIMEOUT(page.robot(1) && !page.robot(1)->recording.isEmpty(), soon_ms);
+        }
+        WindowPage again(setup());
+        QVERIFY(again.window().views().question->openQuestion().isEmpty());
+    }
+
+    void nothingIsOpenedWhereTheAnswerIsNo() {
+        leaveRecording();
+        WindowPage page(setup());
+        auto* const question = page.window().views().question;
+        QCOMPARE(question->openQuestion(), QString("recovery"));
+        question->give(1);
+        QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+        QVERIFY(page.window().control().robots().empty());
+    }
+
+    void otherQuestionsGoFirst() {
+        leaveRecording();
+        WindowPage page(setup());
+        auto* const question = page.window().views().question;
+        QCOMPARE(question->openQuestion(), QString("recovery"));
+        question->ask("other", "Is it urgent?", {{"Yes", {}}, {"No", {}}});
+        question->give(0);
+        QCOMPARE(question->openQuestion(), QString("recovery"));
+        question->give(1);
+        QVERIFY(question->openQuestion().isEmpty());
+        QVERIFY(question->isHidden());
+    }
+
+private:
+    WindowSetup setup() const { return {.result_folder = results_->path(), .settings_folder = settings_->path()}; }
+    QString marks() const { return settings_->filePath("USAR/running"); }
+
+    /// A recording whose program was killed.
+    void leaveRecording() const {
+        QString recording;
+        {
+            WindowPage page({.result_folder = results_->path()});
+            QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+            QVERIFY(page.spawnAt("PlayerStart"));
+            page.window().control().remove({1});
+            QTRY_VERIFY_WITH_TIMEOUT(!page.endedRecording().isEmpty(), soon_ms);
+            recording = page.endedRecording();
+        }
+        QVERIFY(doubles::leaveAsIfKilled(marks(), {recording}));
+    }
+
+    const QString settings_file = "USAR/Mission Control.conf";
+    std::unique_ptr<QTemporaryDir> settings_;
+    std::unique_ptr<QTemporaryDir> results_;
+};
+
+USAR_TEST(tst_WindowCrash)
+
+} // namespace tst_window_crash
+
+#include "tst_window_crash.moc"

@@ -1,0 +1,53 @@
+// The instruments of each kind of robot: those that it can have, and no others.
+#include <QTest>
+
+#include "tests/e2e/drive_page.h"
+#include "tests/suite/suite.h"
+
+namespace tst_window_instruments {
+
+using namespace usar;
+
+class tst_WindowInstruments : public QObject {
+    Q_OBJECT
+private slots:
+    void onlyWhatTheRobotCanHaveIsShown_data();
+    void onlyWhatTheRobotCanHaveIsShown();
+};
+
+void tst_WindowInstruments::onlyWhatTheRobotCanHaveIsShown_data() {
+    QTest::addColumn<QString>("robot_class");
+    QTest::addColumn<bool>("scans");
+    QTest::addColumn<bool>("flies");
+    QTest::newRow("AirRobot") << "AirRobot" << true << true;
+    QTest::newRow("P2DX") << "P2DX" << true << false;
+    QTest::newRow("submarine") << "Submarine" << false << false;
+    QTest::newRow("ERS") << "ERS" << false << false;
+}
+
+void tst_WindowInstruments::onlyWhatTheRobotCanHaveIsShown() {
+    QFETCH(QString, robot_class);
+    QFETCH(bool, scans);
+    QFETCH(bool, flies);
+    DrivePage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    const widgets::WindowViews& views = page.window().views();
+    QVERIFY(!views.laser->isHidden()); // It says what will appear.
+    QVERIFY(page.spawnClass(robot_class));
+    QVERIFY(page.clockGoesOn(Seconds(1.5)));
+    QTRY_COMPARE(!views.laser->isHidden(), scans);
+    QTRY_COMPARE(!views.terrain->isHidden(), flies);
+    for (const widgets::Readout* readout : views.status->findChildren<widgets::Readout*>())
+        if (readout->accessibleName() == "charges")
+            QCOMPARE(!readout->isHidden(), flies);
+    for (const QPushButton* button : views.behavior->findChildren<QPushButton*>())
+        if (button->text() == "Land now")
+            QCOMPARE(!button->isHidden(), flies);
+    QCOMPARE(page.window().commands().action("mission.land")->isVisible(), flies);
+}
+
+USAR_TEST(tst_WindowInstruments)
+
+} // namespace tst_window_instruments
+
+#include "tst_window_instruments.moc"

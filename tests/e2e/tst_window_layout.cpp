@@ -1,0 +1,163 @@
+// The window on small screens: what is in a dock can be reached, and no dock makes the window larger than the screen.
+#include <QAbstractScrollArea>
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QTest>
+
+#include "tests/e2e/window_page.h"
+#include "tests/suite/suite.h"
+
+namespace tst_window_layout {
+
+using namespace usar;
+
+namespace {
+
+constexpr QSize frame(0, 40); ///< what the window manager takes of a screen
+
+bool isControl(const QWidget* widget) {
+    return qobject_cast<const QAbstractButton*>(widget) || qobject_cast<const QComboBox*>(widget) ||
+           qobject_cast<const QLineEdit*>(widget) || qobject_cast<const QAbstractSpinBox*>(widget) ||
+           qobject_cast<const QAbstractSlider*>(widget) || qobject_cast<const QAbstractItemView*>(widget);
+}
+
+/// The scroll area whose content this is; nullptr if it is none.
+const QAbstractScrollArea* scrolling(const QWidget* content) {
+    const QWidget* const viewport = content->parentWidget();
+    const auto* const area = viewport ? qobject_cast<const QAbstractScrollArea*>(viewport->parentWidget()) : nullptr;
+    return area && area->viewport() == viewport ? area : nullptr;
+}
+
+/// What cannot be reached of this control in words; empty if it is whole, or comes into view by scrolling.
+QString cutOff(const QWidget* control) {
+    QRect place = control->rect();
+    for (const QWidget* part = control; !part->isWindow(); part = part->parentWidget()) {
+        place.translate(part->pos());
+        if (const QAbstractScrollArea* const area = scrolling(part)) {
+            part = area->viewport();
+            place = area->viewport()->geometry();
+        } else if (!part->parentWidget()->rect().contains(place)) {
+            return QStringLiteral("%1 '%2' lies outside of %3")
+                .arg(control->metaObject()->className(), control->accessibleName(),
+                     part->parentWidget()->metaObject()->className());
+        }
+    }
+    return {};
+}
+
+/// The first control of the dock that cannot be reached; empty if all can.
+QString unreachable(const QDockWidget* dock) {
+    for (const QWidget* control : dock->widget()->findChildren<QWidget*>())
+        if (isControl(control) && control->isVisible() && !control->visibleRegion().isEmpty())
+            if (const QString words = cutOff(control); !words.isEmpty())
+                return dock->objectName() + ": " + words;
+    return {};
+}
+
+void openInFront(WindowPage& page, const QDockWidget* dock) {
+    if (dock->visibleRegion().isEmpty())
+        page.window().commands().action("view.dock." + dock->objectName())->trigger();
+}
+
+} // namespace
+
+class tst_WindowLayout : public QObject {
+    Q_OBJECT
+private slots:
+    void everyDockFitsTheScreen_data();
+    void everyDockFitsTheScreen();
+    void openingLayersKeepsTheWindowsHeight();
+    void startIsReachableAtTwiceTheScale();
+    void allRobotsAreSeenWhereThereIsRoom();
+    void theReasonOfAFailureIsWholeInAWideWindow();
+};
+
+void tst_WindowLayout::everyDockFitsTheScreen_data() {
+    QTest::addColumn<QSize>("screen");
+    QTest::newRow("1024x768") << QSize(1024, 768);
+    QTest::newRow("1280x800") << QSize(1280, 800);
+    QTest::newRow("half of 1920x1080") << QSize(960, 1080);
+    QTest::newRow("1920x1080 at 200 %") << QSize(960, 540);
+}
+
+void tst_WindowLayout::everyDockFitsTheScreen() {
+    QFETCH(QSize, screen);
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    const QSize room = screen - frame;
+    page.window().resize(room);
+    QTRY_COMPARE(page.window().size(), room);
+    for (const QDockWidget* dock : page.window().views().docks) {
+        openInFront(page, dock);
+        QTRY_VERIFY2(!dock->visibleRegion().isEmpty(), qPrintable(dock->objectName()));
+        QTRY_COMPARE(unreachable(dock), QString());
+        QVERIFY2(page.window().size() == room, qPrintable(dock->objectName()));
+        QVERIFY2(page.window().minimumSizeHint().height() <= room.height(), qPrintable(dock->objectName()));
+    }
+    page.screenshot(QStringLiteral("layout_%1x%2").arg(screen.width()).arg(screen.height()));
+}
+
+void tst_WindowLayout::openingLayersKeepsTheWindowsHeight() {
+    WindowPage page;
+    page.window().resize(1280, 760);
+    QTRY_COMPARE(page.window().height(), 760);
+    page.window().commands().action("view.dock.layers")->trigger();
+    QTRY_VERIFY(page.window().views().layers->isVisible());
+    QTest::qWait(300); // Docks are moved by an animation.
+    QCOMPARE(page.window().height(), 760);
+    page.window().commands().action("view.operate")->trigger();
+    QTRY_VERIFY(!page.window().views().layers->isVisible());
+    QCOMPARE(page.window().height(), 760);
+}
+
+void tst_WindowLayout::startIsReachableAtTwiceTheScale() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    page.window().resize(QSize(960, 540) - frame);
+    QTRY_COMPARE(page.window().size(), QSize(960, 540) - frame);
+    for (const QPushButton* button : page.window().views().behavior->findChildren<QPushButton*>())
+        if (button->text() == "Start")
+            QTRY_COMPARE(button->visibleRegion().boundingRect(), button->rect());
+    QVERIFY(page.window().rect().contains(QRect(page.window().views().stop_all->mapTo(&page.window(), QPoint()),
+                                                page.window().views().stop_all->size())));
+}
+
+void tst_WindowLayout::allRobotsAreSeenWhereThereIsRoom() {
+    WindowPage page;
+    page.window().resize(1920, 1040);
+    QTRY_COMPARE(page.window().height(), 1040);
+    widgets::RobotList& robots = *page.window().views().robots;
+    for (int number = 1; number <= 9; ++number)
+        robots.updateRobot({{number}, number, "R", "AirRobot", "idle", {}});
+    const auto heights = [&] { return QString("%1 of %2").arg(robots.height()).arg(robots.wholeHeight_px()); };
+    QTRY_VERIFY2(robots.height() >= robots.wholeHeight_px(), qPrintable(heights()));
+    page.window().commands().action("view.operate")->trigger();
+    QTRY_VERIFY2(robots.height() >= robots.wholeHeight_px(), qPrintable(QString::number(robots.height())));
+    for (const QPushButton* button : page.window().views().behavior->findChildren<QPushButton*>())
+        if (button->text() == "Start")
+            QVERIFY(!button->visibleRegion().isEmpty());
+    page.screenshot("layout_nine_robots");
+}
+
+void tst_WindowLayout::theReasonOfAFailureIsWholeInAWideWindow() {
+    WindowPage page;
+    page.window().resize(1920, 1040);
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    page.connectToServer("127.0.0.1", 1);
+    const QLabel* state = nullptr;
+    for (const QLabel* label : page.window().views().connection->findChildren<QLabel*>())
+        if (label->accessibleName() == "State of the connection")
+            state = label;
+    QVERIFY(state);
+    QTRY_VERIFY2_WITH_TIMEOUT(state->text().contains("127.0.0.1"), qPrintable(state->text()), soon_ms);
+    QTRY_VERIFY2(state->width() >= state->fontMetrics().horizontalAdvance(state->text()),
+                 qPrintable(QString::number(state->width()) + " px for " + state->text()));
+}
+
+USAR_TEST(tst_WindowLayout)
+
+} // namespace tst_window_layout
+
+#include "tst_window_layout.moc"

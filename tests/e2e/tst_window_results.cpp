@@ -1,0 +1,50 @@
+// The end of a mission in the real window: a card tells it, and leads to the files and to the next flight.
+#include <QTest>
+
+#include "tests/e2e/gui_watchdog.h"
+#include "tests/e2e/window_page.h"
+#include "tests/suite/suite.h"
+
+namespace tst_window_results {
+
+using namespace usar;
+
+class tst_WindowResults : public QObject {
+    Q_OBJECT
+private slots:
+    void init() { GuiWatchdog::instance().reset(); }
+    void cleanup() { QVERIFY2(GuiWatchdog::instance().complaint().isEmpty(), GuiWatchdog::instance().complaint()); }
+
+    void aCardTellsTheEndAndFliesAgain() {
+        WindowPage page;
+        QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+        QVERIFY(page.spawnAt("PlayerStart"));
+        auto* const card = page.window().views().result;
+        page.pressKey(Qt::Key_A);
+        page.drawArea({{-10, -10}, {10, 10}});
+        page.pressKey(Qt::Key_0, Qt::ControlModifier);
+        auto* const hint = page.window().views().hint;
+        QVERIFY(hint->accessibleDescription().contains("Press Start"));
+        page.press("Start");
+        QVERIFY(hint->accessibleDescription().contains("P pauses the robot"));
+        QVERIFY(card->isHidden());
+        QTRY_VERIFY_WITH_TIMEOUT(card->isVisible(), flight_ms);
+        QVERIFY(card->accessibleDescription().startsWith("R1: mission complete"));
+        QString figures;
+        for (const QLabel* label : card->findChildren<QLabel*>())
+            figures += QString(label->text()).replace("&nbsp;", " ");
+        for (const char* name : {"Coverage <b>", "Time <b>", "Distance <b>", "Heights <b>", "Error <b>"})
+            QVERIFY2(figures.contains(name), qPrintable(figures));
+        QVERIFY(!page.notified("Saved").isEmpty());
+        page.screenshot("result_card");
+        page.press("Fly again");
+        QTRY_VERIFY_WITH_TIMEOUT(page.window().control().robot({1})->running(), soon_ms);
+        QVERIFY(card->isHidden());
+    }
+};
+
+USAR_TEST(tst_WindowResults)
+
+} // namespace tst_window_results
+
+#include "tst_window_results.moc"

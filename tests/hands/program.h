@@ -1,0 +1,48 @@
+// Mission Control as a process of its own on a desktop of its own, and a person before it.
+#pragma once
+
+#include "tests/hands/desktop.h"
+#include "tests/hands/screen_reader.h"
+
+namespace usar::hands {
+
+/// Starts the program with the embedded simulator on free ports, with the settings of a first start. A person reads by
+/// `read` and acts by `desk`; nothing here reaches into the program.
+class Program {
+public:
+    explicit Program(const QSize& screen_px = {1280, 800}, const QStringList& arguments = {});
+    ~Program();
+    Q_DISABLE_COPY_MOVE(Program)
+
+    /// Empty while program and desktop run; otherwise a sentence that says what does not.
+    QString trouble() const;
+    Desktop& desk() { return desktop_; }
+    const ScreenReader& read() const { return *reader_; }
+    const QString& resultFolder() const { return results_; }
+
+    /// Clicks the middle of the first widget with this role and name; false, after a while, where there is none.
+    bool click(const QString& role, const QString& name);
+    /// The same for a button.
+    bool press(const QString& name) { return click("push button", name); }
+    /// True once a widget on the screen has these words as its name or description, or as a part of them.
+    bool says(const QString& words, int within_ms = 15000) const;
+    /// Description of the instrument with this name: its figure with the unit. Empty where there is none.
+    QString figure(const QString& name) const;
+    /// Double-clicks the start pose with this name and waits for the robot's row; false where either is missing.
+    bool spawnAt(const QString& start_pose, const QString& robot);
+    /// Draws a mission area in the middle of the map, presses Start, and waits until the robot flies.
+    bool fly();
+    /// Saves what is on the screen as build/PRESET/screenshots/hands_NAME.png.
+    void screenshot(const QString& name) const;
+    /// The program's end: its exit code, or nullopt if it does not end within the time.
+    std::optional<int> ended(int within_ms);
+
+private:
+    Desktop desktop_;
+    QTemporaryDir folder_;
+    QString results_;
+    QProcess process_;
+    std::optional<ScreenReader> reader_;
+};
+
+} // namespace usar::hands

@@ -1,0 +1,139 @@
+// The time that a survey still needs, by recorded progress and by thought flights of known length.
+#include <cmath>
+#include <vector>
+
+#include <QObject>
+#include <QTest>
+
+#include "robots/airrobot/flight/time_estimate.h"
+#include "tests/suite/suite.h"
+
+namespace tst_time_estimate {
+
+using namespace usar;
+using namespace usar::airrobot;
+
+namespace {
+
+/// When a lane was entered and finished, in seconds since the start of the mission.
+struct LaneTimes {
+    double from_s;
+    double to_s;
+};
+
+Survey surveyOver(const Rectangle& area_in_map, const Settings& settings) {
+    const auto survey = Survey::make({"R1", Pose{}, {area_in_map.min_m, area_in_map.max_m}}, settings);
+    Q_ASSERT(survey);
+    return *survey;
+}
+
+/// Flies the present lane from end to end at a steady speed, with one call of `each` a second.
+template <class Each>
+void flyLane(Survey& survey, const LaneTimes& times, const Settings& settings, Each each) {
+    const mapping::Lane lane = survey.plan().lanes[survey.laneIndex()];
+    const std::size_t index = survey.laneIndex();
+    survey.next(settings); // The lane is entered.
+    for (double now_s = times.from_s; now_s < times.to_s; now_s += 1.0) {
+        const Vec2 place_m =
+            lane.start_m + (lane.end_m - lane.start_m) * ((now_s - times.from_s) / (times.to_s - times.from_s));
+        survey.note(place_m);
+        each(Seconds(now_s), place_m);
+    }
+    while (survey.laneIndex() == index)
+        survey.next(settings);
+}
+
+} // namespace
+
+class tst_TimeEstimate : public QObject {
+    Q_OBJECT
+
+    Settings settings;
+
+private slots:
+    /// Recorded in `quick_scan.json`: the fastest and the slowest of ten seeds.
+    void isRightWithinATenthFromATenthOn_data() {
+        QTest::addColumn<std::vector<LaneTimes>>("lanes");
+        QTest::addColumn<double>("whole_s");
+        QTest::newRow("seed 2")
+            << std::vector<LaneTimes>{{76.4, 154.0}, {161.4, 223.4}, {230.8, 292.8}, {300.0, 363.0}, {370.4, 434.0}}
+            << 478.2;
+        QTest::newRow("seed 7")
+            << std::vector<LaneTimes>{{76.8, 153.8}, {161.2, 240.4}, {247.6, 332.6}, {339.8, 402.0}, {409.4, 482.6}}
+            << 538.6;
+    }
+    void isRightWithinATenthFromATenthOn() {
+        QFETCH(std::vector<LaneTimes>, lanes);
+        QFETCH(double, whole_s);
+        Survey survey = surveyOver({{-30, -20}, {30, 20}}, settings);
+        QCOMPARE(survey.laneCount(), lanes.size());
+        TimeEstimate estimate;
+        for (const LaneTimes& times : lanes) {
+            flyLane(survey, times, settings, [&](Seconds now, const Vec2& place_m) {
+                estimate.note(true, now, survey.doneLength_m(), settings);
+                const Seconds left = estimate.timeLeft(survey, {place_m, Vec2::Zero(), now.count()}, settings);
+                QVERIFY2(std::abs((now + left).count() - whole_s) <= 0.1 * whole_s,
+                         qPrintable(QString("at %1 s: %2 s are left").arg(now.count()).arg(left.count())));
+            });
+            estimate.note(false, Seconds(times.to_s), survey.doneLength_m(), settings);
+        }
+        QVERIFY(survey.done());
+    }
+
+    void learnsThePaceOfTheLanes() {
+        TimeEstimate estimate;
+        const double first = estimate.pace();
+        for (int second = 0; second <= 4000; ++second)
+            estimate.note(true, Seconds(second), 0.5 * second * settings.scan_speed_m_s, settings);
+        QVERIFY(first > 1.0 && estimate.pace() > 1.7 && estimate.pace() < 2.0);
+    }
+
+    void timeBesideTheLanesTeachesNothing() {
+        TimeEstimate estimate;
+        const double first = estimate.pace();
+        estimate.note(true, Seconds(0.0), 0.0, settings);
+        for (int second = 1; second <= 1000; ++second)
+            estimate.note(false, Seconds(second), 0.0, settings);
+        estimate.note(true, Seconds(1001.0), 0.0, settings);
+        QCOMPARE(estimate.pace(), first);
+    }
+
+    void countsTheChargesToCome() {
+        const Survey survey = surveyOver({{0, 0}, {100, 100}}, settings);
+        TimeEstimate estimate;
+        const Seconds with_charges = estimate.timeLeft(survey, {}, settings);
+        Settings enduring = settings;
+        enduring.battery_range_m = 1e6;
+        const Seconds without = estimate.timeLeft(survey, {}, enduring);
+        const Seconds of_charges = with_charges - without;
+        QVERIFY(of_charges >= Seconds(settings.recharge_time_s)); // One at least, for 1.2 km of lanes.
+        QVERIFY(of_charges < Seconds(4.0 * (settings.recharge_time_s + 200.0)));
+    }
+
+    void aLandingIsAllThatIsLeftAtTheEnd() {
+        const Survey survey = surveyOver({{0, 0}, {100, 100}}, settings);
+        const TimeEstimate estimate;
+        MissionState state{.waiting = Seconds(7.0), .lanes_left = false};
+        QCOMPARE(estimate.timeLeft(survey, state, settings).count(), 7.0);
+        state.returning = true;
+        QVERIFY(estimate.timeLeft(survey, state, settings) > Seconds(15.0));
+    }
+
+    void anEstimateRunsDownUntilTheNext() {
+        const Survey survey = surveyOver({{0, 0}, {100, 100}}, settings);
+        TimeEstimate estimate;
+        QVERIFY(!estimate.left(Seconds(1.0)));
+        estimate.update(Seconds(1.0), survey, {}, settings);
+        const Seconds first = *estimate.left(Seconds(1.0));
+        estimate.update(Seconds(1.5), survey, {.waiting = Seconds(50.0)}, settings);
+        QCOMPARE(estimate.left(Seconds(1.5))->count(), (first - Seconds(0.5)).count());
+        estimate.update(Seconds(2.5), survey, {.waiting = Seconds(50.0)}, settings);
+        QCOMPARE(estimate.left(Seconds(2.5))->count(), (first + Seconds(50.0)).count());
+    }
+};
+
+USAR_TEST(tst_TimeEstimate)
+
+} // namespace tst_time_estimate
+
+#include "tst_time_estimate.moc"

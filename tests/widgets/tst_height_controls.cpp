@@ -1,0 +1,61 @@
+#include <QSignalSpy>
+#include <QTest>
+
+#include "tests/suite/suite.h"
+#include "widgets/map/layers_panel.h"
+
+namespace tst_height_controls {
+
+using namespace usar;
+using namespace usar::widgets;
+
+namespace {
+
+/// The child with this accessible name.
+template <class Widget>
+Widget* child(const QWidget& of, const QString& name) {
+    for (Widget* const one : of.findChildren<Widget*>())
+        if (one->accessibleName() == name)
+            return one;
+    return nullptr;
+}
+
+} // namespace
+
+class tst_HeightControls : public QObject {
+    Q_OBJECT
+private slots:
+    void heightsCanBeGrayAndKeepTheirRange();
+};
+
+void tst_HeightControls::heightsCanBeGrayAndKeepTheirRange() {
+    LayersPanel panel;
+    HeightControls& controls = *panel.heightControls();
+    panel.show();
+    QCOMPARE(controls.look(), HeightLook{});
+    QSignalSpy changed(&controls, &HeightControls::lookChanged);
+    QTest::mouseClick(child<QCheckBox>(panel, QStringLiteral("Gray heights")), Qt::LeftButton, {}, QPoint(8, 8));
+    QCOMPARE(changed.last()[0].value<HeightLook>(), (HeightLook{mapping::ColorMap::Gray, std::nullopt}));
+    auto* const lowest = child<QuantityBox>(panel, QStringLiteral("Lowest height"));
+    QVERIFY(!lowest->isVisible());
+    controls.setShownRange({-1.5f, 18.25f});
+    QCOMPARE(changed.count(), 1);
+    QTest::mouseClick(child<QCheckBox>(panel, QStringLiteral("Fixed range of heights")), Qt::LeftButton, {},
+                      QPoint(8, 8));
+    QVERIFY(lowest->isVisible());
+    const mapping::HeightRange fixed{-1.5f, 18.25f};
+    QCOMPARE(changed.last()[0].value<HeightLook>(), (HeightLook{mapping::ColorMap::Gray, fixed}));
+    controls.setShownRange({-3.0f, 30.0f});
+    QCOMPARE(controls.look().fixed_range, std::optional(fixed));
+    LayersPanel after;
+    QVERIFY(after.restoreState(panel.saveState()));
+    QCOMPARE(after.heightControls()->look(), controls.look());
+    lowest->setValue(20.0); // Above the highest one.
+    QCOMPARE(changed.last()[0].value<HeightLook>().fixed_range, std::optional(mapping::HeightRange{18.25f, 20.0f}));
+}
+
+USAR_TEST(tst_HeightControls)
+
+} // namespace tst_height_controls
+
+#include "tst_height_controls.moc"

@@ -1,0 +1,89 @@
+#include "widgets/bars/result_card.h"
+
+#include <QVBoxLayout>
+
+#include "widgets/style/form_parts.h"
+#include "widgets/style/icons.h"
+#include "widgets/style/theme.h"
+
+namespace usar::widgets {
+
+ResultCard::ResultCard(QWidget* parent) : QFrame(parent) {
+    setProperty("role", "strip");
+    setAccessibleName(tr("Result"));
+    named(folder_, tr("Open folder"), tr("Opens the folder with all files of this scan"));
+    named(open_picture_, tr("Open picture"), tr("Opens the picture of the map with its marks"));
+    named(again_, tr("Fly again"), tr("Starts the same behavior with the same area and parameters once more"));
+    named(close_, tr("Close the result"), tr("Closes this card; the files stay, and Notifications names them"));
+    close_->setIcon(icon(QStringLiteral("clear")));
+    makeFlat(close_);
+    lay();
+    connect(close_, &QToolButton::clicked, this, &QWidget::hide);
+    connect(folder_, &QPushButton::clicked, this, [this] { emit folderRequested(folderOf(outcome_)); });
+    connect(open_picture_, &QPushButton::clicked, this, [this] { emit pictureRequested(pictureOf(outcome_)); });
+    connect(again_, &QPushButton::clicked, this, &ResultCard::flyAgainRequested);
+    hide();
+}
+
+void ResultCard::lay() {
+    title_->setFont(themeFont(FontRole::Body, QFont::DemiBold));
+    reason_->setWordWrap(true);
+    figures_->setWordWrap(true);
+    figures_->setTextFormat(Qt::RichText);
+    auto* const buttons = laidOut(new QHBoxLayout, gap::small, {folder_, open_picture_, again_});
+    buttons->addStretch(1);
+    for (QPushButton* const button : {folder_, open_picture_, again_})
+        button->setFocusPolicy(Qt::TabFocus); // A click leaves the keys to the map.
+    auto* const column = laidOut(new QVBoxLayout, gap::tiny, {title_, reason_, figures_});
+    column->addLayout(buttons);
+    auto* const row =
+        laidOut(new QHBoxLayout(this), {gap::medium, gap::small, gap::small, gap::small}, gap::medium, {picture_});
+    row->addLayout(column, 1);
+    row->addWidget(close_, 0, Qt::AlignTop);
+}
+
+void ResultCard::tell(const MissionOutcome& outcome) {
+    outcome_ = outcome;
+    title_->setText(titleOf(outcome));
+    reason_->setText(outcome.reason);
+    setAccessibleDescription(title_->text() + QStringLiteral(". ") + outcome.reason);
+    picture_->setPixmap({});
+    picture_->hide();
+    folder_->setVisible(!folderOf(outcome).isEmpty());
+    open_picture_->setVisible(!pictureOf(outcome).isEmpty());
+    setCanFlyAgain(true);
+    showFigures();
+    show();
+}
+
+void ResultCard::setPicture(const QImage& picture) {
+    if (picture.isNull())
+        return;
+    picture_->setPixmap(QPixmap::fromImage(picture));
+    picture_->setAccessibleName(tr("Picture of the map"));
+    picture_->setVisible(hasRoomForPicture());
+}
+
+bool ResultCard::hasRoomForPicture() const {
+    return width() >= minimumSizeHint().width() + picture_px.width() + gap::medium;
+}
+
+void ResultCard::resizeEvent(QResizeEvent* event) {
+    QFrame::resizeEvent(event);
+    picture_->setVisible(!picture_->pixmap(Qt::ReturnByValue).isNull() && hasRoomForPicture());
+}
+
+void ResultCard::showFigures() {
+    const QString nbsp = QStringLiteral("&nbsp;"); // Keeps each figure on one line.
+    QStringList texts;
+    QStringList helps;
+    for (const OutcomeFigure& figure : figuresOf(outcome_)) {
+        const QString name = figure.name.toHtmlEscaped().replace(u' ', nbsp);
+        texts << QStringLiteral("%1 <b>%2</b>").arg(name, figure.value.toHtmlEscaped().replace(u' ', nbsp));
+        helps << figure.name + QStringLiteral(": ") + figure.help;
+    }
+    figures_->setText(texts.join(QStringLiteral(" · ")));
+    figures_->setToolTip(helps.join(u'\n'));
+}
+
+} // namespace usar::widgets

@@ -1,0 +1,55 @@
+// The card above the map that tells how a mission ended.
+#pragma once
+
+#include <QFrame>
+#include <QImage>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
+
+#include "widgets/models/mission_outcome.h"
+
+namespace usar::widgets {
+
+/// Hidden until `tell`, and after it was closed. GUI thread.
+class ResultCard : public QFrame {
+    Q_OBJECT
+public:
+    explicit ResultCard(QWidget* parent = nullptr);
+
+    /// Tells this outcome in place of the one before, without a picture yet.
+    void tell(const MissionOutcome& outcome);
+    /// Shows a picture of the map, no larger than `picture_px`; a null one changes nothing.
+    void setPicture(const QImage& picture);
+    /// False: the robot is gone and cannot fly again.
+    void setCanFlyAgain(bool can) { again_->setVisible(can); }
+
+    static constexpr QSize picture_px{140, 92};
+    /// Without the picture, for which a narrow window has no room.
+    QSize minimumSizeHint() const override { return {300, QFrame::minimumSizeHint().height()}; }
+
+signals:
+    void folderRequested(const QString& path);
+    void pictureRequested(const QString& path);
+    void flyAgainRequested();
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void lay();
+    void showFigures();
+    bool hasRoomForPicture() const;
+
+    MissionOutcome outcome_;
+    QLabel* picture_ = new QLabel(this);
+    QLabel* title_ = new QLabel(this);
+    QLabel* reason_ = new QLabel(this);
+    QLabel* figures_ = new QLabel(this);
+    QPushButton* folder_ = new QPushButton(tr("Open folder"), this);
+    QPushButton* open_picture_ = new QPushButton(tr("Open picture"), this);
+    QPushButton* again_ = new QPushButton(tr("Fly again"), this);
+    QToolButton* close_ = new QToolButton(this);
+};
+
+} // namespace usar::widgets

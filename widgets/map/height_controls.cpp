@@ -1,0 +1,105 @@
+#include "widgets/map/height_controls.h"
+
+#include <algorithm>
+
+#include <QGridLayout>
+#include <QSignalBlocker>
+
+#include "widgets/style/form_parts.h"
+#include "widgets/style/theme.h"
+
+namespace usar::widgets {
+namespace {
+
+const QString gray_key = QStringLiteral("gray");
+const QString fixed_key = QStringLiteral("fixed");
+const QString lowest_key = QStringLiteral("lowest_m");
+const QString highest_key = QStringLiteral("highest_m");
+
+QuantityBox* heightBox(QWidget* parent, const QString& name, const QString& help) {
+    constexpr double far_m = 10000.0;
+    auto* const box = named(new QuantityBox(parent), name, help);
+    box->setRange(-far_m, far_m);
+    box->setDecimals(2);
+    box->setSuffix(QStringLiteral(" m"));
+    box->hide();
+    return box;
+}
+
+} // namespace
+
+HeightControls::HeightControls(QWidget* parent) : QWidget(parent) {
+    gray_ = named(new QCheckBox(tr("Gray"), this), tr("Gray heights"),
+                  tr("Shows heights in shades of gray without light; darker is lower"));
+    fixed_ = named(new QCheckBox(tr("Fixed range"), this), tr("Fixed range of heights"),
+                   tr("Keeps the heights that the colors stand for; otherwise they follow the scan"));
+    lowest_ = heightBox(this, tr("Lowest height"), tr("Height with the darkest color, in meters"));
+    highest_ = heightBox(this, tr("Highest height"), tr("Height with the lightest color, in meters"));
+    auto* const grid = gridOf(this, {}, gap::small, gap::tiny);
+    grid->addWidget(gray_, 0, 0);
+    grid->addWidget(fixed_, 0, 1);
+    grid->addWidget(lowest_, 1, 0);
+    grid->addWidget(highest_, 1, 1);
+    for (QCheckBox* const box : {gray_, fixed_}) {
+        box->setMinimumHeight(minimum_target);
+        connect(box, &QCheckBox::clicked, this, &HeightControls::tell);
+    }
+    for (QuantityBox* const box : {lowest_, highest_})
+        connect(box, &QDoubleSpinBox::valueChanged, this, &HeightControls::tell);
+}
+
+HeightLook HeightControls::look() const {
+    HeightLook look;
+    look.color_map = gray_->isChecked() ? mapping::ColorMap::Gray : mapping::ColorMap::Color;
+    if (fixed_->isChecked()) {
+        const auto [low_m, high_m] = std::minmax({lowest_->value(), highest_->value()});
+        look.fixed_range = {static_cast<float>(low_m), static_cast<float>(high_m)};
+    }
+    return look;
+}
+
+void HeightControls::setLook(const HeightLook& look) {
+    gray_->setChecked(look.color_map == mapping::ColorMap::Gray);
+    if (look.fixed_range)
+        setShownRange(*look.fixed_range);
+    fixed_->setChecked(look.fixed_range.has_value());
+    for (QuantityBox* const box : {lowest_, highest_})
+        box->setVisible(fixed_->isChecked());
+}
+
+void HeightControls::setShownRange(const mapping::HeightRange& range) {
+    if (fixed_->isChecked())
+        return;
+    const QSignalBlocker quiet_lowest(lowest_);
+    const QSignalBlocker quiet_highest(highest_);
+    lowest_->setValue(double(range.minimum_m));
+    highest_->setValue(double(range.maximum_m));
+}
+
+QJsonObject HeightControls::saveState() const {
+    return {{gray_key, gray_->isChecked()},
+            {fixed_key, fixed_->isChecked()},
+            {lowest_key, lowest_->value()},
+            {highest_key, highest_->value()}};
+}
+
+void HeightControls::restoreState(const QJsonObject& state) {
+    const HeightLook before = look();
+    HeightLook saved;
+    if (state[gray_key].toBool(gray_->isChecked()))
+        saved.color_map = mapping::ColorMap::Gray;
+    if (state[fixed_key].toBool(fixed_->isChecked()))
+        saved.fixed_range = {static_cast<float>(state[lowest_key].toDouble(lowest_->value())),
+                             static_cast<float>(state[highest_key].toDouble(highest_->value()))};
+    fixed_->setChecked(false); // The figures of an earlier range give way.
+    setLook(saved);
+    if (look() != before)
+        emit lookChanged(look());
+}
+
+void HeightControls::tell() {
+    setLook(look());
+    emit lookChanged(look());
+}
+
+} // namespace usar::widgets

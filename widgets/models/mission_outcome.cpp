@@ -1,0 +1,50 @@
+#include "widgets/models/mission_outcome.h"
+
+#include <algorithm>
+
+#include <QFileInfo>
+#include <QObject>
+
+#include "widgets/models/figures.h"
+
+namespace usar::widgets {
+
+std::vector<OutcomeFigure> figuresOf(const MissionOutcome& outcome) {
+    std::vector<OutcomeFigure> figures;
+    if (outcome.coverage_pct)
+        figures.push_back({QObject::tr("Coverage"), QObject::tr("%1 %").arg(figure(*outcome.coverage_pct, 1)),
+                           QObject::tr("Part of the mission area whose height is known")});
+    figures.push_back(
+        {QObject::tr("Time"), durationText(outcome.duration), QObject::tr("Since the start, on the robot's clock")});
+    figures.push_back({QObject::tr("Distance"), QObject::tr("%1 m").arg(figure(outcome.distance_m, 0)),
+                       QObject::tr("As the robot estimates it")});
+    if (outcome.heights_m)
+        figures.push_back(
+            {QObject::tr("Heights"),
+             QObject::tr("%1 to %2 m").arg(figure(outcome.heights_m->first, 1), figure(outcome.heights_m->second, 1)),
+             QObject::tr("Lowest and highest place of the whole map")});
+    if (outcome.error_m)
+        figures.push_back({QObject::tr("Error"), QObject::tr("%1 m").arg(figure(*outcome.error_m, 2)),
+                           QObject::tr("Root mean square difference to the simulator's true heights, on open ground")});
+    if (outcome.charges > 0)
+        figures.push_back({QObject::tr("Charges"), QString::number(outcome.charges),
+                           QObject::tr("How often the battery was charged")});
+    return figures;
+}
+
+QString titleOf(const MissionOutcome& outcome) {
+    return (outcome.success ? QObject::tr("%1: mission complete") : QObject::tr("%1: mission ended early"))
+        .arg(outcome.robot);
+}
+
+QString pictureOf(const MissionOutcome& outcome) {
+    const auto is_picture = [](const QString& path) { return path.endsWith(QStringLiteral("_picture.png")); };
+    const auto found = std::ranges::find_if(outcome.files, is_picture);
+    return found == outcome.files.end() ? QString() : *found;
+}
+
+QString folderOf(const MissionOutcome& outcome) {
+    return outcome.files.isEmpty() ? QString() : QFileInfo(outcome.files.front()).path();
+}
+
+} // namespace usar::widgets
