@@ -1,5 +1,7 @@
 #include "app/desks/task_desk.h"
 
+#include <cmath>
+
 #include <algorithm>
 #include <chrono>
 #include <utility>
@@ -97,8 +99,16 @@ void TaskDesk::wireArea() {
 
 void TaskDesk::restore(const QSettings& settings) {
     last_world_ = settings.value("area/world").toString();
-    last_area_in_map_ = {{settings.value("area/min_x_m").toDouble(), settings.value("area/min_y_m").toDouble()},
-                         {settings.value("area/max_x_m").toDouble(), settings.value("area/max_y_m").toDouble()}};
+    bool all_good = true; // A figure that cannot be read would move an edge, so then there is no area.
+    const auto meters = [&](const char* key) {
+        bool good = false;
+        const double value_m = settings.value(key).toDouble(&good);
+        all_good = all_good && good && std::isfinite(value_m);
+        return value_m;
+    };
+    const Rectangle area{{meters("area/min_x_m"), meters("area/min_y_m")},
+                         {meters("area/max_x_m"), meters("area/max_y_m")}};
+    last_area_in_map_ = all_good ? area : Rectangle{};
 }
 
 void TaskDesk::save(SettingsSheet& settings) const {

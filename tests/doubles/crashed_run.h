@@ -1,4 +1,4 @@
-// What a program leaves behind that was killed.
+// The traces that a killed program leaves behind.
 #pragma once
 
 #include <QDir>

@@ -1,4 +1,4 @@
-// What a robot has, so that the window shows no instrument that stays empty for ever.
+// The equipment of a robot, so that the window shows no instrument that stays empty forever.
 #pragma once
 
 #include <optional>

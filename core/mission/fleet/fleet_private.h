@@ -58,7 +58,7 @@ struct Fleet::Private {
         wanted_moments;                    ///< by connection: moment to look back on, once the file contains it
     std::map<RobotId, TrueFigures> truths; ///< by robot id
     std::optional<std::uint64_t> seed;
-    std::function<Truth()> make_truth; ///< of the embedded world; empty: none
+    std::function<Truth()> make_truth; ///< makes the heights of the embedded world; empty: none
     /// New robots are recorded.
     bool recording = true;
     bool silence_expected = false;

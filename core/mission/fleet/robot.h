@@ -31,7 +31,7 @@ public:
     bool spawned() const { return view_.id.valid(); }
     /// Percentage of the mission area whose height is known, 0..100; nullopt without an area.
     std::optional<double> coverage_pct() const;
-    /// What is left of the battery, 0..100 percent: as the newest behavior told it, else as the robot itself tells it;
+    /// Remaining battery, 0..100 percent: as the newest behavior told it, else as the robot itself tells it;
     /// nullopt if neither does.
     std::optional<double> batteryLeft_pct() const;
     /// Wall time from the start of the newest behavior to its end, or until now; 0 before the first.

@@ -52,9 +52,10 @@ struct RunSummary {
     double distance_m = 0.0;
     int charges = 0;
     std::optional<TrueFigures> truth;
-    Score score;                                 ///< keys coverage_pct, rmse_m, rmse_surface_m
-    std::size_t cells = 0;                       ///< known cells of the whole map
-    std::optional<mapping::HeightRange> heights; ///< of the map; absent: it is empty. In the files it is under "map"
+    Score score;           ///< keys coverage_pct, rmse_m, rmse_surface_m
+    std::size_t cells = 0; ///< known cells of the whole map
+    std::optional<mapping::HeightRange>
+        heights; ///< range of the map; absent: it is empty. In the files it is under "map"
     std::uint64_t lines_received = 0;
     std::uint64_t lines_malformed = 0;
     bool lockstep = false;

@@ -61,7 +61,7 @@ public:
     Seconds now() const { return state_->now(); }
     protocol::VehicleKind kind() const;
     bool batteryIsEmpty() const;
-    /// What is left of the battery, 0..100 percent of the most that the robot has reported on this connection, because
+    /// Remaining battery, 0..100 percent of the most that the robot has reported on this connection, because
     /// no message tells its capacity; nullopt if it reports none.
     std::optional<double> batteryLeft_pct() const;
     /// Fills in the clock and the counts of lines, except those that the link counts.

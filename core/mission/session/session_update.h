@@ -47,7 +47,8 @@ struct SessionFigures {
     protocol::TrafficRates rates;      ///< over about half a second of wall time
     std::optional<protocol::Dialect> dialect; ///< of this connection; absent until the server has shown it
     bool lockstep = false;                    ///< the server waits for us after each tick
-    std::optional<double> battery_left_pct; ///< of the most that the robot has reported, 0..100; absent: none reported
+    std::optional<double>
+        battery_left_pct; ///< share of the most that the robot has reported, 0..100; absent: none reported
     SpawnState spawn = SpawnState::None;
     bool spawned = false; ///< spawn is Done
     bool silent = false;  ///< connected, but the robot has sent nothing for longer than SessionLimits::stale

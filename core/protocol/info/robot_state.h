@@ -13,7 +13,7 @@ namespace usar::protocol {
 /// The kinds of vehicles by which STA, GEO and CONF classify robots; see vehicle_words.h for the words.
 enum class VehicleKind { Unknown, Ground, Aerial, Nautic, Legged, StaticPlatform };
 
-/// What a UDK robot without a battery reports as the time that its battery lasts.
+/// The battery time that a UDK robot without a battery reports.
 inline constexpr Seconds no_battery{99999.0};
 
 /// One joint and its angle, with the server's sign.

@@ -12,7 +12,7 @@ namespace {
 constexpr double transit_pace = 1.25;
 constexpr Seconds turn{1.0};
 constexpr double detour = 1.06;
-constexpr Seconds start_up{4.0}; ///< of the rotors, before the climb
+constexpr Seconds start_up{4.0}; ///< the rotors need it before the climb
 
 /// A flight in thought.
 class ThoughtFlight {
@@ -65,7 +65,7 @@ private:
     double pace_;
     Vec2 base_m_;
     Vec2 at_m_;
-    double used_m_; ///< of the battery's range
+    double used_m_; ///< distance taken from the battery's range
     Seconds time_;
 };
 
