@@ -1,9 +1,8 @@
 #include "app/desks/task_desk.h"
 
-#include <cmath>
-
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "core/server/embedded/simulator_files.h"
