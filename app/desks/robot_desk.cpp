@@ -14,7 +14,7 @@ RobotDesk::RobotDesk(const DeskContext& context)
 }
 
 void RobotDesk::registerCommands() {
-    for (int number = 1; number <= mission::Roster::most_robots; ++number)
+    for (int number = 1; number <= mission::Roster::robots_with_a_key; ++number)
         add(
             {QString("robot.select_%1").arg(number),
              tr("Select robot %1").arg(number),

@@ -13,11 +13,12 @@
 
 namespace usar::mission {
 
-/// Owns robots and is used in the GUI thread, as they are. Ids are 1 to 9, the keys that select the robots. Returned
-/// pointers are valid until the robot is taken out.
+/// Owns robots and is used in the GUI thread, as they are. Ids are 1 to `most_robots`; the first nine are the keys that
+/// select them. Returned pointers are valid until the robot is taken out.
 class Roster {
 public:
-    static constexpr int most_robots = 9; ///< one key each
+    static constexpr int most_robots = 50; ///< what the window was measured with (measured.md, section "The window")
+    static constexpr int robots_with_a_key = 9;
 
     bool full() const { return nextId().value > most_robots; }
     /// The lowest free id; more than `most_robots` if it is full.
@@ -26,8 +27,8 @@ public:
     QString nextName() const { return QString("R%1").arg(nextId().value); }
     /// Returns `name`, followed by a number if a robot already has that name.
     QString unusedName(const QString& name) const;
-    /// Returns the request, with a name if it had none. An error for a request without a class, for a tenth robot, and
-    /// for a name that a robot already has.
+    /// Returns the request, with a name if it had none. An error for a request without a class, for one robot too
+    /// many, and for a name that a robot already has.
     Result<SpawnRequest> accept(SpawnRequest request) const;
 
     /// Adds a robot under its `view().id`, which must be free.

@@ -75,20 +75,20 @@ private slots:
         QVERIFY(fleet_->robots().empty());
     }
 
-    void nineRobotsAreTheMost() {
+    void fiftyRobotsAreTheMost() {
         QVERIFY(connectNow());
         QSignalSpy added(fleet_.get(), &Fleet::robotAdded);
-        for (int id = 1; id <= 9; ++id) {
+        for (int id = 1; id <= 50; ++id) {
             QCOMPARE(fleet_->nextRobotName(), QString("R%1").arg(id));
             const auto spawned = spawnNow();
             QVERIFY2(spawned.has_value(), spawned ? "" : spawned.error().text().c_str());
             QCOMPARE(spawned->value, id);
             QCOMPARE(fleet_->robot({id})->view().spawn.robot_name, "R" + std::to_string(id));
         }
-        QCOMPARE(added.size(), 9);
-        const auto tenth = spawnNow();
-        QVERIFY(!tenth.has_value());
-        QCOMPARE(tenth.error().what, std::string("there can be no more than 9 robots"));
+        QCOMPARE(added.size(), 50);
+        const auto another = spawnNow();
+        QVERIFY(!another.has_value());
+        QCOMPARE(another.error().what, std::string("there can be no more than 50 robots"));
 
         QSignalSpy removed(fleet_.get(), &Fleet::robotRemoved);
         fleet_->remove({1});

@@ -73,17 +73,17 @@ private slots:
         QCOMPARE(QString::fromStdString(accepted.error().text()), said);
     }
 
-    void nineRobotsAreTheMost() {
+    void fiftyRobotsAreTheMost() {
         Roster roster;
         while (!roster.full())
             addRobot(roster, roster.nextName());
-        QCOMPARE(roster.robots().size(), std::size_t(9));
-        const auto tenth = roster.accept(requestFor("Ten"));
-        QVERIFY(!tenth.has_value());
-        QCOMPARE(QString::fromStdString(tenth.error().text()),
-                 QString("Ten: there can be no more than 9 robots. Remove one first."));
-        roster.take({9});
-        QVERIFY(roster.accept(requestFor("Ten")));
+        QCOMPARE(roster.robots().size(), std::size_t(50));
+        const auto another = roster.accept(requestFor("Another"));
+        QVERIFY(!another.has_value());
+        QCOMPARE(QString::fromStdString(another.error().text()),
+                 QString("Another: there can be no more than 50 robots. Remove one first."));
+        roster.take({50});
+        QVERIFY(roster.accept(requestFor("Another")));
     }
 
     void aNameThatIsTakenGetsANumber() {
