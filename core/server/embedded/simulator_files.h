@@ -20,6 +20,7 @@ namespace usar::server {
 Result<sim::World> loadWorld(const QString& name_or_folder);
 
 /// Reads the robot files that come with the program. Files that cannot be read are left out and listed with the reason.
+/// Any thread may call it. The next call is fast, because what was read is kept (sim::readRobot).
 sim::RobotsRead loadRobots();
 
 /// Resumes the simulation of a snapshot file (at most 512 MiB) in the snapshot's own world. The run is simulated again,
