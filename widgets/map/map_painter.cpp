@@ -30,15 +30,24 @@ void MapPainter::paintLayers() {
         void (MapPainter::*paint)();
         bool smooth; ///< with antialiasing
     };
-    // In the order of MapLayer.
-    static constexpr LayerPainter painters[map_layer_count] = {
-        {&MapPainter::paintWorld, false},    {&MapPainter::paintGrid, false},      {&MapPainter::paintHeights, false},
-        {&MapPainter::paintContours, false}, {&MapPainter::paintArea, false},      {&MapPainter::paintLanes, true},
-        {&MapPainter::paintTrails, true},    {&MapPainter::paintTraces, false},    {&MapPainter::paintMarks, true},
-        {&MapPainter::paintObjects, true},   {&MapPainter::paintStartPoses, true}, {&MapPainter::paintLaser, false},
-        {&MapPainter::paintGoals, true},     {&MapPainter::paintRadio, true},      {&MapPainter::paintRobots, true}};
+    // In the order of MapLayer. GroundPicture has painted the first two.
+    static constexpr LayerPainter painters[map_layer_count] = {{nullptr, false},
+                                                               {nullptr, false},
+                                                               {&MapPainter::paintHeights, false},
+                                                               {&MapPainter::paintContours, false},
+                                                               {&MapPainter::paintArea, false},
+                                                               {&MapPainter::paintLanes, true},
+                                                               {&MapPainter::paintTrails, true},
+                                                               {&MapPainter::paintTraces, false},
+                                                               {&MapPainter::paintMarks, true},
+                                                               {&MapPainter::paintObjects, true},
+                                                               {&MapPainter::paintStartPoses, true},
+                                                               {&MapPainter::paintLaser, false},
+                                                               {&MapPainter::paintGoals, true},
+                                                               {&MapPainter::paintRadio, true},
+                                                               {&MapPainter::paintRobots, true}};
     for (std::size_t i = 0; i < map_layer_count; ++i) {
-        if (!content_.layers[i].visible || content_.layers[i].opacity <= 0.0)
+        if (!painters[i].paint || !content_.layers[i].visible || content_.layers[i].opacity <= 0.0)
             continue;
         painter_.save();
         painter_.setOpacity(content_.layers[i].opacity);
@@ -46,53 +55,6 @@ void MapPainter::paintLayers() {
         (this->*painters[i].paint)();
         painter_.restore();
     }
-}
-
-void MapPainter::paintWorld() {
-    if (!content_.world_in_map)
-        return;
-    const QRectF world = transform_.toScreen(*content_.world_in_map);
-    painter_.fillRect(world, tokens_.ground);
-    paintBackgroundImage();
-    painter_.setOpacity(1.0); // Frame and name stay readable, however faint the picture is.
-    painter_.setPen(QPen(tokens_.text_muted, 1.0));
-    painter_.setBrush(Qt::NoBrush);
-    painter_.drawRect(world);
-    painter_.setFont(themeFont(FontRole::Small));
-    painter_.drawText(world.topLeft() + QPointF(0.0, -gap::small), content_.world_name);
-}
-
-void MapPainter::paintBackgroundImage() {
-    if (content_.background.isNull())
-        return;
-    const Rectangle& at = content_.background_in_map;
-    painter_.save();
-    painter_.setRenderHint(QPainter::SmoothPixmapTransform);
-    if (transform_.orientation == MapOrientation::XUp) {
-        painter_.translate(transform_.toScreen(Vec2(at.min_m.x(), at.max_m.y())));
-        painter_.rotate(-90.0);
-        const double s = transform_.pixels_per_m;
-        painter_.drawImage(QRectF(0.0, 0.0, at.width_m() * s, at.height_m() * s), content_.background);
-    } else {
-        painter_.drawImage(transform_.toScreen(at), content_.background);
-    }
-    painter_.restore();
-}
-
-void MapPainter::paintGrid() {
-    const double step_m = roundStep(96.0 / transform_.pixels_per_m);
-    Rectangle seen = transform_.visible();
-    if (const auto& world = content_.world_in_map)
-        seen = {seen.min_m.cwiseMax(world->min_m), seen.max_m.cwiseMin(world->max_m)};
-    if (seen.empty())
-        return;
-    QVector<QLineF> lines;
-    for (double x = std::ceil(seen.min_m.x() / step_m) * step_m; x <= seen.max_m.x(); x += step_m)
-        lines << QLineF(transform_.toScreen(Vec2(x, seen.min_m.y())), transform_.toScreen(Vec2(x, seen.max_m.y())));
-    for (double y = std::ceil(seen.min_m.y() / step_m) * step_m; y <= seen.max_m.y(); y += step_m)
-        lines << QLineF(transform_.toScreen(Vec2(seen.min_m.x(), y)), transform_.toScreen(Vec2(seen.max_m.x(), y)));
-    painter_.setPen(QPen(faded(tokens_.line, 0.55), 1.0));
-    painter_.drawLines(lines);
 }
 
 void MapPainter::paintHeights() {
@@ -166,10 +128,13 @@ void MapPainter::paintSegments(const std::vector<Vec2>& points_m) {
 }
 
 void MapPainter::paintLanes() {
+    painter_.setRenderHint(QPainter::Antialiasing,
+                           false); // They are upright or level.
     painter_.setPen(QPen(faded(tokens_.accent, 0.75), 1.0));
     paintSegments(content_.area.lanes_in_map_m);
     if (content_.area.lanes_in_map_m.empty())
         return;
+    painter_.setRenderHint(QPainter::Antialiasing);
     painter_.setBrush(tokens_.accent);
     painter_.setPen(QPen(tokens_.background, 1.0));
     painter_.drawEllipse(transform_.toScreen(content_.area.lanes_in_map_m.front()), 4.0, 4.0);

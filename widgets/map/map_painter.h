@@ -19,15 +19,11 @@ public:
     MapPainter(QPainter& painter, const MapContent& content, const HeightLayer& heights, const TraceLayer& traces,
                const MapTransform& transform);
 
-    /// Paints all visible layers, lowest first.
+    /// Paints all visible layers above the ground (GroundPicture), lowest first.
     void paintLayers();
 
 private:
     // Each of these functions paints one layer; the caller has set its opacity.
-    /// Paints ground and picture at the layer's opacity, but frame and name opaque.
-    void paintWorld();
-    void paintBackgroundImage();
-    void paintGrid();
     /// Paints finished pages only, at the mip level that fits the scale, with edges on whole pixels.
     void paintHeights();
     void paintContours();

@@ -203,9 +203,9 @@ void MapView::showContent() {
 
 void MapView::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    painter.fillRect(rect(), tokens().background);
     if (!empty_state_->isHidden())
-        return;
+        return painter.fillRect(rect(), tokens().background);
+    ground_.paint(painter, content_, transform_);
     MapPainter(painter, content_, *heights_, traces_, transform_).paintLayers();
     MapOverlay overlay;
     overlay.focused = hasFocus() && focusWidget() == this;

@@ -5,6 +5,7 @@
 
 #include <QWidget>
 
+#include "widgets/map/ground_picture.h"
 #include "widgets/map/height_layer.h"
 #include "widgets/map/map_gestures.h"
 #include "widgets/map/trace_layer.h"
@@ -137,6 +138,7 @@ private:
     MapTransform transform_;
     MapGestures gestures_{*this, content_, transform_};
     HeightLayer* heights_ = new HeightLayer(this);
+    GroundPicture ground_;
     TraceLayer traces_;
     EmptyState* empty_state_ = new EmptyState(this);
     QPushButton* way_back_ = new QPushButton(tr("Back to the map"), this);

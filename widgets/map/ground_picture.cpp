@@ -1,0 +1,95 @@
+#include "widgets/map/ground_picture.h"
+
+#include <cmath>
+
+#include "widgets/style/sheet.h"
+
+namespace usar::widgets {
+
+namespace {
+
+void paintBackgroundImage(QPainter& painter, const MapContent& content, const MapTransform& transform) {
+    if (content.background.isNull())
+        return;
+    const Rectangle& at = content.background_in_map;
+    painter.save();
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    if (transform.orientation == MapOrientation::XUp) {
+        painter.translate(transform.toScreen(Vec2(at.min_m.x(), at.max_m.y())));
+        painter.rotate(-90.0);
+        const double s = transform.pixels_per_m;
+        painter.drawImage(QRectF(0.0, 0.0, at.width_m() * s, at.height_m() * s), content.background);
+    } else {
+        painter.drawImage(transform.toScreen(at), content.background);
+    }
+    painter.restore();
+}
+
+/// Paints ground and picture at the layer's opacity, but frame and name opaque: they stay readable, however faint the
+/// picture is.
+void paintWorld(QPainter& painter, const MapContent& content, const MapTransform& transform) {
+    if (!content.world_in_map)
+        return;
+    const QRectF world = transform.toScreen(*content.world_in_map);
+    painter.setOpacity(content.layer(MapLayer::World).opacity);
+    painter.fillRect(world, tokens().ground);
+    paintBackgroundImage(painter, content, transform);
+    painter.setOpacity(1.0);
+    painter.setPen(QPen(tokens().text_muted, 1.0));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(world);
+    painter.setFont(themeFont(FontRole::Small));
+    painter.drawText(world.topLeft() + QPointF(0.0, -gap::small), content.world_name);
+}
+
+void paintGrid(QPainter& painter, const MapContent& content, const MapTransform& transform) {
+    const double step_m = roundStep(96.0 / transform.pixels_per_m);
+    Rectangle seen = transform.visible();
+    if (const auto& world = content.world_in_map)
+        seen = {seen.min_m.cwiseMax(world->min_m), seen.max_m.cwiseMin(world->max_m)};
+    if (seen.empty())
+        return;
+    QVector<QLineF> lines;
+    for (double x = std::ceil(seen.min_m.x() / step_m) * step_m; x <= seen.max_m.x(); x += step_m)
+        lines << QLineF(transform.toScreen(Vec2(x, seen.min_m.y())), transform.toScreen(Vec2(x, seen.max_m.y())));
+    for (double y = std::ceil(seen.min_m.y() / step_m) * step_m; y <= seen.max_m.y(); y += step_m)
+        lines << QLineF(transform.toScreen(Vec2(seen.min_m.x(), y)), transform.toScreen(Vec2(seen.max_m.x(), y)));
+    painter.setOpacity(content.layer(MapLayer::Grid).opacity);
+    painter.setPen(QPen(faded(tokens().line, 0.55), 1.0));
+    painter.drawLines(lines);
+}
+
+bool seen(const LayerState& layer) {
+    return layer.visible && layer.opacity > 0.0;
+}
+
+} // namespace
+
+void GroundPicture::paint(QPainter& painter, const MapContent& content, const MapTransform& transform) {
+    const Shown shown{transform,
+                      content.world_in_map,
+                      content.world_name,
+                      content.background.cacheKey(),
+                      content.background_in_map,
+                      content.layer(MapLayer::World),
+                      content.layer(MapLayer::Grid),
+                      currentTheme(),
+                      painter.device()->devicePixelRatioF()};
+    if (shown_ != shown) {
+        shown_ = shown;
+        ++times_made_;
+        const QSize size = (transform.viewport * shown.pixel_ratio).toSize();
+        if (picture_.size() != size)
+            picture_ = QImage(size, QImage::Format_RGB32);
+        picture_.setDevicePixelRatio(shown.pixel_ratio);
+        picture_.fill(tokens().background);
+        QPainter ground(&picture_);
+        if (seen(shown.world))
+            paintWorld(ground, content, transform);
+        if (seen(shown.grid))
+            paintGrid(ground, content, transform);
+    }
+    painter.drawImage(0, 0, picture_);
+}
+
+} // namespace usar::widgets
