@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 namespace usar::agent {
 
@@ -13,6 +15,12 @@ struct LegLinks {
 };
 /// The four legs of an ERS-7 have the same links.
 inline constexpr LegLinks ers_leg{0.071, 0.072};
+/// The joints of an ERS's legs as the embedded simulator's file names them (robots-and-worlds.md 3.4); those in UT2004
+/// are unknown. Legs: left front, right front, left hind, right hind; of each the hip, the spread and the knee.
+inline constexpr std::array<std::array<std::string_view, 3>, 4> ers_leg_joints{{{"LFLeg1", "LFLeg2", "LFLeg3"},
+                                                                                {"RFLeg1", "RFLeg2", "RFLeg3"},
+                                                                                {"LHLeg1", "LHLeg2", "LHLeg3"},
+                                                                                {"RHLeg1", "RHLeg2", "RHLeg3"}}};
 
 /// Both are 0 if the leg points straight down. A positive hip swings the thigh forward; a positive knee bends the shin
 /// backward.

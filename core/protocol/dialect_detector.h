@@ -10,7 +10,7 @@
 
 namespace usar::protocol {
 
-/// Watches one connection and applies the rules at the end of protocol.md 7. The first characteristic line
+/// Watches one connection and applies the rules of udk.md, "Telling the servers apart". The first characteristic line
 /// decides. After that, each line for the same dialect strengthens the belief, up to a small limit, and each line for
 /// the other one weakens it; the answer changes when the contrary lines outnumber the others by several. In this way a
 /// proxy that is restarted with a different server is noticed, but a single odd line changes nothing.

@@ -28,15 +28,10 @@ PawPlace placeAt(int move, double stride_m, double lift_m) {
 
 void putPaw(protocol::MultiDrive& drive, Leg leg, const PawPlace& paw) {
     const agent::LegAngles angles = agent::legAngles(agent::ers_leg, paw.forward_m, paw.down_m);
-    // The names in the embedded simulator (robots-and-worlds.md 3.4); those in UT2004 are unknown.
-    static const std::array<std::array<protocol::Token, 3>, all_legs.size()> joints{{{"LFLeg1", "LFLeg2", "LFLeg3"},
-                                                                                     {"RFLeg1", "RFLeg2", "RFLeg3"},
-                                                                                     {"LHLeg1", "LHLeg2", "LHLeg3"},
-                                                                                     {"RHLeg1", "RHLeg2", "RHLeg3"}}};
-    const auto& [swing, spread, knee] = joints[static_cast<std::size_t>(leg)];
-    drive.joints.push_back({swing, angles.hip_rad});
-    drive.joints.push_back({spread, spread_rad});
-    drive.joints.push_back({knee, angles.knee_rad});
+    const std::array<double, 3> angles_rad{angles.hip_rad, spread_rad, angles.knee_rad};
+    for (std::size_t i = 0; i < angles_rad.size(); ++i)
+        drive.joints.push_back(
+            {*protocol::Token::make(agent::ers_leg_joints[static_cast<std::size_t>(leg)][i]), angles_rad[i]});
 }
 
 /// Uses the nod first and the neck only for the rest, because leaning the neck forward shifts the weight.

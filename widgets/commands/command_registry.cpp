@@ -143,6 +143,8 @@ CommandSpec specOf(const QString& id, const QString& group, const QJsonObject& r
         spec.shortcuts << keysOf(keys.toString());
     spec.checkable = row["checkable"].toBool();
     spec.twice = keysOf(row["twice"].toString());
+    if (!spec.twice.isEmpty())
+        spec.help = spec.help.arg(spec.twice.toString(QKeySequence::NativeText));
     spec.question = row["question"].toString();
     spec.answer = row["answer"].toString();
     spec.words = row["words"].toString().split(", ", Qt::SkipEmptyParts);

@@ -33,7 +33,7 @@ void makeTopBars(QMainWindow& window, WindowViews& views) {
     row->addStretch(1);
     row->addWidget(views.driver = new ControlBadge);
     views.stop_all = named(makeStopButton(QObject::tr("STOP ALL"), {}), QObject::tr("Stop all robots"),
-                           QObject::tr("Stops every robot at once (Esc twice)"));
+                           commandSpec("mission.stop_all").help);
     row->addWidget(views.stop_all);
     addBar(window, "control_bar", QObject::tr("Who drives, and the stop"))->addWidget(always);
 }

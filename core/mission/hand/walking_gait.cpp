@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
+#include <ranges>
 #include <string_view>
 
 #include "core/agent/leg_kinematics.h"
@@ -23,33 +23,26 @@ constexpr double spread_rad = 0.1;
 constexpr double bend_steps = 5.0; ///< all at once it would fall on its nose
 constexpr double turning = 0.7;    ///< share of a step that a full turn takes from one side
 
-constexpr std::array<std::string_view, 4> legs{"LF", "RH", "RF", "LH"}; ///< the first two move together
+constexpr std::array<std::size_t, 4> legs{0, 3, 1, 2}; ///< of agent::ers_leg_joints; the first two move together
 
 } // namespace
 
 bool WalkingGait::fits(std::span<const protocol::JointAngle> joints) {
-    return std::ranges::all_of(legs, [&](std::string_view leg) {
-        return std::ranges::all_of(std::array{"Leg1", "Leg2", "Leg3"}, [&](const char* part) {
-            const std::string name = std::string(leg) + part;
-            return std::ranges::any_of(joints, [&](const auto& joint) { return sameWord(joint.name, name); });
-        });
+    return std::ranges::all_of(std::views::join(agent::ers_leg_joints), [&](std::string_view name) {
+        return std::ranges::any_of(joints, [&](const auto& joint) { return sameWord(joint.name, name); });
     });
 }
 
-void WalkingGait::place(protocol::MultiDrive& drive, std::string_view leg, double x_m, double z_m) const {
+void WalkingGait::place(protocol::MultiDrive& drive, std::size_t leg, double x_m, double z_m) const {
     const agent::LegAngles angles = agent::legAngles(agent::ers_leg, x_m, -z_m);
-    const auto joint = [&](const char* part, double angle_rad) {
-        if (const auto name = protocol::Token::make(std::string(leg) + part))
-            drive.joints.push_back({*name, angle_rad});
-    };
-    joint("Leg1", angles.hip_rad);
-    joint("Leg2", spread_rad);
-    joint("Leg3", angles.knee_rad);
+    const std::array<double, 3> angles_rad{angles.hip_rad, spread_rad, angles.knee_rad};
+    for (std::size_t i = 0; i < angles_rad.size(); ++i)
+        drive.joints.push_back({*protocol::Token::make(agent::ers_leg_joints[leg][i]), angles_rad[i]});
 }
 
 protocol::MultiDrive WalkingGait::stand() const {
     protocol::MultiDrive drive;
-    for (const std::string_view leg : legs)
+    for (const std::size_t leg : legs)
         place(drive, leg, feet_forward_m * bent_, -upright_m + (upright_m - walking_m) * bent_);
     return drive;
 }
@@ -67,7 +60,7 @@ std::optional<protocol::MultiDrive> WalkingGait::step(const Stick& stick, double
     protocol::MultiDrive drive;
     for (std::size_t i = 0; i < legs.size(); ++i) {
         const int phase = (beat_ + (i < 2 ? 0 : 2)) % 4;
-        const double side = legs[i].front() == 'L' ? -1.0 : 1.0;
+        const double side = agent::ers_leg_joints[legs[i]].front().front() == 'L' ? -1.0 : 1.0;
         const double step_m =
             longest_step_m * speed_share * std::clamp(forward + side * turning * stick.turn, -1.0, 1.0);
         const double swing_m[] = {0.0, step_m / 2.0, 0.0, -step_m / 2.0}; // Lifted, ahead, under, behind.

@@ -33,8 +33,9 @@ public:
     void reset() { *this = {}; }
 
 private:
-    /// Adds the joints that put the foot of a leg at `x_m` (forward) and `z_m` (up) from its hip.
-    void place(protocol::MultiDrive& drive, std::string_view leg, double x_m, double z_m) const;
+    /// Adds the joints that put the foot of a leg (its place in agent::ers_leg_joints) at `x_m` (forward) and `z_m`
+    /// (up) from its hip.
+    void place(protocol::MultiDrive& drive, std::size_t leg, double x_m, double z_m) const;
 
     double bent_ = 0.0;           ///< 0 upright .. 1 ready to walk
     int beat_ = 0;                ///< number of steps so far

@@ -8,6 +8,7 @@
 #include "core/base/geometry.h"
 #include "core/protocol/commands/checked_text.h"
 #include "core/protocol/commands/description.h"
+#include "core/protocol/wire_frame.h"
 
 namespace usar::protocol {
 
@@ -76,9 +77,11 @@ struct Box {
     Vec3 max_m = Vec3::Zero();
     bool operator==(const Box&) const = default;
 };
-/// Converts a box between the wire's frame and ours; y and z change their signs, so that minimum and maximum swap.
+/// Converts a box between the wire's frame and ours. Where a sign changes, minimum and maximum swap.
 inline Box acrossWire(const Box& box) {
-    return {{box.min_m.x(), -box.max_m.y(), -box.max_m.z()}, {box.max_m.x(), -box.min_m.y(), -box.min_m.z()}};
+    const Vec3 a = acrossWire(box.min_m);
+    const Vec3 b = acrossWire(box.max_m);
+    return {a.cwiseMin(b), a.cwiseMax(b)};
 }
 /// KillAll: removes all objects, or those in a box.
 /// On the wire: `CONTROL {Type KillAll} {MinPos 0,-1,0} {MaxPos 5,5,4}`.

@@ -156,7 +156,7 @@ void BallSensor::measure(const SensorView& view, std::vector<protocol::InfoMessa
     }
     Vec3 seen_m = Vec3::Zero();
     if (nearest_m)
-        seen_m = Vec3(1.0, -1.0, -1.0).cwiseProduct(shaken(random_, *nearest_m, sigma_ * nearest_m->norm()));
+        seen_m = protocol::acrossWire(shaken(random_, *nearest_m, sigma_ * nearest_m->norm()));
     out.emplace_back(protocol::BallReading{view.now, model().name, seen_m, nearest_m.has_value()});
 }
 

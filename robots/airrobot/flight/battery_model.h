@@ -11,6 +11,11 @@
 
 namespace usar::airrobot {
 
+/// The distance of one charge without the reserve, in meters.
+inline double usableRange_m(const Settings& settings) {
+    return settings.battery_range_m * (1.0 - settings.battery_reserve_pct / 100.0);
+}
+
 /// Adds up the distance flown since the last charge, according to the INS. Positions and distances are
 /// three-dimensional, in meters. Owned by one robot.
 class BatteryModel {
@@ -44,8 +49,7 @@ public:
     /// Returns the distance that can be flown before the reserve is needed: range - reserve - flown - beeline home.
     /// Negative means that the way home already needs the reserve.
     double rangeLeft_m(double beeline_home_m, const Settings& settings) const {
-        const double usable_m = settings.battery_range_m * (1.0 - settings.battery_reserve_pct / 100.0);
-        return usable_m - since_charge_m_ - beeline_home_m;
+        return usableRange_m(settings) - since_charge_m_ - beeline_home_m;
     }
 
 private:

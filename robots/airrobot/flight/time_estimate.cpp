@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robots/airrobot/flight/battery_model.h"
+
 namespace usar::airrobot {
 
 namespace {
@@ -44,8 +46,7 @@ public:
     }
     /// Flies home for a charge and back to this place if the battery does not last for `way_m` and the way home.
     void chargeBefore(double way_m) {
-        const double usable_m = settings_.battery_range_m * (1.0 - settings_.battery_reserve_pct / 100.0);
-        if (used_m_ == 0.0 || used_m_ + way_m * detour + (at_m_ - base_m_).norm() <= usable_m)
+        if (used_m_ == 0.0 || used_m_ + way_m * detour + (at_m_ - base_m_).norm() <= usableRange_m(settings_))
             return;
         const Vec2 place_m = at_m_;
         land();
