@@ -191,9 +191,9 @@ void RobotDesk::trace(bool on) {
 }
 
 void RobotDesk::showTrace() {
-    const RobotId id = selection_.id();
-    action("robot.trace")->setChecked(presenter_.tracing(id));
-    if (const auto color = presenter_.traceColor(id); color && presenter_.tracing(id))
+    const auto color = presenter_.tracing(selection_.id());
+    action("robot.trace")->setChecked(color.has_value());
+    if (color)
         views_.world->setTraceColor(*color);
 }
 

@@ -2,6 +2,7 @@
 // the buffer that it is fed from.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -117,6 +118,15 @@ public:
     void take(const protocol::InfoLine& line, Seconds now);
     /// The lines that were not removed yet, in the order in which their streams first appeared.
     const std::vector<CountedLine>& lines() const { return lines_; }
+    /// Clock at the arrival of the newest stored line with a message of this type; nullopt: none.
+    template <class Message>
+    std::optional<Seconds> heard() const {
+        std::optional<Seconds> newest;
+        for (const CountedLine& one : lines_)
+            if (std::holds_alternative<Message>(one.line.message))
+                newest = std::max(newest, std::optional(one.now));
+        return newest;
+    }
     /// Removes and returns all lines, in the order in which their streams first appeared since the last call.
     std::vector<CountedLine> takeAll();
 
