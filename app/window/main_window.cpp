@@ -68,49 +68,9 @@ void MainWindow::registerCommands() {
 }
 
 void MainWindow::makeMenus() {
-    const auto fill = [this](QMenu* menu, const char* ids) { commands_.fill(menu, QString(ids).split(' ')); };
-    const auto add = [this, fill](const QString& title, const char* ids) {
-        QMenu* const menu = menuBar()->addMenu(title);
-        fill(menu, ids);
-        return menu;
-    };
-    QMenu* const file = add(tr("&File"), "file.open file.save - file.record file.open_recording -");
-    files_.fillRecentMenu(file->addMenu(tr("Open r&ecent")));
-    fill(file, "- file.export file.folder file.show_folder - file.quit");
-    add(tr("&Mission"), "mission.area - mission.start mission.start_again mission.pause mission.land mission.stop - "
-                        "mission.stop_all");
-    add(tr("&Robots"), "robot.select_1 robot.select_2 robot.select_3 robot.select_4 robot.select_5 robot.select_6 "
-                       "robot.select_7 robot.select_8 robot.select_9 - radio.station robot.spawn_again robot.remove - "
-                       "drive.take drive.stop drive.faster drive.slower - robot.trace - plugins.rescan");
-    QMenu* const server = add(tr("&Server"), "link.connect link.disconnect -");
-    server_.fillWorldMenu(server->addMenu(tr("&World of the embedded simulator")));
-    fill(server, "simulator.open_robot simulator.save_snapshot simulator.open_snapshot simulator.cancel_opening - "
-                 "time.pause time.step time.faster time.slower time.real time.max - "
-                 "faults.inject faults.end faults.end_all - link.figures");
-    add(tr("&Objects"), "view.dock.world - world.turn_left world.turn_right world.spin - world.waypoints "
-                        "world.clear_way world.go world.halt - world.undo world.redo world.delete world.delete_all - "
-                        "map.wipe_trace");
-    add(tr("P&lan"), "plan.open plan.edit plan.new - "
-                     "plan.continue plan.halt plan.step_cycle plan.step_epoch plan.run_to - "
-                     "plan.back plan.forward plan.live plan.look_back - "
-                     "plan.break_before plan.break_after plan.break_result plan.break_verdict plan.break_interruption "
-                     "plan.break_key plan.break_edit plan.break_switch plan.break_clear - "
-                     "plan.pin plan.drive_off plan.release - plan.report plan.save_picture");
-    add(tr("M&essages"), "messages.find messages.command - messages.pause messages.follow messages.details "
-                         "messages.cause messages.resend - messages.only_trouble messages.only_type "
-                         "messages.hide_type messages.all_robots messages.no_filter - messages.copy "
-                         "messages.copy_text messages.copy_json messages.copy_shown messages.save messages.clear");
-    add(tr("Re&play"), "replay.play replay.step - replay.back replay.forward replay.begin - "
-                       "replay.faster replay.slower - replay.close");
-    add(tr("&Camera"), "camera.zoom_in camera.zoom_out camera.zoom_default - camera.left camera.right camera.up "
-                       "camera.down camera.center - camera.light - camera.save camera.port");
-    QMenu* const view = add(tr("&View"), "map.fit map.fit_world map.follow map.zoom_in map.zoom_out radio.map "
-                                         "radio.show - view.operate view.analyse view.debug - view.dark view.hint "
-                                         "view.palette -");
-    for (const auto& command : commands_.commands())
-        if (command->spec.id.startsWith("view.dock."))
-            view->addAction(command->action);
-    add(tr("&Help"), "help.shortcuts help.what - help.about");
+    const auto submenus = widgets::makeMenus(*menuBar(), commands_);
+    files_.fillRecentMenu(submenus.at("recent"));
+    server_.fillWorldMenu(submenus.at("worlds"));
 }
 
 void MainWindow::wire() {
@@ -291,7 +251,7 @@ void MainWindow::closeAtOnce() {
 void MainWindow::closeEvent(QCloseEvent* event) {
     if (workshop_.hasChanges()) {
         event->ignore();
-        return workshop_.letGo([this] { close(); });
+        return workshop_.editor()->letGo([this] { close(); });
     }
     saveSettings();
     drive_.leave();

@@ -56,13 +56,16 @@ class tst_MissionOutcome : public QObject {
     Q_OBJECT
 private slots:
     void whatABehaviorToldIsTakenOver() {
+        agent::BehaviorStatus status;
+        status.elapsed = Seconds(12.0);
+        status.distance_flown_m = 3.4;
+        status.charges = 2;
         const MissionOutcome ended =
-            outcomeOf(QStringLiteral("R1"), 40.0, agent::BehaviorFinished{.success = true, .reason = "Done."},
-                      agent::BehaviorStatus{.elapsed = Seconds(12.0), .distance_flown_m = 3.5, .charges = 2});
+            outcomeOf(QStringLiteral("R1"), 40.0, agent::BehaviorFinished{true, "Done."}, status);
         QVERIFY(ended.success);
         QCOMPARE(ended.reason, QStringLiteral("Done."));
         QCOMPARE(textsOf(ended), (QStringList{QStringLiteral("Coverage 40.0 %"), QStringLiteral("Time 12 s"),
-                                              QStringLiteral("Distance 4 m"), QStringLiteral("Charges 2")}));
+                                              QStringLiteral("Distance 3 m"), QStringLiteral("Charges 2")}));
         QVERIFY(ended.files.isEmpty());
     }
 

@@ -115,7 +115,14 @@ std::vector<PaletteOffer> CommandRegistry::offers() const {
 void CommandRegistry::fill(QMenu* menu, const QStringList& ids) const {
     menu->setToolTipsVisible(true);
     for (const QString& id : ids)
-        id == u"-" ? menu->addSeparator() : (menu->addAction(action(id)), nullptr);
+        if (id == u"-")
+            menu->addSeparator();
+        else if (!id.endsWith(u'*'))
+            menu->addAction(action(id));
+        else
+            for (const auto& command : commands_)
+                if (command->spec.id.startsWith(QStringView(id).chopped(1)))
+                    menu->addAction(command->action);
 }
 
 QString tooltipText(const CommandSpec& spec) {
@@ -126,6 +133,7 @@ QString tooltipText(const CommandSpec& spec) {
 }
 
 extern const char commands_json[];
+extern const char menus_json[];
 
 namespace {
 
@@ -171,6 +179,19 @@ const CommandSpec& commandSpec(const QString& id) {
     const auto found = std::ranges::find(commandTable(), id, &CommandSpec::id);
     Q_ASSERT_X(found != commandTable().end(), "commandSpec", qPrintable(id));
     return *found;
+}
+
+std::map<QString, QMenu*> makeMenus(QMenuBar& bar, const CommandRegistry& commands) {
+    std::map<QString, QMenu*> submenus;
+    for (const QJsonValue& row : QJsonDocument::fromJson(menus_json).array()) {
+        QMenu* const menu = bar.addMenu(row["title"].toString());
+        for (const QJsonValue& item : row["items"].toArray())
+            if (item.isString())
+                commands.fill(menu, item.toString().split(u' '));
+            else
+                submenus[item["submenu"].toString()] = menu->addMenu(item["title"].toString());
+    }
+    return submenus;
 }
 
 } // namespace usar::widgets

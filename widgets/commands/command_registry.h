@@ -3,12 +3,13 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <vector>
 
 #include <QAction>
 #include <QKeySequence>
-#include <QMenu>
+#include <QMenuBar>
 #include <QObject>
 
 namespace usar::widgets {
@@ -74,7 +75,7 @@ public:
     /// What can be done at this moment beside the commands, in the order in which the providers were added.
     std::vector<PaletteOffer> offers() const;
 
-    /// Appends these commands in order; an id "-" makes a separator.
+    /// Appends these commands in order; an id "-" makes a separator, and "view.dock.*" stands for all that begin so.
     void fill(QMenu* menu, const QStringList& ids) const;
 
 signals:
@@ -103,5 +104,10 @@ std::vector<CommandSpec> readCommandTable(const QByteArray& json);
 const std::vector<CommandSpec>& commandTable();
 /// The command with this id; an unknown id is a programming error (assertion).
 const CommandSpec& commandSpec(const QString& id);
+
+/// Fills the menu bar as the program's table says (resources/menus.json): a list of menus, each with a `title` and
+/// `items`. An item is a text of command ids, "-" for a separator, or the beginning of ids ("view.dock.*") for all that
+/// begin so; or a submenu, which is made empty. Returns the submenus by name. All commands must be registered before.
+std::map<QString, QMenu*> makeMenus(QMenuBar& bar, const CommandRegistry& commands);
 
 } // namespace usar::widgets

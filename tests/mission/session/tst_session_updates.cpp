@@ -165,13 +165,13 @@ private slots:
     void linesAndCommandsAreToldInTheirOrderOnTheWire() {
         SessionUpdate update;
         for (const std::uint64_t number : {3, 5, 6})
-            update.lines.push_back({.number = {number}});
+            update.lines.emplace_back().number = {number};
         for (const std::uint64_t after : {2, 3, 4, 6})
-            update.commands.push_back({.text = "after " + std::to_string(after), .after = {after}});
+            update.commands.emplace_back().after = {after};
         QStringList told;
         inOrder(
             update, [&](const protocol::InfoLine& line) { told << QString::number(line.number.value); },
-            [&](const SentCommand& command) { told << QString::fromStdString(command.text); });
+            [&](const SentCommand& command) { told << QString("after %1").arg(command.after.value); });
         QCOMPARE(told, QStringList({"after 2", "3", "after 3", "after 4", "5", "6", "after 6"}));
     }
 
