@@ -45,6 +45,8 @@ CommandRegistry::CommandRegistry(QWidget* window) : QObject(window), window_(win
 QAction* CommandRegistry::add(const CommandSpec& spec, std::function<void(bool)> run, std::function<bool()> enabled) {
     auto* action = new KeyedAction(icon(spec.icon), spec.text, this);
     action->setCheckable(spec.checkable);
+    if (!spec.button.isEmpty())
+        action->setIconText(spec.button);
     if (run)
         connect(action, &QAction::triggered, this, [this, action, spec, run = std::move(run)](bool on) {
             const bool asks = action->byKey() && !spec.question.isEmpty() && !(spec.checkable && on);
@@ -149,6 +151,7 @@ CommandSpec specOf(const QString& id, const QString& group, const QJsonObject& r
     CommandSpec spec{id, row["text"].toString(), group, row["help"].toString(), row["icon"].toString(), {}};
     for (const auto& keys : row["keys"].toArray())
         spec.shortcuts << keysOf(keys.toString());
+    spec.button = row["button"].toString();
     spec.checkable = row["checkable"].toBool();
     spec.twice = keysOf(row["twice"].toString());
     spec.question = row["question"].toString();

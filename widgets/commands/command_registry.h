@@ -27,6 +27,7 @@ struct CommandSpec {
     QString question{};  ///< asked before a key runs the command, or switches it off; %1: robot; empty: never
     QString answer{};    ///< the answer that runs it: "Land"
     QStringList words{}; ///< other words for it, by which the palette finds it
+    QString button{};    ///< a shorter text below an icon; empty: the text
     QString wish{};      ///< the text with a verb, for the palette: "Show Camera"; empty: the text
 };
 
@@ -95,9 +96,9 @@ private:
 QString tooltipText(const CommandSpec& spec);
 
 /// Reads a table of commands: an object of groups, each an object of commands by id, with `text`, `help`, and possibly
-/// `icon`, `keys`, `checkable`, `twice`, `question`, `answer` and `words`, which are separated by commas. A key is
-/// written as in a menu ("Ctrl+K"), or names one that differs by desktop ("StandardKey::Open"). Text that is no JSON
-/// object is read as an empty table.
+/// `icon`, `button`, `keys`, `checkable`, `twice`, `question`, `answer` and `words`, which are separated by commas. A
+/// key is written as in a menu ("Ctrl+K"), or names one that differs by desktop ("StandardKey::Open"). Text that is no
+/// JSON object is read as an empty table.
 std::vector<CommandSpec> readCommandTable(const QByteArray& json);
 
 /// All commands of the program's own table, sorted by group and id.
