@@ -11,7 +11,7 @@
 
 namespace usar::app {
 
-ViewDesk::ViewDesk(const DeskContext& context, QMainWindow& window, std::optional<widgets::Theme> theme)
+ViewDesk::ViewDesk(const DeskContext& context, QMainWindow& window, const QString& theme)
     : Desk(context)
     , main_window_(window)
     , theme_(theme) {}
@@ -140,8 +140,8 @@ void ViewDesk::giveRobotsRoom() {
 }
 
 void ViewDesk::restore(const QSettings& settings) {
-    const QString theme = settings.value("theme", "dark").toString();
-    setTheme(theme_.value_or(theme == "light" ? widgets::Theme::Light : widgets::Theme::Dark));
+    const QString theme = theme_.isEmpty() ? settings.value("theme").toString() : theme_;
+    setTheme(theme == "light" ? widgets::Theme::Light : widgets::Theme::Dark);
     main_window_.restoreGeometry(settings.value("geometry").toByteArray());
     main_window_.restoreState(settings.value("layout").toByteArray(), layout_version);
     views_.hint->setDismissed(settings.value("hint_dismissed", false).toBool());

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/mission/fleet/fleet.h"
-#include "core/server/embedded/server_target.h"
 #include "core/server/embedded/simulator_host.h"
+#include "core/server/embedded/window_options.h"
 
 namespace usar::app {
 
@@ -13,6 +13,7 @@ using mission::missionKey;
 using mission::Robot;
 using mission::RobotView;
 using mission::StartedBehavior;
+using Options = server::WindowOptions;
 using server::ServerTarget;
 
 /// A fleet that can start an embedded simulator, which runs in a separate thread. Belongs to the GUI thread and never
