@@ -16,12 +16,7 @@ RobotDesk::RobotDesk(const DeskContext& context)
 void RobotDesk::registerCommands() {
     for (int number = 1; number <= mission::Roster::most_robots; ++number)
         add(
-            {QString("robot.select_%1").arg(number),
-             tr("Select robot %1").arg(number),
-             tr("Robots"),
-             tr("Shows its instruments, sensors and map"),
-             "",
-             {QKeySequence(QString::number(number))}},
+            widgets::commandSpec(QString("robot.select_%1").arg(number)),
             [this, number] { return control_.robot({number}) != nullptr; },
             [this, number] { selection_.select({number}); });
     commands_.offer([this] { return offers(); });

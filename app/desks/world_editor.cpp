@@ -150,11 +150,8 @@ void WorldEditor::wireMap() {
     connect(&views_.map->gestures(), &widgets::MapGestures::objectClicked, this, &WorldEditor::select);
     connect(&views_.map->gestures(), &widgets::MapGestures::objectMoved, this, &WorldEditor::moveTo);
     connect(views_.map, &widgets::MapView::objectRemovalRequested, this, &WorldEditor::remove);
-    connect(&views_.map->gestures(), &widgets::MapGestures::toolChanged, this, [this](MapTool tool) {
-        if (tool != MapTool::Place)
-            views_.world->disarm();
-        action("world.waypoints")->setChecked(tool == MapTool::Waypoint);
-    });
+    connect(&views_.map->gestures(), &widgets::MapGestures::toolChanged, this,
+            [this](MapTool tool) { action("world.waypoints")->setChecked(tool == MapTool::Waypoint); });
 }
 
 void WorldEditor::setServer(const link::LinkStatus& status) {

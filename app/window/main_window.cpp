@@ -14,6 +14,7 @@
 #include "core/server/embedded/program_files.h"
 #include "widgets/commands/key_filters.h"
 #include "widgets/models/figures.h"
+#include "widgets/window/window_wiring.h"
 
 namespace usar::app {
 
@@ -25,6 +26,7 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
     , plugins_(desk_, options.plugin_folders.isEmpty() ? server::pluginFolders() : options.plugin_folders)
     , server_(desk_, options.server)
     , view_(desk_, *this, options.theme) {
+    widgets::wireViews(views_);
     control_.setResultFolder(options.result_folder);
     registerCommands();
     makeMenus();
@@ -90,7 +92,6 @@ void MainWindow::wire() {
                 views_.question->ask(spec.id, question, {{spec.answer, run}, {tr("Cancel"), {}}});
             });
     commands_.setPlacesOfPlainKeys({views_.map, views_.robots});
-    connect(views_.sensors, &widgets::SensorPanel::plotRequested, views_.plots, &widgets::PlotView::addSeries);
     connect(views_.plots, &widgets::PlotView::failed, this,
             [this](const QString& reason) { notices_.say(Severity::Error, "plot", reason); });
 }
@@ -104,7 +105,7 @@ void MainWindow::wireDesks() {
     connect(&selection_, &Selection::changed, this, &MainWindow::showTitle);
     connect(&control_, &MissionControl::behaviorFinished, this, [this] {
         showTitle();
-        if (leaving_ && std::ranges::none_of(control_.robots(), &Robot::running))
+        if (leaving_ && !mission::anyRunning(control_.robots()))
             close();
     });
     connect(&control_, &MissionControl::robotUpdated, this, [this](RobotId id) {
@@ -143,15 +144,7 @@ void MainWindow::connectDesks() {
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
     QMainWindow::resizeEvent(event);
-    using widgets::BarRoom;
-    const int columns = width() / fontMetrics().horizontalAdvance(u'0');
-    constexpr int least_wide = 175;
-    constexpr int least_medium = 150;
-    views_.connection->setRoom(columns >= least_wide     ? BarRoom::Wide
-                               : columns >= least_medium ? BarRoom::Medium
-                                                         : BarRoom::Narrow);
-    views_.record->setFiguresShown(columns >= least_medium);
-    views_.driver->setRoomy(columns >= least_medium);
+    widgets::fitBars(views_, width() / fontMetrics().horizontalAdvance(u'0'));
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
@@ -183,11 +176,7 @@ void MainWindow::saveSettings() {
     saved_ = sheet;
     if (changed.isEmpty())
         return;
-    disk_.start(HandedOver([changed, file = settings_file_] {
-        QSettings settings(file, QSettings::NativeFormat);
-        for (auto entry = changed.begin(); entry != changed.end(); ++entry)
-            settings.setValue(entry.key(), entry.value());
-    }));
+    disk_.start(HandedOver([changed, file = settings_file_] { SettingsSheet::write(changed, file); }));
 }
 
 void MainWindow::keepSaving() {
@@ -233,9 +222,7 @@ void MainWindow::quit() {
 void MainWindow::askBeforeStopping(int busy) {
     const auto land = [this] {
         leaving_ = true;
-        for (Robot* const robot : control_.robots())
-            if (robot->running())
-                robot->order(agent::Order::LandNow);
+        mission::orderAll(control_.robots(), agent::Order::LandNow);
     };
     views_.question->ask("quit", busy == 1 ? tr("A robot is at work.") : tr("%1 robots are at work.").arg(busy),
                          {{tr("Land, then quit"), land},

@@ -95,8 +95,6 @@ void tst_CommandTable::everyMenuItemIsACommand() {
         commands.add(spec, [](bool) {});
     for (const char* const of_a_desk : {"view.dock.map", "view.dock.world"})
         commands.add({.id = of_a_desk, .text = "Dock", .group = "View"}, [](bool) {});
-    for (int number = 1; number <= 9; ++number)
-        commands.add({.id = QString("robot.select_%1").arg(number), .text = "Select", .group = "Robots"}, [](bool) {});
     const auto submenus = makeMenus(*window.menuBar(), commands); // Asserts that each id is known.
     QCOMPARE(submenus.size(), std::size_t(2));
     QCOMPARE(submenus.at("recent")->title(), QString("Open r&ecent"));

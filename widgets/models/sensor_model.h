@@ -41,6 +41,13 @@ public:
     void clear();
     /// The stream words that were heard ("INS", "RangeScanner"), in order of first appearance.
     QStringList types() const;
+    /// A value that can be plotted, with its unit.
+    struct Number {
+        QString path;
+        QString unit;
+    };
+    /// All of them, in the order of the rows.
+    std::vector<Number> numbers() const;
 
     QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
     QModelIndex parent(const QModelIndex& child) const override;

@@ -264,4 +264,9 @@ bool FaultPanel::anyToEnd() const {
     return false;
 }
 
+QString faultTimes(Seconds from, Seconds lasts) {
+    const QString begin = FaultPanel::tr("From %1 s of the simulation's clock").arg(from.count(), 0, 'f', 1);
+    return std::isfinite(lasts.count()) ? begin + FaultPanel::tr(" for %1 s").arg(lasts.count(), 0, 'f', 1) : begin;
+}
+
 } // namespace usar::widgets

@@ -54,6 +54,9 @@ struct FaultRow {
     bool operator==(const FaultRow&) const = default;
 };
 
+/// The times of a fault in words. `lasts` may be infinite.
+QString faultTimes(Seconds from, Seconds lasts);
+
 /// Form that writes a fault as a line of text, which mission files also accept, and the list of the faults of this run.
 /// State comes in by setters, wishes go out by signals. Made for a narrow dock. GUI thread.
 class FaultPanel : public QWidget {

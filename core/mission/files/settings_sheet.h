@@ -1,6 +1,7 @@
 // The settings that the window would keep now, as a plain value.
 #pragma once
 
+#include <QSettings>
 #include <QVariantMap>
 
 namespace usar::mission {
@@ -16,6 +17,13 @@ public:
             if (!earlier.values_.contains(entry.key()) || earlier.values_[entry.key()] != *entry)
                 changed.insert(entry.key(), *entry);
         return changed;
+    }
+
+    /// Writes these entries to a file of settings, which may take a moment.
+    static void write(const QVariantMap& entries, const QString& file) {
+        QSettings settings(file, QSettings::NativeFormat);
+        for (auto entry = entries.begin(); entry != entries.end(); ++entry)
+            settings.setValue(entry.key(), *entry);
     }
 
 private:
