@@ -1,5 +1,7 @@
 #include "widgets/panels/fault_panel.h"
 
+#include <cmath>
+
 #include <QHeaderView>
 #include <QLineEdit>
 

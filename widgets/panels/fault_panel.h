@@ -11,6 +11,7 @@
 #include <QTreeWidget>
 #include <QWidget>
 
+#include "core/base/clock.h"
 #include "widgets/style/form_parts.h"
 
 namespace usar::widgets {

@@ -11,6 +11,7 @@
 #include <QToolButton>
 
 #include "core/agent/published.h"
+#include "widgets/models/plan/breakpoint_list.h"
 #include "widgets/plan/plan_text_edit.h"
 #include "widgets/plan/plan_time_bar.h"
 #include "widgets/plan/plan_view.h"
