@@ -1,5 +1,7 @@
+#include <QTemporaryDir>
 #include <QTest>
 
+#include "core/mission/files/last_area.h"
 #include "core/mission/files/settings_sheet.h"
 #include "tests/suite/suite.h"
 
@@ -20,6 +22,20 @@ private slots:
         now.setValue("server/port", 3000);
         QCOMPARE(now.changedSince(written), QVariantMap({{"theme", "light"}, {"server/port", 3000}}));
         QCOMPARE(now.changedSince({}).size(), 3);
+    }
+
+    void anAreaComesBackUnlessAFigureIsUnreadable() {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath("settings.conf");
+        mission::SettingsSheet sheet;
+        mission::LastArea{"flat", {{-1.5, -2.0}, {3.0, 4.0}}}.save(sheet);
+        mission::SettingsSheet::write(sheet.changedSince({}), file);
+        const auto read = [&] { return mission::LastArea::from(QSettings(file, QSettings::NativeFormat)); };
+        QCOMPARE(read().world, QString("flat"));
+        QVERIFY(read().area_in_map == Rectangle({-1.5, -2.0}, {3.0, 4.0}));
+        mission::SettingsSheet::write({{"area/max_x_m", "wide"}}, file);
+        QVERIFY(read().area_in_map.empty());
+        QCOMPARE(read().world, QString("flat"));
     }
 };
 
