@@ -6,7 +6,7 @@ namespace usar::mission {
 
 namespace {
 
-constexpr double spin_rad_s = radians(30.0);
+constexpr double object_spin_rad_s = radians(30.0);
 
 } // namespace
 
@@ -43,7 +43,7 @@ void WorldEditing::turn(const std::string& name, double angle_rad) {
 
 void WorldEditing::toggleSpin(const std::string& name) {
     const bool spins = inventory_.toggleSpin(name);
-    send_(protocol::SpinObject{tokenOf(name), Vec3(0.0, 0.0, spins ? spin_rad_s : 0.0)});
+    send_(protocol::SpinObject{tokenOf(name), Vec3(0.0, 0.0, spins ? object_spin_rad_s : 0.0)});
 }
 
 void WorldEditing::addWaypoint(const std::string& name, const Vec2& at_m, const GroundHeight& ground) {
