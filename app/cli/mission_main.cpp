@@ -9,15 +9,12 @@
 #include <QFile>
 #include <QGuiApplication>
 #include <QJsonDocument>
-#include <QTimer>
 
 #include "app/host/true_figures.h"
-#include "core/base/numbers.h"
 #include "core/mission/files/mission_options.h"
 #include "core/mission/reports/progress_bar.h"
-#include "core/mission/reports/verbs.h"
+#include "core/mission/reports/replay_verb.h"
 #include "core/mission/runs/mission_runner.h"
-#include "core/mission/runs/replay_runner.h"
 #include "core/server/embedded/program_files.h"
 #include "core/server/embedded/quit_signals.h"
 #include "core/server/embedded/simulator_files.h"
@@ -114,49 +111,6 @@ int run(const mission::MissionOptions& options, mission::Mission plan) {
     return end(exit_code, runner.summary());
 }
 
-int replay(const mission::ReplayOptions& options) {
-    auto recording = link::RecordingReader::open(options.file);
-    if (!recording) {
-        complain(recording.error().text());
-        return end(mission::BadInput, mission::refusedReplay(options.file, recording.error().text()));
-    }
-    const std::string complaint = (*recording)->survey().complaint();
-    if (!complaint.empty())
-        complain(options.file.toStdString() + ": " + complaint);
-    mission::ReplayRunner runner(*std::move(recording), options);
-    QObject::connect(&runner, &mission::ReplayRunner::finished, qApp, [](int code) { QCoreApplication::exit(code); });
-    server::QuitSignals signals_;
-    QObject::connect(&signals_, &server::QuitSignals::quit, &runner, &mission::ReplayRunner::interrupt);
-    QTimer progress;
-    QObject::connect(&progress, &QTimer::timeout, [&runner] {
-        const link::ReplayFigures figures = runner.figures();
-        std::fprintf(stderr, "\r%s of %s s\x1b[K", fixed(figures.position.count(), 1).c_str(),
-                     fixed(figures.span.count(), 1).c_str());
-    });
-    const bool shows_progress = ::isatty(STDERR_FILENO) == 1;
-    if (shows_progress)
-        progress.start(200);
-    runner.start();
-    const int exit_code = QCoreApplication::exec();
-    if (shows_progress)
-        std::fprintf(stderr, "\r\x1b[K");
-    return end(exit_code, runner.summary());
-}
-
-int replayOrConvert(const QStringList& arguments, const mission::VerbStreams& streams) {
-    const auto options = mission::readReplayOptions(arguments);
-    if (!options) {
-        complain(options.error().text());
-        return mission::BadInput;
-    }
-    if (options->help) {
-        std::printf("%s", qPrintable(mission::replayHelp().trimmed() + '\n'));
-        return mission::Done;
-    }
-    return options->verb == mission::ReplayVerb::Replay ? replay(*options)
-                                                        : mission::convertRecording(*options, streams);
-}
-
 /// Runs the verb that `arguments` begin with and returns the program's exit code; nullopt if it is none of these verbs.
 /// Errors go to standard error.
 std::optional<int> runVerb(const QStringList& arguments) {
@@ -169,8 +123,12 @@ std::optional<int> runVerb(const QStringList& arguments) {
         return mission::BadInput;
     }
     const mission::VerbStreams streams{input, output, complain};
+    std::optional<server::QuitSignals> signals_; // Only a replay is interrupted; the other verbs just end.
+    const auto prepare = [&](mission::ReplayRunner& runner) {
+        QObject::connect(&signals_.emplace(), &server::QuitSignals::quit, &runner, &mission::ReplayRunner::interrupt);
+    };
     const int exit_code = reports ? mission::runReportVerb(arguments, server::pluginFolders(), streams)
-                                  : replayOrConvert(arguments, streams);
+                                  : mission::runReplayVerb(arguments, streams, prepare);
     if (output.flush())
         return exit_code;
     complain(Error{"the output takes no more", "standard output", "Make room, or write elsewhere"}.text());

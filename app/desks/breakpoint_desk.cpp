@@ -1,8 +1,5 @@
 #include "app/desks/breakpoint_desk.h"
 
-#include <algorithm>
-#include <utility>
-
 #include "widgets/plan/breakpoint_dialog.h"
 
 namespace usar::app {
@@ -60,9 +57,7 @@ void BreakpointDesk::restore(const QSettings& settings) {
 }
 
 void BreakpointDesk::save(SettingsSheet& settings) const {
-    widgets::BreakpointList lasting = list_;
-    lasting.remove(temporary_);
-    settings.setValue("plan/breakpoints", lasting.toJson());
+    settings.setValue("plan/breakpoints", list_.toJson());
 }
 
 /// Sends the breakpoints to a newly spawned robot.
@@ -84,20 +79,8 @@ void BreakpointDesk::repairPaths() {
 }
 
 void BreakpointDesk::show() {
-    std::vector<widgets::BreakpointRow> rows;
-    QStringList keys;
-    if (run_.watch().program())
-        for (const BreakpointId id : list_.ofPlan(planName())) {
-            const posh::Breakpoint& breakpoint = *list_.find(id);
-            QString help = QString::fromStdString(breakpoint.names);
-            if (breakpoint.on == BreakOn::Written)
-                keys << QString::fromStdString(breakpoint.key);
-            if (breakpoint.path.empty())
-                help += tr("\nThe plan has no such place now.");
-            rows.push_back({id, widgets::breakpointText(breakpoint), help, breakpoint.path, breakpoint.enabled});
-        }
-    views_.plan->setBreakpoints(rows);
-    views_.plan->setWatchedKeys(keys);
+    views_.plan->setBreakpoints(list_.rowsOfPlan(planName()));
+    views_.plan->setWatchedKeys(list_.keysOfPlan(planName()));
 }
 
 std::string BreakpointDesk::planName() {
@@ -141,25 +124,15 @@ void BreakpointDesk::editSelected() {
 }
 
 void BreakpointDesk::setTemporary() {
-    dropTemporary();
-    for (const widgets::PlanSpot& spot : run_.selectedSpots())
-        temporary_.push_back(
-            list_.add({.path = spot.path, .names = spot.names, .on = BreakOn::Before, .condition = {}, .once = true}));
-    passOn();
-}
-
-void BreakpointDesk::dropTemporary() {
-    if (temporary_.empty())
-        return;
-    list_.remove(std::exchange(temporary_, {}));
+    list_.setTemporary(run_.selectedSpots());
     passOn();
 }
 
 void BreakpointDesk::takeHalt(std::optional<BreakpointId> id) {
-    if (const auto* const known = id ? list_.find(*id) : nullptr;
-        known && known->once && !std::ranges::count(temporary_, *id))
-        list_.enable(*id, false);
-    dropTemporary();
+    if (id)
+        list_.takeHit(*id);
+    if (list_.dropTemporary())
+        passOn();
 }
 
 } // namespace usar::app

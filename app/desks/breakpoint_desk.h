@@ -51,8 +51,6 @@ private:
     void edit(agent::BreakpointId id);
     /// Edits the first breakpoint at the selected part; sets one if there is none.
     void editSelected();
-    /// Removes the breakpoints of "run to here"; sends nothing if there are none.
-    void dropTemporary();
     /// Ids of the breakpoints at the selected part.
     std::vector<agent::BreakpointId> selected() { return list_.atSpots(planName(), run_.selectedSpots()); }
     /// Name of the plan that is shown; empty if there is none.
@@ -60,7 +58,6 @@ private:
 
     PlanRunDesk& run_;
     widgets::BreakpointList list_;
-    std::vector<agent::BreakpointId> temporary_; ///< those of "run to here"
 };
 
 } // namespace usar::app

@@ -2,32 +2,16 @@
 #pragma once
 
 #include <QSettings>
-#include <QVariantMap>
 
 #include "app/desks/notice_desk.h"
 #include "app/desks/selection.h"
+#include "core/mission/files/settings_sheet.h"
 #include "core/mission/fleet/robot.h"
 #include "widgets/commands/command_registry.h"
 
 namespace usar::app {
 
-/// The settings that the desks would keep now; only changed ones are written to the disk. A plain value.
-class SettingsSheet {
-public:
-    void setValue(const QString& key, const QVariant& value) { values_[key] = value; }
-    /// The entries that `earlier` lacks or that have other values there.
-    QVariantMap changedSince(const SettingsSheet& earlier) const {
-        QVariantMap changed;
-        for (auto entry = values_.begin(); entry != values_.end(); ++entry)
-            if (const auto old = earlier.values_.find(entry.key());
-                old == earlier.values_.end() || *old != entry.value())
-                changed.insert(entry.key(), entry.value());
-        return changed;
-    }
-
-private:
-    QVariantMap values_;
-};
+using mission::SettingsSheet;
 
 /// The window owns all of these objects and every desk; they outlive the desks.
 struct DeskContext {

@@ -63,7 +63,6 @@ void DriveDesk::wire() {
     connect(&selection_, &Selection::changed, this, &DriveDesk::select);
     connectUpdates([this](const mission::SessionUpdate& update) { take(update); });
     connect(&control_, &MissionControl::robotLinkChanged, this, &DriveDesk::refresh);
-    connect(views_.driver, &widgets::ControlBadge::clicked, this, [this] { raise(views_.drive_dock); });
     connect(&gamepad_, &widgets::Gamepad::plugged, this,
             [this](const QString& name) { notices_.note("gamepad", tr("The gamepad %1 is plugged in.").arg(name)); });
 }

@@ -1,7 +1,5 @@
 #include "app/desks/fault_desk.h"
 
-#include <cmath>
-
 #include "core/server/embedded/simulator_files.h"
 #include "widgets/style/empty_state.h"
 
@@ -25,19 +23,14 @@ std::vector<widgets::FaultKindInfo> kindsOf(std::span<const sim::FaultDescriptio
     return infos;
 }
 
-/// The fault as text without its times, which the list shows in a column of their own.
-QString withoutTimes(sim::Fault fault) {
-    fault.from = Seconds{0.0};
-    fault.lasts = sim::without_end;
-    return QString::fromStdString(write(fault));
+QString withoutTimes(const sim::Fault& fault) {
+    return QString::fromStdString(writeWithoutTimes(fault));
 }
 
 widgets::FaultRow rowOf(const sim::FaultStatus& status) {
     const sim::Fault& fault = status.fault;
-    QString when = widgets::FaultPanel::tr("From %1 s of the simulation's clock").arg(fault.from.count(), 0, 'f', 1);
-    if (std::isfinite(fault.lasts.count()))
-        when += widgets::FaultPanel::tr(" for %1 s").arg(fault.lasts.count(), 0, 'f', 1);
-    return {status.id, withoutTimes(fault), static_cast<widgets::FaultState>(status.phase), when};
+    return {status.id, withoutTimes(fault), static_cast<widgets::FaultState>(status.phase),
+            widgets::faultTimes(fault.from, fault.lasts)};
 }
 
 } // namespace

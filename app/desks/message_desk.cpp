@@ -19,7 +19,6 @@ void MessageDesk::registerCommands() {
 
 void MessageDesk::wire() {
     auto* const messages = views_.messages;
-    connect(messages, &widgets::MessageList::countChanged, views_.message_count, &QLabel::setText);
     connect(messages, &widgets::MessageList::failed, this,
             [this](const QString& reason) { notices_.say(Severity::Warning, "messages", reason); });
     connect(messages, &widgets::MessageList::saved, this, [this](const QString& path, int lines) {
@@ -29,7 +28,6 @@ void MessageDesk::wire() {
     connect(messages, &widgets::MessageList::saveRequested, this, &MessageDesk::chooseWhereToSave);
     connect(messages, &widgets::MessageList::resendRequested, this, &MessageDesk::sendAgain);
     connect(views_.command_box, &widgets::CommandBox::sendRequested, this, &MessageDesk::sendTyped);
-    connect(views_.traffic, &QToolButton::clicked, views_.connection, &widgets::ConnectionBar::openPanel);
     connect(&control_, &MissionControl::linkChanged, this, &MessageDesk::followConnection);
     connect(&control_, &MissionControl::robotLinkChanged, this, &MessageDesk::followConnection);
     connect(&selection_, &Selection::changed, this, &MessageDesk::followConnection);

@@ -1,11 +1,11 @@
 #include "app/desks/mission_desk.h"
 
-#include <algorithm>
 #include <utility>
 
 #include <QFileInfo>
 
 #include "core/mission/files/mission_file.h"
+#include "core/mission/fleet/roster.h"
 #include "core/server/embedded/simulator_files.h"
 #include "widgets/panels/dialogs.h"
 
@@ -90,25 +90,12 @@ void MissionDesk::setUp(const mission::Mission& mission) {
 }
 
 void MissionDesk::selectRobotFor(const std::string& robot_class) {
-    const auto fits = [&](const Robot* robot) {
-        return robot && !robot->isReplay() && robot->view().spawn.class_name == robot_class;
-    };
-    if (fits(selection_.robot()))
+    const Robot* const found = mission::robotFor(control_.robots(), robot(), robot_class);
+    if (found && found == robot())
         return;
-    const std::vector<Robot*> robots = control_.robots();
-    const auto idle = std::ranges::find_if(robots, [&](const Robot* one) { return fits(one) && !one->running(); });
     task_.preferClass(robot_class);
     views_.spawn_card->chooseClass(QString::fromStdString(robot_class));
-    selection_.select(idle == robots.end() ? RobotId{} : (*idle)->view().id);
-}
-
-std::string MissionDesk::startName() const {
-    const Robot* robot = selection_.robot();
-    const auto& poses = control_.startPoses();
-    for (const protocol::StartPose& pose : poses)
-        if (robot && pose.pose_in_map.position_m.isApprox(robot->view().spawn.start_in_map.position_m))
-            return pose.name;
-    return poses.empty() ? mission::Mission{}.start : poses.front().name;
+    selection_.select(found ? found->view().id : RobotId{});
 }
 
 void MissionDesk::saveMission(const QString& path) {
@@ -124,7 +111,7 @@ void MissionDesk::saveMission(const QString& path) {
     mission.world = control_.level().toStdString();
     if (robot())
         mission.robot_class = robot()->view().spawn.class_name;
-    mission.start = startName();
+    mission.start = mission::startName(control_.startPoses(), robot(), mission.start);
     mission.isolate = task_.isolated();
     if (const auto saved = mission::writeMissionFile(mission, behavior->parameters, path); !saved)
         return notices_.complain("mission", saved.error());

@@ -46,8 +46,6 @@ private:
     /// Selects the robot that fits: the selected one, or another one of the class that has nothing to do; else none,
     /// and the next robot that is spawned will be of that class.
     void selectRobotFor(const std::string& robot_class);
-    /// Name of the start pose that the selected robot was spawned on, or of the first one.
-    std::string startName() const;
 
     ServerDesk& server_;
     TaskDesk& task_;

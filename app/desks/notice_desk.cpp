@@ -18,13 +18,6 @@ NoticeDesk::NoticeDesk(MissionControl& control, const widgets::WindowViews& view
     });
     connect(center->model(), &widgets::NotificationModel::cured, this,
             [this](const QString& key) { offers_.erase(key); });
-    connect(center, &widgets::NotificationCenter::unreadChanged, this, [this](int unread) {
-        views_.notifications_dock->setWindowTitle(unread ? tr("Notifications (%1)").arg(unread) : tr("Notifications"));
-    });
-    connect(views.toasts, &widgets::ToastStack::openRequested, this, [this] {
-        views_.notifications_dock->show();
-        views_.notifications_dock->raise();
-    });
 }
 
 void NoticeDesk::complain(const QString& key, const Error& error) {

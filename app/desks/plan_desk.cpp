@@ -6,15 +6,14 @@
 #include <QMenu>
 
 #include "core/mission/fleet/robot.h"
-#include "widgets/models/figures.h"
 #include "widgets/models/plan/plan_marks.h"
+#include "widgets/models/plan/plan_news.h"
 #include "widgets/panels/dialogs.h"
 #include "widgets/plan/breakpoint_dialog.h"
 #include "widgets/plan/plan_picture.h"
 
 namespace usar::app {
 
-using agent::PlanFate;
 using widgets::PlanNodeKind;
 using widgets::PlanSpot;
 
@@ -168,17 +167,10 @@ void PlanDesk::select() {
 
 void PlanDesk::showHalt() {
     const Robot* const shown = robot();
-    const bool stands = shown && shown->running() && shown->view().halted;
-    if (!stands)
-        return views_.plan->haltBar().setText({});
-    const agent::PlanHalted& halted = *shown->view().halted;
-    QString text = tr("%1 stands still: %2 · cycle %3, %4 s")
-                       .arg(nameOf(*shown), QString::fromStdString(halted.reason))
-                       .arg(halted.cycle)
-                       .arg(widgets::figure(halted.time.count(), 1));
-    if (!shown->view().figures.lockstep)
-        text += tr(". The robot has its safe command; the server's time goes on.");
-    views_.plan->haltBar().setText(text);
+    views_.plan->haltBar().setText(
+        shown && shown->standsStill()
+            ? widgets::haltText(nameOf(*shown), *shown->view().halted, shown->view().figures.lockstep)
+            : QString());
 }
 
 void PlanDesk::showMarks() {
@@ -189,17 +181,12 @@ void PlanDesk::showMarks() {
         if (const auto pins = pins_.find(control_.connectionOf(selection_.id())); pins != pins_.end())
             widgets::markPins(pins->second.all(), *shown.program(), shown.paths(), marks);
         const Robot* const flown = robot();
-        if (flown && flown->running() && flown->view().halted && !flown->view().halted->path.empty())
+        if (flown && flown->standsStill() && !flown->view().halted->path.empty())
             widgets::markHalt(flown->view().halted->path, marks);
     }
     views_.plan->view().setMarks(std::move(marks));
     breakpoints_.show();
     commands_.refresh();
-}
-
-bool PlanDesk::anyHalted() const {
-    return std::ranges::any_of(control_.robots(),
-                               [](const Robot* robot) { return robot->running() && robot->view().halted; });
 }
 
 void PlanDesk::takeNews(RobotId id, const agent::PlanHalted& halted) {
@@ -231,34 +218,22 @@ void PlanDesk::takeNews(RobotId id, const agent::PlanResumed&) {
 }
 
 void PlanDesk::takeNews(RobotId id, const agent::PlanReplaced& replaced) {
-    const QString who = nameOf(*control_.robot(id));
-    const QString plan = QString::fromStdString(replaced.plan_name);
-    const QString key = "plan-replaced/" + who;
-    if (replaced.fate == PlanFate::Kept)
-        return notices_.note(key, tr("%1 goes on where it was, by %2.").arg(who, plan));
-    if (replaced.fate == PlanFate::Restarted)
-        return notices_.note(key, tr("%1 begins %2 at its root.").arg(who, plan));
-    QString why = QString::fromStdString(replaced.reason);
-    for (const posh::Finding& finding : replaced.findings)
-        if (why.isEmpty() && posh::severityOf(finding.code) == Severity::Error)
-            why = QString::fromStdString(posh::toText(finding));
-    notices_.say(Severity::Error, key, tr("%1 does not take %2 and goes on as it did. %3").arg(who, plan, why));
+    const auto [severity, text] = widgets::replacedText(nameOf(*control_.robot(id)), replaced);
+    notices_.say(severity, "plan-replaced/" + nameOf(*control_.robot(id)), text, true);
 }
 
 /// Robots whose server's time waits for all of them (lockstep) continue together.
 void PlanDesk::stepCycle() {
     stepping_ = true;
     for (Robot* each : control_.robots())
-        if (each->running() && each->view().halted && (each == robot() || each->view().figures.lockstep))
+        if (each->standsStill() && (each == robot() || each->view().figures.lockstep))
             each->control(agent::PlanStep::Cycle);
     emit cycleWanted();
 }
 
 void PlanDesk::goOn() {
     epoch_wanted_ = stepping_ = false;
-    for (Robot* each : control_.robots())
-        if (each->running() && each->view().halted)
-            each->control(agent::PlanStep::Continue);
+    mission::controlHalted(control_.robots(), agent::PlanStep::Continue);
 }
 
 void PlanDesk::stepEpoch() {

@@ -26,7 +26,7 @@ public:
     void begin(RobotId id);
 
     /// True if the plan of a live robot is halted.
-    bool anyHalted() const;
+    bool anyHalted() const { return mission::anyHalted(control_.robots()); }
     /// Continues all halted plans.
     void goOn();
     /// Runs one cycle of the selected robot's plan, and of the plans whose server's time waits for it.

@@ -1,12 +1,9 @@
 #include "app/desks/plan_workshop.h"
 
-#include <utility>
-
 #include <QFileInfo>
 #include <QStandardPaths>
 
 #include "core/mission/files/mission_check.h"
-#include "core/posh/edit/plan_templates.h"
 #include "widgets/panels/dialogs.h"
 
 namespace usar::app {
@@ -18,7 +15,7 @@ PlanWorkshop::~PlanWorkshop() {
 void PlanWorkshop::registerCommands() {
     add("plan.open", [this] { choosePlanFile(); });
     add("plan.edit", [this] { editPlan(); });
-    add("plan.new", [this] { newPlan(); });
+    add("plan.new", [this] { startNew(); });
 }
 
 void PlanWorkshop::wire() {
@@ -54,16 +51,10 @@ widgets::PlanEditor& PlanWorkshop::opened() {
 void PlanWorkshop::connectEditor() {
     using widgets::PlanEditor;
     connect(editor_, &PlanEditor::openRequested, this, &PlanWorkshop::choosePlanFile);
-    connect(editor_, &PlanEditor::saveAsRequested, this, [this] { chooseWhereToSave({}); });
-    connect(editor_, &PlanEditor::exportRequested, this, &PlanWorkshop::chooseWhereToExport);
-    connect(editor_, &PlanEditor::pictureRequested, this, &PlanWorkshop::chooseWhereToSavePicture);
     connect(editor_, &PlanEditor::applyRequested, this, &PlanWorkshop::putIntoRobot);
     connect(editor_, &PlanEditor::saved, this, &PlanWorkshop::takeSaved);
-    connect(editor_, &PlanEditor::saveFailed, this, &PlanWorkshop::complain);
-    connect(editor_, &PlanEditor::titleChanged, this, [this] {
-        editor_->setWindowTitle(tr("%1[*] – Plan editor").arg(editor_->name()));
-        editor_->setWindowModified(editor_->isModified());
-    });
+    connect(editor_, &PlanEditor::exported, this, &PlanWorkshop::tellExported);
+    connect(editor_, &PlanEditor::failed, this, &PlanWorkshop::complain);
 }
 
 void PlanWorkshop::show() {
@@ -77,8 +68,8 @@ void PlanWorkshop::load(const QString& path) {
         checkForChosen();
         return show();
     }
-    letGo([this, path] {
-        if (const auto read = opened().open(path); !read)
+    opened().letGo([this, path] {
+        if (const auto read = editor_->open(path); !read)
             return complain(read.error());
         checkForChosen();
         show();
@@ -138,36 +129,21 @@ void PlanWorkshop::editPlan() {
     else if (behavior && !behavior->plan_name.empty())
         edit(behavior->plan_text, QString::fromStdString(behavior->plan_name));
     else
-        newPlan();
+        startNew();
 }
 
 void PlanWorkshop::edit(const std::string& text, const QString& name) {
     if (editor_ && editor_->path().isEmpty() && editor_->name() == name)
         return show();
-    letGo([this, text, name] {
-        opened().setText(text, name);
+    startWith(text, name);
+}
+
+void PlanWorkshop::startWith(const std::string& text, const QString& name) {
+    opened().letGo([this, text, name] {
+        editor_->setText(text, name);
         checkForChosen();
         show();
     });
-}
-
-void PlanWorkshop::newPlan() {
-    letGo([this] {
-        opened().setText(posh::planTemplates().front().text, tr("new.lap"));
-        checkForChosen();
-        show();
-    });
-}
-
-void PlanWorkshop::chooseWhereToSave(const std::function<void()>& then) {
-    const QString begin = editor_->path().isEmpty() ? editor_->name() : editor_->path();
-    widgets::askWhereToSave(editor_, tr("Save plan"), begin, tr("POSH plans (*.lap)"),
-                            [this, then](const QString& path) {
-                                if (const auto saved = editor_->save(path); !saved)
-                                    return complain(saved.error());
-                                if (then)
-                                    then();
-                            });
 }
 
 void PlanWorkshop::takeSaved(const QString& path) {
@@ -185,26 +161,10 @@ void PlanWorkshop::takeSaved(const QString& path) {
                      tr("Saved %1. It does not fit the robot yet and is not used.").arg(QFileInfo(path).fileName()));
 }
 
-void PlanWorkshop::chooseWhereToExport(posh::Dialect dialect) {
-    widgets::askWhereToSave(editor_, tr("Export plan"), editor_->name(), tr("POSH plans (*.lap)"),
-                            [this, dialect](const QString& path) { exportPlan(path, dialect); });
-}
-
-void PlanWorkshop::exportPlan(const QString& path, posh::Dialect dialect) {
-    const auto lacks = editor_->exportTo(path, dialect);
-    if (!lacks)
-        return complain(lacks.error());
-    notices_.say(lacks->isEmpty() ? Severity::Note : Severity::Warning, "plan-export",
-                 lacks->isEmpty() ? tr("Exported the plan as %1.").arg(path)
-                                  : tr("Exported the plan as %1; that dialect lacks: %2").arg(path, lacks->join("; ")));
-}
-
-void PlanWorkshop::chooseWhereToSavePicture() {
-    widgets::askWhereToSave(editor_, tr("Save plan as picture"), tr("plan.svg"), tr("Drawings (*.svg *.pdf *.png)"),
-                            [this](const QString& path) {
-                                if (const auto saved = editor_->savePicture(path); !saved)
-                                    complain(saved.error());
-                            });
+void PlanWorkshop::tellExported(const QString& path, const QStringList& lacks) {
+    notices_.say(lacks.isEmpty() ? Severity::Note : Severity::Warning, "plan-export",
+                 lacks.isEmpty() ? tr("Exported the plan as %1.").arg(path)
+                                 : tr("Exported the plan as %1; that dialect lacks: %2").arg(path, lacks.join("; ")));
 }
 
 void PlanWorkshop::putIntoRobot(const std::string& text, const QString& name) {
@@ -236,39 +196,6 @@ void PlanWorkshop::follow() {
 void PlanWorkshop::setRunningPlan(const std::string& text) {
     running_text_ = text;
     follow();
-}
-
-void PlanWorkshop::letGo(std::function<void()> go_on) {
-    if (!hasChanges())
-        return go_on();
-    after_it_ = std::move(go_on);
-    if (question_) {
-        question_->raise();
-        return question_->activateWindow();
-    }
-    auto* const box = new QMessageBox(QMessageBox::Question, tr("The plan is not saved"),
-                                      tr("%1 has changes that are not saved.").arg(editor_->name()),
-                                      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, editor_);
-    question_ = box;
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setDefaultButton(QMessageBox::Save);
-    box->setModal(false); // A message box is modal unless it is told otherwise.
-    connect(box, &QMessageBox::finished, this, [this](int answer) {
-        question_.clear(); // The next action may ask again.
-        const auto next = std::exchange(after_it_, nullptr);
-        if (answer == QMessageBox::Save && editor_->path().isEmpty())
-            return chooseWhereToSave(next);
-        if (answer == QMessageBox::Save)
-            editor_->action("save")->trigger();
-        if (answer == QMessageBox::Discard) {
-            editor_->forgetKept();
-            editor_->textEdit().document()->setModified(false);
-        }
-        if (!hasChanges())
-            next();
-    });
-    editor_->show();
-    box->show();
 }
 
 } // namespace usar::app

@@ -1,14 +1,13 @@
 // Desk for the user's own plans: chooses the file that a robot uses, and manages the editor.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 
-#include <QMessageBox>
 #include <QPointer>
 
 #include "app/desks/desk.h"
+#include "core/posh/edit/plan_templates.h"
 #include "widgets/plan/editor/plan_editor.h"
 
 namespace usar::app {
@@ -36,9 +35,6 @@ public:
     void setRunningPlan(const std::string& text);
     /// True if the plan in the editor has unsaved changes.
     bool hasChanges() const { return editor_ && editor_->isModified(); }
-    /// Calls `go_on` at once if nothing would be lost, otherwise after the user has saved or discarded the changes;
-    /// never if the user cancels. A second call while the question is open replaces the first one's `go_on`.
-    void letGo(std::function<void()> go_on);
     /// Returns nullptr until the editor is opened for the first time.
     widgets::PlanEditor* editor() const { return editor_; }
 
@@ -54,17 +50,14 @@ private:
     void connectEditor();
     void choosePlanFile();
     void editPlan();
-    void newPlan();
+    void startNew() { startWith(posh::planTemplates().front().text, tr("new.lap")); }
+    void startWith(const std::string& text, const QString& name);
     void show();
     /// Shows this file in the editor; an error is a notice.
     void load(const QString& path);
     /// Shows a plan that has no file of its own.
     void edit(const std::string& text, const QString& name);
-    /// Calls `then`, if any, when the plan is saved.
-    void chooseWhereToSave(const std::function<void()>& then);
-    void chooseWhereToExport(posh::Dialect dialect);
-    void exportPlan(const QString& path, posh::Dialect dialect);
-    void chooseWhereToSavePicture();
+    void tellExported(const QString& path, const QStringList& lacks);
     /// Replaces the plan of the selected robot while it runs.
     void putIntoRobot(const std::string& text, const QString& name);
     /// Chooses a saved file for the robot if it fits.
@@ -82,8 +75,6 @@ private:
     QByteArray geometry_;                    ///< geometry of the editor's window when it was last closed
     std::optional<std::string> checked_for_; ///< class of the robot whose senses and acts the editor knows
     std::string running_text_;               ///< current plan of the selected robot; empty: none
-    QPointer<QMessageBox> question_;         ///< the open question about unsaved changes; null: none
-    std::function<void()> after_it_;         ///< called when it is answered
 };
 
 } // namespace usar::app

@@ -4,22 +4,9 @@
 
 #include <QFileInfo>
 
+#include "core/mission/fleet/plugin_words.h"
+
 namespace usar::app {
-
-namespace {
-
-QString nameIn(const agent::PluginRecord& record) {
-    return record.metadata.value("name").toString();
-}
-
-QString behaviorsOf(const agent::PluginRecord& record) {
-    QStringList ids;
-    for (const QVariant& id : record.metadata.toVariantMap().value("behaviors").toList())
-        ids << id.toString();
-    return ids.join(", ");
-}
-
-} // namespace
 
 PluginDesk::PluginDesk(const DeskContext& context, const QStringList& folders)
     : Desk(context)
@@ -52,7 +39,7 @@ void PluginDesk::tellRefused(const agent::PluginRecord& record) {
     }
     if (!record.dangerous)
         return notices_.say(Severity::Warning, record.file, text);
-    const QString name = nameIn(record);
+    const QString name = mission::nameOf(record);
     const widgets::Offer isolation{tr("Give %1 its own process").arg(name),
                                    tr("Its code then runs there only, and cannot end this program any more")};
     notices_.offer(Severity::Warning, record.file, text, isolation, [this, name] { setIsolated(name, true); });
@@ -87,49 +74,24 @@ void PluginDesk::take(const std::vector<agent::PluginChange>& changes) {
 
 void PluginDesk::tell(const agent::PluginChange& change) {
     const agent::PluginRecord& record = change.record;
-    const QString name = QFileInfo(record.file).fileName();
-    switch (change.news) {
-    case agent::PluginNews::Refused:
+    using enum agent::PluginNews;
+    if (change.news == Refused)
         return tellRefused(record);
-    case agent::PluginNews::Asked:
-    case agent::PluginNews::Described:
-        return notices_.cure(record.file); // The behavior panel shows the rest.
-    case agent::PluginNews::Moved:
+    if (change.news != Removed)
         notices_.cure(record.file);
-        return notices_.say(Severity::Note, "plugin/" + record.file,
-                            record.isolated ? tr("The plugin %1 runs in a separate process now.").arg(name)
-                                            : tr("The plugin %1 runs in the program now.").arg(name));
-    case agent::PluginNews::Removed:
-        return notices_.say(Severity::Warning, record.file,
-                            tr("The plugin %1 is gone, and its behaviors can no longer be started.").arg(name));
-    case agent::PluginNews::Added:
+    if (change.news == Added)
         notices_.cure("plugins");
-        return tellLoaded(change);
-    case agent::PluginNews::Rebuilt:
-        return tellLoaded(change);
-    }
-}
-
-void PluginDesk::tellLoaded(const agent::PluginChange& change) {
-    const agent::PluginRecord& record = change.record;
-    const QString name = QFileInfo(record.file).fileName();
-    QStringList old_ones;
-    for (const Robot* robot : control_.robots())
-        if (const auto* of = control_.plugins().recordOf(robot->view().behavior_id);
-            robot->running() && of && of->file == record.file)
-            old_ones << nameOf(*robot);
-    notices_.cure(record.file);
-    QString text = change.news == agent::PluginNews::Added
-                       ? tr("The plugin %1 was loaded: %2.").arg(name, behaviorsOf(record))
-                       : tr("The plugin %1 was built anew, and what is started from now on is the new code.").arg(name);
-    if (!old_ones.isEmpty())
-        text += ' ' + tr("%1 goes on with the old one until it is started again.").arg(old_ones.join(", "));
-    notices_.note("plugin/" + record.file, text);
+    const QString text =
+        mission::changeText(change, mission::robotsRunning(control_.robots(), control_.plugins(), record));
+    if (change.news == Removed)
+        notices_.say(Severity::Warning, record.file, text);
+    else if (!text.isEmpty())
+        notices_.say(Severity::Note, "plugin/" + record.file, text, change.news != Moved);
 }
 
 QString PluginDesk::pluginOf(const std::string& behavior_id) const {
     const auto* record = control_.plugins().recordOf(behavior_id);
-    return record ? nameIn(*record) : QString();
+    return record ? mission::nameOf(*record) : QString();
 }
 
 void PluginDesk::setIsolated(const QString& plugin, bool isolated) {
@@ -138,7 +100,7 @@ void PluginDesk::setIsolated(const QString& plugin, bool isolated) {
         isolated_ << plugin;
     applyIsolation();
     if (std::ranges::any_of(control_.plugins().records(), [&](const agent::PluginRecord& record) {
-            return nameIn(record) == plugin && (isolated ? record.dangerous : record.isolated);
+            return mission::nameOf(record) == plugin && (isolated ? record.dangerous : record.isolated);
         }))
         rescan(false);
     emit isolationChanged();

@@ -45,7 +45,6 @@ private:
     void take(const std::vector<agent::PluginChange>& changes);
     /// Reports a change.
     void tell(const agent::PluginChange& change);
-    void tellLoaded(const agent::PluginChange& change);
 
     agent::PluginWatch watch_;
     QStringList folders_;

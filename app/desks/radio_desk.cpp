@@ -1,7 +1,6 @@
 #include "app/desks/radio_desk.h"
 
 #include "core/mission/fleet/roster.h"
-#include "widgets/style/empty_state.h"
 
 namespace usar::app {
 
@@ -84,20 +83,8 @@ void RadioDesk::take(const link::RadioStrengths& strengths) {
 }
 
 void RadioDesk::explainEmptiness() {
-    widgets::EmptyState* const empty = views_.radio->emptyState();
-    if (robots_.size() < 2) {
-        empty->setText(tr("No radio links yet"),
-                       robots_.isEmpty() ? tr("How well robots hear each other appears here. Spawn two robots, or a "
-                                              "robot and a base station.")
-                                         : tr("How well robots hear each other appears here. Spawn one more robot, or "
-                                              "a base station."));
-        return empty->setAction(action("radio.station"));
-    }
-    empty->setAction(nullptr);
-    if (status_.state == link::LinkState::Connected || status_.reason.isEmpty())
-        empty->setText(tr("Asking the wireless server…"), tr("Its first answers come within seconds."));
-    else
-        empty->setText(tr("No wireless server"), status_.reason);
+    const bool well = status_.state == link::LinkState::Connected;
+    views_.radio->explainEmptiness(robots_.size(), well ? QString() : status_.reason, action("radio.station"));
 }
 
 } // namespace usar::app

@@ -16,12 +16,7 @@ RobotDesk::RobotDesk(const DeskContext& context)
 void RobotDesk::registerCommands() {
     for (int number = 1; number <= mission::Roster::robots_with_a_key; ++number)
         add(
-            {QString("robot.select_%1").arg(number),
-             tr("Select robot %1").arg(number),
-             tr("Robots"),
-             tr("Shows its instruments, sensors and map"),
-             "",
-             {QKeySequence(QString::number(number))}},
+            widgets::commandSpec(QString("robot.select_%1").arg(number)),
             [this, number] { return control_.robot({number}) != nullptr; },
             [this, number] { selection_.select({number}); });
     commands_.offer([this] { return offers(); });
@@ -191,9 +186,9 @@ void RobotDesk::trace(bool on) {
 }
 
 void RobotDesk::showTrace() {
-    const RobotId id = selection_.id();
-    action("robot.trace")->setChecked(presenter_.tracing(id));
-    if (const auto color = presenter_.traceColor(id); color && presenter_.tracing(id))
+    const auto color = presenter_.tracing(selection_.id());
+    action("robot.trace")->setChecked(color.has_value());
+    if (color)
         views_.world->setTraceColor(*color);
 }
 

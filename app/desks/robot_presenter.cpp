@@ -1,11 +1,10 @@
 #include "app/desks/robot_presenter.h"
 
-#include <limits>
 #include <utility>
 
 #include "core/mission/fleet/robot.h"
 #include "core/mission/fleet/robot_words.h"
-#include "core/mission/session/session_update.h"
+#include "core/mission/session/update_order.h"
 #include "core/protocol/commands/spawn.h"
 #include "core/protocol/fields.h"
 #include "core/protocol/silence.h"
@@ -20,11 +19,6 @@ widgets::MapRobot onMap(const RobotView& view) {
     return {QString::fromStdString(view.spawn.robot_name), view.id.value,
             view.base_in_map.value_or(view.spawn.start_in_map), mission::isStale(view),
             protocol::isStation(view.spawn.class_name)};
-}
-
-/// True if the newest reading of a sensor that was heard is out of date.
-bool silent(const std::optional<Seconds>& heard, Seconds now) {
-    return heard && now - *heard > protocol::silence::reading;
 }
 
 /// Scanners of flying robots look down. Unknown counts as flying, because a UDK server does not report the vehicle's
@@ -69,7 +63,6 @@ void RobotPresenter::show(RobotId id, const std::shared_ptr<const mission::Sessi
     if (!selected)
         return;
     showTraffic(update.figures);
-    noteHeard(newest);
     showInstruments(view, update);
     for (const protocol::InfoLine& line : update.lines) {
         views_.sensors->take(line, update.figures.now);
@@ -78,23 +71,10 @@ void RobotPresenter::show(RobotId id, const std::shared_ptr<const mission::Sessi
     views_.sensors->setNow(update.figures.now);
 }
 
-void RobotPresenter::noteHeard(const widgets::NewestLines& newest) {
-    for (const widgets::CountedLine& heard : newest.lines()) {
-        if (std::holds_alternative<protocol::RangeScan>(heard.line.message))
-            scan_heard_ = std::max(scan_heard_.value_or(heard.now), heard.now);
-        else if (std::holds_alternative<protocol::SonarReadings>(heard.line.message))
-            sonar_heard_ = std::max(sonar_heard_.value_or(heard.now), heard.now);
-    }
-}
-
-bool RobotPresenter::tracing(RobotId id) const {
+std::optional<protocol::TraceColor> RobotPresenter::tracing(RobotId id) const {
     const auto trace = traces_.find(control_.connectionOf(id));
-    return id.valid() && trace != traces_.end() && trace->second.on();
-}
-
-std::optional<protocol::TraceColor> RobotPresenter::traceColor(RobotId id) const {
-    const auto trace = traces_.find(control_.connectionOf(id));
-    return !id.valid() || trace == traces_.end() ? std::nullopt : std::optional(trace->second.color());
+    return id.valid() && trace != traces_.end() && trace->second.on() ? std::optional(trace->second.color())
+                                                                      : std::nullopt;
 }
 
 void RobotPresenter::restart(const RobotView& view, bool selected) {
@@ -206,11 +186,14 @@ void RobotPresenter::showStatus(const RobotView& view) {
 void RobotPresenter::showLinkState(RobotId id) {
     const Robot* robot = control_.robot(id);
     const bool stale = robot && mission::isStale(robot->view());
-    const Seconds now = robot ? robot->view().figures.now : Seconds(0.0);
+    const widgets::NewestLines& newest = newest_[control_.connectionOf(id)];
+    const auto silent = [robot](std::optional<Seconds> heard) { // its newest reading, if any, is out of date
+        return robot && heard && robot->view().figures.now - *heard > protocol::silence::reading;
+    };
     views_.status->setStale(stale && robot->view().status);
-    views_.laser->setStale(stale || silent(scan_heard_, now));
+    views_.laser->setStale(stale || silent(newest.heard<protocol::RangeScan>()));
     views_.terrain->setStale(stale);
-    views_.sonars->setStale(stale || silent(sonar_heard_, now));
+    views_.sonars->setStale(stale || silent(newest.heard<protocol::SonarReadings>()));
     views_.sensors->setLinked(!stale);
 }
 
@@ -221,16 +204,14 @@ void RobotPresenter::feedMessages(ConnectionId connection, const mission::Sessio
     std::uint64_t& told = not_shown_[connection];
     if (const std::uint64_t not_shown = update.figures.lines_not_shown; not_shown > told)
         views_.messages->takeNotShown(not_shown - std::exchange(told, not_shown), connection);
-    auto command = update.commands.begin();
-    const auto takeCommandsUpTo = [&](LineNumber line) {
-        for (; command != update.commands.end() && command->after < line; ++command)
-            views_.messages->takeCommand(command->text, command->cause, command->time, connection);
-    };
-    for (const protocol::InfoLine& line : update.lines) {
-        takeCommandsUpTo(line.number);
-        views_.messages->takeLine(line, protocol::timeOf(line.message).value_or(update.figures.now), connection);
-    }
-    takeCommandsUpTo({std::numeric_limits<std::uint64_t>::max()});
+    mission::inOrder(
+        update,
+        [&](const protocol::InfoLine& line) {
+            views_.messages->takeLine(line, protocol::timeOf(line.message).value_or(update.figures.now), connection);
+        },
+        [&](const mission::SentCommand& command) {
+            views_.messages->takeCommand(command.text, command.cause, command.time, connection);
+        });
 }
 
 void RobotPresenter::showLink(const std::shared_ptr<const mission::SessionUpdate>& update) {
@@ -252,7 +233,6 @@ void RobotPresenter::select(RobotId id) {
     views_.terrain->clear();
     views_.plots->restart();
     views_.plots->setSource({});
-    scan_heard_ = sonar_heard_ = std::nullopt;
     const Robot* robot = control_.robot(id);
     views_.map->heights().clear(robot ? robot->view().cell_size_m : RobotView{}.cell_size_m);
     views_.map->selectRobot(robot ? QString::fromStdString(robot->view().spawn.robot_name) : QString());
@@ -282,7 +262,6 @@ void RobotPresenter::select(RobotId id) {
         last.lines.push_back(heard.line);
     }
     views_.sensors->setNow(view.figures.now);
-    noteHeard(newest_[view.connection]);
     showInstruments(view, last);
 }
 

@@ -28,10 +28,8 @@ public:
     void showRow(RobotId id);
     /// Replaces height map, marks and path on the map, and all instruments, by those of this robot; 0 clears them.
     void select(RobotId id);
-    /// True while the robot leaves trace marks; false for id 0.
-    bool tracing(RobotId id) const;
-    /// Color of the robot's trace marks; nullopt if it has sent no update yet.
-    std::optional<protocol::TraceColor> traceColor(RobotId id) const;
+    /// Color of the marks that the robot leaves; nullopt while it leaves none, and for id 0.
+    std::optional<protocol::TraceColor> tracing(RobotId id) const;
     void remove(const QString& name) { views_.map->removeRobot(name); }
 
 private:
@@ -44,8 +42,6 @@ private:
     void showEquipment(const RobotView& view);
     void showInstruments(const RobotView& view, const mission::SessionUpdate& update);
     void feedMessages(ConnectionId connection, const mission::SessionUpdate& update);
-    /// Notes when the newest scan and sonar readings came.
-    void noteHeard(const widgets::NewestLines& newest);
     void showTraffic(const mission::SessionFigures& figures);
 
     MissionControl& control_;
@@ -54,10 +50,7 @@ private:
     std::map<ConnectionId, mission::TraceWatch> traces_;  ///< by connection
     std::map<ConnectionId, widgets::NewestLines> newest_; ///< kept for every robot until it is selected
     std::map<ConnectionId, std::uint64_t> not_shown_;     ///< number of lines left out of updates so far, by connection
-    // The following belong to the selected robot.
-    widgets::ScanPlane scan_plane_ = widgets::ScanPlane::Below;
-    std::optional<Seconds> scan_heard_;  ///< time of the newest scan on the protocol clock; nullopt: none yet
-    std::optional<Seconds> sonar_heard_; ///< the same for sonars
+    widgets::ScanPlane scan_plane_ = widgets::ScanPlane::Below; ///< of the selected robot
 };
 
 /// Says who drives the robot, for chips and lists. `robot` may be null; then the words are empty.

@@ -8,16 +8,6 @@
 
 namespace usar::app {
 
-namespace {
-
-/// Makes the title of a world for menus: "point_lookout" becomes "Point lookout".
-QString titleOf(QString name) {
-    name.replace('_', ' ');
-    return name.left(1).toUpper() + name.mid(1);
-}
-
-} // namespace
-
 void ServerDesk::registerCommands() {
     auto* const bar = views_.connection;
     const auto idle = [this] { return link_state_ == link::LinkState::Disconnected; };
@@ -30,11 +20,11 @@ void ServerDesk::registerCommands() {
     const auto nothing_runs = [this] { return !control_.anyRunning(); };
     for (const QString& name : server::worldNames())
         add({.id = "world." + name,
-             .text = titleOf(name),
+             .text = server::worldTitle(name),
              .group = tr("World"),
              .help = tr("Restarts the embedded simulator in this world; the robots in the old world are removed"),
              .words = {name, "load", "map", "scene"},
-             .wish = tr("Open world %1").arg(titleOf(name))},
+             .wish = tr("Open world %1").arg(server::worldTitle(name))},
             nothing_runs, [this, name] { openWorld(name); });
     add("world.folder", nothing_runs, [this] {
         widgets::askForFolder(window_, tr("World from a folder"), QDir::homePath(),
@@ -186,7 +176,7 @@ void ServerDesk::openWorld(const QString& name_or_folder) {
                             tr("A robot is on its mission. Stop it, then open another world."));
     server::SimulatorSpec spec = server_.simulator;
     spec.world = name_or_folder;
-    load(spec, tr("Opening %1").arg(titleOf(QDir(name_or_folder).dirName())));
+    load(spec, tr("Opening %1").arg(server::worldTitle(QDir(name_or_folder).dirName())));
 }
 
 void ServerDesk::load(const server::SimulatorSpec& spec, const QString& what) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <utility>
 
 #include "core/server/embedded/simulator_files.h"
@@ -70,61 +69,33 @@ void TaskDesk::wire() {
 
 void TaskDesk::wireArea() {
     auto* const map = views_.map;
-    auto* const panel = views_.behavior;
-    connect(&map->gestures(), &widgets::MapGestures::areaEdited, this, [this, panel](const Rectangle& area) {
-        panel->setArea(area);
-        setArea(area);
-    });
-    connect(&map->gestures(), &widgets::MapGestures::areaChanged, this, [this, map, panel](const Rectangle& area) {
-        panel->setArea(area);
-        map->setTool(widgets::MapTool::Pan);
+    connect(&map->gestures(), &widgets::MapGestures::areaEdited, this, &TaskDesk::setArea);
+    connect(&map->gestures(), &widgets::MapGestures::areaChanged, this, [this](const Rectangle& area) {
         notices_.cure("area");
         setArea(area);
     });
     connect(&map->gestures(), &widgets::MapGestures::areaRefused, this,
             [this](const QString& reason) { notices_.say(Severity::Warning, "area", reason); });
-    connect(&map->gestures(), &widgets::MapGestures::toolChanged, this, [this, panel](widgets::MapTool tool) {
-        const bool drawing = tool == widgets::MapTool::Area;
-        panel->setAreaToolActive(drawing);
-        action("mission.area")->setChecked(drawing);
-    });
-    connect(panel, &widgets::BehaviorPanel::areaTyped, this, [this, map](const Rectangle& area) {
-        map->setArea(area.empty() ? std::nullopt : std::optional(area));
-        setArea(area);
-    });
-    connect(panel, &widgets::BehaviorPanel::areaToolToggled, map,
-            [map](bool active) { map->setTool(active ? widgets::MapTool::Area : widgets::MapTool::Pan); });
+    connect(
+        &map->gestures(), &widgets::MapGestures::toolChanged, action("mission.area"),
+        [area = action("mission.area")](widgets::MapTool tool) { area->setChecked(tool == widgets::MapTool::Area); });
+    connect(views_.behavior, &widgets::BehaviorPanel::areaTyped, this, &TaskDesk::setArea);
 }
 
 void TaskDesk::restore(const QSettings& settings) {
-    last_world_ = settings.value("area/world").toString();
-    bool all_good = true; // A figure that cannot be read would move an edge, so then there is no area.
-    const auto meters = [&](const char* key) {
-        bool good = false;
-        const double value_m = settings.value(key).toDouble(&good);
-        all_good = all_good && good && std::isfinite(value_m);
-        return value_m;
-    };
-    const Rectangle area{{meters("area/min_x_m"), meters("area/min_y_m")},
-                         {meters("area/max_x_m"), meters("area/max_y_m")}};
-    last_area_in_map_ = all_good ? area : Rectangle{};
+    last_area_ = mission::LastArea::from(settings);
 }
 
 void TaskDesk::save(SettingsSheet& settings) const {
     if (control_.level().isEmpty() || (robot() && robot()->isReplay()))
         return; // The area that was drawn last still counts.
-    const Rectangle area = drafts_.shown().area();
-    settings.setValue("area/world", control_.level());
-    settings.setValue("area/min_x_m", area.min_m.x());
-    settings.setValue("area/min_y_m", area.min_m.y());
-    settings.setValue("area/max_x_m", area.max_m.x());
-    settings.setValue("area/max_y_m", area.max_m.y());
+    mission::LastArea{control_.level(), drafts_.shown().area()}.save(settings);
 }
 
 void TaskDesk::bringBackArea(const QString& world) {
-    if (last_area_in_map_.empty() || world != last_world_)
+    if (last_area_.area_in_map.empty() || world != last_area_.world)
         return;
-    const Rectangle area = std::exchange(last_area_in_map_, {});
+    const Rectangle area = std::exchange(last_area_, {}).area_in_map;
     if (drafts_.shown().area_in_map || (robot() && robot()->isReplay()))
         return;
     views_.behavior->setArea(area);
@@ -282,12 +253,8 @@ void TaskDesk::startAgain(RobotId id) {
 }
 
 RobotId TaskDesk::brokenRobot() const {
-    const auto broke = [](const Robot* robot) { return robot && robot->view().broke && robot->view().figures.spawned; };
-    if (broke(selection_.robot()))
-        return selection_.id();
-    const auto robots = control_.robots();
-    const auto found = std::ranges::find_if(robots, broke);
-    return found == robots.end() ? RobotId{} : (*found)->view().id;
+    const Robot* const broken = mission::brokenRobot(control_.robots(), robot());
+    return broken ? broken->view().id : RobotId{};
 }
 
 void TaskDesk::offerToStartAgain(RobotId id, const QString& key, const QString& text) {

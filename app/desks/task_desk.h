@@ -5,6 +5,7 @@
 
 #include "app/desks/desk.h"
 #include "app/desks/plugin_desk.h"
+#include "core/mission/files/last_area.h"
 #include "core/mission/files/task_drafts.h"
 
 namespace usar::app {
@@ -77,10 +78,9 @@ private:
 
     PluginDesk& plugins_;
     mission::TaskDrafts drafts_;
-    std::string wanted_class_;   ///< robot class that the mission needs; empty: any
-    Rectangle last_area_in_map_; ///< as it was drawn when the program ran last; empty: none
-    QString last_world_;         ///< name of the world that it was drawn in
-    QTimer preview_due_;         ///< fires when a preview takes long; the panel then says "asking…"
+    std::string wanted_class_;    ///< robot class that the mission needs; empty: any
+    mission::LastArea last_area_; ///< as it was drawn when the program ran last
+    QTimer preview_due_;          ///< fires when a preview takes long; the panel then says "asking…"
 };
 
 } // namespace usar::app

@@ -11,7 +11,22 @@
 
 namespace usar::app {
 
-ViewDesk::ViewDesk(const DeskContext& context, QMainWindow& window, std::optional<widgets::Theme> theme)
+namespace {
+
+/// Shows the dialog; makes it first if it is closed.
+void showOne(QPointer<QDialog>& dialog, const auto& make) {
+    if (!dialog) {
+        dialog = make();
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+    }
+    dialog->show();
+    dialog->raise();
+    dialog->activateWindow();
+}
+
+} // namespace
+
+ViewDesk::ViewDesk(const DeskContext& context, QMainWindow& window, const QString& theme)
     : Desk(context)
     , main_window_(window)
     , theme_(theme) {}
@@ -51,59 +66,30 @@ void ViewDesk::registerCommands() {
 }
 
 void ViewDesk::registerHelpCommands() {
-    add("help.shortcuts", [this] {
-        if (!sheet_) {
-            sheet_ = widgets::makeShortcutSheet(commands_, &main_window_);
-            sheet_->setAttribute(Qt::WA_DeleteOnClose);
-        }
-        sheet_->show();
-        sheet_->raise();
-        sheet_->activateWindow();
-    });
+    add("help.shortcuts",
+        [this] { showOne(sheet_, [this] { return widgets::makeShortcutSheet(commands_, &main_window_); }); });
     add("help.what", [this] {
         widgets::explainParts(main_window_);
         QWhatsThis::enterWhatsThisMode();
     });
-    add("help.about", [this] {
-        if (!about_) {
-            about_ = widgets::makeAbout(&main_window_);
-            about_->setAttribute(Qt::WA_DeleteOnClose);
-        }
-        about_->show();
-        about_->raise();
-        about_->activateWindow();
-    });
+    add("help.about", [this] { showOne(about_, [this] { return widgets::makeAbout(&main_window_); }); });
 }
 
 std::vector<widgets::PaletteOffer> ViewDesk::plots() const {
     views_.sensors->refresh(); // It does not while it is hidden.
     std::vector<widgets::PaletteOffer> offers;
-    const widgets::SensorModel& sensors = views_.sensors->model();
-    for (int source = 0; source < sensors.rowCount(); ++source) {
-        const QModelIndex parent = sensors.index(source, 0);
-        for (int leaf = 0; leaf < sensors.rowCount(parent); ++leaf) {
-            const QModelIndex field = sensors.index(leaf, 0, parent);
-            const QString path = field.data(widgets::SensorModel::PathRole).toString();
-            if (!field.data(widgets::SensorModel::NumericRole).toBool())
-                continue;
-            const QString unit = field.data(widgets::SensorModel::UnitRole).toString();
-            offers.push_back({tr("Plot %1").arg(path), tr("Sensors"), {"graph", "chart", "curve"}, [this, path, unit] {
-                                  raise(views_.plots_dock);
-                                  views_.plots->addSeries(path, unit);
-                              }});
-        }
-    }
+    for (const auto& [path, unit] : views_.sensors->model().numbers())
+        offers.push_back(
+            {tr("Plot %1").arg(path), tr("Sensors"), {"graph", "chart", "curve"}, [this, path = path, unit = unit] {
+                 raise(views_.plots_dock);
+                 views_.plots->addSeries(path, unit);
+             }});
     return offers;
 }
 
 void ViewDesk::wire() {
     connect(views_.map, &widgets::MapView::followingChanged, action("map.follow"), &QAction::setChecked);
     connect(views_.robots, &widgets::RobotList::wholeHeightChanged, this, &ViewDesk::giveRobotsRoom);
-    connect(views_.layers, &widgets::LayersPanel::layerChanged, views_.map, &widgets::MapView::setLayer);
-    widgets::HeightLayer* const heights = &views_.map->heights();
-    widgets::HeightControls* const look = views_.layers->heightControls();
-    connect(look, &widgets::HeightControls::lookChanged, heights, &widgets::HeightLayer::setLook);
-    connect(heights, &widgets::HeightLayer::changed, look, [=] { look->setShownRange(heights->range()); });
     connect(&selection_, &Selection::changed, this,
             [this] { views_.hint->setInReplay(robot() && robot()->isReplay()); });
     const auto key = [this](const char* id) { return action(id)->shortcut().toString(QKeySequence::NativeText); };
@@ -140,8 +126,8 @@ void ViewDesk::giveRobotsRoom() {
 }
 
 void ViewDesk::restore(const QSettings& settings) {
-    const QString theme = settings.value("theme", "dark").toString();
-    setTheme(theme_.value_or(theme == "light" ? widgets::Theme::Light : widgets::Theme::Dark));
+    const QString theme = theme_.isEmpty() ? settings.value("theme").toString() : theme_;
+    setTheme(theme == "light" ? widgets::Theme::Light : widgets::Theme::Dark);
     main_window_.restoreGeometry(settings.value("geometry").toByteArray());
     main_window_.restoreState(settings.value("layout").toByteArray(), layout_version);
     views_.hint->setDismissed(settings.value("hint_dismissed", false).toBool());

@@ -2,8 +2,6 @@
 // help.
 #pragma once
 
-#include <optional>
-
 #include <QDialog>
 #include <QMainWindow>
 #include <QPointer>
@@ -18,8 +16,8 @@ namespace usar::app {
 class ViewDesk : public Desk {
     Q_OBJECT
 public:
-    /// `theme`: the one that the command line asks for; nullopt: the one used last.
-    ViewDesk(const DeskContext& context, QMainWindow& window, std::optional<widgets::Theme> theme);
+    /// `theme`: the one that the command line asks for; empty: the one used last.
+    ViewDesk(const DeskContext& context, QMainWindow& window, const QString& theme);
 
     /// Also registers one command per dock, which shows or hides it.
     void registerCommands() override;
@@ -43,7 +41,7 @@ private:
     std::vector<widgets::PaletteOffer> plots() const;
 
     QMainWindow& main_window_;
-    std::optional<widgets::Theme> theme_;
+    QString theme_;
     QByteArray first_layout_;
     QPointer<QDialog> sheet_; ///< lists keys and gestures; nullptr while it is closed
     QPointer<QDialog> about_; ///< the same for versions and licenses

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/mission/world/world_edits.h"
+#include "core/mission/fleet/robot_words.h"
 #include "core/sim/world/object_kinds.h"
 
 namespace usar::app {
@@ -15,7 +15,6 @@ using widgets::ObjectForm;
 
 constexpr std::chrono::milliseconds seen_polling{200};
 constexpr std::chrono::milliseconds map_polling{500};
-constexpr double spin_rad_s = radians(30.0);
 
 /// The map has the same shapes as the simulator, in the same order.
 ObjectForm formOf(const sim::ObjectKind& kind) {
@@ -53,45 +52,31 @@ MapObject onMap(const mission::WorldThing& thing, std::vector<Vec2> way_m, doubl
     return object;
 }
 
-protocol::Token tokenOf(const QString& name) {
-    return mission::tokenOf(name.toStdString());
-}
-
 } // namespace
 
 WorldEditor::WorldEditor(const DeskContext& context)
     : Desk(context)
-    , inventory_(sizeOfKind)
-    , deleted_([this](const protocol::Command& command) { link_.send(command); },
-               [this](const std::string& name) { return inventory_.creationOf(name); }) {
+    , edits_(sizeOfKind, [this](const protocol::Command& command) { link_.send(command); }) {
     setClasses();
     views_.world->setKinds(palette());
 }
 
 void WorldEditor::registerCommands() {
     const auto one = [this] { return selected() != nullptr; };
-    add("world.turn_left", one, [this] { turn(radians(15.0)); });
-    add("world.turn_right", one, [this] { turn(radians(-15.0)); });
-    add("world.spin", one, [this] {
-        const bool spins = inventory_.toggleSpin(selected_.toStdString());
-        link_.send(protocol::SpinObject{tokenOf(selected_), Vec3(0.0, 0.0, spins ? spin_rad_s : 0.0)});
-    });
+    add("world.turn_left", one, [this] { edits_.turn(selectedName(), radians(15.0)); });
+    add("world.turn_right", one, [this] { edits_.turn(selectedName(), radians(-15.0)); });
+    add("world.spin", one, [this] { edits_.toggleSpin(selectedName()); });
     add("world.delete", one, [this] { remove(selected_); });
     const auto any = [this] { return !shown_.empty(); };
-    add("world.delete_all", any, [this] {
-        QStringList names;
-        for (const MapObject& object : shown_)
-            names << object.name;
-        removeNamed(names, protocol::KillAllObjects{});
-    });
-    const auto can_undo = [this] { return deleted_.canUndo() && port_ != 0; };
+    add("world.delete_all", any, [this] { tellLost(edits_.removeAll()); });
+    const auto can_undo = [this] { return edits_.deleted().canUndo() && port_ != 0; };
     add("world.undo", can_undo, [this] {
-        deleted_.undo();
+        edits_.deleted().undo();
         commands_.refresh();
     });
-    const auto can_redo = [this] { return deleted_.canRedo() && port_ != 0; };
+    const auto can_redo = [this] { return edits_.deleted().canRedo() && port_ != 0; };
     add("world.redo", can_redo, [this] {
-        deleted_.redo();
+        edits_.deleted().redo();
         commands_.refresh();
     });
     registerWayCommands();
@@ -109,8 +94,7 @@ void WorldEditor::registerWayCommands() {
                 views_.map->setFocus(); // So that it receives Escape.
         });
     add("world.clear_way", has_way, [this] {
-        inventory_.clearWay(selected_.toStdString());
-        link_.send(protocol::ClearWaypoints{tokenOf(selected_)});
+        edits_.clearWay(selectedName());
         show();
     });
     add("world.go", can_go, [this] { follow(true); });
@@ -127,19 +111,7 @@ void WorldEditor::setDriving(bool drives) {
     commands_.refresh();
 }
 
-/// Gives the panel's buttons words that are short enough to stand below their icons.
-void WorldEditor::nameButtons() {
-    const std::pair<const char*, QString> words[] = {
-        {"world.turn_left", tr("Left")}, {"world.turn_right", tr("Right")}, {"world.spin", tr("Spin")},
-        {"world.undo", tr("Undo")},      {"world.delete", tr("Delete")},    {"world.delete_all", tr("Delete all")},
-        {"world.waypoints", tr("Add")},  {"world.clear_way", tr("Clear")},  {"world.go", tr("Start")},
-        {"world.halt", tr("Stop")}};
-    for (const auto& [id, word] : words)
-        action(id)->setIconText(word);
-}
-
 void WorldEditor::wire() {
-    nameButtons();
     views_.world->setActions(
         {action("world.turn_left"), action("world.turn_right"), action("world.spin"), nullptr, action("world.undo"),
          action("world.delete"), action("world.delete_all")},
@@ -178,11 +150,8 @@ void WorldEditor::wireMap() {
     connect(&views_.map->gestures(), &widgets::MapGestures::objectClicked, this, &WorldEditor::select);
     connect(&views_.map->gestures(), &widgets::MapGestures::objectMoved, this, &WorldEditor::moveTo);
     connect(views_.map, &widgets::MapView::objectRemovalRequested, this, &WorldEditor::remove);
-    connect(&views_.map->gestures(), &widgets::MapGestures::toolChanged, this, [this](MapTool tool) {
-        if (tool != MapTool::Place)
-            views_.world->disarm();
-        action("world.waypoints")->setChecked(tool == MapTool::Waypoint);
-    });
+    connect(&views_.map->gestures(), &widgets::MapGestures::toolChanged, this,
+            [this](MapTool tool) { action("world.waypoints")->setChecked(tool == MapTool::Waypoint); });
 }
 
 void WorldEditor::setServer(const link::LinkStatus& status) {
@@ -191,8 +160,7 @@ void WorldEditor::setServer(const link::LinkStatus& status) {
         port_ = 0;
         if (std::exchange(opened_, false))
             link_.close();
-        inventory_.clear();
-        deleted_.clear();
+        edits_.clear();
         setClasses();
     } else if (status.state == link::LinkState::Connected && !same) {
         host_ = status.host;
@@ -206,7 +174,7 @@ void WorldEditor::setWorld(const server::WorldPicture& world) {
     std::map<std::string, std::string> own;
     for (const auto& [name, class_name] : world.objects)
         own.emplace(name.toStdString(), class_name.toStdString());
-    inventory_.setOwn(std::move(own));
+    edits_.inventory().setOwn(std::move(own));
     setClasses();
 }
 
@@ -215,7 +183,7 @@ void WorldEditor::setClasses() {
     std::vector<std::string> kinds;
     for (const sim::ObjectKind& kind : sim::objectKinds())
         kinds.emplace_back(kind.name);
-    link_.setClasses(inventory_.classesToAskFor(std::move(kinds)));
+    link_.setClasses(edits_.inventory().classesToAskFor(std::move(kinds)));
 }
 
 void WorldEditor::refresh() {
@@ -238,28 +206,21 @@ void WorldEditor::refreshPolling() {
 }
 
 void WorldEditor::showState() {
-    const mission::WorldView& view = link_.view();
-    if (port_ == 0)
-        return views_.world->setTrouble(tr("No world yet"), tr("Connect to a server; then things can be put into its "
-                                                               "world from here."));
-    if (view.state == mission::WorldState::Refused)
-        return views_.world->setTrouble(tr("No world controller"), QString::fromStdString(view.trouble));
-    if (view.state != mission::WorldState::Ready && view.things.empty())
-        return views_.world->setTrouble(tr("Asking the server…"), QString::fromStdString(view.trouble));
-    views_.world->setTrouble({}, {});
+    const auto [title, hint] = mission::whyNoObjects(port_ != 0, link_.view());
+    views_.world->setTrouble(title, hint);
 }
 
 std::vector<MapObject> WorldEditor::objects() const {
     const double factor = control_.simulator().running() && real_time_factor_ > 0.01 ? real_time_factor_ : 1.0;
     std::vector<MapObject> objects;
-    for (const mission::WorldThing& thing : inventory_.things())
-        objects.push_back(onMap(thing, inventory_.way_m(thing.name), factor));
+    for (const mission::WorldThing& thing : edits_.inventory().things())
+        objects.push_back(onMap(thing, edits_.inventory().way_m(thing.name), factor));
     return objects;
 }
 
 void WorldEditor::show() {
     const bool none_before = shown_.empty();
-    inventory_.setThings(link_.view().things);
+    edits_.inventory().setThings(link_.view().things);
     shown_ = objects();
     views_.map->setObjects(shown_);
     if (dock_seen_)
@@ -310,58 +271,34 @@ void WorldEditor::place(const Vec2& at_m, bool again) {
         return;
     if (const Rectangle& world = control_.world().extent_in_map; !world.empty() && !world.contains(at_m))
         return say(tr("There is no ground outside the world's frame. Drop the object inside it."));
-    const std::string class_name = choice->class_name.toStdString();
-    const std::string name = inventory_.unusedName(class_name);
-    const auto created =
-        mission::placed({class_name, name, choice->size_m, choice->scale, choice->conveyor}, at_m, ground()(at_m));
-    if (!created)
-        return say(QString::fromStdString(created.error().text()));
-    inventory_.useName(name);
-    link_.send(*created);
-    awaited_ = QString::fromStdString(name);
+    const auto name = edits_.place(
+        {choice->class_name.toStdString(), {}, choice->size_m, choice->scale, choice->conveyor}, at_m, ground());
+    if (!name)
+        return say(QString::fromStdString(name.error().text()));
+    awaited_ = QString::fromStdString(*name);
     if (!again)
         views_.world->disarm();
 }
 
 void WorldEditor::moveTo(const QString& name, const Vec2& center_m) {
     select(name);
-    if (const MapObject* const object = selected())
-        link_.send(protocol::PlaceObject{tokenOf(name), mission::movedTo(object->body_in_map, center_m, ground())});
+    edits_.moveTo(selectedName(), center_m, ground());
 }
 
-void WorldEditor::turn(double angle_rad) {
-    Pose shift;
-    shift.yaw_rad = angle_rad;
-    link_.send(protocol::ShiftObject{tokenOf(selected_), shift});
-}
-
-void WorldEditor::remove(const QString& name) {
-    if (inventory_.find(name.toStdString()))
-        removeNamed(QStringList(name), protocol::KillObject{tokenOf(name)});
-}
-
-/// Deletes the objects with these names by sending `deletion`.
-void WorldEditor::removeNamed(const QStringList& names, const protocol::Command& deletion) {
-    std::vector<protocol::CreateObject> kept;
-    QStringList lost;
-    for (const QString& name : names)
-        if (auto created = inventory_.creationOf(name.toStdString()))
-            kept.push_back(*std::move(created));
-        else
-            lost << name;
-    if (!lost.isEmpty())
+void WorldEditor::tellLost(const std::vector<std::string>& lost) {
+    QStringList names;
+    for (const std::string& name : lost)
+        names << QString::fromStdString(name);
+    if (!names.isEmpty())
         say(tr("%1 cannot be brought back: the server does not tell of which class it was. Put another object there "
                "if one is needed.")
-                .arg(lost.join(", ")));
-    deleted_.remove(deletion, std::move(kept));
+                .arg(names.join(", ")));
 }
 
 void WorldEditor::addWaypoint(const Vec2& at_m) {
-    const MapObject* const object = selected();
-    if (!object)
+    if (!selected())
         return say(tr("Select an object first; then its waypoints are set by clicks on the map."));
-    inventory_.addWaypoint(selected_.toStdString(), at_m);
-    link_.send(protocol::AddWaypoints{tokenOf(selected_), {mission::waypointAt(object->body_in_map, at_m, ground())}});
+    edits_.addWaypoint(selectedName(), at_m, ground());
     show();
 }
 
@@ -370,12 +307,9 @@ void WorldEditor::follow(bool moving) {
     const MapObject* const object = selected();
     if (!object)
         return;
-    const bool has_way = !object->waypoints_in_map_m.empty();
-    const bool is_conveyor = object->carries;
-    if ((has_way || !is_conveyor) && views_.map->tool() == MapTool::Waypoint)
+    if ((!object->waypoints_in_map_m.empty() || !object->carries) && views_.map->tool() == MapTool::Waypoint)
         views_.map->setTool(MapTool::Pan);
-    link_.send(mission::motionOf(selected_.toStdString(), is_conveyor, has_way,
-                                 {views_.world->speed_m_s(), views_.world->loop(), moving}));
+    edits_.follow(selectedName(), object->carries, {views_.world->speed_m_s(), views_.world->loop(), moving});
 }
 
 mission::GroundHeight WorldEditor::ground() const {

@@ -5,9 +5,7 @@
 
 #include "app/desks/desk.h"
 #include "core/mission/fleet/world_link.h"
-#include "core/mission/world/deleted_objects.h"
-#include "core/mission/world/world_edits.h"
-#include "core/mission/world/world_inventory.h"
+#include "core/mission/world/world_editing.h"
 
 namespace usar::app {
 
@@ -34,7 +32,6 @@ private:
     void setWorld(const server::WorldPicture& world);
     /// Registers the commands for way points, and those that start and stop an object or a belt.
     void registerWayCommands();
-    void nameButtons();
     void wireMap();
     /// Opens the connection when the dock is visible for the first time, and updates polling and state.
     void refresh();
@@ -48,6 +45,7 @@ private:
     std::vector<widgets::MapObject> objects() const;
     /// The selected object; nullptr if there is none. Valid until the next `show`.
     const widgets::MapObject* selected() const;
+    std::string selectedName() const { return selected_.toStdString(); }
     void select(const QString& name);
     /// Lets the map place the object chosen in the palette; ends placing if none is chosen.
     void arm();
@@ -55,13 +53,11 @@ private:
     void place(const Vec2& at_m, bool again);
     /// Moves the object's center here, at the same height over the ground.
     void moveTo(const QString& name, const Vec2& center_m);
-    /// Turns the selected object about the vertical axis, positive to the left.
-    void turn(double angle_rad);
-    void remove(const QString& name);
+    void remove(const QString& name) { tellLost(edits_.remove(name.toStdString())); }
     /// Sets the classes that the server is asked about, to learn which objects belong to each.
     void setClasses();
-    /// Deletes the objects with these names by sending `deletion`. A notice names those that undo cannot restore.
-    void removeNamed(const QStringList& names, const protocol::Command& deletion);
+    /// A notice names the deleted objects that undo cannot restore.
+    void tellLost(const std::vector<std::string>& lost);
     /// Appends a way point to the way of the selected object; says what to do if none is selected.
     void addWaypoint(const Vec2& at_m);
     /// Starts or stops the selected object's motion along its way, or its belt.
@@ -71,8 +67,7 @@ private:
     mission::GroundHeight ground() const;
 
     mission::WorldLink link_;
-    mission::WorldInventory inventory_;
-    mission::DeletedObjects deleted_;
+    mission::WorldEditing edits_;
     QString host_;
     quint16 port_ = 0;    ///< 0: no server
     bool opened_ = false; ///< the connection to `host_` has been requested

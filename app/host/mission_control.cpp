@@ -68,12 +68,7 @@ void MissionControl::leave() {
 }
 
 void MissionControl::learn(const QString& class_name, bool has_camera) {
-    for (auto [classes, is_one] :
-         {std::pair(&world_.robot_classes, true), std::pair(&world_.camera_classes, has_camera)}) {
-        classes->removeAll(class_name);
-        if (is_one)
-            classes->append(class_name);
-    }
+    world_.learn(class_name, has_camera);
     emit classesChanged();
 }
 
@@ -85,18 +80,6 @@ std::vector<agent::RobotDescription> MissionControl::robotsToSpawn() const {
             robots.push_back({class_name, name.toStdString(), {}, {}});
     }
     return robots;
-}
-
-QStringList MissionControl::liveNames() const {
-    QStringList names;
-    for (const Robot* robot : robots())
-        if (!robot->isReplay())
-            names << nameOf(*robot);
-    return names;
-}
-
-bool MissionControl::anyRunning() const {
-    return std::ranges::any_of(robots(), &Robot::running);
 }
 
 void MissionControl::setPace(server::Pace pace, double factor) {

@@ -4,8 +4,9 @@
 #include <vector>
 
 #include "core/mission/fleet/fleet.h"
-#include "core/server/embedded/server_target.h"
+#include "core/mission/fleet/fleet_questions.h"
 #include "core/server/embedded/simulator_host.h"
+#include "core/server/embedded/window_options.h"
 
 namespace usar::app {
 
@@ -13,6 +14,7 @@ using mission::missionKey;
 using mission::Robot;
 using mission::RobotView;
 using mission::StartedBehavior;
+using Options = server::WindowOptions;
 using server::ServerTarget;
 
 /// A fleet that can start an embedded simulator, which runs in a separate thread. Belongs to the GUI thread and never
@@ -33,9 +35,9 @@ public:
     /// driven by commands.
     std::vector<agent::RobotDescription> robotsToSpawn() const;
     /// Names of all robots on the server; replays are left out.
-    QStringList liveNames() const;
+    QStringList liveNames() const { return mission::liveNames(robots()); }
     /// True if a behavior of ours runs on any robot.
-    bool anyRunning() const;
+    bool anyRunning() const { return mission::anyRunning(robots()); }
     /// Sets the pace of the embedded simulator; a real server's time cannot be controlled.
     void setPace(server::Pace pace, double factor);
     /// Injects faults into the embedded simulator; their times count from now. An error names the first text that is

@@ -5,7 +5,6 @@
 #include <QThreadPool>
 
 #include "app/window/main_window.h"
-#include "app/window/options.h"
 #include "core/server/embedded/quit_signals.h"
 #include "core/server/embedded/simulator_files.h"
 
@@ -15,7 +14,7 @@ int main(int argc, char** argv) {
     QApplication::setOrganizationName("USAR");
     QApplication::setApplicationVersion(USAR_VERSION);
 
-    const auto options = usar::app::readOptions(QApplication::arguments());
+    const auto options = usar::server::readWindowOptions(QApplication::arguments());
     if (!options) {
         std::fprintf(stderr, "mission-control: %s\n", options.error().text().c_str());
         return 2;

@@ -14,6 +14,7 @@
 #include "core/server/embedded/program_files.h"
 #include "widgets/commands/key_filters.h"
 #include "widgets/models/figures.h"
+#include "widgets/window/window_wiring.h"
 
 namespace usar::app {
 
@@ -25,6 +26,7 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
     , plugins_(desk_, options.plugin_folders.isEmpty() ? server::pluginFolders() : options.plugin_folders)
     , server_(desk_, options.server)
     , view_(desk_, *this, options.theme) {
+    widgets::wireViews(views_);
     control_.setResultFolder(options.result_folder);
     registerCommands();
     makeMenus();
@@ -68,49 +70,9 @@ void MainWindow::registerCommands() {
 }
 
 void MainWindow::makeMenus() {
-    const auto fill = [this](QMenu* menu, const char* ids) { commands_.fill(menu, QString(ids).split(' ')); };
-    const auto add = [this, fill](const QString& title, const char* ids) {
-        QMenu* const menu = menuBar()->addMenu(title);
-        fill(menu, ids);
-        return menu;
-    };
-    QMenu* const file = add(tr("&File"), "file.open file.save - file.record file.open_recording -");
-    files_.fillRecentMenu(file->addMenu(tr("Open r&ecent")));
-    fill(file, "- file.export file.folder file.show_folder - file.quit");
-    add(tr("&Mission"), "mission.area - mission.start mission.start_again mission.pause mission.land mission.stop - "
-                        "mission.stop_all");
-    add(tr("&Robots"), "robot.select_1 robot.select_2 robot.select_3 robot.select_4 robot.select_5 robot.select_6 "
-                       "robot.select_7 robot.select_8 robot.select_9 - radio.station robot.spawn_again robot.remove - "
-                       "drive.take drive.stop drive.faster drive.slower - robot.trace - plugins.rescan");
-    QMenu* const server = add(tr("&Server"), "link.connect link.disconnect -");
-    server_.fillWorldMenu(server->addMenu(tr("&World of the embedded simulator")));
-    fill(server, "simulator.open_robot simulator.save_snapshot simulator.open_snapshot simulator.cancel_opening - "
-                 "time.pause time.step time.faster time.slower time.real time.max - "
-                 "faults.inject faults.end faults.end_all - link.figures");
-    add(tr("&Objects"), "view.dock.world - world.turn_left world.turn_right world.spin - world.waypoints "
-                        "world.clear_way world.go world.halt - world.undo world.redo world.delete world.delete_all - "
-                        "map.wipe_trace");
-    add(tr("P&lan"), "plan.open plan.edit plan.new - "
-                     "plan.continue plan.halt plan.step_cycle plan.step_epoch plan.run_to - "
-                     "plan.back plan.forward plan.live plan.look_back - "
-                     "plan.break_before plan.break_after plan.break_result plan.break_verdict plan.break_interruption "
-                     "plan.break_key plan.break_edit plan.break_switch plan.break_clear - "
-                     "plan.pin plan.drive_off plan.release - plan.report plan.save_picture");
-    add(tr("M&essages"), "messages.find messages.command - messages.pause messages.follow messages.details "
-                         "messages.cause messages.resend - messages.only_trouble messages.only_type "
-                         "messages.hide_type messages.all_robots messages.no_filter - messages.copy "
-                         "messages.copy_text messages.copy_json messages.copy_shown messages.save messages.clear");
-    add(tr("Re&play"), "replay.play replay.step - replay.back replay.forward replay.begin - "
-                       "replay.faster replay.slower - replay.close");
-    add(tr("&Camera"), "camera.zoom_in camera.zoom_out camera.zoom_default - camera.left camera.right camera.up "
-                       "camera.down camera.center - camera.light - camera.save camera.port");
-    QMenu* const view = add(tr("&View"), "map.fit map.fit_world map.follow map.zoom_in map.zoom_out radio.map "
-                                         "radio.show - view.operate view.analyse view.debug - view.dark view.hint "
-                                         "view.palette -");
-    for (const auto& command : commands_.commands())
-        if (command->spec.id.startsWith("view.dock."))
-            view->addAction(command->action);
-    add(tr("&Help"), "help.shortcuts help.what - help.about");
+    const auto submenus = widgets::makeMenus(*menuBar(), commands_);
+    files_.fillRecentMenu(submenus.at("recent"));
+    server_.fillWorldMenu(submenus.at("worlds"));
 }
 
 void MainWindow::wire() {
@@ -130,7 +92,6 @@ void MainWindow::wire() {
                 views_.question->ask(spec.id, question, {{spec.answer, run}, {tr("Cancel"), {}}});
             });
     commands_.setPlacesOfPlainKeys({views_.map, views_.robots});
-    connect(views_.sensors, &widgets::SensorPanel::plotRequested, views_.plots, &widgets::PlotView::addSeries);
     connect(views_.plots, &widgets::PlotView::failed, this,
             [this](const QString& reason) { notices_.say(Severity::Error, "plot", reason); });
 }
@@ -144,7 +105,7 @@ void MainWindow::wireDesks() {
     connect(&selection_, &Selection::changed, this, &MainWindow::showTitle);
     connect(&control_, &MissionControl::behaviorFinished, this, [this] {
         showTitle();
-        if (leaving_ && std::ranges::none_of(control_.robots(), &Robot::running))
+        if (leaving_ && !mission::anyRunning(control_.robots()))
             close();
     });
     connect(&control_, &MissionControl::robotUpdated, this, [this](RobotId id) {
@@ -183,15 +144,7 @@ void MainWindow::connectDesks() {
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
     QMainWindow::resizeEvent(event);
-    using widgets::BarRoom;
-    const int columns = width() / fontMetrics().horizontalAdvance(u'0');
-    constexpr int least_wide = 175;
-    constexpr int least_medium = 150;
-    views_.connection->setRoom(columns >= least_wide     ? BarRoom::Wide
-                               : columns >= least_medium ? BarRoom::Medium
-                                                         : BarRoom::Narrow);
-    views_.record->setFiguresShown(columns >= least_medium);
-    views_.driver->setRoomy(columns >= least_medium);
+    widgets::fitBars(views_, width() / fontMetrics().horizontalAdvance(u'0'));
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
@@ -223,11 +176,7 @@ void MainWindow::saveSettings() {
     saved_ = sheet;
     if (changed.isEmpty())
         return;
-    disk_.start(HandedOver([changed, file = settings_file_] {
-        QSettings settings(file, QSettings::NativeFormat);
-        for (auto entry = changed.begin(); entry != changed.end(); ++entry)
-            settings.setValue(entry.key(), entry.value());
-    }));
+    disk_.start(HandedOver([changed, file = settings_file_] { SettingsSheet::write(changed, file); }));
 }
 
 void MainWindow::keepSaving() {
@@ -273,9 +222,7 @@ void MainWindow::quit() {
 void MainWindow::askBeforeStopping(int busy) {
     const auto land = [this] {
         leaving_ = true;
-        for (Robot* const robot : control_.robots())
-            if (robot->running())
-                robot->order(agent::Order::LandNow);
+        mission::orderAll(control_.robots(), agent::Order::LandNow);
     };
     views_.question->ask("quit", busy == 1 ? tr("A robot is at work.") : tr("%1 robots are at work.").arg(busy),
                          {{tr("Land, then quit"), land},
@@ -291,7 +238,7 @@ void MainWindow::closeAtOnce() {
 void MainWindow::closeEvent(QCloseEvent* event) {
     if (workshop_.hasChanges()) {
         event->ignore();
-        return workshop_.letGo([this] { close(); });
+        return workshop_.editor()->letGo([this] { close(); });
     }
     saveSettings();
     drive_.leave();

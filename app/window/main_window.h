@@ -21,7 +21,6 @@
 #include "app/desks/time_desk.h"
 #include "app/desks/view_desk.h"
 #include "app/desks/world_editor.h"
-#include "app/window/options.h"
 #include "app/window/recovery_desk.h"
 #include "app/window/result_desk.h"
 

@@ -13,18 +13,7 @@ namespace {
 
 /// Without what only the files tell.
 widgets::MissionOutcome outcomeOf(const Robot& robot) {
-    const RobotView& view = robot.view();
-    widgets::MissionOutcome outcome{.robot = nameOf(robot), .coverage_pct = robot.coverage_pct()};
-    if (view.finished) {
-        outcome.success = view.finished->success;
-        outcome.reason = QString::fromStdString(view.finished->reason);
-    }
-    if (view.status) {
-        outcome.duration = view.status->elapsed;
-        outcome.distance_m = view.status->distance_flown_m;
-        outcome.charges = view.status->charges;
-    }
-    return outcome;
+    return widgets::outcomeOf(nameOf(robot), robot.coverage_pct(), robot.view().finished, robot.view().status);
 }
 
 void addFiles(widgets::MissionOutcome& outcome, const mission::RunSummary& summary) {

@@ -34,6 +34,8 @@ private slots:
     void placesAreFoundAgainInAChangedPlan();
     void aSecondTimeRemovesWhatTheFirstSet();
     void allAreSwitchedTogether();
+    void temporaryOnesEndWithTheHalt();
+    void theListOfAPlanNamesWhatIsLost();
     void sentences_data();
     void sentences();
 };
@@ -142,6 +144,42 @@ void tst_BreakpointList::allAreSwitchedTogether() {
     QVERIFY(!list.find(ids.front())->enabled && !list.find(ids.back())->enabled);
     list.toggleEnabled(ids);
     QVERIFY(list.find(ids.front())->enabled && list.find(ids.back())->enabled);
+}
+
+void tst_BreakpointList::temporaryOnesEndWithTheHalt() {
+    BreakpointList list;
+    Breakpoint once = at("d ▸ a");
+    once.once = true;
+    const BreakpointId lasting = list.add(once);
+    PlanSpot spot;
+    spot.names = "d ▸ b";
+    list.setTemporary({spot});
+    list.setTemporary({spot}); // replaces the first
+    QCOMPARE(list.all().size(), std::size_t(2));
+    QCOMPARE(BreakpointList::fromJson(list.toJson()).all().size(), std::size_t(1));
+    list.takeHit(lasting);
+    QVERIFY(!list.find(lasting)->enabled);
+    QVERIFY(list.dropTemporary());
+    QVERIFY(!list.dropTemporary());
+    QCOMPARE(list.all().size(), std::size_t(1));
+}
+
+void tst_BreakpointList::theListOfAPlanNamesWhatIsLost() {
+    BreakpointList list;
+    Breakpoint key = at("d", BreakOn::Written);
+    key.key = "height";
+    key.path = "/DC";
+    list.add(key);
+    list.add(at("d ▸ a"));
+    list.add(at("other ▸ a"));
+    const auto rows = list.rowsOfPlan("d");
+    QCOMPARE(rows.size(), std::size_t(2));
+    QCOMPARE(rows[0].help, QStringLiteral("d"));
+    QVERIFY(rows[1].path.empty());
+    QVERIFY(rows[1].help.contains(QStringLiteral("no such place")));
+    QCOMPARE(list.keysOfPlan("d"), QStringList(QStringLiteral("height")));
+    QVERIFY(list.keysOfPlan("other").isEmpty());
+    QVERIFY(list.rowsOfPlan("").empty());
 }
 
 void tst_BreakpointList::sentences_data() {

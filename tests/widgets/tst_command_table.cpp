@@ -1,6 +1,7 @@
 // The words and keys of commands, read from a table.
 #include <set>
 
+#include <QMainWindow>
 #include <QTest>
 
 #include "tests/suite/suite.h"
@@ -21,6 +22,7 @@ private slots:
     void textThatIsNoTableIsEmpty();
     void everyCommandOfTheProgramIsComplete();
     void noIdAndNoKeyIsUsedTwice();
+    void everyMenuItemIsACommand();
     void commandsSpeakPlainly();
     void aNewcomersWordFindsACommand_data();
     void aNewcomersWordFindsACommand();
@@ -84,6 +86,25 @@ void tst_CommandTable::noIdAndNoKeyIsUsedTwice() {
         for (const QKeySequence& keys : spec.shortcuts)
             QVERIFY2(used.insert(keys.toString()).second, qPrintable(spec.id + " has the key of another command"));
     }
+}
+
+void tst_CommandTable::everyMenuItemIsACommand() {
+    QMainWindow window;
+    CommandRegistry commands(&window);
+    for (const CommandSpec& spec : commandTable())
+        commands.add(spec, [](bool) {});
+    for (const char* const of_a_desk : {"view.dock.map", "view.dock.world"})
+        commands.add({.id = of_a_desk, .text = "Dock", .group = "View"}, [](bool) {});
+    const auto submenus = makeMenus(*window.menuBar(), commands); // Asserts that each id is known.
+    QCOMPARE(submenus.size(), std::size_t(2));
+    QCOMPARE(submenus.at("recent")->title(), QString("Open r&ecent"));
+    QVERIFY(submenus.at("worlds")->isEmpty());
+    QCOMPARE(window.menuBar()->actions().size(), 11);
+    QCOMPARE(window.menuBar()->actions().front()->text(), QString("&File"));
+    const QMenu* const view = window.menuBar()->actions()[9]->menu();
+    QVERIFY(view->actions().contains(commands.action("view.dock.map")));
+    QVERIFY(view->actions().contains(commands.action("view.dock.world")));
+    QVERIFY(view->actions()[view->actions().size() - 3]->isSeparator());
 }
 
 void tst_CommandTable::commandsSpeakPlainly() {

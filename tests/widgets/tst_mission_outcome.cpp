@@ -55,6 +55,27 @@ bool says(const ResultCard& card, const QString& words) {
 class tst_MissionOutcome : public QObject {
     Q_OBJECT
 private slots:
+    void whatABehaviorToldIsTakenOver() {
+        agent::BehaviorStatus status;
+        status.elapsed = Seconds(12.0);
+        status.distance_flown_m = 3.4;
+        status.charges = 2;
+        const MissionOutcome ended =
+            outcomeOf(QStringLiteral("R1"), 40.0, agent::BehaviorFinished{true, "Done."}, status);
+        QVERIFY(ended.success);
+        QCOMPARE(ended.reason, QStringLiteral("Done."));
+        QCOMPARE(textsOf(ended), (QStringList{QStringLiteral("Coverage 40.0 %"), QStringLiteral("Time 12 s"),
+                                              QStringLiteral("Distance 3 m"), QStringLiteral("Charges 2")}));
+        QVERIFY(ended.files.isEmpty());
+    }
+
+    void aBehaviorThatToldNothingHasNoSuccess() {
+        const MissionOutcome ended = outcomeOf(QStringLiteral("R1"), {}, {}, {});
+        QVERIFY(!ended.success);
+        QVERIFY(!ended.coverage_pct);
+        QCOMPARE(ended.robot, QStringLiteral("R1"));
+    }
+
     void allThatIsKnownIsTold() {
         QCOMPARE(textsOf(wholeFlight()),
                  (QStringList{QStringLiteral("Coverage 99.7 %"), QStringLiteral("Time 8 min 42 s"),

@@ -92,6 +92,7 @@ private slots:
     void unknownSensorsAppear();
     void streamsAreKeptApart();
     void newestLineOfAStreamRemains();
+    void newestReadingOfATypeHasItsTime();
     void streamsAreListedBeforeAnswers();
     void everyValueHasItsRate();
     void silenceIsStaleAndAgesByWallTime();
@@ -264,6 +265,17 @@ void tst_SensorPanel::newestLineOfAStreamRemains() {
     QCOMPARE(lines[0].now, Seconds(1.2));
     QCOMPARE(std::get<protocol::SonarReadings>(lines[0].line.message).ranges[0].range_m, 2.0);
     QVERIFY(newest.takeAll().empty());
+}
+
+void tst_SensorPanel::newestReadingOfATypeHasItsTime() {
+    NewestLines newest;
+    newest.take(sonar("F1", 1.0), Seconds(1.0));
+    newest.take(sonar("F2", 1.0), Seconds(1.5));
+    newest.take(sonar("F1", 2.0), Seconds(1.2));
+    QCOMPARE(newest.heard<protocol::SonarReadings>(), std::optional(Seconds(1.5)));
+    QVERIFY(!newest.heard<protocol::InsReading>());
+    newest.takeAll();
+    QVERIFY(!newest.heard<protocol::SonarReadings>());
 }
 
 void tst_SensorPanel::streamsAreListedBeforeAnswers() {

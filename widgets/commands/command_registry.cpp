@@ -45,6 +45,8 @@ CommandRegistry::CommandRegistry(QWidget* window) : QObject(window), window_(win
 QAction* CommandRegistry::add(const CommandSpec& spec, std::function<void(bool)> run, std::function<bool()> enabled) {
     auto* action = new KeyedAction(icon(spec.icon), spec.text, this);
     action->setCheckable(spec.checkable);
+    if (!spec.button.isEmpty())
+        action->setIconText(spec.button);
     if (run)
         connect(action, &QAction::triggered, this, [this, action, spec, run = std::move(run)](bool on) {
             const bool asks = action->byKey() && !spec.question.isEmpty() && !(spec.checkable && on);
@@ -115,7 +117,14 @@ std::vector<PaletteOffer> CommandRegistry::offers() const {
 void CommandRegistry::fill(QMenu* menu, const QStringList& ids) const {
     menu->setToolTipsVisible(true);
     for (const QString& id : ids)
-        id == u"-" ? menu->addSeparator() : (menu->addAction(action(id)), nullptr);
+        if (id == u"-")
+            menu->addSeparator();
+        else if (!id.endsWith(u'*'))
+            menu->addAction(action(id));
+        else
+            for (const auto& command : commands_)
+                if (command->spec.id.startsWith(QStringView(id).chopped(1)))
+                    menu->addAction(command->action);
 }
 
 QString tooltipText(const CommandSpec& spec) {
@@ -126,6 +135,7 @@ QString tooltipText(const CommandSpec& spec) {
 }
 
 extern const char commands_json[];
+extern const char menus_json[];
 
 namespace {
 
@@ -141,6 +151,7 @@ CommandSpec specOf(const QString& id, const QString& group, const QJsonObject& r
     CommandSpec spec{id, row["text"].toString(), group, row["help"].toString(), row["icon"].toString(), {}};
     for (const auto& keys : row["keys"].toArray())
         spec.shortcuts << keysOf(keys.toString());
+    spec.button = row["button"].toString();
     spec.checkable = row["checkable"].toBool();
     spec.twice = keysOf(row["twice"].toString());
     if (!spec.twice.isEmpty())
@@ -173,6 +184,19 @@ const CommandSpec& commandSpec(const QString& id) {
     const auto found = std::ranges::find(commandTable(), id, &CommandSpec::id);
     Q_ASSERT_X(found != commandTable().end(), "commandSpec", qPrintable(id));
     return *found;
+}
+
+std::map<QString, QMenu*> makeMenus(QMenuBar& bar, const CommandRegistry& commands) {
+    std::map<QString, QMenu*> submenus;
+    for (const QJsonValue& row : QJsonDocument::fromJson(menus_json).array()) {
+        QMenu* const menu = bar.addMenu(row["title"].toString());
+        for (const QJsonValue& item : row["items"].toArray())
+            if (item.isString())
+                commands.fill(menu, item.toString().split(u' '));
+            else
+                submenus[item["submenu"].toString()] = menu->addMenu(item["title"].toString());
+    }
+    return submenus;
 }
 
 } // namespace usar::widgets

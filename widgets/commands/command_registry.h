@@ -3,12 +3,13 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <vector>
 
 #include <QAction>
 #include <QKeySequence>
-#include <QMenu>
+#include <QMenuBar>
 #include <QObject>
 
 namespace usar::widgets {
@@ -26,6 +27,7 @@ struct CommandSpec {
     QString question{};  ///< asked before a key runs the command, or switches it off; %1: robot; empty: never
     QString answer{};    ///< the answer that runs it: "Land"
     QStringList words{}; ///< other words for it, by which the palette finds it
+    QString button{};    ///< a shorter text below an icon; empty: the text
     QString wish{};      ///< the text with a verb, for the palette: "Show Camera"; empty: the text
 };
 
@@ -74,7 +76,7 @@ public:
     /// What can be done at this moment beside the commands, in the order in which the providers were added.
     std::vector<PaletteOffer> offers() const;
 
-    /// Appends these commands in order; an id "-" makes a separator.
+    /// Appends these commands in order; an id "-" makes a separator, and "view.dock.*" stands for all that begin so.
     void fill(QMenu* menu, const QStringList& ids) const;
 
 signals:
@@ -94,14 +96,19 @@ private:
 QString tooltipText(const CommandSpec& spec);
 
 /// Reads a table of commands: an object of groups, each an object of commands by id, with `text`, `help`, and possibly
-/// `icon`, `keys`, `checkable`, `twice`, `question`, `answer` and `words`, which are separated by commas. A key is
-/// written as in a menu ("Ctrl+K"), or names one that differs by desktop ("StandardKey::Open"). Text that is no JSON
-/// object is read as an empty table.
+/// `icon`, `button`, `keys`, `checkable`, `twice`, `question`, `answer` and `words`, which are separated by commas. A
+/// key is written as in a menu ("Ctrl+K"), or names one that differs by desktop ("StandardKey::Open"). Text that is no
+/// JSON object is read as an empty table.
 std::vector<CommandSpec> readCommandTable(const QByteArray& json);
 
 /// All commands of the program's own table, sorted by group and id.
 const std::vector<CommandSpec>& commandTable();
 /// The command with this id; an unknown id is a programming error (assertion).
 const CommandSpec& commandSpec(const QString& id);
+
+/// Fills the menu bar as the program's table says (resources/menus.json): a list of menus, each with a `title` and
+/// `items`. An item is a text of command ids, "-" for a separator, or the beginning of ids ("view.dock.*") for all that
+/// begin so; or a submenu, which is made empty. Returns the submenus by name. All commands must be registered before.
+std::map<QString, QMenu*> makeMenus(QMenuBar& bar, const CommandRegistry& commands);
 
 } // namespace usar::widgets

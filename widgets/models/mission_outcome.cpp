@@ -9,6 +9,22 @@
 
 namespace usar::widgets {
 
+MissionOutcome outcomeOf(const QString& robot, std::optional<double> coverage_pct,
+                         const std::optional<agent::BehaviorFinished>& finished,
+                         const std::optional<agent::BehaviorStatus>& status) {
+    MissionOutcome outcome{.robot = robot, .coverage_pct = coverage_pct};
+    if (finished) {
+        outcome.success = finished->success;
+        outcome.reason = QString::fromStdString(finished->reason);
+    }
+    if (status) {
+        outcome.duration = status->elapsed;
+        outcome.distance_m = status->distance_flown_m;
+        outcome.charges = status->charges;
+    }
+    return outcome;
+}
+
 std::vector<OutcomeFigure> figuresOf(const MissionOutcome& outcome) {
     std::vector<OutcomeFigure> figures;
     if (outcome.coverage_pct)

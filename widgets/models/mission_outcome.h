@@ -8,6 +8,7 @@
 #include <QString>
 #include <QStringList>
 
+#include "core/agent/published.h"
 #include "core/base/clock.h"
 
 namespace usar::widgets {
@@ -25,6 +26,11 @@ struct MissionOutcome {
     std::optional<double> error_m{};                      ///< of the map on open ground, root mean square
     QStringList files{};                                  ///< full paths; empty: nothing was scanned
 };
+
+/// What a behavior has told of its mission: how it ended and its last status. What only the files tell is left out.
+MissionOutcome outcomeOf(const QString& robot, std::optional<double> coverage_pct,
+                         const std::optional<agent::BehaviorFinished>& finished,
+                         const std::optional<agent::BehaviorStatus>& status);
 
 /// A figure of the card: "Coverage", "99.7 %", and what it means.
 struct OutcomeFigure {

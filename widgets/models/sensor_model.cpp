@@ -298,6 +298,17 @@ QMimeData* SensorModel::mimeData(const QModelIndexList& indexes) const {
     return mime;
 }
 
+std::vector<SensorModel::Number> SensorModel::numbers() const {
+    std::vector<Number> numbers;
+    for (int source = 0; source < rowCount(); ++source) {
+        const QModelIndex parent = index(source, 0);
+        for (int leaf = 0; leaf < rowCount(parent); ++leaf)
+            if (const QModelIndex field = index(leaf, 0, parent); field.data(NumericRole).toBool())
+                numbers.push_back({field.data(PathRole).toString(), field.data(UnitRole).toString()});
+    }
+    return numbers;
+}
+
 std::string streamOf(const protocol::InfoMessage& message) {
     return std::to_string(message.index()) + ' ' + std::visit(NameOf{}, message);
 }

@@ -2,6 +2,7 @@
 // the buffer that it is fed from.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -40,6 +41,13 @@ public:
     void clear();
     /// The stream words that were heard ("INS", "RangeScanner"), in order of first appearance.
     QStringList types() const;
+    /// A value that can be plotted, with its unit.
+    struct Number {
+        QString path;
+        QString unit;
+    };
+    /// All of them, in the order of the rows.
+    std::vector<Number> numbers() const;
 
     QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
     QModelIndex parent(const QModelIndex& child) const override;
@@ -117,6 +125,15 @@ public:
     void take(const protocol::InfoLine& line, Seconds now);
     /// The lines that were not removed yet, in the order in which their streams first appeared.
     const std::vector<CountedLine>& lines() const { return lines_; }
+    /// Clock at the arrival of the newest stored line with a message of this type; nullopt: none.
+    template <class Message>
+    std::optional<Seconds> heard() const {
+        std::optional<Seconds> newest;
+        for (const CountedLine& one : lines_)
+            if (std::holds_alternative<Message>(one.line.message))
+                newest = std::max(newest, std::optional(one.now));
+        return newest;
+    }
     /// Removes and returns all lines, in the order in which their streams first appeared since the last call.
     std::vector<CountedLine> takeAll();
 

@@ -1,5 +1,7 @@
 #include "widgets/panels/fault_panel.h"
 
+#include <cmath>
+
 #include <QHeaderView>
 #include <QLineEdit>
 
@@ -262,6 +264,11 @@ bool FaultPanel::anyToEnd() const {
         if (list_->topLevelItem(i)->data(0, state_role).toInt() != static_cast<int>(FaultState::Over))
             return true;
     return false;
+}
+
+QString faultTimes(Seconds from, Seconds lasts) {
+    const QString begin = FaultPanel::tr("From %1 s of the simulation's clock").arg(from.count(), 0, 'f', 1);
+    return std::isfinite(lasts.count()) ? begin + FaultPanel::tr(" for %1 s").arg(lasts.count(), 0, 'f', 1) : begin;
 }
 
 } // namespace usar::widgets

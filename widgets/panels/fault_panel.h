@@ -11,6 +11,7 @@
 #include <QTreeWidget>
 #include <QWidget>
 
+#include "core/base/clock.h"
 #include "widgets/style/form_parts.h"
 
 namespace usar::widgets {
@@ -53,6 +54,9 @@ struct FaultRow {
     QString when; ///< its times in words, shown as a tooltip; may be empty
     bool operator==(const FaultRow&) const = default;
 };
+
+/// The times of a fault in words. `lasts` may be infinite.
+QString faultTimes(Seconds from, Seconds lasts);
 
 /// Form that writes a fault as a line of text, which mission files also accept, and the list of the faults of this run.
 /// State comes in by setters, wishes go out by signals. Made for a narrow dock. GUI thread.

@@ -134,4 +134,18 @@ void RadioView::setSource(const QString& source) {
     legend_->setText(source.isEmpty() ? meaning : source + QStringLiteral(". ") + meaning);
 }
 
+void RadioView::explainEmptiness(qsizetype radios, const QString& trouble, QAction* remedy) {
+    empty_state_->setAction(radios < 2 ? remedy : nullptr);
+    if (radios < 2)
+        empty_state_->setText(tr("No radio links yet"),
+                              radios == 0 ? tr("How well robots hear each other appears here. Spawn two robots, or a "
+                                               "robot and a base station.")
+                                          : tr("How well robots hear each other appears here. Spawn one more robot, or "
+                                               "a base station."));
+    else if (trouble.isEmpty())
+        empty_state_->setText(tr("Asking the wireless server…"), tr("Its first answers come within seconds."));
+    else
+        empty_state_->setText(tr("No wireless server"), trouble);
+}
+
 } // namespace usar::widgets

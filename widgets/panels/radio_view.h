@@ -20,7 +20,9 @@ public:
     /// Name of the measuring server: "Wireless server at 127.0.0.1:50000".
     void setSource(const QString& source);
     const RadioLinkModel& model() const { return *model_; }
-    /// The sheet that is shown while there are no pairs; its text is set by the owner, who knows the reason.
+    /// Says what is missing while there are no pairs. `radios`: how many there are; `trouble`: why the wireless server
+    /// does not answer, or empty; `remedy`: puts up one more radio, and is offered while there are less than two.
+    void explainEmptiness(qsizetype radios, const QString& trouble, QAction* remedy);
     EmptyState* emptyState() const { return empty_state_; }
     QSize sizeHint() const override { return {400, 200}; }
     QSize minimumSizeHint() const override { return {240, 100}; }

@@ -11,21 +11,13 @@
 #include <QToolButton>
 
 #include "core/agent/published.h"
+#include "widgets/models/plan/breakpoint_list.h"
 #include "widgets/plan/plan_text_edit.h"
 #include "widgets/plan/plan_time_bar.h"
 #include "widgets/plan/plan_view.h"
 #include "widgets/style/section_stack.h"
 
 namespace usar::widgets {
-
-/// A breakpoint in the panel's list.
-struct BreakpointRow {
-    agent::BreakpointId id;
-    QString text;
-    QString help;
-    std::string path; ///< path in the plan; empty: the plan has no such place
-    bool enabled = true;
-};
 
 /// State comes in by setters, wishes go out by signals. A narrow panel stacks what a wide one shows side by side; in a
 /// low one the lists are in tabs. GUI thread.

@@ -38,6 +38,8 @@ public:
     Seconds wallTime() const;
     /// True while a behavior of ours runs; the one in a replay does not count.
     bool running() const { return view_.figures.behavior_running && !view_.finished && !isReplay(); }
+    /// True while a plan of ours is halted.
+    bool standsStill() const { return running() && view_.halted; }
     bool isReplay() const { return !view_.recording.isEmpty(); }
 
     /// `lockstep`: ask the server to wait for our STEP after each tick.

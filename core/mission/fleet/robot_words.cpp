@@ -107,6 +107,18 @@ Absence whyNoPicture(const RobotView* view, const PictureFacts& facts) {
     return {};
 }
 
+Absence whyNoObjects(bool connected, const WorldView& world) {
+    const QString trouble = QString::fromStdString(world.trouble);
+    if (!connected)
+        return {QObject::tr("No world yet"),
+                QObject::tr("Connect to a server; then things can be put into its world from here.")};
+    if (world.state == WorldState::Refused)
+        return {QObject::tr("No world controller"), trouble};
+    if (world.state != WorldState::Ready && world.things.empty())
+        return {QObject::tr("Asking the server…"), trouble};
+    return {};
+}
+
 QString whyNoLookBack(const RobotView* view) {
     if (!view)
         return QObject::tr("No robot is selected");

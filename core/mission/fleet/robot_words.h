@@ -4,6 +4,7 @@
 #include <QStringList>
 
 #include "core/mission/fleet/robot.h"
+#include "core/mission/world/world_session.h"
 
 namespace usar::mission {
 
@@ -41,5 +42,8 @@ struct PictureFacts {
 Absence whyNoPicture(const RobotView* view, const PictureFacts& facts);
 /// Why the recording of the running robot cannot be looked at; empty if it can. `view` null: no robot is selected.
 QString whyNoLookBack(const RobotView* view);
+
+/// Why no objects of the world can be edited. `connected`: to a server of robots.
+Absence whyNoObjects(bool connected, const WorldView& world);
 
 } // namespace usar::mission

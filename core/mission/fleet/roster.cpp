@@ -82,4 +82,11 @@ SpawnRequest stationRequest(const std::vector<protocol::StartPose>& poses, const
     return {std::string(protocol::station_class), name, place->pose_in_map};
 }
 
+std::string startName(const std::vector<protocol::StartPose>& poses, const Robot* robot, const std::string& otherwise) {
+    for (const protocol::StartPose& pose : poses)
+        if (robot && pose.pose_in_map.position_m.isApprox(robot->view().spawn.start_in_map.position_m))
+            return pose.name;
+    return poses.empty() ? otherwise : poses.front().name;
+}
+
 } // namespace usar::mission

@@ -55,4 +55,8 @@ private:
 /// how the present robots were spawned.
 SpawnRequest stationRequest(const std::vector<protocol::StartPose>& poses, const std::vector<SpawnRequest>& present);
 
+/// Name of the start pose that a robot was spawned on, or of the first one; `otherwise` if there are none. `robot` may
+/// be null.
+std::string startName(const std::vector<protocol::StartPose>& poses, const Robot* robot, const std::string& otherwise);
+
 } // namespace usar::mission

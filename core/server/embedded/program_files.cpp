@@ -63,4 +63,9 @@ QStringList pluginFolders() {
     return {firstThere({"../robots", "../lib/usar-mission-control/robots"})};
 }
 
+QString worldTitle(QString name) {
+    name.replace('_', ' ');
+    return name.left(1).toUpper() + name.mid(1);
+}
+
 } // namespace usar::server

@@ -15,6 +15,8 @@ Result<QString> findWorld(const QString& name_or_folder);
 Result<QString> findWorldIn(const QString& worlds_folder, const QString& name_or_folder);
 /// Names of the worlds that come with the program, sorted.
 QStringList worldNames();
+/// The title of a world for menus: "Point lookout" for "point_lookout".
+QString worldTitle(QString name);
 /// The folder of the missions that come with the program.
 QString missionsFolder();
 /// The folder of the robot files.

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <utility>
 
 #include <QImage>
 #include <QString>
@@ -24,6 +25,15 @@ struct WorldPicture {
     std::shared_ptr<const sim::World> world{};    ///< as it was at its start
     std::shared_ptr<const sim::Terrain> ground{}; ///< that of `world`
     std::map<QString, QString> objects{};         ///< classes of the objects that the world starts with, by object name
+
+    /// A robot of this class can be spawned from now on; it may have been known before.
+    void learn(const QString& class_name, bool has_camera) {
+        for (auto [classes, is_one] : {std::pair(&robot_classes, true), std::pair(&camera_classes, has_camera)}) {
+            classes->removeAll(class_name);
+            if (is_one)
+                classes->append(class_name);
+        }
+    }
 };
 
 /// Describes a world and draws its relief, with 512 pixels on the longer side. Trees are left out, because the robots

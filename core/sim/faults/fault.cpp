@@ -184,4 +184,10 @@ std::string write(const Fault& fault) {
     return text;
 }
 
+std::string writeWithoutTimes(Fault fault) {
+    fault.from = Seconds{0.0};
+    fault.lasts = without_end;
+    return write(fault);
+}
+
 } // namespace usar::sim

@@ -78,5 +78,7 @@ const FaultDescription& descriptionOf(FaultKind kind);
 Result<Fault> readFault(std::string_view text);
 /// The fault as such a text, without the values that are the usual ones.
 std::string write(const Fault& fault);
+/// The same without its times.
+std::string writeWithoutTimes(Fault fault);
 
 } // namespace usar::sim

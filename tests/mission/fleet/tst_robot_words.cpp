@@ -49,6 +49,7 @@ private slots:
     void whatPreventsPicturesIsNamed_data();
     void whatPreventsPicturesIsNamed();
     void onlyALiveRecordingCanBeLookedBackOn();
+    void missingObjectsAreExplained();
     void aStationGetsAFreePlaceAndANewName();
 };
 
@@ -198,6 +199,16 @@ void tst_RobotWords::onlyALiveRecordingCanBeLookedBackOn() {
     QCOMPARE(whyNoLookBack(&view), QString());
     view.recording = "R1.usarrec";
     QVERIFY(whyNoLookBack(&view).contains("replay"));
+}
+
+void tst_RobotWords::missingObjectsAreExplained() {
+    QCOMPARE(whyNoObjects(false, {}).title, QString("No world yet"));
+    QCOMPARE(whyNoObjects(true, {.state = WorldState::Refused, .trouble = "Busy.", .things = {}}).hint,
+             QString("Busy."));
+    QCOMPARE(whyNoObjects(true, {.state = WorldState::Asking, .trouble = {}, .things = {}}).title,
+             QString("Asking the server…"));
+    QVERIFY(whyNoObjects(true, {.state = WorldState::Ready, .trouble = {}, .things = {}}).title.isEmpty());
+    QVERIFY(whyNoObjects(true, {.state = WorldState::Asking, .trouble = {}, .things = {{}}}).title.isEmpty());
 }
 
 void tst_RobotWords::aStationGetsAFreePlaceAndANewName() {

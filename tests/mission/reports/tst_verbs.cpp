@@ -1,10 +1,12 @@
 // The verbs of usar-mission that read files, run without the program.
 #include <QBuffer>
 #include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/mission/reports/verbs.h"
+#include "core/mission/reports/replay_verb.h"
 #include "core/mission/runs/mission_runner.h"
 #include "tests/suite/suite.h"
 
@@ -44,7 +46,27 @@ private slots:
     void aFileThatCannotBeReadDoesNotHideTheOthers();
     void anExistingFileIsNotOverwritten();
     void aFailedConversionLeavesNoFile();
+    void aRecordingThatIsMissingIsReported();
+    void helpIsPrinted();
 };
+
+void tst_Verbs::aRecordingThatIsMissingIsReported() {
+    Trial trial;
+    const int exit_code = trial.run([&](const VerbStreams& streams) {
+        return runReplayVerb({"replay", "/no/such.usarrec"}, streams,
+                             [](ReplayRunner&) { QFAIL("nothing is played"); });
+    });
+    QCOMPARE(exit_code, int(BadInput));
+    QVERIFY(trial.complaints.find("/no/such.usarrec") != std::string::npos);
+    QVERIFY(QJsonDocument::fromJson(trial.written).object().contains("reason"));
+}
+
+void tst_Verbs::helpIsPrinted() {
+    Trial trial;
+    QCOMPARE(trial.run([](const VerbStreams& streams) { return runReplayVerb({"replay", "--help"}, streams, {}); }), 0);
+    QVERIFY(trial.written.contains("replay"));
+    QCOMPARE(trial.complaints, std::string());
+}
 
 void tst_Verbs::theExitCodeTellsWhetherAllIsWell_data() {
     QTest::addColumn<QStringList>("arguments");

@@ -2,6 +2,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "core/mission/session/update_order.h"
 #include "tests/mission/session/session_fixture.h"
 #include "tests/suite/suite.h"
 
@@ -159,6 +160,19 @@ private slots:
         QCOMPARE(commands.back().after, newest);
         QCOMPARE(commands.back().time.count(), f->session.figures().now.count());
         QCOMPARE(toText(commands.back().cause.source), std::string("operator: command box"));
+    }
+
+    void linesAndCommandsAreToldInTheirOrderOnTheWire() {
+        SessionUpdate update;
+        for (const std::uint64_t number : {3, 5, 6})
+            update.lines.emplace_back().number = {number};
+        for (const std::uint64_t after : {2, 3, 4, 6})
+            update.commands.emplace_back().after = {after};
+        QStringList told;
+        inOrder(
+            update, [&](const protocol::InfoLine& line) { told << QString::number(line.number.value); },
+            [&](const SentCommand& command) { told << QString("after %1").arg(command.after.value); });
+        QCOMPARE(told, QStringList({"after 2", "3", "after 3", "after 4", "5", "6", "after 6"}));
     }
 
     void trafficIsCountedAnewOnEachConnection() {

@@ -1,5 +1,6 @@
 // The plan editor by mouse and keys: text and drawing in step, one history, findings and their mends.
 #include <QAbstractItemView>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMimeData>
@@ -528,7 +529,6 @@ void tst_PlanEditor::keysOfAWindowAroundItDoNotGetInTheWay() {
     window.show();
     editor_->show();
     QVERIFY(QTest::qWaitForWindowActive(&window));
-    QSignalSpy save_as(editor_.get(), &PlanEditor::saveAsRequested);
     PlanCanvas& canvas = editor_->canvas();
     canvas.setFocus();
     select(QStringLiteral("safety"));
@@ -544,7 +544,7 @@ void tst_PlanEditor::keysOfAWindowAroundItDoNotGetInTheWay() {
     editor_->textEdit().setFocus();
     QTest::keyClick(&editor_->textEdit(), Qt::Key_F8);
     QTest::keyClick(&editor_->textEdit(), Qt::Key_S, Qt::ControlModifier);
-    QCOMPARE(save_as.count(), 1);
+    QVERIFY(editor_->findChild<QFileDialog*>(QStringLiteral("Save plan"))); // It has no file yet.
     QCOMPARE(taken, QStringList());
     editor_->setParent(nullptr);
 }

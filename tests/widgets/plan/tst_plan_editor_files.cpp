@@ -3,6 +3,8 @@
 #include <QDir>
 #include <QFile>
 #include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -33,6 +35,9 @@ private slots:
     void narrowAndBothThemes();
     void everyButtonHasAName();
     void applyingNeedsASoundPlan();
+    void unsavedChangesAreAskedAbout_data();
+    void unsavedChangesAreAskedAbout();
+    void theNewestWishFollowsTheAnswer();
 
 private:
     std::unique_ptr<PlanEditor> editor_;
@@ -195,6 +200,47 @@ void tst_PlanEditorFiles::applyingNeedsASoundPlan() {
     editor_->textEdit().applyText("((AP a (b)))");
     editor_->catchUp();
     QVERIFY(!apply->isEnabled());
+}
+
+void tst_PlanEditorFiles::unsavedChangesAreAskedAbout_data() {
+    QTest::addColumn<int>("answer");
+    QTest::addColumn<bool>("goes_on");
+    QTest::addColumn<bool>("written");
+    QTest::newRow("save") << int(QMessageBox::Save) << true << true;
+    QTest::newRow("discard") << int(QMessageBox::Discard) << true << false;
+    QTest::newRow("cancel") << int(QMessageBox::Cancel) << false << false;
+}
+
+void tst_PlanEditorFiles::unsavedChangesAreAskedAbout() {
+    QFETCH(int, answer);
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("plan.lap"));
+    QVERIFY(editor_->save(path));
+    int went_on = 0;
+    editor_->letGo([&] { ++went_on; });
+    QCOMPARE(went_on, 1);
+    editor_->textEdit().applyText("((DC other (drives ((e doNothing)))))");
+    editor_->letGo([&] { ++went_on; });
+    QCOMPARE(went_on, 1);
+    auto* const box = editor_->findChild<QMessageBox*>();
+    QVERIFY(box && !box->isModal());
+    box->button(static_cast<QMessageBox::StandardButton>(answer))->click();
+    QTEST(went_on == 2, "goes_on");
+    QCOMPARE(editor_->isModified(), went_on == 1);
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QTEST(file.readAll().contains("DC other"), "written");
+}
+
+void tst_PlanEditorFiles::theNewestWishFollowsTheAnswer() {
+    editor_->textEdit().applyText("((DC other (drives ((e doNothing)))))");
+    QStringList went_on;
+    editor_->letGo([&] { went_on << QStringLiteral("first"); });
+    editor_->letGo([&] { went_on << QStringLiteral("second"); });
+    const auto boxes = editor_->findChildren<QMessageBox*>();
+    QCOMPARE(boxes.size(), 1);
+    boxes.front()->button(QMessageBox::Discard)->click();
+    QCOMPARE(went_on, QStringList(QStringLiteral("second")));
 }
 
 USAR_TEST(tst_PlanEditorFiles)

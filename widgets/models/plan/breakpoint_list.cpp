@@ -8,7 +8,6 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QObject>
-#include <QStringList>
 
 #include "core/posh/run/trace_event.h"
 
@@ -148,6 +147,24 @@ std::vector<BreakpointId> BreakpointList::ofPlan(std::string_view name) const {
     return idsOf(all_, name, [](const Breakpoint&) { return true; });
 }
 
+std::vector<BreakpointRow> BreakpointList::rowsOfPlan(std::string_view name) const {
+    std::vector<BreakpointRow> rows;
+    for (const BreakpointId id : ofPlan(name)) {
+        const Breakpoint& what = *find(id);
+        const QString lost = what.path.empty() ? QObject::tr("\nThe plan has no such place now.") : QString();
+        rows.push_back({id, breakpointText(what), QString::fromStdString(what.names) + lost, what.path, what.enabled});
+    }
+    return rows;
+}
+
+QStringList BreakpointList::keysOfPlan(std::string_view name) const {
+    QStringList keys;
+    for (const BreakpointId id : ofPlan(name))
+        if (find(id)->on == BreakOn::Written)
+            keys << QString::fromStdString(find(id)->key);
+    return keys;
+}
+
 std::vector<BreakpointId> BreakpointList::ofKey(std::string_view plan_name, std::string_view key) const {
     return idsOf(all_, plan_name,
                  [key](const Breakpoint& what) { return what.on == BreakOn::Written && what.key == key; });
@@ -177,10 +194,29 @@ void BreakpointList::repairPaths(const posh::Program& program) {
     }
 }
 
+void BreakpointList::setTemporary(const std::vector<PlanSpot>& spots) {
+    dropTemporary();
+    for (const PlanSpot& spot : spots)
+        temporary_.push_back(
+            add({.path = spot.path, .names = spot.names, .on = BreakOn::Before, .condition = {}, .once = true}));
+}
+
+bool BreakpointList::dropTemporary() {
+    const std::vector<BreakpointId> dropped = std::exchange(temporary_, {});
+    remove(dropped);
+    return !dropped.empty();
+}
+
+void BreakpointList::takeHit(BreakpointId id) {
+    if (const Breakpoint* const known = find(id); known && known->once)
+        enable(id, false);
+}
+
 QByteArray BreakpointList::toJson() const {
     QJsonArray list;
     for (const auto& [id, what] : all_)
-        list.append(jsonOf(what));
+        if (!std::ranges::count(temporary_, id))
+            list.append(jsonOf(what));
     return QJsonDocument(list).toJson(QJsonDocument::Compact);
 }
 

@@ -7,11 +7,21 @@
 
 #include <QByteArray>
 #include <QString>
+#include <QStringList>
 
 #include "core/agent/plan_control.h"
 #include "widgets/models/plan/plan_spots.h"
 
 namespace usar::widgets {
+
+/// A breakpoint in the panel's list.
+struct BreakpointRow {
+    agent::BreakpointId id;
+    QString text;
+    QString help;
+    std::string path; ///< path in the plan; empty: the plan has no such place
+    bool enabled = true;
+};
 
 /// Breakpoints in the order in which they were set. Each has an id that stays unique while the program runs.
 class BreakpointList {
@@ -38,6 +48,10 @@ public:
     void toggleEnabled(const std::vector<agent::BreakpointId>& ids);
     /// Ids of the breakpoints of a plan, by the plan's name.
     std::vector<agent::BreakpointId> ofPlan(std::string_view name) const;
+    /// The same for the list of the plan's panel.
+    std::vector<BreakpointRow> rowsOfPlan(std::string_view name) const;
+    /// The keys of the blackboard that this plan's breakpoints watch.
+    QStringList keysOfPlan(std::string_view name) const;
     /// Ids of the breakpoints on a key of the plan's blackboard; those have no path.
     std::vector<agent::BreakpointId> ofKey(std::string_view plan_name, std::string_view key) const;
     /// Ids of the breakpoints at one path of a plan.
@@ -49,12 +63,21 @@ public:
     /// empty if the program has no such place.
     void repairPaths(const posh::Program& program);
 
-    /// Writes the list as JSON, and reads it back with new ids; entries that are not valid breakpoints are left out.
+    /// Sets a breakpoint before each of these places that lasts until a plan halts; earlier ones of this kind go.
+    void setTemporary(const std::vector<PlanSpot>& spots);
+    /// Returns true if there were any.
+    bool dropTemporary();
+    /// Disables a breakpoint that stops only once, because it has stopped a plan; an unknown id has no effect.
+    void takeHit(agent::BreakpointId id);
+
+    /// Without temporary breakpoints. Writes the list as JSON, and reads it back with new ids; entries that are not
+    /// valid breakpoints are left out.
     QByteArray toJson() const;
     static BreakpointList fromJson(const QByteArray& json);
 
 private:
     std::vector<agent::PlanBreakpoint> all_;
+    std::vector<agent::BreakpointId> temporary_;
     int next_id_ = 1; ///< number of the next id
 };
 

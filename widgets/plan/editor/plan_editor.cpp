@@ -153,7 +153,6 @@ void PlanEditor::startWith(const std::string& text) {
     canvas_->select({});
     canvas_->showBeginning();
     showState();
-    emit titleChanged();
 }
 
 void PlanEditor::setKeepingFolder(const QString& folder) {
@@ -199,7 +198,6 @@ Result<void> PlanEditor::save(const QString& path) {
     text_->document()->setModified(false);
     say(tr("Saved as %1.").arg(path));
     showState();
-    emit titleChanged();
     emit saved(path);
     return {};
 }
@@ -292,8 +290,10 @@ void PlanEditor::showFixes() {
 /// Shows the title and whether the plan can be put into the robot.
 void PlanEditor::showState() {
     if (head_->setTitle(name() + (isModified() ? tr(" – not saved") : QString()),
-                        path().isEmpty() ? tr("Not saved to a file yet") : path()))
-        emit titleChanged();
+                        path().isEmpty() ? tr("Not saved to a file yet") : path())) {
+        setWindowTitle(tr("%1[*] – Plan editor").arg(name()));
+        setWindowModified(isModified());
+    }
     head_->setRunnable(checker_.isRunnable());
 }
 

@@ -1,6 +1,7 @@
 // Editor that shows the text and the drawing of a plan side by side, and writes, checks, fixes, compares and saves it.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,7 @@
 namespace usar::widgets {
 
 /// The text is the only source: gestures in the drawing become edits of it, and one unlimited history, which saving
-/// does not affect, undoes both. While the text cannot be parsed, the drawing shows the last readable plan. Setters
-/// take the state, signals report the user's requests; file dialogs belong to the window. GUI thread.
+/// does not affect, undoes both. While the text cannot be parsed, the drawing shows the last readable plan. GUI thread.
 class PlanEditor : public QWidget {
     Q_OBJECT
 public:
@@ -37,8 +37,9 @@ public:
     void setText(const std::string& text, const QString& name);
     /// Folder for copies of unsaved texts, which survive a crash; empty: no copies. Offers an existing copy at once.
     void setKeepingFolder(const QString& folder);
-    /// Deletes the copy of the unsaved text, because the user discards the changes.
-    void forgetKept() { file_.forgetKept(); }
+    /// Calls `go_on` at once if nothing would be lost, otherwise after the user has saved or discarded the changes;
+    /// never if the user cancels. A second call while the question is open replaces the first one's `go_on`.
+    void letGo(const std::function<void()>& go_on);
 
     /// Opens a file; on error the editor stays as it was.
     Result<void> open(const QString& path);
@@ -50,8 +51,7 @@ public:
     Result<void> savePicture(const QString& path);
 
     const std::string& text() const { return text_->planText(); }
-    /// Empty for a new plan.
-    QString path() const { return file_.path(); }
+    QString path() const { return file_.path(); } ///< empty for a new plan
     /// File name without its folder, or the name of a new plan.
     QString name() const { return file_.name(); }
     bool isModified() const { return text_->document()->isModified(); }
@@ -74,17 +74,13 @@ public:
 
 signals:
     void openRequested();
-    /// Also emitted by "Save" while there is no file.
-    void saveAsRequested();
-    void exportRequested(usar::posh::Dialect dialect);
-    void pictureRequested();
     /// The user wants this plan in the robot.
     void applyRequested(const std::string& text, const QString& name);
     void saved(const QString& path);
-    /// "Save" could not write the file.
-    void saveFailed(const usar::Error& error);
-    /// Name or modified state changed.
-    void titleChanged();
+    /// `lacks`: what the dialect cannot express, one sentence per loss.
+    void exported(const QString& path, const QStringList& lacks);
+    /// A file that the user wanted could not be written.
+    void failed(const usar::Error& error);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -93,6 +89,12 @@ protected:
 private:
     void addWidgets();
     void connectAll();
+
+    // In plan_editor_dialogs.cpp. `then`, if any, is called when the plan is saved.
+    void saveNow(const std::function<void()>& then = {});
+    void chooseWhereToSave(const std::function<void()>& then = {});
+    void chooseWhereToExport(posh::Dialect dialect);
+    void chooseWhereToDraw();
 
     // In plan_editor_commands.cpp.
     void addFileCommands();

@@ -40,14 +40,10 @@ void PlanEditor::addFileCommands() {
     menus_.new_plan->setToolTipsVisible(true);
     actions_.add({"open", tr("Open…"), tr("Opens a plan"), "open", QKeySequence::Open},
                  [this] { emit openRequested(); });
-    actions_.add({"save", tr("Save"), tr("Saves the plan to its file"), "save", QKeySequence::Save}, [this] {
-        if (path().isEmpty())
-            return emit saveAsRequested();
-        if (const auto written = save(path()); !written)
-            emit saveFailed(written.error());
-    });
+    actions_.add({"save", tr("Save"), tr("Saves the plan to its file"), "save", QKeySequence::Save},
+                 [this] { saveNow(); });
     actions_.add({"save_as", tr("Save as…"), tr("Saves the plan to another file"), "", QKeySequence("Ctrl+Shift+S")},
-                 [this] { emit saveAsRequested(); });
+                 [this] { chooseWhereToSave(); });
     actions_.add({"apply", tr("Load into robot"), tr("Makes the robot continue with this plan"), "play",
                   QKeySequence("Ctrl+Return")},
                  [this] { emit applyRequested(text(), name()); });
@@ -57,11 +53,11 @@ void PlanEditor::addFileCommands() {
         menus_.save_as->addAction(actions_.add({name, text, help}, run));
     };
     exports("export_classic", tr("For jyposh and POSH#…"), tr("Exports what the strict old dialect can express"),
-            [this] { emit exportRequested(posh::Dialect::Classic); });
+            [this] { chooseWhereToExport(posh::Dialect::Classic); });
     exports("export_yaposh", tr("For yaPOSH…"), tr("Exports what Pogamut's dialect can express"),
-            [this] { emit exportRequested(posh::Dialect::Yaposh); });
+            [this] { chooseWhereToExport(posh::Dialect::Yaposh); });
     exports("export_picture", tr("Picture of the drawing…"), tr("Saves the drawing as SVG, PDF or PNG"),
-            [this] { emit pictureRequested(); });
+            [this] { chooseWhereToDraw(); });
 }
 
 void PlanEditor::addEditCommands() {

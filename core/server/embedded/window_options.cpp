@@ -1,17 +1,17 @@
-#include "app/window/options.h"
+#include "core/server/embedded/window_options.h"
 
 #include <QCommandLineParser>
 
 #include "core/server/embedded/program_files.h"
 
-namespace usar::app {
+namespace usar::server {
 
-Result<Options> readOptions(const QStringList& arguments) {
+Result<WindowOptions> readWindowOptions(const QStringList& arguments) {
     QCommandLineParser parser;
     parser.setApplicationDescription("Watch, drive and program robots in the USARSim simulator.");
     parser.addHelpOption();
     parser.addVersionOption();
-    server::addServerOptions(parser);
+    addServerOptions(parser);
     parser.addOptions({{"out", "Folder for results.", "folder"},
                        {"plugins", "Folder with robot plugins, besides those that come with the program.", "folder"},
                        {"theme", "light or dark.", "theme"}});
@@ -25,26 +25,22 @@ Result<Options> readOptions(const QStringList& arguments) {
     if (parser.isSet("version"))
         parser.showVersion();
 
-    Options options;
-    auto target = server::readServerTarget(parser);
+    WindowOptions options;
+    auto target = readServerTarget(parser);
     if (!target)
         return tl::unexpected(target.error());
     options.server = *std::move(target);
     options.result_folder = parser.value("out");
     if (parser.isSet("plugins"))
-        options.plugin_folders = server::pluginFolders() + parser.values("plugins");
+        options.plugin_folders = pluginFolders() + parser.values("plugins");
     const QString file = parser.positionalArguments().value(0);
     (file.endsWith(".usarrec")    ? options.recording
      : file.endsWith(".usarsnap") ? options.server.simulator.snapshot
                                   : options.mission_file) = file;
-    const QString theme = parser.value("theme");
-    if (theme == "light")
-        options.theme = widgets::Theme::Light;
-    else if (theme == "dark")
-        options.theme = widgets::Theme::Dark;
-    else if (!theme.isEmpty())
-        return failure("\"" + theme.toStdString() + "\" is no theme", "--theme", "Say light or dark");
+    options.theme = parser.value("theme");
+    if (!QStringList{"", "light", "dark"}.contains(options.theme))
+        return failure("\"" + options.theme.toStdString() + "\" is no theme", "--theme", "Say light or dark");
     return options;
 }
 
-} // namespace usar::app
+} // namespace usar::server

@@ -1,0 +1,53 @@
+#include "core/mission/fleet/plugin_words.h"
+
+#include <QFileInfo>
+#include <QVariant>
+
+namespace usar::mission {
+
+namespace {
+
+QString behaviorsOf(const agent::PluginRecord& record) {
+    QStringList ids;
+    for (const QVariant& id : record.metadata.toVariantMap().value("behaviors").toList())
+        ids << id.toString();
+    return ids.join(", ");
+}
+
+} // namespace
+
+QString nameOf(const agent::PluginRecord& record) {
+    return record.metadata.value("name").toString();
+}
+
+QStringList robotsRunning(const Robots& robots, const agent::PluginLoader& plugins, const agent::PluginRecord& record) {
+    QStringList names;
+    for (const Robot* const robot : robots)
+        if (const auto* of = plugins.recordOf(robot->view().behavior_id);
+            robot->running() && of && of->file == record.file)
+            names << nameOf(*robot);
+    return names;
+}
+
+QString changeText(const agent::PluginChange& change, const QStringList& running) {
+    const auto tr = [](const char* text) { return QObject::tr(text); };
+    using enum agent::PluginNews;
+    const QString name = QFileInfo(change.record.file).fileName();
+    if (change.news == Moved)
+        return (change.record.isolated ? tr("The plugin %1 runs in a separate process now.")
+                                       : tr("The plugin %1 runs in the program now."))
+            .arg(name);
+    if (change.news == Removed)
+        return tr("The plugin %1 is gone, and its behaviors can no longer be started.").arg(name);
+    if (change.news != Added && change.news != Rebuilt)
+        return {};
+    const QString text =
+        change.news == Added
+            ? tr("The plugin %1 was loaded: %2.").arg(name, behaviorsOf(change.record))
+            : tr("The plugin %1 was built anew, and what is started from now on is the new code.").arg(name);
+    return running.isEmpty()
+               ? text
+               : text + ' ' + tr("%1 goes on with the old one until it is started again.").arg(running.join(", "));
+}
+
+} // namespace usar::mission

@@ -1,0 +1,51 @@
+#include "core/server/embedded/simulator_program.h"
+
+#include <cstdio>
+#include <utility>
+
+#include <QCoreApplication>
+
+#include "core/server/embedded/quit_signals.h"
+#include "core/server/embedded/simulator_files.h"
+
+namespace usar::server {
+
+namespace {
+
+void tellClients(const SimulatorServer& server, quint16 port, quint16 image_port) {
+    std::printf("%s on 127.0.0.1:%u - connect a USARSim client there, or: nc -C 127.0.0.1 %u; Ctrl+C ends\n",
+                server.simulation().world().name.c_str(), static_cast<unsigned>(port), static_cast<unsigned>(port));
+    std::printf("Pictures of its cameras on 127.0.0.1:%u\n", static_cast<unsigned>(image_port));
+    for (const sim::Simulation::Orphan& robot : server.simulation().orphans())
+        std::printf("%s %s waits, and time with it, for a client that says INIT with its name\n",
+                    robot.class_name.c_str(), robot.name.c_str());
+    std::fflush(stdout);
+}
+
+} // namespace
+
+Result<int> runSimulator(const SimulatorSettings& settings, std::unique_ptr<sim::Simulation> simulation,
+                         const std::function<void(const QString& sentence)>& say) {
+    SimulatorServer server(std::move(simulation));
+    QObject::connect(&server, &SimulatorServer::logged, say);
+    QObject::connect(&server, &SimulatorServer::objectRefused, [say](const QString& name, const QString& reason) {
+        say(QStringLiteral("could not place '%1': %2").arg(name, reason));
+    });
+    const auto port = server.listen(settings.port);
+    if (!port)
+        return tl::unexpected(port.error());
+    server.setPace(settings.pace, settings.factor);
+    const OpenChannels channels = openChannels(server, settings.channels, settings.images);
+    for (const QString& sentence : channels.sentences)
+        say(sentence);
+    tellClients(server, *port, channels.ports.image);
+    QuitSignals signals_;
+    QObject::connect(&signals_, &QuitSignals::quit, qApp, &QCoreApplication::quit);
+    const int exit_code = QCoreApplication::exec();
+    if (settings.save.isEmpty())
+        return exit_code;
+    const auto saved = saveSnapshot(server.simulation(), settings.save);
+    return saved ? Result<int>(exit_code) : tl::unexpected(saved.error());
+}
+
+} // namespace usar::server

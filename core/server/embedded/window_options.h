@@ -1,0 +1,26 @@
+// The command line of mission-control as a value.
+#pragma once
+
+#include <QStringList>
+
+#include "core/base/result.h"
+#include "core/server/embedded/server_target.h"
+
+namespace usar::server {
+
+/// Default-constructed: the options of a call without arguments.
+struct WindowOptions {
+    /// The server to connect to at the start.
+    ServerTarget server;
+    QString result_folder;      ///< empty: the default folder
+    QString theme;              ///< "light" or "dark"; empty: the one used last
+    QStringList plugin_folders; ///< empty: those that come with the program
+    QString mission_file;       ///< mission or plan to open at the start; empty: none
+    QString recording;          ///< recording to replay; then no server is connected; empty: none
+};
+
+/// Reads the arguments of the program, the first of which is its name. For --help and --version it ends the program.
+/// The error names the option that is wrong.
+Result<WindowOptions> readWindowOptions(const QStringList& arguments);
+
+} // namespace usar::server
