@@ -28,7 +28,27 @@ void MissionDesk::wire() {
             [this](const protocol::StartPoses&, const QString& level) {
                 if (awaiting_world_ && awaiting_world_->world == level.toStdString())
                     setUp(*std::exchange(awaiting_world_, std::nullopt));
+                flyRests();
             });
+}
+
+void MissionDesk::flyRest(const std::shared_ptr<const mission::RecordedScan>& earlier) {
+    rests_.push_back(earlier);
+    flyRests();
+}
+
+void MissionDesk::flyRests() {
+    if (rests_.empty() || control_.startPoses().empty())
+        return;
+    if (const QString world = worldToOpenFor(rests_.front()->flown.mission); !world.isEmpty())
+        return server_.openWorld(world);
+    for (const auto& earlier : std::exchange(rests_, {})) {
+        const auto id = control_.flyRest(earlier);
+        if (!id)
+            notices_.complain("mission", id.error());
+        else
+            selection_.select(*id);
+    }
 }
 
 void MissionDesk::takePlugins() {
