@@ -43,8 +43,7 @@ public:
     ScanPlayer(std::unique_ptr<link::RecordingReader> recording, int chain)
         : path_(QString::fromStdString(recording->path()))
         , chain_(chain)
-        , cell_size_m_(cellSizeOf(recording->survey()))
-        , book_(cell_size_m_, notices_)
+        , book_(cellSizeOf(recording->survey()), notices_)
         , replayer_(std::move(recording), *this) {}
 
     Result<RecordedScan> play();
@@ -64,7 +63,6 @@ private:
 
     const QString path_;
     const int chain_; ///< number of recordings that led to this one
-    const double cell_size_m_;
     QEventLoop loop_; ///< before the replayer, whose timer needs the event loop of this thread
     Notices notices_{[](const Notice&) {}};
     ScanBook book_;
@@ -136,6 +134,7 @@ void ScanPlayer::takeMission(std::string_view text) {
     recorded_.finished = false;
     recorded_.flown = *std::move(flown);
     const Mission& mission = recorded_.flown.mission;
+    book_.setCellSize(mission.cell_size_m); // It may have been chosen after the recording began.
     if (const QString& before = recorded_.flown.continues; !before.isEmpty()) {
         const auto earlier = playRecording(foundBeside(before, path_), chain_ + 1);
         if (earlier)
@@ -149,7 +148,7 @@ void ScanPlayer::takeMission(std::string_view text) {
 RecordedScan ScanPlayer::result() {
     const ScanRecord& record = book_.record();
     RecordedScan result = std::move(recorded_);
-    result.flown.mission.cell_size_m = cell_size_m_;
+    result.flown.mission.cell_size_m = book_.cellSize_m();
     const ContinuedRun before = record.continues.value_or(ContinuedRun{});
     result.scan = {record,
                    {},
@@ -160,7 +159,7 @@ RecordedScan ScanPlayer::result() {
                     .cells = book_.mapper().map().knownCellCount()}};
     for (const auto& tile : book_.mapper().map().takeChangedTiles())
         result.scan.tiles[tile->index] = tile;
-    result.rest_in_map = remainingArea(record.area_in_map, result.scan.tiles, cell_size_m_);
+    result.rest_in_map = remainingArea(record.area_in_map, result.scan.tiles, book_.cellSize_m());
     return result;
 }
 
