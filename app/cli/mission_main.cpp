@@ -79,7 +79,9 @@ serverFor(const mission::MissionOptions& options, const mission::Mission& plan, 
     return simulator;
 }
 
-int run(const mission::MissionOptions& options, mission::Mission plan) {
+/// `earlier`: the run that this one continues; null: none.
+int run(const mission::MissionOptions& options, mission::Mission plan,
+        std::shared_ptr<const mission::RecordedScan> earlier = {}) {
     mission::applyTo(plan, options);
     agent::PluginLoader plugins;
     plugins.scan(server::pluginFolders() + options.plugin_folders);
@@ -87,6 +89,7 @@ int run(const mission::MissionOptions& options, mission::Mission plan) {
     run_options.seed = options.seed;
     run_options.result_folder = options.result_folder;
     run_options.recording = options.recording;
+    run_options.earlier = std::move(earlier);
     run_options.behavior_host = server::behaviorHostProgram();
     const auto simulator = serverFor(options, plan, run_options);
     if (!simulator)
@@ -135,6 +138,16 @@ std::optional<int> runVerb(const QStringList& arguments) {
     return mission::BadInput;
 }
 
+int goOn(mission::MissionOptions options) {
+    auto earlier = mission::readRecordedScan(options.continued);
+    if (!earlier)
+        return refuse(earlier.error(), &options);
+    if (earlier->flown.seed && !options.seed_chosen)
+        options.seed = *earlier->flown.seed;
+    mission::Mission plan = earlier->flown.mission;
+    return run(options, std::move(plan), std::make_shared<const mission::RecordedScan>(*std::move(earlier)));
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -151,6 +164,8 @@ int main(int argc, char** argv) {
         std::printf("%s", qPrintable(mission::missionHelp()));
         return 0;
     }
+    if (!options->continued.isEmpty())
+        return goOn(*options);
     auto plan = mission::readMissionFile(options->mission_file);
     return plan ? run(*options, *std::move(plan)) : refuse(plan.error(), &*options);
 }

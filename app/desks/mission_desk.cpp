@@ -28,12 +28,39 @@ void MissionDesk::wire() {
             [this](const protocol::StartPoses&, const QString& level) {
                 if (awaiting_world_ && awaiting_world_->world == level.toStdString())
                     setUp(*std::exchange(awaiting_world_, std::nullopt));
+                flyRests();
             });
+}
+
+void MissionDesk::flyRest(const std::shared_ptr<const mission::RecordedScan>& earlier) {
+    rests_.push_back(earlier);
+    flyRests();
+}
+
+void MissionDesk::flyRests() {
+    if (rests_.empty() || control_.startPoses().empty() ||
+        control_.plugins().isAsked(rests_.front()->flown.mission.behavior))
+        return;
+    if (const QString world = worldToOpenFor(rests_.front()->flown.mission); !world.isEmpty())
+        return server_.openWorld(world);
+    for (const auto& earlier : std::exchange(rests_, {})) {
+        const mission::Mission& mission = earlier->flown.mission;
+        const auto values = control_.prepareMission(mission);
+        const Result<RobotId> id = values ? control_.flyRest(earlier) : tl::unexpected(values.error());
+        if (!id) {
+            notices_.complain("mission", id.error());
+            continue;
+        }
+        selection_.select(*id);
+        views_.behavior->chooseBehavior(mission.behavior);
+        task_.setUp(mission, *values);
+    }
 }
 
 void MissionDesk::takePlugins() {
     if (awaiting_plugin_)
         setUp(*std::exchange(awaiting_plugin_, std::nullopt)); // or continues to wait
+    flyRests();
 }
 
 void MissionDesk::openMission(const QString& path) {

@@ -1,7 +1,9 @@
 // Mission files: opening one sets up its world, robot, behavior and area; saving one stores the current setup.
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "app/desks/desk.h"
 #include "app/desks/server_desk.h"
@@ -28,6 +30,8 @@ public:
     void saveMission(const QString& path);
     /// Sets up a mission that waited for a plugin; call it when plugins have changed.
     void takePlugins();
+    /// Flies what is left of a mission that was cut off, as soon as its world is there.
+    void flyRest(const std::shared_ptr<const mission::RecordedScan>& earlier);
     /// Drops the mission that waits for its world, if any.
     void forgetAwaitedWorld() { awaiting_world_.reset(); }
 
@@ -46,12 +50,15 @@ private:
     /// Selects the robot that fits: the selected one, or another one of the class that has nothing to do; else none,
     /// and the next robot that is spawned will be of that class.
     void selectRobotFor(const std::string& robot_class);
+    /// Starts the rests of missions if their world is there; opens it if another one is.
+    void flyRests();
 
     ServerDesk& server_;
     TaskDesk& task_;
     QString folder_ = server::missionsFolder(); ///< where the user looks for missions
     std::optional<mission::Mission> awaiting_world_;
     std::optional<mission::Mission> awaiting_plugin_;
+    std::vector<std::shared_ptr<const mission::RecordedScan>> rests_; ///< they wait for a link, or for their world
 };
 
 } // namespace usar::app

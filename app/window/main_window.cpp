@@ -138,6 +138,7 @@ void MainWindow::connectDesks() {
     connect(&time_, &TimeDesk::pausedChanged, views_.sensors, &widgets::SensorPanel::setPaused);
     connect(&replay_, &ReplayDesk::recordingChosen, &files_, &FileDesk::openRecording);
     connect(&recovery_, &RecoveryDesk::recordingChosen, &files_, &FileDesk::openRecording);
+    connect(&recovery_, &RecoveryDesk::restChosen, &mission_, &MissionDesk::flyRest);
     connect(&drive_, &DriveDesk::realTimeWanted, &time_, &TimeDesk::slowDown);
     connect(&drive_, &DriveDesk::drivingChanged, &world_, &WorldEditor::setDriving);
 }

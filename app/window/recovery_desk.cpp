@@ -1,10 +1,14 @@
 #include "app/window/recovery_desk.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
+#include <vector>
 
 #include <QFileInfo>
 
 #include "core/base/hand_over.h"
+#include "core/link/across_threads.h"
 
 namespace usar::app {
 
@@ -35,8 +39,33 @@ void RecoveryDesk::mark() {
 }
 
 void RecoveryDesk::offer() {
-    left_ = mission::RunMarker::takeAbandoned(folder_);
-    ask();
+    const QStringList found = mission::RunMarker::takeAbandoned(folder_);
+    if (found.isEmpty())
+        return;
+    disk_.start(HandedOver([this, found] {
+        QStringList cut_off;
+        std::ranges::copy_if(found, std::back_inserter(cut_off), mission::brokeOffInMission);
+        link::post(this, [this, found, cut_off] {
+            left_ = found;
+            cut_off_ = cut_off;
+            ask();
+        });
+    }));
+}
+
+void RecoveryDesk::readScans() {
+    for (const QString& path : std::exchange(cut_off_, {}))
+        disk_.start(HandedOver([this, path] {
+            auto read = mission::readRecordedScan(path);
+            const auto earlier = read ? std::make_shared<const mission::RecordedScan>(*std::move(read)) : nullptr;
+            const Error trouble = read ? Error{} : read.error();
+            link::post(this, [this, earlier, trouble] {
+                if (earlier)
+                    emit restChosen(earlier);
+                else
+                    notices_.complain("mission", trouble);
+            });
+        }));
 }
 
 void RecoveryDesk::ask() {
@@ -54,10 +83,15 @@ void RecoveryDesk::ask() {
         for (const QString& path : std::exchange(left_, {}))
             emit recordingChosen(path);
     };
-    views_.question->ask("recovery", question,
-                         {{one ? tr("Open the recording") : tr("Open the recordings"), open},
-                          {tr("Not now"), [this] { left_.clear(); }}},
-                         patience);
+    std::vector<widgets::QuestionStrip::Answer> answers{
+        {one ? tr("Open the recording") : tr("Open the recordings"), open}};
+    if (!cut_off_.isEmpty())
+        answers.push_back({tr("Fly the rest"), [this] {
+                               left_.clear();
+                               readScans();
+                           }});
+    answers.push_back({tr("Not now"), [this] { left_.clear(); }});
+    views_.question->ask("recovery", question, answers, patience);
 }
 
 } // namespace usar::app

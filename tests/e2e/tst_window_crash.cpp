@@ -1,6 +1,7 @@
 // What a killed window leaves, and what the next one makes of it.
 #include <QDir>
 #include <QFile>
+#include <QProcess>
 #include <QTest>
 
 #include "tests/doubles/crashed_run.h"
@@ -12,6 +13,19 @@
 namespace tst_window_crash {
 
 using namespace usar;
+
+namespace {
+
+QByteArray missionOver(const Rectangle& area) {
+    return QString("{ \"name\": \"Cut\", \"area\": { \"x\": %1, \"y\": %2, \"width\": %3, \"height\": %4 } }")
+        .arg(area.min_m.x())
+        .arg(area.min_m.y())
+        .arg(area.width_m())
+        .arg(area.height_m())
+        .toUtf8();
+}
+
+} // namespace
 
 class tst_WindowCrash : public QObject {
     Q_OBJECT
@@ -75,7 +89,7 @@ private slots:
         {
             WindowPage page(setup());
             auto* const question = page.window().views().question;
-            QCOMPARE(question->openQuestion(), QString("recovery"));
+            QTRY_COMPARE_WITH_TIMEOUT(question->openQuestion(), QString("recovery"), soon_ms);
             QTRY_VERIFY(question->isVisible());
             page.screenshot("after_a_kill");
             page.press("Open the recording");
@@ -86,11 +100,34 @@ private slots:
         QVERIFY(again.window().views().question->openQuestion().isEmpty());
     }
 
+    void theRestOfAMissionIsFlown() {
+        const Rectangle whole{{-12.0, -12.0}, {12.0, 12.0}};
+        const QString recording = cutOffRecording(whole);
+        QVERIFY(!recording.isEmpty());
+        QVERIFY(doubles::leaveAsIfKilled(marks(), {recording}));
+        WindowPage page(setup());
+        auto* const question = page.window().views().question;
+        QTRY_COMPARE_WITH_TIMEOUT(question->openQuestion(), QString("recovery"), soon_ms);
+        page.screenshot("fly_the_rest");
+        page.press("Fly the rest");
+        QTRY_VERIFY_WITH_TIMEOUT(page.robot(1) && page.window().control().robot({1})->running(), soon_ms);
+        const auto started = page.window().control().robot({1})->started();
+        QVERIFY(started && started->continues);
+        QVERIFY(whole.contains(started->area_in_map) && started->area_in_map.area_m2() < whole.area_m2());
+        QCOMPARE(page.robot(1)->area_in_map, whole);
+        const auto map_is_there = [&] {
+            const auto covered_pct = page.window().control().robot({1})->coverage_pct();
+            return covered_pct && *covered_pct > 20.0;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(map_is_there(), soon_ms);
+        QVERIFY(page.robot(1)->status && page.robot(1)->status->progress_pct.value_or(0.0) < 20.0);
+    }
+
     void nothingIsOpenedWhereTheAnswerIsNo() {
         leaveRecording();
         WindowPage page(setup());
         auto* const question = page.window().views().question;
-        QCOMPARE(question->openQuestion(), QString("recovery"));
+        QTRY_COMPARE_WITH_TIMEOUT(question->openQuestion(), QString("recovery"), soon_ms);
         question->give(1);
         QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
         QVERIFY(page.window().control().robots().empty());
@@ -100,7 +137,7 @@ private slots:
         leaveRecording();
         WindowPage page(setup());
         auto* const question = page.window().views().question;
-        QCOMPARE(question->openQuestion(), QString("recovery"));
+        QTRY_COMPARE_WITH_TIMEOUT(question->openQuestion(), QString("recovery"), soon_ms);
         question->ask("other", "Is it urgent?", {{"Yes", {}}, {"No", {}}});
         question->give(0);
         QCOMPARE(question->openQuestion(), QString("recovery"));
@@ -125,6 +162,26 @@ private:
             recording = page.endedRecording();
         }
         QVERIFY(doubles::leaveAsIfKilled(marks(), {recording}));
+    }
+
+    /// A recording that broke off when half of the mission was flown; empty if that failed.
+    QString cutOffRecording(const Rectangle& area) const {
+        QFile mission(results_->filePath("cut.json"));
+        if (!mission.open(QIODevice::WriteOnly))
+            return {};
+        mission.write(missionOver(area));
+        mission.close();
+        const QString recording = results_->filePath("cut.usarrec");
+        QProcess program;
+        program.setReadChannel(QProcess::StandardError);
+        program.start(USAR_BINARY_DIR "/bin/usar-mission",
+                      {"run", mission.fileName(), "--speed", "60", "--out", results_->path(), "--record", recording});
+        QByteArray said;
+        while (!said.contains("[##########") && program.waitForReadyRead(soon_ms))
+            said += program.readAllStandardError();
+        program.kill();
+        program.waitForFinished();
+        return said.contains("[##########") ? recording : QString();
     }
 
     const QString settings_file = "USAR/Mission Control.conf";

@@ -21,8 +21,10 @@ struct LaneTimes {
     double to_s;
 };
 
-Survey surveyOver(const Rectangle& area_in_map, const Settings& settings) {
-    const auto survey = Survey::make({"R1", Pose{}, {area_in_map.min_m, area_in_map.max_m}}, settings);
+Survey surveyOver(const Rectangle& area_in_map, const Settings& settings, const Vec2& base_m = Vec2::Zero()) {
+    Pose start_in_map;
+    start_in_map.position_m.head<2>() = base_m;
+    const auto survey = Survey::make({"R1", start_in_map, {area_in_map.min_m, area_in_map.max_m}}, settings);
     Q_ASSERT(survey);
     return *survey;
 }
@@ -51,27 +53,43 @@ class tst_TimeEstimate : public QObject {
     Settings settings;
 
 private slots:
-    /// Recorded in `quick_scan.json`: the fastest and the slowest of ten seeds.
+    /// Recorded in `quick_scan.json`: the fastest and the slowest of ten seeds; then farther away, and without trees.
     void isRightWithinATenthFromATenthOn_data() {
+        QTest::addColumn<Rectangle>("area");
+        QTest::addColumn<Vec2>("base_m");
         QTest::addColumn<std::vector<LaneTimes>>("lanes");
         QTest::addColumn<double>("whole_s");
+        const Rectangle of_quick_scan{{-30, -20}, {30, 20}};
+        const Vec2 origin_m = Vec2::Zero();
         QTest::newRow("seed 2")
+            << of_quick_scan << origin_m
             << std::vector<LaneTimes>{{76.4, 154.0}, {161.4, 223.4}, {230.8, 292.8}, {300.0, 363.0}, {370.4, 434.0}}
             << 478.2;
+        QTest::newRow("far from the base")
+            << Rectangle{{30, 30}, {80, 70}} << origin_m
+            << std::vector<LaneTimes>{{76.8, 127.6}, {135.0, 186.8}, {194.2, 246.4}, {253.6, 305.6}, {313.0, 364.8}}
+            << 450.8;
+        QTest::newRow("volcano")
+            << of_quick_scan << Vec2(185.0, -90.0)
+            << std::vector<LaneTimes>{{120.6, 193.2}, {200.6, 262.4}, {269.8, 332.0}, {339.4, 401.2}, {408.6, 470.8}}
+            << 641.8;
         QTest::newRow("seed 7")
+            << of_quick_scan << origin_m
             << std::vector<LaneTimes>{{76.8, 153.8}, {161.2, 240.4}, {247.6, 332.6}, {339.8, 402.0}, {409.4, 482.6}}
             << 538.6;
     }
     void isRightWithinATenthFromATenthOn() {
+        QFETCH(Rectangle, area);
+        QFETCH(Vec2, base_m);
         QFETCH(std::vector<LaneTimes>, lanes);
         QFETCH(double, whole_s);
-        Survey survey = surveyOver({{-30, -20}, {30, 20}}, settings);
+        Survey survey = surveyOver(area, settings, base_m);
         QCOMPARE(survey.laneCount(), lanes.size());
         TimeEstimate estimate;
         for (const LaneTimes& times : lanes) {
             flyLane(survey, times, settings, [&](Seconds now, const Vec2& place_m) {
                 estimate.note(true, now, survey.doneLength_m(), settings);
-                const Seconds left = estimate.timeLeft(survey, {place_m, Vec2::Zero(), now.count()}, settings);
+                const Seconds left = estimate.timeLeft(survey, {place_m, base_m, now.count()}, settings);
                 QVERIFY2(std::abs((now + left).count() - whole_s) <= 0.1 * whole_s,
                          qPrintable(QString("at %1 s: %2 s are left").arg(now.count()).arg(left.count())));
             });

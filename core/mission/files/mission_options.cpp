@@ -13,17 +13,10 @@ namespace usar::mission {
 namespace {
 
 QList<QCommandLineOption> runOptions() {
-    return {{"behavior", {}, "ID"},
-            {"plan", {}, "FILE"},
-            {"seed", {}, "N"},
-            {"speed", {}, "N|max"},
-            {"connect", {}, "HOST:PORT"},
-            {"out", {}, "DIR"},
-            {"record", {}, "FILE"},
-            {"fault", {}, "TEXT"},
-            {"plugins", {}, "FOLDER"},
-            QCommandLineOption("isolate"),
-            QCommandLineOption(QStringList{"h", "help"})};
+    return {{"behavior", {}, "ID"},    {"plan", {}, "FILE"},          {"seed", {}, "N"},
+            {"speed", {}, "N|max"},    {"connect", {}, "HOST:PORT"},  {"out", {}, "DIR"},
+            {"record", {}, "FILE"},    {"continue", {}, "RECORDING"}, {"fault", {}, "TEXT"},
+            {"plugins", {}, "FOLDER"}, QCommandLineOption("isolate"), QCommandLineOption(QStringList{"h", "help"})};
 }
 
 /// The options whose values can be wrong.
@@ -34,6 +27,7 @@ Result<void> readValues(const QCommandLineParser& parser, MissionOptions& option
             return failure("the seed is not a whole number from 0 up", asWritten(parser, "seed"),
                            "For example --seed 7");
         options.seed = static_cast<std::uint64_t>(*seed);
+        options.seed_chosen = true;
     }
     if (const QString text = parser.value("speed"); parser.isSet("speed") && text != "max") {
         const auto speed = readNumber(text.toStdString());
@@ -84,12 +78,19 @@ Result<MissionOptions> readMissionOptions(const QStringList& arguments) {
     options.plan = parser.value("plan");
     options.result_folder = parser.value("out");
     options.recording = parser.value("record");
+    options.continued = parser.value("continue");
     options.faults = parser.values("fault");
     options.plugin_folders = parser.values("plugins");
     options.isolate = parser.isSet("isolate");
     if (const auto read = readValues(parser, options); !read)
         return tl::unexpected(read.error());
     const QStringList words = parser.positionalArguments();
+    if (!options.continued.isEmpty() && words == QStringList{"run"})
+        return options;
+    if (!options.continued.isEmpty())
+        return failure("a run that continues another takes its mission from the recording",
+                       words.join(' ').toStdString(),
+                       "Write usar-mission run --continue RECORDING, without a mission file");
     if (words.size() != 2 || words.first() != "run")
         return failure("this is not how to call it", words.join(' ').toStdString(),
                        "Write usar-mission run MISSION.json; --help tells more");
@@ -120,6 +121,7 @@ Result<void> checkFaultsArePossible(const MissionOptions& options, const Mission
 QString missionHelp() {
     return QStringLiteral(
                "usar-mission run MISSION.json [options]\n"
+               "usar-mission run --continue RECORDING [options]\n"
                "\n"
                "Flies one mission without a window and writes its results.\n"
                "\n"
@@ -131,6 +133,9 @@ QString missionHelp() {
                "  --connect HOST:PORT  a USARSim server instead of the embedded simulator\n"
                "  --out DIR            where the results go (USAR_Scan on the Desktop)\n"
                "  --record FILE        every byte in and out, for replay (a new file, usually NAME.usarrec)\n"
+               "  --continue RECORDING the rest of a mission that was cut off: what its recording has scanned is "
+               "kept,\n"
+               "                       and only the area around the larger gaps is flown, with the same seed\n"
                "  --fault TEXT         a fault of the embedded simulator, for example\n"
                "                       'wind speed=4 gust=1 from=60'; repeat for more. usar-sim --help lists them\n"
                "  --plugins FOLDER     robot plugins, besides those that come with the program; repeat for more\n"

@@ -22,10 +22,12 @@ struct ServerAddress {
 
 /// Options of `usar-mission run`, with their defaults.
 struct MissionOptions {
-    QString mission_file;
+    QString mission_file;                ///< empty: that of the recording in `continued`
+    QString continued;                   ///< recording of a run that was cut off, whose rest is to be flown; or empty
     QString behavior;                    ///< empty: the one in the mission file
     QString plan;                        ///< file of a POSH plan; empty: the mission's plan, or the robot's own
     std::uint64_t seed = 1;              ///< of the embedded simulator's noise and drift
+    bool seed_chosen = false;            ///< the seed was typed; without that, a continued run keeps its own
     std::optional<double> speed_x;       ///< simulated per real seconds; absent: as fast as possible
     std::optional<ServerAddress> server; ///< absent: the embedded simulator
     QString result_folder;               ///< empty: the default folder

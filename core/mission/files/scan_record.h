@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +15,15 @@
 #include "core/mapping/raster_export.h"
 
 namespace usar::mission {
+
+/// An earlier run that was cut off, and which the run of a record continues: what came before is in the map.
+struct ContinuedRun {
+    QString recording;     ///< full path of its recording
+    Seconds duration{0.0}; ///< on the protocol clock, with the runs that it continued itself; so are the next two
+    double distance_m = 0.0;
+    int charges = 0;
+    std::size_t cells = 0; ///< known cells that were taken over
+};
 
 /// A plain value that crosses threads. Positions in meters, map frame. The height map itself stays with its session;
 /// exports are made from `raster`.
@@ -27,6 +37,7 @@ struct ScanRecord {
     agent::BehaviorStatus status; ///< newest one
     /// Faults that were made to happen during the scan, in words: "60.2 s: fault begins: wind speed=5".
     std::vector<std::string> faults;
+    std::optional<ContinuedRun> continues{}; ///< absent: the scan began with this run
     /// Grows with every change worth saving: map, path, marks, and in the status its words, charges and distance. With
     /// an empty map nothing is worth saving, so it begins at 0.
     std::uint64_t revision = 0;

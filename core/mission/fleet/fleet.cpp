@@ -148,6 +148,7 @@ void Fleet::Private::connectRobot(Robot* robot) {
             emit q.robotUpdated(robot->view().id, update);
         else if (!robot->isReplay())
             emit q.linkUpdated(update);
+        startRest(*robot);
     });
     connect(robot, &Robot::noticed, &q, [this, robot](const Notice& notice) { tell(robot, notice); });
     keeper.watch(*robot, [this, robot] { return factsOf(*robot); });
@@ -250,6 +251,7 @@ void Fleet::remove(RobotId id) {
                                            : rest.front()->view().id;
     d_->keeper.takeLeave(std::move(robot));
     d_->truths.erase(id);
+    d_->rests.erase(id);
     emit robotRemoved(id, name, instead);
 }
 
@@ -286,7 +288,7 @@ Result<void> Fleet::Private::start(Robot& robot, const StartedBehavior& start) {
     const auto parameters = checkStart(start, plugins, place);
     if (!parameters)
         return tl::unexpected(parameters.error());
-    return robot.startBehavior(plugins, start, *parameters, behavior_host);
+    return robot.startBehavior(plugins, start, *parameters, behavior_host, missionNote(robot, start));
 }
 
 Result<std::map<std::string, agent::ParameterValue>> Fleet::prepareMission(const Mission& mission) const {

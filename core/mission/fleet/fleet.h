@@ -74,6 +74,8 @@ public:
     Result<void> startBehavior(RobotId id, const std::string& behavior_id, const Rectangle& area_in_map,
                                const std::map<std::string, agent::ParameterValue>& values, const QString& plan_path,
                                bool isolate = false);
+    /// Spawns a robot that takes over the recording's map and flies the rest. An error if nothing is left or possible.
+    Result<RobotId> flyRest(const std::shared_ptr<const RecordedScan>& earlier);
     /// Restarts the behavior that broke, with the same parameters, area and plan, in a separate process.
     Result<void> startAgain(RobotId id);
     Result<std::map<std::string, agent::ParameterValue>> prepareMission(const Mission& mission) const; ///< checkMission

@@ -27,6 +27,10 @@ struct Fleet::Private {
     /// True figures and seed for a robot's results; empty for a replay.
     SimulatorFacts factsOf(const Robot& robot) const;
     Result<void> start(Robot& robot, const StartedBehavior& start);
+    /// The mission that the behavior flies, for the robot's recording.
+    std::string missionNote(const Robot& robot, const StartedBehavior& start) const;
+    /// Starts the mission whose rest this robot is to fly, once the robot is there.
+    void startRest(Robot& robot);
     void finished(Robot* robot, bool success, const QString& reason);
     void closeWhenSaved();
 
@@ -57,6 +61,7 @@ struct Fleet::Private {
     std::map<ConnectionId, Seconds>
         wanted_moments;                    ///< by connection: moment to look back on, once the file contains it
     std::map<RobotId, TrueFigures> truths; ///< by robot id
+    std::map<RobotId, std::shared_ptr<const RecordedScan>> rests; ///< what robots that are being spawned will fly
     std::optional<std::uint64_t> seed;
     std::function<Truth()> make_truth; ///< makes the heights of the embedded world; empty: none
     /// New robots are recorded.

@@ -67,15 +67,19 @@ void Robot::spawn(RobotId id, const SpawnRequest& request) {
 }
 
 Result<void> Robot::startBehavior(const agent::PluginLoader& plugins, const StartedBehavior& start,
-                                  const agent::ParameterSet& parameters, const QString& host_program) {
+                                  const agent::ParameterSet& parameters, const QString& host_program,
+                                  const std::string& mission_note) {
     const agent::Task task{view_.spawn.robot_name, view_.spawn.start_in_map, start.area_in_map};
     const auto behavior = agent::startBehavior(plugins, start.id, {task, parameters, start.plan},
                                                start.isolated ? std::optional(host_program) : std::nullopt);
     if (!behavior)
         return tl::unexpected(behavior.error());
-    // Both in one call, so that the behavior does nothing before its breakpoints are set.
-    link::post(session_, [session = session_, task, host = *behavior, breakpoints = breakpoints_] {
-        session->startBehavior(host, task);
+    // All in one call, so that the behavior does nothing before its breakpoints are set.
+    link::post(session_, [session = session_, task, host = *behavior, breakpoints = breakpoints_, mission_note,
+                          earlier = start.continues] {
+        if (earlier)
+            session->continueScan({earlier, &earlier->scan});
+        session->startBehavior(host, task, mission_note);
         session->control(breakpoints);
     });
     started_ = start;
@@ -84,7 +88,7 @@ Result<void> Robot::startBehavior(const agent::PluginLoader& plugins, const Star
     since_start_.start();
     took_.reset();
     view_.broke = false;
-    beginTask(start.id, start.area_in_map);
+    beginTask(start.id, start.continues ? start.continues->flown.mission.area_in_map : start.area_in_map);
     return {};
 }
 

@@ -47,9 +47,10 @@ public:
     void close() { call(&RobotSession::close); }
     void spawn(RobotId id, const SpawnRequest& request);
     /// `parameters`: those of `start`, checked. `host_program`: runs a behavior that is isolated. Plugins are
-    /// third-party code: if one throws or refuses, this returns an error.
+    /// third-party code: if one throws or refuses, this returns an error. `mission_note`: see RobotSession.
     Result<void> startBehavior(const agent::PluginLoader& plugins, const StartedBehavior& start,
-                               const agent::ParameterSet& parameters, const QString& host_program);
+                               const agent::ParameterSet& parameters, const QString& host_program,
+                               const std::string& mission_note = {});
     /// The newest started behavior; nullopt before the first.
     const std::optional<StartedBehavior>& started() const { return started_; }
     /// Returns true if this changes the cells. A map that has heights keeps its cell size, and a notice says so.

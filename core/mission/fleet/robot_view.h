@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "core/base/robot_id.h"
 #include "core/mapping/height_map.h"
 #include "core/mission/fleet/equipment.h"
+#include "core/mission/runs/recorded_scan.h"
 #include "core/mission/session/session_orders.h"
 #include "core/mission/session/session_update.h"
 
@@ -67,6 +69,8 @@ struct StartedBehavior {
     std::map<std::string, agent::ParameterValue> parameters;
     std::optional<agent::PlanText> plan; ///< the user's plan; absent: the robot's own
     bool isolated = false;               ///< it runs in a separate process
+    /// The run whose rest `area_in_map` is; null: it continues none.
+    std::shared_ptr<const RecordedScan> continues{};
 };
 
 } // namespace usar::mission

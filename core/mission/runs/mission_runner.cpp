@@ -51,9 +51,27 @@ void MissionRunner::start() {
     since_start_.start();
     if (const auto prepared = prepare(); !prepared)
         return conclude(false, prepared.error().text(), BadInput);
+    if (options_.earlier)
+        continueEarlier();
+    if (phase_ == Phase::Over)
+        return;
     phase_ = Phase::Connecting;
     timer_.start();
     session_.open(options_.host, options_.port, options_.lockstep);
+}
+
+void MissionRunner::continueEarlier() {
+    const RecordedScan& earlier = *options_.earlier;
+    session_.continueScan({options_.earlier, &earlier.scan});
+    if (earlier.rest_in_map.empty())
+        conclude(true, "Nothing was left to fly: the recording has scanned the whole area.", Done);
+}
+
+std::string MissionRunner::missionNote() const {
+    FlownMission flown{mission_, options_.seed, {}};
+    if (options_.earlier)
+        flown.continues = options_.earlier->scan.run.recording;
+    return noteOf(flown);
 }
 
 void MissionRunner::interrupt() {
@@ -81,7 +99,8 @@ Result<void> MissionRunner::prepare() {
 void MissionRunner::takeStartPoses(const protocol::StartPoses& poses) {
     if (phase_ != Phase::Connecting)
         return;
-    const auto pose = startPoseOf(mission_, poses);
+    const bool as_before = options_.earlier && options_.earlier->start_in_map;
+    const auto pose = as_before ? Result<Pose>(*options_.earlier->start_in_map) : startPoseOf(mission_, poses);
     if (!pose)
         return conclude(false, pose.error().text(), BadInput);
     phase_ = Phase::Spawning;
@@ -93,14 +112,15 @@ void MissionRunner::takeStartPoses(const protocol::StartPoses& poses) {
 void MissionRunner::takeRobot() {
     if (phase_ != Phase::Spawning)
         return;
-    const agent::Task task{robot_name, start_in_map_, mission_.area_in_map};
+    const agent::Task task{robot_name, start_in_map_,
+                           options_.earlier ? options_.earlier->rest_in_map : mission_.area_in_map};
     const auto made = agent::startBehavior(plugins_, mission_.behavior, {task, behavior_->parameters, behavior_->plan},
                                            mission_.isolate ? std::optional(options_.behavior_host) : std::nullopt);
     if (!made)
         return conclude(false, made.error().text(), BadInput);
     phase_ = Phase::Flying;
     since_flight_.start();
-    session_.startBehavior(*made, task);
+    session_.startBehavior(*made, task, missionNote());
 }
 
 void MissionRunner::look() {

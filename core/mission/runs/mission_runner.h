@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -17,6 +18,7 @@
 #include "core/mission/files/mission_file.h"
 #include "core/mission/files/mission_options.h"
 #include "core/mission/runs/mission_score.h"
+#include "core/mission/runs/recorded_scan.h"
 #include "core/mission/runs/run_summary.h"
 #include "core/mission/session/robot_session.h"
 #include "core/protocol/usual_values.h"
@@ -42,6 +44,9 @@ struct RunOptions {
     QString recording;      ///< new file that records everything sent and received; empty: none
     QString behavior_host;  ///< path of usar-behavior-host, needed by a mission that isolates its behavior
     RunLimits limits;
+    /// The run that this one continues: its map is taken over, and only its rest is flown. The mission is that of the
+    /// recording, with the whole area. Null: a run of its own.
+    std::shared_ptr<const RecordedScan> earlier;
 
     // Known only to the creator of an embedded simulator; absent on a real server.
     std::optional<Truth> truth;
@@ -98,6 +103,10 @@ private:
     /// Time since the spawn, on the protocol clock.
     Seconds flightTime() const;
     Progress progress() const;
+    /// Takes over the earlier run's map; ends the run if it has nothing left to fly.
+    void continueEarlier();
+    /// The mission for the recording.
+    std::string missionNote() const;
     void conclude(bool success, const std::string& reason, int exit_code);
     RunSummary figuresOf(const ScanRecord& record);
     /// Writes the results. If that fails, because the disk has filled up since the check, the scan is saved to the

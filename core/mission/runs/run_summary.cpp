@@ -24,6 +24,16 @@ QJsonValue text(const std::string& text) {
     return text.empty() ? QJsonValue(QJsonValue::Null) : QString::fromStdString(text);
 }
 
+QJsonValue continuedBy(const std::optional<ContinuedRun>& run) {
+    if (!run)
+        return QJsonValue::Null;
+    return QJsonObject{{"recording", run->recording},
+                       {"duration_s", number(run->duration.count(), 2)},
+                       {"distance_m", number(run->distance_m, 2)},
+                       {"charges", run->charges},
+                       {"cells", static_cast<qint64>(run->cells)}};
+}
+
 QJsonValue seedOf(const RunSummary& summary) {
     return summary.seed ? QJsonValue(static_cast<qint64>(*summary.seed)) : QJsonValue(QJsonValue::Null);
 }
@@ -64,6 +74,7 @@ void addRecord(RunSummary& summary, const ScanRecord& record, const Truth* truth
     summary.cells = knownCellCount(record);
     summary.heights = record.raster.range();
     summary.faults += textsOf(record.faults);
+    summary.continues = record.continues;
 }
 
 QJsonObject toJson(const RunSummary& summary) {
@@ -87,6 +98,7 @@ QJsonObject toJson(const RunSummary& summary) {
         {"lines_received", static_cast<qint64>(summary.lines_received)},
         {"lines_malformed", static_cast<qint64>(summary.lines_malformed)},
         {"lockstep", summary.lockstep},
+        {"continues", continuedBy(summary.continues)},
         {"faults", QJsonArray::fromStringList(summary.faults)},
         {"files", QJsonArray::fromStringList(summary.files)}};
     addTruth(json, summary.truth);

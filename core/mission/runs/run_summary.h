@@ -59,8 +59,9 @@ struct RunSummary {
     std::uint64_t lines_received = 0;
     std::uint64_t lines_malformed = 0;
     bool lockstep = false;
-    QStringList faults; ///< injected faults, with their times
-    QStringList files;  ///< full paths of the saved files
+    std::optional<ContinuedRun> continues{}; ///< key continues: null, or an object with the keys of its fields
+    QStringList faults;                      ///< injected faults, with their times
+    QStringList files;                       ///< full paths of the saved files
 };
 
 /// Facts about a run that only the owner of the simulator knows.

@@ -67,6 +67,7 @@ void RecordKeeping::beginWith(const RecordingScene& scene) {
         note("robot", protocol::write(*scene.robot));
     if (!scene.of_behavior)
         return;
+    noteMission(mission_);
     noteTask(*scene.of_behavior);
     for (const agent::MapMark& mark : scene.of_behavior->marks)
         write(mark);
@@ -92,6 +93,12 @@ void RecordKeeping::sent(const Cause& cause, const std::string& text) {
 
 void RecordKeeping::noteTask(const ScanRecord& record) {
     note("behavior", record.behavior_id + '\t' + record.robot_name + '\t' + rectangleText(record.area_in_map));
+}
+
+void RecordKeeping::noteMission(const std::string& text) {
+    mission_ = text;
+    if (!text.empty())
+        note("mission", text);
 }
 
 void RecordKeeping::notePublished(const agent::Published& value, bool runs_here) {

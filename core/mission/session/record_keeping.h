@@ -57,13 +57,19 @@ public:
     void noteFault(const std::string& sentence) { note("fault", sentence); }
     /// The behavior and the area named in `record` have begun.
     void noteTask(const ScanRecord& record);
+    /// The behavior that begins flies the mission of this text (core/mission/files/flown_mission.h). It comes before
+    /// its task; an empty text is no note.
+    void noteMission(const std::string& text);
     /// Notes a value published by a behavior. With `runs_here`, the newest of values that replace each other is also
     /// kept for a later recording.
     void notePublished(const agent::Published& value, bool runs_here);
     /// Notes the end of a behavior that did not publish it itself.
     void noteFinished(const agent::BehaviorFinished& finished);
     /// Forgets the values of the behavior because it is gone.
-    void forgetBehavior() { so_far_.clear(); }
+    void forgetBehavior() {
+        so_far_.clear();
+        mission_.clear();
+    }
     /// Ends a recording whose writing has failed, with a notice.
     void look();
 
@@ -79,6 +85,7 @@ private:
     QTimer timer_; ///< runs during a recording
     std::unique_ptr<link::RecordingWriter> writer_;
     BehaviorSoFar so_far_; ///< what the running behavior has published
+    std::string mission_;  ///< text of the mission that it flies; empty: unknown
 };
 
 } // namespace usar::mission

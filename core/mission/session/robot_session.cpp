@@ -67,7 +67,8 @@ void RobotSession::spawn(const SpawnRequest& request) {
         d_->spawning.ask(request, d_->connected(), d_->wall());
 }
 
-void RobotSession::startBehavior(std::shared_ptr<agent::RunningBehavior> host, const agent::Task& task) {
+void RobotSession::startBehavior(std::shared_ptr<agent::RunningBehavior> host, const agent::Task& task,
+                                 const std::string& mission_note) {
     if (d_->refusedInReplay())
         return;
     if (!d_->spawning.done()) {
@@ -78,9 +79,17 @@ void RobotSession::startBehavior(std::shared_ptr<agent::RunningBehavior> host, c
     if (d_->helm.hasBehavior())
         d_->helm.stopBehavior(by::Session{"another behavior"}, "Another behavior was started.");
     d_->book.beginTask(host->behaviorId(), task.robot_name, task.area_in_map);
+    d_->records.noteMission(mission_note);
     d_->records.noteTask(d_->book.record());
     d_->behavior_running = true;
     d_->helm.start(std::move(host));
+    d_->touched();
+}
+
+void RobotSession::continueScan(std::shared_ptr<const EarlierScan> earlier) {
+    if (d_->refusedInReplay())
+        return;
+    d_->book.continueScan(*earlier);
     d_->touched();
 }
 

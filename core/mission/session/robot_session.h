@@ -9,6 +9,7 @@
 #include "core/agent/running_behavior.h"
 #include "core/link/tcp_link.h"
 #include "core/mission/files/scan_record.h"
+#include "core/mission/session/earlier_scan.h"
 #include "core/mission/session/session_orders.h"
 #include "core/mission/session/session_update.h"
 
@@ -47,7 +48,11 @@ public slots:
     /// because a server accepts one INIT per connection; after a lost connection it may be called once a new one is
     /// there. The progress is in `figures().spawn`.
     void spawn(const usar::mission::SpawnRequest& request);
-    void startBehavior(std::shared_ptr<usar::agent::RunningBehavior> host, const usar::agent::Task& task);
+    /// `mission_note`: what it flies, for the recording (core/mission/files/flown_mission.h); empty: unknown.
+    void startBehavior(std::shared_ptr<usar::agent::RunningBehavior> host, const usar::agent::Task& task,
+                       const std::string& mission_note = {});
+    /// The behavior that is started next continues this scan: see ScanBook::continueScan.
+    void continueScan(std::shared_ptr<const usar::mission::EarlierScan> earlier);
     void order(usar::agent::Order order);
     void setParameters(const usar::agent::ParameterSet& parameters);
     /// Controls the plan of the behavior; without a behavior it only refuses a new plan. While a plan is halted, a

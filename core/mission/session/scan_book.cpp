@@ -8,8 +8,27 @@
 
 namespace usar::mission {
 
+namespace {
+
+/// Writes the known cells of the tile into the map. They are of no line of this connection.
+void addCells(const mapping::HeightTile& tile, mapping::HeightMap& map) {
+    constexpr std::int32_t side = mapping::HeightTile::side;
+    for (std::int32_t row = 0; row < side; ++row)
+        for (std::int32_t column = 0; column < side; ++column) {
+            const auto at = static_cast<std::size_t>(row * side + column);
+            const mapping::GridIndex cell{tile.index.column * side + column, tile.index.row * side + row};
+            if (tile.hits[at] > 0)
+                map.write(cell, tile.height_m[at], {});
+            else // ignored where the height is unknown
+                map.fill(cell, tile.height_m[at], {});
+        }
+}
+
+} // namespace
+
 void ScanBook::rewind() {
     mapper_.clearMap();
+    whole_area_in_map_.reset();
     ScanRecord empty;
     empty.level = std::move(record_.level);
     record_ = std::move(empty);
@@ -24,8 +43,23 @@ void ScanBook::beginReplay(std::optional<double> cell_size_m, const std::string&
 void ScanBook::beginTask(const std::string& behavior_id, const std::string& robot_name, const Rectangle& area_in_map) {
     record_.behavior_id = behavior_id;
     record_.robot_name = robot_name;
-    record_.area_in_map = area_in_map;
+    record_.area_in_map = std::exchange(whole_area_in_map_, std::nullopt).value_or(area_in_map);
     record_.status = {};
+}
+
+void ScanBook::continueScan(const EarlierScan& earlier) {
+    whole_area_in_map_ = earlier.record.area_in_map;
+    if (mapper_.map().knownCellCount() > 0)
+        return;
+    for (const auto& [index, tile] : earlier.tiles)
+        addCells(*tile, mapper_.map());
+    const std::string level = record_.level.empty() ? earlier.record.level : record_.level;
+    record_ = earlier.record;
+    record_.level = level;
+    record_.status = {};
+    record_.faults.clear();
+    record_.continues = earlier.run;
+    worthSaving();
 }
 
 void ScanBook::take(const protocol::InfoLine& line) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/mission/files/scan_record.h"
+#include "core/mission/session/earlier_scan.h"
 #include "core/mission/session/notices.h"
 #include "core/mission/session/scan_mapper.h"
 
@@ -24,6 +25,10 @@ public:
     /// Prepares an empty map for a replay. Without a size the cell size stays the same.
     void beginReplay(std::optional<double> cell_size_m, const std::string& level);
     void beginTask(const std::string& behavior_id, const std::string& robot_name, const Rectangle& area_in_map);
+
+    /// Takes over what an earlier run scanned, unless the map has heights already. The next task counts as a part of
+    /// that run's: the record keeps the area of the whole.
+    void continueScan(const EarlierScan& earlier);
 
     void take(const protocol::InfoLine& line);
     void take(const agent::Published& value);
@@ -48,6 +53,7 @@ private:
     Notices& notices_;
     ScanMapper mapper_;
     ScanRecord record_;
+    std::optional<Rectangle> whole_area_in_map_; ///< area of the next task's record; absent: that of the task
     bool unplaced_said_ = false;
 };
 

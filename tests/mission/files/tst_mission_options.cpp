@@ -24,6 +24,7 @@ private slots:
         full.behavior = "airrobot/posh";
         full.plan = "own.lap";
         full.seed = 7;
+        full.seed_chosen = true;
         full.speed_x = 2.5;
         full.server = ServerAddress{"10.0.0.5", 3001};
         full.result_folder = "/data/scans";
@@ -52,6 +53,9 @@ private slots:
         apart.plugin_folders = QStringList{"mine", "yours"};
         QTest::newRow("a process and plugins of one's own")
             << QStringList{"run", "--isolate", "a.json", "--plugins", "mine", "--plugins=yours"} << apart;
+        MissionOptions rest;
+        rest.continued = "r.usarrec";
+        QTest::newRow("the rest of a mission") << QStringList{"run", "--continue", "r.usarrec"} << rest;
         MissionOptions help;
         help.help = true;
         QTest::newRow("help") << QStringList{"--help"} << help;

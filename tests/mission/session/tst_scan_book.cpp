@@ -67,6 +67,32 @@ private slots:
         QCOMPARE(kept.book.record().path_m.back().x(), 0.3);
     }
 
+    void continuesWhatAnEarlierRunScanned() {
+        Kept before;
+        before.scan(1);
+        before.book.take(agent::MapMark{});
+        EarlierScan earlier{before.book.record(), {}, {.recording = "r.usarrec", .charges = 2, .cells = 3}};
+        earlier.record.area_in_map = {{-5, -5}, {5, 5}};
+        for (const auto& tile : before.book.mapper().map().takeChangedTiles())
+            earlier.tiles[tile->index] = tile;
+        Kept after;
+        after.book.continueScan(earlier);
+        after.book.beginTask("test/hop", "R2", {{0, 0}, {5, 5}});
+        const ScanRecord kept = after.book.snapshot();
+        QCOMPARE(kept.area_in_map, earlier.record.area_in_map); // of the whole, of which the task is a part
+        QCOMPARE(kept.robot_name, std::string("R2"));
+        QCOMPARE(kept.marks.size(), std::size_t(1));
+        QVERIFY(kept.continues && kept.continues->charges == 2);
+        QVERIFY(kept.raster.heights_m.size() == before.book.snapshot().raster.heights_m.size());
+        QCOMPARE(knownCellCount(kept), knownCellCount(before.book.snapshot()));
+        QVERIFY(kept.raster.range() == before.book.snapshot().raster.range());
+        after.book.continueScan(earlier); // The map has heights already, so nothing comes twice.
+        QCOMPARE(after.book.record().marks.size(), std::size_t(1));
+        after.book.beginTask("test/hop", "R2", {{0, 0}, {5, 5}});
+        after.book.beginTask("test/hop", "R2", {{1, 1}, {5, 5}});
+        QCOMPARE(after.book.record().area_in_map, (Rectangle{{1, 1}, {5, 5}}));
+    }
+
     void aScanThatIsTooOldIsToldOnce() {
         Kept kept;
         kept.place(7);

@@ -1,0 +1,37 @@
+// What a recording holds of a mission that was cut off: what was to be flown, and what was scanned.
+#pragma once
+
+#include <optional>
+
+#include <QString>
+
+#include "core/base/result.h"
+#include "core/mission/files/flown_mission.h"
+#include "core/mission/session/earlier_scan.h"
+
+namespace usar::mission {
+
+/// A plain value that crosses threads.
+struct RecordedScan {
+    FlownMission flown;
+    std::string robot_name;
+    std::optional<Pose> start_in_map; ///< pose at which the robot was spawned; absent: unknown
+    bool finished = false;            ///< the behavior has ended, by itself or by an order
+    EarlierScan scan;
+    Rectangle rest_in_map; ///< what the map lacks of the area (remainingArea); empty: nothing
+};
+
+/// Plays the recording through the code of a session, without its pace, and returns its newest mission; a recording
+/// that continues others includes what they scanned. An error names the file: it cannot be read, no mission is noted in
+/// it, or the mission has no area of which something could be left. Takes a second for an hour of flight, so do not
+/// call it in the GUI thread.
+Result<RecordedScan> readRecordedScan(const QString& path);
+
+/// Returns true if a behavior was in the midst of a mission when the recording broke off. Reads the whole file, without
+/// playing it; false if it cannot be read.
+bool brokeOffInMission(const QString& path);
+
+/// The mission that flies the rest: that of the recording with the smaller area.
+Mission missionOfRest(const RecordedScan& recorded);
+
+} // namespace usar::mission
