@@ -51,14 +51,12 @@ void makeCenter(QMainWindow& window, WindowViews& views) {
 }
 
 QWidget* makeInstruments(WindowViews& views) {
-    auto* box = new QWidget;
-    auto* layout = laidOut(new QVBoxLayout(box), {gap::small, gap::small, gap::small, gap::small}, gap::small);
-    layout->addWidget(views.status = new StatusStrip);
-    views.status->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed); // Figures are never squeezed.
-    layout->addWidget(views.laser = new LaserFanView, 3);
-    layout->addWidget(views.terrain = new TerrainProfileView, 2);
-    layout->addWidget(views.sonars = new SonarColumnsView, 2);
-    return box;
+    views.instruments = new InstrumentPanel;
+    views.status = views.instruments->status();
+    views.laser = views.instruments->laser();
+    views.terrain = views.instruments->terrain();
+    views.sonars = views.instruments->sonars();
+    return views.instruments;
 }
 
 /// Makes the message list, the box for raw commands below it, and a row with their counts.
