@@ -58,6 +58,8 @@ void RobotPresenter::show(RobotId id, const std::shared_ptr<const mission::Sessi
     if (!selected)
         return;
     showTraffic(update.figures);
+    if (update.ground)
+        views_.terrain->setProfile(*update.ground);
     ask(*control_.robot(id));
     showInstruments(view);
     for (const protocol::InfoLine& line : update.lines) {
@@ -79,9 +81,9 @@ std::optional<protocol::TraceColor> RobotPresenter::traceColor(RobotId id) const
 
 void RobotPresenter::restart(const RobotView& view, bool selected) {
     views_.map->removeRobot(QString::fromStdString(view.spawn.robot_name));
+    heard_.erase(view.connection);
     if (!selected)
         return;
-    heard_.erase(view.connection);
     select(view.id);
     views_.map->clearMarks(); // The update contains those that exist now.
     views_.status->clear(QObject::tr("Replay"));
@@ -154,8 +156,6 @@ void RobotPresenter::showInstruments(const RobotView& view) {
     if (const auto& world = control_.world().world; world && world->water && view.recording.isEmpty())
         instruments.setWater(world->water->surface_z_m);
     views_.terrain->setVisible(!view.tiles.empty() || (has.mayFly() && instruments.scan()));
-    if (view.ground)
-        views_.terrain->setProfile(*view.ground);
     showLinkState(view.id);
 }
 
@@ -249,6 +249,8 @@ void RobotPresenter::select(RobotId id) {
     for (const widgets::CountedLine& heard : heard_[view.connection].newest.lines())
         views_.sensors->take(heard.line, heard.now);
     views_.sensors->setNow(view.figures.now);
+    if (view.ground)
+        views_.terrain->setProfile(*view.ground);
     showInstruments(view);
 }
 
