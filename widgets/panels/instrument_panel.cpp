@@ -13,7 +13,7 @@
 namespace usar::widgets {
 namespace {
 
-constexpr int figure_columns = 3;
+constexpr int figure_columns = 2; // Three would be wider than a narrow dock.
 const QString widest_figure = QStringLiteral("−000.00");
 
 } // namespace
