@@ -129,7 +129,7 @@ void tst_RobotInstruments::aRobotGetsWhatItHas_data() {
     QTest::addColumn<bool>("scans");
     QTest::addColumn<bool>("ground");
     QTest::addColumn<int>("cones");
-    const QString rover = "CameraPanTilt 2, GPS 2, encoders 4, victims 1";
+    const QString rover = "CameraPanTilt 2, GPS 4, encoders 4, victims 1";
     QTest::newRow("AirRobot") << "over start, over ground, speed, climb"
                               << ""
                               << "INS" << true << true << 9;
