@@ -24,12 +24,8 @@ const std::string sonar_type = "Sonar";
 /// Every sensor that sends regularly has done so within this time on the protocol clock.
 constexpr Seconds settling{1.0};
 
-QString tr(const char* text) {
-    return QObject::tr(text);
-}
-
-const QString meters = QStringLiteral("m");
-const QString meters_per_second = QStringLiteral("m/s");
+const QString height_unit = QStringLiteral("m");
+const QString speed_unit = QStringLiteral("m/s");
 
 } // namespace
 
@@ -180,12 +176,13 @@ std::optional<InstrumentFigure> RobotInstruments::clearance(Seconds now) const {
     const double upright =
         attitude ? std::cos(attitude->roll_pitch_yaw_rad.x()) * std::cos(attitude->roll_pitch_yaw_rad.y()) : 1.0;
     const bool dives = fitting_.kind() == VehicleKind::Nautic;
-    shown.caption = dives ? tr("to bottom") : tr("over ground");
+    shown.caption = dives ? QObject::tr("to bottom") : QObject::tr("over ground");
     shown.value = figure(range_m ? *range_m * upright : qQNaN(), 2);
-    shown.unit = meters;
-    shown.help = (dives ? tr("Distance from %1 straight down to the bottom, in meters; a dash beyond its range of %2 m")
-                        : tr("Height of %1 over what is straight below, in meters; a dash beyond its range of %2 m"))
-                     .arg(QString::fromStdString(sensor), figure(maximum_m, 0));
+    shown.unit = height_unit;
+    shown.help =
+        (dives ? QObject::tr("Distance from %1 straight down to the bottom, in meters; a dash beyond its range of %2 m")
+               : QObject::tr("Height of %1 over what is straight below, in meters; a dash beyond its range of %2 m"))
+            .arg(QString::fromStdString(sensor), figure(maximum_m, 0));
     return shown;
 }
 
@@ -193,18 +190,19 @@ void RobotInstruments::addHeights(std::vector<InstrumentFigure>& figures, Second
     const PoseSource* const place = pose_.place(now);
     const QString source = place ? QString::fromStdString(place->type) : QString();
     if (place && fitting_.kind() == VehicleKind::Nautic && water_z_m_)
-        figures.push_back({tr("depth"), figure(*water_z_m_ - place->base_in_map_m->z(), 2), meters,
-                           tr("Depth below the surface of the water, in meters, by %1").arg(source), place->heard});
+        figures.push_back({QObject::tr("depth"), figure(*water_z_m_ - place->base_in_map_m->z(), 2), height_unit,
+                           QObject::tr("Depth below the surface of the water, in meters, by %1").arg(source),
+                           place->heard});
     if (altitude_ && altitude_->above_start_m)
-        figures.push_back({tr("over start"), figure(*altitude_->above_start_m, 2), meters,
-                           tr("Height over the start, in meters, by the altitude sensor"), altitude_heard_});
+        figures.push_back({QObject::tr("over start"), figure(*altitude_->above_start_m, 2), height_unit,
+                           QObject::tr("Height over the start, in meters, by the altitude sensor"), altitude_heard_});
     else if (place)
-        figures.push_back({tr("over start"), figure(pose_.aboveStart_m(now).value_or(qQNaN()), 2), meters,
-                           tr("Height over the first place that was heard of, in meters, by %1").arg(source),
+        figures.push_back({QObject::tr("over start"), figure(pose_.aboveStart_m(now).value_or(qQNaN()), 2), height_unit,
+                           QObject::tr("Height over the first place that was heard of, in meters, by %1").arg(source),
                            place->heard});
     if (altitude_ && altitude_->above_sea_m)
-        figures.push_back({tr("over sea"), figure(*altitude_->above_sea_m, 1), meters,
-                           tr("The altitude sensor's absolute altitude, in meters"), altitude_heard_});
+        figures.push_back({QObject::tr("over sea"), figure(*altitude_->above_sea_m, 1), height_unit,
+                           QObject::tr("The altitude sensor's absolute altitude, in meters"), altitude_heard_});
     if (auto below = clearance(now))
         figures.push_back(*std::move(below));
 }
@@ -215,13 +213,14 @@ void RobotInstruments::addSpeeds(std::vector<InstrumentFigure>& figures, Seconds
         return;
     const std::optional<Motion> motion = pose_.motion(now);
     const QString source = QString::fromStdString(place->type);
-    figures.push_back({tr("speed"), figure(motion ? motion->over_ground_m_s : qQNaN(), 2), meters_per_second,
-                       tr("Speed over ground in meters per second, over the last second, by %1").arg(source),
+    figures.push_back({QObject::tr("speed"), figure(motion ? motion->over_ground_m_s : qQNaN(), 2), speed_unit,
+                       QObject::tr("Speed over ground in meters per second, over the last second, by %1").arg(source),
                        place->heard});
     if (fitting_.kind() != VehicleKind::Ground && fitting_.kind() != VehicleKind::Legged)
         figures.push_back(
-            {tr("climb"), figure(motion ? motion->climb_m_s : qQNaN(), 2), meters_per_second,
-             tr("How fast it rises, in meters per second, over the last second, by %1; down is negative").arg(source),
+            {QObject::tr("climb"), figure(motion ? motion->climb_m_s : qQNaN(), 2), speed_unit,
+             QObject::tr("How fast it rises, in meters per second, over the last second, by %1; down is negative")
+                 .arg(source),
              place->heard});
 }
 
