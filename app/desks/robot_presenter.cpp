@@ -7,8 +7,6 @@
 #include "core/mission/session/update_order.h"
 #include "core/protocol/commands/spawn.h"
 #include "core/protocol/fields.h"
-#include "core/protocol/silence.h"
-#include "core/protocol/usual_values.h"
 #include "widgets/style/theme.h"
 
 namespace usar::app {
@@ -19,13 +17,6 @@ widgets::MapRobot onMap(const RobotView& view) {
     return {QString::fromStdString(view.spawn.robot_name), view.id.value,
             view.base_in_map.value_or(view.spawn.start_in_map), mission::isStale(view),
             protocol::isStation(view.spawn.class_name)};
-}
-
-/// Scanners of flying robots look down. Unknown counts as flying, because a UDK server does not report the vehicle's
-/// kind.
-widgets::ScanPlane scanPlaneOf(protocol::VehicleKind kind) {
-    using enum protocol::VehicleKind;
-    return kind == Aerial || kind == Unknown ? widgets::ScanPlane::Below : widgets::ScanPlane::Ahead;
 }
 
 } // namespace
@@ -57,13 +48,19 @@ void RobotPresenter::show(RobotId id, const std::shared_ptr<const mission::Sessi
         for (const mission::TraceSpot& spot : spots)
             views_.map->addTraceMark(spot.position_in_map_m.head<2>(), widgets::traceColor(spot.color));
     feedMessages(view.connection, update);
-    widgets::NewestLines& newest = newest_[view.connection];
-    for (const protocol::InfoLine& line : update.lines)
-        newest.take(line, update.figures.now);
+    Heard& heard = heard_[view.connection];
+    for (const protocol::InfoLine& line : update.lines) {
+        heard.newest.take(line, update.figures.now);
+        heard.instruments.take(line, update.figures.now);
+        heard.questions.take(line, update.figures.now);
+    }
     if (!selected)
         return;
     showTraffic(update.figures);
-    showInstruments(view, update);
+    if (update.ground)
+        views_.terrain->setProfile(*update.ground);
+    ask(*control_.robot(id));
+    showInstruments(view);
     for (const protocol::InfoLine& line : update.lines) {
         views_.sensors->take(line, update.figures.now);
         views_.plots->take(line, update.figures.now);
@@ -79,9 +76,9 @@ std::optional<protocol::TraceColor> RobotPresenter::tracing(RobotId id) const {
 
 void RobotPresenter::restart(const RobotView& view, bool selected) {
     views_.map->removeRobot(QString::fromStdString(view.spawn.robot_name));
+    heard_.erase(view.connection);
     if (!selected)
         return;
-    newest_.erase(view.connection);
     select(view.id);
     views_.map->clearMarks(); // The update contains those that exist now.
     views_.status->clear(QObject::tr("Replay"));
@@ -136,33 +133,25 @@ void RobotPresenter::showOnMap(const RobotView& view, const mission::SessionUpda
         views_.map->setLanes(path->points_in_map_m);
 }
 
-void RobotPresenter::showInstruments(const RobotView& view, const mission::SessionUpdate& update) {
-    showStatus(view);
-    showEquipment(view);
-    if (const auto* state = mission::newest<protocol::RobotState>(update))
-        scan_plane_ = scanPlaneOf(state->kind);
-    if (const auto* scan = mission::newest<protocol::RangeScan>(update))
-        views_.laser->setScan(*scan, protocol::usual_scanner_maximum_m, scan_plane_);
-    if (update.ground)
-        views_.terrain->setProfile(*update.ground);
-    if (const auto* zones = mission::newestPublished<agent::SonarZones>(update)) {
-        views_.sonars->setZones(*zones);
-    } else if (const auto* sonars = mission::newest<protocol::SonarReadings>(update);
-               sonars && !view.figures.behavior_running) {
-        std::map<std::string, double> ranges_m;
-        for (const protocol::NamedRange& sonar : sonars->ranges)
-            ranges_m[sonar.name] = sonar.range_m;
-        views_.sonars->setZones(widgets::zonesOf(ranges_m, protocol::usual_sonar_maximum_m));
-    }
-    showLinkState(view.id);
+/// While nobody else asks the robot; a replay answers nothing.
+void RobotPresenter::ask(Robot& robot) {
+    const mission::SessionFigures& figures = robot.view().figures;
+    if (robot.isReplay() || mission::isStale(robot.view()) || !figures.spawned ||
+        figures.control.reins != mission::Reins::Nobody)
+        return;
+    for (const protocol::Command& question : heard_[robot.view().connection].questions.next(figures.now))
+        robot.send(question, by::Other{"instruments"});
 }
 
-void RobotPresenter::showEquipment(const RobotView& view) {
+void RobotPresenter::showInstruments(const RobotView& view) {
+    showStatus(view);
     const mission::Equipment& has = view.equipment;
-    views_.status->setAbilities(has.mayFly(), has.mayRecharge());
-    views_.laser->setVisible(has.mayHaveScanner());
-    views_.terrain->setVisible(!view.tiles.empty() || (has.mayFly() && has.mayHaveScanner()));
-    views_.sonars->setVisible(has.mayHaveSonars() || view.zones);
+    views_.status->setAbilities(has.kind(), has.mayRecharge());
+    widgets::RobotInstruments& instruments = heard_[view.connection].instruments;
+    if (const auto& world = control_.world().world; world && world->water && view.recording.isEmpty())
+        instruments.setWater(world->water->surface_z_m);
+    views_.terrain->setVisible(!view.tiles.empty() || (has.mayFly() && instruments.scan()));
+    showLinkState(view.id);
 }
 
 /// Shows this robot's figures and no others: those of its last behavior after the end, dashes before the first.
@@ -186,15 +175,15 @@ void RobotPresenter::showStatus(const RobotView& view) {
 void RobotPresenter::showLinkState(RobotId id) {
     const Robot* robot = control_.robot(id);
     const bool stale = robot && mission::isStale(robot->view());
-    const widgets::NewestLines& newest = newest_[control_.connectionOf(id)];
-    const auto silent = [robot](std::optional<Seconds> heard) { // its newest reading, if any, is out of date
-        return robot && heard && robot->view().figures.now - *heard > protocol::silence::reading;
-    };
     views_.status->setStale(stale && robot->view().status);
-    views_.laser->setStale(stale || silent(newest.heard<protocol::RangeScan>()));
     views_.terrain->setStale(stale);
-    views_.sonars->setStale(stale || silent(newest.heard<protocol::SonarReadings>()));
     views_.sensors->setLinked(!stale);
+    if (!robot)
+        return views_.instruments->clear();
+    const RobotView& view = robot->view();
+    const bool judged = view.zones && view.figures.behavior_running;
+    views_.instruments->showRobot(heard_[view.connection].instruments, view.figures.now, !stale,
+                                  judged ? &*view.zones : nullptr);
 }
 
 /// Adds lines and commands in the order in which they were received and sent.
@@ -228,8 +217,7 @@ void RobotPresenter::showTraffic(const mission::SessionFigures& figures) {
 void RobotPresenter::select(RobotId id) {
     views_.map->clearMarks();
     views_.sensors->clear();
-    views_.sonars->clear();
-    views_.laser->clear();
+    views_.instruments->clear();
     views_.terrain->clear();
     views_.plots->restart();
     views_.plots->setSource({});
@@ -238,7 +226,7 @@ void RobotPresenter::select(RobotId id) {
     views_.map->selectRobot(robot ? QString::fromStdString(robot->view().spawn.robot_name) : QString());
     if (!robot) {
         views_.status->setRobot({});
-        showEquipment({});
+        views_.status->setAbilities({}, true);
         return views_.status->clear(QObject::tr("No robot yet"));
     }
     const RobotView& view = robot->view();
@@ -251,18 +239,12 @@ void RobotPresenter::select(RobotId id) {
         views_.map->addMark(mark);
     if (robot->running())
         views_.map->setLanes(view.planned_m);
-    // The newest readings are shown as if they came now: the next update may be long in coming, as in a pause.
-    mission::SessionUpdate last;
-    last.figures = view.figures;
-    last.ground = view.ground;
-    if (view.zones)
-        last.published.emplace_back(*view.zones);
-    for (const widgets::CountedLine& heard : newest_[view.connection].lines()) {
+    for (const widgets::CountedLine& heard : heard_[view.connection].newest.lines())
         views_.sensors->take(heard.line, heard.now);
-        last.lines.push_back(heard.line);
-    }
     views_.sensors->setNow(view.figures.now);
-    showInstruments(view, last);
+    if (view.ground)
+        views_.terrain->setProfile(*view.ground);
+    showInstruments(view);
 }
 
 } // namespace usar::app

@@ -3,6 +3,7 @@
 
 #include "app/desks/selection.h"
 #include "app/host/mission_control.h"
+#include "core/mission/fleet/equipment_questions.h"
 #include "core/mission/fleet/trace_watch.h"
 #include "widgets/models/sensor_model.h"
 #include "widgets/window/window_views.h"
@@ -33,24 +34,29 @@ public:
     void remove(const QString& name) { views_.map->removeRobot(name); }
 
 private:
+    /// What a robot has said, and what it is asked.
+    struct Heard {
+        widgets::NewestLines newest;
+        widgets::RobotInstruments instruments;
+        mission::EquipmentQuestions questions;
+    };
     /// Clears what was shown of a replay that was rewound.
     void restart(const RobotView& view, bool selected);
     void extendTrail(const RobotView& view, const mission::SessionUpdate& update);
     void showOnMap(const RobotView& view, const mission::SessionUpdate& update, bool selected);
     void showStatus(const RobotView& view);
-    /// Shows only instruments that the robot can have; those of a robot that is not known yet say what will come.
-    void showEquipment(const RobotView& view);
-    void showInstruments(const RobotView& view, const mission::SessionUpdate& update);
+    void showInstruments(const RobotView& view);
+    /// Asks the robot for what its instruments must know.
+    void ask(Robot& robot);
     void feedMessages(ConnectionId connection, const mission::SessionUpdate& update);
     void showTraffic(const mission::SessionFigures& figures);
 
     MissionControl& control_;
     widgets::WindowViews& views_;
     const Selection& selection_;
-    std::map<ConnectionId, mission::TraceWatch> traces_;  ///< by connection
-    std::map<ConnectionId, widgets::NewestLines> newest_; ///< kept for every robot until it is selected
-    std::map<ConnectionId, std::uint64_t> not_shown_;     ///< number of lines left out of updates so far, by connection
-    widgets::ScanPlane scan_plane_ = widgets::ScanPlane::Below; ///< of the selected robot
+    std::map<ConnectionId, mission::TraceWatch> traces_; ///< by connection
+    std::map<ConnectionId, Heard> heard_;                ///< kept for every robot until it is selected
+    std::map<ConnectionId, std::uint64_t> not_shown_;    ///< number of lines left out of updates so far, by connection
 };
 
 /// Says who drives the robot, for chips and lists. `robot` may be null; then the words are empty.

@@ -124,11 +124,15 @@ void tst_Instruments::stripShowsOnlyWhatTheRobotCanHave() {
         });
     };
     QVERIFY(shown(QStringLiteral("flown")) && shown(QStringLiteral("charges")) && shown(QStringLiteral("range left")));
-    strip.setAbilities(false, false);
+    strip.setAbilities(protocol::VehicleKind::Ground, false);
     QVERIFY(!shown(QStringLiteral("charges")) && !shown(QStringLiteral("range left")));
-    QVERIFY(!shown(QStringLiteral("flown")) && shown(QStringLiteral("traveled")));
+    QVERIFY(!shown(QStringLiteral("flown")) && shown(QStringLiteral("driven")));
     QVERIFY(shown(QStringLiteral("elapsed")) && shown(QStringLiteral("to goal")));
-    strip.setAbilities(true, true);
+    strip.setAbilities(protocol::VehicleKind::Nautic, false);
+    QVERIFY(!shown(QStringLiteral("driven")) && shown(QStringLiteral("traveled")));
+    strip.setAbilities(protocol::VehicleKind::Legged, false);
+    QVERIFY(shown(QStringLiteral("walked")));
+    strip.setAbilities(protocol::VehicleKind::Aerial, true);
     QVERIFY(shown(QStringLiteral("flown")) && shown(QStringLiteral("charges")));
 }
 

@@ -92,7 +92,7 @@ void LaserFanView::paintRays(QPainter& painter, const QPointF& origin, double sc
 }
 
 void LaserFanView::paintWords(QPainter& painter, double scale) const {
-    paintSheetHead(painter, *this, tr("laser"), clearanceText(5), stale());
+    paintSheetHead(painter, *this, headName(tr("laser")), clearanceText(5), stale());
     const double bar_m = roundStep(80.0 / scale);
     const double y = height() - 7.0;
     painter.setPen(QPen(tokens().text_muted, 1.5));
@@ -139,7 +139,7 @@ void TerrainProfileView::paintEvent(QPaintEvent*) {
     if (profile_.points.empty())
         return paintEmptySheet(painter, *this, tr("No terrain profile yet.\nIt appears here as the map grows."));
     paintSheet(painter, *this);
-    paintSheetHead(painter, *this, tr("mapped terrain"), clearanceText(), stale());
+    paintSheetHead(painter, *this, headName(tr("mapped terrain")), clearanceText(), stale());
     const Span heights = span();
     const QRectF plot =
         QRectF(rect()).adjusted(gap::small + scaleWidth_px(heights), sheetHead_px(*this), -gap::small, -gap::small);
@@ -186,6 +186,8 @@ SonarColumnsView::SonarColumnsView(QWidget* parent) : Instrument(parent) {
 }
 
 void SonarColumnsView::setZones(const agent::SonarZones& zones) {
+    if (zones.zones == columns_ && !columns_.empty())
+        return;
     columns_ = zones.zones;
     const auto risky = std::ranges::count_if(columns_, [](const auto& c) { return c.risk != agent::Risk::None; });
     showFresh(columns_.empty() ? tr("No sonars yet") : tr("%1 sonars, %2 at risk").arg(columns_.size()).arg(risky));
@@ -196,7 +198,7 @@ void SonarColumnsView::paintEvent(QPaintEvent*) {
     if (columns_.empty())
         return paintEmptySheet(painter, *this, tr("No sonars yet.\nOne column each appears here once they report."));
     paintSheet(painter, *this);
-    paintSheetHead(painter, *this, tr("sonar, m"), {}, stale());
+    paintSheetHead(painter, *this, headName(tr("sonar, m")), {}, stale());
     const double top = sheetHead_px(*this);
     const double step = (width() - 2.0 * gap::tiny) / static_cast<double>(columns_.size());
     for (std::size_t i = 0; i < columns_.size(); ++i)

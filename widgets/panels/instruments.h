@@ -93,8 +93,8 @@ class SonarColumnsView : public Instrument {
 public:
     explicit SonarColumnsView(QWidget* parent = nullptr);
 
-    /// Replaces all columns, which then count as fresh; they are in the order of `zones`. Without limits a sonar has no
-    /// bands.
+    /// Replaces all columns, which then count as fresh; the same again cost nothing. They are in the order of `zones`.
+    /// Without limits a sonar has no bands.
     void setZones(const agent::SonarZones& zones);
     void clear() { setZones({}); }
     QSize sizeHint() const override { return {280, 150}; }

@@ -169,7 +169,7 @@ StatusStrip::StatusStrip(QWidget* parent)
     column->addLayout(head);
     column->addLayout(figures);
     column->addLayout(laidOut(new QVBoxLayout, gap::tiny, {battery_, progress_, coverage_}));
-    setAbilities(true, true);
+    setAbilities(protocol::VehicleKind::Unknown, true);
     clear(tr("No behavior runs"));
 }
 
@@ -179,12 +179,16 @@ void StatusStrip::setRobot(const QString& name) {
     setAccessibleName(name.isEmpty() ? tr("Status") : tr("Status of %1").arg(name));
 }
 
-void StatusStrip::setAbilities(bool flies, bool recharges) {
+void StatusStrip::setAbilities(protocol::VehicleKind kind, bool recharges) {
+    using enum protocol::VehicleKind;
+    const QString way = kind == Aerial || kind == Unknown ? tr("flown")
+                        : kind == Ground                  ? tr("driven")
+                        : kind == Legged                  ? tr("walked")
+                                                          : tr("traveled");
     range_->setVisible(recharges);
     charges_->setVisible(recharges);
-    flown_->setCaption(flies ? tr("flown") : tr("traveled"));
-    flown_->setToolTip(flies ? tr("Distance flown since the behavior started, in meters")
-                             : tr("Distance traveled since the behavior started, in meters"));
+    flown_->setCaption(way);
+    flown_->setToolTip(tr("Distance %1 since the behavior started, in meters").arg(way));
 }
 
 void StatusStrip::setState(const QString& words, StateShape shape) {

@@ -8,6 +8,7 @@
 #include <QWidget>
 
 #include "core/agent/published.h"
+#include "core/protocol/info/robot_state.h"
 #include "widgets/models/robot_list_model.h"
 #include "widgets/style/form_parts.h"
 #include "widgets/style/sheet.h"
@@ -75,9 +76,9 @@ public:
 
     /// Names the robot whose figures these are; empty: none.
     void setRobot(const QString& name);
-    /// Shows what this robot can have: range and charges only if it recharges; a robot on the ground or in water is not
-    /// said to fly.
-    void setAbilities(bool flies, bool recharges);
+    /// Shows what this robot can have: range and charges only if it recharges. Robots fly, drive or walk their way, by
+    /// their kind; an unknown kind flies, because a UDK server does not tell of those that do.
+    void setAbilities(protocol::VehicleKind kind, bool recharges);
     /// Shows the status of a running behavior; call it on every tick, only changes are repainted.
     void setStatus(const agent::BehaviorStatus& status);
     /// Nothing is running: `words` says why or what to do ("Idle. Press Start."). Time left and distance to the goal

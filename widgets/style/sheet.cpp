@@ -1,5 +1,6 @@
 #include "widgets/style/sheet.h"
 
+#include <cmath>
 #include <utility>
 
 #include <QFontMetrics>
@@ -27,7 +28,7 @@ void paintSheetHead(QPainter& painter, const QWidget& widget, const QString& nam
     const Tokens& t = tokens();
     const QRectF head(gap::small, gap::tiny, widget.width() - 2.0 * gap::small, widget.fontMetrics().height());
     painter.setPen(t.text_muted);
-    painter.drawText(head, Qt::AlignLeft, stale ? QObject::tr("%1 (stale)").arg(name) : name);
+    painter.drawText(head, Qt::AlignLeft, name);
     painter.setPen(stale ? t.stale : t.text);
     painter.drawText(head, Qt::AlignRight, value);
 }
@@ -92,8 +93,12 @@ QPen dashedPen(const QColor& color, double width_px, const QList<qreal>& pattern
     return pen;
 }
 
-void Instrument::setStale(bool stale) {
-    if (std::exchange(stale_, stale) == stale)
+void Instrument::setStale(bool stale, Seconds age) {
+    // Whole seconds, so that it is not painted anew in each frame.
+    const QString age_text =
+        stale && std::isfinite(age.count()) ? tr("%1 s").arg(std::llround(age.count())) : QString();
+    const bool same_age = std::exchange(age_text_, age_text) == age_text;
+    if (std::exchange(stale_, stale) == stale && same_age)
         return;
     describe(description_);
     update();
@@ -101,13 +106,22 @@ void Instrument::setStale(bool stale) {
 
 void Instrument::showFresh(const QString& description) {
     stale_ = false;
+    age_text_.clear();
     describe(description);
     update();
 }
 
 void Instrument::describe(const QString& words) {
     description_ = words;
-    setAccessibleDescription(stale_ ? tr("%1, out of date").arg(words) : words);
+    setAccessibleDescription(!stale_               ? words
+                             : age_text_.isEmpty() ? tr("%1, out of date").arg(words)
+                                                   : tr("%1, out of date, %2 old").arg(words, age_text_));
+}
+
+QString Instrument::headName(const QString& name) const {
+    return !stale_               ? name
+           : age_text_.isEmpty() ? tr("%1 (stale)").arg(name)
+                                 : tr("%1 (stale, %2)").arg(name, age_text_);
 }
 
 QColor Instrument::ink(const QColor& fresh) const {

@@ -1,6 +1,7 @@
 // Painting functions of the framed sheet that all painted instruments share.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -10,13 +11,15 @@
 #include <QStyleOptionViewItem>
 #include <QWidget>
 
+#include "core/base/clock.h"
+
 namespace usar::widgets {
 
 /// Paints frame and background over the whole widget; leaves antialiasing on.
 void paintSheet(QPainter& painter, const QWidget& widget);
 /// The same with a sentence that says what will appear here.
 void paintEmptySheet(QPainter& painter, const QWidget& widget, const QString& sentence);
-/// Paints the name on the left and the newest figure on the right. If stale, the figure is gray and the name says so.
+/// Paints the name on the left and the newest figure on the right, which is gray if stale.
 void paintSheetHead(QPainter& painter, const QWidget& widget, const QString& name, const QString& value, bool stale);
 /// Paints the ground in a cross-section: connects neighboring points and fills down to `bottom_px`. An absent point
 /// interrupts the line, because nothing is known there. All coordinates are pixels.
@@ -41,8 +44,8 @@ class Instrument : public QWidget {
 public:
     using QWidget::QWidget;
     /// Draws the instrument gray, and texts struck through or with the word "stale", because its figures may be out of
-    /// date.
-    void setStale(bool stale);
+    /// date. `age` is that of the figures; infinite if it is not known.
+    void setStale(bool stale, Seconds age = Seconds(std::numeric_limits<double>::infinity()));
     bool stale() const { return stale_; }
 
 protected:
@@ -50,11 +53,14 @@ protected:
     void showFresh(const QString& description);
     /// Says the figures to screen readers, which also hear whether they are stale.
     void describe(const QString& words);
+    /// The name for the head of the sheet: "laser", or "laser (stale, 12 s)".
+    QString headName(const QString& name) const;
     /// Returns `fresh`, or the color for stale figures.
     QColor ink(const QColor& fresh) const;
 
 private:
     QString description_;
+    QString age_text_; ///< empty: not known, or not stale
     bool stale_ = false;
 };
 

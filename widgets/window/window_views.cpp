@@ -1,5 +1,7 @@
 #include "widgets/window/window_views.h"
 
+#include <map>
+
 #include <QToolBar>
 
 #include "widgets/style/form_parts.h"
@@ -51,14 +53,12 @@ void makeCenter(QMainWindow& window, WindowViews& views) {
 }
 
 QWidget* makeInstruments(WindowViews& views) {
-    auto* box = new QWidget;
-    auto* layout = laidOut(new QVBoxLayout(box), {gap::small, gap::small, gap::small, gap::small}, gap::small);
-    layout->addWidget(views.status = new StatusStrip);
-    views.status->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed); // Figures are never squeezed.
-    layout->addWidget(views.laser = new LaserFanView, 3);
-    layout->addWidget(views.terrain = new TerrainProfileView, 2);
-    layout->addWidget(views.sonars = new SonarColumnsView, 2);
-    return box;
+    views.instruments = new InstrumentPanel;
+    views.status = views.instruments->status();
+    views.laser = views.instruments->laser();
+    views.terrain = views.instruments->terrain();
+    views.sonars = views.instruments->sonars();
+    return views.instruments;
 }
 
 /// Makes the message list, the box for raw commands below it, and a row with their counts.
@@ -82,6 +82,44 @@ QWidget* makeInspector(WindowViews& views) {
     return box;
 }
 
+/// Explains each dock to "What is this?", by its object name.
+QString helpOf(const QString& dock) {
+    static const std::map<QString, QString> help = {
+        {"robots",
+         QObject::tr("All robots, with who drives each of them, their state and their battery. The one that is "
+                     "selected here is shown by all other docks.")},
+        {"behavior",
+         QObject::tr("What the selected robot should do by itself: choose a behavior, set its parameters, and "
+                     "start, pause or stop it.")},
+        {"instruments",
+         QObject::tr(
+             "What the selected robot perceives now. It has an instrument for each of its sensors, made from what "
+             "the robot itself tells. Gray and struck out: too old to be trusted, with its age.")},
+        {"sensors",
+         QObject::tr("Every value that the selected robot sends, with unit, age and rate. Double-click a number "
+                     "to plot it.")},
+        {"plots",
+         QObject::tr("Curves of chosen values over the last minutes. Drag values here from the dock Sensors.")},
+        {"messages", QObject::tr("Every line to and from the server, in order, with what caused each command. The box "
+                                 "below sends a line of your own.")},
+        {"notifications", QObject::tr("What went wrong or is worth knowing, newest first, with what to do about it.")},
+        {"layers", QObject::tr("Which parts of the map are shown, and how opaque each one is.")},
+        {"faults", QObject::tr("Breaks sensors, links, batteries or rotors in the embedded simulator, to see how a "
+                               "behavior copes.")},
+        {"camera",
+         QObject::tr("The picture of the selected robot's camera. Drag it to turn the camera, and use the wheel "
+                     "to zoom.")},
+        {"world", QObject::tr("Objects to put into the world while it runs, and a list of those that are there.")},
+        {"drive",
+         QObject::tr("Driving the selected robot by hand: take control, then use the keys, the pad or a gamepad.")},
+        {"radio", QObject::tr("How well the robots hear each other by radio, for each pair of them.")},
+        {"plan",
+         QObject::tr("The POSH plan of the running behavior: what it does now, and why. Set breakpoints here.")},
+    };
+    const auto found = help.find(dock);
+    return found == help.end() ? QString() : found->second;
+}
+
 void makeDocks(QMainWindow& window, WindowViews& views) {
     constexpr auto left = Qt::LeftDockWidgetArea;
     constexpr auto right = Qt::RightDockWidgetArea;
@@ -90,6 +128,7 @@ void makeDocks(QMainWindow& window, WindowViews& views) {
         auto* dock = new QDockWidget(title, &window);
         dock->setObjectName(name); // QMainWindow::saveState identifies it by this.
         dock->setWidget(content);
+        dock->setWhatsThis(title + ": " + helpOf(name));
         window.addDockWidget(area, dock);
         return views.docks.emplace_back(dock);
     };

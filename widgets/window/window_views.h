@@ -25,6 +25,7 @@
 #include "widgets/messages/toast_stack.h"
 #include "widgets/panels/behavior_panel.h"
 #include "widgets/panels/fault_panel.h"
+#include "widgets/panels/instrument_panel.h"
 #include "widgets/panels/instruments.h"
 #include "widgets/panels/parameter_form.h"
 #include "widgets/panels/plot_view.h"
@@ -64,8 +65,9 @@ struct WindowViews {
     RobotList* robots = nullptr;
     BehaviorPanel* behavior = nullptr;
     ParameterForm* parameters = nullptr; ///< part of `behavior`
-    StatusStrip* status = nullptr;       ///< figures of the instruments' dock
-    /// The instruments of the selected robot: newest scan, ground profile and sonar ranges.
+    InstrumentPanel* instruments = nullptr;
+    // Parts of `instruments`: figures of the behavior, newest scan, ground profile, and sonar ranges.
+    StatusStrip* status = nullptr;
     LaserFanView* laser = nullptr;
     TerrainProfileView* terrain = nullptr;
     SonarColumnsView* sonars = nullptr;

@@ -1,31 +1,24 @@
 #include "core/mission/fleet/equipment.h"
 
 #include "core/base/alternatives.h"
+#include "core/protocol/info/configurations.h"
+#include "core/protocol/vehicle_words.h"
 
 namespace usar::mission {
 
-void Equipment::take(const protocol::InfoLine& line, Seconds now) {
-    std::visit(Overloaded{[this](const protocol::RobotState& state) { kind_ = state.kind; },
-                          [this](const protocol::RangeScan&) { scanner_ = true; },
-                          [this](const protocol::SonarReadings&) { sonars_ = true; },
-                          [this](const protocol::GeometryInfo& geometry) {
-                              if (!geometry.items.empty())
-                                  takePart(geometry.type);
-                          },
-                          [this](const protocol::ConfigurationInfo& configuration) {
-                              if (!configuration.items.empty())
-                                  takePart(configuration.type);
+void Equipment::take(const protocol::InfoLine& line) {
+    const auto know = [this](protocol::VehicleKind kind) {
+        if (kind != protocol::VehicleKind::Unknown)
+            kind_ = kind;
+    };
+    std::visit(Overloaded{[&](const protocol::RobotState& state) { know(state.kind); },
+                          [&](const protocol::GeometryInfo& geometry) { know(protocol::vehicleKindOf(geometry.type)); },
+                          [&](const protocol::ConfigurationInfo& told) {
+                              if (const auto robot = protocol::robotConfigurationOf(told))
+                                  know(robot->kind);
                           },
                           [](const auto&) {}},
                line.message);
-    if (!first_heard_ || now < *first_heard_)
-        first_heard_ = now;
-    settled_ = settled_ || now - *first_heard_ > patience;
-}
-
-void Equipment::takePart(const std::string& type) {
-    scanner_ = scanner_ || type == protocol::RangeScan{}.type;
-    sonars_ = sonars_ || type == "Sonar";
 }
 
 void Equipment::take(const agent::BehaviorStatus& status) {

@@ -186,7 +186,7 @@ void Robot::take(const SessionUpdate& update) {
     if (update.ground)
         view_.ground = update.ground;
     for (const protocol::InfoLine& line : update.lines) {
-        view_.equipment.take(line, update.figures.now);
+        view_.equipment.take(line);
         // Until a behavior publishes its estimate, the robot's INS gives its place on the map.
         if (const auto* ins = std::get_if<protocol::InsReading>(&line.message); ins && !view_.status)
             view_.base_in_map = ins->base_in_map;

@@ -2,8 +2,9 @@
 
 #include <QVBoxLayout>
 
+#include "core/protocol/reader.h"
 #include "tests/widgets/gallery/pages.h"
-#include "widgets/panels/instruments.h"
+#include "widgets/panels/instrument_panel.h"
 #include "widgets/panels/sensor_panel.h"
 #include "widgets/panels/status_strip.h"
 #include "widgets/style/theme.h"
@@ -79,6 +80,40 @@ std::unique_ptr<QWidget> instrumentsPage() {
         column->addWidget(terrain, 2);
         column->addWidget(sonars, 2);
         row->addLayout(column, 1);
+    }
+    return page;
+}
+
+std::unique_ptr<QWidget> robotInstrumentsPage() {
+    auto page = std::make_unique<QWidget>();
+    page->resize(680, 900);
+    auto* row = new QHBoxLayout(page.get());
+    const char* const lines[] = {
+        "STA {Type GroundVehicle} {Time 12.05} {FRFlipper -0.6106} {FLFlipper 1.1005} {Battery 1188}",
+        "GEO {Type GroundVehicle} {Name P2DX} {Dimensions 0.4400,0.3800,0.2200} {COG 0,0,0} {WheelRadius 0.0820}",
+        "GEO {Type Sonar} {Name F1 Location 0.11,-0.13,0 Orientation 0,0,-1.57 Mount HARD} {Name F2 Location "
+        "0.19,-0.08,0 Orientation 0,0,-0.52 Mount HARD} {Name F3 Location 0.19,0.08,0 Orientation 0,0,0.52 Mount HARD} "
+        "{Name F4 Location 0.11,0.13,0 Orientation 0,0,1.57 Mount HARD}",
+        "CONF {Type Sonar} {Name F1} {MaxRange 5.0} {BeamAngle 0.349} {Name F2} {MaxRange 5.0} {BeamAngle 0.349} "
+        "{Name F3} {MaxRange 5.0} {BeamAngle 0.349} {Name F4} {MaxRange 5.0} {BeamAngle 0.349}",
+        "SEN {Time 12.05} {Type Sonar} {Name F1 Range 0.92} {Name F2 Range 3.31} {Name F3 Range 5.0} {Name F4 Range "
+        "1.4}",
+        "SEN {Type INS} {Name INS} {Location 4.50,-1.90,-3.80} {Orientation 0.2,0.15,0.9}",
+        "SEN {Type Encoder} {Name ECLeft Tick -31} {Name ECRight Tick -18}",
+        "SEN {Type Touch} {Name Left Touch False} {Name Right Touch True}",
+        "SEN {Time 12} {Type VictSensor} {Name VictSensor} {PartName Arm} {Location 2.05,0.33,0.46}",
+        "SEN {Time 12} {Type RFID} {Name RFID} {ID 21} {Location 3.04,4.52,0.23} {Mem seen by robot 2} {ID 22}",
+    };
+    RobotInstruments robot;
+    protocol::Reader reader;
+    for (const char* line : lines)
+        robot.take(reader.read(line), Seconds(12.05));
+    for (const double age_s : {0.0, 12.0}) {
+        auto* panel = new InstrumentPanel;
+        panel->status()->setAbilities(protocol::VehicleKind::Ground, false);
+        panel->terrain()->hide();
+        panel->showRobot(robot, Seconds(12.05 + age_s), true);
+        row->addWidget(panel, 1);
     }
     return page;
 }

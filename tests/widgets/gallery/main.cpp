@@ -37,6 +37,7 @@ const std::vector<Page> pages = {
     {QStringLiteral("palette"), gallery::palettePage},
     {QStringLiteral("sheet"), gallery::sheetPage},
     {QStringLiteral("instruments"), gallery::instrumentsPage},
+    {QStringLiteral("robot_instruments"), gallery::robotInstrumentsPage},
     {QStringLiteral("sensors"), gallery::sensorsPage},
     {QStringLiteral("empty_sensors"), gallery::emptySensorsPage},
     {QStringLiteral("behaviors"), gallery::behaviorsPage},

@@ -23,6 +23,7 @@ std::unique_ptr<QWidget> barsPage();
 std::unique_ptr<QWidget> palettePage();
 std::unique_ptr<QWidget> sheetPage();
 std::unique_ptr<QWidget> instrumentsPage();
+std::unique_ptr<QWidget> robotInstrumentsPage();
 std::unique_ptr<QWidget> sensorsPage();
 std::unique_ptr<QWidget> emptySensorsPage();
 std::unique_ptr<QWidget> behaviorsPage();
