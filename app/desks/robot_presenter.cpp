@@ -66,15 +66,15 @@ void RobotPresenter::show(RobotId id, const std::shared_ptr<const mission::Sessi
     widgets::NewestLines& newest = newest_[view.connection];
     for (const protocol::InfoLine& line : update.lines)
         newest.take(line, update.figures.now);
+    for (const protocol::InfoLine& line : update.lines)
+        views_.plots->take(QString::fromStdString(view.spawn.robot_name), line, update.figures.now);
     if (!selected)
         return;
     showTraffic(update.figures);
     noteHeard(newest);
     showInstruments(view, update);
-    for (const protocol::InfoLine& line : update.lines) {
+    for (const protocol::InfoLine& line : update.lines)
         views_.sensors->take(line, update.figures.now);
-        views_.plots->take(line, update.figures.now);
-    }
     views_.sensors->setNow(update.figures.now);
 }
 
@@ -99,6 +99,7 @@ std::optional<protocol::TraceColor> RobotPresenter::traceColor(RobotId id) const
 
 void RobotPresenter::restart(const RobotView& view, bool selected) {
     views_.map->removeRobot(QString::fromStdString(view.spawn.robot_name));
+    views_.plots->restart(QString::fromStdString(view.spawn.robot_name));
     if (!selected)
         return;
     newest_.erase(view.connection);
@@ -250,8 +251,6 @@ void RobotPresenter::select(RobotId id) {
     views_.sonars->clear();
     views_.laser->clear();
     views_.terrain->clear();
-    views_.plots->restart();
-    views_.plots->setSource({});
     scan_heard_ = sonar_heard_ = std::nullopt;
     const Robot* robot = control_.robot(id);
     views_.map->heights().clear(robot ? robot->view().cell_size_m : RobotView{}.cell_size_m);
@@ -262,7 +261,7 @@ void RobotPresenter::select(RobotId id) {
         return views_.status->clear(QObject::tr("No robot yet"));
     }
     const RobotView& view = robot->view();
-    views_.plots->setSource(QString::fromStdString(view.spawn.robot_name));
+    views_.plots->setRobot(QString::fromStdString(view.spawn.robot_name));
     std::vector<std::shared_ptr<const mapping::HeightTile>> tiles;
     for (const auto& [index, tile] : view.tiles)
         tiles.push_back(tile);

@@ -9,7 +9,8 @@
 
 namespace usar::app {
 
-/// The map shows every robot; instruments, sensors, plots and the height layer show the selected one. GUI thread.
+/// The map shows every robot; instruments, sensors and the height layer show the selected one. The plots record every
+/// robot. GUI thread.
 class RobotPresenter {
 public:
     RobotPresenter(MissionControl& control, widgets::WindowViews& views, const Selection& selection)
@@ -32,7 +33,10 @@ public:
     bool tracing(RobotId id) const;
     /// Color of the robot's trace marks; nullopt if it has sent no update yet.
     std::optional<protocol::TraceColor> traceColor(RobotId id) const;
-    void remove(const QString& name) { views_.map->removeRobot(name); }
+    void remove(const QString& name) {
+        views_.map->removeRobot(name);
+        views_.plots->forget(name);
+    }
 
 private:
     /// Clears what was shown of a replay that was rewound.
