@@ -305,7 +305,7 @@ void tst_PlotView::anotherRobotHasItsPast() {
 void tst_PlotView::keysMeasure() {
     view_->addSeries(f1);
     for (int i = 0; i <= 60; ++i)
-        feed(i, i * 2.0);
+        feed(i, i);
     QTRY_COMPARE(view_->canvas()->pointCount(key(f1)), 61);
     QVERIFY(legend()->isColumnHidden(PlotLegend::AtA));
     QTest::keyClick(surface(), Qt::Key_A);
@@ -320,8 +320,8 @@ void tst_PlotView::keysMeasure() {
     QCOMPARE(*cursors.a_s, at_s);
     QVERIFY(*cursors.b_s > at_s + 2.0);
     QVERIFY(view_->canvas()->following()); // the keys moved the cursor and not the picture
-    const double a = 2.0 * std::floor(*cursors.a_s);
-    const double b = 2.0 * std::floor(*cursors.b_s);
+    const double a = std::floor(*cursors.a_s);
+    const double b = std::floor(*cursors.b_s);
     QCOMPARE(legend()->item(0)->text(PlotLegend::AtA), QStringLiteral("%1 m").arg(a, 0, 'f', 2));
     QCOMPARE(legend()->item(0)->text(PlotLegend::AtB), QStringLiteral("%1 m").arg(b, 0, 'f', 2));
     QCOMPARE(legend()->item(0)->text(PlotLegend::Difference), QStringLiteral("+%1 m").arg(b - a, 0, 'f', 2));
@@ -359,6 +359,7 @@ void tst_PlotView::aDropGoesToTheCanvasBelowTheMouse() {
     const QPoint at = view_->canvas()->mapTo(view_.get(), QPoint(100, view_->canvas()->height() - 60));
     QDropEvent drop(at, Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
     QCoreApplication::sendEvent(view_.get(), &drop);
+    QCOMPARE(view_->canvas()->chosen(), 1U);
     QCOMPARE(view_->model().shown().back().canvas, 1U);
     QCOMPARE(view_->model().layout().canvases[1].size(), 1U);
     QCOMPARE(legend()->topLevelItemCount(), 2); // a group for each canvas

@@ -297,10 +297,13 @@ bool PlotView::event(QEvent* event) {
 }
 
 bool PlotView::eventFilter(QObject* watched, QEvent* event) {
-    // A tree view would use letters for its own search; Delete is for its rows.
+    // A tree view would use letters for its own search. Delete is for its rows.
     if (watched == legend_ && event->type() == QEvent::KeyPress) {
         const auto& key = *static_cast<QKeyEvent*>(event);
-        return key.key() != Qt::Key_Delete && runKey(key);
+        if (key.key() != Qt::Key_Delete)
+            return runKey(key);
+        removeSelected();
+        return true;
     }
     return QWidget::eventFilter(watched, event);
 }
