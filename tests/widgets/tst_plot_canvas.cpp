@@ -383,9 +383,10 @@ void tst_PlotCanvas::thirdUnitHasAnAxisToo() {
     for (const std::string& path : {range, yaw, battery})
         model_->add(0, path);
     for (int i = 0; i < 60; ++i) {
-        feed(i, 5000.0 + i, 0.001 * i);
-        model_->take("", reader_.read("STA {Time " + std::to_string(i) + "} {Battery " + std::to_string(100 + i) + "}"),
-                     {});
+        feed(i, 5000.0 + i, -0.001 * i);
+        const int battery_s = 100 + (i < 20 ? 0 : i < 40 ? 50 : 20);
+        model_->take(
+            "", reader_.read("STA {Time " + std::to_string(i) + "} {Battery " + std::to_string(battery_s) + "}"), {});
     }
     canvas_->draw();
     // Each line fills the height, so each has a scale of its own.

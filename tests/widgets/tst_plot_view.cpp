@@ -357,13 +357,15 @@ void tst_PlotView::aDropGoesToTheCanvasBelowTheMouse() {
     QMimeData mime;
     mime.setData(QLatin1String(field_mime_type), f2.toUtf8());
     const QPoint at = view_->canvas()->mapTo(view_.get(), QPoint(100, view_->canvas()->height() - 60));
+    QDragEnterEvent enter(at, Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(view_.get(), &enter);
     QDropEvent drop(at, Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
     QCoreApplication::sendEvent(view_.get(), &drop);
     QCOMPARE(view_->canvas()->chosen(), 1U);
     QCOMPARE(view_->model().shown().back().canvas, 1U);
     QCOMPARE(view_->model().layout().canvases[1].size(), 1U);
     QCOMPARE(legend()->topLevelItemCount(), 2); // a group for each canvas
-    view_->removeCanvas(); // the one that was dropped on is chosen
+    view_->removeCanvas();                      // the one that was dropped on is chosen
     QCOMPARE(seriesPaths(), QStringList{f1});
 }
 
@@ -406,7 +408,7 @@ void tst_PlotView::legendReadsTheCurveAtTheMouse() {
                 return label->text();
         return QString();
     };
-    QVERIFY2(value().startsWith(QStringLiteral("2.00")), qPrintable(value()));
+    QTRY_VERIFY2(value().startsWith(QStringLiteral("2.00")), qPrintable(value()));
     QVERIFY2(readout().contains(QStringLiteral("Wheel")), qPrintable(readout()));
     moveMouse(surface(), QPointF(surface()->width() / 4.0, surface()->height() / 2.0));
     QVERIFY2(value().startsWith(QStringLiteral("1.00")), qPrintable(value()));
@@ -478,7 +480,8 @@ void tst_PlotView::deleteKeyRemovesFromTheLegend() {
 
 void tst_PlotView::legendShowsTheNewestValueInDegrees() {
     view_->addSeries(QStringLiteral("SEN GroundTruth/G/yaw"));
-    view_->take(QStringLiteral("R1"), reader_.read("SEN {Time 1} {Type GroundTruth} {Name G} {Location 1,2,3} {Orientation 0,0,-0.5}"),
+    view_->take(QStringLiteral("R1"),
+                reader_.read("SEN {Time 1} {Type GroundTruth} {Name G} {Location 1,2,3} {Orientation 0,0,-0.5}"),
                 Seconds(1));
     auto* legend = view_->findChild<QTreeWidget*>();
     QTRY_COMPARE(legend->topLevelItem(0)->text(PlotLegend::Now), QString::fromUtf8("28.65 °"));

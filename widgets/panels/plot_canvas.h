@@ -129,9 +129,9 @@ private:
     std::set<SeriesKey> emphasized_;
     std::optional<double> mouse_px_; ///< stays under the mouse while the picture moves
     std::optional<double> moment_s_;
-    std::optional<QPointF> pressed_px_;     ///< a click may become of this
-    std::optional<CursorName> dragged_;     ///< the cursor under the pressed button
-    PlotCursors before_click_;              ///< a double-click places no cursor
+    std::optional<QPointF> pressed_px_; ///< a click may become of this
+    std::optional<CursorName> dragged_; ///< the cursor under the pressed button
+    PlotCursors before_click_;          ///< a double-click places no cursor
     std::size_t chosen_ = 0;
     bool following_ = true;
     bool taking_time_ = false; ///< the panes' axes are being set

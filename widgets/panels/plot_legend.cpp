@@ -137,8 +137,7 @@ void PlotLegend::showValues(const PlotModel& model, const Times& times) {
         items_[i]->setText(Slope, differenceText(row.slope_per_s, unit, QStringLiteral("/s")));
         if (!model.layout().statistics)
             continue;
-        const std::vector<QString> texts =
-            statisticsTexts(model.statistics(*series, times.from_s, times.to_s), unit);
+        const std::vector<QString> texts = statisticsTexts(model.statistics(*series, times.from_s, times.to_s), unit);
         for (std::size_t n = 0; n < texts.size(); ++n)
             items_[i]->setText(static_cast<int>(Count + n), texts[n]);
     }

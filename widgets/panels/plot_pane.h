@@ -21,8 +21,8 @@ namespace usar::widgets {
 QColor plotLineColor(int index, Theme theme);
 
 /// The first unit has the left axis, each other unit an axis on the right. Angles are drawn in degrees. Lines hold no
-/// more points than fit on the screen (SampleHistory::curve). Owned by the PlotCanvas, which also owns the plot that all
-/// panes are part of. GUI thread.
+/// more points than fit on the screen (SampleHistory::curve). Owned by the PlotCanvas, which also owns the plot that
+/// all panes are part of. GUI thread.
 class PlotPane {
 public:
     /// Adds itself to the plot as this row. The sides of all panes with the same `sides` are in line.

@@ -27,8 +27,8 @@ constexpr int frame_ms = 33;
 constexpr double large_step_px = 20.0;
 
 bool isOwnKey(const QKeyEvent& event) {
-    constexpr int keys[] = {Qt::Key_Space, Qt::Key_F,     Qt::Key_Plus, Qt::Key_Equal, Qt::Key_Minus, Qt::Key_Left,
-                            Qt::Key_Right, Qt::Key_A,     Qt::Key_B,    Qt::Key_Delete, Qt::Key_Return, Qt::Key_Enter};
+    constexpr int keys[] = {Qt::Key_Space, Qt::Key_F, Qt::Key_Plus, Qt::Key_Equal,  Qt::Key_Minus,  Qt::Key_Left,
+                            Qt::Key_Right, Qt::Key_A, Qt::Key_B,    Qt::Key_Delete, Qt::Key_Return, Qt::Key_Enter};
     const bool plain = !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
     return plain && std::ranges::find(keys, event.key()) != std::end(keys);
 }
@@ -248,18 +248,18 @@ void PlotView::save(const QString& file) {
                                   Qt::QueuedConnection);
     };
     const QString suffix = QFileInfo(file).suffix().toLower();
-    const QString title = tr("%1, %2 to %3")
-                              .arg(model_.robot().empty() ? tr("Plots") : QString::fromStdString(model_.robot()),
-                                   momentText(canvas_->visibleFrom().count()), momentText(canvas_->visibleTo().count()));
+    const QString title =
+        tr("%1, %2 to %3")
+            .arg(model_.robot().empty() ? tr("Plots") : QString::fromStdString(model_.robot()),
+                 momentText(canvas_->visibleFrom().count()), momentText(canvas_->visibleTo().count()));
     if (suffix == QStringLiteral("csv"))
-        disk_.start(HandedOver([file, end, table = tableOf(model_)] {
-            end(written(file, QByteArray::fromStdString(csvOf(table))));
-        }));
+        disk_.start(HandedOver(
+            [file, end, table = tableOf(model_)] { end(written(file, QByteArray::fromStdString(csvOf(table)))); }));
     else if (suffix == QStringLiteral("pdf"))
         disk_.start(HandedOver([file, end, page = canvas_->pdf(title)] { end(written(file, page)); }));
     else if (suffix == QStringLiteral("png"))
-        disk_.start(HandedOver(
-            [file, end, image = canvas_->picture(title).toImage()] { end(written(file, pngOf(image))); }));
+        disk_.start(
+            HandedOver([file, end, image = canvas_->picture(title).toImage()] { end(written(file, pngOf(image))); }));
     else
         end(tr("%1: the name does not say what to write. End it in .pdf, .png or .csv.").arg(file));
 }

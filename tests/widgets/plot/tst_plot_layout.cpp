@@ -16,7 +16,8 @@ namespace {
 
 PlotLayout twoCanvases() {
     PlotLayout layout;
-    layout.canvases = {{{"R1", "SEN Sonar/F1/range", "m"}, {"R2", "SEN Sonar/F1/range", "m"}}, {{"", "STA/battery", ""}}};
+    layout.canvases = {{{"R1", "SEN Sonar/F1/range", "m"}, {"R2", "SEN Sonar/F1/range", "m"}},
+                       {{"", "STA/battery", ""}}};
     layout.follow_robot = false;
     layout.statistics = true;
     layout.window_s = 300.0;

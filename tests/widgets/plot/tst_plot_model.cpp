@@ -159,7 +159,8 @@ void tst_PlotModel::canvasesComeAndGo() {
     QVERIFY(model.removeCanvas(0));
     QCOMPARE(labels(model), Labels{"Sonar F2 range"});
     QCOMPARE(model.store().series().size(), 1U);
-    while (model.addCanvas()) {}
+    while (model.addCanvas()) {
+    }
     QCOMPARE(model.layout().canvases.size(), PlotLayout::most_canvases);
     QVERIFY(!model.add(99, f1));
 }
@@ -287,9 +288,10 @@ void tst_PlotModel::cursorsAreToldInSentences() {
     model.cursors().place(CursorName::A, 2.0);
     QCOMPARE(cursorSentences(model), QString("Cursor A is at 00:00:02.0. R1 · Sonar F1 range: at A 4.00 m."));
     model.cursors().place(CursorName::B, 6.0);
-    QCOMPARE(cursorSentences(model),
-             QString("Cursor A is at 00:00:02.0. Cursor B is at 00:00:06.0. B is +4.00 s from A. R1 · Sonar F1 range: at "
-                     "A 4.00 m, at B 12.00 m, difference +8.00 m, slope +2.00 m/s."));
+    QCOMPARE(
+        cursorSentences(model),
+        QString("Cursor A is at 00:00:02.0. Cursor B is at 00:00:06.0. B is +4.00 s from A. R1 · Sonar F1 range: at "
+                "A 4.00 m, at B 12.00 m, difference +8.00 m, slope +2.00 m/s."));
 }
 
 void tst_PlotModel::namesAreSaidOnce() {

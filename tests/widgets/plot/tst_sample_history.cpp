@@ -218,7 +218,8 @@ void tst_SampleHistory::statisticsAgreeWithTheList() {
         // The whole, and spans that begin in the exact part.
         for (const double from_s : {0.0, history.exactFrom_s() + 0.1, 0.5 * (history.exactFrom_s() + end_s)})
             for (const double to_s : {end_s, end_s - 1.3}) {
-                if (from_s == 0.0 && to_s != end_s && history.exactFrom_s() > history.oldest_s() && to_s <= history.exactFrom_s())
+                if (from_s == 0.0 && to_s != end_s && history.exactFrom_s() > history.oldest_s() &&
+                    to_s <= history.exactFrom_s())
                     continue;
                 const Statistics truth = all.between(from_s, to_s);
                 const Statistics told = history.statistics(from_s, to_s);
@@ -270,8 +271,7 @@ void tst_SampleHistory::anOldValueSaysThatItIsNotExact() {
 
 void tst_SampleHistory::memoryStaysBounded() {
     SampleHistory history(1000, 16);
-    const std::size_t bound =
-        (1000 + 64) * sizeof(Sample) + ((1000 + 64) / 64 + 1 + 16 + 1) * sizeof(Digest);
+    const std::size_t bound = (1000 + 64) * sizeof(Sample) + ((1000 + 64) / 64 + 1 + 16 + 1) * sizeof(Digest);
     for (int i = 0; i < 200'000; ++i) {
         history.append({i * 0.1, std::sin(i * 0.01)});
         if (i % 1000 == 0)

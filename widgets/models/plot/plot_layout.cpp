@@ -96,9 +96,9 @@ QJsonObject toJson(const PlotLayout& layout) {
 
 Result<PlotLayout> plotLayoutFrom(const QJsonObject& object) {
     PlotLayout layout;
-    for (const Result<void>& read : {readFlag(object, QStringLiteral("follow_robot"), layout.follow_robot),
-                                     readFlag(object, QStringLiteral("statistics"), layout.statistics),
-                                     readWindow(object, layout.window_s)})
+    for (const Result<void>& read :
+         {readFlag(object, QStringLiteral("follow_robot"), layout.follow_robot),
+          readFlag(object, QStringLiteral("statistics"), layout.statistics), readWindow(object, layout.window_s)})
         if (!read)
             return tl::unexpected(read.error());
     const QString key = QStringLiteral("canvases");

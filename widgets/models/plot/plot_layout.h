@@ -36,8 +36,8 @@ struct PlotLayout {
 
 /// The layout as an object of the form above.
 QJsonObject toJson(const PlotLayout& layout);
-/// Reads what `toJson` wrote. Missing options have their defaults and unknown keys are ignored, so that layouts of other
-/// versions are understood as far as possible; an entry of another type than above is an error that names it.
+/// Reads what `toJson` wrote. Missing options have their defaults and unknown keys are ignored, so that layouts of
+/// other versions are understood as far as possible; an entry of another type than above is an error that names it.
 Result<PlotLayout> plotLayoutFrom(const QJsonObject& object);
 
 } // namespace usar::widgets

@@ -19,9 +19,9 @@ struct ShownSeries {
 };
 
 /// Decides which samples are recorded and which are shown. A series of the layout belongs to the robot that it was
-/// taken from; while the layout follows the selected robot, the same field of that robot is shown in its place. Then the
-/// field is recorded for every robot that speaks, so that another selection has its past at once; so memory is bounded
-/// by that of one SampleHistory for each robot and field. Owned by the view, GUI thread.
+/// taken from; while the layout follows the selected robot, the same field of that robot is shown in its place. Then
+/// the field is recorded for every robot that speaks, so that another selection has its past at once; so memory is
+/// bounded by that of one SampleHistory for each robot and field. Owned by the view, GUI thread.
 class PlotModel {
 public:
     explicit PlotModel(SeriesStore store = SeriesStore()) : store_(std::move(store)) {}

@@ -31,9 +31,9 @@ QString withUnit(double value, const std::string& unit, const QString& per) {
     const DisplayUnit display = displayUnit(unit);
     const double shown = value * display.factor;
     const QString figures = figure(shown, decimalsOf(shown));
-    const QString words = display.text.isEmpty() && per.isEmpty()    ? QString()
-                          : display.text.isEmpty() ? QStringLiteral("1") + per
-                                                   : display.text + per;
+    const QString words = display.text.isEmpty() && per.isEmpty() ? QString()
+                          : display.text.isEmpty()                ? QStringLiteral("1") + per
+                                                                  : display.text + per;
     return words.isEmpty() ? figures : figures + u' ' + words;
 }
 

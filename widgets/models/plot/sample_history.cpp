@@ -13,9 +13,9 @@ namespace {
 /// one at the beginning or the end is told.
 void appendMarks(std::vector<Sample>& line, const Digest& digest) {
     const auto push = [&](const Sample& sample) {
-        const bool again = !line.empty() && (line.back() == sample || (line.back().time_s == sample.time_s &&
-                                                                       std::isnan(line.back().value) &&
-                                                                       std::isnan(sample.value)));
+        const bool again =
+            !line.empty() && (line.back() == sample || (line.back().time_s == sample.time_s &&
+                                                        std::isnan(line.back().value) && std::isnan(sample.value)));
         if (!again)
             line.push_back(sample);
     };

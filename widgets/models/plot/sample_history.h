@@ -51,11 +51,12 @@ struct Statistics {
 };
 
 /// The newest samples are kept one by one. Older ones are kept as digests of equally many samples; each time there are
-/// too many digests, neighbors are joined, and the digests become twice as coarse. So every peak remains, with its time.
+/// too many digests, neighbors are joined, and the digests become twice as coarse. So every peak remains, with its
+/// time.
 ///
-/// Memory: at most (exact + 64) samples of 16 bytes, exact / 64 + digests digests of 96 bytes: 3.9 MB with the defaults,
-/// however long the history is. At 10 samples a second the last 3.6 hours are exact. All of them together always show
-/// at least digests / 2 = 8192 separate stretches, more than a screen has columns. Plain value.
+/// Memory: at most (exact + 64) samples of 16 bytes, exact / 64 + digests digests of 96 bytes: 3.9 MB with the
+/// defaults, however long the history is. At 10 samples a second the last 3.6 hours are exact. All of them together
+/// always show at least digests / 2 = 8192 separate stretches, more than a screen has columns. Plain value.
 class SampleHistory {
 public:
     static constexpr std::size_t default_exact = 131'072;
@@ -79,8 +80,8 @@ public:
     double exactFrom_s() const { return exact_.front().time_s; }
 
     /// A line that looks like the one through all samples if `columns` is the number of pixel columns from `from_s` to
-    /// `to_s`: the first, least, highest and last sample of each column, in order of time, and one sample on either side
-    /// beyond the edge. Where a screen has room for all samples, these are all samples. NaN is a gap.
+    /// `to_s`: the first, least, highest and last sample of each column, in order of time, and one sample on either
+    /// side beyond the edge. Where a screen has room for all samples, these are all samples. NaN is a gap.
     std::vector<Sample> curve(double from_s, double to_s, int columns) const;
     /// Figures of the samples from `from_s` to `to_s`, both included.
     Statistics statistics(double from_s, double to_s) const;
