@@ -45,7 +45,6 @@ PlotLegend::PlotLegend(QWidget* parent) : QTreeWidget(parent) {
     header()->setSectionsMovable(false);
     header()->setMinimumSectionSize(40);
     header()->setSectionResizeMode(QHeaderView::Interactive);
-    header()->setSectionResizeMode(Name, QHeaderView::Stretch);
     for (int column = Now; column < column_count; ++column)
         header()->resizeSection(column, column == Count ? count_px : value_px);
     connect(addRowAction(this, tr("Remove from the plot"), QKeySequence::Delete), &QAction::triggered, this,
@@ -64,6 +63,7 @@ void PlotLegend::rebuild(const PlotModel& model) {
         groups[i]->setFlags(Qt::ItemIsEnabled);
         groups[i]->setForeground(Name, tokens().text_muted);
         groups[i]->setFirstColumnSpanned(true);
+        groups[i]->setSizeHint(Name, QSize(0, minimum_target)); // All rows are as high as the first.
         groups[i]->setExpanded(true);
     }
     for (const ShownSeries& row : rows_) {
@@ -93,8 +93,10 @@ void PlotLegend::showColumns(const PlotModel& model) {
     show(Slope, both);
     for (const Column column : {Count, Least, Most, Mean, Deviation})
         show(column, model.layout().statistics);
-    if (changed)
-        emit columnsChanged();
+    if (!changed)
+        return;
+    fitName();
+    emit columnsChanged();
 }
 
 void PlotLegend::showHead(const PlotModel& model, const Times& times) {
@@ -149,6 +151,17 @@ std::vector<ShownSeries> PlotLegend::selectedRows() const {
         if (items_[i]->isSelected())
             selected.push_back(rows_[i]);
     return selected;
+}
+
+// Names of robots must not vanish behind figures: the table scrolls sideways before that.
+void PlotLegend::fitName() {
+    const int figures = wantedWidth() - name_px;
+    header()->resizeSection(Name, std::max(name_px, viewport()->width() - figures));
+}
+
+void PlotLegend::resizeEvent(QResizeEvent* event) {
+    QTreeWidget::resizeEvent(event);
+    fitName();
 }
 
 int PlotLegend::wantedWidth() const {

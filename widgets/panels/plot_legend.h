@@ -43,7 +43,12 @@ signals:
     /// Columns have appeared or disappeared.
     void columnsChanged();
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
+    /// Gives the names the room that the figures leave.
+    void fitName();
     void showColumns(const PlotModel& model);
     void showHead(const PlotModel& model, const Times& times);
 

@@ -381,7 +381,7 @@ void PlotView::showTools() {
 
 void PlotView::giveTableRoom() {
     const int whole = halves_->width();
-    const int table = std::min(legend_->wantedWidth() + 2 * gap::small, whole * 3 / 5);
+    const int table = std::min(legend_->wantedWidth() + 2 * gap::small, whole / 2);
     if (whole > 0)
         halves_->setSizes({whole - table, table});
 }
