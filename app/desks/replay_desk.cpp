@@ -31,6 +31,8 @@ void ReplayDesk::wire() {
                     action("replay.close"));
     connect(bar, &widgets::ReplayBar::seekRequested, this, [this](Seconds position) { order({.seek = position}); });
     connect(bar, &widgets::ReplayBar::speedRequested, this, [this](double speed) { order({.speed = speed}); });
+    connect(views_.plots, &widgets::PlotView::momentRequested, this,
+            [this](Seconds time) { order({.seek_clock = time}); });
     connect(&selection_, &Selection::changed, this, &ReplayDesk::show);
     connectUpdates([this](const auto&) { show(); });
 }
@@ -39,6 +41,7 @@ void ReplayDesk::show() {
     const bool is_replay = robot() && robot()->isReplay();
     views_.replay->setVisible(is_replay);
     const mission::SessionFigures figures = robot() ? robot()->view().figures : mission::SessionFigures{};
+    views_.plots->setMoment(is_replay ? std::optional(figures.now) : std::nullopt);
     if (is_replay)
         views_.replay->setFile(robot()->view().recording);
     if (const auto& replay = figures.replay; is_replay && replay)

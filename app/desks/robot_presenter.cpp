@@ -53,6 +53,7 @@ void RobotPresenter::show(RobotId id, const std::shared_ptr<const mission::Sessi
         heard.newest.take(line, update.figures.now);
         heard.instruments.take(line, update.figures.now);
         heard.questions.take(line, update.figures.now);
+        views_.plots->take(QString::fromStdString(view.spawn.robot_name), line, update.figures.now);
     }
     if (!selected)
         return;
@@ -61,10 +62,8 @@ void RobotPresenter::show(RobotId id, const std::shared_ptr<const mission::Sessi
         views_.terrain->setProfile(*update.ground);
     ask(*control_.robot(id));
     showInstruments(view);
-    for (const protocol::InfoLine& line : update.lines) {
+    for (const protocol::InfoLine& line : update.lines)
         views_.sensors->take(line, update.figures.now);
-        views_.plots->take(line, update.figures.now);
-    }
     views_.sensors->setNow(update.figures.now);
 }
 
@@ -77,6 +76,7 @@ std::optional<protocol::TraceColor> RobotPresenter::tracing(RobotId id) const {
 void RobotPresenter::restart(const RobotView& view, bool selected) {
     views_.map->removeRobot(QString::fromStdString(view.spawn.robot_name));
     heard_.erase(view.connection);
+    views_.plots->restart(QString::fromStdString(view.spawn.robot_name));
     if (!selected)
         return;
     select(view.id);
@@ -219,8 +219,6 @@ void RobotPresenter::select(RobotId id) {
     views_.sensors->clear();
     views_.instruments->clear();
     views_.terrain->clear();
-    views_.plots->restart();
-    views_.plots->setSource({});
     const Robot* robot = control_.robot(id);
     views_.map->heights().clear(robot ? robot->view().cell_size_m : RobotView{}.cell_size_m);
     views_.map->selectRobot(robot ? QString::fromStdString(robot->view().spawn.robot_name) : QString());
@@ -230,7 +228,7 @@ void RobotPresenter::select(RobotId id) {
         return views_.status->clear(QObject::tr("No robot yet"));
     }
     const RobotView& view = robot->view();
-    views_.plots->setSource(QString::fromStdString(view.spawn.robot_name));
+    views_.plots->setRobot(QString::fromStdString(view.spawn.robot_name));
     std::vector<std::shared_ptr<const mapping::HeightTile>> tiles;
     for (const auto& [index, tile] : view.tiles)
         tiles.push_back(tile);

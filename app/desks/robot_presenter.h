@@ -10,7 +10,8 @@
 
 namespace usar::app {
 
-/// The map shows every robot; instruments, sensors, plots and the height layer show the selected one. GUI thread.
+/// The map shows every robot; instruments, sensors and the height layer show the selected one. The plots record every
+/// robot. GUI thread.
 class RobotPresenter {
 public:
     RobotPresenter(MissionControl& control, widgets::WindowViews& views, const Selection& selection)
@@ -31,7 +32,10 @@ public:
     void select(RobotId id);
     /// Color of the marks that the robot leaves; nullopt while it leaves none, and for id 0.
     std::optional<protocol::TraceColor> tracing(RobotId id) const;
-    void remove(const QString& name) { views_.map->removeRobot(name); }
+    void remove(const QString& name) {
+        views_.map->removeRobot(name);
+        views_.plots->forget(name);
+    }
 
 private:
     /// What a robot has said, and what it is asked.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QJsonDocument>
 #include <QWhatsThis>
 
 #include "widgets/commands/command_palette.h"
@@ -132,6 +133,9 @@ void ViewDesk::restore(const QSettings& settings) {
     main_window_.restoreState(settings.value("layout").toByteArray(), layout_version);
     views_.hint->setDismissed(settings.value("hint_dismissed", false).toBool());
     views_.layers->restoreState(settings.value("layers").toByteArray());
+    const auto plots = QJsonDocument::fromJson(settings.value("plots").toString().toUtf8()).object();
+    if (const Result<void> restored = views_.plots->setPlotLayout(plots); !restored)
+        notices_.say(Severity::Warning, "plot", QString::fromStdString(restored.error().text()));
 }
 
 void ViewDesk::save(SettingsSheet& settings) const {
@@ -140,6 +144,7 @@ void ViewDesk::save(SettingsSheet& settings) const {
     settings.setValue("layout", main_window_.saveState(layout_version));
     settings.setValue("hint_dismissed", views_.hint->dismissed());
     settings.setValue("layers", views_.layers->saveState());
+    settings.setValue("plots", QString(QJsonDocument(views_.plots->plotLayout()).toJson(QJsonDocument::Compact)));
 }
 
 } // namespace usar::app

@@ -8,6 +8,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 #include <QTreeWidget>
 #include <QWheelEvent>
 
@@ -27,6 +28,10 @@ namespace {
 
 const QString f1 = QStringLiteral("SEN Sonar/F1/range");
 const QString f2 = QStringLiteral("SEN Sonar/F2/range");
+
+SeriesKey key(const QString& path) {
+    return {"R1", path.toStdString()};
+}
 
 void wheel(QWidget* target, QPoint at, int delta) {
     QWheelEvent event(at, target->mapToGlobal(at), {}, {0, delta}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
@@ -62,6 +67,12 @@ private slots:
     void keysWorkInTheLegendToo();
     void restartKeepsTheSeries();
     void legendNamesTheRobot();
+    void anotherRobotHasItsPast();
+    void keysMeasure();
+    void statisticsAreShownOnRequest();
+    void aDropGoesToTheCanvasBelowTheMouse();
+    void aLayoutIsRestored();
+    void aReplayIsSentToTheCursor();
     void legendReadsTheCurveAtTheMouse();
     void pauseKeepsRecording();
     void hiddenPlotRecordsButDoesNotDraw();
@@ -71,17 +82,26 @@ private slots:
     void legendShowsTheNewestValueInDegrees();
     void legendSaysEachNameOnce();
     void addedTwiceIsThereOnce();
-    void csvAndPictureAreWritten();
+    void tablePageAndPictureAreWritten();
+    void unwritableFileIsAnErrorThatNamesIt_data();
     void unwritableFileIsAnErrorThatNamesIt();
     void linesAreReadableInBothThemes();
 
 private:
     void feed(double time_s, double range_m);
     QWidget* surface() const { return view_->canvas()->focusProxy(); }
+    PlotLegend* legend() const { return view_->findChild<PlotLegend*>(); }
+    /// Clicks the button whose name begins with these words.
+    void press(const QString& words) const {
+        for (QToolButton* button : view_->findChildren<QToolButton*>())
+            if (button->accessibleName().startsWith(words))
+                return button->click();
+        QFAIL(qPrintable(words));
+    }
     QStringList seriesPaths() const {
         QStringList paths;
         for (const Series& series : view_->store().series())
-            paths << QString::fromStdString(series.path);
+            paths << QString::fromStdString(series.key.path);
         return paths;
     }
 
@@ -96,6 +116,7 @@ void tst_PlotView::initTestCase() {
 void tst_PlotView::init() {
     view_ = std::make_unique<PlotView>();
     view_->resize(800, 300);
+    view_->setRobot(QStringLiteral("R1"));
     view_->show();
     QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
 }
@@ -107,7 +128,7 @@ void tst_PlotView::cleanup() {
 
 void tst_PlotView::feed(double time_s, double range_m) {
     const QString text = QStringLiteral("SEN {Time %1} {Type Sonar} {Name F1 Range %2} {Name F2 Range 1}");
-    view_->take(reader_.read(text.arg(time_s).arg(range_m).toStdString()), Seconds(time_s));
+    view_->take(QStringLiteral("R1"), reader_.read(text.arg(time_s).arg(range_m).toStdString()), Seconds(time_s));
 }
 
 void tst_PlotView::emptyPlotSaysHowToFillIt() {
@@ -143,9 +164,9 @@ void tst_PlotView::samplesReachTheCanvas() {
     view_->addSeries(f1);
     for (int i = 0; i < 10; ++i)
         feed(i, i);
-    QTRY_COMPARE(view_->canvas()->sampleCount(f1.toStdString()), 10);
+    QTRY_COMPARE(view_->canvas()->pointCount(key(f1)), 10);
     feed(10, 1);
-    QTRY_COMPARE(view_->canvas()->sampleCount(f1.toStdString()), 11);
+    QTRY_COMPARE(view_->canvas()->pointCount(key(f1)), 11);
 }
 
 void tst_PlotView::followsTheNewest() {
@@ -191,7 +212,7 @@ void tst_PlotView::wheelZoomsTimeAndStopsFollowing() {
     const double to = view_->canvas()->visibleTo().count();
     QVERIFY(to - from < 59.0);
     feed(200, 1);
-    QTRY_COMPARE(view_->canvas()->sampleCount(f1.toStdString()), 3);
+    QTRY_VERIFY(view_->model().newest_s() == 200.0);
     QCOMPARE(view_->canvas()->visibleFrom().count(), from);
     QCOMPARE(view_->canvas()->visibleTo().count(), to);
 }
@@ -251,36 +272,143 @@ void tst_PlotView::restartKeepsTheSeries() {
     view_->addSeries(f1);
     feed(5000, 1);
     feed(5001, 1);
-    QTRY_COMPARE(view_->canvas()->sampleCount(f1.toStdString()), 2);
-    view_->restart();
+    QTRY_COMPARE(view_->canvas()->pointCount(key(f1)), 2);
+    view_->restart(QStringLiteral("R1"));
     QCOMPARE(seriesPaths(), QStringList{f1});
-    QTRY_COMPARE(view_->canvas()->sampleCount(f1.toStdString()), 0);
+    QTRY_COMPARE(view_->canvas()->pointCount(key(f1)), 0);
     feed(5000.5, 2); // of another robot: not older than anything here
-    QTRY_COMPARE(view_->canvas()->sampleCount(f1.toStdString()), 1);
+    QTRY_COMPARE(view_->canvas()->pointCount(key(f1)), 1);
 }
 
 void tst_PlotView::legendNamesTheRobot() {
     view_->addSeries(f1);
-    auto* legend = view_->findChild<QTreeWidget*>();
-    QVERIFY(legend->isHeaderHidden());
-    view_->setSource(QStringLiteral("R2"));
-    QVERIFY(!legend->isHeaderHidden());
-    QCOMPARE(legend->headerItem()->text(0), QStringLiteral("R2"));
+    const auto label = [&] { return legend()->item(0)->text(PlotLegend::Name); };
+    QCOMPARE(label(), QStringLiteral("R1 · Sonar F1 range"));
+    view_->setRobot(QStringLiteral("R2"));
+    QCOMPARE(label(), QStringLiteral("R2 · Sonar F1 range"));
+    press(QStringLiteral("Follow the selected robot"));
+    QCOMPARE(label(), QStringLiteral("R1 · Sonar F1 range"));
+    view_->setRobot(QStringLiteral("R3"));
+    QCOMPARE(label(), QStringLiteral("R1 · Sonar F1 range"));
+}
+
+void tst_PlotView::anotherRobotHasItsPast() {
+    view_->addSeries(f1);
+    feed(1, 1.0);
+    view_->take(QStringLiteral("R2"), reader_.read("SEN {Time 1} {Type Sonar} {Name F1 Range 7}"), Seconds(1));
+    QTRY_COMPARE(view_->canvas()->pointCount(key(f1)), 1);
+    view_->setRobot(QStringLiteral("R2"));
+    QTRY_COMPARE(view_->canvas()->pointCount({"R2", f1.toStdString()}), 1);
+    QVERIFY(legend()->item(0)->text(PlotLegend::Now).startsWith(QStringLiteral("7.00")));
+}
+
+void tst_PlotView::keysMeasure() {
+    view_->addSeries(f1);
+    for (int i = 0; i <= 60; ++i)
+        feed(i, i);
+    QTRY_COMPARE(view_->canvas()->pointCount(key(f1)), 61);
+    QVERIFY(legend()->isColumnHidden(PlotLegend::AtA));
+    QTest::keyClick(surface(), Qt::Key_A);
+    QVERIFY(!legend()->isColumnHidden(PlotLegend::AtA));
+    QVERIFY(legend()->isColumnHidden(PlotLegend::Difference));
+    QTest::keyClick(surface(), Qt::Key_B);
+    const double at_s = *view_->model().cursors().b_s;
+    for (int i = 0; i < 5; ++i)
+        QTest::keyClick(surface(), Qt::Key_Right, Qt::ShiftModifier);
+    QTest::keyClick(surface(), Qt::Key_Left);
+    const PlotCursors cursors = view_->model().cursors();
+    QCOMPARE(*cursors.a_s, at_s);
+    QVERIFY(*cursors.b_s > at_s + 2.0);
+    QVERIFY(view_->canvas()->following()); // the keys moved the cursor and not the picture
+    const double a = std::floor(*cursors.a_s);
+    const double b = std::floor(*cursors.b_s);
+    QCOMPARE(legend()->item(0)->text(PlotLegend::AtA), QStringLiteral("%1 m").arg(a, 0, 'f', 2));
+    QCOMPARE(legend()->item(0)->text(PlotLegend::AtB), QStringLiteral("%1 m").arg(b, 0, 'f', 2));
+    QCOMPARE(legend()->item(0)->text(PlotLegend::Difference), QStringLiteral("+%1 m").arg(b - a, 0, 'f', 2));
+    QVERIFY(legend()->item(0)->text(PlotLegend::Slope).endsWith(QStringLiteral("m/s")));
+    QVERIFY(legend()->headerItem()->text(PlotLegend::AtA).startsWith(QStringLiteral("A 00:00:")));
+    QTest::keyClick(surface(), Qt::Key_Delete);
+    QVERIFY(legend()->isColumnHidden(PlotLegend::AtB));
+    QTest::keyClick(surface(), Qt::Key_Delete);
+    QVERIFY(legend()->isColumnHidden(PlotLegend::AtA));
+    QTest::keyClick(surface(), Qt::Key_Left);
+    QVERIFY(!view_->canvas()->following()); // without a cursor the keys pan again
+}
+
+void tst_PlotView::statisticsAreShownOnRequest() {
+    view_->addSeries(f1);
+    for (int i = 1; i <= 4; ++i)
+        feed(i, i);
+    QTRY_COMPARE(view_->canvas()->pointCount(key(f1)), 4);
+    QVERIFY(legend()->isColumnHidden(PlotLegend::Count));
+    press(QStringLiteral("Statistics"));
+    QVERIFY(!legend()->isColumnHidden(PlotLegend::Count));
+    const QStringList expected{QStringLiteral("4"), QStringLiteral("1.00 m"), QStringLiteral("4.00 m"),
+                               QStringLiteral("2.50 m"), QStringLiteral("1.29 m")};
+    for (int i = 0; i < expected.size(); ++i)
+        QCOMPARE(legend()->item(0)->text(PlotLegend::Count + i), expected[i]);
+}
+
+void tst_PlotView::aDropGoesToTheCanvasBelowTheMouse() {
+    view_->addSeries(f1);
+    view_->addCanvas();
+    QTRY_COMPARE(view_->canvas()->canvasAt({100, view_->canvas()->height() - 60}), 1U);
+    view_->canvas()->choose(0);
+    QMimeData mime;
+    mime.setData(QLatin1String(field_mime_type), f2.toUtf8());
+    const QPoint at = view_->canvas()->mapTo(view_.get(), QPoint(100, view_->canvas()->height() - 60));
+    QDragEnterEvent enter(at, Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(view_.get(), &enter);
+    QDropEvent drop(at, Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(view_.get(), &drop);
+    QCOMPARE(view_->canvas()->chosen(), 1U);
+    QCOMPARE(view_->model().shown().back().canvas, 1U);
+    QCOMPARE(view_->model().layout().canvases[1].size(), 1U);
+    QCOMPARE(legend()->topLevelItemCount(), 2); // a group for each canvas
+    view_->removeCanvas();                      // the one that was dropped on is chosen
+    QCOMPARE(seriesPaths(), QStringList{f1});
+}
+
+void tst_PlotView::aLayoutIsRestored() {
+    view_->addSeries(f1);
+    view_->addCanvas();
+    view_->addSeries(f2);
+    press(QStringLiteral("Statistics"));
+    const QJsonObject layout = view_->plotLayout();
+    PlotView other;
+    QVERIFY(other.setPlotLayout(layout));
+    QCOMPARE(other.plotLayout(), layout);
+    QCOMPARE(other.model().shown().size(), 2U);
+    QVERIFY(!other.setPlotLayout({{QStringLiteral("canvases"), 5}}));
+    QCOMPARE(other.plotLayout(), layout);
+}
+
+void tst_PlotView::aReplayIsSentToTheCursor() {
+    QSignalSpy wanted(view_.get(), &PlotView::momentRequested);
+    view_->addSeries(f1);
+    feed(0, 1);
+    QTest::keyClick(surface(), Qt::Key_A);
+    QTest::keyClick(surface(), Qt::Key_Return);
+    QCOMPARE(wanted.count(), 0);
+    view_->setMoment(Seconds(3.0));
+    QTest::keyClick(surface(), Qt::Key_Return);
+    QCOMPARE(wanted.count(), 1);
+    QCOMPARE(wanted[0][0].value<Seconds>().count(), *view_->model().cursors().a_s);
 }
 
 void tst_PlotView::legendReadsTheCurveAtTheMouse() {
     view_->addSeries(f1);
     for (int i = 0; i <= 60; ++i)
         feed(i, i < 30 ? 1.0 : 2.0);
-    QTRY_COMPARE(view_->canvas()->sampleCount(f1.toStdString()), 61);
-    const auto value = [&] { return view_->findChild<QTreeWidget*>()->topLevelItem(0)->text(1); };
+    QTRY_COMPARE(view_->canvas()->pointCount(key(f1)), 61);
+    const auto value = [&] { return view_->findChild<QTreeWidget*>()->topLevelItem(0)->text(PlotLegend::Now); };
     const auto readout = [&] {
         for (const QLabel* label : view_->findChildren<QLabel*>())
             if (label->accessibleName() == QStringLiteral("Time at the mouse"))
                 return label->text();
         return QString();
     };
-    QVERIFY2(value().startsWith(QStringLiteral("2.00")), qPrintable(value()));
+    QTRY_VERIFY2(value().startsWith(QStringLiteral("2.00")), qPrintable(value()));
     QVERIFY2(readout().contains(QStringLiteral("Wheel")), qPrintable(readout()));
     moveMouse(surface(), QPointF(surface()->width() / 4.0, surface()->height() / 2.0));
     QVERIFY2(value().startsWith(QStringLiteral("1.00")), qPrintable(value()));
@@ -293,17 +421,17 @@ void tst_PlotView::legendReadsTheCurveAtTheMouse() {
 void tst_PlotView::pauseKeepsRecording() {
     view_->addSeries(f1);
     feed(0, 1);
-    QTRY_COMPARE(view_->canvas()->sampleCount(f1.toStdString()), 1);
+    QTRY_COMPARE(view_->canvas()->pointCount(key(f1)), 1);
     QTest::keyClick(surface(), Qt::Key_Space);
     QVERIFY(view_->paused());
     for (int i = 1; i < 5; ++i)
         feed(i, 1);
-    QCOMPARE(view_->store().series()[0].samples.size(), 5U);
+    QCOMPARE(view_->store().series()[0].samples.size(), std::uint64_t(5));
     view_->addSeries(f2); // asks for a picture, which must not let the new samples in
-    QTRY_COMPARE(view_->canvas()->sampleCount(f2.toStdString()), 0);
-    QCOMPARE(view_->canvas()->sampleCount(f1.toStdString()), 1);
+    QTRY_COMPARE(view_->canvas()->pointCount(key(f2)), 0);
+    QCOMPARE(view_->canvas()->pointCount(key(f1)), 1);
     QTest::keyClick(surface(), Qt::Key_Space);
-    QTRY_COMPARE(view_->canvas()->sampleCount(f1.toStdString()), 5);
+    QTRY_COMPARE(view_->canvas()->pointCount(key(f1)), 5);
 }
 
 void tst_PlotView::hiddenPlotRecordsButDoesNotDraw() {
@@ -311,19 +439,19 @@ void tst_PlotView::hiddenPlotRecordsButDoesNotDraw() {
     view_->hide();
     feed(0, 1);
     feed(1, 1);
-    QCOMPARE(view_->store().series()[0].samples.size(), 2U);
-    QCOMPARE(view_->canvas()->sampleCount(f1.toStdString()), 0);
+    QCOMPARE(view_->store().series()[0].samples.size(), std::uint64_t(2));
+    QCOMPARE(view_->canvas()->pointCount(key(f1)), 0);
     view_->show();
-    QTRY_COMPARE(view_->canvas()->sampleCount(f1.toStdString()), 2);
+    QTRY_COMPARE(view_->canvas()->pointCount(key(f1)), 2);
 }
 
 void tst_PlotView::clockThatBeginsAgainIsDrawnAnew() {
     view_->addSeries(f1);
     for (int i = 0; i < 10; ++i)
         feed(5000 + i, 1);
-    QTRY_COMPARE(view_->canvas()->sampleCount(f1.toStdString()), 10);
+    QTRY_COMPARE(view_->canvas()->pointCount(key(f1)), 10);
     feed(0.5, 1);
-    QTRY_COMPARE(view_->canvas()->sampleCount(f1.toStdString()), 1);
+    QTRY_COMPARE(view_->canvas()->pointCount(key(f1)), 1);
     QCOMPARE(view_->canvas()->visibleFrom().count(), 0.5);
 }
 
@@ -331,9 +459,9 @@ void tst_PlotView::notANumberDoesNotBreakTheAxes() {
     view_->addSeries(f1);
     feed(0, std::nan(""));
     feed(1, std::nan(""));
-    QTRY_COMPARE(view_->canvas()->sampleCount(f1.toStdString()), 2);
+    QTRY_COMPARE(view_->canvas()->pointCount(key(f1)), 2);
     feed(2, 4.0);
-    QTRY_COMPARE(view_->canvas()->sampleCount(f1.toStdString()), 3);
+    QTRY_COMPARE(view_->canvas()->pointCount(key(f1)), 3);
     QVERIFY(!view_->grab().isNull());
 }
 
@@ -352,19 +480,20 @@ void tst_PlotView::deleteKeyRemovesFromTheLegend() {
 
 void tst_PlotView::legendShowsTheNewestValueInDegrees() {
     view_->addSeries(QStringLiteral("SEN GroundTruth/G/yaw"));
-    view_->take(reader_.read("SEN {Time 1} {Type GroundTruth} {Name G} {Location 1,2,3} {Orientation 0,0,-0.5}"),
+    view_->take(QStringLiteral("R1"),
+                reader_.read("SEN {Time 1} {Type GroundTruth} {Name G} {Location 1,2,3} {Orientation 0,0,-0.5}"),
                 Seconds(1));
     auto* legend = view_->findChild<QTreeWidget*>();
-    QTRY_COMPARE(legend->topLevelItem(0)->text(1), QString::fromUtf8("28.65 °"));
+    QTRY_COMPARE(legend->topLevelItem(0)->text(PlotLegend::Now), QString::fromUtf8("28.65 °"));
 }
 
 void tst_PlotView::legendSaysEachNameOnce() {
     for (const char* path : {"SEN INS/INS/yaw", "SEN Sonar/F1/range", "STA/battery"})
         view_->addSeries(QString::fromLatin1(path));
     const auto* legend = view_->findChild<QTreeWidget*>();
-    QCOMPARE(legend->topLevelItem(0)->text(0), QStringLiteral("INS yaw"));
-    QCOMPARE(legend->topLevelItem(1)->text(0), QStringLiteral("Sonar F1 range"));
-    QCOMPARE(legend->topLevelItem(2)->text(0), QStringLiteral("STA battery"));
+    QCOMPARE(legend->topLevelItem(0)->text(0), QStringLiteral("R1 · INS yaw"));
+    QCOMPARE(legend->topLevelItem(1)->text(0), QStringLiteral("R1 · Sonar F1 range"));
+    QCOMPARE(legend->topLevelItem(2)->text(0), QStringLiteral("R1 · STA battery"));
 }
 
 void tst_PlotView::addedTwiceIsThereOnce() {
@@ -373,34 +502,46 @@ void tst_PlotView::addedTwiceIsThereOnce() {
     QCOMPARE(seriesPaths().size(), 1);
 }
 
-void tst_PlotView::csvAndPictureAreWritten() {
+void tst_PlotView::tablePageAndPictureAreWritten() {
     QTemporaryDir folder;
     view_->addSeries(f1);
     feed(1, 2.5);
-    const QString csv = folder.filePath(QStringLiteral("plot.csv"));
-    QVERIFY(view_->exportCsv(csv));
-    QFile file(csv);
-    QVERIFY(file.open(QIODevice::ReadOnly));
-    QCOMPARE(file.readAll(), QByteArray("time_s,SEN Sonar/F1/range [m]\n1,2.5\n"));
-    const QString png = folder.filePath(QStringLiteral("plot.png"));
-    QVERIFY(view_->exportPicture(png));
-    QVERIFY(QImage(png).width() > 200);
+    QSignalSpy saved(view_.get(), &PlotView::saved);
+    const auto bytesOf = [&](const QString& name) {
+        const QString path = folder.filePath(name);
+        view_->save(path);
+        if (!QTest::qWaitFor([&] { return saved.count() > 0; }, 60'000))
+            return QByteArray();
+        saved.clear();
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    };
+    QCOMPARE(bytesOf(QStringLiteral("plot.csv")), QByteArray("time_s,R1 SEN Sonar/F1/range [m]\n1,2.5\n"));
+    QVERIFY(QImage::fromData(bytesOf(QStringLiteral("plot.png"))).width() > 200);
+    QVERIFY(bytesOf(QStringLiteral("plot.pdf")).startsWith("%PDF-"));
+}
+
+void tst_PlotView::unwritableFileIsAnErrorThatNamesIt_data() {
+    QTest::addColumn<QString>("file");
+    for (const char* file : {"/no/such/folder/plot.csv", "/no/such/folder/plot.png", "/no/such/folder/plot.pdf"})
+        QTest::newRow(file) << QString::fromLatin1(file);
+    QTest::newRow("a name without a kind") << QStringLiteral("/tmp/plot");
 }
 
 void tst_PlotView::unwritableFileIsAnErrorThatNamesIt() {
-    const QString file = QStringLiteral("/no/such/folder/plot.csv");
-    const auto csv = view_->exportCsv(file);
-    QVERIFY(!csv);
-    QCOMPARE(csv.error().where, file.toStdString());
-    QVERIFY(!csv.error().mend.empty());
-    QVERIFY(!view_->exportPicture(QStringLiteral("/no/such/folder/plot.png")));
+    QFETCH(QString, file);
+    QSignalSpy failed(view_.get(), &PlotView::failed);
+    view_->addSeries(f1);
+    view_->save(file);
+    QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, 60'000);
+    QVERIFY2(failed[0][0].toString().contains(file), qPrintable(failed[0][0].toString()));
 }
 
 void tst_PlotView::linesAreReadableInBothThemes() {
     for (const Theme theme : {Theme::Dark, Theme::Light}) {
         applyTheme(theme);
         for (int i = 0; i < 9; ++i)
-            QVERIFY2(contrast(PlotCanvas::lineColor(i), tokens().surface) >= 3.0, qPrintable(QString::number(i)));
+            QVERIFY2(contrast(plotLineColor(i, theme), tokens().surface) >= 3.0, qPrintable(QString::number(i)));
         QCOMPARE(view_->grab().toImage().pixelColor(400, 60), tokens().surface);
     }
 }

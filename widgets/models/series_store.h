@@ -1,14 +1,15 @@
-// Watched fields as time series in bounded memory; used by plots for drawing and export.
+// Watched fields of robots as time series in bounded memory; used by plots for drawing and export.
 #pragma once
 
-#include <cstdint>
-#include <deque>
+#include <compare>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/protocol/fields.h"
 #include "core/protocol/info_message.h"
+#include "widgets/models/plot/sample_history.h"
 
 namespace usar::widgets {
 
@@ -16,62 +17,53 @@ namespace usar::widgets {
 /// one per line.
 inline constexpr const char* field_mime_type = "application/x-usar-field";
 
-/// One value of a field.
-struct Sample {
-    double time_s = 0.0; ///< protocol clock
-    double value = 0.0;  ///< SI units; NaN for a value that is not a number, which leaves a gap in the line
-    bool operator==(const Sample&) const = default;
+/// Names a watched field: whose it is, and which one.
+struct SeriesKey {
+    std::string robot; ///< the robot's name; empty: a field that nobody owns, as before the first robot
+    std::string path;  ///< as protocol::Field::path() returns it, "SEN Sonar/F1/range"
+    auto operator<=>(const SeriesKey&) const = default;
 };
 
-/// The samples of one watched field, in order of time. `dropped` counts samples removed from the front, so dropped +
-/// samples.size() only grows and tells a view which samples are new. `history` changes when all samples were discarded.
+/// The samples of one watched field, in order of time.
 struct Series {
-    std::uint64_t history = 0;
-    std::string path; ///< as protocol::Field::path() returns it, "SEN Sonar/F1/range"
-    std::string unit; ///< unit of the samples; taken from the first one if not given
-    std::deque<Sample> samples;
-    std::uint64_t dropped = 0;
+    SeriesKey key;
+    std::string unit; ///< SI unit of the samples; taken from the first one if not given
+    SampleHistory samples{};
 };
 
-/// Stores values by protocol time. A value that is older than its predecessor is ignored; a clock that jumps back by
-/// more than a second belongs to another run (a reconnect), so every series restarts. Owned by one view.
+/// Stores values by protocol time, for any number of robots. A value that is older than its predecessor is ignored; a
+/// robot's clock that jumps back by more than a second belongs to another run (a reconnect), so its series restart.
+/// Memory: at most that of a SampleHistory for each watched field. Owned by one model.
 class SeriesStore {
 public:
-    static constexpr std::size_t default_capacity = 200'000; ///< samples per series: eleven hours at 5 Hz
-    explicit SeriesStore(std::size_t capacity = default_capacity) : capacity_(capacity) {}
+    /// `exact` and `digests`: limits of each SampleHistory.
+    explicit SeriesStore(std::size_t exact = SampleHistory::default_exact,
+                         std::size_t digests = SampleHistory::default_digests)
+        : empty_(exact, digests) {}
 
-    /// Starts to watch a field; returns false if the path is empty or already watched.
-    bool add(const std::string& path, const std::string& unit = {});
-    /// Stops watching and discards the samples; returns false if the path was not watched.
-    bool remove(const std::string& path);
-    /// Stops watching all fields.
-    void clear();
-    /// Discards the samples of every series.
-    void startAgain();
-    /// `now` is used for messages without a time of their own. Returns true if the message contained a watched field.
-    bool take(const protocol::InfoLine& line, Seconds now);
+    /// Starts to watch a field; returns false if the path is empty or the field already watched.
+    bool add(const SeriesKey& key, const std::string& unit = {});
+    /// Stops watching and discards the samples of all fields that are not in `keys`.
+    void keepOnly(const std::vector<SeriesKey>& keys);
+    /// Discards the samples of every series of this robot.
+    void startAgain(const std::string& robot);
+    /// Stores the watched values of a line of this robot. `now` is used for messages without a time of their own.
+    /// Returns true if the message contained a watched field.
+    bool take(const std::string& robot, const protocol::InfoLine& line, Seconds now);
 
     /// In the order in which they were added.
     const std::vector<Series>& series() const { return series_; }
-    /// Newest time of all series on the protocol clock; nullopt before the first sample.
-    std::optional<double> newestTime_s() const { return newest_s_; }
-    /// Oldest time of the stored samples of all series; nullopt if there are none.
-    std::optional<double> oldestTime_s() const;
+    /// Returns nullptr if this field is not watched. Valid until the next `add` or `keepOnly`.
+    const Series* find(const SeriesKey& key) const;
+    /// Newest time of this robot on the protocol clock; nullopt before the first line with watched fields.
+    std::optional<double> newestTime_s(const std::string& robot) const;
 
 private:
     void append(Series& series, const protocol::Field& field, double time_s);
 
-    std::size_t capacity_;
+    SampleHistory empty_; ///< what each series begins with
     std::vector<Series> series_;
-    std::optional<double> newest_s_;
-    std::uint64_t last_history_ = 0;
+    std::map<std::string, double> newest_s_; ///< by robot
 };
-
-/// The newest value at this time on the protocol clock; nullopt before the first sample, and in a gap.
-std::optional<double> valueAt(const Series& series, double time_s);
-
-/// CSV with the head "time_s,SEN Sonar/F1/range [m],…" and one row for every time at which any series has a sample;
-/// cells without a sample or with NaN are empty. Values are in SI units and read back to the same double.
-std::string csvOf(const std::vector<Series>& series);
 
 } // namespace usar::widgets

@@ -5,200 +5,165 @@
 
 #include <qcustomplot.h>
 
-#include "widgets/models/parameter_display.h"
+#include <QBuffer>
+#include <QPdfWriter>
+
+#include "widgets/models/plot/plot_texts.h"
 #include "widgets/style/form_parts.h"
-#include "widgets/style/theme.h"
 
 namespace usar::widgets {
 
 namespace {
 
-/// Adds some margin around `range`, and a height if it has none.
-QCPRange roomy(const QCPRange& range) {
-    const double air = range.size() > 0.0 ? 0.08 * range.size() : std::max(0.5, 0.05 * std::abs(range.lower));
-    return {range.lower - air, range.upper + air};
-}
+constexpr int print_columns = 4000; ///< points of a line on paper
+constexpr int label_px = 16;        ///< room for the names of the cursors above the first canvas
 
 } // namespace
 
-PlotCanvas::PlotCanvas(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)) {
+PlotCanvas::PlotCanvas(PlotModel& model, QWidget* parent)
+    : QWidget(parent)
+    , model_(model)
+    , plot_(new QCustomPlot(this)) {
     laidOut(new QVBoxLayout(this), {}, -1, {plot_});
     setFocusProxy(plot_);
     plot_->setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Plot over protocol time"));
-    setAccessibleDescription(tr("Values over protocol time, hours:minutes:seconds. Drag or use the arrow keys to move "
-                                "in time, the wheel or plus and minus to zoom, Space to pause, F to follow."));
     plot_->setAccessibleName(accessibleName());
-    plot_->setAccessibleDescription(accessibleDescription());
-    plot_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
-    plot_->setNoAntialiasingOnDrag(true);
-    plot_->setPlottingHint(QCP::phFastPolylines);
-    plot_->axisRect()->setRangeDrag(Qt::Horizontal);
-    plot_->axisRect()->setRangeZoom(Qt::Horizontal);
-    plot_->axisRect()->setRangeZoomAxes({plot_->xAxis}, {plot_->yAxis, plot_->yAxis2});
-    plot_->xAxis->setTicker(QSharedPointer<QCPAxisTickerTime>::create());
-    plot_->xAxis->setRange(0.0, window_.count());
-    chooseTimeFormat();
-    plot_->yAxis->setNumberFormat(QStringLiteral("gb"));
-    plot_->yAxis2->setNumberFormat(QStringLiteral("gb"));
-    plot_->legend->setVisible(false);
-    // Decimal points in every locale, like everywhere in the window.
-    plot_->setLocale(QLocale::c());
-    makeCursor();
+    setUpPlot();
+    matchPanes();
     connectGestures();
-    applyTheme();
+    cursorsMoved();
     onThemeChange(this, [this] {
-        applyTheme();
+        style(currentTheme());
         plot_->replot(QCustomPlot::rpQueuedReplot);
     });
 }
 
-void PlotCanvas::connectGestures() {
-    connect(plot_->xAxis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this, [this] {
-        chooseTimeFormat();
-        fitValues();
-    });
-    connect(plot_, &QCustomPlot::mouseWheel, this, [this](QWheelEvent* event) { aimWheel(event->position()); });
-    connect(plot_, &QCustomPlot::mouseMove, this, [this](QMouseEvent* event) {
-        moveCursor(event->position());
-        if (event->buttons() & Qt::LeftButton)
-            leaveFollowing();
-    });
-    connect(plot_, &QCustomPlot::mouseDoubleClick, this, [this] {
-        values_fitted_ = true;
-        setFollowing(true);
-        emit followingChanged(true);
-        plot_->replot();
-    });
+// The panes take themselves out of the plot, which must still be there.
+PlotCanvas::~PlotCanvas() {
+    plot_->clearItems();
+    panes_.clear();
 }
 
-void PlotCanvas::makeCursor() {
-    cursor_line_ = new QCPItemStraightLine(plot_); // The plot owns it.
-    for (QCPItemPosition* end : {cursor_line_->point1, cursor_line_->point2}) {
-        end->setTypeX(QCPItemPosition::ptAbsolute);
-        end->setTypeY(QCPItemPosition::ptAxisRectRatio);
-    }
-    cursor_line_->setLayer(QStringLiteral("overlay")); // Moving it draws no curve again.
-    cursor_line_->setSelectable(false);
-    cursor_line_->setVisible(false);
-    plot_->installEventFilter(this);
+void PlotCanvas::setUpPlot() {
+    plot_->setAutoAddPlottableToLegend(false);
+    plot_->plotLayout()->clear();
+    plot_->plotLayout()->setRowSpacing(0);
+    sides_ = new QCPMarginGroup(plot_);
+    plot_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
+    plot_->setNoAntialiasingOnDrag(true);
+    plot_->setPlottingHint(QCP::phFastPolylines);
+    plot_->setLocale(QLocale::c()); // Decimal points in every locale, like everywhere in the window.
 }
 
-void PlotCanvas::moveCursor(const QPointF& at_px) {
-    cursor_px_ = plot_->axisRect()->rect().contains(at_px.toPoint()) ? std::optional(at_px.x()) : std::nullopt;
-    cursor_line_->setVisible(cursor_px_.has_value());
-    cursor_line_->point1->setCoords(at_px.x(), 0.0);
-    cursor_line_->point2->setCoords(at_px.x(), 1.0);
-    plot_->layer(QStringLiteral("overlay"))->replot();
-    emit cursorMoved();
-}
-
-std::optional<Seconds> PlotCanvas::cursor() const {
-    return cursor_px_ ? std::optional(Seconds(plot_->xAxis->pixelToCoord(*cursor_px_))) : std::nullopt;
-}
-
-bool PlotCanvas::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::Leave)
-        moveCursor({-1.0, -1.0});
-    return QWidget::eventFilter(watched, event);
-}
-
-void PlotCanvas::leaveFollowing() {
-    if (!following_)
+void PlotCanvas::matchPanes() {
+    const std::size_t wanted = model_.layout().canvases.size();
+    if (panes_.size() == wanted)
         return;
-    following_ = false;
-    emit followingChanged(false);
+    const QCPRange time = panes_.empty() ? QCPRange(0.0, model_.layout().window_s) : panes_[0]->timeAxis()->range();
+    plot_->clearItems();
+    panes_.clear();
+    plot_->plotLayout()->simplify();
+    const auto ticker = QSharedPointer<QCPAxisTickerTime>::create();
+    for (std::size_t i = 0; i < wanted; ++i) {
+        panes_.push_back(std::make_unique<PlotPane>(*plot_, *sides_, static_cast<int>(i)));
+        panes_[i]->setTimesShown(i + 1 == wanted);
+        QCPAxis* const axis = panes_[i]->timeAxis();
+        axis->setTicker(ticker);
+        connect(axis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this, &PlotCanvas::showTime);
+    }
+    for (const auto& [name, text] : {std::pair(Mouse, QString()), {A, tr("A")}, {B, tr("B")}, {Moment, tr("Replay")}})
+        marks_[name] = makeMark(text);
+    chosen_ = std::min(chosen_, wanted - 1);
+    showTime(std::isfinite(time.size()) ? time : QCPRange(0.0, 60.0));
+    style(currentTheme());
 }
 
-// Called before QCustomPlot handles the wheel itself.
-void PlotCanvas::aimWheel(const QPointF& at_px) {
-    QCPAxisRect* rect = plot_->axisRect();
-    QCPAxis* axis = at_px.x() < rect->left() ? plot_->yAxis : at_px.x() > rect->right() ? plot_->yAxis2 : nullptr;
-    rect->setRangeZoom(axis ? Qt::Vertical : Qt::Horizontal);
-    if (!axis)
-        return leaveFollowing();
-    rect->setRangeZoomAxes({plot_->xAxis}, {axis});
-    values_fitted_ = false;
+PlotCanvas::Mark PlotCanvas::makeMark(const QString& name) {
+    Mark mark;
+    const auto place = [](QCPItemPosition* at, const PlotPane& pane, double y) {
+        at->setAxes(pane.timeAxis(), pane.valueAxis());
+        at->setAxisRect(pane.rect());
+        at->setTypeX(QCPItemPosition::ptPlotCoords);
+        at->setTypeY(QCPItemPosition::ptAxisRectRatio);
+        at->setCoords(0.0, y);
+    };
+    for (const auto& pane : panes_) {
+        auto* line = new QCPItemStraightLine(plot_); // The plot owns it.
+        place(line->point1, *pane, 0.0);
+        place(line->point2, *pane, 1.0);
+        line->setClipAxisRect(pane->rect());
+        line->setLayer(QStringLiteral("overlay")); // Moving it draws no curve again.
+        line->setSelectable(false);
+        mark.lines.push_back(line);
+    }
+    mark.label = new QCPItemText(plot_);
+    place(mark.label->position, *panes_[0], 0.0);
+    mark.label->setPositionAlignment(Qt::AlignBottom | Qt::AlignHCenter);
+    mark.label->setClipToAxisRect(false);
+    mark.label->setLayer(QStringLiteral("overlay"));
+    mark.label->setSelectable(false);
+    mark.label->setText(name);
+    return mark;
 }
 
-void PlotCanvas::show(const SeriesStore& store) {
-    matchLines(store);
-    for (const Series& series : store.series())
-        feed(series);
-    assignAxes(store);
-    oldest_s_ = store.oldestTime_s();
-    newest_s_ = store.newestTime_s();
-    if (following_)
-        fitTime();
-    fitValues();
+void PlotCanvas::Mark::show(std::optional<double> time_s, const QCPRange& visible) const {
+    const bool seen = time_s && visible.contains(*time_s);
+    for (QCPItemStraightLine* line : lines) {
+        line->setVisible(seen);
+        line->point1->setCoords(time_s.value_or(0.0), 0.0);
+        line->point2->setCoords(time_s.value_or(0.0), 1.0);
+    }
+    label->setVisible(seen && !label->text().isEmpty());
+    label->position->setCoords(time_s.value_or(0.0), 0.0);
+}
+
+void PlotCanvas::showMarks() {
+    const QCPRange visible = panes_[0]->timeAxis()->range();
+    const PlotCursors& cursors = model_.cursors();
+    marks_[Mouse].show(mouse_px_ ? std::optional(timeAt(*mouse_px_)) : std::nullopt, visible);
+    marks_[A].show(cursors.a_s, visible);
+    marks_[B].show(cursors.b_s, visible);
+    marks_[Moment].show(moment_s_, visible);
+}
+
+void PlotCanvas::draw() {
+    matchPanes();
+    if (!following_ || !fitTime())
+        fill();
+    style(currentTheme());
     plot_->replot();
 }
 
-void PlotCanvas::dropLines(const SeriesStore& store) {
-    matchLines(store);
-    plot_->replot();
+void PlotCanvas::fill() {
+    const std::vector<ShownSeries> all = model_.shown();
+    const int columns = std::max(100, static_cast<int>(std::lround(plot_->width() * devicePixelRatioF())));
+    for (std::size_t i = 0; i < panes_.size(); ++i) {
+        std::vector<ShownSeries> some;
+        std::ranges::copy_if(all, std::back_inserter(some), [&](const ShownSeries& each) { return each.canvas == i; });
+        panes_[i]->setSeries(std::move(some));
+        panes_[i]->setChosen(panes_.size() > 1 && i == chosen_);
+        panes_[i]->fill(model_.shownUntil_s(), columns);
+    }
+    showMarks();
 }
 
-void PlotCanvas::matchLines(const SeriesStore& store) {
-    std::vector<std::string> paths;
-    for (const Series& series : store.series())
-        paths.push_back(series.path);
-    if (paths == order_)
+void PlotCanvas::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fill();
+}
+
+void PlotCanvas::showTime(const QCPRange& range) {
+    if (taking_time_)
         return;
-    std::erase_if(lines_, [&](const auto& line) {
-        const bool gone = std::ranges::find(paths, line.first) == paths.end();
-        return gone && plot_->removeGraph(line.second.graph);
-    });
-    for (const std::string& path : paths)
-        if (!lines_.contains(path))
-            lines_[path].graph = plot_->addGraph();
-    order_ = std::move(paths);
-    styleLines();
-}
-
-void PlotCanvas::feed(const Series& series) {
-    Line& line = lines_[series.path];
-    if (line.history != series.history) {
-        line.graph->data()->clear();
-        line.history = series.history;
-        line.taken = 0;
-    }
-    const double factor = displayUnit(series.unit).factor;
-    const std::uint64_t known = line.taken > series.dropped ? line.taken - series.dropped : 0;
-    QVector<QCPGraphData> fresh;
-    fresh.reserve(static_cast<qsizetype>(series.samples.size() - known));
-    for (std::size_t i = known; i < series.samples.size(); ++i)
-        fresh.emplace_back(series.samples[i].time_s, series.samples[i].value * factor);
-    line.graph->data()->add(fresh, true);
-    line.taken = series.dropped + series.samples.size();
-    if (!series.samples.empty())
-        line.graph->data()->removeBefore(series.samples.front().time_s);
-}
-
-void PlotCanvas::assignAxes(const SeriesStore& store) {
-    std::vector<QString> units;
-    bool second_used = false;
-    for (const Series& series : store.series()) {
-        const QString unit = displayUnit(series.unit).text;
-        if (std::ranges::find(units, unit) == units.end())
-            units.push_back(unit);
-        const bool second = units.size() > 1 && unit == units[1];
-        second_used = second_used || second;
-        lines_[series.path].graph->setValueAxis(second ? plot_->yAxis2 : plot_->yAxis);
-    }
-    QStringList left;
-    for (std::size_t i = 0; i < units.size(); ++i)
-        if (i != 1 && !units[i].isEmpty())
-            left << units[i];
-    plot_->yAxis->setLabel(left.join(QStringLiteral(", ")));
-    plot_->yAxis2->setLabel(second_used ? units[1] : QString());
-    plot_->yAxis2->setVisible(second_used);
-    plot_->yAxis2->setTickLabels(second_used);
-}
-
-void PlotCanvas::setWindow(Seconds window) {
-    window_ = window;
-    setFollowing(true);
+    taking_time_ = true;
+    for (const auto& pane : panes_)
+        pane->timeAxis()->setRange(range);
+    taking_time_ = false;
+    const auto ticker = panes_[0]->timeAxis()->ticker().dynamicCast<QCPAxisTickerTime>();
+    ticker->setTimeFormat(range.size() < 5.0 ? QStringLiteral("%m:%s.%z") : QStringLiteral("%h:%m:%s"));
+    fill();
+    emit readoutChanged();
 }
 
 void PlotCanvas::setFollowing(bool following) {
@@ -206,133 +171,118 @@ void PlotCanvas::setFollowing(bool following) {
     if (!following)
         return;
     fitTime();
-    fitValues();
     plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
 // Until the window is full of samples, the line grows from the left edge.
-void PlotCanvas::fitTime() {
-    if (!newest_s_ || !oldest_s_)
-        return;
-    const double span = std::isfinite(window_.count()) ? window_.count() : std::max(1.0, *newest_s_ - *oldest_s_);
-    const double from = std::max(*oldest_s_, *newest_s_ - span);
-    plot_->xAxis->setRange(from, from + span);
+bool PlotCanvas::fitTime() {
+    const std::optional<double> newest = model_.newest_s();
+    const std::optional<double> oldest = model_.oldest_s();
+    if (!newest || !oldest)
+        return false;
+    const double window_s = model_.layout().window_s;
+    const double span = std::isfinite(window_s) ? window_s : std::max(1.0, *newest - *oldest);
+    const double from = std::max(*oldest, *newest - span);
+    showTime({from, from + span});
+    return true;
 }
 
-void PlotCanvas::fitValues() {
-    if (!values_fitted_)
-        return;
-    fitAxis(plot_->yAxis);
-    fitAxis(plot_->yAxis2);
+void PlotCanvas::emphasize(const std::set<SeriesKey>& keys) {
+    emphasized_ = keys;
+    style(currentTheme());
+    plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
-void PlotCanvas::fitAxis(QCPAxis* axis) {
-    std::optional<QCPRange> all;
-    for (const QCPGraph* graph : axis->graphs()) {
-        bool found = false;
-        const QCPRange range = graph->getValueRange(found, QCP::sdBoth, plot_->xAxis->range());
-        if (found)
-            all = all ? all->expanded(range) : range;
+void PlotCanvas::setMoment(std::optional<double> time_s) {
+    if (moment_s_ == time_s)
+        return;
+    const bool appears = moment_s_.has_value() != time_s.has_value();
+    moment_s_ = time_s;
+    showMarks();
+    if (appears) { // Its name needs room.
+        style(currentTheme());
+        return plot_->replot(QCustomPlot::rpQueuedReplot);
     }
-    if (all)
-        axis->setRange(roomy(*all));
+    plot_->layer(QStringLiteral("overlay"))->replot();
 }
 
-void PlotCanvas::emphasize(const std::set<std::string>& paths) {
-    emphasized_ = paths;
-    styleLines();
-    plot_->replot(QCustomPlot::rpQueuedReplot);
+int PlotCanvas::pointCount(const SeriesKey& key) const {
+    int count = 0;
+    for (const auto& pane : panes_)
+        count = std::max(count, pane->pointCount(key));
+    return count;
 }
 
-void PlotCanvas::zoomTime(double factor) {
-    leaveFollowing();
-    plot_->xAxis->scaleRange(1.0 / factor);
-    plot_->replot(QCustomPlot::rpQueuedReplot);
+void PlotCanvas::style(Theme theme) {
+    const Tokens& t = tokens(theme);
+    plot_->setBackground(QBrush(t.surface));
+    for (const auto& pane : panes_)
+        pane->style(theme, emphasized_);
+    const bool labels = model_.cursors().a_s || model_.cursors().b_s || moment_s_;
+    panes_[0]->rect()->setMinimumMargins({12, labels ? label_px : 6, 12, 6});
+    const std::pair<MarkName, QPen> pens[] = {{Mouse, QPen(t.text_muted, 1.0)},
+                                              {A, QPen(t.accent, 1.5)},
+                                              {B, QPen(t.caution, 1.5)},
+                                              {Moment, QPen(t.text, 1.0, Qt::DashLine)}};
+    for (const auto& [name, pen] : pens) {
+        for (QCPItemStraightLine* line : marks_[name].lines)
+            line->setPen(pen);
+        marks_[name].label->setColor(pen.color());
+        marks_[name].label->setFont(themeFont(FontRole::Small, QFont::DemiBold));
+    }
 }
 
-void PlotCanvas::panTime(double fraction) {
-    leaveFollowing();
-    plot_->xAxis->moveRange(fraction * plot_->xAxis->range().size());
-    plot_->replot(QCustomPlot::rpQueuedReplot);
+void PlotCanvas::compose(const QString& title, Theme theme, const std::function<void()>& render) {
+    QCPLayoutGrid* const grid = plot_->plotLayout();
+    auto* const head = new QCPTextElement(plot_, title, themeFont(FontRole::Body, QFont::DemiBold));
+    head->setTextColor(tokens(theme).text);
+    grid->insertRow(0);
+    grid->addElement(0, 0, head);
+    std::vector<QCPLegend*> legends;
+    for (std::size_t i = 0; i < panes_.size(); ++i) {
+        panes_[i]->setChosen(false);
+        legends.push_back(panes_[i]->addLegend(static_cast<int>(i) + 1, theme));
+    }
+    grid->setColumnStretchFactor(1, 0.001); // As narrow as the legend's words.
+    panes_.back()->timeAxis()->setLabel(tr("Protocol time, h:min:s"));
+    style(theme);
+    marks_[Mouse].show(std::nullopt, {});
+    render();
+    panes_.back()->timeAxis()->setLabel({});
+    for (QCPLegend* legend : legends)
+        grid->remove(legend);
+    grid->remove(head);
+    grid->simplify();
+    draw();
 }
 
-Seconds PlotCanvas::visibleFrom() const {
-    return Seconds(plot_->xAxis->range().lower);
-}
-
-Seconds PlotCanvas::visibleTo() const {
-    return Seconds(plot_->xAxis->range().upper);
-}
-
-int PlotCanvas::sampleCount(const std::string& path) const {
-    const auto found = lines_.find(path);
-    return found == lines_.end() ? 0 : found->second.graph->dataCount();
-}
-
-QPixmap PlotCanvas::picture() const {
-    plot_->legend->setVisible(true);
-    cursor_line_->setVisible(false);
-    QPixmap picture = plot_->toPixmap(0, 0, 2.0);
-    plot_->legend->setVisible(false);
-    cursor_line_->setVisible(cursor_px_.has_value());
-    plot_->replot(QCustomPlot::rpQueuedReplot);
+QPixmap PlotCanvas::picture(const QString& title) {
+    QPixmap picture;
+    compose(title, currentTheme(), [&] { picture = plot_->toPixmap(0, 0, 2.0); });
     return picture;
 }
 
-QColor PlotCanvas::lineColor(int index) {
-    const Tokens& t = tokens();
-    QColor color = robotColor(index + 1);
-    for (int i = 0; i < 8 && contrast(color, t.surface) < 3.0; ++i)
-        color = currentTheme() == Theme::Light ? color.darker(115) : color.lighter(115);
-    return color;
-}
-
-void PlotCanvas::applyTheme() {
-    const Tokens& t = tokens();
-    plot_->setBackground(QBrush(t.surface));
-    for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis, plot_->yAxis2})
-        styleAxis(axis);
-    cursor_line_->setPen(QPen(t.text_muted, 1.0));
-    plot_->legend->setBrush(t.raised);
-    plot_->legend->setBorderPen(QPen(t.line));
-    plot_->legend->setTextColor(t.text);
-    plot_->legend->setFont(themeFont(FontRole::Small));
-    plot_->axisRect()->insetLayout()->setInsetAlignment(0, Qt::AlignTop | Qt::AlignLeft);
-    styleLines();
-}
-
-void PlotCanvas::styleAxis(QCPAxis* axis) {
-    const Tokens& t = tokens();
-    const QPen line(t.line);
-    axis->setBasePen(line);
-    axis->setTickPen(line);
-    axis->setSubTickPen(Qt::NoPen);
-    axis->setTickLabelColor(t.text_muted);
-    axis->setTickLabelFont(themeFont(FontRole::Small));
-    axis->setLabelColor(t.text_muted);
-    axis->setLabelFont(themeFont(FontRole::Small));
-    QColor faint = t.line;
-    faint.setAlpha(110);
-    axis->grid()->setPen(QPen(faint));
-    axis->grid()->setZeroLinePen(QPen(t.line));
-}
-
-// Colors repeat after nine lines; the next nine lines are dashed.
-void PlotCanvas::styleLines() {
-    int index = 0;
-    for (const std::string& path : order_) {
-        QPen pen(lineColor(index), emphasized_.contains(path) ? 2.5 : 1.0);
-        pen.setStyle(index / 9 % 2 == 0 ? Qt::SolidLine : Qt::DashLine);
-        lines_[path].graph->setPen(pen);
-        lines_[path].graph->setName(QString::fromStdString(path));
-        ++index;
-    }
-}
-
-void PlotCanvas::chooseTimeFormat() {
-    const auto ticker = plot_->xAxis->ticker().dynamicCast<QCPAxisTickerTime>();
-    const bool fine = plot_->xAxis->range().size() < 5.0;
-    ticker->setTimeFormat(fine ? QStringLiteral("%m:%s.%z") : QStringLiteral("%h:%m:%s"));
+QByteArray PlotCanvas::pdf(const QString& title) {
+    constexpr int width_px = 1050;
+    QBuffer bytes;
+    bytes.open(QIODevice::WriteOnly);
+    QPdfWriter writer(&bytes);
+    writer.setTitle(title);
+    writer.setResolution(600);
+    writer.setPageSize(QPageSize(QPageSize::A4));
+    writer.setPageOrientation(QPageLayout::Landscape);
+    writer.setPageMargins({12.0, 12.0, 12.0, 12.0}, QPageLayout::Millimeter);
+    const double scale = static_cast<double>(writer.width()) / width_px;
+    compose(title, Theme::Light, [&] {
+        for (const auto& pane : panes_)
+            pane->fill(model_.shownUntil_s(), print_columns);
+        plot_->setBackground(QBrush(Qt::white));
+        QCPPainter painter(&writer);
+        painter.setModes(QCPPainter::pmVectorized | QCPPainter::pmNonCosmetic);
+        painter.scale(scale, scale);
+        plot_->toPainter(&painter, width_px, static_cast<int>(writer.height() / scale));
+    });
+    return bytes.data();
 }
 
 } // namespace usar::widgets

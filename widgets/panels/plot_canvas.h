@@ -1,109 +1,140 @@
-// Drawing surface of a plot: axes over protocol time, one line per series. The only class that uses QCustomPlot.
+// Drawing surface of the plots: canvases below one another over one axis of protocol time, with two cursors.
 #pragma once
 
-#include <map>
+#include <memory>
 #include <set>
-#include <string>
+#include <vector>
 
 #include <QPixmap>
 #include <QWidget>
 
-#include "widgets/models/series_store.h"
+#include "widgets/models/plot/plot_model.h"
+#include "widgets/panels/plot_pane.h"
+#include "widgets/style/theme.h"
 
-class QCPAxis;
-class QCPGraph;
 class QCPItemStraightLine;
-class QCustomPlot;
+class QCPItemText;
+class QCPMarginGroup;
+class QCPRange;
+class QMouseEvent;
 
 namespace usar::widgets {
 
-/// Draws on request (`show`), and by itself after a gesture: the wheel zooms time (over a value axis: that axis), drag
-/// pans, double-click resumes following. A vertical line follows the mouse. Angles are drawn in degrees. The first unit
-/// uses the left axis, the second the right one, all others share the left. Colors follow the theme. GUI thread.
+/// Draws on request (`draw`), and by itself after a gesture: the wheel zooms time (over a value axis: that axis), drag
+/// pans, a click places cursor A and Shift+click cursor B, drag on a cursor moves it, double-click resumes following.
+/// All canvases show the same time. A vertical line follows the mouse. Colors follow the theme. GUI thread.
 class PlotCanvas : public QWidget {
     Q_OBJECT
 public:
-    explicit PlotCanvas(QWidget* parent = nullptr);
+    /// The model must outlive the canvas.
+    explicit PlotCanvas(PlotModel& model, QWidget* parent = nullptr);
+    ~PlotCanvas() override;
 
-    /// Updates lines and axes from the store; copies only new samples.
-    void show(const SeriesStore& store);
-    /// Removes only the lines that are no longer watched; the rest of the picture stays as it is.
-    void dropLines(const SeriesStore& store);
-    /// Sets the time span that is visible while following, and starts to follow; infinite: everything.
-    void setWindow(Seconds window);
-    /// While following, the newest sample is at the right edge and the value axes fit. Emits nothing.
+    /// Shows what the model holds now.
+    void draw();
+    /// While following, the newest sample is at the right edge. Emits nothing.
     void setFollowing(bool following);
     bool following() const { return following_; }
-    /// Draws the lines of these paths thicker.
-    void emphasize(const std::set<std::string>& paths);
+    /// Draws the lines of these series thicker.
+    void emphasize(const std::set<SeriesKey>& keys);
     /// Zooms around the middle of the visible span; a factor above 1 shows less time in more detail. Ends following.
     void zoomTime(double factor);
     /// Moves by a fraction of the visible span; positive is later. Ends following.
     void panTime(double fraction);
+    /// Places a cursor at the mouse, or in the middle of the visible span.
+    void placeCursor(CursorName name);
+    /// Moves the active cursor by so many pixels; returns false if none is active.
+    bool moveCursor(double by_px);
+    /// Removes the active cursor; returns false if none is active.
+    bool removeCursor();
+    /// The time at which a replay is; nullopt: no replay is shown. A click below the canvases or with Ctrl goes there.
+    void setMoment(std::optional<double> time_s);
+    std::optional<double> moment_s() const { return moment_s_; }
+
+    /// Index of the canvas that takes what is plotted next.
+    std::size_t chosen() const { return chosen_; }
+    void choose(std::size_t canvas);
+    /// Index of the canvas at this place.
+    std::size_t canvasAt(const QPoint& at) const;
 
     /// Edges of the visible span on the protocol clock; samples need not reach that far.
     Seconds visibleFrom() const;
     Seconds visibleTo() const;
     /// Time under the mouse on the protocol clock; nullopt while the mouse is elsewhere.
-    std::optional<Seconds> cursor() const;
-    /// Number of samples in the line as drawn; 0 for a path that is not watched.
-    int sampleCount(const std::string& path) const;
-    /// The plot as on the screen, with a legend and at twice the resolution, for files.
-    QPixmap picture() const;
-    /// Color of the `index`-th line; readable in the current theme.
-    static QColor lineColor(int index);
+    std::optional<Seconds> mouseTime() const;
+    /// Where a time is, in pixels from the left of the surface.
+    double pixelOf(double time_s) const;
+    /// Number of points in the line as drawn; 0 for a series that is not shown.
+    int pointCount(const SeriesKey& key) const;
+    /// The plots with a legend at twice the resolution, for files.
+    QPixmap picture(const QString& title);
+    /// The same as a page of PDF, A4 in landscape, with black on white.
+    QByteArray pdf(const QString& title);
 
 signals:
     /// By a gesture or by zoomTime() and panTime().
     void followingChanged(bool following);
-    /// The mouse moved over the plot, or left it.
-    void cursorMoved();
+    /// The mouse moved over the plot, or left it; or the visible span changed.
+    void readoutChanged();
+    /// A cursor was placed, moved or removed.
+    void cursorsChanged();
+    /// The user wants the replay to go to this time.
+    void momentRequested(usar::Seconds time);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
-    struct Line {
-        QCPGraph* graph = nullptr;
-        std::uint64_t history = 0; ///< history of the series that was copied
-        std::uint64_t taken = 0;   ///< number of samples copied or skipped so far
+    /// A vertical line through all canvases, at a time.
+    struct Mark {
+        std::vector<QCPItemStraightLine*> lines; ///< the plot owns them
+        QCPItemText* label = nullptr;            ///< above the first canvas; the plot owns it
+        void show(std::optional<double> time_s, const QCPRange& visible) const;
     };
+    enum MarkName { Mouse, A, B, Moment, mark_count };
 
+    void setUpPlot();
     void connectGestures();
-    void makeCursor();
-    /// Moves the line to this place, or hides it outside of the axes.
-    void moveCursor(const QPointF& at_px);
-    /// Stops following and emits followingChanged if that is a change.
+    /// Makes as many panes as the layout has canvases.
+    void matchPanes();
+    Mark makeMark(const QString& name);
+    void showMarks();
+    void press(const QMouseEvent& event);
+    void move(const QMouseEvent& event);
+    void release(const QMouseEvent& event);
+    void followAgain();
     void leaveFollowing();
-    /// Directs the wheel to the axis under the mouse.
-    void aimWheel(const QPointF& at_px);
-    /// Adds and removes lines so that they match the store.
-    void matchLines(const SeriesStore& store);
-    /// Copies the new samples of a series into its line.
-    void feed(const Series& series);
-    /// Assigns each line to the axis of its unit.
-    void assignAxes(const SeriesStore& store);
-    /// Shows the window that ends at the newest sample.
-    void fitTime();
-    /// Fits the value axes to the visible samples, unless the user has zoomed one.
-    void fitValues();
-    void fitAxis(QCPAxis* axis);
-    void applyTheme();
-    void styleLines();
-    void styleAxis(QCPAxis* axis);
-    void chooseTimeFormat();
+    /// True while `at_px` is over the time axis below the lowest canvas.
+    bool onTimeAxis(const QPointF& at_px) const;
+    double timeAt(double x_px) const;
+    /// Lets a drag pan, or not.
+    void setPanning(bool on);
+    void cursorsMoved();
+    /// Shows this span in all panes.
+    void showTime(const QCPRange& range);
+    /// Shows the window that ends at the newest sample; returns false before the first one.
+    bool fitTime();
+    /// Draws the lines of the visible time anew, from the samples as they are now.
+    void fill();
+    void style(Theme theme);
+    /// Calls `render` while title, legends and the colors of `theme` are shown.
+    void compose(const QString& title, Theme theme, const std::function<void()>& render);
 
+    PlotModel& model_;
     QCustomPlot* plot_;
-    QCPItemStraightLine* cursor_line_ = nullptr;
-    std::optional<double> cursor_px_; ///< stays under the mouse while the picture moves
-    std::map<std::string, Line> lines_;
-    std::vector<std::string> order_; ///< order of the store: determines color and legend
-    std::set<std::string> emphasized_;
-    Seconds window_{60.0};
-    std::optional<double> oldest_s_;
-    std::optional<double> newest_s_;
+    QCPMarginGroup* sides_ = nullptr; ///< the plot owns it
+    std::vector<std::unique_ptr<PlotPane>> panes_;
+    Mark marks_[mark_count];
+    std::set<SeriesKey> emphasized_;
+    std::optional<double> mouse_px_; ///< stays under the mouse while the picture moves
+    std::optional<double> moment_s_;
+    std::optional<QPointF> pressed_px_; ///< a click may become of this
+    std::optional<CursorName> dragged_; ///< the cursor under the pressed button
+    PlotCursors before_click_;          ///< a double-click places no cursor
+    std::size_t chosen_ = 0;
     bool following_ = true;
-    bool values_fitted_ = true; ///< until the user zooms a value axis
+    bool taking_time_ = false; ///< the panes' axes are being set
 };
 
 } // namespace usar::widgets

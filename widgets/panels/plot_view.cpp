@@ -4,21 +4,19 @@
 #include <cmath>
 #include <limits>
 
+#include <QBuffer>
 #include <QDragEnterEvent>
-#include <QHeaderView>
+#include <QFileInfo>
 #include <QKeyEvent>
 #include <QMenu>
 #include <QMimeData>
-#include <QPainter>
 #include <QSaveFile>
-#include <QSplitter>
 
-#include "widgets/models/figures.h"
-#include "widgets/models/parameter_display.h"
+#include "core/base/hand_over.h"
+#include "widgets/models/plot/plot_texts.h"
 #include "widgets/panels/dialogs.h"
 #include "widgets/style/empty_state.h"
 #include "widgets/style/form_parts.h"
-#include "widgets/style/theme.h"
 #include "widgets/style/tool_button.h"
 
 namespace usar::widgets {
@@ -26,51 +24,47 @@ namespace usar::widgets {
 namespace {
 
 constexpr int frame_ms = 33;
-constexpr int path_role = Qt::UserRole;
-
-QIcon swatch(const QColor& color) {
-    QPixmap pixmap(16, 16);
-    pixmap.fill(Qt::transparent);
-    QPainter(&pixmap).fillRect(QRect(1, 6, 14, 4), color);
-    return pixmap;
-}
-
-/// Returns a path in words: "Sonar F1 range"; the repeated name in "INS/INS/yaw" is shown once.
-QString spoken(QString path) {
-    if (path.startsWith(QStringLiteral("SEN ")))
-        path.remove(0, 4);
-    QStringList parts = path.split(u'/', Qt::SkipEmptyParts);
-    if (parts.size() > 2 && parts[0] == parts[1])
-        parts.removeFirst();
-    return parts.join(u' ').simplified();
-}
+constexpr double large_step_px = 20.0;
 
 bool isOwnKey(const QKeyEvent& event) {
-    constexpr int keys[] = {Qt::Key_Space, Qt::Key_F,    Qt::Key_Plus, Qt::Key_Equal,
-                            Qt::Key_Minus, Qt::Key_Left, Qt::Key_Right};
+    constexpr int keys[] = {Qt::Key_Space, Qt::Key_F, Qt::Key_Plus, Qt::Key_Equal,  Qt::Key_Minus,  Qt::Key_Left,
+                            Qt::Key_Right, Qt::Key_A, Qt::Key_B,    Qt::Key_Delete, Qt::Key_Return, Qt::Key_Enter};
     const bool plain = !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
     return plain && std::ranges::find(keys, event.key()) != std::end(keys);
 }
 
-Result<void> written(const QString& file, const QByteArray& bytes) {
+/// Writes a file in one step; returns the sentence for a failure, or nothing.
+QString written(const QString& file, const QByteArray& bytes) {
     QSaveFile out(file);
-    if (out.open(QIODevice::WriteOnly) && out.write(bytes) == bytes.size() && out.commit())
+    if (!bytes.isEmpty() && out.open(QIODevice::WriteOnly) && out.write(bytes) == bytes.size() && out.commit())
         return {};
-    return failure("Cannot write the plot: " + out.errorString().toStdString(), file.toStdString(),
-                   "Choose another folder or free some space");
+    const std::string reason = bytes.isEmpty() ? "the picture is too large" : out.errorString().toStdString();
+    return QString::fromStdString(failure("the plots cannot be written: " + reason, file.toStdString(),
+                                          "Choose another folder, or make room there")
+                                      .value()
+                                      .text());
+}
+
+QByteArray pngOf(const QImage& image) {
+    QBuffer bytes;
+    bytes.open(QIODevice::WriteOnly);
+    return image.save(&bytes, "PNG") ? bytes.data() : QByteArray();
 }
 
 } // namespace
 
-PlotView::PlotView(QWidget* parent) : QWidget(parent) {
+PlotView::PlotView(QWidget* parent)
+    : QWidget(parent)
+    , canvas_(new PlotCanvas(model_, this))
+    , legend_(new PlotLegend(this))
+    , halves_(new QSplitter(this)) {
     QWidget* const tools = makeTools();
-    auto* halves = new QSplitter(this);
-    halves->addWidget(canvas_);
-    halves->addWidget(makeLegend());
-    halves->setStretchFactor(0, 1);
-    halves->setSizes({700, 240});
-    halves->setCollapsible(0, false);
-    laidOut(new QVBoxLayout(this), {}, 0, {tools, halves})->setStretchFactor(halves, 1);
+    halves_->addWidget(canvas_);
+    halves_->addWidget(legend_);
+    halves_->setStretchFactor(0, 1);
+    halves_->setSizes({700, 240});
+    halves_->setCollapsible(0, false);
+    laidOut(new QVBoxLayout(this), {}, 0, {tools, halves_})->setStretchFactor(halves_, 1);
     empty_state_ =
         new EmptyState(canvas_, tr("Nothing plotted yet"),
                        tr("Drag a value here from the sensors, or double-click one; its line grows from then on."));
@@ -79,44 +73,43 @@ PlotView::PlotView(QWidget* parent) : QWidget(parent) {
     setAcceptDrops(true);
     frame_.setSingleShot(true);
     frame_.setInterval(frame_ms);
-    connect(&frame_, &QTimer::timeout, this, &PlotView::refresh);
-    connect(canvas_, &PlotCanvas::followingChanged, follow_, &QToolButton::setChecked);
-    connect(canvas_, &PlotCanvas::cursorMoved, this, [this] {
-        updateLegendValues();
-        showReadout();
-    });
-    rebuildLegend();
-    onThemeChange(this, [this] { rebuildLegend(); });
+    connectParts();
+    listChanged();
+    onThemeChange(this, [this] { listChanged(); });
+}
+
+PlotView::~PlotView() {
+    disk_.waitForDone();
+    delete canvas_; // It reads the model.
 }
 
 QWidget* PlotView::makeTools() {
     auto* tools = new QWidget(this);
     pause_ = makeToolButton(tr("Freeze the picture; recording continues (Space)"), tools, "pause");
     follow_ = makeToolButton(tr("Follow the newest values (F, or double-click the plot)"), tools, "follow");
+    follow_robot_ = makeToolButton(tr("Follow the selected robot: show the same values of the robot that is selected. "
+                                      "Off: each line stays with its robot."),
+                                   tools, "robot");
+    statistics_ = makeToolButton(tr("Statistics of the visible span, or between the cursors"), tools);
+    statistics_->setText(QStringLiteral("Σ"));
+    auto* add = makeToolButton(tr("Add a plot below, with the same axis of time"), tools, "plus");
+    remove_canvas_ = makeToolButton(tr("Remove the chosen plot and its lines"), tools, "minus");
     auto* clear_button = makeToolButton(tr("Remove all lines"), tools, "clear");
-    export_ = makeToolButton(tr("Save the plot as a picture or a table"), tools, "export");
-    for (QToolButton* toggle : {pause_, follow_})
+    export_ = makeToolButton(tr("Save the plots as a page, a picture or a table"), tools, "export");
+    for (QToolButton* toggle : {pause_, follow_, follow_robot_, statistics_})
         toggle->setCheckable(true);
-    follow_->setChecked(true);
     window_ = new QComboBox(tools);
     fillWindowChoice();
-    auto* menu = new QMenu(export_);
-    menu->addAction(tr("Save picture (PNG)…"), this, [this] {
-        askForFile(tr("Save picture"), QStringLiteral("PNG (*.png)"), &PlotView::exportPicture);
-    });
-    menu->addAction(tr("Save values (CSV)…"), this,
-                    [this] { askForFile(tr("Save values"), QStringLiteral("CSV (*.csv)"), &PlotView::exportCsv); });
-    export_->setMenu(menu);
-    export_->setPopupMode(QToolButton::InstantPopup);
+    fillExportMenu();
     laidOut(new QHBoxLayout(tools), {gap::tiny, gap::tiny, gap::tiny, gap::tiny}, gap::tiny,
-            {pause_, follow_, window_, clear_button, export_, readout_ = new ElidedLabel(tools)})
+            {pause_, follow_, window_, follow_robot_, statistics_, add, remove_canvas_, clear_button, export_,
+             readout_ = new ElidedLabel(tools)})
         ->setStretchFactor(readout_, 1);
     readout_->setProperty("role", "muted");
     readout_->setAccessibleName(tr("Time at the mouse"));
     readout_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    showReadout();
-    connect(pause_, &QToolButton::toggled, this, &PlotView::refreshSoon);
-    connect(follow_, &QToolButton::toggled, canvas_, &PlotCanvas::setFollowing);
+    connect(add, &QToolButton::clicked, this, &PlotView::addCanvas);
+    connect(remove_canvas_, &QToolButton::clicked, this, &PlotView::removeCanvas);
     connect(clear_button, &QToolButton::clicked, this, &PlotView::clear);
     return tools;
 }
@@ -130,88 +123,149 @@ void PlotView::fillWindowChoice() {
                                             : tr("%1 h").arg(seconds / 3600.0),
                          seconds);
     window_->addItem(tr("All"), std::numeric_limits<double>::infinity());
-    window_->setCurrentIndex(2);
-    connect(window_, &QComboBox::currentIndexChanged, this, [this] {
-        canvas_->setWindow(Seconds(window_->currentData().toDouble()));
-        follow_->setChecked(true);
-    });
 }
 
-QWidget* PlotView::makeLegend() {
-    legend_->setColumnCount(2);
-    legend_->setHeaderHidden(true);
+void PlotView::fillExportMenu() {
+    auto* menu = new QMenu(export_);
+    const auto offer = [&](const QString& text, const QString& title, const QString& filter) {
+        menu->addAction(text, this, [this, title, filter] { askForFile(title, filter); });
+    };
+    offer(tr("Save page (PDF)…"), tr("Save page"), QStringLiteral("PDF (*.pdf)"));
+    offer(tr("Save picture (PNG)…"), tr("Save picture"), QStringLiteral("PNG (*.png)"));
+    offer(tr("Save values (CSV)…"), tr("Save values"), QStringLiteral("CSV (*.csv)"));
+    export_->setMenu(menu);
+    export_->setPopupMode(QToolButton::InstantPopup);
+}
+
+void PlotView::connectParts() {
     legend_->installEventFilter(this);
-    legend_->setRootIsDecorated(false);
-    legend_->setUniformRowHeights(true);
-    legend_->setFrameShape(QFrame::NoFrame);
-    legend_->setTextElideMode(Qt::ElideMiddle);
-    legend_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-    legend_->setContextMenuPolicy(Qt::CustomContextMenu);
-    legend_->setAccessibleName(tr("Plotted values"));
-    legend_->header()->setStretchLastSection(false);
-    legend_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-    legend_->header()->setSectionResizeMode(1, QHeaderView::Fixed);
-    legend_->header()->resizeSection(1, 76);
-    connect(addRowAction(legend_, tr("Remove from the plot"), QKeySequence::Delete), &QAction::triggered, this,
-            &PlotView::removeSelected);
-    connect(legend_, &QWidget::customContextMenuRequested, this,
-            [this](const QPoint& at) { popUpRowMenu(legend_, at); });
+    connect(&frame_, &QTimer::timeout, this, &PlotView::refresh);
+    connect(canvas_, &PlotCanvas::followingChanged, follow_, &QToolButton::setChecked);
+    connect(canvas_, &PlotCanvas::momentRequested, this, &PlotView::momentRequested);
+    for (const auto changed : {&PlotCanvas::readoutChanged, &PlotCanvas::cursorsChanged})
+        connect(canvas_, changed, this, [this] {
+            showValues();
+            showReadout();
+        });
+    connect(legend_, &PlotLegend::removeRequested, this, &PlotView::removeSelected);
+    connect(legend_, &PlotLegend::columnsChanged, this, &PlotView::giveTableRoom);
     connect(legend_, &QTreeWidget::itemSelectionChanged, this, [this] {
-        std::set<std::string> paths;
-        for (const QTreeWidgetItem* item : legend_->selectedItems())
-            paths.insert(item->data(0, path_role).toString().toStdString());
-        canvas_->emphasize(paths);
+        std::set<SeriesKey> keys;
+        for (const ShownSeries& row : legend_->selectedRows())
+            keys.insert(row.key);
+        canvas_->emphasize(keys);
     });
-    return legend_;
+    connect(pause_, &QToolButton::toggled, this, [this](bool on) {
+        model_.setFrozen(on);
+        refreshSoon();
+    });
+    connect(follow_, &QToolButton::toggled, canvas_, &PlotCanvas::setFollowing);
+    connect(follow_robot_, &QToolButton::toggled, this, [this](bool on) {
+        model_.setFollowRobot(on);
+        listChanged();
+    });
+    connect(statistics_, &QToolButton::toggled, this, [this](bool on) {
+        model_.setStatistics(on);
+        showValues();
+    });
+    connect(window_, &QComboBox::currentIndexChanged, this, [this] {
+        model_.setWindow(window_->currentData().toDouble());
+        follow_->setChecked(true);
+        canvas_->setFollowing(true);
+    });
 }
 
 void PlotView::removeSelected() {
-    for (const QTreeWidgetItem* item : legend_->selectedItems())
-        store_.remove(item->data(0, path_role).toString().toStdString());
+    for (const ShownSeries& row : legend_->selectedRows())
+        model_.remove(row.canvas, row.key);
     listChanged();
 }
 
 void PlotView::addSeries(const QString& path, const QString& unit) {
-    if (store_.add(path.toStdString(), unit.toStdString()))
+    if (model_.add(canvas_->chosen(), path.toStdString(), unit.toStdString()))
         listChanged();
 }
 
 void PlotView::clear() {
-    store_.clear();
+    model_.clear();
     listChanged();
 }
 
-void PlotView::restart() {
-    store_.startAgain();
+void PlotView::addCanvas() {
+    if (!model_.addCanvas())
+        return;
+    canvas_->draw();
+    canvas_->choose(model_.layout().canvases.size() - 1);
+    listChanged();
+}
+
+void PlotView::removeCanvas() {
+    if (!model_.removeCanvas(canvas_->chosen()))
+        return;
+    canvas_->draw();
+    listChanged();
+}
+
+void PlotView::restart(const QString& robot) {
+    model_.restart(robot.toStdString());
     refreshSoon();
 }
 
-void PlotView::setSource(const QString& robot_name) {
-    legend_->setHeaderLabels({robot_name, QString()});
-    legend_->setHeaderHidden(robot_name.isEmpty());
+void PlotView::setRobot(const QString& robot) {
+    if (model_.robot() == robot.toStdString())
+        return;
+    model_.setRobot(robot.toStdString());
+    listChanged();
 }
 
-void PlotView::take(const protocol::InfoLine& line, Seconds now) {
-    if (store_.take(line, now) && !paused())
+void PlotView::take(const QString& robot, const protocol::InfoLine& line, Seconds now) {
+    if (model_.take(robot.toStdString(), line, now) && !paused())
         refreshSoon();
 }
 
-Result<void> PlotView::exportCsv(const QString& file) const {
-    return written(file, QByteArray::fromStdString(csvOf(store_.series())));
+void PlotView::setMoment(std::optional<Seconds> time) {
+    canvas_->setMoment(time ? std::optional(time->count()) : std::nullopt);
 }
 
-Result<void> PlotView::exportPicture(const QString& file) const {
-    if (canvas_->picture().save(file, "PNG"))
-        return {};
-    return failure("Cannot write the picture", file.toStdString(), "Choose another folder or free some space");
+Result<void> PlotView::setPlotLayout(const QJsonObject& layout) {
+    Result<PlotLayout> read = plotLayoutFrom(layout);
+    if (!read)
+        return tl::unexpected(read.error());
+    model_.setLayout(std::move(*read));
+    canvas_->draw();
+    listChanged();
+    return {};
 }
 
-void PlotView::askForFile(const QString& title, const QString& filter,
-                          Result<void> (PlotView::*write)(const QString&) const) {
-    askWhereToSave(this, title, {}, filter, [this, write](const QString& file) {
-        if (const Result<void> done = (this->*write)(file); !done)
-            emit failed(QString::fromStdString(done.error().text()));
-    });
+void PlotView::save(const QString& file) {
+    const auto end = [this, file](const QString& trouble) {
+        QMetaObject::invokeMethod(this, HandedOver([this, file, trouble] {
+                                      if (!trouble.isEmpty())
+                                          return emit failed(trouble);
+                                      readout_->setText(tr("Saved %1").arg(QFileInfo(file).fileName()));
+                                      emit saved(file);
+                                  }),
+                                  Qt::QueuedConnection);
+    };
+    const QString suffix = QFileInfo(file).suffix().toLower();
+    const QString title =
+        tr("%1, %2 to %3")
+            .arg(model_.robot().empty() ? tr("Plots") : QString::fromStdString(model_.robot()),
+                 momentText(canvas_->visibleFrom().count()), momentText(canvas_->visibleTo().count()));
+    if (suffix == QStringLiteral("csv"))
+        disk_.start(HandedOver(
+            [file, end, table = tableOf(model_)] { end(written(file, QByteArray::fromStdString(csvOf(table)))); }));
+    else if (suffix == QStringLiteral("pdf"))
+        disk_.start(HandedOver([file, end, page = canvas_->pdf(title)] { end(written(file, page)); }));
+    else if (suffix == QStringLiteral("png"))
+        disk_.start(
+            HandedOver([file, end, image = canvas_->picture(title).toImage()] { end(written(file, pngOf(image))); }));
+    else
+        end(tr("%1: the name does not say what to write. End it in .pdf, .png or .csv.").arg(file));
+}
+
+void PlotView::askForFile(const QString& title, const QString& filter) {
+    askWhereToSave(this, title, {}, filter, [this](const QString& file) { save(file); });
 }
 
 void PlotView::dragEnterEvent(QDragEnterEvent* event) {
@@ -219,7 +273,14 @@ void PlotView::dragEnterEvent(QDragEnterEvent* event) {
         event->acceptProposedAction();
 }
 
+// The canvas that would take the values is marked while they hang over it.
+void PlotView::dragMoveEvent(QDragMoveEvent* event) {
+    canvas_->choose(canvas_->canvasAt(canvas_->mapFrom(this, event->position().toPoint())));
+    event->acceptProposedAction();
+}
+
 void PlotView::dropEvent(QDropEvent* event) {
+    canvas_->choose(canvas_->canvasAt(canvas_->mapFrom(this, event->position().toPoint())));
     const QString paths = QString::fromUtf8(event->mimeData()->data(QLatin1String(field_mime_type)));
     for (const QString& path : paths.split(u'\n', Qt::SkipEmptyParts))
         addSeries(path);
@@ -236,24 +297,51 @@ bool PlotView::event(QEvent* event) {
 }
 
 bool PlotView::eventFilter(QObject* watched, QEvent* event) {
-    // A tree view would use letters for its own search.
-    if (watched == legend_ && event->type() == QEvent::KeyPress && runKey(*static_cast<QKeyEvent*>(event)))
+    // A tree view would use letters for its own search. Delete is for its rows.
+    if (watched == legend_ && event->type() == QEvent::KeyPress) {
+        const auto& key = *static_cast<QKeyEvent*>(event);
+        if (key.key() != Qt::Key_Delete)
+            return runKey(key);
+        removeSelected();
         return true;
+    }
     return QWidget::eventFilter(watched, event);
+}
+
+bool PlotView::runArrow(int direction, bool far) {
+    if (!canvas_->moveCursor(direction * (far ? large_step_px : 1.0)))
+        canvas_->panTime(0.1 * direction);
+    return true;
 }
 
 bool PlotView::runKey(const QKeyEvent& event) {
     if (!isOwnKey(event))
         return false;
-    if (event.key() == Qt::Key_Space)
+    switch (event.key()) {
+    case Qt::Key_Space:
         pause_->toggle();
-    else if (event.key() == Qt::Key_F)
+        return true;
+    case Qt::Key_F:
         follow_->toggle();
-    else if (event.key() == Qt::Key_Left || event.key() == Qt::Key_Right)
-        canvas_->panTime(event.key() == Qt::Key_Left ? -0.1 : 0.1);
-    else
+        return true;
+    case Qt::Key_A:
+    case Qt::Key_B:
+        canvas_->placeCursor(event.key() == Qt::Key_A ? CursorName::A : CursorName::B);
+        return true;
+    case Qt::Key_Left:
+    case Qt::Key_Right:
+        return runArrow(event.key() == Qt::Key_Left ? -1 : 1, event.modifiers() & Qt::ShiftModifier);
+    case Qt::Key_Delete:
+        return canvas_->removeCursor();
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        if (const PlotCursors& cursors = model_.cursors(); cursors.active && canvas_->moment_s())
+            emit momentRequested(Seconds(*cursors.at_s(*cursors.active)));
+        return true;
+    default:
         canvas_->zoomTime(event.key() == Qt::Key_Minus ? 0.8 : 1.25);
-    return true;
+        return true;
+    }
 }
 
 void PlotView::keyPressEvent(QKeyEvent* event) {
@@ -267,44 +355,49 @@ void PlotView::showEvent(QShowEvent* event) {
 }
 
 void PlotView::listChanged() {
-    rebuildLegend();
+    legend_->rebuild(model_);
+    showTools();
+    showValues();
     refreshSoon();
 }
 
-void PlotView::rebuildLegend() {
-    legend_->clear();
-    int index = 0;
-    for (const Series& series : store_.series()) {
-        const QString path = QString::fromStdString(series.path);
-        auto* item = new QTreeWidgetItem(legend_, {spoken(path), QString()});
-        item->setIcon(0, swatch(PlotCanvas::lineColor(index++)));
-        item->setData(0, path_role, path);
-        item->setToolTip(0, path);
-        item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
-        item->setSizeHint(0, QSize(0, minimum_target));
+void PlotView::showTools() {
+    const PlotLayout& layout = model_.layout();
+    const std::pair<QToolButton*, bool> toggles[] = {
+        {follow_, canvas_->following()}, {follow_robot_, layout.follow_robot}, {statistics_, layout.statistics}};
+    for (const auto& [toggle, on] : toggles) {
+        const QSignalBlocker quiet(toggle);
+        toggle->setChecked(on);
     }
-    legend_->setVisible(!store_.series().empty());
-    export_->setEnabled(!store_.series().empty());
-    empty_state_->setVisible(store_.series().empty());
-    updateLegendValues();
+    const QSignalBlocker quiet(window_);
+    const int entry = window_->findData(layout.window_s);
+    window_->setCurrentIndex(entry >= 0 ? entry : 2);
+    const bool several = layout.canvases.size() > 1;
+    remove_canvas_->setEnabled(several);
+    legend_->setVisible(!model_.empty());
+    export_->setEnabled(!model_.empty());
+    empty_state_->setVisible(model_.empty() && !several);
+}
+
+void PlotView::giveTableRoom() {
+    const int whole = halves_->width();
+    const int table = std::min(legend_->wantedWidth() + 2 * gap::small, whole / 2);
+    if (whole > 0)
+        halves_->setSizes({whole - table, table});
 }
 
 void PlotView::showReadout() {
-    const std::optional<Seconds> cursor = canvas_->cursor();
-    const auto tenths = std::llround(10.0 * cursor.value_or(Seconds(0.0)).count());
-    readout_->setText(cursor ? tr("at %1.%2").arg(clockText(Seconds(static_cast<double>(tenths / 10)))).arg(tenths % 10)
-                             : tr("Wheel zooms · drag moves · double-click follows"));
+    const std::optional<Seconds> mouse = canvas_->mouseTime();
+    const bool cursors = model_.cursors().a_s || model_.cursors().b_s;
+    readout_->setText(mouse     ? tr("at %1").arg(momentText(mouse->count()))
+                      : cursors ? tr("Drag a cursor or use the arrow keys · Delete removes it")
+                                : tr("Wheel zooms · drag moves · click and Shift+click measure"));
 }
 
-void PlotView::updateLegendValues() {
-    const std::optional<Seconds> cursor = canvas_->cursor();
-    for (int row = 0; row < legend_->topLevelItemCount(); ++row) {
-        const Series& series = store_.series()[static_cast<std::size_t>(row)];
-        const DisplayUnit unit = displayUnit(series.unit);
-        const double time_s = cursor ? cursor->count() : std::numeric_limits<double>::infinity();
-        const double value = valueAt(series, time_s).value_or(std::nan("")) * unit.factor;
-        legend_->topLevelItem(row)->setText(1, figure(value, 2) + u' ' + unit.text);
-    }
+void PlotView::showValues() {
+    const std::optional<Seconds> mouse = canvas_->mouseTime();
+    legend_->showValues(model_, {mouse ? std::optional(mouse->count()) : std::nullopt, canvas_->visibleFrom().count(),
+                                 canvas_->visibleTo().count()});
 }
 
 void PlotView::refreshSoon() {
@@ -315,12 +408,9 @@ void PlotView::refreshSoon() {
 void PlotView::refresh() {
     if (!isVisible())
         return;
-    updateLegendValues();
+    canvas_->draw();
+    showValues();
     showReadout();
-    if (paused())
-        canvas_->dropLines(store_);
-    else
-        canvas_->show(store_);
 }
 
 } // namespace usar::widgets

@@ -1,15 +1,16 @@
-// Plots of any numeric fields over protocol time: tool bar, drawing surface, legend with the newest values.
+// Plots of any numeric fields over protocol time: tool bar, canvases, table with values, cursors and statistics.
 #pragma once
 
 #include <QComboBox>
+#include <QSplitter>
+#include <QThreadPool>
 #include <QTimer>
 #include <QToolButton>
-#include <QTreeWidget>
 #include <QWidget>
 
-#include "core/base/result.h"
-#include "widgets/models/series_store.h"
+#include "widgets/models/plot/plot_model.h"
 #include "widgets/panels/plot_canvas.h"
+#include "widgets/panels/plot_legend.h"
 
 namespace usar::widgets {
 
@@ -17,42 +18,65 @@ class ElidedLabel;
 class EmptyState;
 
 /// Records the watched fields even while hidden or paused; draws at most 30 times per second and only while visible.
-/// The wheel zooms time at the cursor, or a value axis if it is over one; drag pans; double-click follows the newest
-/// values again. Keys, even if the window has shortcuts on them: Space pauses, F follows, + and - zoom, left and right
-/// pan, Delete in the legend removes series. GUI thread.
+/// Gestures are those of the PlotCanvas. Keys, even if the window has shortcuts on them: Space pauses, F follows, + and
+/// - zoom, A and B place cursors, left and right move the active cursor (with Shift in large steps) or else pan, Delete
+/// removes the active cursor, or in the table the selected series; Return sends a replay to the active cursor. GUI
+/// thread; files are written in a pool thread.
 class PlotView : public QWidget {
     Q_OBJECT
 public:
     explicit PlotView(QWidget* parent = nullptr);
+    /// Waits until files that are being saved are complete.
+    ~PlotView() override;
 
-    /// Starts to watch a field; `path` as protocol::Field::path() returns it. An empty or known path changes nothing.
+    /// Plots a field of the selected robot on the chosen canvas; `path` as protocol::Field::path() returns it. An empty
+    /// or known path changes nothing.
     void addSeries(const QString& path, const QString& unit = {});
     /// Removes all series and their samples.
     void clear();
-    /// Keeps the watched fields and discards the samples, for another robot.
-    void restart();
-    /// Name of the robot that the values belong to, shown as the legend's heading; empty: no heading.
-    void setSource(const QString& robot_name);
-    /// Call it for every line of the connection; `now` is the protocol time for messages without a time of their own.
-    void take(const protocol::InfoLine& line, Seconds now);
+    /// Adds a canvas below the others and chooses it.
+    void addCanvas();
+    /// Removes the chosen canvas with its series.
+    void removeCanvas();
+    /// Discards the samples of this robot, whose replay begins again.
+    void restart(const QString& robot);
+    /// The selected robot; its values are shown while the plots follow the selection. Empty: none.
+    void setRobot(const QString& robot);
+    /// The robot is gone.
+    void forget(const QString& robot) { model_.forget(robot.toStdString()); }
+    /// Call it for every line of every robot; `now` is the protocol time for messages without a time of their own.
+    void take(const QString& robot, const protocol::InfoLine& line, Seconds now);
+    /// The time at which the selected replay is, on the protocol clock; nullopt: the robot is no replay.
+    void setMoment(std::optional<Seconds> time);
+
+    /// Canvases, series and options.
+    QJsonObject plotLayout() const { return toJson(model_.layout()); }
+    /// Restores what `plotLayout` returned. Samples of fields that stay are kept. An error changes nothing.
+    Result<void> setPlotLayout(const QJsonObject& layout);
 
     bool paused() const { return pause_->isChecked(); }
-    /// Writes all recorded values in SI units, see csvOf(). The file is replaced atomically.
-    Result<void> exportCsv(const QString& file) const;
-    /// Writes the visible picture with a legend, as PNG at twice the size.
-    Result<void> exportPicture(const QString& file) const;
+    /// Writes what is plotted to a file of the kind that its suffix names: "pdf" or "png", all canvases with a legend;
+    /// "csv", all values in SI units (see csvOf). The file is replaced atomically, in a pool thread; then `saved` or
+    /// `failed` is emitted.
+    void save(const QString& file);
     PlotCanvas* canvas() const { return canvas_; }
+    const PlotModel& model() const { return model_; }
     /// All recorded samples, in SI units and radians.
-    const SeriesStore& store() const { return store_; }
+    const SeriesStore& store() const { return model_.store(); }
     QSize sizeHint() const override { return {640, 240}; }
     QSize minimumSizeHint() const override { return {240, 110}; }
 
 signals:
-    /// An export failed; `text` is a sentence for a notification.
+    /// The file is complete.
+    void saved(const QString& file);
+    /// Saving failed; `text` is a sentence for a notification.
     void failed(const QString& text);
+    /// The user wants the selected replay to go to this time.
+    void momentRequested(usar::Seconds time);
 
 protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
+    void dragMoveEvent(QDragMoveEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     bool event(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -61,33 +85,42 @@ protected:
 
 private:
     QWidget* makeTools();
-    QWidget* makeLegend();
     void fillWindowChoice();
+    void fillExportMenu();
+    void connectParts();
     /// Returns false if the plot does not use the key.
     bool runKey(const QKeyEvent& event);
-    /// Calls `write` with the file that the user chooses.
-    void askForFile(const QString& title, const QString& filter, Result<void> (PlotView::*write)(const QString&) const);
+    /// For keys that only one of cursors and pictures need.
+    bool runArrow(int direction, bool far);
+    void askForFile(const QString& title, const QString& filter);
     void removeSelected();
+    /// Shows another layout or other series.
     void listChanged();
-    void rebuildLegend();
-    /// Shows the values at the cursor, or the newest ones while there is no cursor.
-    void updateLegendValues();
-    /// Shows the time at the cursor, or how to move in the plot.
+    void showTools();
+    /// Gives the table the width that its columns need, as far as the plots keep theirs.
+    void giveTableRoom();
+    void showValues();
+    /// Shows the time at the mouse, or how to move in the plot.
     void showReadout();
     /// Starts the frame timer if the view is visible.
     void refreshSoon();
     void refresh();
 
-    SeriesStore store_;
-    PlotCanvas* canvas_ = new PlotCanvas(this);
-    QTreeWidget* legend_ = new QTreeWidget(this);
+    PlotModel model_;
+    PlotCanvas* canvas_;
+    PlotLegend* legend_;
+    QSplitter* halves_;
     ElidedLabel* readout_ = nullptr;
-    EmptyState* empty_state_;
+    EmptyState* empty_state_ = nullptr;
     QToolButton* pause_ = nullptr;
     QToolButton* follow_ = nullptr;
+    QToolButton* follow_robot_ = nullptr;
+    QToolButton* statistics_ = nullptr;
+    QToolButton* remove_canvas_ = nullptr;
     QToolButton* export_ = nullptr;
     QComboBox* window_ = nullptr;
     QTimer frame_;
+    QThreadPool disk_;
 };
 
 } // namespace usar::widgets

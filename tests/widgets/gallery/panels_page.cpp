@@ -38,7 +38,8 @@ std::unique_ptr<QWidget> parametersPage() {
 
 std::unique_ptr<QWidget> plotPage() {
     auto view = std::make_unique<PlotView>();
-    view->resize(860, 260);
+    view->resize(1100, 420);
+    view->setRobot(QStringLiteral("R1"));
     for (const char* name : {"SEN Sonar/F1/range", "SEN Sonar/F2/range", "SEN GroundTruth/Truth/yaw"})
         view->addSeries(QString::fromLatin1(name));
     protocol::Reader reader;
@@ -52,9 +53,11 @@ std::unique_ptr<QWidget> plotPage() {
                                              "{Orientation 0,0,%2}")
                                   .arg(t)
                                   .arg(std::sin(i * 0.02));
-        view->take(reader.read(sonar.toStdString()), Seconds(t));
-        view->take(reader.read(truth.toStdString()), Seconds(t));
+        view->take(QStringLiteral("R1"), reader.read(sonar.toStdString()), Seconds(t));
+        view->take(QStringLiteral("R1"), reader.read(truth.toStdString()), Seconds(t));
     }
+    view->addCanvas();
+    view->addSeries(QStringLiteral("SEN Sonar/F2/range"));
     return view;
 }
 
