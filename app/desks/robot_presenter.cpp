@@ -103,7 +103,7 @@ void RobotPresenter::restart(const RobotView& view, bool selected) {
         return;
     newest_.erase(view.connection);
     select(view.id);
-    views_.map->clearMarks(); // The update contains those that exist now.
+    views_.map->clearMarks(QString::fromStdString(view.spawn.robot_name)); // The update contains those that exist now.
     views_.status->clear(QObject::tr("Replay"));
 }
 
@@ -146,12 +146,14 @@ void RobotPresenter::showOnMap(const RobotView& view, const mission::SessionUpda
         views_.map->setGoal(name, view.goal_m);
     if (!update.last_hits.empty())
         views_.map->setLaserHits(name, update.last_hits);
-    if (!selected)
-        return;
-    views_.map->heights().take(update.tiles, update.height_range);
+    views_.map->setRobotArea(name, view.area_in_map);
+    std::vector<agent::MapMark> marks;
     for (const agent::Published& published : update.published)
         if (const auto* mark = std::get_if<agent::MapMark>(&published))
-            views_.map->addMark(*mark);
+            marks.push_back(*mark);
+    views_.map->addMarks(name, marks);
+    if (!selected)
+        return;
     if (const auto* path = mission::newestPublished<agent::PlannedPath>(update))
         views_.map->setLanes(path->points_in_map_m);
 }
@@ -245,7 +247,6 @@ void RobotPresenter::showTraffic(const mission::SessionFigures& figures) {
 }
 
 void RobotPresenter::select(RobotId id) {
-    views_.map->clearMarks();
     views_.sensors->clear();
     views_.sonars->clear();
     views_.laser->clear();
@@ -254,7 +255,6 @@ void RobotPresenter::select(RobotId id) {
     views_.plots->setSource({});
     scan_heard_ = sonar_heard_ = std::nullopt;
     const Robot* robot = control_.robot(id);
-    views_.map->heights().clear(robot ? robot->view().cell_size_m : RobotView{}.cell_size_m);
     views_.map->selectRobot(robot ? QString::fromStdString(robot->view().spawn.robot_name) : QString());
     if (!robot) {
         views_.status->setRobot({});
@@ -263,12 +263,9 @@ void RobotPresenter::select(RobotId id) {
     }
     const RobotView& view = robot->view();
     views_.plots->setSource(QString::fromStdString(view.spawn.robot_name));
-    std::vector<std::shared_ptr<const mapping::HeightTile>> tiles;
-    for (const auto& [index, tile] : view.tiles)
-        tiles.push_back(tile);
-    views_.map->heights().take(tiles, view.height_range);
-    for (const agent::MapMark& mark : view.marks)
-        views_.map->addMark(mark);
+    const QString name = QString::fromStdString(view.spawn.robot_name);
+    views_.map->clearMarks(name); // The map may have been cleared, and a replay may have been rewound.
+    views_.map->addMarks(name, view.marks);
     if (robot->running())
         views_.map->setLanes(view.planned_m);
     // The newest readings are shown as if they came now: the next update may be long in coming, as in a pause.

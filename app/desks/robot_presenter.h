@@ -9,7 +9,7 @@
 
 namespace usar::app {
 
-/// The map shows every robot; instruments, sensors, plots and the height layer show the selected one. GUI thread.
+/// The map shows every robot; instruments, sensors and plots show the selected one. GUI thread.
 class RobotPresenter {
 public:
     RobotPresenter(MissionControl& control, widgets::WindowViews& views, const Selection& selection)
@@ -26,7 +26,7 @@ public:
     void showLinkState(RobotId id);
     /// Updates the robot's row in the list and its arrow on the map.
     void showRow(RobotId id);
-    /// Replaces height map, marks and path on the map, and all instruments, by those of this robot; 0 clears them.
+    /// Replaces the path on the map and all instruments by those of this robot; 0 clears them.
     void select(RobotId id);
     /// True while the robot leaves trace marks; false for id 0.
     bool tracing(RobotId id) const;

@@ -395,7 +395,7 @@ void tst_MapView::resizingKeepsTheWorldInViewUntilTouched() {
 void tst_MapView::clearForgetsAllButTheLayers() {
     view_->setLayer(MapLayer::Grid, {false, 0.3});
     view_->setRobot({QStringLiteral("R1"), 1, {}});
-    view_->addMark({agent::MarkKind::Landing, Vec3::Zero(), Seconds(1), {1}});
+    view_->addMarks(QStringLiteral("R1"), {{agent::MarkKind::Landing, Vec3::Zero(), Seconds(1), {1}}});
     view_->setArea(Rectangle{Vec2(10, 10), Vec2(20, 20)});
     view_->clear();
     QVERIFY(view_->content().robots.empty() && view_->content().marks.empty() && !view_->area());
