@@ -139,8 +139,17 @@ void writeRaw(Writing& writing, const QString& part, const mapping::Raster& rast
     writing.bytes(part + ".hdr", QByteArray::fromStdString(mapping::bilHeader(raster)));
 }
 
+/// The same heights as text, for programs that read no raw files; not for huge maps.
+void writeText(Writing& writing, const mapping::Raster& raster) {
+    if (raster.columns * raster.rows > mapping::most_text_cells)
+        return;
+    writing.bytes(".asc", QByteArray::fromStdString(mapping::asciiGrid(raster)));
+    writing.bytes(".xyz", QByteArray::fromStdString(mapping::xyzPoints(raster)));
+}
+
 void writeMap(Writing& writing, const ScanRecord& record) {
     writeRaw(writing, {}, record.raster);
+    writeText(writing, record.raster);
     for (std::size_t i = 0; i < record.far_rasters.size(); ++i)
         writeRaw(writing, QString("_far%1").arg(i + 1), record.far_rasters[i]);
     QImage height_image = heightImage(record.raster);
