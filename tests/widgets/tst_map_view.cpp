@@ -398,8 +398,8 @@ void tst_MapView::resizingKeepsTheWorldInViewUntilTouched() {
 void tst_MapView::marksOfOtherRobotsAreDimmed() {
     view_->setLayer(MapLayer::World, {false, 1.0});
     view_->setLayer(MapLayer::Grid, {false, 1.0});
-    view_->addMarks(QStringLiteral("R1"), {{agent::MarkKind::Landing, Vec3(-20, 20, 0), Seconds(1), {1}}});
-    view_->addMarks(QStringLiteral("R2"), {{agent::MarkKind::Landing, Vec3(20, 20, 0), Seconds(1), {1}}});
+    view_->addMarks(QStringLiteral("R1"), {{agent::MarkKind::Recharge, Vec3(-20, 20, 0), Seconds(1), {1}}});
+    view_->addMarks(QStringLiteral("R2"), {{agent::MarkKind::Recharge, Vec3(20, 20, 0), Seconds(1), {1}}});
     const auto contrastAt = [&](double x_m) {
         return contrast(view_->grab().toImage().pixelColor(screen(*view_, x_m, 20)), tokens().background);
     };
