@@ -141,6 +141,8 @@ void RobotDesk::wireHeights() {
                 heights_.setScope(scope);
                 action("map.selected_heights")->setChecked(scope == mapping::HeightScope::SelectedRobot);
             });
+    connect(views_.layers->heightControls(), &widgets::HeightControls::lookChanged, this,
+            [this](const widgets::HeightLook& look) { control_.setPictureColors(look.color_map); });
     views_.map->setScannedBy([this](const Vec2& point_in_map_m) { return heights_.knowing(point_in_map_m); });
 }
 

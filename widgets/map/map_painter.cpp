@@ -121,22 +121,21 @@ void MapPainter::paintPages(const QImage& (PagePicture::*pictureFor)(double) con
 }
 
 void MapPainter::paintOtherAreas() {
-    painter_.save();
-    painter_.setOpacity(painter_.opacity() * other_robots);
-    painter_.setFont(themeFont(FontRole::Small));
-    painter_.setBrush(Qt::NoBrush);
+    const double opacity = painter_.opacity();
     for (const auto& [name, robot] : content_.robots) {
         if (name == content_.selected_robot || robot.area_in_map.empty() ||
             robot.area_in_map == content_.area.area_in_map)
             continue;
         const QRectF rect = transform_.toScreen(robot.area_in_map);
+        painter_.setOpacity(opacity * other_robots);
+        painter_.setBrush(Qt::NoBrush);
+        painter_.setPen(QPen(tokens_.background, 3.0));
+        painter_.drawRect(rect);
         painter_.setPen(dashedPen(robotColor(robot.robot.number), 1.5, {5.0, 3.0}));
         painter_.drawRect(rect);
-        painter_.setPen(tokens_.text);
-        painter_.drawText(rect.adjusted(gap::tiny, gap::tiny, -gap::tiny, -gap::tiny), Qt::AlignTop | Qt::AlignLeft,
-                          name);
+        painter_.setOpacity(opacity);
+        paintLabel(QRectF(rect.topLeft() + QPointF(gap::tiny, gap::tiny), chipSize(name)), name, false);
     }
-    painter_.restore();
 }
 
 void MapPainter::paintArea() {

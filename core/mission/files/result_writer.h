@@ -9,6 +9,7 @@
 #include <QStringList>
 
 #include "core/base/result.h"
+#include "core/mapping/shading.h"
 #include "core/mission/files/scan_record.h"
 
 namespace usar::mission {
@@ -24,7 +25,9 @@ QString defaultResultFolder();
 /// raster with the rest are written as _far1.bil and .hdr, _far2 and so on. Returns the full paths of the files. To be
 /// called outside the GUI thread; concurrent calls, also from several programs, get numbers of their own. An unwritable
 /// folder is an error that names it. An empty map is an error, too, but its summary is still written.
-Result<QStringList> writeResults(const ScanRecord& record, const QJsonObject& summary, const QString& folder);
+/// `colors` are those of the picture.
+Result<QStringList> writeResults(const ScanRecord& record, const QJsonObject& summary, const QString& folder,
+                                 mapping::ColorMap colors = mapping::ColorMap::Color);
 
 /// Sentences for the user about a map that does not fit into one raster; empty if it does.
 std::string farPartsNotice(const ScanRecord& record);
