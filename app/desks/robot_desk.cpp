@@ -9,7 +9,8 @@ namespace usar::app {
 
 RobotDesk::RobotDesk(const DeskContext& context)
     : Desk(context)
-    , presenter_(context.control, context.views, context.selection) {
+    , presenter_(context.control, context.views, context.selection)
+    , heights_(context.control) {
     listClasses();
 }
 
@@ -27,6 +28,10 @@ void RobotDesk::registerCommands() {
     add("robot.spawn_again", lost, [this] { control_.spawnAgain(selection_.id()); });
     add(
         "robot.remove", [this] { return selection_.id().valid(); }, [this] { control_.remove(selection_.id()); });
+    add("map.selected_heights", [this](bool only) {
+        views_.layers->heightControls()->setScope(only ? mapping::HeightScope::SelectedRobot
+                                                       : mapping::HeightScope::AllRobots);
+    });
     registerTraceCommands();
 }
 
@@ -61,7 +66,9 @@ void RobotDesk::wire() {
     wireRobots();
     wireSpawning();
     wireMarks();
+    wireHeights();
     connect(&selection_, &Selection::changed, this, [this](RobotId id) {
+        heights_.select(id);
         presenter_.select(id);
         views_.robots->selectRobot(id);
         showTrace();
@@ -118,6 +125,20 @@ void RobotDesk::wireMarks() {
                 if (none_before)
                     commands_.refresh();
             });
+}
+
+void RobotDesk::wireHeights() {
+    widgets::HeightLayer* const layer = &views_.map->heights();
+    connect(&heights_, &mission::ShownHeights::begun, layer, &widgets::HeightLayer::clear);
+    connect(&heights_, &mission::ShownHeights::grown, layer, &widgets::HeightLayer::take);
+    connect(views_.layers->heightControls(), &widgets::HeightControls::scopeChanged, this,
+            [this](mapping::HeightScope scope) {
+                heights_.setScope(scope);
+                action("map.selected_heights")->setChecked(scope == mapping::HeightScope::SelectedRobot);
+            });
+    connect(views_.layers->heightControls(), &widgets::HeightControls::lookChanged, this,
+            [this](const widgets::HeightLook& look) { control_.setPictureColors(look.color_map); });
+    views_.map->setScannedBy([this](const Vec2& point_in_map_m) { return heights_.knowing(point_in_map_m); });
 }
 
 std::vector<widgets::PaletteOffer> RobotDesk::offers() {

@@ -3,6 +3,7 @@
 
 #include "app/desks/desk.h"
 #include "app/desks/robot_presenter.h"
+#include "core/mission/fleet/shown_heights.h"
 
 namespace usar::app {
 
@@ -27,6 +28,8 @@ private:
     void wireRobots();
     void wireSpawning();
     void wireMarks();
+    /// Connects whose heights are shown with the height layer, its controls and their command.
+    void wireHeights();
     /// For the palette: each robot can be selected, and one can be spawned at each start pose.
     std::vector<widgets::PaletteOffer> offers();
     /// Shows and selects a new robot.
@@ -41,6 +44,7 @@ private:
     void select(const QString& name);
 
     RobotPresenter presenter_;
+    mission::ShownHeights heights_;
 };
 
 } // namespace usar::app

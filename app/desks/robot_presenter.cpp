@@ -80,7 +80,7 @@ void RobotPresenter::restart(const RobotView& view, bool selected) {
     if (!selected)
         return;
     select(view.id);
-    views_.map->clearMarks(); // The update contains those that exist now.
+    views_.map->clearMarks(QString::fromStdString(view.spawn.robot_name)); // The update contains those that exist now.
     views_.status->clear(QObject::tr("Replay"));
 }
 
@@ -123,12 +123,14 @@ void RobotPresenter::showOnMap(const RobotView& view, const mission::SessionUpda
         views_.map->setGoal(name, view.goal_m);
     if (!update.last_hits.empty())
         views_.map->setLaserHits(name, update.last_hits);
-    if (!selected)
-        return;
-    views_.map->heights().take(update.tiles, update.height_range);
+    views_.map->setRobotArea(name, view.area_in_map);
+    std::vector<agent::MapMark> marks;
     for (const agent::Published& published : update.published)
         if (const auto* mark = std::get_if<agent::MapMark>(&published))
-            views_.map->addMark(*mark);
+            marks.push_back(*mark);
+    views_.map->addMarks(name, marks);
+    if (!selected)
+        return;
     if (const auto* path = mission::newestPublished<agent::PlannedPath>(update))
         views_.map->setLanes(path->points_in_map_m);
 }
@@ -215,12 +217,10 @@ void RobotPresenter::showTraffic(const mission::SessionFigures& figures) {
 }
 
 void RobotPresenter::select(RobotId id) {
-    views_.map->clearMarks();
     views_.sensors->clear();
     views_.instruments->clear();
     views_.terrain->clear();
     const Robot* robot = control_.robot(id);
-    views_.map->heights().clear(robot ? robot->view().cell_size_m : RobotView{}.cell_size_m);
     views_.map->selectRobot(robot ? QString::fromStdString(robot->view().spawn.robot_name) : QString());
     if (!robot) {
         views_.status->setRobot({});
@@ -228,13 +228,10 @@ void RobotPresenter::select(RobotId id) {
         return views_.status->clear(QObject::tr("No robot yet"));
     }
     const RobotView& view = robot->view();
-    views_.plots->setRobot(QString::fromStdString(view.spawn.robot_name));
-    std::vector<std::shared_ptr<const mapping::HeightTile>> tiles;
-    for (const auto& [index, tile] : view.tiles)
-        tiles.push_back(tile);
-    views_.map->heights().take(tiles, view.height_range);
-    for (const agent::MapMark& mark : view.marks)
-        views_.map->addMark(mark);
+    const QString name = QString::fromStdString(view.spawn.robot_name);
+    views_.plots->setRobot(name);
+    views_.map->clearMarks(name); // The map may have been cleared, and a replay may have been rewound.
+    views_.map->addMarks(name, view.marks);
     if (robot->running())
         views_.map->setLanes(view.planned_m);
     for (const widgets::CountedLine& heard : heard_[view.connection].newest.lines())

@@ -10,8 +10,7 @@
 
 namespace usar::app {
 
-/// The map shows every robot; instruments, sensors and the height layer show the selected one. The plots record every
-/// robot. GUI thread.
+/// The map shows every robot; instruments and sensors show the selected one. The plots record every robot. GUI thread.
 class RobotPresenter {
 public:
     RobotPresenter(MissionControl& control, widgets::WindowViews& views, const Selection& selection)
@@ -28,7 +27,7 @@ public:
     void showLinkState(RobotId id);
     /// Updates the robot's row in the list and its arrow on the map.
     void showRow(RobotId id);
-    /// Replaces height map, marks and path on the map, and all instruments, by those of this robot; 0 clears them.
+    /// Replaces the path on the map and all instruments by those of this robot; 0 clears them.
     void select(RobotId id);
     /// Color of the marks that the robot leaves; nullopt while it leaves none, and for id 0.
     std::optional<protocol::TraceColor> tracing(RobotId id) const;

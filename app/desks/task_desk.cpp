@@ -221,8 +221,8 @@ void TaskDesk::clearPreview(const QString& instead) {
 void TaskDesk::start() {
     const RobotId id = selection_.id();
     const mission::TaskDraft& draft = drafts_.shown();
-    if (robot() && robot()->setCellSize(draft.cell_size_m))
-        views_.map->heights().clear(draft.cell_size_m);
+    if (robot())
+        robot()->setCellSize(draft.cell_size_m);
     const auto started = control_.startBehavior(id, draft.behavior_id, draft.area(), draft.values,
                                                 QString::fromStdString(draft.plan_path), isolated());
     if (!started)

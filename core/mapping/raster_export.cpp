@@ -13,6 +13,8 @@ namespace usar::mapping {
 namespace {
 
 constexpr std::int64_t side = HeightTile::side;
+/// Cells may have an odd size, so that their centers need a millimeter and a bit.
+constexpr int text_decimals = 4;
 
 std::int32_t middle(std::vector<std::int32_t> values) {
     const auto half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -131,6 +133,38 @@ std::vector<char> bilBytes(const Raster& raster) {
             bytes.push_back(static_cast<char>(bits >> shift & 0xffu));
     }
     return bytes;
+}
+
+std::string asciiGrid(const Raster& raster) {
+    const Vec2 lower_left_m = raster.upper_left_center_m - Vec2(0.5, double(raster.rows) - 0.5) * raster.cell_size_m;
+    std::string text = "ncols " + std::to_string(raster.columns) + "\nnrows " + std::to_string(raster.rows);
+    for (const auto& [key, value] : {std::pair("xllcorner", lower_left_m.x()), std::pair("yllcorner", lower_left_m.y()),
+                                     std::pair("cellsize", raster.cell_size_m)}) {
+        text += std::string("\n") + key + ' ';
+        appendShortest(text, value);
+    }
+    text += "\nNODATA_value " + fixed(double(no_data_m), 0) + '\n';
+    for (std::size_t i = 0; i < raster.heights_m.size(); ++i) {
+        const float height_m = raster.heights_m[i];
+        text += std::isnan(height_m) ? fixed(double(no_data_m), 0) : fixed(double(height_m), text_decimals);
+        text += (i + 1) % static_cast<std::size_t>(raster.columns) == 0 ? '\n' : ' ';
+    }
+    return text;
+}
+
+std::string xyzPoints(const Raster& raster) {
+    std::string text = "x y z\n";
+    for (std::size_t i = 0; i < raster.heights_m.size(); ++i) {
+        if (std::isnan(raster.heights_m[i]))
+            continue;
+        const auto column = double(i % static_cast<std::size_t>(raster.columns));
+        const auto row = double(i / static_cast<std::size_t>(raster.columns));
+        for (const double center_m : {raster.upper_left_center_m.x() + column * raster.cell_size_m,
+                                      raster.upper_left_center_m.y() - row * raster.cell_size_m})
+            text += fixed(center_m, text_decimals) + ' ';
+        text += fixed(double(raster.heights_m[i]), text_decimals) + '\n';
+    }
+    return text;
 }
 
 std::string bilHeader(const Raster& raster) {

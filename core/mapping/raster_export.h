@@ -45,4 +45,13 @@ inline constexpr float no_data_m = -9999.0f;
 std::vector<char> bilBytes(const Raster& raster);
 std::string bilHeader(const Raster& raster);
 
+/// Text formats state four decimals of a meter and take several times the room of the raw file, so a raster with more
+/// cells than this is not worth writing as text (about 30 MB).
+inline constexpr std::int64_t most_text_cells = std::int64_t(1) << 22;
+/// The text of an ESRI ASCII grid (.asc); unknown cells are `no_data_m`. GIS programs and GDAL open it.
+std::string asciiGrid(const Raster& raster);
+/// The known cells as lines "x y z" in meters, below a line that names them: .xyz, for point clouds and spreadsheets.
+/// Row by row from the highest y.
+std::string xyzPoints(const Raster& raster);
+
 } // namespace usar::mapping

@@ -2,6 +2,9 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <sstream>
+#include <string>
 
 #include <QTest>
 
@@ -45,6 +48,49 @@ float floatAt(const std::vector<char>& bytes, std::size_t index) {
 class tst_RasterContents : public QObject {
     Q_OBJECT
 private slots:
+    void theAsciiGridReadsBack() {
+        const Raster raster = rasterOf(randomMap(6));
+        std::istringstream text(asciiGrid(raster));
+        std::map<std::string, double> head;
+        for (int i = 0; i < 6; ++i) {
+            std::string key;
+            text >> key;
+            text >> head[key];
+        }
+        QCOMPARE(head.at("ncols"), double(raster.columns));
+        QCOMPARE(head.at("nrows"), double(raster.rows));
+        QCOMPARE(head.at("cellsize"), cell_size_m);
+        QCOMPARE(head.at("xllcorner") + cell_size_m / 2.0, raster.upper_left_center_m.x());
+        QCOMPARE(head.at("yllcorner") + (double(raster.rows) - 0.5) * cell_size_m, raster.upper_left_center_m.y());
+        for (const float height_m : raster.heights_m) {
+            double read_m = 0.0;
+            QVERIFY(text >> read_m);
+            if (std::isnan(height_m))
+                QCOMPARE(read_m, head.at("NODATA_value"));
+            else
+                QVERIFY(std::abs(read_m - double(height_m)) < 1e-4);
+        }
+        double more = 0.0;
+        QVERIFY(!(text >> more));
+    }
+
+    void thePointsReadBack() {
+        const HeightMap map = randomMap(7);
+        std::istringstream text(xyzPoints(rasterOf(map)));
+        std::string names;
+        std::getline(text, names);
+        QCOMPARE(names, std::string("x y z"));
+        std::size_t points = 0;
+        double x_m = 0.0, y_m = 0.0, z_m = 0.0;
+        for (; text >> x_m >> y_m >> z_m; ++points) {
+            const GridIndex cell = map.cellAt({x_m, y_m});
+            QVERIFY(map.height_m(cell));
+            QVERIFY((map.center_m(cell) - Vec2(x_m, y_m)).norm() < 1e-9);
+            QVERIFY(std::abs(double(*map.height_m(cell)) - z_m) < 1e-4);
+        }
+        QCOMPARE(points, map.knownCellCount());
+    }
+
     void everyCellHasTheHeightOfTheMap_data() {
         QTest::addColumn<quint64>("seed");
         for (quint64 seed = 1; seed <= 5; ++seed)

@@ -26,7 +26,38 @@ class tst_HeightControls : public QObject {
     Q_OBJECT
 private slots:
     void heightsCanBeGrayAndKeepTheirRange();
+    void theScanOfOneRobotCanBeChosen();
+    void aStateWithoutRobotsLeavesTheChoice();
 };
+
+void tst_HeightControls::theScanOfOneRobotCanBeChosen() {
+    LayersPanel panel;
+    HeightControls& controls = *panel.heightControls();
+    panel.show();
+    QCOMPARE(controls.scope(), mapping::HeightScope::AllRobots);
+    QSignalSpy changed(&controls, &HeightControls::scopeChanged);
+    QSignalSpy looks(&controls, &HeightControls::lookChanged);
+    QTest::keyClick(child<QComboBox>(panel, QStringLiteral("Robots whose heights are shown")), Qt::Key_Down);
+    QCOMPARE(changed.count(), 1);
+    QCOMPARE(changed.last()[0].value<mapping::HeightScope>(), mapping::HeightScope::SelectedRobot);
+    LayersPanel after;
+    QVERIFY(after.restoreState(panel.saveState()));
+    QCOMPARE(after.heightControls()->scope(), mapping::HeightScope::SelectedRobot);
+    controls.setScope(mapping::HeightScope::AllRobots);
+    QCOMPARE(changed.count(), 2);
+    QVERIFY(after.restoreState(panel.saveState()));
+    QCOMPARE(after.heightControls()->scope(), mapping::HeightScope::AllRobots);
+    QCOMPARE(looks.count(), 0);
+}
+
+/// As settings of an earlier version are.
+void tst_HeightControls::aStateWithoutRobotsLeavesTheChoice() {
+    HeightControls controls;
+    controls.setScope(mapping::HeightScope::SelectedRobot);
+    controls.restoreState({{"gray", true}, {"robots", "both"}});
+    QCOMPARE(controls.scope(), mapping::HeightScope::SelectedRobot);
+    QCOMPARE(controls.look().color_map, mapping::ColorMap::Gray);
+}
 
 void tst_HeightControls::heightsCanBeGrayAndKeepTheirRange() {
     LayersPanel panel;

@@ -72,6 +72,9 @@ private slots:
     void layersCanBeHidden();
     void thinWorldKeepsItsFrame();
     void resizingKeepsTheWorldInViewUntilTouched();
+    void marksOfOtherRobotsAreDimmed();
+    void areasOfOtherRobotsAreShown();
+    void theProbeTellsWhoScannedAPlace();
     void clearForgetsAllButTheLayers();
     void clearDuringADragBringsNoAreaBack();
 
@@ -392,10 +395,65 @@ void tst_MapView::resizingKeepsTheWorldInViewUntilTouched() {
     QCOMPARE(view_->transform().pixels_per_m, scale);
 }
 
+void tst_MapView::marksOfOtherRobotsAreDimmed() {
+    view_->setLayer(MapLayer::World, {false, 1.0});
+    view_->setLayer(MapLayer::Grid, {false, 1.0});
+    view_->addMarks(QStringLiteral("R1"), {{agent::MarkKind::Recharge, Vec3(-20, 20, 0), Seconds(1), {1}}});
+    view_->addMarks(QStringLiteral("R2"), {{agent::MarkKind::Recharge, Vec3(20, 20, 0), Seconds(1), {1}}});
+    const auto contrastAt = [&](double x_m) {
+        return contrast(view_->grab().toImage().pixelColor(screen(*view_, x_m, 20)), tokens().background);
+    };
+    QCOMPARE(contrastAt(-20), contrastAt(20)); // Nobody is selected.
+    view_->selectRobot(QStringLiteral("R1"));
+    QVERIFY(contrastAt(20) > 1.1 && contrastAt(20) < 0.8 * contrastAt(-20));
+    view_->selectRobot(QStringLiteral("R2"));
+    QVERIFY(contrastAt(-20) > 1.1 && contrastAt(-20) < 0.8 * contrastAt(20));
+    view_->clearMarks(QStringLiteral("R2"));
+    QVERIFY(contrastAt(20) < 1.05 && contrastAt(-20) > 1.1);
+}
+
+void tst_MapView::areasOfOtherRobotsAreShown() {
+    view_->setRobot({QStringLiteral("R1"), 1, {{-40, -40, 0}, 0, 0, 0}});
+    view_->setRobot({QStringLiteral("R2"), 2, {{-40, 40, 0}, 0, 0, 0}});
+    view_->selectRobot(QStringLiteral("R2"));
+    const QImage without = view_->grab().toImage();
+    view_->setRobotArea(QStringLiteral("R2"), {Vec2(-10, -10), Vec2(30, 30)});
+    QCOMPARE(view_->grab().toImage(), without); // That of the selected robot is set by setArea.
+    view_->selectRobot(QStringLiteral("R1"));
+    const QImage with = view_->grab().toImage();
+    const QRect edge = QRectF(view_->transform().toScreen(Rectangle{Vec2(-10, -10), Vec2(30, 30)})).toRect();
+    int other = 0;
+    for (int x = edge.left(); x < edge.right(); ++x)
+        other += with.pixel(x, edge.bottom()) != without.pixel(x, edge.bottom()) ||
+                 with.pixel(x, edge.bottom() + 1) != without.pixel(x, edge.bottom() + 1);
+    QVERIFY2(other > edge.width() / 3, qPrintable(QString::number(other)));
+    view_->removeRobot(QStringLiteral("R2"));
+    QVERIFY(!view_->content().robots.contains(QStringLiteral("R2")));
+    view_->setRobotArea(QStringLiteral("R2"), {Vec2(-10, -10), Vec2(30, 30)});
+    QVERIFY2(!view_->content().robots.contains(QStringLiteral("R2")), "an area makes no robot");
+}
+
+void tst_MapView::theProbeTellsWhoScannedAPlace() {
+    QVERIFY(probeText({1.0, 2.0}, mapping::HeightProbe{4.31f, 7}, {"R1", "R2"}).endsWith("by R1, R2"));
+    QVERIFY(!probeText({1.0, 2.0}, mapping::HeightProbe{4.31f, 7}).contains("by"));
+    int asked = 0;
+    view_->setScannedBy([&](const Vec2& point_m) {
+        asked += (point_m - Vec2(10, -5)).norm() < 1.0;
+        return QStringList("R1");
+    });
+    QTest::mouseMove(view_.get(), screen(*view_, 10, -5));
+    view_->setRobot({QStringLiteral("R1"), 1, {}});
+    (void)view_->grab();
+    QCOMPARE(asked, 0); // There is nobody else.
+    view_->setRobot({QStringLiteral("R2"), 2, {}});
+    (void)view_->grab();
+    QVERIFY(asked > 0);
+}
+
 void tst_MapView::clearForgetsAllButTheLayers() {
     view_->setLayer(MapLayer::Grid, {false, 0.3});
     view_->setRobot({QStringLiteral("R1"), 1, {}});
-    view_->addMark({agent::MarkKind::Landing, Vec3::Zero(), Seconds(1), {1}});
+    view_->addMarks(QStringLiteral("R1"), {{agent::MarkKind::Landing, Vec3::Zero(), Seconds(1), {1}}});
     view_->setArea(Rectangle{Vec2(10, 10), Vec2(20, 20)});
     view_->clear();
     QVERIFY(view_->content().robots.empty() && view_->content().marks.empty() && !view_->area());

@@ -11,6 +11,9 @@
 namespace usar::widgets {
 namespace {
 
+const QString scope_key = QStringLiteral("robots");
+const QString all_robots = QStringLiteral("all");
+const QString selected_robot = QStringLiteral("selected");
 const QString gray_key = QStringLiteral("gray");
 const QString fixed_key = QStringLiteral("fixed");
 const QString lowest_key = QStringLiteral("lowest_m");
@@ -29,6 +32,10 @@ QuantityBox* heightBox(QWidget* parent, const QString& name, const QString& help
 } // namespace
 
 HeightControls::HeightControls(QWidget* parent) : QWidget(parent) {
+    scope_ = named(new QComboBox(this), tr("Robots whose heights are shown"),
+                   tr("One map made of the scans of all robots, or the scan of the selected robot only"));
+    scope_->addItems({tr("All robots"), tr("Selected robot")}); // In the order of HeightScope.
+    connect(scope_, &QComboBox::currentIndexChanged, this, [this] { emit scopeChanged(scope()); });
     gray_ = named(new QCheckBox(tr("Gray"), this), tr("Gray heights"),
                   tr("Shows heights in shades of gray without light; darker is lower"));
     fixed_ = named(new QCheckBox(tr("Fixed range"), this), tr("Fixed range of heights"),
@@ -36,16 +43,25 @@ HeightControls::HeightControls(QWidget* parent) : QWidget(parent) {
     lowest_ = heightBox(this, tr("Lowest height"), tr("Height with the darkest color, in meters"));
     highest_ = heightBox(this, tr("Highest height"), tr("Height with the lightest color, in meters"));
     auto* const grid = gridOf(this, {}, gap::small, gap::tiny);
-    grid->addWidget(gray_, 0, 0);
-    grid->addWidget(fixed_, 0, 1);
-    grid->addWidget(lowest_, 1, 0);
-    grid->addWidget(highest_, 1, 1);
+    grid->addWidget(scope_, 0, 0, 1, 2);
+    grid->addWidget(gray_, 1, 0);
+    grid->addWidget(fixed_, 1, 1);
+    grid->addWidget(lowest_, 2, 0);
+    grid->addWidget(highest_, 2, 1);
     for (QCheckBox* const box : {gray_, fixed_}) {
         box->setMinimumHeight(minimum_target);
         connect(box, &QCheckBox::clicked, this, &HeightControls::tell);
     }
     for (QuantityBox* const box : {lowest_, highest_})
         connect(box, &QDoubleSpinBox::valueChanged, this, &HeightControls::tell);
+}
+
+mapping::HeightScope HeightControls::scope() const {
+    return static_cast<mapping::HeightScope>(scope_->currentIndex());
+}
+
+void HeightControls::setScope(mapping::HeightScope scope) {
+    scope_->setCurrentIndex(static_cast<int>(scope));
 }
 
 HeightLook HeightControls::look() const {
@@ -77,13 +93,16 @@ void HeightControls::setShownRange(const mapping::HeightRange& range) {
 }
 
 QJsonObject HeightControls::saveState() const {
-    return {{gray_key, gray_->isChecked()},
+    return {{scope_key, scope_->currentIndex() == 0 ? all_robots : selected_robot},
+            {gray_key, gray_->isChecked()},
             {fixed_key, fixed_->isChecked()},
             {lowest_key, lowest_->value()},
             {highest_key, highest_->value()}};
 }
 
 void HeightControls::restoreState(const QJsonObject& state) {
+    if (const QString robots = state[scope_key].toString(); robots == all_robots || robots == selected_robot)
+        setScope(robots == all_robots ? mapping::HeightScope::AllRobots : mapping::HeightScope::SelectedRobot);
     const HeightLook before = look();
     HeightLook saved;
     if (state[gray_key].toBool(gray_->isChecked()))

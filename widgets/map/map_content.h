@@ -72,6 +72,8 @@ struct RobotOnMap {
     std::optional<Vec3> goal_in_map_m;
     /// End points of the newest scan; NaN for beams that hit nothing.
     std::vector<Vec3> hits_in_map_m;
+    /// Area of its newest behavior; empty: none. That of the selected robot is AreaOnMap's, which the user may change.
+    Rectangle area_in_map;
 };
 
 /// The mission area while it is drawn and afterwards.
@@ -108,10 +110,9 @@ struct MapContent {
     AreaOnMap area;
     /// Robots and base stations, by name.
     std::map<QString, RobotOnMap> robots;
-    /// Name; empty: none. May name a robot that has no pose yet.
-    QString selected_robot;
-    /// Marks of all robots, in order of time.
-    std::vector<agent::MapMark> marks;
+    QString selected_robot; ///< name; empty: none. May have no pose yet
+    /// Marks of all robots by the robot's name, each in order of time. May name robots that have no pose yet.
+    std::map<QString, std::vector<agent::MapMark>> marks;
     ObjectsOnMap objects;
     /// Links between robots by name; links to robots that are not on the map are not drawn.
     std::vector<RadioLink> radio_links;
@@ -127,6 +128,8 @@ struct MapContent {
     Rectangle missionInMap(const Rectangle& scan_in_map) const;
     /// Mission, ground and all robots; nullopt if there is nothing. A single point has no size.
     std::optional<Rectangle> everythingInMap(const Rectangle& scan_in_map) const;
+    /// True for a robot that others than the selected one are dimmed beside: all robots while none is selected.
+    bool bright(const QString& robot) const { return selected_robot.isEmpty() || robot == selected_robot; }
     /// Removes everything that comes from the server; layers and the tool's handles stay.
     void forgetServer();
 

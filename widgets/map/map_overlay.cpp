@@ -88,10 +88,11 @@ void paintHeightLegend(QPainter& painter, const HeightLayer& heights, bool conto
 }
 
 /// The kinds of which there is a mark. Runs in every frame, over thousands of marks.
-std::vector<agent::MarkKind> kindsOf(const std::vector<agent::MapMark>& marks) {
+std::vector<agent::MarkKind> kindsOf(const MapContent& content) {
     std::array<bool, agent::all_mark_kinds.size()> present{};
-    for (const agent::MapMark& mark : marks)
-        present[static_cast<std::size_t>(mark.kind)] = true;
+    for (const auto& [robot, marks] : content.marks)
+        for (const agent::MapMark& mark : marks)
+            present[static_cast<std::size_t>(mark.kind)] = true;
     std::vector<agent::MarkKind> kinds;
     for (const agent::MarkKind kind : agent::all_mark_kinds)
         if (present[static_cast<std::size_t>(kind)])
@@ -100,11 +101,11 @@ std::vector<agent::MarkKind> kindsOf(const std::vector<agent::MapMark>& marks) {
 }
 
 /// Paints the kinds of marks that are on the map with their names.
-void paintMarkLegend(QPainter& painter, const std::vector<agent::MapMark>& marks, const QRectF& box) {
+void paintMarkLegend(QPainter& painter, const MapContent& content, const QRectF& box) {
     paintCard(painter, box);
     painter.setFont(themeFont(FontRole::Small));
     double y = box.top() + gap::tiny;
-    for (const agent::MarkKind kind : kindsOf(marks)) {
+    for (const agent::MarkKind kind : kindsOf(content)) {
         paintMark(painter, kind, QPointF(box.left() + 16.0, y + legend_row_px / 2.0), 10.0);
         painter.setPen(tokens().text);
         painter.drawText(QRectF(box.left() + 30.0, y, box.width() - 34.0, legend_row_px), Qt::AlignVCenter,
@@ -115,11 +116,14 @@ void paintMarkLegend(QPainter& painter, const std::vector<agent::MapMark>& marks
 
 } // namespace
 
-QString probeText(const Vec2& point_in_map_m, const std::optional<mapping::HeightProbe>& ground) {
+QString probeText(const Vec2& point_in_map_m, const std::optional<mapping::HeightProbe>& ground,
+                  const QStringList& scanned_by) {
+    const QString whose = scanned_by.isEmpty() ? QString() : QStringLiteral("   by ") + scanned_by.join(", ");
     return QStringLiteral("x %1   y %2   z %3 m   hits %4")
-        .arg(figure(point_in_map_m.x(), 1, 6), figure(point_in_map_m.y(), 1, 6),
-             ground ? figure(double(ground->height_m), 2, 6) : figure(qQNaN(), 2, 6),
-             figure(ground ? double(ground->hits) : qQNaN(), 0, 3));
+               .arg(figure(point_in_map_m.x(), 1, 6), figure(point_in_map_m.y(), 1, 6),
+                    ground ? figure(double(ground->height_m), 2, 6) : figure(qQNaN(), 2, 6),
+                    figure(ground ? double(ground->hits) : qQNaN(), 0, 3)) +
+           whose;
 }
 
 QRectF axesGlass_px(const MapTransform& transform) {
@@ -128,7 +132,7 @@ QRectF axesGlass_px(const MapTransform& transform) {
 
 Legends legendsOf(const MapContent& content, const HeightLayer& heights) {
     return {!heights.empty() && content.layer(MapLayer::Heights).visible,
-            content.layer(MapLayer::Marks).visible ? kindsOf(content.marks).size() : 0};
+            content.layer(MapLayer::Marks).visible ? kindsOf(content).size() : 0};
 }
 
 Legends legendsOfAMission(const MapContent& content) {
@@ -171,7 +175,7 @@ void paintOverlay(QPainter& painter, const MapOverlay& overlay, const MapContent
         top = places.heights.top() - gap::small;
     }
     if (!places.marks.isEmpty()) {
-        paintMarkLegend(painter, content.marks, places.marks);
+        paintMarkLegend(painter, content, places.marks);
         top = places.marks.top() - gap::small;
     }
     if (!overlay.probe.isEmpty())

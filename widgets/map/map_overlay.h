@@ -15,8 +15,10 @@ struct MapOverlay {
     bool focused = false; ///< the map has the keyboard focus
 };
 
-/// "x 31.2   y −8.0   z 4.31 m   hits 7": the ground at a point, in meters of the map frame; nullopt: unknown height.
-QString probeText(const Vec2& point_in_map_m, const std::optional<mapping::HeightProbe>& ground);
+/// "x 31.2   y −8.0   z 4.31 m   hits 7   by R1, R2": the ground at a point, in meters of the map frame; nullopt:
+/// unknown height. `scanned_by` names the robots that know it; empty: not told.
+QString probeText(const Vec2& point_in_map_m, const std::optional<mapping::HeightProbe>& ground,
+                  const QStringList& scanned_by = {});
 
 /// Area around the axes that is dimmed, in pixels; labels stay out of it.
 QRectF axesGlass_px(const MapTransform& transform);

@@ -9,6 +9,9 @@ namespace usar::widgets {
 
 namespace {
 
+/// Opacity of what belongs to robots that are not selected.
+constexpr double other_robots = 0.45;
+
 Vec2 flat(const Vec3& point) {
     return point.head<2>();
 }
@@ -79,7 +82,26 @@ void MapPainter::paintPages(const QImage& (PagePicture::*pictureFor)(double) con
     }
 }
 
+void MapPainter::paintOtherAreas() {
+    const double opacity = painter_.opacity();
+    for (const auto& [name, robot] : content_.robots) {
+        if (name == content_.selected_robot || robot.area_in_map.empty() ||
+            robot.area_in_map == content_.area.area_in_map)
+            continue;
+        const QRectF rect = transform_.toScreen(robot.area_in_map);
+        painter_.setOpacity(opacity * other_robots);
+        painter_.setBrush(Qt::NoBrush);
+        painter_.setPen(QPen(tokens_.background, 3.0));
+        painter_.drawRect(rect);
+        painter_.setPen(dashedPen(robotColor(robot.robot.number), 1.5, {5.0, 3.0}));
+        painter_.drawRect(rect);
+        painter_.setOpacity(opacity);
+        paintLabel(QRectF(rect.topLeft() + QPointF(gap::tiny, gap::tiny), chipSize(name)), name, false);
+    }
+}
+
 void MapPainter::paintArea() {
+    paintOtherAreas();
     if (!content_.area.area_in_map || content_.area.area_in_map->empty())
         return;
     const Rectangle& area = *content_.area.area_in_map;
@@ -148,9 +170,21 @@ void MapPainter::paintTrails() {
 }
 
 void MapPainter::paintMarks() {
+    painter_.save();
+    painter_.setOpacity(painter_.opacity() * other_robots);
+    for (const auto& [name, marks] : content_.marks)
+        if (!content_.bright(name))
+            paintMarksOf(marks);
+    painter_.restore();
+    for (const auto& [name, marks] : content_.marks)
+        if (content_.bright(name))
+            paintMarksOf(marks);
+}
+
+void MapPainter::paintMarksOf(const std::vector<agent::MapMark>& marks) {
     const QRectF sight = QRectF(QPointF(), transform_.viewport).adjusted(-10.0, -10.0, 10.0, 10.0);
     QVector<QPointF> path;
-    for (const agent::MapMark& mark : content_.marks) {
+    for (const agent::MapMark& mark : marks) {
         const QPointF at = transform_.toScreen(flat(mark.position_in_map_m));
         if (!sight.contains(at) || mark.kind != agent::MarkKind::Path)
             continue;
@@ -159,7 +193,7 @@ void MapPainter::paintMarks() {
     }
     painter_.setPen(QPen(markColor(agent::MarkKind::Path), 3.0, Qt::SolidLine, Qt::SquareCap));
     painter_.drawPoints(path.data(), static_cast<int>(path.size()));
-    for (const agent::MapMark& mark : content_.marks)
+    for (const agent::MapMark& mark : marks)
         if (const QPointF at = transform_.toScreen(flat(mark.position_in_map_m));
             mark.kind != agent::MarkKind::Path && sight.contains(at))
             paintMark(painter_, mark.kind, at, 10.0);

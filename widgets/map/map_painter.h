@@ -29,13 +29,17 @@ private:
     void paintContours();
     /// Paints one picture of each page in sight; `pictureFor` takes a page and its pixels on the screen per cell.
     void paintPages(const QImage& (PagePicture::*pictureFor)(double) const);
+    /// Paints the area with its handles and label, above the areas of the other robots.
     void paintArea();
+    void paintOtherAreas();
     void paintAreaHandles(const Rectangle& area_in_map);
     void paintLanes();
     void paintTrails();
     void paintTraces() { traces_.paint(painter_, transform_); }
-    /// Leaves out path marks closer than three pixels to the previous one; draws all others.
+    /// Paints those of the selected robot on top; those of others are dimmed.
     void paintMarks();
+    /// Leaves out path marks closer than three pixels to the previous one; draws all others.
+    void paintMarksOf(const std::vector<agent::MapMark>& marks);
     /// Paints objects to scale, but never too small to click; the way points of the selected one; the object that is
     /// dragged or would be placed.
     void paintObjects();

@@ -73,6 +73,7 @@ void MapView::setRobot(const MapRobot& robot) {
 
 void MapView::removeRobot(const QString& name) {
     content_.robots.erase(name);
+    content_.marks.erase(name);
     if (content_.selected_robot == name)
         selectRobot({});
     showContent();
@@ -98,9 +99,22 @@ void MapView::setLaserHits(const QString& robot, const std::vector<Vec3>& hits_i
     update();
 }
 
-void MapView::addMark(const agent::MapMark& mark) {
-    content_.marks.push_back(mark);
+void MapView::addMarks(const QString& robot, const std::vector<agent::MapMark>& marks) {
+    if (marks.empty())
+        return;
+    std::vector<agent::MapMark>& of_robot = content_.marks[robot];
+    of_robot.insert(of_robot.end(), marks.begin(), marks.end());
     update();
+}
+
+void MapView::clearMarks(const QString& robot) {
+    content_.marks.erase(robot);
+    update();
+}
+
+void MapView::setRobotArea(const QString& robot, const Rectangle& area_in_map) {
+    if (const auto found = content_.robots.find(robot); found != content_.robots.end())
+        put(found->second.area_in_map, area_in_map);
 }
 
 void MapView::selectRobot(const QString& name) {
@@ -213,7 +227,8 @@ void MapView::paintEvent(QPaintEvent*) {
         overlay.following = content_.selected_robot;
     if (const auto& cursor_px = gestures_.cursor_px()) {
         const Vec2 at = transform_.toMap(*cursor_px);
-        overlay.probe = probeText(at, heights_->probe(at));
+        const bool tell_whose = scanned_by_ && content_.robots.size() > 1;
+        overlay.probe = probeText(at, heights_->probe(at), tell_whose ? scanned_by_(at) : QStringList());
     }
     paintOverlay(painter, overlay, content_, *heights_, transform_);
 }

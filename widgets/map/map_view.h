@@ -1,6 +1,7 @@
 // The map in the center of the window: world, start poses, robots, area, lanes and the scan preview as layers.
 #pragma once
 
+#include <functional>
 #include <type_traits>
 
 #include <QWidget>
@@ -32,31 +33,33 @@ public:
     void setStartPoses(const std::vector<protocol::StartPose>& poses);
     /// Removes everything but layers and tool, because the server has changed. A gesture in progress ends.
     void clear();
-    /// The sheet that is shown while there is no world, start pose or robot.
-    EmptyState* emptyState() const { return empty_state_; }
-    /// The height map; takes its tiles.
+    EmptyState* emptyState() const { return empty_state_; } ///< shown while there is no world, start pose or robot
     HeightLayer& heights() { return *heights_; }
+    /// `names` tells the probe who has scanned the point under the cursor; asked in paintEvent if there are several
+    /// robots.
+    void setScannedBy(const std::function<QStringList(const Vec2& point_in_map_m)>& names) { scanned_by_ = names; }
 
     // The mission.
-    /// Shown at once, without a signal. nullopt or an empty rectangle: no area.
     void setArea(const std::optional<Rectangle>& area_in_map);
-    /// The mission area; nullopt: none. Never an empty rectangle.
+    /// The mission area; nullopt or, in the setter, an empty rectangle: none.
     const std::optional<Rectangle>& area() const { return content_.area.area_in_map; }
     /// "9 lanes · 6 min 12 s": shown after the size on the area's label.
     void setAreaSummary(const QString& summary) { put(content_.area.summary, summary); }
-    /// The path that is drawn as lanes, in order.
     void setLanes(const std::vector<Vec2>& points_in_map_m) { put(content_.area.lanes_in_map_m, points_in_map_m); }
 
     // Robots. A pose also extends the trail, unless it is stale.
     /// Adds the robot, or updates the one with the same name.
     void setRobot(const MapRobot& robot);
-    /// Removes a robot with its trail, goal and hits; if it was selected, selection and following end.
+    /// Removes a robot with its trail, goal, hits, area and marks; if it was selected, selection and following end.
     void removeRobot(const QString& name);
     /// Goal of the behavior and end points of the newest scan (NaN: no hit). An unknown robot changes nothing.
     void setGoal(const QString& robot, const std::optional<Vec3>& goal_in_map_m);
     void setLaserHits(const QString& robot, const std::vector<Vec3>& hits_in_map_m);
-    void addMark(const agent::MapMark& mark);
-    void clearMarks() { put(content_.marks, {}); }
+    /// The robot need not be on the map yet.
+    void addMarks(const QString& robot, const std::vector<agent::MapMark>& marks);
+    void clearMarks(const QString& robot);
+    /// Area of its newest behavior, shown while another robot is selected; empty: none. As setGoal for unknown robots.
+    void setRobotArea(const QString& robot, const Rectangle& area_in_map);
     void setRadioLinks(const std::vector<RadioLink>& links);
     /// Draws the ring around that robot; an empty name selects nobody and ends following.
     void selectRobot(const QString& name);
@@ -64,12 +67,11 @@ public:
     // Objects of the world.
     /// Replaces all objects; the last one is on top. Selection and drag end if their object is missing.
     void setObjects(const std::vector<MapObject>& objects);
-    /// Emits nothing; an empty name: none.
+    /// An empty name: none.
     void selectObject(const QString& name) { put(content_.objects.selected, name); }
     /// Sets the object that the Place tool and drags out of the palette show under the cursor; nullopt: none.
     void setGhost(const std::optional<MapObject>& ghost) { gestures_.setGhost(ghost); }
-    /// Adds a mark that a robot left while TRACE was on.
-    void addTraceMark(const Vec2& point_in_map_m, const QColor& color);
+    void addTraceMark(const Vec2& point_in_map_m, const QColor& color); ///< left by a robot while TRACE was on
     void clearTraceMarks();
     const TraceLayer& traces() const { return traces_; }
 
@@ -140,6 +142,7 @@ private:
     HeightLayer* heights_ = new HeightLayer(this);
     GroundPicture ground_;
     TraceLayer traces_;
+    std::function<QStringList(const Vec2&)> scanned_by_;
     EmptyState* empty_state_ = new EmptyState(this);
     QPushButton* way_back_ = new QPushButton(tr("Back to the map"), this);
     bool following_ = false;

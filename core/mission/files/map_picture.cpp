@@ -6,7 +6,6 @@
 #include <QLineF>
 #include <QPainter>
 
-#include "core/mapping/shading.h"
 #include "core/mission/files/picture_legend.h"
 
 namespace usar::mission {
@@ -83,7 +82,7 @@ std::vector<std::int64_t> cellsUnderPixels(int pixels, double pixels_per_cell, d
     return cells;
 }
 
-void paintHeights(QImage& image, const Raster& raster, const View& view) {
+void paintHeights(QImage& image, const Raster& raster, const View& view, mapping::ColorMap colors) {
     const Rectangle map = extentOf(raster);
     const HeightRange range = raster.range().value_or(HeightRange{});
     const mapping::HeightGrid grid{raster.heights_m, raster.columns, raster.rows, raster.cell_size_m};
@@ -96,7 +95,7 @@ void paintHeights(QImage& image, const Raster& raster, const View& view) {
         const std::int64_t row = rows[static_cast<std::size_t>(y)];
         auto* pixels = reinterpret_cast<std::uint32_t*>(image.scanLine(y));
         for (std::size_t x = 0; x < columns.size(); ++x) {
-            const std::uint32_t color = mapping::shadeCell(grid, columns[x], row, range, mapping::ColorMap::Color);
+            const std::uint32_t color = mapping::shadeCell(grid, columns[x], row, range, colors);
             pixels[x] = color == 0 ? unknown_color : color;
         }
     }
@@ -139,13 +138,14 @@ void paintArea(QPainter& painter, const Rectangle& area, const View& view, doubl
 
 } // namespace
 
-QImage mapPicture(const ScanRecord& record) {
+QImage mapPicture(const ScanRecord& record, mapping::ColorMap colors) {
     if (record.raster.empty())
         return {};
     const View view(record);
     const double shorter_px = std::min(view.width_px, view.height_px);
     Legend legend;
     legend.range = record.raster.range();
+    legend.colors = colors;
     legend.pixels_per_m = view.pixels_per_m;
     legend.text_px = std::clamp(shorter_px / 45.0, 13.0, 80.0);
     legend.title = QString("%1  ·  %2  ·  %3")
@@ -153,7 +153,7 @@ QImage mapPicture(const ScanRecord& record) {
                             QString::fromStdString(record.behavior_id));
     const int strip_px = legend.heightFor(view.width_px);
     QImage image(view.width_px, view.height_px + strip_px, QImage::Format_RGB32);
-    paintHeights(image, record.raster, view);
+    paintHeights(image, record.raster, view, colors);
 
     QPainter painter(&image);
     painter.setRenderHint(QPainter::Antialiasing);

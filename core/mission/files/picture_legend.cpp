@@ -10,15 +10,13 @@
 #include <QPainter>
 #include <QPolygonF>
 
-#include "core/mapping/shading.h"
-
 namespace usar::mission {
 
 namespace {
 
-/// "low risk": the legend is in lowercase.
+/// "Low risk": the same words as in the window.
 QString labelOf(agent::MarkKind kind) {
-    return QString::fromUtf8(agent::styleOf(kind).name).toLower();
+    return QString::fromUtf8(agent::styleOf(kind).name);
 }
 
 using agent::MarkKind;
@@ -74,14 +72,15 @@ QString height(float height_m) {
     return QString::number(double(height_m), 'f', 2) + " m";
 }
 
-void drawRange(QPainter& painter, const mapping::HeightRange& range, double text_px, double top_px) {
+void drawRange(QPainter& painter, const mapping::HeightRange& range, mapping::ColorMap colors, double text_px,
+               double top_px) {
     const QRectF bar(text_px + textWidth(height(range.minimum_m), text_px) + 0.5 * text_px, top_px, 8.0 * text_px,
                      text_px);
     QLinearGradient gradient(bar.topLeft(), bar.topRight());
     constexpr float steps = 32.0f;
     for (float step = 0.0f; step <= steps; ++step)
         gradient.setColorAt(static_cast<double>(step / steps),
-                            QColor::fromRgb(mapping::shade(step, {0.0f, steps}, mapping::ColorMap::Color)));
+                            QColor::fromRgb(mapping::shade(step, {0.0f, steps}, colors)));
     painter.setPen(QPen(ink_color, std::max(1.0, text_px / 14.0)));
     painter.setBrush(gradient);
     painter.drawRect(bar);
@@ -162,7 +161,7 @@ void Legend::draw(QPainter& painter, const QRect& strip) const {
     painter.setPen(ink_color);
     drawText(painter, {text_px, 1.5 * text_px}, title);
     if (range)
-        drawRange(painter, *range, text_px, 2.3 * text_px);
+        drawRange(painter, *range, colors, text_px, 2.3 * text_px);
     drawScaleBar(painter, pixels_per_m, text_px, {strip.width() - text_px, 2.8 * text_px}, strip.width() * 0.25);
     flowMarks(strip.width(), text_px, [&](MarkKind kind, double x, int line) {
         const double middle_px = (4.9 + 1.7 * line) * text_px;

@@ -8,7 +8,7 @@
 #include <QString>
 
 #include "core/agent/mark_style.h"
-#include "core/mapping/height_map.h"
+#include "core/mapping/shading.h"
 
 class QPainter;
 
@@ -24,6 +24,7 @@ double scaleBarLength_m(double pixels_per_m, double room_px);
 /// Contents of the legend.
 struct Legend {
     std::optional<mapping::HeightRange> range; ///< heights in meters; absent: the map is empty
+    mapping::ColorMap colors = mapping::ColorMap::Color;
     double pixels_per_m = 1.0;
     QString title;
     double text_px = 14.0;

@@ -139,8 +139,17 @@ void writeRaw(Writing& writing, const QString& part, const mapping::Raster& rast
     writing.bytes(part + ".hdr", QByteArray::fromStdString(mapping::bilHeader(raster)));
 }
 
-void writeMap(Writing& writing, const ScanRecord& record) {
+/// The same heights as text, for programs that read no raw files; not for huge maps.
+void writeText(Writing& writing, const mapping::Raster& raster) {
+    if (raster.columns * raster.rows > mapping::most_text_cells)
+        return;
+    writing.bytes(".asc", QByteArray::fromStdString(mapping::asciiGrid(raster)));
+    writing.bytes(".xyz", QByteArray::fromStdString(mapping::xyzPoints(raster)));
+}
+
+void writeMap(Writing& writing, const ScanRecord& record, mapping::ColorMap colors) {
     writeRaw(writing, {}, record.raster);
+    writeText(writing, record.raster);
     for (std::size_t i = 0; i < record.far_rasters.size(); ++i)
         writeRaw(writing, QString("_far%1").arg(i + 1), record.far_rasters[i]);
     QImage height_image = heightImage(record.raster);
@@ -148,7 +157,7 @@ void writeMap(Writing& writing, const ScanRecord& record) {
         height_image.setText(key, value);
     writing.image("_height.png", height_image);
     writing.bytes("_height.pgw", worldFile(record.raster));
-    writing.image("_picture.png", mapPicture(record));
+    writing.image("_picture.png", mapPicture(record, colors));
 }
 
 } // namespace
@@ -158,7 +167,8 @@ QString defaultResultFolder() {
     return QDir(!desktop.isEmpty() && QDir(desktop).exists() ? desktop : QDir::homePath()).filePath("USAR_Scan");
 }
 
-Result<QStringList> writeResults(const ScanRecord& record, const QJsonObject& summary, const QString& folder) {
+Result<QStringList> writeResults(const ScanRecord& record, const QJsonObject& summary, const QString& folder,
+                                 mapping::ColorMap colors) {
     if (folder.isEmpty() || !QDir().mkpath(folder))
         return failure("cannot create the folder for the results", folder.toStdString(), folder_mend.toStdString());
     // Held until everything is written: two scans that end at the same time must not take the same free number.
@@ -171,7 +181,7 @@ Result<QStringList> writeResults(const ScanRecord& record, const QJsonObject& su
 
     Writing writing(QDir(folder).absolutePath(), freeStem(QDir(folder), record));
     if (!record.raster.empty())
-        writeMap(writing, record);
+        writeMap(writing, record, colors);
     writing.bytes(".json", summaryBytes(record, summary, writing.files() + QStringList{writing.pathOf(".json")}));
     if (writing.error())
         return tl::unexpected(*writing.error());

@@ -9,6 +9,7 @@
 #include <QStringList>
 
 #include "core/base/result.h"
+#include "core/mapping/shading.h"
 #include "core/mission/files/scan_record.h"
 
 namespace usar::mission {
@@ -16,15 +17,17 @@ namespace usar::mission {
 /// Folder USAR_Scan on the user's Desktop, or in the home folder if there is no Desktop.
 QString defaultResultFolder();
 
-/// Writes <stem>.bil and .hdr (float32, NoData), <stem>_height.png (16-bit, metadata inside) and its world file
-/// _height.pgw, <stem>_picture.png (with the marks of the thesis), <stem>.json (`summary`, and under "map" and "marks"
-/// what the files contain). The raw heights come first; each file is written under a temporary name and then renamed;
-/// older scans are never overwritten. The stem is USAR_Scan_<level>_<robot>_<number>, with the first free number. Parts
-/// of the map that are too far away to be in one raster with the rest are written as _far1.bil and .hdr, _far2 and so
-/// on. Returns the full paths of the files. To be called outside the GUI thread; concurrent calls, also from several
-/// programs, get numbers of their own. An unwritable folder is an error that names it. An empty map is an error, too,
-/// but its summary is still written.
-Result<QStringList> writeResults(const ScanRecord& record, const QJsonObject& summary, const QString& folder);
+/// Writes <stem>.bil and .hdr (float32, NoData), .asc and .xyz (text, unless the map is huge), <stem>_height.png
+/// (16-bit, metadata inside) and its world file _height.pgw, <stem>_picture.png (with the marks of the thesis),
+/// <stem>.json (`summary`, and under "map" and "marks" what the files contain). The raw heights come first; each file
+/// is written under a temporary name and then renamed; older scans are never overwritten. The stem is
+/// USAR_Scan_<level>_<robot>_<number>, with the first free number. Parts of the map that are too far away to be in one
+/// raster with the rest are written as _far1.bil and .hdr, _far2 and so on. Returns the full paths of the files. To be
+/// called outside the GUI thread; concurrent calls, also from several programs, get numbers of their own. An unwritable
+/// folder is an error that names it. An empty map is an error, too, but its summary is still written.
+/// `colors` are those of the picture.
+Result<QStringList> writeResults(const ScanRecord& record, const QJsonObject& summary, const QString& folder,
+                                 mapping::ColorMap colors = mapping::ColorMap::Color);
 
 /// Sentences for the user about a map that does not fit into one raster; empty if it does.
 std::string farPartsNotice(const ScanRecord& record);

@@ -349,6 +349,10 @@ void Fleet::Private::closeWhenSaved() {
     emit q.readyToClose();
 }
 
+void Fleet::setPictureColors(mapping::ColorMap colors) {
+    d_->keeper.setPictureColors(colors);
+}
+
 bool Fleet::anythingToSave() const {
     return d_->keeper.busy() ||
            std::ranges::any_of(robots(), [](const Robot* robot) { return robot->view().unsaved || robot->running(); });

@@ -11,6 +11,7 @@
 #include <QString>
 
 #include "core/agent/plugins/plugin_loader.h"
+#include "core/mapping/shading.h"
 #include "core/mission/files/mission_file.h"
 #include "core/mission/fleet/robot.h"
 #include "core/mission/runs/run_summary.h"
@@ -89,6 +90,7 @@ public:
     void setResultFolder(const QString& folder);
     QString resultFolder() const;
     bool resultFolderChosen() const;
+    void setPictureColors(mapping::ColorMap colors); ///< of exported pictures; the window's own
     bool anythingToSave() const;
     void exportResults(RobotId id);
     /// Records each live robot, present or future, to its own file in the result folder. Initially on.

@@ -28,11 +28,11 @@ RunSummary summaryOf(const Robot& robot, const SimulatorFacts& facts) {
 
 /// Writes the record with its summary, which is returned complete.
 Result<RunSummary> saveRecord(const ScanRecord& record, RunSummary summary, const std::function<Truth()>& make_truth,
-                              const QString& folder) {
+                              const QString& folder, mapping::ColorMap colors) {
     const std::optional<Truth> truth = make_truth ? std::optional(make_truth()) : std::nullopt;
     summary.duration = record.status.elapsed;
     addRecord(summary, record, truth ? &*truth : nullptr);
-    const Result<QStringList> files = writeResults(record, toJson(summary), folder);
+    const Result<QStringList> files = writeResults(record, toJson(summary), folder, colors);
     if (!files)
         return tl::unexpected(files.error());
     summary.files = *files;
@@ -90,11 +90,12 @@ void ScanKeeper::write(Robot& robot, const std::shared_ptr<const ScanRecord>& re
     const auto facts = facts_.find(&robot);
     const SimulatorFacts known = facts == facts_.end() ? SimulatorFacts{} : facts->second();
     ++writing_;
-    pool_.start(HandedOver([this, who = Writing{robot.view().id, nameOf(robot), &robot}, record,
-                            summary = summaryOf(robot, known), make_truth = known.make_truth, to = folder()] {
-        const Result<RunSummary> whole = saveRecord(*record, summary, make_truth, to);
-        link::post(this, [this, who, whole] { written(who, whole); });
-    }));
+    pool_.start(
+        HandedOver([this, who = Writing{robot.view().id, nameOf(robot), &robot}, record,
+                    summary = summaryOf(robot, known), make_truth = known.make_truth, to = folder(), colors = colors_] {
+            const Result<RunSummary> whole = saveRecord(*record, summary, make_truth, to, colors);
+            link::post(this, [this, who, whole] { written(who, whole); });
+        }));
 }
 
 void ScanKeeper::written(const Writing& writing, const Result<RunSummary>& summary) {

@@ -12,6 +12,7 @@
 #include <QString>
 #include <QThreadPool>
 
+#include "core/mapping/shading.h"
 #include "core/mission/fleet/robot.h"
 #include "core/mission/runs/run_summary.h"
 
@@ -28,6 +29,8 @@ public:
     /// Sets the result folder; empty means the default one. Retries scans of robots that have left at once.
     void setFolder(const QString& folder);
     QString folder() const;
+    /// Colors of the pictures that are written from now on; initially in color.
+    void setPictureColors(mapping::ColorMap colors) { colors_ = colors; }
     bool folderChosen() const { return !folder_.isEmpty(); }
 
     /// Writes the robot's records from now on, whenever they arrive. `facts` is called for each of them.
@@ -65,6 +68,7 @@ private:
 
     QThreadPool pool_;
     QString folder_;
+    mapping::ColorMap colors_ = mapping::ColorMap::Color;
     std::map<const Robot*, std::function<SimulatorFacts()>> facts_;
     std::set<const Robot*> awaited_;              ///< robots whose record was requested and has not arrived
     std::vector<std::unique_ptr<Robot>> leaving_; ///< removed robots that are kept until they are saved

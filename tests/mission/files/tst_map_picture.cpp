@@ -72,6 +72,34 @@ private slots:
         QCOMPARE(picture.pixelColor(width_px / 2, map_height_px / 2), groundColor(0.5f));
     }
 
+    void thePictureCanBeGrayLikeTheMap() {
+        ScanRecord record = flatScan(40, 40);
+        for (std::size_t cell = 0; cell < record.raster.heights_m.size(); ++cell)
+            record.raster.heights_m[cell] = static_cast<float>(cell % 40); // A slope: color would be lit.
+        const QImage picture = mapPicture(record, mapping::ColorMap::Gray);
+        const mapping::HeightRange range = record.raster.range().value();
+        for (int column = 0; column < 40; ++column)
+            QCOMPARE(picture.pixel(15 * column + 7, 300),
+                     mapping::shade(float(column), range, mapping::ColorMap::Gray));
+        /// Pixels of the legend in the dark blue of low ground; a gradient is not exact.
+        const auto colored = [](const QImage& image) {
+            const QColor low = groundColor(0.1f);
+            int found = 0;
+            for (int y = 600; y < image.height(); ++y)
+                for (int x = 0; x < image.width(); ++x) {
+                    const QColor color(image.pixel(x, y));
+                    found += std::abs(color.red() - low.red()) + std::abs(color.green() - low.green()) +
+                                         std::abs(color.blue() - low.blue()) <
+                                     12
+                                 ? 1
+                                 : 0;
+                }
+            return found;
+        };
+        QVERIFY2(colored(mapPicture(record)) > 0, "the bar of the legend in color");
+        QCOMPARE(colored(picture), 0);
+    }
+
     void upIsUpAndRightIsRight() {
         ScanRecord record = flatScan(20, 20);
         for (std::size_t row = 0; row < 3; ++row)

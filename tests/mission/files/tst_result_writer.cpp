@@ -68,8 +68,8 @@ private slots:
             names << QFileInfo(file).fileName();
         names.sort();
         const QString stem = "USAR_Scan_tall-test_R1_001";
-        QStringList expected{stem + ".bil",        stem + ".hdr",        stem + ".json",
-                             stem + "_height.pgw", stem + "_height.png", stem + "_picture.png"};
+        QStringList expected{stem + ".bil", stem + ".hdr",        stem + ".json",       stem + ".asc",
+                             stem + ".xyz", stem + "_height.pgw", stem + "_height.png", stem + "_picture.png"};
         expected.sort();
         QCOMPARE(names, expected);
         QStringList found =
@@ -98,6 +98,33 @@ private slots:
         const double value = run("gdallocationinfo", {"-valonly", raw, "40", "10"}).trimmed().toDouble();
         QVERIFY(std::abs(value - double(record.raster.heights_m[10 * 64 + 40])) < 1e-4);
         QCOMPARE(run("gdallocationinfo", {"-valonly", raw, "0", "63"}).trimmed(), QByteArray("-9999"));
+    }
+
+    void gdalOpensTheAsciiGrid() {
+        QTemporaryDir folder;
+        const ScanRecord record = sampleScan(64, 0.5);
+        const auto files = writeResults(record, {}, folder.path());
+        QVERIFY(files.has_value());
+        const QString grid = ending(*files, ".asc");
+        const QByteArray output = run("gdalinfo", {"-json", grid});
+        const QJsonObject info = QJsonDocument::fromJson(output.mid(output.indexOf('{'))).object();
+        QCOMPARE(info["driverShortName"].toString(), QString("AAIGrid"));
+        QCOMPARE(info["geoTransform"].toArray(), (QJsonArray{-16, 0.5, 0, 16, 0, -0.5}));
+        QCOMPARE(info["bands"].toArray()[0].toObject()["noDataValue"].toDouble(), -9999.0);
+        const double value = run("gdallocationinfo", {"-valonly", grid, "40", "10"}).trimmed().toDouble();
+        QVERIFY(std::abs(value - double(record.raster.heights_m[10 * 64 + 40])) < 1e-4);
+        QCOMPARE(run("gdallocationinfo", {"-valonly", grid, "0", "63"}).trimmed(), QByteArray("-9999"));
+    }
+
+    void aHugeMapIsNotWrittenAsText() {
+        QTemporaryDir folder;
+        ScanRecord record = sampleScan(64, 0.5);
+        const std::int64_t side = 2049; // One row more than is worth it.
+        record.raster = {side, side, 0.5, Vec2::Zero(), std::vector<float>(std::size_t(side * side), 1.0f)};
+        const auto files = writeResults(record, {}, folder.path());
+        QVERIFY(files.has_value());
+        QVERIFY(ending(*files, ".asc").isEmpty() && ending(*files, ".xyz").isEmpty());
+        QVERIFY(!ending(*files, ".bil").isEmpty());
     }
 
     void farPartsAreSavedAsRawHeightsOfTheirOwn() {
@@ -171,7 +198,7 @@ private slots:
         QCOMPARE(map["known_cells"].toInt(), 60 * 60 - 12 * 11);
         QCOMPARE(map["robot"].toString(), QString("R1"));
         QCOMPARE(map["area"].toObject()["width"].toDouble(), 30.0);
-        QCOMPARE(json["files"].toArray().size(), 6);
+        QCOMPARE(json["files"].toArray().size(), 8);
         QCOMPARE(json["marks"].toArray().size(), 21); // without the path's
         QCOMPARE(json["marks"].toArray()[0].toObject()["kind"].toString(), QString("diversion"));
     }
@@ -183,7 +210,7 @@ private slots:
         for (int i = 0; i < 3; ++i)
             all += writeResults(record, {}, folder.path()).value();
         all.removeDuplicates();
-        QCOMPARE(all.size(), 18);
+        QCOMPARE(all.size(), 24);
         // A lone leftover blocks its number, whatever kind of file it is.
         QFile other(folder.filePath("USAR_Scan_tall-test_R1_004_picture.png"));
         QVERIFY(other.open(QIODevice::WriteOnly));
@@ -202,7 +229,7 @@ private slots:
         for (auto& run : runs)
             all += run.get().value_or(QStringList{});
         all.removeDuplicates();
-        QCOMPARE(all.size(), 36);
+        QCOMPARE(all.size(), 48);
     }
 
     void namesBecomeFileNames_data() {

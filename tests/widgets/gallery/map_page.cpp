@@ -66,7 +66,7 @@ std::unique_ptr<QWidget> mapPage() {
     view->selectRobot(QStringLiteral("R1"));
     int i = 0;
     for (const agent::MarkKind kind : all_mark_kinds)
-        view->addMark({kind, Vec3(-26.0 + 5.0 * i++, -8.0, 0.0), Seconds(1.0), {1}});
+        view->addMarks(QStringLiteral("R1"), {{kind, Vec3(-26.0 + 5.0 * i++, -8.0, 0.0), Seconds(1.0), {1}}});
     return view;
 }
 

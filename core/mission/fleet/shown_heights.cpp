@@ -1,0 +1,137 @@
+#include "core/mission/fleet/shown_heights.h"
+
+#include <utility>
+
+namespace usar::mission {
+
+using mapping::HeightScope;
+
+namespace {
+
+ScanGroup groupOf(const RobotView& view) {
+    return view.recording.isEmpty() ? ScanGroup::Live : ScanGroup::Replayed;
+}
+
+FusionWorker::Tiles listOf(const mapping::HeightTiles& tiles) {
+    FusionWorker::Tiles list;
+    list.reserve(tiles.size());
+    for (const auto& [index, tile] : tiles)
+        list.push_back(tile);
+    return list;
+}
+
+} // namespace
+
+void FusionWorker::take(ScanGroup group, ConnectionId robot, double cell_size_m, const Tiles& tiles, bool anew) {
+    of(group).take(robot, cell_size_m, tiles, anew);
+    workSoon();
+}
+
+void FusionWorker::remove(ScanGroup group, ConnectionId robot) {
+    of(group).remove(robot);
+    workSoon();
+}
+
+void FusionWorker::workSoon() {
+    if (std::exchange(waits_, true))
+        return;
+    QMetaObject::invokeMethod(
+        this, [this] { work(); }, Qt::QueuedConnection);
+}
+
+void FusionWorker::work() {
+    waits_ = false;
+    for (const ScanGroup group : {ScanGroup::Live, ScanGroup::Replayed})
+        if (of(group).changed())
+            emit fused(group, std::make_shared<const mapping::HeightChange>(of(group).takeChange()));
+}
+
+ShownHeights::ShownHeights(const Fleet& fleet) : fleet_(fleet) {
+    connect(&fleet, &Fleet::robotUpdated, this, [this](RobotId id, const auto& update) { take(id, *update); });
+    connect(&fleet, &Fleet::robotRemoved, this, [this](RobotId id) { remove(id); });
+    link::connectAcross(worker_.get(), &FusionWorker::fused, this,
+                        [this](ScanGroup group, const auto& change) { takeFused(group, *change); });
+}
+
+void ShownHeights::setScope(HeightScope scope) {
+    if (std::exchange(scope_, scope) != scope)
+        tellAll();
+}
+
+const RobotView* ShownHeights::viewOf(RobotId id) const {
+    const Robot* const robot = fleet_.robot(id);
+    return robot ? &robot->view() : nullptr;
+}
+
+void ShownHeights::select(RobotId id) {
+    const bool again = std::exchange(selected_, id) == id;
+    const RobotView* const view = viewOf(id);
+    const ScanGroup group = view ? groupOf(*view) : ScanGroup::Live;
+    const bool other_group = std::exchange(group_, group) != group;
+    if (again || other_group || scope_ == HeightScope::SelectedRobot)
+        tellAll();
+}
+
+void ShownHeights::tellAll() {
+    const RobotView* const view = viewOf(selected_);
+    const bool fused = scope_ == HeightScope::AllRobots;
+    const Fused nothing;
+    told_cell_size_m_ = fused ? shownFused().cell_size_m : view ? view->cell_size_m : nothing.cell_size_m;
+    emit begun(told_cell_size_m_);
+    if (fused)
+        emit grown(listOf(shownFused().tiles), shownFused().range);
+    else if (view)
+        emit grown(listOf(view->tiles), view->height_range);
+}
+
+void ShownHeights::take(RobotId id, const SessionUpdate& update) {
+    const RobotView* const view = viewOf(id);
+    if (!view)
+        return;
+    if (!update.tiles.empty() || update.rewound) {
+        members_[id] = {view->connection, groupOf(*view)};
+        worker_.call(&FusionWorker::take, groupOf(*view), view->connection, view->cell_size_m, update.tiles,
+                     update.rewound);
+    }
+    if (id != selected_ || scope_ == HeightScope::AllRobots)
+        return;
+    if (update.rewound || view->cell_size_m != told_cell_size_m_)
+        tellAll();
+    else if (!update.tiles.empty())
+        emit grown(update.tiles, update.height_range);
+}
+
+void ShownHeights::takeFused(ScanGroup group, const mapping::HeightChange& change) {
+    Fused& fused = fused_[static_cast<std::size_t>(group)];
+    if (change.anew)
+        fused.tiles.clear();
+    for (const auto& tile : change.tiles)
+        fused.tiles[tile->index] = tile;
+    fused.range = change.range;
+    const bool other_cells = std::exchange(fused.cell_size_m, change.cell_size_m) != change.cell_size_m;
+    if (group != group_ || scope_ == HeightScope::SelectedRobot)
+        return;
+    if (change.anew || other_cells)
+        tellAll();
+    else
+        emit grown(change.tiles, change.range);
+}
+
+void ShownHeights::remove(RobotId id) {
+    const auto left = members_.extract(id);
+    if (!left.empty())
+        worker_.call(&FusionWorker::remove, left.mapped().group, left.mapped().connection);
+}
+
+QStringList ShownHeights::knowing(const Vec2& point_in_map_m) const {
+    QStringList known;
+    for (const Robot* const robot : fleet_.robots()) {
+        const RobotView& view = robot->view();
+        const bool shown = scope_ == HeightScope::AllRobots ? groupOf(view) == group_ : view.id == selected_;
+        if (shown && mapping::probeHeight(view.tiles, view.cell_size_m, point_in_map_m))
+            known << nameOf(*robot);
+    }
+    return known;
+}
+
+} // namespace usar::mission
