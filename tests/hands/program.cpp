@@ -147,7 +147,8 @@ void Program::screenshot(const QString& name) const {
 }
 
 std::optional<int> Program::ended(int within_ms) {
-    if (!process_.waitForFinished(within_ms))
+    // Waiting fails where it has ended already.
+    if (process_.state() != QProcess::NotRunning && !process_.waitForFinished(within_ms))
         return std::nullopt;
     return process_.exitCode();
 }

@@ -33,6 +33,7 @@ const QDBusArgument& operator>>(const QDBusArgument& in, Reference& reference) {
 namespace {
 
 const QString accessible = QStringLiteral("org.a11y.atspi.Accessible");
+const Seen all_programs{"org.a11y.atspi.Registry", "/org/a11y/atspi/accessible/root", {}, {}, {}, {}};
 constexpr int answer_ms = 5000;
 
 QDBusPendingCall ask(const QDBusConnection& bus, const QString& service, const QString& path, const QString& interface,
@@ -109,15 +110,32 @@ ScreenReader::ScreenReader(const QDBusConnection& bus, const QSize& screen_px) :
     qDBusRegisterMetaType<QList<Reference>>();
 }
 
-bool ScreenReader::walk(const QString& service, const QString& path,
-                        const std::function<bool(const Seen&)>& visit) const {
-    const QVariant answer = answerOf(ask(bus_, service, path, accessible, "GetChildren"));
-    if (!answer.isValid())
-        return false;
-    QList<Reference> children;
-    answer.value<QDBusArgument>() >> children;
+/// All children; of a table or tree, which has its hidden rows, too, those cells that are likely to be on the screen.
+static QList<Reference> childrenOf(const QDBusConnection& bus, const Seen& parent) {
+    constexpr int most_cells = 60;
+    const auto count = [&] {
+        const auto answer = answerOf(askFor(bus, {parent.service, QDBusObjectPath(parent.path)}, "ChildCount"));
+        return qvariant_cast<QDBusVariant>(answer).variant().toInt();
+    };
+    const bool has_rows = parent.role == "table" || parent.role == "tree";
+    if (const int all = has_rows ? count() : 0; all > most_cells) {
+        const int first = parent.role == "table" ? all - most_cells : 0; // Tables follow their newest rows here.
+        std::vector<QDBusPendingCall> asked;
+        for (int i = first; i < first + most_cells; ++i)
+            asked.push_back(ask(bus, parent.service, parent.path, accessible, "GetChildAtIndex", {i}));
+        QList<Reference> children;
+        for (const QDBusPendingCall& child : asked)
+            if (const QVariant answer = answerOf(child); answer.isValid())
+                children << qdbus_cast<Reference>(answer);
+        return children;
+    }
+    const QVariant answer = answerOf(ask(bus, parent.service, parent.path, accessible, "GetChildren"));
+    return answer.isValid() ? qdbus_cast<QList<Reference>>(answer) : QList<Reference>();
+}
+
+bool ScreenReader::walk(const Seen& parent, const Wanted& visit) const {
     std::vector<Asked> asked;
-    for (const Reference& child : children)
+    for (const Reference& child : childrenOf(bus_, parent))
         asked.emplace_back(bus_, child);
     for (const Asked& child : asked) {
         const Seen seen = child.seen();
@@ -126,7 +144,7 @@ bool ScreenReader::walk(const QString& service, const QString& path,
             continue; // Neither is anything in it.
         if (!is_program && visit(seen))
             return true;
-        if (walk(seen.service, seen.path, visit))
+        if (walk(seen, visit))
             return true;
     }
     return false;
@@ -136,7 +154,7 @@ std::optional<Seen> ScreenReader::find(const Wanted& wanted, int within_ms) cons
     std::optional<Seen> found;
     const bool came = QTest::qWaitFor(
         [&] {
-            return walk("org.a11y.atspi.Registry", "/org/a11y/atspi/accessible/root", [&](const Seen& seen) {
+            return walk(all_programs, [&](const Seen& seen) {
                 if (!wanted(seen))
                     return false;
                 found = seen;
@@ -154,7 +172,7 @@ std::optional<Seen> ScreenReader::find(const QString& role, const QString& name,
 
 std::vector<Seen> ScreenReader::all(const Wanted& wanted) const {
     std::vector<Seen> found;
-    walk("org.a11y.atspi.Registry", "/org/a11y/atspi/accessible/root", [&](const Seen& seen) {
+    walk(all_programs, [&](const Seen& seen) {
         if (wanted(seen))
             found.push_back(seen);
         return false;

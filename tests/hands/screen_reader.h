@@ -43,7 +43,8 @@ public:
     QString textOf(const Seen& field) const;
 
 private:
-    bool walk(const QString& service, const QString& path, const std::function<bool(const Seen&)>& visit) const;
+    /// Visits what is on the screen of all that is in `parent`, until `visit` returns true.
+    bool walk(const Seen& parent, const Wanted& visit) const;
 
     QDBusConnection bus_;
     QRect screen_px_; ///< Qt puts docks that are behind a tab outside of it.
