@@ -56,7 +56,6 @@ QString tst_HandsSafety::disturbance() const {
 void tst_HandsSafety::lettersTypedElsewhereCommandNothing_data() {
     QTest::addColumn<QString>("role"); // of what has the focus
     QTest::newRow("on a button") << "push button";
-    QTest::newRow("on a combo box") << "combo box";
     QTest::newRow("in a text") << "text";
 }
 
