@@ -1,22 +1,30 @@
 #include "tests/hands/program.h"
 
+#include <algorithm>
+
 #include <QDir>
 #include <QTest>
 
 namespace usar::hands {
+
+namespace {
+
+constexpr int patience_ms = 90000; ///< of a machine that does much else
+
+} // namespace
 
 Program::Program(const QSize& screen_px, const QStringList& arguments)
     : desktop_(screen_px)
     , results_(folder_.filePath("results")) {
     if (!desktop_.trouble().isEmpty())
         return;
-    reader_.emplace(desktop_.accessibility());
+    reader_.emplace(desktop_.accessibility(), screen_px);
     process_.setProcessEnvironment(desktop_.environment());
     process_.setStandardErrorFile(folder_.filePath("stderr.txt"));
-    process_.start(USAR_BINARY_DIR "/bin/mission-control",
+    process_.start(qEnvironmentVariable("USAR_PROGRAM", USAR_BINARY_DIR "/bin/mission-control"),
                    QStringList{"--port", "0", "--wireless-port", "0", "--out", results_} + arguments);
     process_.waitForStarted();
-    reader_->find("frame", "Mission Control");
+    reader_->find("frame", "Mission Control", patience_ms);
 }
 
 Program::~Program() {
@@ -47,10 +55,53 @@ bool Program::says(const QString& words, int within_ms) const {
     return reader_->find(hasWords, within_ms).has_value();
 }
 
+bool Program::tabTo(const QString& role) {
+    const auto is_there = [&](const Seen& seen) { return seen.role == role && seen.focused(); };
+    constexpr int most_widgets = 12;
+    for (int i = 0; i < most_widgets; ++i) {
+        desktop_.key("Tab");
+        if (reader_->find(is_there, 300))
+            return true;
+    }
+    return false;
+}
+
 QString Program::figure(const QString& name) const {
     const auto seen =
         reader_->find([&name](const Seen& one) { return one.name == name && !one.description.isEmpty(); });
     return seen ? seen->description : QString();
+}
+
+QString Program::row(const QString& robot) const {
+    const auto seen =
+        reader_->find([&](const Seen& one) { return one.role == "list item" && one.name.startsWith(robot + ","); }, 0);
+    return seen ? seen->name : QString();
+}
+
+int Program::coloredPixels(const QString& widget) const {
+    const auto seen = reader_->find([&](const Seen& one) { return one.name == widget; });
+    const QImage screen = desktop_.screenshot();
+    if (!seen || screen.isNull())
+        return 0;
+    constexpr int colored = 70; // Both themes have grays that are a little blue.
+    int count = 0;
+    const QRect box = seen->at & screen.rect();
+    for (int y = box.top(); y <= box.bottom(); ++y)
+        for (int x = box.left(); x <= box.right(); ++x) {
+            const QRgb pixel = screen.pixel(x, y);
+            const auto [least, most] = std::minmax({qRed(pixel), qGreen(pixel), qBlue(pixel)});
+            count += most - least > colored;
+        }
+    return count;
+}
+
+bool Program::lookAtWorld() {
+    const auto map = reader_->find([](const Seen& seen) { return seen.name == "Map"; });
+    if (!map)
+        return false;
+    desktop_.click(map->at.topLeft() + QPoint(12, map->at.height() / 2));
+    desktop_.key("Home");
+    return true;
 }
 
 bool Program::spawnAt(const QString& start_pose, const QString& robot) {
@@ -58,19 +109,35 @@ bool Program::spawnAt(const QString& start_pose, const QString& robot) {
     if (!pose)
         return false;
     desktop_.doubleClick(pose->at.center());
-    return reader_->find([&](const Seen& seen) { return seen.name == "Robot " + robot; }).has_value();
+    return QTest::qWaitFor([&] { return !row(robot).isEmpty(); }, patience_ms);
+}
+
+bool Program::takesMark(const QString& start_pose) {
+    const auto marked = [&](const Seen& seen) { return seen.description.startsWith("Start pose " + start_pose + "."); };
+    constexpr int most_poses = 20;
+    for (int i = 0; i < most_poses; ++i) {
+        desktop_.key("n");
+        if (reader_->find(marked, 300))
+            return true;
+    }
+    return false;
+}
+
+bool Program::spawnByKeys(const QString& start_pose, const QString& robot) {
+    if (!says("Connected") || !lookAtWorld() || !takesMark(start_pose))
+        return false;
+    desktop_.key("Return");
+    return QTest::qWaitFor([&] { return !row(robot).isEmpty(); }, patience_ms);
 }
 
 bool Program::fly() {
     const auto map = reader_->find([](const Seen& seen) { return seen.name == "Map"; });
-    if (!map)
+    if (!map || !lookAtWorld())
         return false;
-    desktop_.click(map->at.topLeft() + QPoint(map->at.width() / 2, 30)); // Gives the map the keys.
     desktop_.key("a");
     const QPoint middle = map->at.center();
     desktop_.drag(middle - QPoint(40, 30), middle + QPoint(40, 30));
-    return press("Start") &&
-           QTest::qWaitFor([this] { return figure("flown").section(' ', 0, 0).toDouble() > 0.0; }, 60000);
+    return press("Start") && QTest::qWaitFor([this] { return number("flown") > 0.0; }, patience_ms);
 }
 
 void Program::screenshot(const QString& name) const {
@@ -80,7 +147,8 @@ void Program::screenshot(const QString& name) const {
 }
 
 std::optional<int> Program::ended(int within_ms) {
-    if (!process_.waitForFinished(within_ms))
+    // Waiting fails where it has ended already.
+    if (process_.state() != QProcess::NotRunning && !process_.waitForFinished(within_ms))
         return std::nullopt;
     return process_.exitCode();
 }

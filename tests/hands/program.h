@@ -7,7 +7,8 @@
 namespace usar::hands {
 
 /// Starts the program with the embedded simulator on free ports, with the settings of a first start. A person reads by
-/// `read` and acts by `desk`; nothing here reaches into the program.
+/// `read` and acts by `desk`; nothing here reaches into the program. The environment variable USAR_PROGRAM names
+/// another build of it, such as one that still has a defect; what finds things here works with those, too.
 class Program {
 public:
     explicit Program(const QSize& screen_px = {1280, 800}, const QStringList& arguments = {});
@@ -24,13 +25,26 @@ public:
     bool click(const QString& role, const QString& name);
     /// The same for a button.
     bool press(const QString& name) { return click("push button", name); }
+    /// Presses Tab until a widget with this role has the focus; false if none gets it.
+    bool tabTo(const QString& role);
     /// True once a widget on the screen has these words as its name or description, or as a part of them.
-    bool says(const QString& words, int within_ms = 15000) const;
+    bool says(const QString& words, int within_ms = 30000) const;
     /// Description of the instrument with this name: its figure with the unit. Empty where there is none.
     QString figure(const QString& name) const;
+    /// The number at the beginning of that; 0 where there is none.
+    double number(const QString& name) const { return figure(name).section(' ', 0, 0).toDouble(); }
+    /// What the list of robots says about this one: "R1, AirRobot, taking off, …". Empty where it is not listed.
+    QString row(const QString& robot) const;
+    /// Number of pixels of the widget with this name that have a color; what is out of date is gray.
+    int coloredPixels(const QString& widget) const;
+
+    /// Gives the map the keys, which shows the whole world then.
+    bool lookAtWorld();
     /// Double-clicks the start pose with this name and waits for the robot's row; false where either is missing.
     bool spawnAt(const QString& start_pose, const QString& robot);
-    /// Draws a mission area in the middle of the map, presses Start, and waits until the robot flies.
+    /// The same by keys on the map.
+    bool spawnByKeys(const QString& start_pose, const QString& robot);
+    /// Draws a mission area in the middle of the world, presses Start, and waits until the robot flies.
     bool fly();
     /// Saves what is on the screen as build/PRESET/screenshots/hands_NAME.png.
     void screenshot(const QString& name) const;
@@ -38,6 +52,8 @@ public:
     std::optional<int> ended(int within_ms);
 
 private:
+    bool takesMark(const QString& start_pose);
+
     Desktop desktop_;
     QTemporaryDir folder_;
     QString results_;

@@ -24,12 +24,13 @@ struct Seen {
     bool enabled() const { return states >> 8 & 1; }
     bool checked() const { return states >> 4 & 1; }
     bool focused() const { return states >> 12 & 1; }
+    bool selected() const { return states >> 23 & 1; }
 };
 
 /// Reads all programs on one desktop. Each call asks anew, which takes a tenth of a second for a large window.
 class ScreenReader {
 public:
-    explicit ScreenReader(const QDBusConnection& bus);
+    ScreenReader(const QDBusConnection& bus, const QSize& screen_px);
 
     using Wanted = std::function<bool(const Seen&)>;
     /// The first widget on the screen that is wanted, top down; waits until there is one. nullopt after `within_ms`.
@@ -42,10 +43,11 @@ public:
     QString textOf(const Seen& field) const;
 
 private:
-    bool walk(const QString& service, const QString& path, const std::function<bool(const Seen&)>& visit) const;
-    Seen look(const QString& service, const QString& path) const;
+    /// Visits what is on the screen of all that is in `parent`, until `visit` returns true.
+    bool walk(const Seen& parent, const Wanted& visit) const;
 
     QDBusConnection bus_;
+    QRect screen_px_; ///< Qt puts docks that are behind a tab outside of it.
 };
 
 } // namespace usar::hands

@@ -255,6 +255,8 @@ QVariant SensorModel::data(const QModelIndex& index, int role) const {
         return QString::fromStdString(leaf->field.path()) + QStringLiteral(" = ") + valueText(*leaf) +
                QStringLiteral("\n") +
                (leaf->field.number ? tr("Double-click or drag to the plots") : tr("A text: it cannot be plotted"));
+    case Qt::AccessibleDescriptionRole:
+        return timingAt(index).stale(now_, linked_) ? tr("out of date") : QString();
     case Qt::SizeHintRole:
         return QSize(0, minimum_target);
     case PathRole:

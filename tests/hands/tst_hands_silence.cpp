@@ -1,0 +1,112 @@
+// What a silent server said last is shown as that, in all views.
+#include <csignal>
+
+#include <QRegularExpression>
+#include <QTest>
+
+#include "tests/hands/program.h"
+#include "tests/suite/suite.h"
+
+namespace tst_hands_silence {
+
+using namespace usar::hands;
+
+namespace {
+
+/// usar-sim as a process that can be frozen, as a network can.
+class Simulator {
+public:
+    Simulator() {
+        process_.start(USAR_BINARY_DIR "/bin/usar-sim", {"--port", "0"});
+        const QRegularExpression number("on 127\\.0\\.0\\.1:(\\d+)");
+        QByteArray said;
+        while (port_ == 0 && process_.waitForReadyRead(60000)) {
+            said += process_.readAll();
+            if (const auto match = number.match(QString::fromLocal8Bit(said)); match.hasMatch())
+                port_ = match.captured(1).toInt();
+        }
+    }
+    ~Simulator() {
+        process_.kill();
+        process_.waitForFinished();
+    }
+    Q_DISABLE_COPY_MOVE(Simulator)
+
+    int port() const { return port_; }
+    void freeze() { ::kill(static_cast<pid_t>(process_.processId()), SIGSTOP); }
+
+private:
+    QProcess process_;
+    int port_ = 0; ///< 0: it does not listen
+};
+
+} // namespace
+
+class tst_HandsSilence : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void aSilentServerMakesAllViewsSaySo();
+    void aScreenReaderHearsIt();
+
+private:
+    /// Waits until neither laser nor sonars are painted in color; what still is.
+    QString bright() const;
+    /// Waits until every figure and mark says that it is out of date; the one that does not.
+    QString fresh() const;
+
+    Simulator simulator_;
+    std::optional<Program> program_;
+};
+
+constexpr int patience_ms = 30000;
+constexpr int few_pixels = 20; ///< an edge of the window that lies over it
+
+QString tst_HandsSilence::bright() const {
+    for (const QString& name : QStringList{"Laser scan", "Sonars"})
+        if (!QTest::qWaitFor([&] { return program_->coloredPixels(name) < few_pixels; }, patience_ms))
+            return QStringLiteral("%1 has %2 colored pixels").arg(name).arg(program_->coloredPixels(name));
+    return {};
+}
+
+QString tst_HandsSilence::fresh() const {
+    for (const QString& name :
+         QStringList{"elapsed", "flown", "Battery", "Laser scan", "Terrain profile", "Sonars", "Robot R1"})
+        if (!QTest::qWaitFor([&] { return program_->figure(name).contains("out of date"); }, patience_ms))
+            return QStringLiteral("%1 says \"%2\"").arg(name, program_->figure(name));
+    const auto is_value = [](const Seen& seen) { return seen.role == "tree item" && !seen.name.isEmpty(); };
+    for (const Seen& seen : program_->read().all(is_value))
+        if (seen.description != "out of date")
+            return "the sensor's " + seen.name;
+    return {};
+}
+
+void tst_HandsSilence::initTestCase() {
+    QVERIFY(simulator_.port() > 0);
+    program_.emplace(QSize(1280, 800), QStringList{"--connect", QStringLiteral("127.0.0.1:%1").arg(simulator_.port())});
+    QVERIFY2(program_->trouble().isEmpty(), qPrintable(program_->trouble()));
+    QVERIFY(program_->spawnByKeys("PlayerStart", "R1"));
+    QVERIFY(program_->fly());
+}
+
+void tst_HandsSilence::aSilentServerMakesAllViewsSaySo() {
+    QTRY_VERIFY_WITH_TIMEOUT(program_->coloredPixels("Laser scan") > few_pixels, patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(program_->coloredPixels("Sonars") > few_pixels, patience_ms);
+    QVERIFY2(!program_->row("R1").contains("no news"), qPrintable(program_->row("R1")));
+    QVERIFY(!program_->read().find("label", "stale", 0));
+    simulator_.freeze();
+    QTRY_VERIFY2_WITH_TIMEOUT(program_->row("R1").contains("no news"), qPrintable(program_->row("R1")), patience_ms);
+    QVERIFY(program_->read().find("label", "stale", patience_ms));
+    QCOMPARE(bright(), QString());
+    program_->screenshot("silent");
+}
+
+void tst_HandsSilence::aScreenReaderHearsIt() {
+    QCOMPARE(fresh(), QString());
+}
+
+USAR_TEST(tst_HandsSilence)
+
+} // namespace tst_hands_silence
+
+#include "tst_hands_silence.moc"
