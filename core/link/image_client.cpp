@@ -6,6 +6,7 @@
 #include <QNetworkProxy>
 #include <QtEndian>
 
+#include "core/link/retry.h"
 #include "core/protocol/usual_values.h"
 
 namespace usar::link {
@@ -163,7 +164,7 @@ void ImageClient::takeFrame() {
 
 void ImageClient::failed(const QString& trouble) {
     dropConnection();
-    const Seconds wait = std::min(limits_.longest_retry, limits_.first_retry * std::exp2(std::min(failed_tries_, 20)));
+    const Seconds wait = retryPause(limits_.first_retry, limits_.longest_retry, failed_tries_);
     ++failed_tries_;
     retry_timer_.start(toMilliseconds(wait));
     setState(ImageState::Waiting, trouble);

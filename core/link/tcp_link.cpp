@@ -8,6 +8,7 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/link/retry.h"
 
 namespace usar::link {
 
@@ -214,7 +215,7 @@ QString TcpLink::reasonOf(QAbstractSocket::SocketError error) const {
 void TcpLink::failed(const QString& trouble) {
     const bool was_connected = status_.state == LinkState::Connected;
     dropConnection();
-    const Seconds wait = std::min(limits_.longest_retry, limits_.first_retry * std::exp2(std::min(failed_tries_, 20)));
+    const Seconds wait = retryPause(limits_.first_retry, limits_.longest_retry, failed_tries_);
     ++failed_tries_;
     retry_timer_.start(toMilliseconds(wait));
     setStatus(LinkState::Waiting, trouble, wait);

@@ -10,6 +10,10 @@
 #include <QUuid>
 #include <QtEndian>
 
+#include <sys/prctl.h>
+
+#include <csignal>
+
 namespace usar::hands {
 
 namespace {
@@ -22,6 +26,10 @@ QString numbers(const QPoint& point) {
 }
 
 } // namespace
+
+void endWithUs(QProcess& process) {
+    process.setChildProcessModifier([] { ::prctl(PR_SET_PDEATHSIG, SIGKILL); });
+}
 
 Desktop::Desktop(const QSize& size_px) : size_px_(size_px), environment_(QProcessEnvironment::systemEnvironment()) {
     // The buses leave their sockets there, and programs their settings, so that runs beside each other share nothing.
@@ -74,6 +82,7 @@ QProcess* Desktop::start(const QString& program, const QStringList& arguments) {
     auto process = std::make_unique<QProcess>();
     process->setProcessEnvironment(environment_);
     process->setStandardErrorFile(QProcess::nullDevice());
+    endWithUs(*process);
     process->start(program, arguments);
     if (!process->waitForStarted(start_ms)) {
         trouble_ = program + " does not start (tests/run installs it): " + process->errorString();

@@ -14,6 +14,9 @@
 
 namespace usar::hands {
 
+/// Makes the process end with this one, even if this one is killed. Before it is started.
+void endWithUs(QProcess& process);
+
 /// Xvfb, openbox, a session bus and the accessibility bus, all ended with this object. Events come from the X server
 /// itself (XTest), so they pass the window manager, focus, grabs, and Qt's own input handling.
 class Desktop {

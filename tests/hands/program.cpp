@@ -21,6 +21,7 @@ Program::Program(const QSize& screen_px, const QStringList& arguments)
     reader_.emplace(desktop_.accessibility(), screen_px);
     process_.setProcessEnvironment(desktop_.environment());
     process_.setStandardErrorFile(folder_.filePath("stderr.txt"));
+    endWithUs(process_);
     process_.start(qEnvironmentVariable("USAR_PROGRAM", USAR_BINARY_DIR "/bin/mission-control"),
                    QStringList{"--port", "0", "--wireless-port", "0", "--out", results_} + arguments);
     process_.waitForStarted();

@@ -17,8 +17,8 @@ namespace usar::widgets {
 
 /// State comes in by setters, gestures go out by signals; it knows no session. Repaints are coalesced by Qt's update().
 /// Keys when focused: arrows pan (with Shift farther), + and - zoom, N and Shift+N step through the start poses, Return
-/// spawns there, Space asks first, Escape cancels a drag or leaves a tool, Delete asks to remove
-/// the selected object. Lengths are in meters of the map frame. GUI thread.
+/// spawns there, Space asks first, Escape cancels a drag or leaves a tool, Delete asks to remove the selected object.
+/// Lengths are in meters of the map frame. GUI thread.
 class MapView : public QWidget {
     Q_OBJECT
 public:
@@ -29,14 +29,12 @@ public:
     void setWorld(const Rectangle& extent_in_map, const QString& name);
     /// Sets a picture of the world (row 0 = highest y), drawn directly above the ground.
     void setBackground(const QImage& image, const Rectangle& image_in_map);
-    /// Replaces the start poses; signals refer to them by index.
-    void setStartPoses(const std::vector<protocol::StartPose>& poses);
+    void setStartPoses(const std::vector<protocol::StartPose>& poses); ///< signals refer to them by index
     /// Removes everything but layers and tool, because the server has changed. A gesture in progress ends.
     void clear();
     EmptyState* emptyState() const { return empty_state_; } ///< shown while there is no world, start pose or robot
     HeightLayer& heights() { return *heights_; }
-    /// `names` tells the probe who has scanned the point under the cursor; asked in paintEvent if there are several
-    /// robots.
+    /// `names` tells the probe who has scanned a point; asked in paintEvent if there are several robots.
     void setScannedBy(const std::function<QStringList(const Vec2& point_in_map_m)>& names) { scanned_by_ = names; }
 
     // The mission.

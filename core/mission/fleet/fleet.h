@@ -59,7 +59,7 @@ public:
     void setTruthMaker(std::function<Truth()> make); ///< SimulatorFacts::make_truth; forgotten likewise
 
     QString nextRobotName() const;
-    /// Returns the id, the lowest free key 1-9; an error if all are taken or there is no link.
+    /// Returns the lowest free id; an error if there are too many robots or no link.
     Result<RobotId> spawn(SpawnRequest request);
     Robot* robot(RobotId id) const; ///< nullptr if there is none
     std::vector<Robot*> robots() const;
@@ -112,8 +112,7 @@ public:
     void cure(const QString& key) { emit cured(key); }
 
 signals:
-    /// Emitted after a scan, with the plugins that have answered.
-    void pluginsChanged(const std::vector<usar::agent::PluginChange>& changes);
+    void pluginsChanged(const std::vector<usar::agent::PluginChange>& changes); ///< after a scan; those that answered
     void linkChanged(const usar::link::LinkStatus& status);
     /// The spare connection is open and `linkChanged` was emitted: a robot can be spawned.
     void nextConnected();
@@ -121,8 +120,7 @@ signals:
     void serverLeft();
     void startPosesKnown(const usar::protocol::StartPoses& poses, const QString& level);
     void robotAdded(usar::RobotId id);
-    /// Emitted before `robotAdded`.
-    void replayAdded(usar::RobotId id);
+    void replayAdded(usar::RobotId id); ///< before `robotAdded`
     /// `instead`: id to select if the removed robot was selected; 0 if none remain.
     void robotRemoved(usar::RobotId id, const QString& name, usar::RobotId instead);
     void robotLinkChanged(usar::RobotId id);

@@ -12,7 +12,7 @@ namespace usar::server {
 
 namespace {
 
-void tellClients(const SimulatorServer& server, quint16 port, quint16 image_port) {
+void tellClients(SimulatorServer& server, quint16 port, quint16 image_port) {
     std::printf("%s on 127.0.0.1:%u - connect a USARSim client there, or: nc -C 127.0.0.1 %u; Ctrl+C ends\n",
                 server.simulation().world().name.c_str(), static_cast<unsigned>(port), static_cast<unsigned>(port));
     std::printf("Pictures of its cameras on 127.0.0.1:%u\n", static_cast<unsigned>(image_port));
