@@ -1,4 +1,4 @@
-// What a silent server said last is shown as that, in all views.
+// What a silent server said last is shown as that, in all views, and it stays so when another server comes.
 #include <csignal>
 
 #include <QRegularExpression>
@@ -13,11 +13,11 @@ using namespace usar::hands;
 
 namespace {
 
-/// usar-sim as a process that can be frozen, as a network can.
+/// usar-sim as a process that can be frozen, as a network can, and killed.
 class Simulator {
 public:
-    Simulator() {
-        process_.start(USAR_BINARY_DIR "/bin/usar-sim", {"--port", "0"});
+    explicit Simulator(int port = 0) {
+        process_.start(USAR_BINARY_DIR "/bin/usar-sim", {"--port", QString::number(port)});
         const QRegularExpression number("on 127\\.0\\.0\\.1:(\\d+)");
         QByteArray said;
         while (port_ == 0 && process_.waitForReadyRead(60000)) {
@@ -26,14 +26,15 @@ public:
                 port_ = match.captured(1).toInt();
         }
     }
-    ~Simulator() {
-        process_.kill();
-        process_.waitForFinished();
-    }
+    ~Simulator() { kill(); }
     Q_DISABLE_COPY_MOVE(Simulator)
 
     int port() const { return port_; }
     void freeze() { ::kill(static_cast<pid_t>(process_.processId()), SIGSTOP); }
+    void kill() {
+        process_.kill();
+        process_.waitForFinished();
+    }
 
 private:
     QProcess process_;
@@ -48,6 +49,8 @@ private slots:
     void initTestCase();
     void aSilentServerMakesAllViewsSaySo();
     void aScreenReaderHearsIt();
+    void aRobotOfAServerThatWasKilledIsGoneAfterItsRestart();
+    void whatItSaidStaysOutOfDate();
 
 private:
     /// Waits until neither laser nor sonars are painted in color; what still is.
@@ -56,6 +59,7 @@ private:
     QString fresh() const;
 
     Simulator simulator_;
+    std::optional<Simulator> again_;
     std::optional<Program> program_;
 };
 
@@ -102,6 +106,21 @@ void tst_HandsSilence::aSilentServerMakesAllViewsSaySo() {
 }
 
 void tst_HandsSilence::aScreenReaderHearsIt() {
+    QCOMPARE(fresh(), QString());
+}
+
+void tst_HandsSilence::aRobotOfAServerThatWasKilledIsGoneAfterItsRestart() {
+    simulator_.kill();
+    again_.emplace(simulator_.port());
+    QCOMPARE(again_->port(), simulator_.port());
+    // While there is no link, the row says that instead.
+    QTRY_VERIFY2_WITH_TIMEOUT(program_->row("R1").contains("ended early"), qPrintable(program_->row("R1")), 90000);
+    QVERIFY2(program_->row("R1").contains("no news"), qPrintable(program_->row("R1")));
+    QCOMPARE(bright(), QString());
+    program_->screenshot("after_restart");
+}
+
+void tst_HandsSilence::whatItSaidStaysOutOfDate() {
     QCOMPARE(fresh(), QString());
 }
 
