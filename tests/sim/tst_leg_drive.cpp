@@ -2,6 +2,7 @@
 #include <QString>
 #include <QTest>
 
+#include "core/agent/leg_kinematics.h"
 #include "core/sim/drives/driven_joints.h"
 #include "tests/sim/driven_robot.h"
 #include "tests/suite/suite.h"
@@ -165,6 +166,16 @@ private slots:
         QCOMPARE(state.joints.front().name, std::string("LFLeg1"));
         QCOMPARE(state.joints[13].name, std::string("HeadPan"));
         QVERIFY(std::abs(state.joints[13].angle_rad - 0.3) < 0.02);
+    }
+
+    void hasTheLegJointsThatBehaviorsName() {
+        DrivenRobot dog(flatWorld(), robots, "ERS", 0.1, 0.13);
+        protocol::RobotState state;
+        dog.drive->addState(state);
+        std::size_t joint = 0;
+        for (const auto& leg : agent::ers_leg_joints)
+            for (const std::string_view name : leg)
+                QCOMPARE(state.joints.at(joint++).name, std::string(name));
     }
 };
 
