@@ -120,7 +120,8 @@ private slots:
             return covered_pct && *covered_pct > 20.0;
         };
         QTRY_VERIFY_WITH_TIMEOUT(map_is_there(), soon_ms);
-        QVERIFY(page.robot(1)->status && page.robot(1)->status->progress_pct.value_or(0.0) < 20.0);
+        QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->status, soon_ms);
+        QVERIFY(page.robot(1)->status->progress_pct.value_or(0.0) < 20.0);
     }
 
     void nothingIsOpenedWhereTheAnswerIsNo() {
