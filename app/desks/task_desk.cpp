@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include <QScopedValueRollback>
+
 #include "core/server/embedded/simulator_files.h"
 #include "widgets/models/figures.h"
 
@@ -41,7 +43,12 @@ void TaskDesk::registerCommands() {
 void TaskDesk::wire() {
     auto* const panel = views_.behavior;
     panel->setActions(action("mission.start"), action("mission.pause"), action("mission.land"), action("mission.stop"));
-    connect(panel, &widgets::BehaviorPanel::behaviorChosen, this, &TaskDesk::showChosenBehavior);
+    connect(panel, &widgets::BehaviorPanel::behaviorChosen, this, [this] {
+        const mission::TaskDraft before = drafts_.shown();
+        showChosenBehavior();
+        if (!showing_ && !before.behavior_id.empty())
+            edits_.replaced(before, tr("choose behavior"));
+    });
     connect(panel, &widgets::BehaviorPanel::isolationChosen, this,
             [this](bool isolated) { plugins_.setIsolated(plugins_.pluginOf(drafts_.shown().behavior_id), isolated); });
     connect(&plugins_, &PluginDesk::isolationChanged, this, &TaskDesk::showIsolation);
@@ -64,6 +71,7 @@ void TaskDesk::wire() {
     connect(&control_, &MissionControl::robotRemoved, this, [this](RobotId id) {
         if (notices_.offers(missionKey(id)))
             notices_.cure(missionKey(id));
+        edits_.forget(id);
         drafts_.forget(id);
     });
 }
@@ -80,6 +88,7 @@ void TaskDesk::wireArea() {
         map->setTool(widgets::MapTool::Pan);
         notices_.cure("area");
         setArea(area);
+        control_.history().endStep();
     });
     connect(&map->gestures(), &widgets::MapGestures::areaRefused, this,
             [this](const QString& reason) { notices_.say(Severity::Warning, "area", reason); });
@@ -129,16 +138,31 @@ void TaskDesk::bringBackArea(const QString& world) {
         return;
     views_.behavior->setArea(area);
     views_.map->setArea(area);
-    setArea(area);
+    drafts_.shown().area_in_map = area;
+    askForPreview();
 }
 
 void TaskDesk::leaveWorld() {
     views_.behavior->setArea(std::nullopt);
     views_.behavior->setAreaLimits({}); // until the world is known; that of a real server never is
+    edits_.forgetAreas();
     drafts_.forgetAreas();
 }
 
+void TaskDesk::showEdited(RobotId robot) {
+    selection_.select(robot);
+    if (running())
+        applyParameters(drafts_.shown().values);
+}
+
+void TaskDesk::takePlan() {
+    const mission::TaskDraft before = drafts_.shown();
+    drafts_.shown().plan_path = views_.behavior->plan().path().toStdString();
+    edits_.replaced(before, tr("choose plan"));
+}
+
 void TaskDesk::show(RobotId robot_id) {
+    const QScopedValueRollback showing(showing_, true);
     drafts_.show(robot_id);
     const mission::TaskDraft draft = drafts_.shown(); // a copy: another list may choose another behavior for a moment
     const Robot* robot = selection_.robot();
@@ -183,7 +207,9 @@ void TaskDesk::showChosenBehavior() {
 void TaskDesk::setUp(const mission::Mission& mission, const std::map<std::string, agent::ParameterValue>& values) {
     if (mission.isolate)
         plugins_.setIsolated(plugins_.pluginOf(mission.behavior), true);
+    const mission::TaskDraft before = drafts_.shown();
     drafts_.shown().take(mission, values);
+    edits_.replaced(before, tr("open mission"));
     show(selection_.id());
     views_.map->fit();
     applyParameters(drafts_.shown().values);
@@ -195,7 +221,7 @@ bool TaskDesk::complete() const {
 }
 
 void TaskDesk::setArea(const Rectangle& area_in_map) {
-    drafts_.shown().area_in_map = area_in_map.empty() ? std::nullopt : std::optional(area_in_map);
+    edits_.setArea(area_in_map);
     askForPreview();
 }
 
@@ -325,7 +351,8 @@ void TaskDesk::refreshRunState() {
 }
 
 void TaskDesk::applyParameters(const std::map<std::string, agent::ParameterValue>& values) {
-    drafts_.shown().values = values;
+    const auto* chosen = control_.plugins().behavior(drafts_.shown().behavior_id);
+    edits_.setValues(values, chosen ? chosen->parameters : std::vector<agent::ParameterSpec>());
     if (!running())
         return askForPreview();
     const auto* behavior = control_.plugins().behavior(robot()->view().behavior_id);

@@ -13,10 +13,12 @@ namespace usar::app {
 
 ViewDesk::ViewDesk(const DeskContext& context, QMainWindow& window, std::optional<widgets::Theme> theme)
     : Desk(context)
+    , history_(context)
     , main_window_(window)
     , theme_(theme) {}
 
 void ViewDesk::registerCommands() {
+    history_.registerCommands();
     auto* const map = views_.map;
     add("map.fit", [map] { map->fit(); });
     add("map.fit_world", [map] { map->fitWorld(); });
@@ -97,6 +99,7 @@ std::vector<widgets::PaletteOffer> ViewDesk::plots() const {
 }
 
 void ViewDesk::wire() {
+    history_.wire();
     connect(views_.map, &widgets::MapView::followingChanged, action("map.follow"), &QAction::setChecked);
     connect(views_.robots, &widgets::RobotList::wholeHeightChanged, this, &ViewDesk::giveRobotsRoom);
     connect(views_.layers, &widgets::LayersPanel::layerChanged, views_.map, &widgets::MapView::setLayer);
@@ -146,6 +149,7 @@ void ViewDesk::restore(const QSettings& settings) {
     main_window_.restoreState(settings.value("layout").toByteArray(), layout_version);
     views_.hint->setDismissed(settings.value("hint_dismissed", false).toBool());
     views_.layers->restoreState(settings.value("layers").toByteArray());
+    history_.keepLayers();
 }
 
 void ViewDesk::save(SettingsSheet& settings) const {

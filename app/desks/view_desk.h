@@ -8,7 +8,7 @@
 #include <QMainWindow>
 #include <QPointer>
 
-#include "app/desks/desk.h"
+#include "app/desks/history_desk.h"
 #include "widgets/style/theme.h"
 
 namespace usar::app {
@@ -36,12 +36,13 @@ private:
     /// Restores the first layout, raises this bottom dock, and gives the bottom docks this fraction of the height.
     void arrange(QDockWidget* raised, double bottom_part);
 
-    static constexpr int layout_version = 5; ///< increased with each change of the docks; older layouts are ignored
+    static constexpr int layout_version = 6; ///< increased with each change of the docks; older layouts are ignored
 
     void registerHelpCommands();
     /// For the palette: each number that the selected robot's sensors say can be plotted.
     std::vector<widgets::PaletteOffer> plots() const;
 
+    HistoryDesk history_;
     QMainWindow& main_window_;
     std::optional<widgets::Theme> theme_;
     QByteArray first_layout_;

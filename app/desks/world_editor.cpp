@@ -62,8 +62,9 @@ protocol::Token tokenOf(const QString& name) {
 WorldEditor::WorldEditor(const DeskContext& context)
     : Desk(context)
     , inventory_(sizeOfKind)
-    , deleted_([this](const protocol::Command& command) { link_.send(command); },
-               [this](const std::string& name) { return inventory_.creationOf(name); }) {
+    , edits_(
+          context.control.history(), [this](const protocol::Command& command) { link_.send(command); },
+          [this](const std::string& name) { return inventory_.creationOf(name); }) {
     setClasses();
     views_.world->setKinds(palette());
 }
@@ -84,16 +85,6 @@ void WorldEditor::registerCommands() {
             names << object.name;
         removeNamed(names, protocol::KillAllObjects{});
     });
-    const auto can_undo = [this] { return deleted_.canUndo() && port_ != 0; };
-    add("world.undo", can_undo, [this] {
-        deleted_.undo();
-        commands_.refresh();
-    });
-    const auto can_redo = [this] { return deleted_.canRedo() && port_ != 0; };
-    add("world.redo", can_redo, [this] {
-        deleted_.redo();
-        commands_.refresh();
-    });
     registerWayCommands();
 }
 
@@ -108,11 +99,7 @@ void WorldEditor::registerWayCommands() {
             if (on)
                 views_.map->setFocus(); // So that it receives Escape.
         });
-    add("world.clear_way", has_way, [this] {
-        inventory_.clearWay(selected_.toStdString());
-        link_.send(protocol::ClearWaypoints{tokenOf(selected_)});
-        show();
-    });
+    add("world.clear_way", has_way, [this] { setWay({}); });
     add("world.go", can_go, [this] { follow(true); });
     add("world.halt", can_go, [this] { follow(false); });
 }
@@ -129,11 +116,15 @@ void WorldEditor::setDriving(bool drives) {
 
 /// Gives the panel's buttons words that are short enough to stand below their icons.
 void WorldEditor::nameButtons() {
-    const std::pair<const char*, QString> words[] = {
-        {"world.turn_left", tr("Left")}, {"world.turn_right", tr("Right")}, {"world.spin", tr("Spin")},
-        {"world.undo", tr("Undo")},      {"world.delete", tr("Delete")},    {"world.delete_all", tr("Delete all")},
-        {"world.waypoints", tr("Add")},  {"world.clear_way", tr("Clear")},  {"world.go", tr("Start")},
-        {"world.halt", tr("Stop")}};
+    const std::pair<const char*, QString> words[] = {{"world.turn_left", tr("Left")},
+                                                     {"world.turn_right", tr("Right")},
+                                                     {"world.spin", tr("Spin")},
+                                                     {"world.delete", tr("Delete")},
+                                                     {"world.delete_all", tr("Delete all")},
+                                                     {"world.waypoints", tr("Add")},
+                                                     {"world.clear_way", tr("Clear")},
+                                                     {"world.go", tr("Start")},
+                                                     {"world.halt", tr("Stop")}};
     for (const auto& [id, word] : words)
         action(id)->setIconText(word);
 }
@@ -141,7 +132,7 @@ void WorldEditor::nameButtons() {
 void WorldEditor::wire() {
     nameButtons();
     views_.world->setActions(
-        {action("world.turn_left"), action("world.turn_right"), action("world.spin"), nullptr, action("world.undo"),
+        {action("world.turn_left"), action("world.turn_right"), action("world.spin"), nullptr, action("edit.undo"),
          action("world.delete"), action("world.delete_all")},
         {action("world.waypoints"), action("world.clear_way"), action("world.go"), action("world.halt")},
         action("robot.trace"));
@@ -192,7 +183,7 @@ void WorldEditor::setServer(const link::LinkStatus& status) {
         if (std::exchange(opened_, false))
             link_.close();
         inventory_.clear();
-        deleted_.clear();
+        edits_.forget();
         setClasses();
     } else if (status.state == link::LinkState::Connected && !same) {
         host_ = status.host;
@@ -317,7 +308,7 @@ void WorldEditor::place(const Vec2& at_m, bool again) {
     if (!created)
         return say(QString::fromStdString(created.error().text()));
     inventory_.useName(name);
-    link_.send(*created);
+    edits_.place(*created);
     awaited_ = QString::fromStdString(name);
     if (!again)
         views_.world->disarm();
@@ -325,14 +316,13 @@ void WorldEditor::place(const Vec2& at_m, bool again) {
 
 void WorldEditor::moveTo(const QString& name, const Vec2& center_m) {
     select(name);
-    if (const MapObject* const object = selected())
-        link_.send(protocol::PlaceObject{tokenOf(name), mission::movedTo(object->body_in_map, center_m, ground())});
+    const mission::WorldThing* const thing = inventory_.find(name.toStdString()); // The map's has been moved already.
+    if (const MapObject* const object = selected(); object && thing)
+        edits_.move(thing->name, thing->body_in_map, mission::movedTo(object->body_in_map, center_m, ground()));
 }
 
 void WorldEditor::turn(double angle_rad) {
-    Pose shift;
-    shift.yaw_rad = angle_rad;
-    link_.send(protocol::ShiftObject{tokenOf(selected_), shift});
+    edits_.turn(selected_.toStdString(), angle_rad);
 }
 
 void WorldEditor::remove(const QString& name) {
@@ -353,16 +343,34 @@ void WorldEditor::removeNamed(const QStringList& names, const protocol::Command&
         say(tr("%1 cannot be brought back: the server does not tell of which class it was. Put another object there "
                "if one is needed.")
                 .arg(lost.join(", ")));
-    deleted_.remove(deletion, std::move(kept));
+    edits_.remove(deletion, std::move(kept));
 }
 
 void WorldEditor::addWaypoint(const Vec2& at_m) {
-    const MapObject* const object = selected();
-    if (!object)
+    if (!selected())
         return say(tr("Select an object first; then its waypoints are set by clicks on the map."));
-    inventory_.addWaypoint(selected_.toStdString(), at_m);
-    link_.send(protocol::AddWaypoints{tokenOf(selected_), {mission::waypointAt(object->body_in_map, at_m, ground())}});
-    show();
+    std::vector<Vec2> way_m = inventory_.way_m(selected_.toStdString());
+    way_m.push_back(at_m);
+    setWay(way_m);
+}
+
+void WorldEditor::setWay(const std::vector<Vec2>& way_m) {
+    const std::string name = selected_.toStdString();
+    edits_.setWay(name, inventory_.way_m(name), way_m, [this, name](const std::vector<Vec2>& now_m) {
+        const mission::WorldThing* const thing = inventory_.find(name);
+        if (!thing)
+            return;
+        const bool grows = now_m.size() == inventory_.way_m(name).size() + 1; // Then its motion goes on.
+        inventory_.setWay(name, now_m);
+        std::vector<Vec3> points_m;
+        for (std::size_t i = grows ? now_m.size() - 1 : 0; i < now_m.size(); ++i)
+            points_m.push_back(mission::waypointAt(thing->body_in_map, now_m[i], ground()));
+        if (!grows)
+            link_.send(protocol::ClearWaypoints{mission::tokenOf(name)});
+        if (!points_m.empty())
+            link_.send(protocol::AddWaypoints{mission::tokenOf(name), points_m});
+        show();
+    });
 }
 
 /// Starts or stops the selected object's motion along its waypoints; a conveyor without waypoints runs its belt.

@@ -5,7 +5,7 @@
 
 #include "app/desks/desk.h"
 #include "core/mission/fleet/world_link.h"
-#include "core/mission/world/deleted_objects.h"
+#include "core/mission/world/object_edits.h"
 #include "core/mission/world/world_edits.h"
 #include "core/mission/world/world_inventory.h"
 
@@ -64,6 +64,8 @@ private:
     void removeNamed(const QStringList& names, const protocol::Command& deletion);
     /// Appends a way point to the way of the selected object; says what to do if none is selected.
     void addWaypoint(const Vec2& at_m);
+    /// Gives the selected object these waypoints, as an edit.
+    void setWay(const std::vector<Vec2>& way_m);
     /// Starts or stops the selected object's motion along its way, or its belt.
     void follow(bool moving);
     void say(const QString& text) { notices_.say(Severity::Warning, "world", text); }
@@ -72,7 +74,7 @@ private:
 
     mission::WorldLink link_;
     mission::WorldInventory inventory_;
-    mission::DeletedObjects deleted_;
+    mission::ObjectEdits edits_;
     QString host_;
     quint16 port_ = 0;    ///< 0: no server
     bool opened_ = false; ///< the connection to `host_` has been requested

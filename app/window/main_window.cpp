@@ -77,6 +77,7 @@ void MainWindow::makeMenus() {
     QMenu* const file = add(tr("&File"), "file.open file.save - file.record file.open_recording -");
     files_.fillRecentMenu(file->addMenu(tr("Open r&ecent")));
     fill(file, "- file.export file.folder file.show_folder - file.quit");
+    add(tr("&Edit"), "edit.undo edit.redo - view.dock.history");
     add(tr("&Mission"), "mission.area - mission.start mission.start_again mission.pause mission.land mission.stop - "
                         "mission.stop_all");
     add(tr("&Robots"), "robot.select_1 robot.select_2 robot.select_3 robot.select_4 robot.select_5 robot.select_6 "
@@ -88,7 +89,7 @@ void MainWindow::makeMenus() {
                  "time.pause time.step time.faster time.slower time.real time.max - "
                  "faults.inject faults.end faults.end_all - link.figures");
     add(tr("&Objects"), "view.dock.world - world.turn_left world.turn_right world.spin - world.waypoints "
-                        "world.clear_way world.go world.halt - world.undo world.redo world.delete world.delete_all - "
+                        "world.clear_way world.go world.halt - world.delete world.delete_all - "
                         "map.wipe_trace");
     add(tr("P&lan"), "plan.open plan.edit plan.new - "
                      "plan.continue plan.halt plan.step_cycle plan.step_epoch plan.run_to - "
@@ -117,9 +118,10 @@ void MainWindow::wire() {
     connect(&control_, &MissionControl::readyToClose, this, &MainWindow::closeAtOnce);
     connect(&control_, &MissionControl::exportFailed, this,
             [this](RobotId, const QString& reason) { askWhereToSave(reason); });
-    connect(views_.stop_all, &QPushButton::clicked, &control_, &MissionControl::stopAll);
+    QAction* const stop = commands_.action("mission.stop_all");
+    connect(views_.stop_all, &QPushButton::clicked, stop, &QAction::trigger);
     auto* const twice = new widgets::KeyTwice(widgets::commandSpec("mission.stop_all").twice, this);
-    connect(twice, &widgets::KeyTwice::pressedTwice, &control_, &MissionControl::stopAll);
+    connect(twice, &widgets::KeyTwice::pressedTwice, stop, &QAction::trigger);
     connect(views_.map, &widgets::MapView::escapeUsed, twice, &widgets::KeyTwice::forget);
     connect(&commands_, &widgets::CommandRegistry::questionRaised, this,
             [this](const widgets::CommandSpec& spec, const std::function<void()>& run) {

@@ -96,7 +96,7 @@ void tst_CommandTable::commandsSpeakPlainly() {
 void tst_CommandTable::aNewcomersWordFindsACommand_data() {
     QTest::addColumn<QString>("id");
     const std::pair<const char*, const char*> words[]{
-        {"undo", "world.undo"},
+        {"undo", "edit.undo"},
         {"export", "file.export"},
         {"speed", "time.faster"},
         {"reset", "view.operate"},

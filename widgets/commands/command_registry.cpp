@@ -46,12 +46,17 @@ QAction* CommandRegistry::add(const CommandSpec& spec, std::function<void(bool)>
     auto* action = new KeyedAction(icon(spec.icon), spec.text, this);
     action->setCheckable(spec.checkable);
     if (run)
-        connect(action, &QAction::triggered, this, [this, action, spec, run = std::move(run)](bool on) {
+        connect(action, &QAction::triggered, this, [this, action, spec, call = std::move(run)](bool on) {
+            const auto obey = [this, spec, call](bool checked) {
+                call(checked);
+                if (spec.sends)
+                    emit sent(spec);
+            };
             const bool asks = action->byKey() && !spec.question.isEmpty() && !(spec.checkable && on);
             if (!asks)
-                return run(on);
+                return obey(on);
             action->setChecked(!on); // It stays as it was until the answer.
-            emit questionRaised(spec, [run, on] { run(on); });
+            emit questionRaised(spec, [obey, on] { obey(on); });
         });
     list(spec, action, std::move(enabled));
     return action;
@@ -145,6 +150,7 @@ CommandSpec specOf(const QString& id, const QString& group, const QJsonObject& r
     spec.twice = keysOf(row["twice"].toString());
     spec.question = row["question"].toString();
     spec.answer = row["answer"].toString();
+    spec.sends = row["sends"].toBool();
     spec.words = row["words"].toString().split(", ", Qt::SkipEmptyParts);
     return spec;
 }

@@ -26,6 +26,7 @@ struct CommandSpec {
     QString question{};  ///< asked before a key runs the command, or switches it off; %1: robot; empty: never
     QString answer{};    ///< the answer that runs it: "Land"
     QStringList words{}; ///< other words for it, by which the palette finds it
+    bool sends = false;  ///< a robot or the world gets a command that cannot be taken back
     QString wish{};      ///< the text with a verb, for the palette: "Show Camera"; empty: the text
 };
 
@@ -80,6 +81,8 @@ public:
 signals:
     /// A key was pressed for a command that has a question; `run` does what it asks about.
     void questionRaised(const usar::widgets::CommandSpec& spec, const std::function<void()>& run);
+    /// A command that `sends` has run.
+    void sent(const usar::widgets::CommandSpec& spec);
 
 private:
     void list(const CommandSpec& spec, QAction* action, std::function<bool()> enabled);
