@@ -14,11 +14,13 @@ namespace usar::app {
 ViewDesk::ViewDesk(const DeskContext& context, QMainWindow& window, std::optional<widgets::Theme> theme)
     : Desk(context)
     , history_(context)
+    , layouts_(context, window)
     , main_window_(window)
     , theme_(theme) {}
 
 void ViewDesk::registerCommands() {
     history_.registerCommands();
+    layouts_.registerCommands();
     auto* const map = views_.map;
     add("map.fit", [map] { map->fit(); });
     add("map.fit_world", [map] { map->fitWorld(); });
@@ -30,10 +32,10 @@ void ViewDesk::registerCommands() {
     auto* palette = new widgets::CommandPalette(commands_, &main_window_);
     add("view.palette", [palette] { palette->open(); });
     commands_.offer([this] { return plots(); });
-    add("view.operate", [this] { arrange(views_.plots_dock, 0.25); });
-    add("view.analyse", [this] { arrange(views_.plots_dock, 0.6); });
-    add("view.debug", [this] { arrange(views_.messages_dock, 0.6); });
-    add("view.plan", [this] { arrange(views_.plan_dock, 0.6); });
+    addLayout("view.operate", views_.plots_dock, 0.25);
+    addLayout("view.analyse", views_.plots_dock, 0.6);
+    addLayout("view.debug", views_.messages_dock, 0.6);
+    addLayout("view.plan", views_.plan_dock, 0.6);
     registerHelpCommands();
     for (QDockWidget* dock : views_.docks) {
         const widgets::CommandSpec spec{.id = "view.dock." + dock->objectName(),
@@ -100,6 +102,7 @@ std::vector<widgets::PaletteOffer> ViewDesk::plots() const {
 
 void ViewDesk::wire() {
     history_.wire();
+    layouts_.wire();
     connect(views_.map, &widgets::MapView::followingChanged, action("map.follow"), &QAction::setChecked);
     connect(views_.robots, &widgets::RobotList::wholeHeightChanged, this, &ViewDesk::giveRobotsRoom);
     connect(views_.layers, &widgets::LayersPanel::layerChanged, views_.map, &widgets::MapView::setLayer);
@@ -118,6 +121,12 @@ void ViewDesk::wire() {
 void ViewDesk::setTheme(widgets::Theme theme) {
     widgets::applyTheme(theme);
     action("view.dark")->setChecked(theme == widgets::Theme::Dark);
+}
+
+void ViewDesk::addLayout(const char* id, QDockWidget* raised, double bottom_part) {
+    const QString name = widgets::commandSpec(id).text.section(": ", 1);
+    add(id,
+        [this, name, raised, bottom_part] { layouts_.rearrange(name, [=, this] { arrange(raised, bottom_part); }); });
 }
 
 void ViewDesk::arrange(QDockWidget* raised, double bottom_part) {

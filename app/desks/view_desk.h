@@ -9,6 +9,7 @@
 #include <QPointer>
 
 #include "app/desks/history_desk.h"
+#include "app/desks/layout_desk.h"
 #include "widgets/style/theme.h"
 
 namespace usar::app {
@@ -26,6 +27,8 @@ public:
     void wire() override;
     /// Keeps the current layout, from which the layout commands start. To be called before `restore`.
     void keepFirstLayout() { first_layout_ = main_window_.saveState(layout_version); }
+    /// The user's own layouts.
+    LayoutDesk& layouts() { return layouts_; }
     void restore(const QSettings& settings) override;
     void save(SettingsSheet& settings) const override;
 
@@ -33,7 +36,9 @@ private:
     void setTheme(widgets::Theme theme);
     /// Makes the list of robots as tall as its robots need, as long as the docks below it keep enough.
     void giveRobotsRoom();
-    /// Restores the first layout, raises this bottom dock, and gives the bottom docks this fraction of the height.
+    /// Registers a built-in layout. It restores the first layout, raises this bottom dock, and gives the bottom docks
+    /// this fraction of the height.
+    void addLayout(const char* id, QDockWidget* raised, double bottom_part);
     void arrange(QDockWidget* raised, double bottom_part);
 
     static constexpr int layout_version = 6; ///< increased with each change of the docks; older layouts are ignored
@@ -43,6 +48,7 @@ private:
     std::vector<widgets::PaletteOffer> plots() const;
 
     HistoryDesk history_;
+    LayoutDesk layouts_;
     QMainWindow& main_window_;
     std::optional<widgets::Theme> theme_;
     QByteArray first_layout_;

@@ -106,8 +106,10 @@ void MainWindow::makeMenus() {
     add(tr("&Camera"), "camera.zoom_in camera.zoom_out camera.zoom_default - camera.left camera.right camera.up "
                        "camera.down camera.center - camera.light - camera.save camera.port");
     QMenu* const view = add(tr("&View"), "map.fit map.fit_world map.follow map.zoom_in map.zoom_out radio.map "
-                                         "radio.show - view.operate view.analyse view.debug - view.dark view.hint "
-                                         "view.palette -");
+                                         "radio.show - view.dark view.hint view.palette -");
+    QMenu* const layouts = view->addMenu(tr("&Layouts"));
+    fill(layouts, "view.operate view.analyse view.debug view.plan - view.layout_save view.layouts");
+    view_.layouts().fillMenu(layouts);
     for (const auto& command : commands_.commands())
         if (command->spec.id.startsWith("view.dock."))
             view->addAction(command->action);
