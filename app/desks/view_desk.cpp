@@ -11,10 +11,25 @@
 
 namespace usar::app {
 
+namespace {
+
+/// The docks that have nothing to show at a first start, or nothing that a person must see then.
+QList<QDockWidget*> waitingDocks(const widgets::WindowViews& views) {
+    static const QStringList needed{"robots", "behavior"};
+    QList<QDockWidget*> docks;
+    for (QDockWidget* const dock : views.docks)
+        if (!needed.contains(dock->objectName()))
+            docks << dock;
+    return docks;
+}
+
+} // namespace
+
 ViewDesk::ViewDesk(const DeskContext& context, QMainWindow& window, std::optional<widgets::Theme> theme)
     : Desk(context)
     , history_(context)
     , layouts_(context, window)
+    , opener_(waitingDocks(context.views))
     , main_window_(window)
     , theme_(theme) {}
 
@@ -32,7 +47,7 @@ void ViewDesk::registerCommands() {
     auto* palette = new widgets::CommandPalette(commands_, &main_window_);
     add("view.palette", [palette] { palette->open(); });
     commands_.offer([this] { return plots(); });
-    addLayout("view.operate", views_.plots_dock, 0.25);
+    addLayout("view.operate", nullptr, 0.0);
     addLayout("view.analyse", views_.plots_dock, 0.6);
     addLayout("view.debug", views_.messages_dock, 0.6);
     addLayout("view.plan", views_.plan_dock, 0.6);
@@ -110,6 +125,13 @@ void ViewDesk::wire() {
     widgets::HeightControls* const look = views_.layers->heightControls();
     connect(look, &widgets::HeightControls::lookChanged, heights, &widgets::HeightLayer::setLook);
     connect(heights, &widgets::HeightLayer::changed, look, [=] { look->setShownRange(heights->range()); });
+    connect(views_.sensors, &widgets::SensorPanel::plotRequested, this,
+            [this] { opener_.showFirst(views_.plots_dock); });
+    connect(&selection_, &Selection::changed, this, [this](RobotId id) {
+        for (QDockWidget* const dock : views_.docks)
+            if (id.valid() && (dock->objectName() == "instruments" || dock->objectName() == "sensors"))
+                opener_.showFirst(dock);
+    });
     connect(&selection_, &Selection::changed, this,
             [this] { views_.hint->setInReplay(robot() && robot()->isReplay()); });
     const auto key = [this](const char* id) { return action(id)->shortcut().toString(QKeySequence::NativeText); };
@@ -130,10 +152,16 @@ void ViewDesk::addLayout(const char* id, QDockWidget* raised, double bottom_part
 }
 
 void ViewDesk::arrange(QDockWidget* raised, double bottom_part) {
-    main_window_.restoreState(first_layout_, layout_version);
-    raised->raise();
-    const int whole_px = main_window_.centralWidget()->parentWidget()->height();
-    main_window_.resizeDocks({raised}, {static_cast<int>(std::lround(bottom_part * whole_px))}, Qt::Vertical);
+    opener_.keepDuring(raised, [this, raised] {
+        main_window_.restoreState(first_layout_, layout_version);
+        if (raised)
+            raised->show();
+    });
+    if (raised) {
+        raised->raise();
+        const int whole_px = main_window_.centralWidget()->parentWidget()->height();
+        main_window_.resizeDocks({raised}, {static_cast<int>(std::lround(bottom_part * whole_px))}, Qt::Vertical);
+    }
     giveRobotsRoom();
 }
 
@@ -156,6 +184,7 @@ void ViewDesk::restore(const QSettings& settings) {
     setTheme(theme_.value_or(theme == "light" ? widgets::Theme::Light : widgets::Theme::Dark));
     main_window_.restoreGeometry(settings.value("geometry").toByteArray());
     main_window_.restoreState(settings.value("layout").toByteArray(), layout_version);
+    opener_.begin(settings.value("waiting_docks", opener_.waiting()).toStringList());
     views_.hint->setDismissed(settings.value("hint_dismissed", false).toBool());
     views_.layers->restoreState(settings.value("layers").toByteArray());
     history_.keepLayers();
@@ -165,6 +194,7 @@ void ViewDesk::save(SettingsSheet& settings) const {
     settings.setValue("theme", widgets::currentTheme() == widgets::Theme::Light ? "light" : "dark");
     settings.setValue("geometry", main_window_.saveGeometry());
     settings.setValue("layout", main_window_.saveState(layout_version));
+    settings.setValue("waiting_docks", opener_.waiting());
     settings.setValue("hint_dismissed", views_.hint->dismissed());
     settings.setValue("layers", views_.layers->saveState());
 }

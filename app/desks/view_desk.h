@@ -11,6 +11,7 @@
 #include "app/desks/history_desk.h"
 #include "app/desks/layout_desk.h"
 #include "widgets/style/theme.h"
+#include "widgets/window/dock_opener.h"
 
 namespace usar::app {
 
@@ -36,8 +37,8 @@ private:
     void setTheme(widgets::Theme theme);
     /// Makes the list of robots as tall as its robots need, as long as the docks below it keep enough.
     void giveRobotsRoom();
-    /// Registers a built-in layout. It restores the first layout, raises this bottom dock, and gives the bottom docks
-    /// this fraction of the height.
+    /// Registers a built-in layout. It restores the first layout and, if `raised` is not null, raises this bottom dock,
+    /// and gives the bottom docks this fraction of the height.
     void addLayout(const char* id, QDockWidget* raised, double bottom_part);
     void arrange(QDockWidget* raised, double bottom_part);
 
@@ -49,6 +50,7 @@ private:
 
     HistoryDesk history_;
     LayoutDesk layouts_;
+    widgets::DockOpener opener_;
     QMainWindow& main_window_;
     std::optional<widgets::Theme> theme_;
     QByteArray first_layout_;

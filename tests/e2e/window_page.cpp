@@ -29,8 +29,20 @@ WindowPage::WindowPage(const WindowSetup& setup) {
     window_ = std::make_unique<app::MainWindow>(options);
     window_->resize(1280, 800);
     window_->show();
+    if (!setup.first_start && setup.settings_folder.isEmpty())
+        showAllDocks();
     window_->activateWindow();
     window_->begin();
+}
+
+void WindowPage::showAllDocks() {
+    for (QDockWidget* const dock : window_->views().docks)
+        if (!QStringList{"layers", "faults", "history"}.contains(dock->objectName()))
+            dock->show();
+    for (QDockWidget* const dock : window_->views().docks)
+        if (QStringList{"behavior", "instruments", "plots"}.contains(dock->objectName()))
+            dock->raise();
+    window_->resizeDocks({window_->views().plots_dock}, {215}, Qt::Vertical);
 }
 
 bool WindowPage::hasStartPoses() {

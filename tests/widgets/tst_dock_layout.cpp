@@ -191,7 +191,7 @@ private slots:
 
     void aWindowGivesBackTheLayoutThatItTook() {
         SmallWindow window;
-        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        QVERIFY(QTest::qWaitFor([&] { return window.isVisible(); }));
         for (unsigned seed = 0; seed < 60; ++seed) {
             const DockLayout layout = RandomLayout(seed).make();
             arrangeDocks(window, layout);
@@ -233,7 +233,7 @@ private slots:
 
     void docksThatTheWindowLacksAreIgnoredAndNewOnesClosed() {
         SmallWindow window;
-        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        QVERIFY(QTest::qWaitFor([&] { return window.isVisible(); }));
         const auto layout = readLayout(other_docks, "file");
         QVERIFY(layout);
         arrangeDocks(window, *layout);
