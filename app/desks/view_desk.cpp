@@ -7,7 +7,6 @@
 
 #include "widgets/commands/command_palette.h"
 #include "widgets/commands/help.h"
-#include "widgets/commands/shortcut_sheet.h"
 
 namespace usar::app {
 
@@ -29,6 +28,7 @@ ViewDesk::ViewDesk(const DeskContext& context, QMainWindow& window, std::optiona
     : Desk(context)
     , history_(context)
     , layouts_(context, window)
+    , keys_(context)
     , opener_(waitingDocks(context.views))
     , main_window_(window)
     , theme_(theme) {}
@@ -36,6 +36,7 @@ ViewDesk::ViewDesk(const DeskContext& context, QMainWindow& window, std::optiona
 void ViewDesk::registerCommands() {
     history_.registerCommands();
     layouts_.registerCommands();
+    keys_.registerCommands();
     auto* const map = views_.map;
     add("map.fit", [map] { map->fit(); });
     add("map.fit_world", [map] { map->fitWorld(); });
@@ -70,15 +71,6 @@ void ViewDesk::registerCommands() {
 }
 
 void ViewDesk::registerHelpCommands() {
-    add("help.shortcuts", [this] {
-        if (!sheet_) {
-            sheet_ = widgets::makeShortcutSheet(commands_, &main_window_);
-            sheet_->setAttribute(Qt::WA_DeleteOnClose);
-        }
-        sheet_->show();
-        sheet_->raise();
-        sheet_->activateWindow();
-    });
     add("help.what", [this] {
         widgets::explainParts(main_window_);
         QWhatsThis::enterWhatsThisMode();
@@ -118,6 +110,7 @@ std::vector<widgets::PaletteOffer> ViewDesk::plots() const {
 void ViewDesk::wire() {
     history_.wire();
     layouts_.wire();
+    keys_.wire();
     connect(views_.map, &widgets::MapView::followingChanged, action("map.follow"), &QAction::setChecked);
     connect(views_.robots, &widgets::RobotList::wholeHeightChanged, this, &ViewDesk::giveRobotsRoom);
     connect(views_.layers, &widgets::LayersPanel::layerChanged, views_.map, &widgets::MapView::setLayer);

@@ -9,6 +9,7 @@
 #include <QPointer>
 
 #include "app/desks/history_desk.h"
+#include "app/desks/key_desk.h"
 #include "app/desks/layout_desk.h"
 #include "widgets/style/theme.h"
 #include "widgets/window/dock_opener.h"
@@ -50,12 +51,12 @@ private:
 
     HistoryDesk history_;
     LayoutDesk layouts_;
+    KeyDesk keys_;
     widgets::DockOpener opener_;
     QMainWindow& main_window_;
     std::optional<widgets::Theme> theme_;
     QByteArray first_layout_;
-    QPointer<QDialog> sheet_; ///< lists keys and gestures; nullptr while it is closed
-    QPointer<QDialog> about_; ///< the same for versions and licenses
+    QPointer<QDialog> about_; ///< versions and licenses; nullptr while it is closed
 };
 
 } // namespace usar::app
