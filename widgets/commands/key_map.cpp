@@ -10,10 +10,10 @@ namespace usar::widgets {
 
 namespace {
 
-const QString format = QStringLiteral("mission-control-keys");
-constexpr int newest_version = 1;
+const QString keys_format = QStringLiteral("mission-control-keys");
+constexpr int newest_keys_version = 1;
 
-tl::unexpected<Error> damaged(const QString& why, const QString& where) {
+tl::unexpected<Error> damagedKeys(const QString& why, const QString& where) {
     return failure("these keys cannot be read: " + why.toStdString(), where.toStdString(),
                    "Correct the file, or delete it to get the usual keys back");
 }
@@ -35,18 +35,19 @@ QByteArray keysText(const KeyChoices& keys) {
             texts.append(sequence.toString(QKeySequence::PortableText));
         commands[id] = texts;
     }
-    return QJsonDocument(QJsonObject{{"format", format}, {"version", newest_version}, {"keys", commands}}).toJson();
+    return QJsonDocument(QJsonObject{{"format", keys_format}, {"version", newest_keys_version}, {"keys", commands}})
+        .toJson();
 }
 
 Result<KeyChoices> readKeys(const QByteArray& text, const QString& file) {
     QJsonParseError error;
     const QJsonObject json = QJsonDocument::fromJson(text, &error).object();
     if (error.error != QJsonParseError::NoError)
-        return damaged(error.errorString(),
-                       QStringLiteral("%1, line %2").arg(file).arg(text.first(error.offset).count('\n') + 1));
-    if (json["format"].toString() != format)
-        return damaged(QStringLiteral("this is no file of keys"), file);
-    if (json["version"].toInt(newest_version + 1) > newest_version)
+        return damagedKeys(error.errorString(),
+                           QStringLiteral("%1, line %2").arg(file).arg(text.first(error.offset).count('\n') + 1));
+    if (json["format"].toString() != keys_format)
+        return damagedKeys(QStringLiteral("this is no file of keys"), file);
+    if (json["version"].toInt(newest_keys_version + 1) > newest_keys_version)
         return failure("these keys were written by a newer version of the program", file.toStdString(),
                        "Use that version, or delete the file to get the usual keys back");
     KeyChoices keys;
@@ -56,8 +57,8 @@ Result<KeyChoices> readKeys(const QByteArray& text, const QString& file) {
         for (const auto& one : command->toArray()) {
             const QKeySequence sequence(one.toString(), QKeySequence::PortableText);
             if (sequence.isEmpty() || sequence[0].key() == Qt::Key_unknown)
-                return damaged(QStringLiteral("'%1' is no key").arg(one.toString()),
-                               QStringLiteral("%1, %2").arg(file, command.key()));
+                return damagedKeys(QStringLiteral("'%1' is no key").arg(one.toString()),
+                                   QStringLiteral("%1, %2").arg(file, command.key()));
             sequences << sequence;
         }
     }

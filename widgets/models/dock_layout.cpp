@@ -10,15 +10,15 @@ namespace usar::widgets {
 
 namespace {
 
-const QString format = QStringLiteral("mission-control-layout");
-constexpr int newest_version = 1;
-const QStringList edge_names{"left", "right", "top", "bottom"};
+const QString layout_format = QStringLiteral("mission-control-layout");
+constexpr int newest_layout_version = 1;
+const QStringList layout_edge_names{"left", "right", "top", "bottom"};
 
-double rounded(double share) {
+double roundedShare(double share) {
     return std::round(share * 1000.0) / 1000.0;
 }
 
-QJsonObject toJson(const DockPlace& place) {
+QJsonObject placeJson(const DockPlace& place) {
     QJsonObject json;
     if (place.parts.empty()) {
         json["tabs"] = QJsonArray::fromStringList(place.tabs);
@@ -29,11 +29,11 @@ QJsonObject toJson(const DockPlace& place) {
     } else {
         QJsonArray parts;
         for (const DockPlace& part : place.parts)
-            parts.append(toJson(part));
+            parts.append(placeJson(part));
         json[place.side_by_side ? "columns" : "rows"] = parts;
     }
     if (place.share > 0.0)
-        json["share"] = rounded(place.share);
+        json["share"] = roundedShare(place.share);
     return json;
 }
 
@@ -49,14 +49,14 @@ public:
             return damaged(QStringLiteral("line %1").arg(text.first(error.offset).count('\n') + 1),
                            error.errorString());
         const QJsonObject json = document.object();
-        if (json["format"].toString() != format)
+        if (json["format"].toString() != layout_format)
             return failure("this file is no layout of the window", file_.toStdString(),
                            "Choose a file that was saved or exported as a layout");
-        if (json["version"].toInt(newest_version + 1) > newest_version)
+        if (json["version"].toInt(newest_layout_version + 1) > newest_layout_version)
             return failure("this layout was written by a newer version of the program", file_.toStdString(),
                            "Use that version, or save the layout again with this one");
         DockLayout layout{json["name"].toString(), {}, {}, json["views"].toObject()};
-        for (const QString& edge : edge_names)
+        for (const QString& edge : layout_edge_names)
             if (const QJsonObject docks = json[edge].toObject(); !docks.isEmpty())
                 layout.edges[edge] = {placeOf(docks, edge), shareOf(docks["size"], edge + ".size")};
         for (const auto& one : json["floating"].toArray())
@@ -156,11 +156,11 @@ QStringList DockPlace::docks() const {
 }
 
 QByteArray layoutText(const DockLayout& layout) {
-    QJsonObject json{{"format", format}, {"version", newest_version}, {"name", layout.name}};
+    QJsonObject json{{"format", layout_format}, {"version", newest_layout_version}, {"name", layout.name}};
     for (const auto& [name, edge] : layout.edges) {
-        QJsonObject docks = toJson(edge.place);
+        QJsonObject docks = placeJson(edge.place);
         if (edge.share > 0.0)
-            docks["size"] = rounded(edge.share);
+            docks["size"] = roundedShare(edge.share);
         json[name] = docks;
     }
     QJsonArray floating;

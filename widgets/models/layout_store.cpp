@@ -12,15 +12,15 @@ namespace usar::widgets {
 
 namespace {
 
-const QString suffix = QStringLiteral(".json");
-constexpr qint64 most_bytes = 1'000'000; ///< a layout has a few thousand
+const QString layout_suffix = QStringLiteral(".json");
+constexpr qint64 most_layout_bytes = 1'000'000; ///< a layout has a few thousand
 
-Result<DockLayout> readFile(const QString& path) {
+Result<DockLayout> readLayoutFile(const QString& path) {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return failure("this layout cannot be opened", path.toStdString(),
                        "Check that the file exists and that you may read it");
-    if (file.size() > most_bytes)
+    if (file.size() > most_layout_bytes)
         return failure("this file is too large for a layout", path.toStdString(),
                        "Choose a file that was saved or exported as a layout");
     return readLayout(file.readAll(), path);
@@ -30,8 +30,8 @@ Result<DockLayout> readFile(const QString& path) {
 
 QStringList LayoutStore::names() const {
     QStringList names;
-    for (const QString& file : QDir(folder_).entryList({"*" + suffix}, QDir::Files))
-        names << QUrl::fromPercentEncoding(file.chopped(suffix.size()).toUtf8());
+    for (const QString& file : QDir(folder_).entryList({"*" + layout_suffix}, QDir::Files))
+        names << QUrl::fromPercentEncoding(file.chopped(layout_suffix.size()).toUtf8());
     QCollator order;
     order.setNumericMode(true);
     order.setCaseSensitivity(Qt::CaseInsensitive);
@@ -40,11 +40,11 @@ QStringList LayoutStore::names() const {
 }
 
 QString LayoutStore::fileOf(const QString& name) const {
-    return folder_ + "/" + QString::fromLatin1(QUrl::toPercentEncoding(name, " ()")) + suffix;
+    return folder_ + "/" + QString::fromLatin1(QUrl::toPercentEncoding(name, " ()")) + layout_suffix;
 }
 
 Result<DockLayout> LayoutStore::read(const QString& name) const {
-    auto layout = readFile(fileOf(name));
+    auto layout = readLayoutFile(fileOf(name));
     if (layout)
         layout->name = name;
     return layout;
@@ -73,7 +73,7 @@ Result<void> LayoutStore::remove(const QString& name) const {
 }
 
 Result<DockLayout> LayoutStore::import(const QString& path) const {
-    auto layout = readFile(path);
+    auto layout = readLayoutFile(path);
     if (!layout)
         return layout;
     const QString wanted = layout->name.trimmed().isEmpty() ? QStringLiteral("Layout") : layout->name.trimmed();

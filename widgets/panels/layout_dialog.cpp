@@ -9,7 +9,7 @@
 namespace usar::widgets {
 
 namespace {
-constexpr int name_role = Qt::UserRole; ///< the name before an edit
+constexpr int layout_name_role = Qt::UserRole; ///< the name before an edit
 constexpr int longest_name = 60;
 } // namespace
 
@@ -40,7 +40,7 @@ LayoutDialog::LayoutDialog(QWidget* parent) : QDialog(parent), trouble_(new QLab
     column->addWidget(trouble_);
     resize(380, 320);
     connect(list_, &QListWidget::itemActivated, this,
-            [this](const QListWidgetItem* item) { emit showRequested(item->data(name_role).toString()); });
+            [this](const QListWidgetItem* item) { emit showRequested(item->data(layout_name_role).toString()); });
     connect(list_, &QListWidget::itemChanged, this, &LayoutDialog::takeName);
     connect(list_, &QListWidget::currentRowChanged, this, &LayoutDialog::refresh);
     connect(name_, &QLineEdit::textChanged, this, &LayoutDialog::refresh);
@@ -88,7 +88,7 @@ void LayoutDialog::setNames(const QStringList& names) {
     for (const QString& name : names) {
         auto* const item = new QListWidgetItem(name, list_);
         item->setFlags(item->flags() | Qt::ItemIsEditable);
-        item->setData(name_role, name);
+        item->setData(layout_name_role, name);
         if (name == before)
             list_->setCurrentItem(item);
     }
@@ -111,7 +111,7 @@ void LayoutDialog::complain(const QString& text) {
 
 QString LayoutDialog::chosen() const {
     const QListWidgetItem* const item = list_->currentItem();
-    return item ? item->data(name_role).toString() : QString();
+    return item ? item->data(layout_name_role).toString() : QString();
 }
 
 void LayoutDialog::editName() {
@@ -120,7 +120,7 @@ void LayoutDialog::editName() {
 }
 
 void LayoutDialog::takeName(QListWidgetItem* item) {
-    const QString before = item->data(name_role).toString();
+    const QString before = item->data(layout_name_role).toString();
     const QString after = item->text().trimmed().left(longest_name);
     const QSignalBlocker quiet(list_);
     item->setText(before); // Until the owner has renamed it.
@@ -143,7 +143,7 @@ void LayoutDialog::refresh() {
 QStringList LayoutDialog::names() const {
     QStringList names;
     for (int row = 0; row < list_->count(); ++row)
-        names << list_->item(row)->data(name_role).toString();
+        names << list_->item(row)->data(layout_name_role).toString();
     return names;
 }
 

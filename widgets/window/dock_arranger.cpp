@@ -13,17 +13,17 @@ namespace usar::widgets {
 
 namespace {
 
-const std::pair<const char*, Qt::DockWidgetArea> edges[] = {{"left", Qt::LeftDockWidgetArea},
-                                                            {"right", Qt::RightDockWidgetArea},
-                                                            {"top", Qt::TopDockWidgetArea},
-                                                            {"bottom", Qt::BottomDockWidgetArea}};
+const std::pair<const char*, Qt::DockWidgetArea> dock_edges[] = {{"left", Qt::LeftDockWidgetArea},
+                                                                 {"right", Qt::RightDockWidgetArea},
+                                                                 {"top", Qt::TopDockWidgetArea},
+                                                                 {"bottom", Qt::BottomDockWidgetArea}};
 
 bool isWide(Qt::DockWidgetArea edge) {
     return edge == Qt::TopDockWidgetArea || edge == Qt::BottomDockWidgetArea;
 }
 
 /// A group of tabs, and where it is in the window.
-struct Group {
+struct TabGroup {
     DockPlace place;
     QRect rect; ///< with the bar of its tabs; null if nothing in it is open
 };
@@ -52,8 +52,8 @@ QList<QDockWidget*> mates(const QMainWindow& window, QDockWidget* dock) {
     return all;
 }
 
-Group groupOf(const QMainWindow& window, QDockWidget* dock) {
-    Group group;
+TabGroup tabGroupOf(const QMainWindow& window, QDockWidget* dock) {
+    TabGroup group;
     for (const QDockWidget* const one : mates(window, dock)) {
         group.place.tabs << one->objectName();
         if (one->isHidden()) {
@@ -76,19 +76,19 @@ int endOf(const QRect& rect, bool side_by_side) {
     return side_by_side ? rect.right() : rect.bottom();
 }
 
-QRect around(const std::vector<Group>& groups) {
+QRect around(const std::vector<TabGroup>& groups) {
     QRect rect;
-    for (const Group& group : groups)
+    for (const TabGroup& group : groups)
         rect |= group.rect;
     return rect;
 }
 
 /// Cuts the groups into parts along straight lines across all of them.
-std::vector<std::vector<Group>> cut(std::vector<Group> groups, bool side_by_side) {
-    std::ranges::stable_sort(groups, {}, [&](const Group& group) { return beginOf(group.rect, side_by_side); });
-    std::vector<std::vector<Group>> parts;
+std::vector<std::vector<TabGroup>> cut(std::vector<TabGroup> groups, bool side_by_side) {
+    std::ranges::stable_sort(groups, {}, [&](const TabGroup& group) { return beginOf(group.rect, side_by_side); });
+    std::vector<std::vector<TabGroup>> parts;
     int end = -1;
-    for (Group& group : groups) {
+    for (TabGroup& group : groups) {
         if (parts.empty() || beginOf(group.rect, side_by_side) > end)
             parts.emplace_back();
         end = std::max(end, endOf(group.rect, side_by_side));
@@ -98,7 +98,7 @@ std::vector<std::vector<Group>> cut(std::vector<Group> groups, bool side_by_side
 }
 
 /// The splits that lead to these places. A window cuts its docks by straight lines, so there is always such a cut.
-DockPlace splitOf(const std::vector<Group>& groups, bool side_by_side) {
+DockPlace splitOf(const std::vector<TabGroup>& groups, bool side_by_side) {
     if (groups.size() == 1)
         return groups.front().place;
     auto parts = cut(groups, side_by_side);
@@ -108,7 +108,7 @@ DockPlace splitOf(const std::vector<Group>& groups, bool side_by_side) {
     place.side_by_side = side_by_side;
     if (parts.size() < 2) { // While docks are moved by an animation.
         parts.clear();
-        for (const Group& group : groups)
+        for (const TabGroup& group : groups)
             parts.push_back({group});
     }
     double whole_px = 0.0;
@@ -142,13 +142,13 @@ DockPlace withClosed(DockPlace open, const std::vector<DockPlace>& closed, bool 
 }
 
 DockEdge edgeOf(const QMainWindow& window, Qt::DockWidgetArea edge, const QList<QDockWidget*>& docks) {
-    std::vector<Group> open;
+    std::vector<TabGroup> open;
     std::vector<DockPlace> closed;
     QStringList done;
     for (QDockWidget* const dock : docks) {
         if (dock->isFloating() || window.dockWidgetArea(dock) != edge || done.contains(dock->objectName()))
             continue;
-        Group group = groupOf(window, dock);
+        TabGroup group = tabGroupOf(window, dock);
         done << group.place.tabs;
         if (group.rect.isNull())
             closed.push_back(std::move(group.place));
@@ -188,7 +188,7 @@ public:
             dock->setFloating(false);
             window_.removeDockWidget(dock);
         }
-        for (const auto& [name, edge] : edges)
+        for (const auto& [name, edge] : dock_edges)
             if (const auto found = layout.edges.find(name); found != layout.edges.end())
                 placeEdge(found->second.place, edge);
         for (const auto& [dock, edge] : others) {
@@ -198,7 +198,7 @@ public:
         for (const FloatingDock& one : layout.floating)
             floatDock(one);
         window_.layout()->activate();
-        for (const auto& [name, edge] : edges)
+        for (const auto& [name, edge] : dock_edges)
             if (const auto found = layout.edges.find(name); found != layout.edges.end())
                 sizeEdge(found->second, edge);
     }
@@ -314,7 +314,7 @@ private:
 DockLayout layoutOf(const QMainWindow& window) {
     const auto docks = window.findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly);
     DockLayout layout;
-    for (const auto& [name, edge] : edges)
+    for (const auto& [name, edge] : dock_edges)
         if (DockEdge docked = edgeOf(window, edge, docks); !docked.place.docks().isEmpty())
             layout.edges[name] = std::move(docked);
     for (const QDockWidget* const dock : docks)
