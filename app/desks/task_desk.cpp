@@ -94,6 +94,7 @@ void TaskDesk::wireArea() {
             [this](const QString& reason) { notices_.say(Severity::Warning, "area", reason); });
     connect(&map->gestures(), &widgets::MapGestures::toolChanged, this, [this, panel](widgets::MapTool tool) {
         const bool drawing = tool == widgets::MapTool::Area;
+        control_.history().endStep(); // A drag is never one step with what was typed before.
         panel->setAreaToolActive(drawing);
         action("mission.area")->setChecked(drawing);
     });

@@ -15,7 +15,8 @@ DockOpener::DockOpener(const QList<QDockWidget*>& docks, QObject* parent) : QObj
 QStringList DockOpener::waiting() const {
     QStringList names;
     for (const QDockWidget* const dock : waiting_)
-        names << dock->objectName();
+        if (dock->isHidden() || arranging_)
+            names << dock->objectName();
     return names;
 }
 

@@ -24,6 +24,7 @@ public:
     /// Calls `arrange`, which may open any dock, and closes again those that still wait, except `shown`.
     template <class Arrange>
     void keepDuring(QDockWidget* shown, Arrange arrange) {
+        forgetOpen();
         arranging_ = true;
         arrange();
         close(shown);
