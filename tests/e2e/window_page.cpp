@@ -26,10 +26,11 @@ WindowPage::WindowPage(const WindowSetup& setup) {
     options.plugin_folders = setup.plugin_folders;
     options.mission_file = setup.mission_file;
     options.recording = setup.recording;
+    const bool started_before = QSettings().contains("waiting_docks");
     window_ = std::make_unique<app::MainWindow>(options);
     window_->resize(1280, 800);
     window_->show();
-    if (!setup.first_start && setup.settings_folder.isEmpty())
+    if (!setup.first_start && !started_before)
         showAllDocks();
     window_->activateWindow();
     window_->begin();
