@@ -44,7 +44,7 @@ Result<KeyChoices> readKeys(const QByteArray& text, const QString& file) {
     const QJsonObject json = QJsonDocument::fromJson(text, &error).object();
     if (error.error != QJsonParseError::NoError)
         return damagedKeys(error.errorString(),
-                           QStringLiteral("%1, line %2").arg(file).arg(text.first(error.offset).count('\n') + 1));
+                           QStringLiteral("%1, line %2").arg(file).arg(text.left(error.offset).count('\n') + 1));
     if (json["format"].toString() != keys_format)
         return damagedKeys(QStringLiteral("this is no file of keys"), file);
     if (json["version"].toInt(newest_keys_version + 1) > newest_keys_version)

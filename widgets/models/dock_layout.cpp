@@ -46,7 +46,7 @@ public:
         QJsonParseError error;
         const QJsonDocument document = QJsonDocument::fromJson(text, &error);
         if (error.error != QJsonParseError::NoError)
-            return damaged(QStringLiteral("line %1").arg(text.first(error.offset).count('\n') + 1),
+            return damaged(QStringLiteral("line %1").arg(text.left(error.offset).count('\n') + 1),
                            error.errorString());
         const QJsonObject json = document.object();
         if (json["format"].toString() != layout_format)
