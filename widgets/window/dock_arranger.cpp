@@ -287,9 +287,19 @@ private:
         sizeParts(edge.place);
     }
 
+    /// The present size of a split in its direction.
+    int extent_px(const DockPlace& place) const {
+        QRect rect;
+        for (const QString& name : place.docks())
+            if (const QDockWidget* const one = dock(name); one && !one->isHidden() && one->geometry().right() >= 0)
+                rect |= one->geometry();
+        return place.side_by_side ? rect.width() : rect.height();
+    }
+
     void sizeParts(const DockPlace& place) {
         QList<QDockWidget*> docks;
         QList<int> sizes;
+        const int whole_px = extent_px(place); // Larger sizes would make the whole edge larger.
         for (const DockPlace& part : place.parts)
             if (QDockWidget* const open = firstOpen(part)) {
                 docks << open;
@@ -302,8 +312,6 @@ private:
         for (const DockPlace& part : place.parts)
             sizeParts(part);
     }
-
-    static constexpr int whole_px = 10000; ///< the window reduces the sizes in equal measure
 
     QMainWindow& window_;
     std::map<QString, QDockWidget*> docks_; ///< by name
