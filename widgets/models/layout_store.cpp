@@ -30,7 +30,7 @@ Result<DockLayout> readLayoutFile(const QString& path) {
 
 QStringList LayoutStore::names() const {
     QStringList names;
-    for (const QString& file : QDir(folder_).entryList({"*" + layout_suffix}, QDir::Files))
+    for (const QString& file : QDir(folder_).entryList({"*" + layout_suffix}, QDir::Files | QDir::Hidden))
         names << QUrl::fromPercentEncoding(file.chopped(layout_suffix.size()).toUtf8());
     QCollator order;
     order.setNumericMode(true);
