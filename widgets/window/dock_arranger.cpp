@@ -141,7 +141,9 @@ DockPlace withClosed(DockPlace open, const std::vector<DockPlace>& closed, bool 
     return {{}, {}, {}, side_by_side, std::move(parts), 0.0};
 }
 
-DockEdge edgeOf(const QMainWindow& window, Qt::DockWidgetArea edge, const QList<QDockWidget*>& docks) {
+DockEdge edgeOf(const QMainWindow& window, Qt::DockWidgetArea edge, QList<QDockWidget*> docks) {
+    std::ranges::stable_sort(docks, {},
+                             &QDockWidget::isHidden); // Only an open dock tells which closed ones are its tabs.
     std::vector<TabGroup> open;
     std::vector<DockPlace> closed;
     QStringList done;
