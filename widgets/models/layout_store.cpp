@@ -32,7 +32,7 @@ QStringList LayoutStore::names() const {
     QStringList names;
     for (const QString& file : QDir(folder_).entryList({"*" + layout_suffix}, QDir::Files | QDir::Hidden))
         names << QUrl::fromPercentEncoding(file.chopped(layout_suffix.size()).toUtf8());
-    QCollator order;
+    QCollator order(QLocale::English); // The collation of the "C" locale has no numeric mode.
     order.setNumericMode(true);
     order.setCaseSensitivity(Qt::CaseInsensitive);
     std::ranges::sort(names, [&](const QString& a, const QString& b) { return order.compare(a, b) < 0; });
