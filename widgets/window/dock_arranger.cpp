@@ -7,6 +7,7 @@
 #include <QGuiApplication>
 #include <QLayout>
 #include <QScreen>
+#include <QStyle>
 #include <QTabBar>
 
 namespace usar::widgets {
@@ -61,7 +62,7 @@ TabGroup tabGroupOf(const QMainWindow& window, QDockWidget* dock) {
         } else if (one->geometry().right() >= 0) { // Qt keeps the others outside of the window.
             group.place.front = one->objectName();
             group.rect = one->geometry();
-            if (const QTabBar* const bar = barOf(window, one))
+            if (const QTabBar* const bar = barOf(window, one); bar && bar->geometry().right() >= 0)
                 group.rect |= bar->geometry();
         }
     }
@@ -281,13 +282,48 @@ private:
     }
 
     void sizeEdge(const DockEdge& edge, Qt::DockWidgetArea where) {
-        QDockWidget* const open = firstOpen(edge.place);
-        if (open && edge.share > 0.0)
-            window_.resizeDocks({open}, {qRound(edge.share * (isWide(where) ? window_.height() : window_.width()))},
-                                isWide(where) ? Qt::Vertical : Qt::Horizontal);
+        Sizes sizes;
+        const int whole_px = isWide(where) ? window_.height() : window_.width();
+        if (edge.share > 0.0)
+            spread(edge.place, !isWide(where), qRound(edge.share * whole_px), sizes);
+        if (!sizes.docks.isEmpty())
+            window_.resizeDocks(sizes.docks, sizes.px, isWide(where) ? Qt::Vertical : Qt::Horizontal);
         window_.layout()->activate();
         sizeParts(edge.place);
     }
+
+    /// Docks and what they get.
+    struct Sizes {
+        QList<QDockWidget*> docks;
+        QList<int> px;
+    };
+
+    /// Appends docks by which the place gets this width, or height. An edge is as large as the docks in a split along
+    /// that direction together, so each of them needs its share; of those across it, one is enough.
+    void spread(const DockPlace& place, bool wide, int size_px, Sizes& sizes) const {
+        std::vector<const DockPlace*> open;
+        double whole = 0.0;
+        for (const DockPlace& part : place.parts)
+            if (firstOpen(part)) {
+                open.push_back(&part);
+                whole += part.share;
+            }
+        if (open.empty()) {
+            if (QDockWidget* const tab = firstOpen(place)) {
+                sizes.docks << tab;
+                sizes.px << std::max(1, size_px);
+            }
+            return;
+        }
+        if (place.side_by_side != wide)
+            return spread(*open.front(), wide, size_px, sizes);
+        const double shared_px = size_px - gap_px() * static_cast<int>(open.size() - 1);
+        for (const DockPlace* const part : open)
+            spread(*part, wide, qRound(whole > 0.0 ? part->share / whole * shared_px : shared_px), sizes);
+    }
+
+    /// Between two docks of a split.
+    int gap_px() const { return window_.style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent, nullptr, &window_); }
 
     /// The present size of a split in its direction.
     int extent_px(const DockPlace& place) const {
