@@ -8,6 +8,7 @@
 #include "widgets/commands/command_palette.h"
 #include "widgets/commands/command_registry.h"
 #include "widgets/style/icons.h"
+#include "widgets/window/window_views.h"
 
 namespace tst_command_table {
 
@@ -95,6 +96,8 @@ void tst_CommandTable::everyMenuItemIsACommand() {
         commands.add(spec, [](bool) {});
     for (const char* const of_a_desk : {"view.dock.map", "view.dock.world", "view.dock.history"})
         commands.add({.id = of_a_desk, .text = "Dock", .group = "View"}, [](bool) {});
+    const MessageList messages;
+    adoptMessageActions(commands, messages.actions());
     const auto submenus = makeMenus(*window.menuBar(), commands); // Asserts that each id is known.
     QCOMPARE(submenus.size(), std::size_t(3));
     QCOMPARE(submenus.at("recent")->title(), QString("Open r&ecent"));
