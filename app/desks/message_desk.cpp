@@ -49,6 +49,8 @@ void MessageDesk::sendTyped(const QString& line) {
     const ConnectionId connection = control_.connectionOf(selection_.id());
     if (const auto sent = control_.sendLine(connection, line, by::Operator{"command box"}); !sent)
         views_.command_box->complain(Severity::Error, QString::fromStdString(sent.error().text()));
+    else
+        control_.history().note(line);
 }
 
 void MessageDesk::followConnection() {

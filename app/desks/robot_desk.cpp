@@ -185,6 +185,7 @@ void RobotDesk::spawn(const widgets::SpawnChoice& choice) {
         control_.spawn({choice.class_name.toStdString(), choice.robot_name.toStdString(), pose.pose_in_map});
     if (!id)
         return notices_.complain("spawn", id.error());
+    control_.history().note(tr("spawn %1").arg(choice.robot_name));
     if (!choice.behavior_id.isEmpty())
         views_.behavior->chooseBehavior(choice.behavior_id.toStdString());
 }

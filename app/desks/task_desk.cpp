@@ -4,6 +4,8 @@
 #include <chrono>
 #include <utility>
 
+#include <QScopedValueRollback>
+
 #include "core/server/embedded/simulator_files.h"
 #include "widgets/models/figures.h"
 
@@ -40,7 +42,12 @@ void TaskDesk::registerCommands() {
 void TaskDesk::wire() {
     auto* const panel = views_.behavior;
     panel->setActions(action("mission.start"), action("mission.pause"), action("mission.land"), action("mission.stop"));
-    connect(panel, &widgets::BehaviorPanel::behaviorChosen, this, &TaskDesk::showChosenBehavior);
+    connect(panel, &widgets::BehaviorPanel::behaviorChosen, this, [this] {
+        const mission::TaskDraft before = drafts_.shown();
+        showChosenBehavior();
+        if (!showing_ && !before.behavior_id.empty())
+            edits_.replaced(before, tr("choose behavior"));
+    });
     connect(panel, &widgets::BehaviorPanel::isolationChosen, this,
             [this](bool isolated) { plugins_.setIsolated(plugins_.pluginOf(drafts_.shown().behavior_id), isolated); });
     connect(&plugins_, &PluginDesk::isolationChanged, this, &TaskDesk::showIsolation);
@@ -63,6 +70,7 @@ void TaskDesk::wire() {
     connect(&control_, &MissionControl::robotRemoved, this, [this](RobotId id) {
         if (notices_.offers(missionKey(id)))
             notices_.cure(missionKey(id));
+        edits_.forget(id);
         drafts_.forget(id);
     });
 }
@@ -73,12 +81,14 @@ void TaskDesk::wireArea() {
     connect(&map->gestures(), &widgets::MapGestures::areaChanged, this, [this](const Rectangle& area) {
         notices_.cure("area");
         setArea(area);
+        control_.history().endStep();
     });
     connect(&map->gestures(), &widgets::MapGestures::areaRefused, this,
             [this](const QString& reason) { notices_.say(Severity::Warning, "area", reason); });
-    connect(
-        &map->gestures(), &widgets::MapGestures::toolChanged, action("mission.area"),
-        [area = action("mission.area")](widgets::MapTool tool) { area->setChecked(tool == widgets::MapTool::Area); });
+    connect(&map->gestures(), &widgets::MapGestures::toolChanged, this, [this](widgets::MapTool tool) {
+        control_.history().endStep(); // A drag is never one step with what was typed before.
+        action("mission.area")->setChecked(tool == widgets::MapTool::Area);
+    });
     connect(views_.behavior, &widgets::BehaviorPanel::areaTyped, this, &TaskDesk::setArea);
 }
 
@@ -100,16 +110,31 @@ void TaskDesk::bringBackArea(const QString& world) {
         return;
     views_.behavior->setArea(area);
     views_.map->setArea(area);
-    setArea(area);
+    drafts_.shown().area_in_map = area;
+    askForPreview();
 }
 
 void TaskDesk::leaveWorld() {
     views_.behavior->setArea(std::nullopt);
     views_.behavior->setAreaLimits({}); // until the world is known; that of a real server never is
+    edits_.forgetAreas();
     drafts_.forgetAreas();
 }
 
+void TaskDesk::showEdited(RobotId robot) {
+    selection_.select(robot);
+    if (running())
+        applyParameters(drafts_.shown().values);
+}
+
+void TaskDesk::takePlan() {
+    const mission::TaskDraft before = drafts_.shown();
+    drafts_.shown().plan_path = views_.behavior->plan().path().toStdString();
+    edits_.replaced(before, tr("choose plan"));
+}
+
 void TaskDesk::show(RobotId robot_id) {
+    const QScopedValueRollback showing(showing_, true);
     drafts_.show(robot_id);
     const mission::TaskDraft draft = drafts_.shown(); // a copy: another list may choose another behavior for a moment
     const Robot* robot = selection_.robot();
@@ -154,7 +179,9 @@ void TaskDesk::showChosenBehavior() {
 void TaskDesk::setUp(const mission::Mission& mission, const std::map<std::string, agent::ParameterValue>& values) {
     if (mission.isolate)
         plugins_.setIsolated(plugins_.pluginOf(mission.behavior), true);
+    const mission::TaskDraft before = drafts_.shown();
     drafts_.shown().take(mission, values);
+    edits_.replaced(before, tr("open mission"));
     show(selection_.id());
     views_.map->fit();
     applyParameters(drafts_.shown().values);
@@ -166,7 +193,7 @@ bool TaskDesk::complete() const {
 }
 
 void TaskDesk::setArea(const Rectangle& area_in_map) {
-    drafts_.shown().area_in_map = area_in_map.empty() ? std::nullopt : std::optional(area_in_map);
+    edits_.setArea(area_in_map);
     askForPreview();
 }
 
@@ -292,7 +319,8 @@ void TaskDesk::refreshRunState() {
 }
 
 void TaskDesk::applyParameters(const std::map<std::string, agent::ParameterValue>& values) {
-    drafts_.shown().values = values;
+    const auto* chosen = control_.plugins().behavior(drafts_.shown().behavior_id);
+    edits_.setValues(values, chosen ? chosen->parameters : std::vector<agent::ParameterSpec>());
     if (!running())
         return askForPreview();
     const auto* behavior = control_.plugins().behavior(robot()->view().behavior_id);

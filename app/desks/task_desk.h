@@ -5,8 +5,8 @@
 
 #include "app/desks/desk.h"
 #include "app/desks/plugin_desk.h"
+#include "core/mission/edits/task_edits.h"
 #include "core/mission/files/last_area.h"
-#include "core/mission/files/task_drafts.h"
 
 namespace usar::app {
 
@@ -34,7 +34,7 @@ public:
     /// Takes over what a mission file says. `values`: its parameters in SI units and radians.
     void setUp(const mission::Mission& mission, const std::map<std::string, agent::ParameterValue>& values);
     /// Uses the user's plan from the next start on; an empty path means the robot's own.
-    void takePlan() { drafts_.shown().plan_path = views_.behavior->plan().path().toStdString(); }
+    void takePlan();
     /// Clears every drawn area, because the world that they were drawn in is gone.
     void leaveWorld();
 
@@ -53,8 +53,10 @@ private:
     /// Shows the draft of this robot in the forms and on the map; 0: that without a robot.
     void show(RobotId robot);
     void showChosenBehavior();
+    /// Shows what undo or redo has changed, and selects the robot if it is another.
+    void showEdited(RobotId robot);
     void showIsolation() { views_.behavior->setIsolated(isolated()); }
-    /// Stores the drawn area in the draft; an empty rectangle removes it.
+    /// Stores the drawn area in the draft as an edit; an empty rectangle removes it.
     void setArea(const Rectangle& area_in_map);
     void takeTask(const mission::SessionUpdate& update);
     /// Requests a preview of the draft, unless a behavior runs, which reports its task itself.
@@ -78,6 +80,8 @@ private:
 
     PluginDesk& plugins_;
     mission::TaskDrafts drafts_;
+    mission::TaskEdits edits_{control_.history(), drafts_, [this](RobotId robot) { showEdited(robot); }};
+    bool showing_ = false;        ///< the forms are being filled, so what they report is no edit
     std::string wanted_class_;    ///< robot class that the mission needs; empty: any
     mission::LastArea last_area_; ///< as it was drawn when the program ran last
     QTimer preview_due_;          ///< fires when a preview takes long; the panel then says "asking…"

@@ -1,8 +1,6 @@
 #include "app/desks/view_desk.h"
 
-#include <algorithm>
-#include <cmath>
-
+#include <QFileInfo>
 #include <QJsonDocument>
 #include <QWhatsThis>
 
@@ -25,14 +23,28 @@ void showOne(QPointer<QDialog>& dialog, const auto& make) {
     dialog->activateWindow();
 }
 
+/// A file or folder beside the settings.
+QString besideSettings(const char* name) {
+    return QFileInfo(QSettings().fileName()).path() + name;
+}
+
 } // namespace
 
 ViewDesk::ViewDesk(const DeskContext& context, QMainWindow& window, const QString& theme)
     : Desk(context)
+    , layouts_(window, context.commands, besideSettings("/layouts"))
+    , docks_(window, context.views, context.commands, layouts_)
+    , keys_(context.commands, besideSettings("/keys.json"))
     , main_window_(window)
     , theme_(theme) {}
 
 void ViewDesk::registerCommands() {
+    mission::EditHistory* const history = &control_.history();
+    add(
+        "edit.undo", [history] { return history->canUndo(); }, [history] { history->undo(); });
+    add(
+        "edit.redo", [history] { return history->canRedo(); }, [history] { history->redo(); });
+    layouts_.registerCommands();
     auto* const map = views_.map;
     add("map.fit", [map] { map->fit(); });
     add("map.fit_world", [map] { map->fitWorld(); });
@@ -44,26 +56,8 @@ void ViewDesk::registerCommands() {
     auto* palette = new widgets::CommandPalette(commands_, &main_window_);
     add("view.palette", [palette] { palette->open(); });
     commands_.offer([this] { return plots(); });
-    add("view.operate", [this] { arrange(views_.plots_dock, 0.25); });
-    add("view.analyse", [this] { arrange(views_.plots_dock, 0.6); });
-    add("view.debug", [this] { arrange(views_.messages_dock, 0.6); });
-    add("view.plan", [this] { arrange(views_.plan_dock, 0.6); });
+    docks_.registerCommands();
     registerHelpCommands();
-    for (QDockWidget* dock : views_.docks) {
-        const widgets::CommandSpec spec{.id = "view.dock." + dock->objectName(),
-                                        .text = dock->windowTitle(),
-                                        .group = tr("View"),
-                                        .help = tr("Shows this dock, or hides it if it is in front"),
-                                        .checkable = true,
-                                        .wish = tr("Show %1").arg(dock->windowTitle())};
-        QAction* const shown = commands_.add(spec, [dock](bool) {
-            if (dock->isHidden() || dock->visibleRegion().isEmpty()) // It may be behind another tab.
-                raise(dock);
-            else
-                dock->hide();
-        });
-        connect(dock, &QDockWidget::visibilityChanged, shown, [dock, shown] { shown->setChecked(!dock->isHidden()); });
-    }
 }
 
 void ViewDesk::registerHelpCommands() {
@@ -89,10 +83,15 @@ std::vector<widgets::PaletteOffer> ViewDesk::plots() const {
 }
 
 void ViewDesk::wire() {
+    wireHistory();
+    wireFiles();
+    docks_.wire();
     connect(views_.map, &widgets::MapView::followingChanged, action("map.follow"), &QAction::setChecked);
-    connect(views_.robots, &widgets::RobotList::wholeHeightChanged, this, &ViewDesk::giveRobotsRoom);
-    connect(&selection_, &Selection::changed, this,
-            [this] { views_.hint->setInReplay(robot() && robot()->isReplay()); });
+    connect(&selection_, &Selection::changed, this, [this](RobotId id) {
+        if (id.valid())
+            docks_.showForRobot();
+        views_.hint->setInReplay(robot() && robot()->isReplay());
+    });
     const auto key = [this](const char* id) { return action(id)->shortcut().toString(QKeySequence::NativeText); };
     views_.hint->setWhatNext(tr("On its way. In the simulator, %1 makes time run faster. %2 pauses the robot. At the "
                                 "end a card shows the result.")
@@ -104,44 +103,81 @@ void ViewDesk::setTheme(widgets::Theme theme) {
     action("view.dark")->setChecked(theme == widgets::Theme::Dark);
 }
 
-void ViewDesk::arrange(QDockWidget* raised, double bottom_part) {
-    main_window_.restoreState(first_layout_, layout_version);
-    raised->raise();
-    const int whole_px = main_window_.centralWidget()->parentWidget()->height();
-    main_window_.resizeDocks({raised}, {static_cast<int>(std::lround(bottom_part * whole_px))}, Qt::Vertical);
-    giveRobotsRoom();
+void ViewDesk::wireHistory() {
+    mission::EditHistory* const history = &control_.history();
+    views_.history->setHistory(history->stack(), [history](int row) { return history->reasonOf(row); });
+    connect(history, &mission::EditHistory::changed, this, &ViewDesk::showHistory);
+    connect(&commands_, &widgets::CommandRegistry::sent, this, [this, history](const widgets::CommandSpec& spec) {
+        const bool about_all = spec.id.endsWith("_all") || spec.group == widgets::commandSpec("world.go").group;
+        history->note(robot() && !about_all ? tr("%1 (%2)").arg(spec.text, nameOf(*robot())) : spec.text);
+    });
+    auto* const layers = views_.layers;
+    connect(layers, &widgets::LayersPanel::edited, this,
+            [history, layers](const QString& what, const QByteArray& before, const QByteArray& after) {
+                history->add(
+                    mission::valueEdit<QByteArray>("layers/" + what, tr("change layer %1").arg(what), before, after,
+                                                   [layers](const QByteArray& state) { layers->restoreState(state); }));
+            });
+    auto* const card = views_.spawn_card;
+    connect(card, &widgets::SpawnCard::choiceEdited, this,
+            [history, card](const widgets::SpawnChoice& before, const widgets::SpawnChoice& after) {
+                history->add(mission::valueEdit<widgets::SpawnChoice>(
+                    "spawn", tr("change robot to spawn"), before, after,
+                    [card](const widgets::SpawnChoice& choice) { card->setChoice(choice); }));
+            });
+    showHistory();
 }
 
-void ViewDesk::giveRobotsRoom() {
-    QDockWidget* const dock = views_.robots_dock;
-    if (dock->isHidden() || dock->isFloating() || !main_window_.tabifiedDockWidgets(dock).isEmpty())
-        return;
-    constexpr int least_px = 110;  // The list is never lower, even when it is empty.
-    constexpr int others_px = 300; // The docks below it need this.
-    const int column_px = main_window_.height() - main_window_.centralWidget()->y();
-    constexpr int rounding_px = 4; // The main window deals out heights in whole shares.
-    const int title_px = dock->height() - views_.robots->height() + rounding_px;
-    const int robots_px =
-        std::clamp(views_.robots->wholeHeight_px() + title_px, least_px, std::max(least_px, column_px - others_px));
-    main_window_.resizeDocks({dock, views_.docks[1]}, {robots_px, column_px - robots_px}, Qt::Vertical);
+void ViewDesk::showHistory() {
+    const mission::EditHistory& history = control_.history();
+    action("edit.undo")->setText(tr("Undo %1").arg(history.undoText()).trimmed());
+    action("edit.redo")->setText(tr("Redo %1").arg(history.redoText()).trimmed());
+    views_.history->refresh();
+    commands_.refresh();
+}
+
+void ViewDesk::wireFiles() {
+    using widgets::LayoutKeeper;
+    connect(&keys_, &widgets::KeyFile::failed, this, [this](const Error& error) { notices_.complain("keys", error); });
+    keys_.read();
+    connect(&layouts_, &LayoutKeeper::failed, this, [this](const Error& error) { notices_.complain("layout", error); });
+    connect(
+        &layouts_, &LayoutKeeper::docksEdited, this,
+        [this](const QString& text, const auto& before, const auto& after) {
+            control_.history().addStep(mission::valueEdit<widgets::DockState>(
+                "layout", text, before, after, [this](const widgets::DockState& state) { layouts_.setDocks(state); }));
+        });
+    connect(&layouts_, &LayoutKeeper::layoutsEdited, this,
+            [this](const QString& text, const auto& before, const auto& after) {
+                control_.history().addStep(mission::valueEdit<widgets::Layouts>(
+                    "layouts", text, before, after, [this](const widgets::Layouts& all) { layouts_.setLayouts(all); }));
+            });
+    layouts_.addView(
+        "plots", [this] { return views_.plots->plotLayout(); }, [this](const QJsonObject& plots) { showPlots(plots); });
+    layouts_.read();
+}
+
+void ViewDesk::showPlots(const QJsonObject& plots) {
+    if (const Result<void> restored = views_.plots->setPlotLayout(plots); !restored)
+        notices_.say(Severity::Warning, "plot", QString::fromStdString(restored.error().text()));
 }
 
 void ViewDesk::restore(const QSettings& settings) {
     const QString theme = theme_.isEmpty() ? settings.value("theme").toString() : theme_;
     setTheme(theme == "light" ? widgets::Theme::Light : widgets::Theme::Dark);
     main_window_.restoreGeometry(settings.value("geometry").toByteArray());
-    main_window_.restoreState(settings.value("layout").toByteArray(), layout_version);
+    docks_.restore(settings.value("layout").toByteArray(),
+                   settings.value("waiting_docks", docks_.waiting()).toStringList());
     views_.hint->setDismissed(settings.value("hint_dismissed", false).toBool());
     views_.layers->restoreState(settings.value("layers").toByteArray());
-    const auto plots = QJsonDocument::fromJson(settings.value("plots").toString().toUtf8()).object();
-    if (const Result<void> restored = views_.plots->setPlotLayout(plots); !restored)
-        notices_.say(Severity::Warning, "plot", QString::fromStdString(restored.error().text()));
+    showPlots(QJsonDocument::fromJson(settings.value("plots").toString().toUtf8()).object());
 }
 
 void ViewDesk::save(SettingsSheet& settings) const {
     settings.setValue("theme", widgets::currentTheme() == widgets::Theme::Light ? "light" : "dark");
     settings.setValue("geometry", main_window_.saveGeometry());
-    settings.setValue("layout", main_window_.saveState(layout_version));
+    settings.setValue("layout", docks_.state());
+    settings.setValue("waiting_docks", docks_.waiting());
     settings.setValue("hint_dismissed", views_.hint->dismissed());
     settings.setValue("layers", views_.layers->saveState());
     settings.setValue("plots", QString(QJsonDocument(views_.plots->plotLayout()).toJson(QJsonDocument::Compact)));

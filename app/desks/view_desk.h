@@ -1,4 +1,4 @@
-// Desk for the look of the window: theme, layouts of the docks, the view and layers of the map, command palette and
+// Desk for the look of the window: theme, docks, keys, the view and layers of the map, command palette, history and
 // help.
 #pragma once
 
@@ -7,44 +7,49 @@
 #include <QPointer>
 
 #include "app/desks/desk.h"
+#include "widgets/commands/key_file.h"
 #include "widgets/style/theme.h"
+#include "widgets/window/layout_keeper.h"
+#include "widgets/window/window_docks.h"
 
 namespace usar::app {
 
-/// Switches the theme, arranges the docks, and fits, zooms and follows on the map. Theme, docks and visible layers are
-/// kept in the settings. GUI thread.
+/// Switches the theme, arranges the docks, undoes and redoes, and fits, zooms and follows on the map. Theme, docks,
+/// plots and visible layers are kept in the settings; keys and layouts in files beside them. GUI thread.
 class ViewDesk : public Desk {
     Q_OBJECT
 public:
     /// `theme`: the one that the command line asks for; empty: the one used last.
     ViewDesk(const DeskContext& context, QMainWindow& window, const QString& theme);
 
-    /// Also registers one command per dock, which shows or hides it.
     void registerCommands() override;
     void wire() override;
-    /// Keeps the current layout, from which the layout commands start. To be called before `restore`.
-    void keepFirstLayout() { first_layout_ = main_window_.saveState(layout_version); }
+    widgets::WindowDocks& docks() { return docks_; }
+    /// The user's own layouts.
+    widgets::LayoutKeeper& layouts() { return layouts_; }
     void restore(const QSettings& settings) override;
     void save(SettingsSheet& settings) const override;
 
 private:
     void setTheme(widgets::Theme theme);
-    /// Makes the list of robots as tall as its robots need, as long as the docks below it keep enough.
-    void giveRobotsRoom();
-    /// Restores the first layout, raises this bottom dock, and gives the bottom docks this fraction of the height.
-    void arrange(QDockWidget* raised, double bottom_part);
-
-    static constexpr int layout_version = 5; ///< increased with each change of the docks; older layouts are ignored
-
     void registerHelpCommands();
     /// For the palette: each number that the selected robot's sensors say can be plotted.
     std::vector<widgets::PaletteOffer> plots() const;
+    /// Connects what is edited in views to the history, and the history to its dock and commands.
+    void wireHistory();
+    /// Names the commands after what they would undo and redo.
+    void showHistory();
+    /// Reads the user's keys and layouts, and connects what is edited in them to the history.
+    void wireFiles();
+    void showPlots(const QJsonObject& plots);
 
+    widgets::LayoutKeeper layouts_;
+    widgets::WindowDocks docks_;
+    widgets::KeyFile keys_;
     QMainWindow& main_window_;
     QString theme_;
-    QByteArray first_layout_;
-    QPointer<QDialog> sheet_; ///< lists keys and gestures; nullptr while it is closed
-    QPointer<QDialog> about_; ///< the same for versions and licenses
+    QPointer<QDialog> sheet_; ///< of all keys; nullptr while it is closed
+    QPointer<QDialog> about_; ///< versions and licenses; nullptr while it is closed
 };
 
 } // namespace usar::app

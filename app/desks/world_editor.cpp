@@ -56,7 +56,8 @@ MapObject onMap(const mission::WorldThing& thing, std::vector<Vec2> way_m, doubl
 
 WorldEditor::WorldEditor(const DeskContext& context)
     : Desk(context)
-    , edits_(sizeOfKind, [this](const protocol::Command& command) { link_.send(command); }) {
+    , edits_(context.control.history(), {sizeOfKind, [this](const protocol::Command& command) { link_.send(command); },
+                                         [this](const Vec2& at_m) { return ground_m(at_m); }, [this] { show(); }}) {
     setClasses();
     views_.world->setKinds(palette());
 }
@@ -69,16 +70,6 @@ void WorldEditor::registerCommands() {
     add("world.delete", one, [this] { remove(selected_); });
     const auto any = [this] { return !shown_.empty(); };
     add("world.delete_all", any, [this] { tellLost(edits_.removeAll()); });
-    const auto can_undo = [this] { return edits_.deleted().canUndo() && port_ != 0; };
-    add("world.undo", can_undo, [this] {
-        edits_.deleted().undo();
-        commands_.refresh();
-    });
-    const auto can_redo = [this] { return edits_.deleted().canRedo() && port_ != 0; };
-    add("world.redo", can_redo, [this] {
-        edits_.deleted().redo();
-        commands_.refresh();
-    });
     registerWayCommands();
 }
 
@@ -93,10 +84,7 @@ void WorldEditor::registerWayCommands() {
             if (on)
                 views_.map->setFocus(); // So that it receives Escape.
         });
-    add("world.clear_way", has_way, [this] {
-        edits_.clearWay(selectedName());
-        show();
-    });
+    add("world.clear_way", has_way, [this] { edits_.clearWay(selectedName()); });
     add("world.go", can_go, [this] { follow(true); });
     add("world.halt", can_go, [this] { follow(false); });
 }
@@ -113,7 +101,7 @@ void WorldEditor::setDriving(bool drives) {
 
 void WorldEditor::wire() {
     views_.world->setActions(
-        {action("world.turn_left"), action("world.turn_right"), action("world.spin"), nullptr, action("world.undo"),
+        {action("world.turn_left"), action("world.turn_right"), action("world.spin"), nullptr, action("edit.undo"),
          action("world.delete"), action("world.delete_all")},
         {action("world.waypoints"), action("world.clear_way"), action("world.go"), action("world.halt")},
         action("robot.trace"));
@@ -271,8 +259,8 @@ void WorldEditor::place(const Vec2& at_m, bool again) {
         return;
     if (const Rectangle& world = control_.world().extent_in_map; !world.empty() && !world.contains(at_m))
         return say(tr("There is no ground outside the world's frame. Drop the object inside it."));
-    const auto name = edits_.place(
-        {choice->class_name.toStdString(), {}, choice->size_m, choice->scale, choice->conveyor}, at_m, ground());
+    const auto name =
+        edits_.place({choice->class_name.toStdString(), {}, choice->size_m, choice->scale, choice->conveyor}, at_m);
     if (!name)
         return say(QString::fromStdString(name.error().text()));
     awaited_ = QString::fromStdString(*name);
@@ -282,7 +270,7 @@ void WorldEditor::place(const Vec2& at_m, bool again) {
 
 void WorldEditor::moveTo(const QString& name, const Vec2& center_m) {
     select(name);
-    edits_.moveTo(selectedName(), center_m, ground());
+    edits_.moveTo(selectedName(), center_m);
 }
 
 void WorldEditor::tellLost(const std::vector<std::string>& lost) {
@@ -298,8 +286,7 @@ void WorldEditor::tellLost(const std::vector<std::string>& lost) {
 void WorldEditor::addWaypoint(const Vec2& at_m) {
     if (!selected())
         return say(tr("Select an object first; then its waypoints are set by clicks on the map."));
-    edits_.addWaypoint(selectedName(), at_m, ground());
-    show();
+    edits_.addWaypoint(selectedName(), at_m);
 }
 
 /// Starts or stops the selected object's motion along its waypoints; a conveyor without waypoints runs its belt.
@@ -312,18 +299,18 @@ void WorldEditor::follow(bool moving) {
     edits_.follow(selectedName(), object->carries, {views_.world->speed_m_s(), views_.world->loop(), moving});
 }
 
-mission::GroundHeight WorldEditor::ground() const {
+double WorldEditor::ground_m(const Vec2& at_m) const {
     mission::GroundSources sources;
     if (const auto& terrain = control_.world().ground; terrain && !terrain->empty())
-        sources.terrain_m = [terrain](const Vec2& at_m) {
-            return terrain->extent().contains(at_m) ? std::optional(terrain->height_m(at_m)) : std::nullopt;
+        sources.terrain_m = [terrain](const Vec2& point_m) {
+            return terrain->extent().contains(point_m) ? std::optional(terrain->height_m(point_m)) : std::nullopt;
         };
     if (const Robot* const robot = selection_.robot()) {
         sources.tiles = &robot->view().tiles;
         sources.cell_size_m = robot->view().cell_size_m;
     }
     sources.start_poses = control_.startPoses();
-    return [sources](const Vec2& at_m) { return mission::groundHeight_m(sources, at_m); };
+    return mission::groundHeight_m(sources, at_m);
 }
 
 } // namespace usar::app

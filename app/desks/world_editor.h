@@ -64,7 +64,7 @@ private:
     void follow(bool moving);
     void say(const QString& text) { notices_.say(Severity::Warning, "world", text); }
     /// Returns the ground height, from the embedded world, the selected robot's scan, or a guess from the start poses.
-    mission::GroundHeight ground() const;
+    double ground_m(const Vec2& at_m) const;
 
     mission::WorldLink link_;
     mission::WorldEditing edits_;

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/mission/edits/edit_history.h"
 #include "core/mission/fleet/fleet.h"
 #include "core/mission/fleet/fleet_questions.h"
 #include "core/server/embedded/simulator_host.h"
@@ -28,6 +29,8 @@ public:
     /// Calls `disconnectFromServer`, then starts the embedded simulator or connects to the server.
     void connectTo(const ServerTarget& target);
     server::SimulatorHost& simulator() { return simulator_; }
+    /// What the user has edited, in all parts of the window.
+    mission::EditHistory& history() { return history_; }
     const ServerTarget& server() const { return target_; }
     /// The embedded simulator's world; empty on a real server.
     const server::WorldPicture& world() const { return world_; }
@@ -56,6 +59,7 @@ private:
     /// Gives the spare connection to the next waiting robot of a snapshot.
     void goOnWithNext();
 
+    mission::EditHistory history_;
     server::SimulatorHost simulator_;
     ServerTarget target_;
     server::WorldPicture world_;                   ///< the embedded simulator's; empty on a real server

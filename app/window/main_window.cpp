@@ -39,7 +39,7 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
     layout()->activate();
     constexpr int frame_px = 40; // Title bar and borders, which the size does not include.
     resize(QSize(1280, 800).boundedTo(screen()->availableSize() - QSize(0, frame_px)));
-    view_.keepFirstLayout();
+    view_.docks().keepFirstLayout();
     restoreSettings();
     selection_.select({});
     plugins_.tellRefused();
@@ -73,15 +73,17 @@ void MainWindow::makeMenus() {
     const auto submenus = widgets::makeMenus(*menuBar(), commands_);
     files_.fillRecentMenu(submenus.at("recent"));
     server_.fillWorldMenu(submenus.at("worlds"));
+    view_.layouts().fillMenu(submenus.at("layouts"));
 }
 
 void MainWindow::wire() {
     connect(&control_, &MissionControl::readyToClose, this, &MainWindow::closeAtOnce);
     connect(&control_, &MissionControl::exportFailed, this,
             [this](RobotId, const QString& reason) { askWhereToSave(reason); });
-    connect(views_.stop_all, &QPushButton::clicked, &control_, &MissionControl::stopAll);
+    QAction* const stop = commands_.action("mission.stop_all");
+    connect(views_.stop_all, &QPushButton::clicked, stop, &QAction::trigger);
     auto* const twice = new widgets::KeyTwice(widgets::commandSpec("mission.stop_all").twice, this);
-    connect(twice, &widgets::KeyTwice::pressedTwice, &control_, &MissionControl::stopAll);
+    connect(twice, &widgets::KeyTwice::pressedTwice, stop, &QAction::trigger);
     connect(views_.map, &widgets::MapView::escapeUsed, twice, &widgets::KeyTwice::forget);
     connect(&commands_, &widgets::CommandRegistry::questionRaised, this,
             [this](const widgets::CommandSpec& spec, const std::function<void()>& run) {

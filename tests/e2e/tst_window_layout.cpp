@@ -70,6 +70,9 @@ private slots:
     void everyDockFitsTheScreen();
     void openingLayersKeepsTheWindowsHeight();
     void startIsReachableAtTwiceTheScale();
+    void atAFirstStartTheMapHasTheWindow_data();
+    void atAFirstStartTheMapHasTheWindow();
+    void whatHasSomethingToShowOpens();
     void allRobotsAreSeenWhereThereIsRoom();
     void theReasonOfAFailureIsWholeInAWideWindow();
 };
@@ -122,6 +125,51 @@ void tst_WindowLayout::startIsReachableAtTwiceTheScale() {
             QTRY_COMPARE(button->visibleRegion().boundingRect(), button->rect());
     QVERIFY(page.window().rect().contains(QRect(page.window().views().stop_all->mapTo(&page.window(), QPoint()),
                                                 page.window().views().stop_all->size())));
+}
+
+void tst_WindowLayout::atAFirstStartTheMapHasTheWindow_data() {
+    QTest::addColumn<QSize>("screen");
+    QTest::newRow("1024x768") << QSize(1024, 768);
+    QTest::newRow("1280x800") << QSize(1280, 800);
+    QTest::newRow("1920x1080") << QSize(1920, 1080);
+}
+
+void tst_WindowLayout::atAFirstStartTheMapHasTheWindow() {
+    QFETCH(QSize, screen);
+    WindowPage page({.first_start = true});
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    page.window().resize(screen - frame);
+    QTRY_COMPARE(page.window().size(), screen - frame);
+    QStringList open;
+    for (const QDockWidget* dock : page.window().views().docks)
+        if (!dock->isHidden())
+            open << dock->objectName();
+    QCOMPARE(open, (QStringList{"robots", "behavior"}));
+    const auto part = [&] {
+        const double whole = static_cast<double>(page.window().width()) * page.window().height();
+        return page.map().width() * page.map().height() / whole;
+    };
+    QTRY_VERIFY2(part() >= 0.45, qPrintable(QString::number(part())));
+    widgets::RobotList& robots = *page.window().views().robots;
+    for (int number = 1; number <= 9; ++number)
+        robots.updateRobot({{number}, number, "R", "AirRobot", "idle", {}});
+    QTRY_VERIFY2(robots.height() >= robots.wholeHeight_px(), qPrintable(QString::number(robots.height())));
+    page.screenshot(QStringLiteral("first_start_%1x%2").arg(screen.width()).arg(screen.height()));
+}
+
+void tst_WindowLayout::whatHasSomethingToShowOpens() {
+    WindowPage page({.first_start = true});
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    const widgets::WindowViews& views = page.window().views();
+    QVERIFY(!views.sensors->isVisible() && !views.laser->isVisible() && !views.plots->isVisible());
+    QVERIFY(page.spawnAt("PlayerStart"));
+    QTRY_VERIFY(views.sensors->isVisible() && views.laser->isVisible());
+    emit views.sensors->plotRequested("SEN Sonar/F1/range", "m");
+    QTRY_VERIFY(views.plots->isVisible());
+    page.window().commands().action("view.dock.sensors")->trigger(); // Closes it.
+    QTRY_VERIFY(!views.sensors->isVisible());
+    page.window().commands().action("view.operate")->trigger();
+    QTRY_VERIFY(views.sensors->isVisible()); // It has been open, so it belongs to the layout.
 }
 
 void tst_WindowLayout::allRobotsAreSeenWhereThereIsRoom() {

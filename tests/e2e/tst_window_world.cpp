@@ -130,12 +130,12 @@ private slots:
         QVERIFY(!page.window().commands().action("world.delete")->isEnabled());
         page.pressKey(Qt::Key_Z, Qt::ControlModifier);
         QTRY_VERIFY_WITH_TIMEOUT(page.isNear(0, {7, 8}, 0.5), soon_ms); // it may have slid a little on its slope
-        QAction* const redo = page.window().commands().action("world.redo");
+        QAction* const redo = page.window().commands().action("edit.redo");
         QVERIFY(redo->isEnabled());
         redo->trigger();
         QTRY_COMPARE_WITH_TIMEOUT(page.count(), 0, soon_ms);
         QVERIFY(!redo->isEnabled());
-        QVERIFY(page.window().commands().action("world.undo")->isEnabled());
+        QVERIFY(page.window().commands().action("edit.undo")->isEnabled());
     }
 
     void anObjectIsDraggedOutOfThePalette() {
@@ -250,7 +250,7 @@ private slots:
         page.window().commands().action("world.delete_all")->trigger();
         QTRY_COMPARE_WITH_TIMEOUT(page.count(), 0, soon_ms);
         QVERIFY(page.notified("cannot be brought back").isEmpty());
-        page.window().commands().action("world.undo")->trigger();
+        page.window().commands().action("edit.undo")->trigger();
         QTRY_COMPARE_WITH_TIMEOUT(page.count(), 2, soon_ms);
         for (const auto& [name, x_m] : {std::pair("Venus", 3.0), std::pair("Apollo", -3.0)}) {
             QTRY_VERIFY_WITH_TIMEOUT((named(name).size_m - size_m).norm() < 0.02, soon_ms);

@@ -26,11 +26,24 @@ WindowPage::WindowPage(const WindowSetup& setup) {
     options.plugin_folders = setup.plugin_folders;
     options.mission_file = setup.mission_file;
     options.recording = setup.recording;
+    const bool started_before = QSettings().contains("waiting_docks");
     window_ = std::make_unique<app::MainWindow>(options);
     window_->resize(1280, 800);
     window_->show();
+    if (!setup.first_start && !started_before)
+        showAllDocks();
     window_->activateWindow();
     window_->begin();
+}
+
+void WindowPage::showAllDocks() {
+    for (QDockWidget* const dock : window_->views().docks)
+        if (!QStringList{"layers", "faults", "history"}.contains(dock->objectName()))
+            dock->show();
+    for (QDockWidget* const dock : window_->views().docks)
+        if (QStringList{"behavior", "instruments", "plots"}.contains(dock->objectName()))
+            dock->raise();
+    window_->resizeDocks({window_->views().plots_dock}, {215}, Qt::Vertical);
 }
 
 bool WindowPage::hasStartPoses() {

@@ -19,6 +19,7 @@ struct WindowSetup {
     QStringList plugin_folders{};
     QString mission_file{};
     QString recording{};
+    bool first_start = false;      ///< false: all docks are open, as for a person who has worked with it before
     QString settings_folder{};     ///< empty: a temporary one, that of a first start
     quint16 simulator_port = 0;    ///< 0: any free one
     quint16 wireless_port = 50000; ///< beside a real server
@@ -79,6 +80,7 @@ public:
     const usar::mission::RobotView* robot(int number) const { return robot(usar::RobotId{number}); }
 
 private:
+    void showAllDocks();
     QPoint onMap(const usar::Vec2& point_in_map_m);
     QPoint startPoseOnMap(const std::string& name);
 

@@ -8,6 +8,7 @@
 #include "widgets/commands/command_palette.h"
 #include "widgets/commands/command_registry.h"
 #include "widgets/style/icons.h"
+#include "widgets/window/window_views.h"
 
 namespace tst_command_table {
 
@@ -93,18 +94,22 @@ void tst_CommandTable::everyMenuItemIsACommand() {
     CommandRegistry commands(&window);
     for (const CommandSpec& spec : commandTable())
         commands.add(spec, [](bool) {});
-    for (const char* const of_a_desk : {"view.dock.map", "view.dock.world"})
+    for (const char* const of_a_desk : {"view.dock.map", "view.dock.world", "view.dock.history"})
         commands.add({.id = of_a_desk, .text = "Dock", .group = "View"}, [](bool) {});
+    const MessageList messages;
+    adoptMessageActions(commands, messages.actions());
     const auto submenus = makeMenus(*window.menuBar(), commands); // Asserts that each id is known.
-    QCOMPARE(submenus.size(), std::size_t(2));
+    QCOMPARE(submenus.size(), std::size_t(3));
     QCOMPARE(submenus.at("recent")->title(), QString("Open r&ecent"));
     QVERIFY(submenus.at("worlds")->isEmpty());
-    QCOMPARE(window.menuBar()->actions().size(), 11);
+    QVERIFY(submenus.at("layouts")->actions().contains(commands.action("view.layout_save")));
+    QCOMPARE(window.menuBar()->actions().size(), 12);
     QCOMPARE(window.menuBar()->actions().front()->text(), QString("&File"));
-    const QMenu* const view = window.menuBar()->actions()[9]->menu();
+    const QMenu* const view = window.menuBar()->actions()[10]->menu();
     QVERIFY(view->actions().contains(commands.action("view.dock.map")));
     QVERIFY(view->actions().contains(commands.action("view.dock.world")));
-    QVERIFY(view->actions()[view->actions().size() - 3]->isSeparator());
+    QVERIFY(view->actions().contains(submenus.at("layouts")->menuAction()));
+    QVERIFY(view->actions()[view->actions().size() - 5]->isSeparator());
 }
 
 void tst_CommandTable::commandsSpeakPlainly() {
@@ -117,7 +122,7 @@ void tst_CommandTable::commandsSpeakPlainly() {
 void tst_CommandTable::aNewcomersWordFindsACommand_data() {
     QTest::addColumn<QString>("id");
     const std::pair<const char*, const char*> words[]{
-        {"undo", "world.undo"},
+        {"undo", "edit.undo"},
         {"export", "file.export"},
         {"speed", "time.faster"},
         {"reset", "view.operate"},

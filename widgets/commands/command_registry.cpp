@@ -48,12 +48,17 @@ QAction* CommandRegistry::add(const CommandSpec& spec, std::function<void(bool)>
     if (!spec.button.isEmpty())
         action->setIconText(spec.button);
     if (run)
-        connect(action, &QAction::triggered, this, [this, action, spec, run = std::move(run)](bool on) {
+        connect(action, &QAction::triggered, this, [this, action, spec, call = std::move(run)](bool on) {
+            const auto obey = [this, spec, call](bool checked) {
+                call(checked);
+                if (spec.sends)
+                    emit sent(spec);
+            };
             const bool asks = action->byKey() && !spec.question.isEmpty() && !(spec.checkable && on);
             if (!asks)
-                return run(on);
+                return obey(on);
             action->setChecked(!on); // It stays as it was until the answer.
-            emit questionRaised(spec, [run, on] { run(on); });
+            emit questionRaised(spec, [obey, on] { obey(on); });
         });
     list(spec, action, std::move(enabled));
     return action;
@@ -74,12 +79,12 @@ void CommandRegistry::list(const CommandSpec& spec, QAction* action, std::functi
     action->setToolTip(tooltipText(spec));
     action->setStatusTip(spec.help);
     window_->addAction(action);
-    commands_.push_back(std::make_unique<Command>(Command{spec, action, std::move(enabled)}));
+    commands_.push_back(std::make_unique<Command>(Command{spec, action, std::move(enabled), spec.shortcuts}));
     if (const auto& rule = commands_.back()->enabled)
         action->setEnabled(rule());
 }
 
-const CommandRegistry::Command* CommandRegistry::find(const QString& id) const {
+CommandRegistry::Command* CommandRegistry::find(const QString& id) const {
     const auto found = std::ranges::find_if(commands_, [&](const auto& command) { return command->spec.id == id; });
     return found == commands_.end() ? nullptr : found->get();
 }
@@ -91,14 +96,64 @@ QAction* CommandRegistry::action(const QString& id) const {
 }
 
 void CommandRegistry::setPlacesOfPlainKeys(const QList<QWidget*>& places) {
-    for (const auto& command : commands_) {
-        if (std::ranges::none_of(command->spec.shortcuts, isPlain))
-            continue;
-        window_->removeAction(command->action);
-        command->action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-        for (QWidget* const place : places)
-            place->addAction(command->action);
+    places_ = places;
+    for (const auto& command : commands_)
+        if (std::ranges::any_of(command->spec.shortcuts, isPlain))
+            place(*command);
+}
+
+void CommandRegistry::place(const Command& command) {
+    if (places_.isEmpty())
+        return;
+    const bool plain = std::ranges::any_of(command.spec.shortcuts, isPlain);
+    command.action->setShortcutContext(plain ? Qt::WidgetWithChildrenShortcut : Qt::WindowShortcut);
+    for (QWidget* const widget : places_)
+        plain ? widget->addAction(command.action) : widget->removeAction(command.action);
+    plain ? window_->removeAction(command.action) : window_->addAction(command.action);
+}
+
+const CommandRegistry::Command* CommandRegistry::ownerOf(const QKeySequence& key) const {
+    const auto has = [&](const auto& command) { return command->spec.shortcuts.contains(key); };
+    const auto found = std::ranges::find_if(commands_, has);
+    return found == commands_.end() ? nullptr : found->get();
+}
+
+void CommandRegistry::give(Command& command, const QList<QKeySequence>& keys) {
+    const bool was_plain = std::ranges::any_of(command.spec.shortcuts, isPlain);
+    command.spec.shortcuts = keys;
+    command.action->setShortcuts(keys);
+    command.action->setToolTip(tooltipText(command.spec));
+    if (was_plain != std::ranges::any_of(keys, isPlain))
+        place(command);
+}
+
+void CommandRegistry::setKeys(const QString& id, const QList<QKeySequence>& keys) {
+    Command* const command = find(id);
+    Q_ASSERT_X(command, "CommandRegistry::setKeys", qPrintable(id));
+    for ([[maybe_unused]] const QKeySequence& key : keys)
+        Q_ASSERT_X(!ownerOf(key) || ownerOf(key) == command, "CommandRegistry::setKeys", "the key is taken");
+    give(*command, keys);
+    emit keysChanged();
+}
+
+void CommandRegistry::takeKeys(const KeyChoices& keys) {
+    for (const auto& command : commands_)
+        give(*command, keys.contains(command->spec.id) ? QList<QKeySequence>() : command->first_keys);
+    for (const auto& [id, wanted] : keys) {
+        QList<QKeySequence> free = wanted;
+        free.removeIf([this](const QKeySequence& key) { return ownerOf(key) != nullptr; });
+        if (Command* const command = find(id))
+            give(*command, free);
     }
+    emit keysChanged();
+}
+
+KeyChoices CommandRegistry::changedKeys() const {
+    KeyChoices changed;
+    for (const auto& command : commands_)
+        if (command->spec.shortcuts != command->first_keys)
+            changed[command->spec.id] = command->spec.shortcuts;
+    return changed;
 }
 
 void CommandRegistry::refresh() {
@@ -158,8 +213,22 @@ CommandSpec specOf(const QString& id, const QString& group, const QJsonObject& r
         spec.help = spec.help.arg(spec.twice.toString(QKeySequence::NativeText));
     spec.question = row["question"].toString();
     spec.answer = row["answer"].toString();
+    spec.sends = row["sends"].toBool();
     spec.words = row["words"].toString().split(", ", Qt::SkipEmptyParts);
     return spec;
+}
+
+/// Appends a menu's items; lists its submenus by their names.
+void fillMenu(QMenu* menu, const QJsonArray& items, const CommandRegistry& commands,
+              std::map<QString, QMenu*>& submenus) {
+    for (const QJsonValue& item : items) {
+        if (item.isString()) {
+            commands.fill(menu, item.toString().split(u' '));
+            continue;
+        }
+        QMenu* const submenu = submenus[item["submenu"].toString()] = menu->addMenu(item["title"].toString());
+        fillMenu(submenu, item["items"].toArray(), commands, submenus);
+    }
 }
 
 } // namespace
@@ -190,11 +259,7 @@ std::map<QString, QMenu*> makeMenus(QMenuBar& bar, const CommandRegistry& comman
     std::map<QString, QMenu*> submenus;
     for (const QJsonValue& row : QJsonDocument::fromJson(menus_json).array()) {
         QMenu* const menu = bar.addMenu(row["title"].toString());
-        for (const QJsonValue& item : row["items"].toArray())
-            if (item.isString())
-                commands.fill(menu, item.toString().split(u' '));
-            else
-                submenus[item["submenu"].toString()] = menu->addMenu(item["title"].toString());
+        fillMenu(menu, row["items"].toArray(), commands, submenus);
     }
     return submenus;
 }

@@ -28,6 +28,7 @@ struct CommandSpec {
     QString answer{};    ///< the answer that runs it: "Land"
     QStringList words{}; ///< other words for it, by which the palette finds it
     QString button{};    ///< a shorter text below an icon; empty: the text
+    bool sends = false;  ///< a robot or the world gets a command that cannot be taken back
     QString wish{};      ///< the text with a verb, for the palette: "Show Camera"; empty: the text
 };
 
@@ -38,6 +39,9 @@ struct PaletteOffer {
     QStringList words{}; ///< other words for it
     std::function<void()> run;
 };
+
+/// The keys of commands by their ids.
+using KeyChoices = std::map<QString, QList<QKeySequence>>;
 
 /// Owns the actions and adds them to the window, so that shortcuts work wherever the focus is; only those that are a
 /// single key without Ctrl or Alt work in a few places alone (`setPlacesOfPlainKeys`), or what is typed elsewhere would
@@ -62,12 +66,22 @@ public:
         CommandSpec spec;
         QAction* action = nullptr;
         std::function<bool()> enabled;
+        QList<QKeySequence> first_keys{}; ///< those of the table; `spec` has the present ones
     };
     /// In the order of registration.
     const std::vector<std::unique_ptr<Command>>& commands() const { return commands_; }
     /// The widgets in which a single key runs its command while one of them, or a part of it, has the focus. Before
     /// this call it does so everywhere; to be called once, after all commands have been added.
     void setPlacesOfPlainKeys(const QList<QWidget*>& places);
+    /// Gives the command these keys instead of its present ones; none of them may be another command's (assertion).
+    void setKeys(const QString& id, const QList<QKeySequence>& keys);
+    /// Gives all commands the keys of the table again, and then these. Ids that do not exist are ignored, and so are
+    /// keys that another command has by then.
+    void takeKeys(const KeyChoices& keys);
+    /// The keys that differ from those of the table.
+    KeyChoices changedKeys() const;
+    /// The command that this key runs; nullptr if none does.
+    const Command* ownerOf(const QKeySequence& key) const;
     /// Evaluates every `enabled` rule again; call it when state that the rules depend on has changed.
     void refresh();
 
@@ -82,12 +96,21 @@ public:
 signals:
     /// A key was pressed for a command that has a question; `run` does what it asks about.
     void questionRaised(const usar::widgets::CommandSpec& spec, const std::function<void()>& run);
+    /// By setKeys or takeKeys.
+    void keysChanged();
+    /// A command that `sends` has run.
+    void sent(const usar::widgets::CommandSpec& spec);
 
 private:
     void list(const CommandSpec& spec, QAction* action, std::function<bool()> enabled);
-    const Command* find(const QString& id) const;
+    Command* find(const QString& id) const;
+    /// Replaces the keys without telling.
+    void give(Command& command, const QList<QKeySequence>& keys);
+    /// Lets the keys of the action work in the whole window, or only in the places of plain keys.
+    void place(const Command& command);
 
     QWidget* window_;
+    QList<QWidget*> places_; ///< of plain keys; empty: the whole window
     std::vector<std::unique_ptr<Command>> commands_;
     std::vector<std::function<std::vector<PaletteOffer>()>> providers_;
 };
@@ -96,7 +119,8 @@ private:
 QString tooltipText(const CommandSpec& spec);
 
 /// Reads a table of commands: an object of groups, each an object of commands by id, with `text`, `help`, and possibly
-/// `icon`, `button`, `keys`, `checkable`, `twice`, `question`, `answer` and `words`, which are separated by commas. A
+/// `icon`, `button`, `keys`, `checkable`, `twice`, `question`, `answer`, `sends` and `words`, which are separated by
+/// commas. A
 /// key is written as in a menu ("Ctrl+K"), or names one that differs by desktop ("StandardKey::Open"). Text that is no
 /// JSON object is read as an empty table.
 std::vector<CommandSpec> readCommandTable(const QByteArray& json);
@@ -108,7 +132,8 @@ const CommandSpec& commandSpec(const QString& id);
 
 /// Fills the menu bar as the program's table says (resources/menus.json): a list of menus, each with a `title` and
 /// `items`. An item is a text of command ids, "-" for a separator, or the beginning of ids ("view.dock.*") for all that
-/// begin so; or a submenu, which is made empty. Returns the submenus by name. All commands must be registered before.
+/// begin so; or a submenu, which may have `items`, too. Returns the submenus by name. All commands must be registered
+/// before.
 std::map<QString, QMenu*> makeMenus(QMenuBar& bar, const CommandRegistry& commands);
 
 } // namespace usar::widgets

@@ -1,8 +1,11 @@
 #include "widgets/map/layers_panel.h"
 
+#include <utility>
+
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QPainter>
+#include <QScopedValueRollback>
 #include <QSignalBlocker>
 
 #include "core/mapping/shading.h"
@@ -147,6 +150,15 @@ LayersPanel::LayersPanel(QWidget* parent) : QWidget(parent) {
         setLayer(layer, firstLayers()[i]);
     }
     grid_->setRowStretch(line, 1);
+    connect(heights_, &HeightControls::lookChanged, this, [this] { tellEdit(layerName(MapLayer::Heights)); });
+    told_ = saveState();
+}
+
+void LayersPanel::tellEdit(const QString& what) {
+    if (restoring_)
+        return;
+    const QByteArray before = std::exchange(told_, saveState());
+    emit edited(what, before, told_);
 }
 
 int LayersPanel::addLayer(MapLayer layer, int line) {
@@ -168,6 +180,7 @@ int LayersPanel::addLayer(MapLayer layer, int line) {
         const LayerState state = this->layer(layer);
         setLayer(layer, state);
         emit layerChanged(layer, state);
+        tellEdit(layerName(layer));
     };
     connect(row.eye, &QToolButton::clicked, this, tell);
     connect(row.opacity, &QSlider::valueChanged, this, tell);
@@ -213,6 +226,7 @@ bool LayersPanel::restoreState(const QByteArray& state) {
     const QJsonDocument document = QJsonDocument::fromJson(state);
     if (!document.isObject())
         return false;
+    const QScopedValueRollback restoring(restoring_, true);
     for (std::size_t i = 0; i < map_layer_count; ++i) {
         const auto which = static_cast<MapLayer>(i);
         const LayerState before = layer(which);
@@ -222,6 +236,7 @@ bool LayersPanel::restoreState(const QByteArray& state) {
             emit layerChanged(which, layer(which));
     }
     heights_->restoreState(document.object()[look_key].toObject());
+    told_ = saveState();
     return true;
 }
 

@@ -57,6 +57,9 @@ public:
 signals:
     /// By the user only; while a slider is dragged, at each of its steps.
     void layerChanged(usar::widgets::MapLayer layer, const usar::widgets::LayerState& state);
+    /// The user has changed a layer, or the look of the heights; after the signal that tells this change. `what`: the
+    /// name of the layer. The states are those of `saveState`.
+    void edited(const QString& what, const QByteArray& before, const QByteArray& after);
 
 private:
     /// Appends the layer's row at `line` of the grid; returns the next free line.
@@ -68,9 +71,14 @@ private:
         QToolButton* eye = nullptr;
         QSlider* opacity = nullptr;
     };
+    /// Emits `edited`, unless a state is being restored.
+    void tellEdit(const QString& what);
+
     QGridLayout* grid_ = nullptr;
     HeightControls* heights_ = nullptr;
     std::array<Row, map_layer_count> rows_;
+    QByteArray told_;        ///< the state before the next edit
+    bool restoring_ = false; ///< what changes now is no edit
 };
 
 } // namespace usar::widgets

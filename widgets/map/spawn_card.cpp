@@ -1,6 +1,7 @@
 #include "widgets/map/spawn_card.h"
 
 #include <limits>
+#include <utility>
 
 #include <QApplication>
 #include <QFormLayout>
@@ -55,6 +56,9 @@ SpawnCard::SpawnCard(QWidget* over) : QFrame(over) {
     connect(spawn_, &QPushButton::clicked, this, &SpawnCard::spawn);
     connect(class_, &QComboBox::currentIndexChanged, this, &SpawnCard::listBehaviors);
     connect(name_, &QLineEdit::textChanged, this, [this] { spawn_->setEnabled(ready()); });
+    connect(class_, &QComboBox::activated, this, &SpawnCard::tellEdit);
+    connect(behavior_, &QComboBox::activated, this, &SpawnCard::tellEdit);
+    connect(name_, &QLineEdit::textEdited, this, &SpawnCard::tellEdit);
 }
 
 void SpawnCard::setRobots(const std::vector<agent::RobotDescription>& robots) {
@@ -113,6 +117,7 @@ void SpawnCard::openFor(int start_pose, const QString& pose_name, const QString&
     // Opens on the other side instead of covering the pose, where the second click of a double-click must arrive.
     if (corner.x() > room.width())
         corner.rx() -= width() + 2 * pose_gap_px;
+    told_ = choice();
     move(std::clamp(corner.x(), 0, std::max(0, room.width())), std::clamp(corner.y(), 0, std::max(0, room.height())));
     show();
     raise();
@@ -124,6 +129,21 @@ void SpawnCard::openFor(int start_pose, const QString& pose_name, const QString&
 
 SpawnChoice SpawnCard::lastChoice(int start_pose, const QString& robot_name) const {
     return {start_pose, class_->currentData().toString(), robot_name, behavior_->currentData().toString()};
+}
+
+void SpawnCard::tellEdit() {
+    const SpawnChoice before = std::exchange(told_, choice());
+    if (before != told_)
+        emit choiceEdited(before, told_);
+}
+
+void SpawnCard::setChoice(const SpawnChoice& choice) {
+    chooseClass(choice.class_name);
+    if (const int row = behavior_->findData(choice.behavior_id); row >= 0)
+        behavior_->setCurrentIndex(row);
+    if (isVisible())
+        name_->setText(choice.robot_name);
+    told_ = this->choice();
 }
 
 void SpawnCard::spawn() {

@@ -47,8 +47,12 @@ public:
     SpawnChoice choice() const { return lastChoice(start_pose_, name_->text()); }
     /// The choice for a double-click: the class and behavior chosen last, with this pose and name.
     SpawnChoice lastChoice(int start_pose, const QString& robot_name) const;
+    /// Shows class, behavior and, while the card is open, the name; emits nothing. What is not offered stays as it is.
+    void setChoice(const SpawnChoice& choice);
 
 signals:
+    /// The user has chosen a class or a behavior, or typed into the name.
+    void choiceEdited(const usar::widgets::SpawnChoice& before, const usar::widgets::SpawnChoice& after);
     /// The name is valid in the protocol.
     void spawnRequested(const usar::widgets::SpawnChoice& choice);
 
@@ -62,12 +66,15 @@ private:
     void listBehaviors();
     /// True if a robot can be spawned: the name is valid, and there is room for one more.
     bool ready() const { return name_->hasAcceptableInput() && !full_; }
+    /// Emits choiceEdited.
+    void tellEdit();
     /// Closes the card and emits spawnRequested, if it is ready.
     void spawn();
 
     /// Entries of the class box, in its order.
     std::vector<agent::RobotDescription> robots_;
     QString preferred_behavior_;
+    SpawnChoice told_; ///< what the user saw before an edit
     int start_pose_ = 0;
     bool full_ = false; ///< the greatest number of robots is reached
     QLabel* title_ = new QLabel(this);

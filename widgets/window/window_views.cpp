@@ -162,6 +162,9 @@ void makeDocks(QMainWindow& window, WindowViews& views) {
     window.tabifyDockWidget(views.plan_dock, views.messages_dock);
     window.tabifyDockWidget(views.messages_dock, views.notifications_dock);
     window.tabifyDockWidget(views.notifications_dock, views.radio_dock);
+    auto* history = add("history", QObject::tr("History"), bottom, views.history = new HistoryPanel);
+    window.tabifyDockWidget(views.radio_dock, history);
+    history->hide();
     views.plots_dock->raise();
 }
 

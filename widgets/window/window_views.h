@@ -25,6 +25,7 @@
 #include "widgets/messages/toast_stack.h"
 #include "widgets/panels/behavior_panel.h"
 #include "widgets/panels/fault_panel.h"
+#include "widgets/panels/history_panel.h"
 #include "widgets/panels/instrument_panel.h"
 #include "widgets/panels/instruments.h"
 #include "widgets/panels/parameter_form.h"
@@ -86,7 +87,8 @@ struct WindowViews {
     ToastStack* toasts = nullptr;
     LayersPanel* layers = nullptr;
     FaultPanel* faults = nullptr;
-    WorldPanel* world = nullptr; ///< palette and list of the world's objects
+    HistoryPanel* history = nullptr; ///< what was edited
+    WorldPanel* world = nullptr;     ///< palette and list of the world's objects
     QDockWidget* world_dock = nullptr;
     QDockWidget* robots_dock = nullptr;
     RadioView* radio = nullptr;

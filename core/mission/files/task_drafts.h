@@ -40,6 +40,9 @@ public:
     /// The draft of the robot that is shown.
     TaskDraft& shown() { return drafts_[shown_]; }
     const TaskDraft& shown() const;
+    RobotId shownRobot() const { return shown_; }
+    /// The draft of any robot; one that has none gets an empty one.
+    TaskDraft& of(RobotId robot) { return drafts_[robot]; }
     /// Shows another robot's draft. A robot without a draft starts from the one that was shown before.
     void show(RobotId robot);
     /// Copies the draft of a replayed robot to its replay. With `from` 0 (no such robot) the area is left out.

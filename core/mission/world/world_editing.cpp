@@ -10,57 +10,67 @@ constexpr double object_spin_rad_s = radians(30.0);
 
 } // namespace
 
-WorldEditing::WorldEditing(WorldInventory::SizeOfClass size_of_class, const DeletedObjects::Send& send)
-    : send_(send)
-    , inventory_(std::move(size_of_class))
-    , deleted_(send, [this](const std::string& name) { return inventory_.creationOf(name); }) {}
+WorldEditing::WorldEditing(EditHistory& history, World world)
+    : world_(std::move(world))
+    , inventory_(world_.size_of_class)
+    , edits_(history, world_.send, [this](const std::string& name) { return inventory_.creationOf(name); }) {}
 
 void WorldEditing::clear() {
     inventory_.clear();
-    deleted_.clear();
+    edits_.forget();
 }
 
-Result<std::string> WorldEditing::place(NewObject object, const Vec2& at_m, const GroundHeight& ground) {
+Result<std::string> WorldEditing::place(NewObject object, const Vec2& at_m) {
     object.name = inventory_.unusedName(object.class_name);
-    const auto created = placed(object, at_m, ground(at_m));
+    const auto created = placed(object, at_m, world_.ground(at_m));
     if (!created)
         return tl::unexpected(created.error());
     inventory_.useName(object.name);
-    send_(*created);
+    edits_.place(*created);
     return object.name;
 }
 
-void WorldEditing::moveTo(const std::string& name, const Vec2& center_m, const GroundHeight& ground) {
+void WorldEditing::moveTo(const std::string& name, const Vec2& center_m) {
     if (const WorldThing* const thing = inventory_.find(name))
-        send_(protocol::PlaceObject{tokenOf(name), movedTo(thing->body_in_map, center_m, ground)});
-}
-
-void WorldEditing::turn(const std::string& name, double angle_rad) {
-    Pose shift;
-    shift.yaw_rad = angle_rad;
-    send_(protocol::ShiftObject{tokenOf(name), shift});
+        edits_.move(name, thing->body_in_map, movedTo(thing->body_in_map, center_m, world_.ground));
 }
 
 void WorldEditing::toggleSpin(const std::string& name) {
     const bool spins = inventory_.toggleSpin(name);
-    send_(protocol::SpinObject{tokenOf(name), Vec3(0.0, 0.0, spins ? object_spin_rad_s : 0.0)});
+    world_.send(protocol::SpinObject{tokenOf(name), Vec3(0.0, 0.0, spins ? object_spin_rad_s : 0.0)});
 }
 
-void WorldEditing::addWaypoint(const std::string& name, const Vec2& at_m, const GroundHeight& ground) {
+void WorldEditing::addWaypoint(const std::string& name, const Vec2& at_m) {
+    if (!inventory_.find(name))
+        return;
+    std::vector<Vec2> way_m = inventory_.way_m(name);
+    way_m.push_back(at_m);
+    changeWay(name, way_m);
+}
+
+void WorldEditing::changeWay(const std::string& name, const std::vector<Vec2>& way_m) {
+    edits_.setWay(name, inventory_.way_m(name), way_m,
+                  [this, name](const std::vector<Vec2>& now_m) { setWay(name, now_m); });
+}
+
+void WorldEditing::setWay(const std::string& name, const std::vector<Vec2>& way_m) {
     const WorldThing* const thing = inventory_.find(name);
     if (!thing)
         return;
-    inventory_.addWaypoint(name, at_m);
-    send_(protocol::AddWaypoints{tokenOf(name), {waypointAt(thing->body_in_map, at_m, ground)}});
-}
-
-void WorldEditing::clearWay(const std::string& name) {
-    inventory_.clearWay(name);
-    send_(protocol::ClearWaypoints{tokenOf(name)});
+    const bool grows = way_m.size() == inventory_.way_m(name).size() + 1; // Then its motion goes on.
+    inventory_.setWay(name, way_m);
+    std::vector<Vec3> points_m;
+    for (std::size_t i = grows ? way_m.size() - 1 : 0; i < way_m.size(); ++i)
+        points_m.push_back(waypointAt(thing->body_in_map, way_m[i], world_.ground));
+    if (!grows)
+        world_.send(protocol::ClearWaypoints{tokenOf(name)});
+    if (!points_m.empty())
+        world_.send(protocol::AddWaypoints{tokenOf(name), points_m});
+    world_.way_changed();
 }
 
 void WorldEditing::follow(const std::string& name, bool is_conveyor, const Motion& motion) {
-    send_(motionOf(name, is_conveyor, !inventory_.way_m(name).empty(), motion));
+    world_.send(motionOf(name, is_conveyor, !inventory_.way_m(name).empty(), motion));
 }
 
 std::vector<std::string> WorldEditing::remove(const std::string& name) {
@@ -83,7 +93,7 @@ std::vector<std::string> WorldEditing::remove(const std::vector<std::string>& na
             kept.push_back(*std::move(created));
         else
             lost.push_back(name);
-    deleted_.remove(deletion, std::move(kept));
+    edits_.remove(deletion, std::move(kept));
     return lost;
 }
 

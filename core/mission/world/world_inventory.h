@@ -46,8 +46,7 @@ public:
 
     /// The waypoints given to the object here, in meters in the map frame; empty if there are none.
     std::vector<Vec2> way_m(const std::string& name) const;
-    void addWaypoint(const std::string& name, const Vec2& at_m) { given_[name].way_m.push_back(at_m); }
-    void clearWay(const std::string& name) { given_[name].way_m.clear(); }
+    void setWay(const std::string& name, std::vector<Vec2> way_m) { given_[name].way_m = std::move(way_m); }
     /// Toggles whether the object spins; returns true if it spins from now on.
     bool toggleSpin(const std::string& name) { return given_[name].spins = !given_[name].spins; }
 

@@ -1,7 +1,7 @@
 // What a person does to the world: heights, commands, names, and what can be brought back.
 #include <QTest>
 
-#include "core/mission/world/deleted_objects.h"
+#include "core/mission/world/object_edits.h"
 #include "core/mission/world/world_edits.h"
 #include "core/mission/world/world_inventory.h"
 #include "tests/suite/suite.h"
@@ -39,15 +39,16 @@ double slope(const Vec2& at_m) {
     return at_m.x() / 10.0;
 }
 
-/// A stack whose commands are kept, and a world that it looks at.
+/// Edits whose commands are kept, and a world that they look at.
 struct Bin {
+    EditHistory history;
     std::vector<Command> sent;
     std::map<std::string, CreateObject> world;
-    DeletedObjects deleted{[this](const Command& command) { sent.push_back(command); },
-                           [this](const std::string& name) -> std::optional<CreateObject> {
-                               const auto found = world.find(name);
-                               return found == world.end() ? std::nullopt : std::optional(found->second);
-                           }};
+    ObjectEdits edits{history, [this](const Command& command) { sent.push_back(command); },
+                      [this](const std::string& name) -> std::optional<CreateObject> {
+                          const auto found = world.find(name);
+                          return found == world.end() ? std::nullopt : std::optional(found->second);
+                      }};
 };
 
 } // namespace
@@ -170,12 +171,12 @@ private slots:
     void waysAreForgottenWithTheirObject() {
         WorldInventory inventory(sizeOfClass);
         inventory.setThings({thing("A", "Crate"), thing("B", "Crate")});
-        inventory.addWaypoint("A", Vec2(1.0, 2.0));
-        inventory.addWaypoint("B", Vec2(3.0, 4.0));
+        inventory.setWay("A", {Vec2(1.0, 2.0)});
+        inventory.setWay("B", {Vec2(3.0, 4.0)});
         inventory.setThings({thing("B", "Crate")});
         QVERIFY(inventory.way_m("A").empty());
         QCOMPARE(inventory.way_m("B"), std::vector<Vec2>{Vec2(3.0, 4.0)});
-        inventory.clearWay("B");
+        inventory.setWay("B", {});
         QVERIFY(inventory.way_m("B").empty());
     }
 
@@ -241,7 +242,7 @@ private slots:
         inventory.setThings({thing("Apollo", "")});
         inventory.setOwn({{"Apollo", "Statue"}});
         inventory.useName("Crate1");
-        inventory.addWaypoint("Apollo", Vec2(1.0, 2.0));
+        inventory.setWay("Apollo", {Vec2(1.0, 2.0)});
         inventory.clear();
         QVERIFY(!inventory.creationOf("Apollo"));
         QVERIFY(inventory.way_m("Apollo").empty());
@@ -250,62 +251,117 @@ private slots:
 
     void whatWasDeletedIsBroughtBack() {
         Bin bin;
-        QVERIFY(!bin.deleted.canUndo());
-        bin.deleted.remove(KillObject{"A"}, {creation("A")});
-        bin.deleted.remove(protocol::KillAllObjects{}, {creation("B"), creation("C")});
-        QVERIFY(bin.deleted.canUndo() && !bin.deleted.canRedo());
-        bin.deleted.undo();
-        bin.deleted.undo();
-        QVERIFY(!bin.deleted.canUndo() && bin.deleted.canRedo());
+        QVERIFY(!bin.history.canUndo());
+        bin.edits.remove(KillObject{"A"}, {creation("A")});
+        bin.edits.remove(protocol::KillAllObjects{}, {creation("B"), creation("C")});
+        QVERIFY(bin.history.canUndo() && !bin.history.canRedo());
+        bin.history.undo();
+        bin.history.undo();
+        QVERIFY(!bin.history.canUndo() && bin.history.canRedo());
         const std::vector<Command> expected{KillObject{"A"}, protocol::KillAllObjects{}, creation("B"), creation("C"),
                                             creation("A")};
         QVERIFY(bin.sent == expected);
-        bin.deleted.clear();
-        QVERIFY(!bin.deleted.canUndo() && !bin.deleted.canRedo());
+        bin.edits.forget();
+        QVERIFY(!bin.history.canUndo() && !bin.history.canRedo());
     }
 
     void whatWasBroughtBackIsDeletedAgainByName() {
         Bin bin;
-        bin.deleted.remove(protocol::KillAllObjects{}, {creation("A"), creation("B")});
-        bin.deleted.undo();
+        bin.edits.remove(protocol::KillAllObjects{}, {creation("A"), creation("B")});
+        bin.history.undo();
         bin.sent.clear();
-        bin.deleted.redo();
+        bin.history.redo();
         QVERIFY(bin.sent == (std::vector<Command>{KillObject{"A"}, KillObject{"B"}})); // not what came since
-        bin.deleted.undo();
-        bin.deleted.remove(KillObject{"C"}, {creation("C")});
-        QVERIFY(!bin.deleted.canRedo());
+        bin.history.undo();
+        bin.edits.remove(KillObject{"C"}, {creation("C")});
+        QVERIFY(!bin.history.canRedo());
     }
 
     void whatWasMovedMeanwhileComesBackWhereItWas() {
         Bin bin;
-        bin.deleted.remove(KillObject{"A"}, {creation("A", 1.0)});
-        bin.deleted.undo();
+        bin.edits.remove(KillObject{"A"}, {creation("A", 1.0)});
+        bin.history.undo();
         bin.world.emplace("A", creation("A", 5.0));
-        bin.deleted.redo();
-        bin.deleted.undo();
+        bin.history.redo();
+        bin.history.undo();
         QVERIFY(bin.sent.back() == Command(creation("A", 5.0)));
         bin.world.clear(); // the server has not reported it yet
-        bin.deleted.redo();
-        bin.deleted.undo();
+        bin.history.redo();
+        bin.history.undo();
         QVERIFY(bin.sent.back() == Command(creation("A", 5.0)));
     }
 
     void withoutAnObjectThereIsNothingToBringBack() {
         Bin bin;
-        bin.deleted.remove(KillObject{"A"}, {});
+        bin.edits.remove(KillObject{"A"}, {});
         QVERIFY(bin.sent == std::vector<Command>{KillObject{"A"}});
-        QVERIFY(!bin.deleted.canUndo());
+        QVERIFY(!bin.history.canUndo());
     }
 
     void theOldestDeletionsAreForgotten() {
         Bin bin;
-        for (int i = 0; i < 120; ++i)
-            bin.deleted.remove(KillObject{"A"}, {creation("A", i)});
+        for (int i = 0; i < 220; ++i)
+            bin.edits.remove(KillObject{"A"}, {creation("A", i)});
         int undone = 0;
-        for (; bin.deleted.canUndo(); ++undone)
-            bin.deleted.undo();
-        QCOMPARE(undone, 100);
+        for (; bin.history.canUndo(); ++undone)
+            bin.history.undo();
+        QCOMPARE(undone, 200);
         QVERIFY(bin.sent.back() == Command(creation("A", 20.0)));
+    }
+
+    void eachEditOfAnObjectIsTakenBack_data() {
+        using Do = std::function<void(Bin&)>;
+        QTest::addColumn<Do>("edit");
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<std::vector<Command>>("sent");
+        const Pose here{Vec3(1.0, 2.0, 3.0)};
+        const Pose there{Vec3(4.0, 5.0, 3.0)};
+        Pose left;
+        left.yaw_rad = 0.5;
+        Pose right;
+        right.yaw_rad = -0.5;
+        QTest::newRow("placing") << Do([](Bin& bin) { bin.edits.place(creation("A")); }) << "place A"
+                                 << std::vector<Command>{creation("A"), KillObject{"A"}, creation("A")};
+        QTest::newRow("moving") << Do([=](Bin& bin) { bin.edits.move("A", here, there); }) << "move A"
+                                << std::vector<Command>{protocol::PlaceObject{"A", there},
+                                                        protocol::PlaceObject{"A", here},
+                                                        protocol::PlaceObject{"A", there}};
+        QTest::newRow("turning") << Do([](Bin& bin) { bin.edits.turn("A", 0.5); }) << "turn A"
+                                 << std::vector<Command>{protocol::ShiftObject{"A", left},
+                                                         protocol::ShiftObject{"A", right},
+                                                         protocol::ShiftObject{"A", left}};
+        QTest::newRow("deleting") << Do([](Bin& bin) { bin.edits.remove(KillObject{"A"}, {creation("A")}); })
+                                  << "delete A"
+                                  << std::vector<Command>{KillObject{"A"}, creation("A"), KillObject{"A"}};
+    }
+
+    void eachEditOfAnObjectIsTakenBack() {
+        QFETCH(std::function<void(Bin&)>, edit);
+        QFETCH(QString, text);
+        QFETCH(std::vector<Command>, sent);
+        Bin bin;
+        edit(bin);
+        QCOMPARE(bin.history.undoText(), text);
+        bin.history.undo();
+        QVERIFY(!bin.history.canUndo());
+        bin.history.redo();
+        QVERIFY(bin.sent == sent);
+    }
+
+    void waypointsAreTakenBackOneByOne() {
+        Bin bin;
+        std::vector<std::vector<Vec2>> ways;
+        const auto set = [&](const std::vector<Vec2>& way_m) { ways.push_back(way_m); };
+        const Vec2 a(1.0, 0.0);
+        const Vec2 b(2.0, 0.0);
+        bin.edits.setWay("A", {}, {a}, set);
+        bin.edits.setWay("A", {a}, {a, b}, set);
+        QCOMPARE(bin.history.undoText(), QString("add waypoint of A"));
+        bin.history.undo();
+        bin.history.undo();
+        QVERIFY(ways == (std::vector<std::vector<Vec2>>{{a}, {a, b}, {a}, {}}));
+        bin.edits.setWay("A", {a}, {}, set);
+        QCOMPARE(bin.history.undoText(), QString("clear waypoints of A"));
     }
 };
 

@@ -1,0 +1,105 @@
+#include "widgets/window/window_docks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace usar::widgets {
+
+namespace {
+
+/// The docks that have nothing to show at a first start, or nothing that a person must see then.
+QList<QDockWidget*> waitingDocks(const WindowViews& views) {
+    static const QStringList needed{"robots", "behavior"};
+    QList<QDockWidget*> docks;
+    for (QDockWidget* const dock : views.docks)
+        if (!needed.contains(dock->objectName()))
+            docks << dock;
+    return docks;
+}
+
+} // namespace
+
+WindowDocks::WindowDocks(QMainWindow& window, const WindowViews& views, CommandRegistry& commands, LayoutKeeper& own)
+    : window_(window)
+    , views_(views)
+    , commands_(commands)
+    , own_(own)
+    , opener_(waitingDocks(views)) {}
+
+void WindowDocks::registerCommands() {
+    addLayout("view.operate", nullptr, 0.0);
+    addLayout("view.analyse", views_.plots_dock, 0.6);
+    addLayout("view.debug", views_.messages_dock, 0.6);
+    addLayout("view.plan", views_.plan_dock, 0.6);
+    for (QDockWidget* const dock : views_.docks)
+        addCommand(dock);
+}
+
+void WindowDocks::addCommand(QDockWidget* dock) {
+    const CommandSpec spec{.id = "view.dock." + dock->objectName(),
+                           .text = dock->windowTitle(),
+                           .group = tr("View"),
+                           .help = tr("Shows this dock, or hides it if it is in front"),
+                           .checkable = true,
+                           .wish = tr("Show %1").arg(dock->windowTitle())};
+    QAction* const shown = commands_.add(spec, [dock](bool) {
+        if (!dock->isHidden() && !dock->visibleRegion().isEmpty()) // It may be behind another tab.
+            return dock->hide();
+        dock->show();
+        dock->raise();
+    });
+    connect(dock, &QDockWidget::visibilityChanged, shown, [dock, shown] { shown->setChecked(!dock->isHidden()); });
+}
+
+void WindowDocks::wire() {
+    connect(views_.robots, &RobotList::wholeHeightChanged, this, &WindowDocks::giveRobotsRoom);
+    connect(views_.sensors, &SensorPanel::plotRequested, this, [this] { opener_.showFirst(views_.plots_dock); });
+}
+
+void WindowDocks::showForRobot() {
+    for (QDockWidget* const dock : views_.docks)
+        if (dock->objectName() == "instruments" || dock->objectName() == "sensors")
+            opener_.showFirst(dock);
+}
+
+void WindowDocks::restore(const QByteArray& state, const QStringList& waiting) {
+    window_.restoreState(state, version);
+    opener_.begin(waiting);
+}
+
+void WindowDocks::addLayout(const char* id, QDockWidget* raised, double bottom_part) {
+    const QString name = commandSpec(id).text.section(": ", 1);
+    commands_.add(commandSpec(id), [this, name, raised, bottom_part](bool) {
+        own_.rearrange(name, [=, this] { arrange(raised, bottom_part); });
+    });
+}
+
+void WindowDocks::arrange(QDockWidget* raised, double bottom_part) {
+    opener_.keepDuring(raised, [this, raised] {
+        window_.restoreState(first_layout_, version);
+        if (raised)
+            raised->show();
+    });
+    if (raised) {
+        raised->raise();
+        const int whole_px = window_.centralWidget()->parentWidget()->height();
+        window_.resizeDocks({raised}, {static_cast<int>(std::lround(bottom_part * whole_px))}, Qt::Vertical);
+    }
+    giveRobotsRoom();
+}
+
+void WindowDocks::giveRobotsRoom() {
+    QDockWidget* const dock = views_.robots_dock;
+    if (dock->isHidden() || dock->isFloating() || !window_.tabifiedDockWidgets(dock).isEmpty())
+        return;
+    constexpr int least_px = 110;  // The list is never lower, even when it is empty.
+    constexpr int others_px = 300; // The docks below it need this.
+    const int column_px = window_.height() - window_.centralWidget()->y();
+    constexpr int rounding_px = 4; // The main window deals out heights in whole shares.
+    const int title_px = dock->height() - views_.robots->height() + rounding_px;
+    const int robots_px =
+        std::clamp(views_.robots->wholeHeight_px() + title_px, least_px, std::max(least_px, column_px - others_px));
+    window_.resizeDocks({dock, views_.docks[1]}, {robots_px, column_px - robots_px}, Qt::Vertical);
+}
+
+} // namespace usar::widgets
