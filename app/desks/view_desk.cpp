@@ -165,8 +165,8 @@ void ViewDesk::showPlots(const QJsonObject& plots) {
 void ViewDesk::restore(const QSettings& settings) {
     const QString theme = theme_.isEmpty() ? settings.value("theme").toString() : theme_;
     setTheme(theme == "light" ? widgets::Theme::Light : widgets::Theme::Dark);
-    main_window_.restoreGeometry(settings.value("geometry").toByteArray());
-    docks_.restore(settings.value("layout").toByteArray(),
+    const bool sized = main_window_.restoreGeometry(settings.value("geometry").toByteArray());
+    docks_.restore(sized, settings.value("layout").toByteArray(),
                    settings.value("waiting_docks", docks_.waiting()).toStringList());
     views_.hint->setDismissed(settings.value("hint_dismissed", false).toBool());
     views_.layers->restoreState(settings.value("layers").toByteArray());

@@ -35,10 +35,6 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
     connectDesks();
     setAcceptDrops(true);
     new widgets::OwnKeys(this);
-    layout()->invalidate(); // Otherwise the minimum size would be that of all docks before they became tabs.
-    layout()->activate();
-    constexpr int frame_px = 40; // Title bar and borders, which the size does not include.
-    resize(QSize(1280, 800).boundedTo(screen()->availableSize() - QSize(0, frame_px)));
     view_.docks().keepFirstLayout();
     restoreSettings();
     selection_.select({});

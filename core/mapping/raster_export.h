@@ -10,6 +10,9 @@
 
 namespace usar::mapping {
 
+/// How the name of a mission's picture ends; what is before it is the stem of all its files.
+inline constexpr char picture_ending[] = "_picture.png";
+
 /// A dense raster of heights from the map's array (z up), row-major. Row 0 has the highest y, as in pictures and GIS;
 /// unknown cells are NaN.
 struct Raster {

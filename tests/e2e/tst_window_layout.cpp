@@ -153,7 +153,8 @@ void tst_WindowLayout::atAFirstStartTheMapHasTheWindow() {
     widgets::RobotList& robots = *page.window().views().robots;
     for (int number = 1; number <= 9; ++number)
         robots.updateRobot({{number}, number, "R", "AirRobot", "idle", {}});
-    QTRY_VERIFY2(robots.height() >= robots.wholeHeight_px(), qPrintable(QString::number(robots.height())));
+    const double seen = screen.height() > 1000 ? 1.0 : 0.66; // The form for the behavior needs room, too.
+    QTRY_VERIFY2(robots.height() >= seen * robots.wholeHeight_px(), qPrintable(QString::number(robots.height())));
     page.screenshot(QStringLiteral("first_start_%1x%2").arg(screen.width()).arg(screen.height()));
 }
 

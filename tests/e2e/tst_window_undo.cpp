@@ -70,7 +70,7 @@ void tst_WindowUndo::eachDragOfTheAreaIsUndoneByOneKey() {
     QCOMPARE(*page.map().area(), first);
     QCOMPARE(page.window().views().behavior->area(), first);
     QCOMPARE(textOf(page, "edit.redo"), QString("Redo move area"));
-    page.pressKey(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    page.window().commands().action("edit.redo")->trigger(); // Its key differs between platforms.
     QCOMPARE(*page.map().area(), second);
 }
 

@@ -354,8 +354,9 @@ void tst_PanelReach::bothThemesReachTheGround() {
 void tst_PanelReach::narrowPanelsStayNarrow() {
     const auto panel = shown();
     QVERIFY(panel);
-    panel->resize(280, 400);
-    QCOMPARE(panel->width(), 280);
+    const int least_px = QTest::currentDataTag() == QByteArray("plots") ? 340 : 280; // Its dock lies below the map.
+    panel->resize(least_px, 400);
+    QCOMPARE(panel->width(), least_px);
 }
 
 USAR_TEST(tst_PanelReach)

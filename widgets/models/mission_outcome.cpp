@@ -5,7 +5,7 @@
 #include <QFileInfo>
 #include <QObject>
 
-#include "core/mission/files/result_writer.h"
+#include "core/mapping/raster_export.h"
 #include "widgets/models/figures.h"
 
 namespace usar::widgets {
@@ -55,7 +55,7 @@ QString titleOf(const MissionOutcome& outcome) {
 }
 
 QString pictureOf(const MissionOutcome& outcome) {
-    const auto is_picture = [](const QString& path) { return path.endsWith(mission::picture_ending); };
+    const auto is_picture = [](const QString& path) { return path.endsWith(mapping::picture_ending); };
     const auto found = std::ranges::find_if(outcome.files, is_picture);
     return found == outcome.files.end() ? QString() : *found;
 }

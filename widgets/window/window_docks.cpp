@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QLayout>
+#include <QScreen>
+
 namespace usar::widgets {
 
 namespace {
@@ -62,9 +65,23 @@ void WindowDocks::showForRobot() {
             opener_.showFirst(dock);
 }
 
-void WindowDocks::restore(const QByteArray& state, const QStringList& waiting) {
+void WindowDocks::resizeToScreen() {
+    window_.layout()->invalidate(); // Otherwise the minimum size would be that of all docks before they became tabs.
+    window_.layout()->activate();
+    constexpr int frame_px = 40; // Title bar and borders, which the size does not include.
+    window_.resize(QSize(1280, 800).boundedTo(window_.screen()->availableSize() - QSize(0, frame_px)));
+}
+
+void WindowDocks::keepFirstLayout() {
+    resizeToScreen();
+    first_layout_ = state();
+}
+
+void WindowDocks::restore(bool sized, const QByteArray& state, const QStringList& waiting) {
     window_.restoreState(state, version);
     opener_.begin(waiting);
+    if (!sized)
+        resizeToScreen(); // It may be smaller now, because docks are closed.
 }
 
 void WindowDocks::addLayout(const char* id, QDockWidget* raised, double bottom_part) {

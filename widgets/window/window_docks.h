@@ -22,7 +22,8 @@ public:
     /// views must be connected first, so that what they show is there.
     void wire();
     /// Keeps the present layout as the first one. To be called before `restore`.
-    void keepFirstLayout() { first_layout_ = state(); }
+    /// Gives the window its first size, which is at most the screen's, and keeps the layout for View > Operate.
+    void keepFirstLayout();
     /// A robot is selected: opens the docks that show what it says, if they wait.
     void showForRobot();
 
@@ -30,8 +31,8 @@ public:
     QByteArray state() const { return window_.saveState(version); }
     /// The docks that wait, for the settings.
     QStringList waiting() const { return opener_.waiting(); }
-    /// Restores both. A state of another version of the docks is ignored.
-    void restore(const QByteArray& state, const QStringList& waiting);
+    /// Restores both. A state of another version of the docks is ignored. `sized`: so has been the window's size.
+    void restore(bool sized, const QByteArray& state, const QStringList& waiting);
 
 private:
     /// Increased with each change of the docks; older states are ignored.
@@ -41,6 +42,7 @@ private:
     /// fraction of the height.
     void addLayout(const char* id, QDockWidget* raised, double bottom_part);
     void addCommand(QDockWidget* dock);
+    void resizeToScreen();
     void arrange(QDockWidget* raised, double bottom_part);
     /// Makes the list of robots as tall as its robots need, as long as the docks below it keep enough.
     void giveRobotsRoom();

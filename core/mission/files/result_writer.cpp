@@ -157,7 +157,7 @@ void writeMap(Writing& writing, const ScanRecord& record, mapping::ColorMap colo
         height_image.setText(key, value);
     writing.image("_height.png", height_image);
     writing.bytes("_height.pgw", worldFile(record.raster));
-    writing.image(picture_ending, mapPicture(record, colors));
+    writing.image(mapping::picture_ending, mapPicture(record, colors));
 }
 
 } // namespace

@@ -14,9 +14,6 @@
 
 namespace usar::mission {
 
-/// How the name of a mission's picture ends; what is before it is the stem of all its files.
-inline constexpr char picture_ending[] = "_picture.png";
-
 /// Folder USAR_Scan on the user's Desktop, or in the home folder if there is no Desktop.
 QString defaultResultFolder();
 

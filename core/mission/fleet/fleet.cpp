@@ -14,7 +14,13 @@ constexpr std::chrono::seconds closing_patience{5};
 
 } // namespace
 
-Fleet::Private::Private(Fleet& fleet, const QString& host_program) : q(fleet), behavior_host(host_program) {
+Fleet::Private::Private(Fleet& fleet, const QString& host_program)
+    : q(fleet)
+    , behavior_host(host_program)
+    , opening({[this](auto robot, const auto& facts, const auto& complaint) {
+                   addReplay(std::move(robot), facts, complaint);
+               },
+               [this](const QString& reason) { q.note(Severity::Error, "replay", reason); }}) {
     plugins.setNews([this](const auto& changes) { emit q.pluginsChanged(changes); });
     patience.setSingleShot(true);
     patience.setInterval(closing_patience);
@@ -221,14 +227,7 @@ Robot* Fleet::Private::robotOn(ConnectionId connection) const {
 
 Result<void> Fleet::checkLine(ConnectionId connection) const {
     const Robot* robot = d_->robotOn(connection);
-    if (!robot)
-        return failure("there is no connection to send it on", "", "Connect to a server first");
-    if (robot->view().figures.replay)
-        return failure("this is a recording, and nothing can be sent into it", "", "Connect to a server first");
-    if (robot->view().link.state != link::LinkState::Connected)
-        return failure("the connection is lost", robot->view().spawn.robot_name,
-                       "Wait until it is back, or connect again");
-    return {};
+    return checkLineTo(robot ? &robot->view() : nullptr);
 }
 
 Result<void> Fleet::sendLine(ConnectionId connection, const QString& line, const by::Source& source) {
@@ -245,13 +244,10 @@ void Fleet::remove(RobotId id) {
     robot->disconnect(this);
     const QString name = nameOf(*robot);
     const Robot* const looked_back_on = d_->robotOn(robot->view().looks_back_on);
-    const std::vector<Robot*> rest = robots();
-    const RobotId instead = looked_back_on ? looked_back_on->view().id
-                            : rest.empty() ? RobotId{}
-                                           : rest.front()->view().id;
+    const RobotId instead = looked_back_on ? looked_back_on->view().id : d_->roster.first();
     d_->keeper.takeLeave(std::move(robot));
     d_->truths.erase(id);
-    d_->rests.erase(id);
+    d_->rests.remove(id);
     emit robotRemoved(id, name, instead);
 }
 
@@ -277,18 +273,39 @@ Result<void> Fleet::startAgain(RobotId id) {
     if (!robot || !robot->started())
         return failure("no behavior has been started on it", std::to_string(id.value),
                        "Choose a behavior, then start it");
-    if (!robot->view().figures.spawned)
-        return failure("the robot is gone", robot->view().spawn.robot_name, "Spawn it again first");
     StartedBehavior start = *robot->started();
     start.isolated = true;
-    return d_->start(*robot, start);
+    return robot->view().figures.spawned
+               ? d_->start(*robot, start)
+               : failure("the robot is gone", robot->view().spawn.robot_name, "Spawn it again first");
 }
 
 Result<void> Fleet::Private::start(Robot& robot, const StartedBehavior& start) {
     const auto parameters = checkStart(start, plugins, place);
     if (!parameters)
         return tl::unexpected(parameters.error());
-    return robot.startBehavior(plugins, start, *parameters, behavior_host, missionNote(robot, start));
+    return robot.startBehavior(plugins, start, *parameters, behavior_host,
+                               missionNote(robot.view(), start, seed, site()));
+}
+
+Result<RobotId> Fleet::flyRest(const std::shared_ptr<const RecordedScan>& earlier) {
+    auto request = spawnRequestFor(*earlier, d_->site());
+    if (!request)
+        return tl::unexpected(request.error());
+    const auto id = spawn(*std::move(request));
+    if (!id)
+        return id;
+    robot(*id)->setCellSize(earlier->flown.mission.cell_size_m);
+    d_->rests.add(*id, earlier);
+    return id;
+}
+
+void Fleet::Private::startRest(Robot& robot) {
+    const auto rest = rests.take(robot.view(), site());
+    if (!rest)
+        return;
+    if (const Result<void> begun = *rest ? start(robot, **rest) : tl::unexpected(rest->error()); !begun)
+        q.note(Severity::Error, missionKey(robot.view().id), QString::fromStdString(begun.error().text()));
 }
 
 Result<std::map<std::string, agent::ParameterValue>> Fleet::prepareMission(const Mission& mission) const {

@@ -6,6 +6,8 @@
 #include <QTimer>
 
 #include "core/mission/fleet/fleet.h"
+#include "core/mission/fleet/opening_replays.h"
+#include "core/mission/fleet/rests.h"
 #include "core/mission/fleet/roster.h"
 #include "core/mission/fleet/scan_keeper.h"
 #include "core/mission/fleet/start_check.h"
@@ -27,8 +29,7 @@ struct Fleet::Private {
     /// True figures and seed for a robot's results; empty for a replay.
     SimulatorFacts factsOf(const Robot& robot) const;
     Result<void> start(Robot& robot, const StartedBehavior& start);
-    /// The mission that the behavior flies, for the robot's recording.
-    std::string missionNote(const Robot& robot, const StartedBehavior& start) const;
+    MissionSite site() const { return {plugins, place, start_poses}; }
     /// Starts the mission whose rest this robot is to fly, once the robot is there.
     void startRest(Robot& robot);
     void finished(Robot* robot, bool success, const QString& reason);
@@ -38,8 +39,6 @@ struct Fleet::Private {
     /// Opens the file as a robot. With `moment` (protocol clock) the replay begins there. `looks_back_on`: see
     /// RobotIdentity.
     void openReplay(const QString& path, ConnectionId looks_back_on, std::optional<Seconds> moment);
-    /// Takes a robot out of those whose recordings are being opened; null if it is not among them.
-    std::unique_ptr<Robot> takeOpening(const Robot* robot);
     void addReplay(std::unique_ptr<Robot> robot, const RecordingFacts& facts, const QString& complaint);
 
     /// The fleet that owns this object.
@@ -56,12 +55,12 @@ struct Fleet::Private {
     /// As the server last reported them.
     std::vector<protocol::StartPose> start_poses;
     Roster roster;
-    std::unique_ptr<Robot> next;                 ///< connected, not spawned
-    std::vector<std::unique_ptr<Robot>> opening; ///< robots of recordings whose files are not open yet
+    std::unique_ptr<Robot> next; ///< connected, not spawned
+    OpeningReplays opening;
     std::map<ConnectionId, Seconds>
         wanted_moments;                    ///< by connection: moment to look back on, once the file contains it
     std::map<RobotId, TrueFigures> truths; ///< by robot id
-    std::map<RobotId, std::shared_ptr<const RecordedScan>> rests; ///< what robots that are being spawned will fly
+    Rests rests;
     std::optional<std::uint64_t> seed;
     std::function<Truth()> make_truth; ///< makes the heights of the embedded world; empty: none
     /// New robots are recorded.

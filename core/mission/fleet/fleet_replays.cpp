@@ -7,6 +7,7 @@
 
 #include "core/mission/files/result_writer.h"
 #include "core/mission/fleet/fleet_private.h"
+#include "core/mission/fleet/robot_words.h"
 
 namespace usar::mission {
 
@@ -41,29 +42,7 @@ void Fleet::openRecording(const QString& path) {
 }
 
 void Fleet::Private::openReplay(const QString& path, ConnectionId looks_back_on, std::optional<Seconds> moment) {
-    Robot* const robot = opening.emplace_back(std::make_unique<Robot>()).get();
-    connect(robot, &Robot::replayOpened, &q, [this, robot](const RecordingFacts& facts, const QString& complaint) {
-        if (auto opened = takeOpening(robot))
-            addReplay(std::move(opened), facts, complaint);
-    });
-    connect(robot, &Robot::replayFailed, &q, [this, robot](const QString& reason) {
-        q.note(Severity::Error, "replay", reason);
-        if (auto refused = takeOpening(robot))
-            refused.release()->deleteLater();
-    });
-    robot->openRecording(QFileInfo(path).absoluteFilePath(), looks_back_on);
-    if (moment)
-        robot->orderReplay({.seek_clock = moment});
-    connectRobot(robot);
-}
-
-std::unique_ptr<Robot> Fleet::Private::takeOpening(const Robot* robot) {
-    const auto found = std::ranges::find(opening, robot, &std::unique_ptr<Robot>::get);
-    if (found == opening.end())
-        return nullptr;
-    std::unique_ptr<Robot> taken = std::move(*found);
-    opening.erase(found);
-    return taken;
+    connectRobot(opening.open(path, looks_back_on, moment));
 }
 
 void Fleet::lookBack(RobotId id, Seconds moment) {
@@ -92,10 +71,7 @@ void Fleet::Private::addReplay(std::unique_ptr<Robot> robot, const RecordingFact
         return;
     }
     const RobotId id = roster.nextId();
-    const auto name = facts.find("robot");
-    const QString recorded = name == facts.end() ? QString() : QString::fromStdString(name->second);
-    robot->becomeReplay(id, roster.unusedName(recorded.isEmpty() ? tr("Replay") : tr("%1 replay").arg(recorded)),
-                        facts);
+    robot->becomeReplay(id, roster.unusedName(replayNameOf(facts)), facts);
     const QString file = QFileInfo(robot->view().recording).fileName();
     roster.add(std::move(robot));
     emit q.cured("replay");

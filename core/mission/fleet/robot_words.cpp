@@ -32,6 +32,13 @@ QString liveStateText(const RobotView& view) {
 
 } // namespace
 
+QString replayNameOf(const RecordingFacts& facts) {
+    const auto name = facts.find("robot");
+    return name == facts.end() || name->second.empty()
+               ? QObject::tr("Replay")
+               : QObject::tr("%1 replay").arg(QString::fromStdString(name->second));
+}
+
 QString savedText(const QString& robot_name, const QStringList& files) {
     return QObject::tr("Saved the scan of %1: %n file(s) in %2.", "", static_cast<int>(files.size()))
         .arg(robot_name, QFileInfo(files.value(0)).path());

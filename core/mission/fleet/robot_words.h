@@ -15,6 +15,9 @@ bool isStale(const RobotView& view);
 /// as one.
 QString stateText(const RobotView& view);
 
+/// "R1 replay": what the robot of a recording with these facts is called.
+QString replayNameOf(const RecordingFacts& facts);
+
 /// Says that the robot's scan was saved, and in which folder. `files`: their full paths, at least one.
 QString savedText(const QString& robot_name, const QStringList& files);
 

@@ -41,6 +41,8 @@ public:
     Robot* robot(RobotId id) const;
     /// The robot with that RobotView::connection; null if there is none.
     Robot* on(ConnectionId connection) const;
+    /// The lowest id of a robot; 0 if there is none.
+    RobotId first() const { return robots_.empty() ? RobotId{} : robots_.begin()->first; }
     /// Returns all robots, ordered by id.
     std::vector<Robot*> robots() const;
 

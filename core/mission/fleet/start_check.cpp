@@ -39,4 +39,14 @@ checkMission(const Mission& mission, const agent::PluginLoader& plugins, const S
     return withAnglesInRadians(mission.parameters, plugins.behavior(mission.behavior)->parameters);
 }
 
+Result<void> checkLineTo(const RobotView* robot) {
+    if (!robot)
+        return failure("there is no connection to send it on", "", "Connect to a server first");
+    if (robot->figures.replay)
+        return failure("this is a recording, and nothing can be sent into it", "", "Connect to a server first");
+    if (robot->link.state != link::LinkState::Connected)
+        return failure("the connection is lost", robot->spawn.robot_name, "Wait until it is back, or connect again");
+    return {};
+}
+
 } // namespace usar::mission

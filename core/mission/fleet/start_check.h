@@ -33,4 +33,7 @@ Result<agent::ParameterSet> checkStart(const StartedBehavior& start, const agent
 Result<std::map<std::string, agent::ParameterValue>>
 checkMission(const Mission& mission, const agent::PluginLoader& plugins, const StartPlace& place);
 
+/// An error says why no line can be sent there now; null: there is no such connection.
+Result<void> checkLineTo(const RobotView* robot);
+
 } // namespace usar::mission

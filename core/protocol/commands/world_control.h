@@ -79,9 +79,9 @@ struct Box {
 };
 /// Converts a box between the wire's frame and ours. Where a sign changes, minimum and maximum swap.
 inline Box acrossWire(const Box& box) {
-    const Vec3 a = acrossWire(box.min_m);
-    const Vec3 b = acrossWire(box.max_m);
-    return {a.cwiseMin(b), a.cwiseMax(b)};
+    const Vec3 low_m = acrossWire(box.max_m);
+    const Vec3 high_m = acrossWire(box.min_m);
+    return {{box.min_m.x(), low_m.y(), low_m.z()}, {box.max_m.x(), high_m.y(), high_m.z()}};
 }
 /// KillAll: removes all objects, or those in a box.
 /// On the wire: `CONTROL {Type KillAll} {MinPos 0,-1,0} {MaxPos 5,5,4}`.
