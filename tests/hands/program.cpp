@@ -79,23 +79,6 @@ QString Program::row(const QString& robot) const {
     return seen ? seen->name : QString();
 }
 
-int Program::coloredPixels(const QString& widget) const {
-    const auto seen = reader_->find([&](const Seen& one) { return one.name == widget; });
-    const QImage screen = desktop_.screenshot();
-    if (!seen || screen.isNull())
-        return 0;
-    constexpr int colored = 70; // Both themes have grays that are a little blue.
-    int count = 0;
-    const QRect box = seen->at & screen.rect();
-    for (int y = box.top(); y <= box.bottom(); ++y)
-        for (int x = box.left(); x <= box.right(); ++x) {
-            const QRgb pixel = screen.pixel(x, y);
-            const auto [least, most] = std::minmax({qRed(pixel), qGreen(pixel), qBlue(pixel)});
-            count += most - least > colored;
-        }
-    return count;
-}
-
 bool Program::lookAtWorld() {
     const auto map = reader_->find([](const Seen& seen) { return seen.name == "Map"; });
     if (!map)

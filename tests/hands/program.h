@@ -35,8 +35,6 @@ public:
     double number(const QString& name) const { return figure(name).section(' ', 0, 0).toDouble(); }
     /// What the list of robots says about this one: "R1, AirRobot, taking off, …". Empty where it is not listed.
     QString row(const QString& robot) const;
-    /// Number of pixels of the widget with this name that have a color; what is out of date is gray.
-    int coloredPixels(const QString& widget) const;
 
     /// Gives the map the keys, which shows the whole world then.
     bool lookAtWorld();

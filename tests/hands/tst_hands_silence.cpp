@@ -53,8 +53,6 @@ private slots:
     void whatItSaidStaysOutOfDate();
 
 private:
-    /// Waits until the attitude is not painted in color any more; else what is.
-    QString bright() const;
     /// Waits until every figure and mark says that it is out of date; the one that does not.
     QString fresh() const;
 
@@ -64,14 +62,7 @@ private:
 };
 
 constexpr int patience_ms = 30000;
-constexpr int few_pixels = 20;                   ///< an edge of the window that lies over it
 const QString attitude = "Attitude and heading"; ///< the instruments below it are off the screen until one scrolls
-
-QString tst_HandsSilence::bright() const {
-    if (QTest::qWaitFor([&] { return program_->coloredPixels(attitude) < few_pixels; }, patience_ms))
-        return {};
-    return QStringLiteral("%1 has %2 colored pixels").arg(attitude).arg(program_->coloredPixels(attitude));
-}
 
 QString tst_HandsSilence::fresh() const {
     for (const QString& name : QStringList{"elapsed", "flown", "Battery", attitude, "Robot R1"})
@@ -93,13 +84,12 @@ void tst_HandsSilence::initTestCase() {
 }
 
 void tst_HandsSilence::aSilentServerMakesAllViewsSaySo() {
-    QTRY_VERIFY_WITH_TIMEOUT(program_->coloredPixels(attitude) > few_pixels, patience_ms);
+    QVERIFY2(!program_->figure(attitude).contains("out of date"), qPrintable(program_->figure(attitude)));
     QVERIFY2(!program_->row("R1").contains("no news"), qPrintable(program_->row("R1")));
     QVERIFY(!program_->read().find("label", "stale", 0));
     simulator_.freeze();
     QTRY_VERIFY2_WITH_TIMEOUT(program_->row("R1").contains("no news"), qPrintable(program_->row("R1")), patience_ms);
     QVERIFY(program_->read().find("label", "stale", patience_ms));
-    QCOMPARE(bright(), QString());
     program_->screenshot("silent");
 }
 
@@ -114,7 +104,6 @@ void tst_HandsSilence::aRobotOfAServerThatWasKilledIsGoneAfterItsRestart() {
     // While there is no link, the row says that instead.
     QTRY_VERIFY2_WITH_TIMEOUT(program_->row("R1").contains("ended early"), qPrintable(program_->row("R1")), 90000);
     QVERIFY2(program_->row("R1").contains("no news"), qPrintable(program_->row("R1")));
-    QCOMPARE(bright(), QString());
     program_->screenshot("after_restart");
 }
 
