@@ -8,12 +8,6 @@
 
 namespace usar::mission {
 
-namespace {
-
-constexpr std::chrono::seconds closing_patience{5};
-
-} // namespace
-
 Fleet::Private::Private(Fleet& fleet, const QString& host_program)
     : q(fleet)
     , behavior_host(host_program)
@@ -23,7 +17,7 @@ Fleet::Private::Private(Fleet& fleet, const QString& host_program)
                [this](const QString& reason) { q.note(Severity::Error, "replay", reason); }}) {
     plugins.setNews([this](const auto& changes) { emit q.pluginsChanged(changes); });
     patience.setSingleShot(true);
-    patience.setInterval(closing_patience);
+    patience.setInterval(std::chrono::seconds(5)); // As prepareToClose says.
     connect(&patience, &QTimer::timeout, &q, [this] {
         keeper.giveUpWaiting();
         emit q.readyToClose();

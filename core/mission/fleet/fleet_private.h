@@ -17,14 +17,11 @@ namespace usar::mission {
 struct Fleet::Private {
     Private(Fleet& fleet, const QString& host_program);
 
-    /// The robot with this connection number, or nullptr.
-    Robot* robotOn(ConnectionId connection) const;
+    Robot* robotOn(ConnectionId connection) const; ///< nullptr if there is none
     /// Opens the connection on which the next robot will be spawned.
     void openNext();
-    /// Connects a robot of either kind, live or of a recording.
-    void connectRobot(Robot* robot);
-    /// Passes a notice on to the user.
-    void tell(Robot* robot, const Notice& notice);
+    void connectRobot(Robot* robot);               ///< of either kind, live or of a recording
+    void tell(Robot* robot, const Notice& notice); ///< passes the notice on to the user
     void linkMoved(Robot* robot);
     /// True figures and seed for a robot's results; empty for a replay.
     SimulatorFacts factsOf(const Robot& robot) const;
@@ -41,10 +38,8 @@ struct Fleet::Private {
     void openReplay(const QString& path, ConnectionId looks_back_on, std::optional<Seconds> moment);
     void addReplay(std::unique_ptr<Robot> robot, const RecordingFacts& facts, const QString& complaint);
 
-    /// The fleet that owns this object.
-    Fleet& q;
-    /// Path of the program in which isolated behaviors run.
-    const QString behavior_host;
+    Fleet& q;                    ///< the owner
+    const QString behavior_host; ///< path of the program in which isolated behaviors run
     agent::PluginLoader plugins;
     ScanKeeper keeper;
     QTimer patience; ///< runs while the window waits to close; limits that wait
@@ -52,8 +47,7 @@ struct Fleet::Private {
     quint16 port = 0;
     bool lockstep = false;
     StartPlace place;
-    /// As the server last reported them.
-    std::vector<protocol::StartPose> start_poses;
+    std::vector<protocol::StartPose> start_poses; ///< as the server last reported them
     Roster roster;
     std::unique_ptr<Robot> next; ///< connected, not spawned
     OpeningReplays opening;
@@ -63,11 +57,9 @@ struct Fleet::Private {
     Rests rests;
     std::optional<std::uint64_t> seed;
     std::function<Truth()> make_truth; ///< makes the heights of the embedded world; empty: none
-    /// New robots are recorded.
-    bool recording = true;
+    bool recording = true;             ///< new robots are recorded
     bool silence_expected = false;
-    /// The window waits for recordings and scans to be saved.
-    bool closing = false;
+    bool closing = false; ///< the window waits for recordings and scans to be saved
 };
 
 } // namespace usar::mission

@@ -14,14 +14,9 @@ namespace usar::mission {
 void Fleet::setRecording(bool on) {
     if (std::exchange(d_->recording, on) == on)
         return;
-    for (Robot* robot : robots()) {
-        if (robot->isReplay())
-            continue;
-        if (on)
-            d_->record(*robot, robot->view().spawn);
-        else
-            robot->stopRecording();
-    }
+    for (Robot* robot : robots())
+        if (!robot->isReplay())
+            on ? d_->record(*robot, robot->view().spawn) : robot->stopRecording();
 }
 
 bool Fleet::recording() const {
