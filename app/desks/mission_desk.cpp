@@ -43,18 +43,20 @@ void MissionDesk::flyRests() {
         return;
     if (const QString world = worldToOpenFor(rests_.front()->flown.mission); !world.isEmpty())
         return server_.openWorld(world);
-    for (const auto& earlier : std::exchange(rests_, {})) {
-        const mission::Mission& mission = earlier->flown.mission;
-        const auto values = control_.prepareMission(mission);
-        const Result<RobotId> id = values ? control_.flyRest(earlier) : tl::unexpected(values.error());
-        if (!id) {
-            notices_.complain("mission", id.error());
-            continue;
-        }
-        selection_.select(*id);
-        views_.behavior->chooseBehavior(mission.behavior);
-        task_.setUp(mission, *values);
+    if (!control_.checkLine(control_.connectionOf({})))
+        return; // Each robot needs a connection of its own, and the next one is not open yet.
+    const auto earlier = rests_.front();
+    rests_.erase(rests_.begin());
+    const mission::Mission& mission = earlier->flown.mission;
+    const auto values = control_.prepareMission(mission);
+    const Result<RobotId> id = values ? control_.flyRest(earlier) : tl::unexpected(values.error());
+    if (!id) {
+        notices_.complain("mission", id.error());
+        return flyRests();
     }
+    selection_.select(*id);
+    views_.behavior->chooseBehavior(mission.behavior);
+    task_.setUp(mission, *values);
 }
 
 void MissionDesk::takePlugins() {
