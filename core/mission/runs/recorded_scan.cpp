@@ -159,7 +159,8 @@ RecordedScan ScanPlayer::result() {
                     .cells = book_.mapper().map().knownCellCount()}};
     for (const auto& tile : book_.mapper().map().takeChangedTiles())
         result.scan.tiles[tile->index] = tile;
-    result.rest_in_map = remainingArea(record.area_in_map, result.scan.tiles, book_.cellSize_m());
+    result.rest_in_map =
+        remainingArea(record.area_in_map, result.scan.tiles, book_.cellSize_m(), usualGap_m2(record.area_in_map));
     return result;
 }
 
