@@ -140,7 +140,7 @@ void tst_UsarContinue::whatIsCutOffTwiceIsContinuedTwice() {
     QVERIFY(first->rest_in_map.contains(second->rest_in_map));
     const Ended rest = run({"run", "--continue", path("second.usarrec"), "--out", path("rest")});
     QVERIFY2(rest.exit_code == 0, rest.err);
-    constexpr double gaps_pct = 3.2; // Each of the two cuts may leave gaps of 20 m², 1.6 % of the area.
+    constexpr double gaps_pct = 3.2; // Each of the cuts may leave gaps of one percent of the area.
     QVERIFY2(rest.summary["coverage_pct"].toDouble() > whole_pct_ - gaps_pct,
              QJsonDocument(rest.summary).toJson().constData());
     QVERIFY(QFile::remove(path("first.usarrec")));
