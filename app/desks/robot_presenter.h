@@ -37,7 +37,7 @@ public:
     }
 
 private:
-    /// What a robot has said, and what it is asked.
+    /// The newest words of a robot, and the questions that it is asked.
     struct Heard {
         widgets::NewestLines newest;
         widgets::RobotInstruments instruments;

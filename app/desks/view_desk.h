@@ -48,7 +48,7 @@ private:
     widgets::KeyFile keys_;
     QMainWindow& main_window_;
     QString theme_;
-    QPointer<QDialog> sheet_; ///< of all keys; nullptr while it is closed
+    QPointer<QDialog> sheet_; ///< lists all keys; nullptr while it is closed
     QPointer<QDialog> about_; ///< versions and licenses; nullptr while it is closed
 };
 

@@ -29,7 +29,7 @@ public:
     /// Calls `disconnectFromServer`, then starts the embedded simulator or connects to the server.
     void connectTo(const ServerTarget& target);
     server::SimulatorHost& simulator() { return simulator_; }
-    /// What the user has edited, in all parts of the window.
+    /// The history of the edits in all parts of the window.
     mission::EditHistory& history() { return history_; }
     const ServerTarget& server() const { return target_; }
     /// The embedded simulator's world; empty on a real server.

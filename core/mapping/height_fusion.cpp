@@ -108,9 +108,9 @@ private:
 } // namespace
 
 void HeightFusion::take(ConnectionId robot, double cell_size_m,
-                        const std::vector<std::shared_ptr<const HeightTile>>& tiles, bool anew) {
+                        const std::vector<std::shared_ptr<const HeightTile>>& tiles, bool from_scratch) {
     if (const auto known = sources_.find(robot);
-        known != sources_.end() && (anew || known->second.cell_size_m != cell_size_m))
+        known != sources_.end() && (from_scratch || known->second.cell_size_m != cell_size_m))
         remove(robot);
     if (tiles.empty())
         return;
@@ -128,7 +128,7 @@ void HeightFusion::remove(ConnectionId robot) {
     if (removed.empty())
         return;
     touchAll(removed.mapped());
-    anew_ = true;
+    from_scratch_ = true;
     chooseGrid();
 }
 
@@ -161,7 +161,7 @@ void HeightFusion::chooseGrid() {
     fused_.clear();
     ranges_.clear();
     dirty_.clear();
-    anew_ = true;
+    from_scratch_ = true;
     for (const auto& [robot, source] : sources_)
         touchAll(source);
 }
@@ -194,13 +194,13 @@ std::shared_ptr<const HeightTile> HeightFusion::fuse(GridIndex tile) const {
 
 HeightChange HeightFusion::takeChange() {
     HeightChange change;
-    change.anew = std::exchange(anew_, false);
+    change.from_scratch = std::exchange(from_scratch_, false);
     change.cell_size_m = cell_size_m_;
     for (const GridIndex& index : std::exchange(dirty_, {})) {
         auto tile = fuse(index);
         const auto range = tile ? HeightRange::of(tile->height_m) : std::nullopt;
         if (!range) { // A tile of coarser cells touches neighbors in which it has no cell; they stay unknown.
-            change.anew = fused_.erase(index) > 0 || change.anew;
+            change.from_scratch = fused_.erase(index) > 0 || change.from_scratch;
             ranges_.erase(index);
             continue;
         }
@@ -212,7 +212,7 @@ HeightChange HeightFusion::takeChange() {
         HeightRange::include(change.range, range->minimum_m);
         HeightRange::include(change.range, range->maximum_m);
     }
-    if (change.anew) {
+    if (change.from_scratch) {
         change.tiles.clear();
         for (const auto& [index, tile] : fused_)
             change.tiles.push_back(tile);

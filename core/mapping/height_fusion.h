@@ -18,7 +18,7 @@ enum class HeightScope { AllRobots, SelectedRobot };
 
 /// A part of a height map that has changed since it was last told.
 struct HeightChange {
-    bool anew = false;         ///< everything told before is void; `tiles` are all there are
+    bool from_scratch = false; ///< what was told before is void; `tiles` are all there are
     double cell_size_m = 0.25; ///< side of the tiles' cells
     std::vector<std::shared_ptr<const HeightTile>> tiles;
     std::optional<HeightRange> range; ///< of the whole map; nullopt: the map is empty
@@ -42,14 +42,14 @@ struct HeightChange {
 class HeightFusion {
 public:
     /// Takes new or changed tiles of a robot's map, whose cells have this size. A changed size means another map, which
-    /// replaces the robot's earlier one. `anew`: its earlier tiles are void.
+    /// replaces the robot's earlier one. `from_scratch`: its earlier tiles are void.
     void take(ConnectionId robot, double cell_size_m, const std::vector<std::shared_ptr<const HeightTile>>& tiles,
-              bool anew = false);
+              bool from_scratch = false);
     /// Forgets a robot; an unknown one changes nothing.
     void remove(ConnectionId robot);
 
     /// True if `takeChange` has something to tell.
-    bool changed() const { return anew_ || !dirty_.empty(); }
+    bool changed() const { return from_scratch_ || !dirty_.empty(); }
     /// Fuses what has changed since the last call.
     HeightChange takeChange();
     /// The fused map as of the last `takeChange`.
@@ -74,7 +74,7 @@ private:
     HeightTiles fused_;
     std::map<GridIndex, std::optional<HeightRange>> ranges_; ///< by fused tile
     std::set<GridIndex> dirty_;                              ///< fused tiles that must be made again
-    bool anew_ = false;
+    bool from_scratch_ = false;
 };
 
 } // namespace usar::mapping

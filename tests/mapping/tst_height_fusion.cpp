@@ -204,13 +204,13 @@ void tst_HeightFusion::withoutARobotTheMapIsAsIfItHadNeverBeenThere() {
     fusion.remove({2});
     fusion.remove({3}); // It has never been there.
     const HeightChange change = fusion.takeChange();
-    QVERIFY(change.anew);
+    QVERIFY(change.from_scratch);
     QCOMPARE(change.tiles.size(), fusion.tiles().size());
     QCOMPARE(change.range, a.range());
     QVERIFY(same(fusion.tiles(), tilesOf(a)));
     fusion.remove({1});
     const HeightChange last = fusion.takeChange();
-    QVERIFY(last.anew && last.tiles.empty() && !last.range && fusion.tiles().empty());
+    QVERIFY(last.from_scratch && last.tiles.empty() && !last.range && fusion.tiles().empty());
     QVERIFY(!fusion.changed());
 }
 
@@ -225,7 +225,7 @@ void tst_HeightFusion::aReplayThatStartsOverTakesItsHeightsBack() {
     (void)fusion.takeChange();
     fusion.take({1}, 0.25, listOf(tilesOf(early)), true);
     const HeightChange change = fusion.takeChange();
-    QVERIFY(change.anew);
+    QVERIFY(change.from_scratch);
     QVERIFY(same(fusion.tiles(), tilesOf(early)));
     fusion.take({1}, 0.25, {}, true);
     QVERIFY(fusion.takeChange().tiles.empty() && fusion.tiles().empty());
@@ -243,7 +243,7 @@ void tst_HeightFusion::onlyWhatHasChangedIsTold() {
     fusion.take({1}, 0.25, map.takeChangedTiles());
     QVERIFY(fusion.changed());
     const HeightChange change = fusion.takeChange();
-    QVERIFY(!change.anew);
+    QVERIFY(!change.from_scratch);
     QCOMPARE(change.tiles.size(), std::size_t(1));
     QCOMPARE(change.tiles.front()->index, (GridIndex{1, 0}));
 }
@@ -275,7 +275,7 @@ void tst_HeightFusion::theSmallestCellsAreTheGrid() {
     QCOMPARE(fusion.takeChange().cell_size_m, 0.5);
     fusion.take({2}, 0.25, listOf(tilesOf(fine)));
     const HeightChange finer = fusion.takeChange();
-    QVERIFY(finer.anew);
+    QVERIFY(finer.from_scratch);
     QCOMPARE(finer.cell_size_m, 0.25);
     QCOMPARE(probed(fusion, 0.6, 0.6).height_m, 4.0f); // x, y in 0.5..0.75: the fine cell alone
     QCOMPARE(probed(fusion, 1.3, 1.3).height_m, 2.0f); // 1..1.5: the coarse one

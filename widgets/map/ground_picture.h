@@ -17,7 +17,7 @@ namespace usar::widgets {
 class GroundPicture {
 public:
     /// Paints the background of the whole viewport, and those of the two layers that are visible. Makes the picture
-    /// anew if anything that it shows has changed since the last call.
+    /// again if anything that it shows has changed since the last call.
     void paint(QPainter& painter, const MapContent& content, const MapTransform& transform);
     /// How often the picture was made.
     int times_made() const { return times_made_; }

@@ -103,8 +103,9 @@ QString helpOf(const QString& dock) {
         {"messages", QObject::tr("Every line to and from the server, in order, with what caused each command. The box "
                                  "below sends a line of your own.")},
         {"notifications", QObject::tr("What went wrong or is worth knowing, newest first, with what to do about it.")},
-        {"history", QObject::tr("Every edit of areas, parameters, objects, layers and layouts, in order. Click an entry to "
-                                "go back to it. Gray entries were sent and cannot be taken back.")},
+        {"history",
+         QObject::tr("Every edit of areas, parameters, objects, layers and layouts, in order. Click an entry to "
+                     "go back to it. Gray entries were sent and cannot be taken back.")},
         {"layers", QObject::tr("Which parts of the map are shown, and how opaque each one is.")},
         {"faults", QObject::tr("Breaks sensors, links, batteries or rotors in the embedded simulator, to see how a "
                                "behavior copes.")},

@@ -22,8 +22,9 @@ FusionWorker::Tiles listOf(const mapping::HeightTiles& tiles) {
 
 } // namespace
 
-void FusionWorker::take(ScanGroup group, ConnectionId robot, double cell_size_m, const Tiles& tiles, bool anew) {
-    of(group).take(robot, cell_size_m, tiles, anew);
+void FusionWorker::take(ScanGroup group, ConnectionId robot, double cell_size_m, const Tiles& tiles,
+                        bool from_scratch) {
+    of(group).take(robot, cell_size_m, tiles, from_scratch);
     workSoon();
 }
 
@@ -103,7 +104,7 @@ void ShownHeights::take(RobotId id, const SessionUpdate& update) {
 
 void ShownHeights::takeFused(ScanGroup group, const mapping::HeightChange& change) {
     Fused& fused = fused_[static_cast<std::size_t>(group)];
-    if (change.anew)
+    if (change.from_scratch)
         fused.tiles.clear();
     for (const auto& tile : change.tiles)
         fused.tiles[tile->index] = tile;
@@ -111,7 +112,7 @@ void ShownHeights::takeFused(ScanGroup group, const mapping::HeightChange& chang
     const bool other_cells = std::exchange(fused.cell_size_m, change.cell_size_m) != change.cell_size_m;
     if (group != group_ || scope_ == HeightScope::SelectedRobot)
         return;
-    if (change.anew || other_cells)
+    if (change.from_scratch || other_cells)
         tellAll();
     else
         emit grown(change.tiles, change.range);

@@ -28,7 +28,7 @@ public:
     using Tiles = std::vector<std::shared_ptr<const mapping::HeightTile>>;
 
     /// See HeightFusion::take.
-    void take(ScanGroup group, ConnectionId robot, double cell_size_m, const Tiles& tiles, bool anew);
+    void take(ScanGroup group, ConnectionId robot, double cell_size_m, const Tiles& tiles, bool from_scratch);
     void remove(ScanGroup group, ConnectionId robot);
 
 signals:
