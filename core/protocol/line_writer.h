@@ -26,7 +26,7 @@ public:
         if (decimals == Decimals::TwoRounded)
             appendFixed(out_, value, 2);
         else
-            appendTruncated(out_, value, 4);
+            appendTruncated(out_, value <= 0.0 && value > -1e-4 ? 0.0 : value, 4); // never -0.0000
     }
     void text(std::string_view value) { out_.append(value); }
     /// Begins a segment: " {key ". `close` ends it.

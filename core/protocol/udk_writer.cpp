@@ -18,7 +18,7 @@ constexpr std::string_view line_end = "\r\n";
 struct Context {
     std::string& out;
     Seconds now;
-    const std::string& robot_class;
+    const UdkRobot& robot;
 };
 
 /// Writes a line for each of the sensors that UT2004 puts into one line.
@@ -45,13 +45,34 @@ requires(SensorMessage<Sensor>&& Described<Sensor> && !NamedGroups<Sensor>) void
     writeDescribed(line, sensor);
 }
 
+/// UT2004's angles of ground truth are in [0, 2 pi), UDK's in (-pi, pi].
+void writeInto(const Context& context, const GroundTruthReading& truth) {
+    LineWriter line(context.out);
+    line.sensor(truth.time.value_or(context.now), GroundTruthReading::wire_types);
+    line.segment("Name", truth.name);
+    writeItem(line, truth, pose(&GroundTruthReading::base_in_map, false), false);
+}
+
+void writeInto(const Context& context, const GpsReading& gps) {
+    GpsReading timed = gps;
+    timed.time = gps.time.value_or(context.now);
+    LineWriter line(context.out);
+    write(line, timed);
+}
+
+void writeInto(const Context& context, const StartPoses& start) {
+    LineWriter line(context.out);
+    writePlaces(line, "StartPoses", start.poses, Decimals::FourCut);
+}
+
 void writeInto(const Context& context, const RangeScan& scan) {
     LineWriter line(context.out);
     line.sensor(scan.time.value_or(context.now), scan.type);
     writeScan(line, scan, Decimals::TwoRounded);
 }
 
-/// UDK sends time and battery first, no Type for a flying robot, and always the full light intensity.
+/// UDK sends time and battery first, no Type for a flying robot, and always the full light intensity. The angles of a
+/// robot that cannot steer are whole numbers.
 void writeInto(const Context& context, const RobotState& state) {
     LineWriter line(context.out);
     line.text("STA");
@@ -64,6 +85,12 @@ void writeInto(const Context& context, const RobotState& state) {
     if (state.light_on && state.kind != VehicleKind::Aerial) {
         line.boolean("LightToggle", *state.light_on);
         line.whole("LightIntensity", 100);
+    }
+    if (context.robot.steers)
+        writeSteering(line, state);
+    else {
+        line.whole("FrontSteer", state.front_steer_rad);
+        line.whole("RearSteer", state.rear_steer_rad);
     }
     writeJoints(line, state);
 }
@@ -92,7 +119,7 @@ void writeInto(const Context& context, const GeometryInfo& geometry) {
         line.segment("Name", item.name);
         line.segment("Location", on_wire.position_m, Decimals::TwoRounded);
         line.segment("Orientation", anglesOf(on_wire), Decimals::TwoRounded);
-        line.segment("Mount", sameWord(item.mount, "HARD") ? context.robot_class : item.mount);
+        line.segment("Mount", sameWord(item.mount, "HARD") ? context.robot.class_name : item.mount);
     }
 }
 
@@ -124,8 +151,8 @@ requires(!(SensorMessage<Message> && Described<Message>)) void writeInto(const C
 
 } // namespace
 
-void writeUdk(const InfoMessage& message, Seconds now, const std::string& robot_class, std::string& out) {
-    const Context context{out, now, robot_class};
+void writeUdk(const InfoMessage& message, Seconds now, const UdkRobot& robot, std::string& out) {
+    const Context context{out, now, robot};
     const std::size_t before = out.size();
     std::visit([&context](const auto& value) { writeInto(context, value); }, static_cast<const InfoVariant&>(message));
     if (out.size() > before)

@@ -35,28 +35,12 @@ void writeInto(LineWriter& line, const GameInfo& game) {
     line.whole("TimeLimit", game.time_limit_min);
 }
 
-void writePlaces(LineWriter& line, std::string_view count_key, const std::vector<StartPose>& places) {
-    line.text("NFO");
-    line.whole(count_key, static_cast<long long>(places.size()));
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        const Pose on_wire = acrossWire(places[i].pose_in_map);
-        line.text(i == 0 ? " {" : " ");
-        line.text(places[i].name);
-        line.text(" ");
-        line.numbers(on_wire.position_m, Decimals::TwoRounded);
-        line.text(" ");
-        line.numbers(anglesOf(on_wire), Decimals::TwoRounded);
-    }
-    if (!places.empty())
-        line.close();
-}
-
 void writeInto(LineWriter& line, const StartPoses& start) {
-    writePlaces(line, "StartPoses", start.poses);
+    writePlaces(line, "StartPoses", start.poses, Decimals::TwoRounded);
 }
 
 void writeInto(LineWriter& line, const PathNodes& path) {
-    writePlaces(line, "PathNodes", path.nodes);
+    writePlaces(line, "PathNodes", path.nodes, Decimals::TwoRounded);
 }
 
 void writeInto(LineWriter& line, const ClosestPathNode& node) {
@@ -75,6 +59,7 @@ void writeInto(LineWriter& line, const RobotState& state) {
     if (state.kind != VehicleKind::Unknown)
         line.segment("Type", wordOf(state.kind));
     line.time(state.time, Decimals::TwoRounded);
+    writeSteering(line, state);
     writeJoints(line, state);
     line.boolean("LightToggle", state.light_on);
     line.whole("LightIntensity", state.light_intensity_pct);

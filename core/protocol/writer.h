@@ -15,9 +15,15 @@ namespace usar::protocol {
 /// its number. Reading the line gives the value back to within those decimals.
 void write(const InfoMessage& message, std::string& out);
 
+/// What UDK's lines tell of the robot that they come from.
+struct UdkRobot {
+    std::string class_name; ///< the chassis as a mount
+    bool steers = false;    ///< by angles of its wheels, as a car does
+};
+
 /// Appends the lines for `message`, each with CR LF. Appends nothing if UDK sends nothing: for results of SET and for
 /// answers about things that do not exist. `now` is the Time of messages without one, except of the INS, which never
-/// has a Time. `robot_class` is the name that UDK uses for the chassis as a mount.
-void writeUdk(const InfoMessage& message, Seconds now, const std::string& robot_class, std::string& out);
+/// has a Time.
+void writeUdk(const InfoMessage& message, Seconds now, const UdkRobot& robot, std::string& out);
 
 } // namespace usar::protocol

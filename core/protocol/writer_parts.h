@@ -3,8 +3,10 @@
 
 #include <cmath>
 #include <string_view>
+#include <vector>
 
 #include "core/protocol/info/answers.h"
+#include "core/protocol/info/game_info.h"
 #include "core/protocol/info/robot_state.h"
 #include "core/protocol/line_writer.h"
 #include "core/protocol/sensors/range_scan.h"
@@ -12,13 +14,18 @@
 
 namespace usar::protocol {
 
-/// Steering angles and joints of a STA.
-/// Absent angles are left out; a joint's name is its key.
-inline void writeJoints(LineWriter& line, const RobotState& state) {
+/// Steering angles of a STA.
+/// Absent ones are left out.
+inline void writeSteering(LineWriter& line, const RobotState& state) {
     if (state.front_steer_rad)
         line.segment("FrontSteer", acrossWire(*state.front_steer_rad), Decimals::FourCut);
     if (state.rear_steer_rad)
         line.segment("RearSteer", acrossWire(*state.rear_steer_rad), Decimals::FourCut);
+}
+
+/// Joints of a STA.
+/// A joint's name is its key.
+inline void writeJoints(LineWriter& line, const RobotState& state) {
     for (const JointAngle& joint : state.joints)
         line.segment(joint.name, joint.angle_rad, Decimals::FourCut);
 }
@@ -47,6 +54,25 @@ inline void writeScan(LineWriter& line, const RangeScan& scan, Decimals decimals
     line.open("Range");
     line.numbers(scan.ranges_m, decimals_of_ranges);
     line.close();
+}
+
+/// Named places with their poses in one segment after their number.
+/// The dialects differ in the decimals.
+inline void writePlaces(LineWriter& line, std::string_view count_key, const std::vector<StartPose>& places,
+                        Decimals decimals) {
+    line.text("NFO");
+    line.whole(count_key, static_cast<long long>(places.size()));
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const Pose on_wire = acrossWire(places[i].pose_in_map);
+        line.text(i == 0 ? " {" : " ");
+        line.text(places[i].name);
+        line.text(" ");
+        line.numbers(on_wire.position_m, decimals);
+        line.text(" ");
+        line.numbers(anglesOf(on_wire), decimals);
+    }
+    if (!places.empty())
+        line.close();
 }
 
 } // namespace usar::protocol

@@ -316,7 +316,10 @@ protocol::Response ClientSession::resultOf(const protocol::Command& asked, Secon
 void ClientSession::send(const protocol::InfoMessage& message, Seconds now) {
     const std::size_t before = output_.size();
     if (isUdk()) {
-        protocol::writeUdk(message, now, robot_ ? robot_->body().model().class_name : std::string(), output_);
+        const RobotModel* const model = robot_ ? &robot_->body().model() : nullptr;
+        const protocol::UdkRobot robot{model ? model->class_name : std::string(),
+                                       model && model->drive.kind == "ackermann"};
+        protocol::writeUdk(message, now, robot, output_);
     } else {
         protocol::write(message, output_);
         output_ += "\r\n";

@@ -289,7 +289,7 @@ private slots:
         QFETCH(QByteArray, expected);
         Reader reader;
         std::string out;
-        writeUdk(reader.read(line.toStdString()).message, Seconds{7.0}, "P2DX", out);
+        writeUdk(reader.read(line.toStdString()).message, Seconds{7.0}, {"P2DX"}, out);
         QCOMPARE(QByteArray::fromStdString(out), expected);
     }
 

@@ -1,5 +1,7 @@
 // What a bundle of rays hears is bit for bit the least of what each of its rays does alone: in all worlds that come
 // with the program, with bodies about, from anywhere.
+#include <algorithm>
+
 #include <QByteArray>
 #include <QObject>
 #include <QString>
@@ -104,12 +106,16 @@ private slots:
             const double maximum_m = i % 20 == 0 ? 60.0 : uniform(random, 0.2, 6.0);
             double alone_m = maximum_m;
             double still_m = maximum_m;
+            std::vector<double> each_m{maximum_m};
             for (const Vec3& direction : directions) {
+                each_m.push_back(rays.cast(origin_m, direction, maximum_m));
                 alone_m = std::min(alone_m, rays.cast(origin_m, direction, maximum_m));
                 still_m = std::min(still_m, still.cast(origin_m, direction, maximum_m));
             }
             QVERIFY(still.castNearest({origin_m, directions}, maximum_m) == still_m);
             QVERIFY(rays.castNearest(origin_m, directions, maximum_m) == alone_m);
+            const double echo_m = rays.nearestEcho(origin_m, directions, maximum_m);
+            QVERIFY(std::ranges::find(each_m, echo_m) != each_m.end()); // not less than `alone_m`, then
             ++(alone_m == maximum_m ? misses : hits);
             bodies_heard += alone_m < still_m ? 1 : 0;
         }

@@ -88,6 +88,62 @@ private slots:
         QVERIFY(std::abs(sonar.range_m(Eigen::Isometry3d::Identity(), wall) - reading_m) < 1e-9);
     }
 
+    // The mount of a P2DX, 0.22 m over the ground of a hall, whose posts are even.
+    void sonarHearsWhatSendsAnEcho_data() {
+        QTest::addColumn<World>("world");
+        QTest::addColumn<double>("yaw_deg");
+        QTest::addColumn<double>("reading_m");
+        QTest::addColumn<double>("tolerance_m");
+        const auto with = [](const Box& box) {
+            World world = flatWorld();
+            world.boxes.push_back(box);
+            return world;
+        };
+        const auto box = [](double x_m, const Vec3& size_m, double yaw_rad = 0.0) {
+            const Vec3 center_m{x_m + size_m.x() / 2.0, 0.0, size_m.z() / 2.0};
+            return Box{.center_in_map = {.position_m = center_m, .yaw_rad = yaw_rad}, .size_m = size_m};
+        };
+        QTest::newRow("an empty hall") << flatWorld() << 0.0 << 5.0 << 1e-9;
+        const World wall = with(box(2.0, {0.2, 40.0, 3.0}));
+        for (const int off_deg : {0, 10, 20, 30, 40}) { // The cone reaches 10 degrees nearer to the wall's normal.
+            const double nearest_m = 2.0 / std::cos(radians(std::max(0, off_deg - 10)));
+            QTest::addRow("a wall at 2 m, %d degrees off", off_deg) << wall << 1.0 * off_deg << nearest_m << 0.01;
+        }
+        QTest::newRow("a wall met too flatly") << wall << 75.0 << 5.0 << 1e-9;
+        QTest::newRow("a step of 10 cm") << with(box(1.5, {1.0, 4.0, 0.10})) << 0.0 << 1.52 << 0.03;
+        QTest::newRow("a leg of a table") << with(box(2.0, {0.05, 0.05, 0.7})) << 0.0 << 2.0 << 0.02;
+        QTest::newRow("one that is turned") << with(box(2.0, {0.05, 0.05, 0.7}, pi / 4.0)) << 0.0 << 1.99 << 0.02;
+        QTest::newRow("a slope of rubble") << groundOf([](const Vec2& at) {
+            const double up_m = 0.03 * std::sin(5.0 * at.x()) * std::cos(6.0 * at.y());
+            return at.x() < 2.0 ? 0.0 : (at.x() - 2.0) * std::tan(radians(20.0)) + up_m;
+        }) << 0.0 << 2.0 << 0.8;
+    }
+    void sonarHearsWhatSendsAnEcho() {
+        QFETCH(const World, world);
+        QFETCH(const double, yaw_deg);
+        QFETCH(const double, reading_m);
+        QFETCH(const double, tolerance_m);
+        const RayCaster still(world);
+        const auto physics = makePhysics(world);
+        const WorldRays rays(still, *physics, physics->add(airRobotBody(), {.position_m = {-20.0, 0.0, 5.0}}));
+        SensorModel model = quietSonar(radians(yaw_deg));
+        model.numbers["beam_angle"] = radians(20.0);
+        SonarSensor sonar(model, birth(1, 1));
+        const double heard_m = sonar.range_m(atHeight(0.22), rays);
+        QVERIFY2(std::abs(heard_m - reading_m) <= tolerance_m, qPrintable(QString::number(heard_m)));
+    }
+
+    void aSonarOfUdkIsItsCentralRay() {
+        SensorBirth born = birth(1, 1);
+        born.profile = protocol::Dialect::Udk;
+        SonarSensor sonar(quietSonar(radians(30.0)), born);
+        QCOMPARE(sonar.rayCount(), 1u);
+        Wall wall;
+        wall.distance_m = 2.0;
+        QVERIFY(std::abs(sonar.range_m(Eigen::Isometry3d::Identity(), wall) - 2.0 / std::cos(radians(30.0))) < 1e-9);
+        QVERIFY(std::abs(sonar.range_m(atHeight(0.5), wall) - 2.0 / std::cos(radians(30.0))) < 1e-9);
+    }
+
     void sonarRaysAreOneAndTheCones() {
         QCOMPARE(SonarSensor(quietSonar(0.0, 2.0), birth(1, 1)).rayCount(), 33u);
         QCOMPARE(SonarSensor(quietSonar(0.0, 10.0), birth(1, 1)).rayCount(), 161u);

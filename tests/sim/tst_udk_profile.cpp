@@ -1,4 +1,5 @@
 #include <QObject>
+#include <QRegularExpression>
 #include <QString>
 #include <QTest>
 
@@ -19,11 +20,17 @@ struct Udk {
     std::unique_ptr<Simulation> simulation;
     Talker talker;
 
-    explicit Udk(const std::string& class_name, double z_m = 0.3)
-        : simulation(simulationOf(flatWorld(), options()))
+    explicit Udk(const std::string& class_name, double z_m = 0.3, double yaw_on_wire_rad = 0.0)
+        : simulation(simulationOf(world(), options()))
         , talker(*simulation) {
-        talker.say("INIT {ClassName USARBot." + class_name + "} {Name R1} {Location 0,0," + std::to_string(-z_m) + "}");
+        talker.say("INIT {ClassName USARBot." + class_name + "} {Name R1} {Location 0,0," + std::to_string(-z_m) +
+                   "} {Rotation 0,0," + std::to_string(yaw_on_wire_rad) + "}");
         steps(10);
+    }
+    static World world() {
+        World world = flatWorld();
+        world.start_poses.push_back({"Start", {.position_m = {1.5, -2.25, 0.5}, .yaw_rad = 0.5}});
+        return world;
     }
     static SimulationOptions options() {
         SimulationOptions options;
@@ -65,8 +72,8 @@ private slots:
     void camerasAreConfiguredInDegreesAndUnasked() {
         Udk udk("P2DX");
         const std::string line = "CONF {Type Camera} {Name Camera} {TextureOffsetX 0} {TextureOffsetY 0} "
-                                 "{TextureResolutionX 320} {TextureResolutionY 240} {CameraDefFov 79.9849} "
-                                 "{CameraMinFov 19.9962} {CameraMaxFov 119.9773} {CameraFov 79.9849}";
+                                 "{TextureResolutionX 320} {TextureResolutionY 240} {CameraDefFov 80.0000} "
+                                 "{CameraMinFov 20.0000} {CameraMaxFov 120.0000} {CameraFov 80.0000}";
         const auto unasked = udk.talker.hearText();
         QCOMPARE(std::count_if(unasked.begin(), unasked.end(),
                                [](const std::string& one) { return one.starts_with("CONF {Type Camera}"); }),
@@ -119,6 +126,46 @@ private slots:
         Udk udk("AirRobot", 5.0);
         QVERIFY(udk.linesOf("STA", 1).at(0).find("{Type") == std::string::npos);
         QVERIFY(udk.linesOf("SEN INS", 2).at(0).starts_with("SEN {Type INS}"));
+    }
+
+    void linesHaveUdksNumbers_data() {
+        QTest::addColumn<QString>("robot");
+        QTest::addColumn<QString>("kind");
+        QTest::addColumn<QRegularExpression>("shape");
+        const auto row = [](const char* name, const char* robot, const char* kind, const char* shape) {
+            QTest::newRow(name) << robot << kind << QRegularExpression(shape);
+        };
+        row("a GPS tells its time", "P2DX", "SEN GPS", "^SEN \\{Time [0-9.]+\\} \\{Type GPS\\} ");
+        row("ground truth turned left is negative", "P2DX", "SEN GroundTruth",
+            "\\{Orientation -?0\\.0[0-9],-?0\\.0[0-9],-1\\.5[0-9]\\}");
+        row("a skid robot's angles are whole", "P2DX", "STA", "\\{FrontSteer 0\\} \\{RearSteer 0\\}");
+        row("a car's angles are not", "Sedan", "STA", "\\{FrontSteer 0\\.[0-9]{4}\\}");
+        row("no negative zero", "P2DX", "STA", "^(?!.*-0\\.0000)");
+    }
+    void linesHaveUdksNumbers() {
+        QFETCH(const QString, robot);
+        QFETCH(const QString, kind);
+        QFETCH(const QRegularExpression, shape);
+        Udk udk(robot.toStdString(), 0.3, -1.5708);
+        const auto lines = udk.linesOf(kind.toStdString(), 20);
+        QVERIFY(!lines.empty());
+        for (const std::string& line : lines)
+            QVERIFY2(shape.match(QString::fromStdString(line)).hasMatch(), line.c_str());
+    }
+
+    void startPosesHaveFourDecimals() {
+        Udk udk("P2DX");
+        const auto answers = udk.answers("GETSTARTPOSES");
+        QCOMPARE(answers.size(), std::size_t(1));
+        QCOMPARE(QString::fromStdString(answers[0]),
+                 QString("NFO {StartPoses 1} {Start 1.5000,2.2500,-0.5000 0.0000,0.0000,-0.5000}"));
+    }
+
+    void classesThatUdkDoesNotHaveAreNotThere() {
+        Udk udk("P2DX");
+        QVERIFY(udk.linesOf("SEN VictSensor", 20).empty());
+        QVERIFY(udk.answers("GETCONF {Type VictSensor}").empty());
+        QVERIFY(udk.answers("GETGEO {Type VictSensor}").empty());
     }
 
     void theScannerHasTwoDecimals() {

@@ -10,6 +10,8 @@ namespace usar::sim {
 namespace {
 
 constexpr double under_ceiling_m = 1e-6;
+constexpr double sonar_wave_m = 343.0 / 49'400.0;
+constexpr double made_by_hand_m = sonar_wave_m / 4.0; ///< unevenness that answers up to 60 degrees
 
 struct PlacedBox {
     Vec3 center_m;
@@ -44,6 +46,16 @@ Vec3 normalOfGround(const Terrain& terrain, const Vec2& point_m) {
         return (terrain.height_m(point_m + way) - terrain.height_m(point_m - way)) / (2.0 * step_m);
     };
     return Vec3{-rise({step_m, 0.0}), -rise({0.0, step_m}), 1.0}.normalized();
+}
+
+/// How far the ground bends away from a plane within one step of the height field.
+double unevenness_m(const Terrain& terrain, const Vec2& point_m) {
+    const double step_m = terrain.step_m();
+    const double here_m = terrain.height_m(point_m);
+    const auto bend_m = [&](const Vec2& way) {
+        return std::abs((terrain.height_m(point_m + way) + terrain.height_m(point_m - way)) / 2.0 - here_m);
+    };
+    return std::max(bend_m({step_m, 0.0}), bend_m({0.0, step_m}));
 }
 
 } // namespace
@@ -150,6 +162,15 @@ RayHit RayCaster::look(const Vec3& origin_m, const Vec3& direction, double maxim
     if (ground_m < hit.distance_m || (hit.met == Met::Nothing && ground_m < maximum_m))
         hit = {ground_m, Met::Ground, normalOfGround(world_->terrain, (origin_m + ground_m * direction).head<2>())};
     return hit;
+}
+
+bool RayCaster::sendsEcho(const Vec3& origin_m, const Vec3& direction, const RayHit& hit) const {
+    if (hit.met == Met::Trunk || hit.met == Met::Crown)
+        return true;
+    double uneven_m = made_by_hand_m;
+    if (hit.met == Met::Ground)
+        uneven_m += unevenness_m(world_->terrain, (origin_m + hit.distance_m * direction).head<2>());
+    return hit.met != Met::Nothing && std::abs(hit.normal_in_map.dot(direction)) * 8.0 * uneven_m >= sonar_wave_m;
 }
 
 bool RayCaster::roofed() const {

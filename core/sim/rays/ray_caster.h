@@ -40,6 +40,13 @@ public:
     /// Like `cast`, but also tells what was hit and how its surface lies, for cameras; somewhat slower. On a miss,
     /// `met` is Nothing at `maximum_m`.
     RayHit look(const Vec3& origin_m, const Vec3& direction, double maximum_m) const;
+    /// True if a sonar's sound comes back from what a ray of this direction has hit. A surface that is even for the
+    /// wave reflects it away like a mirror if it is met flatly; a rough one scatters it, and so do plants. By
+    /// Rayleigh's criterion a surface is even if its unevenness is below wavelength / (8 cos(angle of incidence)). The
+    /// wave of a ranging sonar (49.4 kHz: Polaroid 6500 ranging module, data sheet) is 6.9 mm long. Floors and boxes
+    /// are uneven by 1.7 mm, so they answer up to 60 degrees from their normal; ground also by what its posts depart
+    /// from a plane.
+    bool sendsEcho(const Vec3& origin_m, const Vec3& direction, const RayHit& hit) const;
     /// True if a box covers all the ground, as a room's ceiling does.
     bool roofed() const;
     /// Height of the first thing that a ray from straight above meets: the true surface (ground, crown or roof) at a

@@ -1,6 +1,7 @@
 #include "core/sim/robots/sensor_suite.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <type_traits>
@@ -46,6 +47,13 @@ Seconds udkInterval(std::string_view type) {
     if (sameWord(type, "GroundTruth") || sameWord(type, "Odometry"))
         return Seconds{0.1};
     return sameWord(type, "GPS") ? Seconds{0.5} : Seconds{0.2};
+}
+
+/// UDK has no classes for these (protocol.md 4.5).
+bool isUnknownToUdk(std::string_view type) {
+    constexpr std::array<std::string_view, 6> unknown{"VictSensor", "HumanMotion", "Sound",
+                                                      "CO2Sensor",  "INU",         "GroundTruthPlayers"};
+    return std::ranges::any_of(unknown, [&](std::string_view one) { return sameWord(one, type); });
 }
 
 std::uint64_t everyOf(const SensorModel& sensor, const RobotOptions& options) {
@@ -171,9 +179,11 @@ Result<SensorSuite> SensorSuite::make(const RobotModel& robot, const RobotOption
     suite.profile_ = options.profile;
     suite.seed_ = options.seed;
     for (std::size_t i = 0; i < robot.sensors.size(); ++i) {
+        if (options.profile == protocol::Dialect::Udk && isUnknownToUdk(robot.sensors[i].type))
+            continue;
         Random random = seeded(options.seed, options.number * streams_per_robot + i);
-        auto sensor =
-            makeSensor(robot.sensors[i], {robot, options.base_in_map, options.scan_interval, options.noise, random});
+        auto sensor = makeSensor(robot.sensors[i], {robot, options.base_in_map, options.scan_interval, options.noise,
+                                                    random, options.profile});
         if (!sensor)
             return tl::unexpected(sensor.error());
         suite.sensors_.push_back({.sensor = std::move(*sensor),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace usar::sim {
 
@@ -30,14 +31,20 @@ std::vector<protocol::Setting> CameraSensor::udkSettings() const {
     const auto whole = [](std::string key, int value) {
         return protocol::Setting{std::move(key), std::to_string(value), static_cast<double>(value)};
     };
+    // UDK keeps its fields of view in degrees, our files in radians with four decimals.
+    const auto angle = [](std::string key, double angle_rad) {
+        const double angle_deg = degrees(angle_rad);
+        const double whole_deg = std::round(angle_deg);
+        return setting(std::move(key), std::abs(angle_deg - whole_deg) < 0.03 ? whole_deg : angle_deg);
+    };
     return {whole("TextureOffsetX", 0),
             whole("TextureOffsetY", 0),
             whole("TextureResolutionX", pixels("width", 320.0)),
             whole("TextureResolutionY", pixels("height", 240.0)),
-            setting("CameraDefFov", degrees(default_rad_)),
-            setting("CameraMinFov", degrees(smallest_rad_)),
-            setting("CameraMaxFov", degrees(largest_rad_)),
-            setting("CameraFov", degrees(fov_rad_))};
+            angle("CameraDefFov", default_rad_),
+            angle("CameraMinFov", smallest_rad_),
+            angle("CameraMaxFov", largest_rad_),
+            angle("CameraFov", fov_rad_)};
 }
 
 SeenFrom CameraSensor::view(const RobotBody& body) const {

@@ -23,7 +23,8 @@ double RangeSensor::noisy(double range_m) {
 SonarSensor::SonarSensor(const SensorModel& model, const SensorBirth& birth)
     : RangeSensor(model, birth, 5.0, sonar_sigma)
     , directions_in_link_{Vec3::UnitX()} {
-    const int cones = static_cast<int>(number("cones", 2.0));
+    const bool udk = birth.profile == protocol::Dialect::Udk;
+    const int cones = udk ? 0 : static_cast<int>(number("cones", 2.0));
     const int rays_per_cone = static_cast<int>(number("rays_per_cone", 16.0));
     for (int cone = 1; cone <= cones; ++cone) {
         const double off_axis_rad = beam_rad_ / 2.0 * cone / cones;
@@ -41,7 +42,7 @@ double SonarSensor::range_m(const Eigen::Isometry3d& link_in_map, const Rays& ra
     directions_in_map_.clear();
     for (const Vec3& direction : directions_in_link_)
         directions_in_map_.emplace_back(link_in_map.linear() * direction);
-    return noisy(rays.castNearest(link_in_map * model().sensor_in_link.position_m, directions_in_map_, maximum_m_));
+    return noisy(rays.nearestEcho(link_in_map * model().sensor_in_link.position_m, directions_in_map_, maximum_m_));
 }
 
 void SonarSensor::measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) {

@@ -30,8 +30,9 @@ private:
 };
 
 /// The nearest thing in a cone of rays around its x axis: a central ray, and cones of rays whose half-angles grow
-/// evenly to half the beam. Oblique echoes count. Further settings: beam_angle (rad, full), cones and rays_per_cone: 2
-/// and 16, which gives 33 rays; the reference with 161 rays has 10 cones.
+/// evenly to half the beam. What a ray meets too flatly reflects it away (Rays::nearestEcho). Further settings:
+/// beam_angle (rad, full), cones and rays_per_cone: 2 and 16, which gives 33 rays; the reference with 161 rays has 10
+/// cones. In UDK the central ray alone works, whatever it meets (robots-and-worlds.md 4.2).
 class SonarSensor : public RangeSensor {
 public:
     SonarSensor(const SensorModel& model, const SensorBirth& birth);

@@ -1,6 +1,7 @@
 // Ray casting for range sensors: against the still world and against other robots and objects.
 #pragma once
 
+#include <algorithm>
 #include <span>
 
 #include "core/base/geometry.h"
@@ -20,6 +21,11 @@ public:
         for (const Vec3& direction : directions)
             maximum_m = cast(origin_m, direction, maximum_m);
         return maximum_m;
+    }
+    /// What a sonar hears: the distance to the nearest first hit, of at least one ray, that sends an echo; `maximum_m`
+    /// if there is none. Unless it is overridden, everything does.
+    virtual double nearestEcho(const Vec3& origin_m, std::span<const Vec3> directions, double maximum_m) const {
+        return castNearest(origin_m, directions, maximum_m);
     }
 };
 
@@ -45,6 +51,20 @@ public:
         if (moving_.hasBodies(bundle.box(nearest_m), self_))
             for (const Vec3& direction : directions)
                 nearest_m = moving_.castAtBodies(origin_m, direction, maximum_m, nearest_m, self_);
+        return nearest_m;
+    }
+
+    /// Bodies always answer; for the still world see RayCaster::sendsEcho.
+    double nearestEcho(const Vec3& origin_m, std::span<const Vec3> directions, double maximum_m) const override {
+        if (castNearest(origin_m, directions, maximum_m) >= maximum_m)
+            return maximum_m;
+        double nearest_m = maximum_m;
+        for (const Vec3& direction : directions) {
+            const RayHit still = still_.look(origin_m, direction, nearest_m);
+            const double body_m = moving_.castAtBodies(origin_m, direction, maximum_m, still.distance_m, self_);
+            if (body_m < still.distance_m || still_.sendsEcho(origin_m, direction, still))
+                nearest_m = std::min(body_m, still.distance_m);
+        }
         return nearest_m;
     }
 

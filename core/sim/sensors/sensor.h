@@ -9,6 +9,7 @@
 #include "core/base/random.h"
 #include "core/base/result.h"
 #include "core/protocol/command.h"
+#include "core/protocol/dialect.h"
 #include "core/protocol/info_message.h"
 #include "core/sim/physics/scene.h"
 #include "core/sim/robots/robot_body.h"
@@ -34,6 +35,7 @@ struct SensorBirth {
     Seconds scan_interval{0.2}; ///< the message tick
     bool noise = true;
     Random random; ///< a stream of its own: sensors added later change nobody's noise
+    protocol::Dialect profile = protocol::Dialect::Ut2004;
 };
 
 /// Base of all sensors. Owned by its robot's SensorSuite.
