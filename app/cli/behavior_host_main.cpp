@@ -5,8 +5,11 @@
 #include <QCoreApplication>
 
 #include "core/agent/process/behavior_service.h"
+#include "core/base/version.h"
 
 int main(int argc, char** argv) {
+    if (usar::answersVersion(argc, argv))
+        return 0;
     QCoreApplication application(argc, argv);
     bool ok = false;
     const int socket = QCoreApplication::arguments().value(1).toInt(&ok);

@@ -11,6 +11,7 @@
 #include <QJsonDocument>
 
 #include "app/host/true_figures.h"
+#include "core/base/version.h"
 #include "core/mission/files/mission_options.h"
 #include "core/mission/reports/progress_bar.h"
 #include "core/mission/reports/replay_verb.h"
@@ -69,7 +70,10 @@ serverFor(const mission::MissionOptions& options, const mission::Mission& plan, 
         return tl::unexpected(faults.error());
     auto simulator = server::HeadlessSimulator::start(
         QString::fromStdString(plan.world),
-        {.seed = options.seed, .speed_x = options.speed_x, .faults = *std::move(faults)});
+        {.seed = options.seed,
+         .speed_x = options.speed_x,
+         .faults = *std::move(faults),
+         .battery_life = options.battery_life_s ? Seconds{*options.battery_life_s} : sim::survey_battery_life});
     if (!simulator)
         return tl::unexpected(mission::atValue(plan, "world", simulator.error()));
     run_options.port = (*simulator)->port();
@@ -151,6 +155,8 @@ int goOn(mission::MissionOptions options) {
 } // namespace
 
 int main(int argc, char** argv) {
+    if (usar::answersVersion(argc, argv))
+        return 0;
     if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
         qputenv("QT_QPA_PLATFORM", "offscreen"); // pictures contain text, which needs a QGuiApplication
     QGuiApplication application(argc, argv);

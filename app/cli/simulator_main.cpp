@@ -5,6 +5,7 @@
 #include <QCommandLineParser>
 #include <QCoreApplication>
 
+#include "core/base/version.h"
 #include "core/server/embedded/simulator_files.h"
 #include "core/server/embedded/simulator_program.h"
 
@@ -22,6 +23,8 @@ void print(const QString& sentence) {
 } // namespace
 
 int main(int argc, char** argv) {
+    if (usar::answersVersion(argc, argv))
+        return 0;
     QCoreApplication application(argc, argv);
     QCoreApplication::setApplicationName("usar-sim");
     QCommandLineParser parser;
@@ -32,8 +35,6 @@ int main(int argc, char** argv) {
     usar::server::addSimulatorOptions(parser);
     if (!parser.parse(QCoreApplication::arguments()))
         return complain({parser.errorText().toStdString(), "", "See usar-sim --help"});
-    if (parser.isSet("version"))
-        parser.showVersion();
     if (parser.isSet("help"))
         parser.showHelp();
     const auto settings = usar::server::readSimulatorSettings(parser);

@@ -4,9 +4,12 @@
 #include <vector>
 
 #include "core/base/numbers.h"
+#include "core/base/version.h"
 #include "core/sim/world/world_generator.h"
 
 int main(int argc, char** argv) {
+    if (usar::answersVersion(argc, argv))
+        return 0;
     const std::vector<std::string> arguments(argv + 1, argv + argc);
     const auto seed = arguments.size() == 3 ? usar::readInteger(arguments[1]) : std::nullopt;
     if (!seed || *seed < 0) {

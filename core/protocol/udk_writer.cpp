@@ -86,9 +86,10 @@ void writeInto(const Context& context, const RobotState& state) {
         line.boolean("LightToggle", *state.light_on);
         line.whole("LightIntensity", 100);
     }
-    if (context.robot.steers)
+    if (context.robot.steers || state.front_steer_rad.value_or(0.0) != 0.0 ||
+        state.rear_steer_rad.value_or(0.0) != 0.0) {
         writeSteering(line, state);
-    else {
+    } else {
         line.whole("FrontSteer", state.front_steer_rad);
         line.whole("RearSteer", state.rear_steer_rad);
     }

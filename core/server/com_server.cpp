@@ -45,7 +45,8 @@ ComServer::ComServer(RadioRelay& relay, QObject* parent)
     : RequestServer(";", "--comserver-port", parent)
     , relay_(relay) {}
 
-std::string ComServer::answer(int, std::string_view request) {
+std::string ComServer::answer(int client, std::string_view request) {
+    asking_ = client;
     Words words;
     for (std::string_view word = takeWord(request); !word.empty(); word = takeWord(request))
         words.emplace_back(word);
@@ -71,6 +72,7 @@ std::string ComServer::registerRobot(const Words& words) {
     if (known == addresses_.end() && !makeRoom())
         return fail("Too many robots registered");
     addresses_[words[1]] = words[2];
+    relay_.setHost(words[1], hostOf(asking_));
     return "OK;";
 }
 

@@ -17,8 +17,8 @@ namespace usar::server {
 /// Answers REGISTER, LISTEN, OPEN and GETSS as the original does. Robots listen on ports of their own; OPEN makes the
 /// server connect to both robots and join the two connections, on which the robots use SEND and CLOSE. A registered
 /// name outlives the connection that registered it, as in the game, where a robot may use a new connection for each
-/// request. Registered addresses are kept but not called, because all robots are on this machine. Runs in the
-/// simulator's thread; `relay` must outlive it.
+/// request. Registered addresses are kept but not called: a robot is called on the machine that it registered from.
+/// Runs in the simulator's thread; `relay` must outlive it.
 class ComServer : public RequestServer {
     Q_OBJECT
 public:
@@ -36,6 +36,7 @@ private:
     bool makeRoom();
 
     RadioRelay& relay_;
+    int asking_ = 0;                                         ///< the client whose request is being answered
     std::map<std::string, std::string> addresses_;           ///< registered address, by robot
     std::vector<std::pair<std::string, quint16>> listening_; ///< robot and port, one entry per LISTEN
 };

@@ -1,4 +1,4 @@
-// The image server: serves pictures of a simulation's cameras over loopback TCP, one per request (protocol.md
+// The image server: serves pictures of a simulation's cameras over TCP, one per request (protocol.md
 // 6.1).
 #pragma once
 
@@ -11,8 +11,8 @@
 #include <QTcpServer>
 #include <QThread>
 
+#include "core/server/access.h"
 #include "core/server/image_protocol.h"
-#include "core/server/loopback.h"
 #include "core/sim/camera/camera_scene.h"
 
 namespace usar::server {
@@ -36,9 +36,10 @@ public:
     explicit ImageServer(Look look, const ImageServerOptions& options = {}, QObject* parent = nullptr);
     ~ImageServer() override;
 
-    /// Loopback only; port 0 chooses a free one. Returns the port. A port in use is an error that says how to choose
-    /// another.
-    Result<quint16> listen(quint16 port) { return listenOnLoopback(server_, port, "--image-port"); }
+    /// Admits this machine alone unless told otherwise before `listen`.
+    void setAccess(const Access& access) { server_.setAccess(access); }
+    /// Port 0 chooses a free one. Returns the port. A port in use is an error that says how to choose another.
+    Result<quint16> listen(quint16 port) { return server_.open(port, "--image-port"); }
     quint16 port() const { return server_.serverPort(); }
     std::size_t clientCount() const { return viewers_.size(); }
     /// Number of pictures made so far. Equal pictures of one tick are made once.
@@ -55,7 +56,7 @@ private:
 
     Look look_;
     ImageServerOptions options_;
-    QTcpServer server_{this};
+    GuardedServer server_{this};
     QElapsedTimer clock_;
     std::map<quint64, std::unique_ptr<Viewer>> viewers_;
     quint64 last_viewer_ = 0;

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "core/server/loopback.h"
-
 namespace usar::server {
 
 namespace {
@@ -63,8 +61,9 @@ quint16 RadioRelay::door(const std::string& from, const std::string& to, quint16
         return known->second.port;
     if (doors_.size() >= most_doors)
         return 0;
-    Door door{std::make_unique<QTcpServer>(), 0};
-    if (!door.server->listen(QHostAddress::LocalHost, 0))
+    Door door{std::make_unique<GuardedServer>(), 0};
+    door.server->setAccess(access_);
+    if (!door.server->open(0, ""))
         return 0;
     door.port = door.server->serverPort();
     connect(door.server.get(), &QTcpServer::newConnection, this, [this, way] { takeCalls(way); });
@@ -75,7 +74,7 @@ quint16 RadioRelay::door(const std::string& from, const std::string& to, quint16
 void RadioRelay::turn(const Way& way, Door& door) {
     const bool open = field_.reaches(std::get<0>(way), std::get<1>(way));
     if (open && !door.server->isListening())
-        door.server->listen(QHostAddress::LocalHost, door.port); // If this fails, the next look() tries again.
+        door.server->listen(access_.address(), door.port); // If this fails, the next look() tries again.
     else if (!open && door.server->isListening())
         door.server->close();
 }
@@ -89,15 +88,27 @@ void RadioRelay::takeCalls(const Way& way) {
             refuse(call);
             continue;
         }
-        add(new RelayedLink(from, to, call, callLoopback(to_port), LinkWords::None, this));
+        add(new RelayedLink(from, to, call, callRobot(to, to_port), LinkWords::None, this));
     }
 }
 
 bool RadioRelay::join(const std::string& from, quint16 from_port, const std::string& to, quint16 to_port) {
     if (links_.size() >= most_links || !field_.reaches(from, to))
         return false;
-    add(new RelayedLink(from, to, callLoopback(from_port), callLoopback(to_port), LinkWords::Sends, this));
+    add(new RelayedLink(from, to, callRobot(from, from_port), callRobot(to, to_port), LinkWords::Sends, this));
     return true;
+}
+
+void RadioRelay::setHost(const std::string& robot, const QHostAddress& host) {
+    if (host.isLoopback())
+        hosts_.erase(robot);
+    else
+        hosts_[robot] = host;
+}
+
+QTcpSocket* RadioRelay::callRobot(const std::string& robot, quint16 port) const {
+    const auto known = hosts_.find(robot);
+    return server::call(known == hosts_.end() ? QHostAddress(QHostAddress::LocalHost) : known->second, port);
 }
 
 void RadioRelay::add(RelayedLink* link) {

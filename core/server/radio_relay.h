@@ -12,8 +12,8 @@
 
 #include <QObject>
 #include <QString>
-#include <QTcpServer>
 
+#include "core/server/access.h"
 #include "core/server/relayed_link.h"
 #include "core/sim/simulation.h"
 
@@ -44,8 +44,8 @@ private:
 
 /// Carries bytes between robots while their radios reach each other. A door is a port that one robot calls to reach a
 /// port of another. It listens while the two robots reach each other; a link whose strength falls below the cutoff is
-/// dropped, and once the strength is back the same door accepts new calls. Robots must listen on this machine; no other
-/// host is served. Runs in the simulator's thread; the simulation must outlive it.
+/// dropped, and once the strength is back the same door accepts new calls. A robot's program listens on the machine
+/// that it registered from. Runs in the simulator's thread; the simulation must outlive it.
 class RadioRelay : public QObject {
     Q_OBJECT
 public:
@@ -53,6 +53,10 @@ public:
     ~RadioRelay() override;
 
     RadioField& field() { return field_; }
+    /// Admits this machine alone to the doors unless told otherwise before the first one.
+    void setAccess(const Access& access) { access_ = access; }
+    /// The machine that the robot's program listens on; this one unless told otherwise.
+    void setHost(const std::string& robot, const QHostAddress& host);
     /// Port on which `from` reaches port `to_port` of `to`; always the same one for the same arguments. 0 if no more
     /// doors are available.
     quint16 door(const std::string& from, const std::string& to, quint16 to_port);
@@ -78,14 +82,18 @@ private:
     /// Calling robot, called robot, and the port of the called one.
     using Way = std::tuple<std::string, std::string, quint16>;
     struct Door {
-        std::unique_ptr<QTcpServer> server; ///< listens only while the robots reach each other
-        quint16 port = 0;                   ///< stays the same while the door is shut
+        std::unique_ptr<GuardedServer> server; ///< listens only while the robots reach each other
+        quint16 port = 0;                      ///< stays the same while the door is shut
     };
     void takeCalls(const Way& way);
     void add(RelayedLink* link);
+    /// Calls a port of the robot's program. The caller owns the socket.
+    QTcpSocket* callRobot(const std::string& robot, quint16 port) const;
     void turn(const Way& way, Door& door);
 
     RadioField field_;
+    Access access_;
+    std::map<std::string, QHostAddress> hosts_; ///< of robots whose programs are on other machines
     std::map<Way, Door> doors_;
     std::vector<RelayedLink*> links_;
 };

@@ -1,4 +1,4 @@
-// A loopback TCP server for short requests and short replies: the common part of the radio servers.
+// A TCP server for short requests and short replies: the common part of the radio servers.
 #pragma once
 
 #include <map>
@@ -10,7 +10,7 @@
 #include <QTcpServer>
 #include <QTcpSocket>
 
-#include "core/server/loopback.h"
+#include "core/server/access.h"
 
 namespace usar::server {
 
@@ -25,9 +25,11 @@ class RequestServer : public QObject {
 public:
     ~RequestServer() override;
 
-    /// Loopback only; port 0 chooses a free one. Returns the port. A port in use is an error that names the option with
-    /// which to choose another.
-    Result<quint16> listen(quint16 port) { return listenOnLoopback(server_, port, option_); }
+    /// Admits this machine alone unless told otherwise before `listen`.
+    void setAccess(const Access& access) { server_.setAccess(access); }
+    /// Port 0 chooses a free one. Returns the port. A port in use is an error that names the option with which to
+    /// choose another.
+    Result<quint16> listen(quint16 port) { return server_.open(port, option_); }
     quint16 port() const { return server_.serverPort(); }
     void setMostClients(std::size_t count) { most_clients_ = count; }
 
@@ -36,6 +38,8 @@ protected:
     RequestServer(std::string ends, std::string option, QObject* parent);
     /// Returns the reply exactly as it is to be sent; may be empty. `request` is trimmed and never empty.
     virtual std::string answer(int client, std::string_view request) = 0;
+    /// The machine that a client calls from.
+    QHostAddress hostOf(int client) const { return clients_.at(client).socket->peerAddress(); }
     /// Called when a client has disconnected, but not for one that was removed to make room.
     virtual void leave(int /*client*/) {}
 
@@ -58,7 +62,7 @@ private:
 
     const std::string ends_;
     const std::string option_;
-    QTcpServer server_{this};
+    GuardedServer server_{this};
     std::map<int, Client> clients_;
     std::size_t most_clients_ = 256;
     int last_client_ = 0;

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "core/base/numbers.h"
-#include "core/server/loopback.h"
 
 namespace usar::server {
 
@@ -29,6 +28,7 @@ SimulatorServer::SimulatorServer(std::unique_ptr<sim::Simulation> simulation, QO
     connect(&pace_timer_, &QTimer::timeout, this, &SimulatorServer::advance);
     connect(&report_timer_, &QTimer::timeout, this, &SimulatorServer::report);
     connect(&server_, &QTcpServer::newConnection, this, &SimulatorServer::acceptAll);
+    connect(&server_, &GuardedServer::turnedAway, this, &SimulatorServer::logged);
     wall_.start();
 }
 
@@ -38,7 +38,7 @@ SimulatorServer::~SimulatorServer() {
 }
 
 Result<quint16> SimulatorServer::listen(quint16 port) {
-    const Result<quint16> listened = listenOnLoopback(server_, port, "--port");
+    const Result<quint16> listened = server_.open(port, "--port");
     if (listened) {
         report_timer_.start(report_interval_ms);
         advance();
@@ -227,9 +227,10 @@ void SimulatorServer::watchLockstep() {
     for (const sim::ClientId client : simulation_->awaited()) {
         simulation_->releaseFromLockstep(client);
         emit logged(tr("client %1: taken out of lockstep because it has sent no STEP for %2 s while others waited; "
-                       "LOCKSTEP {On true} puts it back")
+                       "LOCKSTEP {On true} puts it back %3")
                         .arg(client.value)
-                        .arg(static_cast<double>(held_up_.count()) / 1000.0, 0, 'f', 1));
+                        .arg(static_cast<double>(held_up_.count()) / 1000.0, 0, 'f', 1)
+                        .arg(simulation_->mayStep(client) ? tr("once") : tr("no more")));
     }
     held_up_ = {};
     flush();

@@ -1,4 +1,4 @@
-// Serves a simulation on loopback TCP and paces its time.
+// Serves a simulation on TCP and paces its time.
 #pragma once
 
 #include <chrono>
@@ -14,6 +14,7 @@
 #include <QTimer>
 
 #include "core/base/result.h"
+#include "core/server/access.h"
 #include "core/sim/physics/scene.h"
 #include "core/sim/simulation.h"
 
@@ -43,8 +44,10 @@ public:
     explicit SimulatorServer(std::unique_ptr<sim::Simulation> simulation, QObject* parent = nullptr);
     ~SimulatorServer() override;
 
-    /// Loopback only; port 0 chooses a free one. Returns the port. A port in use is an error that says how to choose
-    /// another.
+    /// Admits this machine alone unless told otherwise before `listen`.
+    void setAccess(const Access& access) { server_.setAccess(access); }
+    const Access& access() const { return server_.access(); }
+    /// Port 0 chooses a free one. Returns the port. A port in use is an error that says how to choose another.
     Result<quint16> listen(quint16 port);
     /// The port that it listens on; 0 before `listen`.
     quint16 port() const { return server_.serverPort(); }
@@ -110,7 +113,7 @@ private:
     void report();
 
     std::unique_ptr<sim::Simulation> simulation_;
-    QTcpServer server_{this};
+    GuardedServer server_{this};
     std::map<sim::ClientId, QTcpSocket*> sockets_;
     QTimer pace_timer_{this};
     QTimer report_timer_{this};

@@ -72,6 +72,7 @@ std::string WirelessServer::init(int client, std::string_view robot, std::string
     if (member(robot))
         return error("Robot.Alread.Exists"); // Spelled like this by every server.
     members_[client] = {std::string(robot), *ports};
+    relay_.setHost(std::string(robot), hostOf(client));
     return "INITREPLY {Status OK}";
 }
 

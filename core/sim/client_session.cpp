@@ -57,7 +57,9 @@ void ClientSession::take(std::string_view line, const Log& log) {
     if (std::holds_alternative<protocol::GetStartPoses>(command)) {
         startPoses();
     } else if (const auto* const wanted = std::get_if<protocol::Lockstep>(&command)) {
-        lockstep_ = wanted->on;
+        if (wanted->on && mayNotStep())
+            log("refused LOCKSTEP: it has held the others up twice already");
+        lockstep_ = wanted->on && !mayNotStep();
         send(protocol::LockstepInfo{lockstep_});
     } else if (waiting_.size() >= most_waiting) {
         log("ignored " + quoted(line) + ": too many commands wait for the next tick");
@@ -69,6 +71,7 @@ void ClientSession::take(std::string_view line, const Log& log) {
 
 void ClientSession::leaveLockstep() {
     lockstep_ = false;
+    ++taken_out_;
     send(protocol::LockstepInfo{false});
 }
 
@@ -245,13 +248,15 @@ bool ClientSession::obeyForRobot(const protocol::Command& command, Seconds now) 
 void ClientSession::init(const protocol::Init& wanted, const Host& host) {
     if (initialized_)
         return host.log("ignored a second INIT: a connection can have only one robot");
-    robot_name_ = wanted.robot_name;
+    protocol::Init named = wanted;
+    named.robot_name = protocol::Name::mended(host.nameOf(wanted));
+    robot_name_ = named.robot_name;
     const std::string_view bare_name = withoutPackage(wanted.class_name.text());
     controls_ = sameWord(bare_name, "WorldController");
     // A station has no sensors and does not move, so it sends no data.
     const bool is_station = protocol::isStation(bare_name);
     if (!controls_ && !is_station)
-        robot_ = host.spawn(wanted);
+        robot_ = host.spawn(named);
     if (robot_ && isUdk())
         send(robot_->configuration("Camera", ""), host.now); // Sent unasked; nothing is written if there is no camera.
     spawned_at_ = host.now;

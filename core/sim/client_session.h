@@ -37,8 +37,10 @@ public:
     std::string takeOutput(Seconds now);
 
     bool lockstep() const { return lockstep_; }
-    /// Tells the client that nobody waits for its STEP any longer; it may ask for lockstep again.
+    /// Tells the client that nobody waits for its STEP any longer; it may ask for lockstep again, once.
     void leaveLockstep();
+    /// True if it has been taken out of lockstep so often that it gets no second chance.
+    bool mayNotStep() const { return taken_out_ >= 2; }
     /// True if the simulation need not wait for this client: it is not in lockstep, has no robot yet, has not heard of
     /// a tick yet (so it could not answer one), or has sent its STEP.
     bool ready() const { return !lockstep_ || !robot_ || !heard_tick_ || steps_waiting_ >= stepsOwed(); }
@@ -72,8 +74,10 @@ public:
 
     /// Callbacks through which a session acts on its simulation.
     struct Host {
-        /// Spawns a robot; returns nullptr if that is refused.
+        /// Spawns a robot with the name that the INIT has; returns nullptr if that is refused.
         std::function<std::unique_ptr<Robot>(const protocol::Init&)> spawn;
+        /// The name that the robot of an INIT gets: the wanted one, unless it is empty or another robot has it.
+        std::function<std::string(const protocol::Init&)> nameOf;
         /// Start pose of a base station.
         std::function<Pose(const protocol::Init&)> startOf;
         /// Obeys a CONTROL. Returns a sentence if that is impossible.
@@ -119,6 +123,7 @@ private:
     std::deque<protocol::Command> waiting_;
     std::size_t steps_waiting_ = 0;
     bool lockstep_ = false;
+    int taken_out_ = 0; ///< times that others waited for its STEP in vain
     std::string output_;
     std::optional<FaultyWire> wire_; ///< exists since the first link fault
     std::size_t ticks_heard_ = 0;    ///< ticks that reached the client and are not answered by a STEP yet

@@ -1,8 +1,10 @@
 #include "core/sim/simulation.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/sim/simulation_state.h"
 
@@ -11,14 +13,54 @@ namespace usar::sim {
 namespace {
 
 constexpr std::size_t most_log_sentences = 1000;
+// What one client may cause to be logged: bursts, and a few sentences a second of simulated time.
+constexpr double most_at_once = 50.0;
+constexpr double more_per_s = 5.0;
 constexpr std::uint64_t connection_streams = std::uint64_t(3) << 40; // Beyond the random streams of sensors and winds.
 constexpr std::size_t most_viewers = 64;
+constexpr double farthest_m = 1e5;
+
+/// With control bytes written as \\x1b, so that a client cannot steer the terminal that shows the log.
+std::string printable(std::string_view text) {
+    constexpr std::string_view digits = "0123456789abcdef";
+    std::string out;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte >= 0x20 && byte != 0x7f)
+            out += c;
+        else
+            out += {'\\', 'x', digits[byte >> 4], digits[byte & 15]};
+    }
+    return out;
+}
+
+/// As a client writes the point.
+std::string onWire(const Vec2& point_m) {
+    return fixed(point_m.x(), 2) + "," + fixed(-point_m.y(), 2);
+}
 
 } // namespace
 
 void Simulation::State::log(ClientId client, const std::string& sentence) {
-    if (sentences.size() < most_log_sentences)
-        sentences.push_back("client " + std::to_string(client.value) + ": " + sentence);
+    Chatter& chatter = chatters[client];
+    chatter.allowance = std::min(most_at_once, chatter.allowance + more_per_s * (now() - chatter.at).count());
+    chatter.at = now();
+    if (chatter.allowance < 1.0 || sentences.size() >= most_log_sentences) {
+        ++chatter.left_out;
+        return;
+    }
+    chatter.allowance -= 1.0;
+    tellLeftOut(client);
+    sentences.push_back("client " + std::to_string(client.value) + ": " + printable(sentence));
+}
+
+void Simulation::State::tellLeftOut(ClientId client) {
+    const auto found = chatters.find(client);
+    if (found == chatters.end() || found->second.left_out == 0)
+        return;
+    sentences.push_back("client " + std::to_string(client.value) + ": " +
+                        std::to_string(std::exchange(found->second.left_out, 0)) +
+                        " more sentences about it were left out");
 }
 
 std::optional<std::string> Simulation::State::control(ClientId client, const protocol::Command& command) {
@@ -28,6 +70,38 @@ std::optional<std::string> Simulation::State::control(ClientId client, const pro
         return trouble;
     if (refused.size() < most_log_sentences)
         refused.push_back({creation->object_name.text(), *std::move(trouble)});
+    return std::nullopt;
+}
+
+std::string Simulation::State::nameOf(ClientId client, const protocol::Init& init) {
+    const auto taken = [&](std::string_view name) {
+        return std::ranges::any_of(sessions, [&](const auto& one) {
+            return one.first != client && one.second.robot() && sameWord(one.second.robotName(), name);
+        });
+    };
+    std::string name = init.robot_name;
+    if (!name.empty() && !taken(name))
+        return name;
+    const std::string stem = name.empty() ? std::string(withoutPackage(init.class_name.text())) : name;
+    int number = name.empty() ? 0 : 1;
+    do {
+        name = stem + "_" + std::to_string(++number);
+    } while (taken(name));
+    log(client, init.robot_name.empty() ? "INIT has no Name; the robot is called '" + name + "'"
+                                        : "there is a robot '" + stem + "' already; this one is called '" + name + "'");
+    return name;
+}
+
+std::optional<std::string> Simulation::State::refusalOf(const Pose& start_in_map) const {
+    const Vec3& at_m = start_in_map.position_m;
+    if (!at_m.allFinite() || !std::isfinite(start_in_map.yaw_rad))
+        return "its pose is not made of numbers";
+    const Rectangle extent = extentOf(world);
+    if (!extent.contains(at_m.head<2>()))
+        return "it is beside the world, which reaches from " + onWire({extent.min_m.x(), extent.max_m.y()}) + " to " +
+               onWire({extent.max_m.x(), extent.min_m.y()}) + " m";
+    if (caster.roofed() && caster.cast(at_m, Vec3::UnitZ(), farthest_m) >= farthest_m)
+        return "it is above the ceiling";
     return std::nullopt;
 }
 
@@ -42,6 +116,10 @@ std::unique_ptr<Robot> Simulation::State::spawn(ClientId client, const protocol:
     const RobotModel* const model = options.robots ? findRobot(*options.robots, init.class_name.text()) : nullptr;
     if (!model) {
         log(client, "unknown robot class '" + init.class_name.text() + "'; known here are " + knownClasses());
+        return nullptr;
+    }
+    if (const auto refusal = refusalOf(robot.base_in_map)) {
+        log(client, "refused the start of '" + init.robot_name.text() + "': " + *refusal);
         return nullptr;
     }
     auto spawned_robot = Robot::spawn(*model, {world, caster, *physics, scene}, robot);
@@ -93,6 +171,7 @@ void Simulation::State::obeyAll() {
     for (auto& [id, session] : sessions) {
         const ClientId client = id;
         session.obeyWaiting({[&](const protocol::Init& init) { return spawn(client, init); },
+                             [&](const protocol::Init& init) { return nameOf(client, init); },
                              [&](const protocol::Init& init) { return startOf(client, init); },
                              [&](const protocol::Command& command) { return control(client, command); },
                              [&](const protocol::GetObjectStates& asked) { return controller.states(asked); },
@@ -191,6 +270,8 @@ ClientId Simulation::connect() {
 void Simulation::disconnect(ClientId client) {
     state_->keep(JournalEntry::Kind::Disconnect, client.value);
     state_->sessions.erase(client);
+    state_->tellLeftOut(client);
+    state_->chatters.erase(client);
     state_->controller.clientLeft(client.value);
 }
 
@@ -234,6 +315,11 @@ void Simulation::releaseFromLockstep(ClientId client) {
         state_->sessions.erase(found);
     else
         found->second.leaveLockstep();
+}
+
+bool Simulation::mayStep(ClientId client) const {
+    const auto found = state_->sessions.find(client);
+    return found != state_->sessions.end() && !found->second.mayNotStep();
 }
 
 bool Simulation::idle() const {

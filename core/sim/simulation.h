@@ -85,8 +85,11 @@ public:
     bool hasLockstepClients() const;
     /// The clients that `readyToStep` waits for; an orphan is listed by its former client.
     std::vector<ClientId> awaited() const;
-    /// Stops waiting for a client that hangs, and tells it so; removes an orphan.
+    /// Stops waiting for a client that hangs, and tells it so; removes an orphan. After the second time it gets no
+    /// lockstep again.
     void releaseFromLockstep(ClientId client);
+    /// False if the client has lost the right to lockstep, or is not there.
+    bool mayStep(ClientId client) const;
     /// True while only time would pass: no robot, no world controller and no waiting command.
     bool idle() const;
     void step(); ///< simulates one message tick: commands, faults, physics, sensors, output for every client

@@ -35,13 +35,21 @@ struct Simulation::State {
             faults.add(fault);
     }
 
-    /// Adds a sentence for takeLog(); dropped if there are too many.
+    /// Adds a sentence for takeLog(), with control bytes made visible. Of a client that causes too many, the rest is
+    /// counted only.
     void log(ClientId client, const std::string& sentence);
+    /// Adds a sentence with the number of those that were left out, if any.
+    void tellLeftOut(ClientId client);
     /// Obeys a CONTROL. Returns what to log if that is impossible; a refused creation is kept for takeRefused()
     /// instead.
     std::optional<std::string> control(ClientId client, const protocol::Command& command);
     /// Returns nullptr if the robot cannot be spawned; the log says why.
     std::unique_ptr<Robot> spawn(ClientId client, const protocol::Init& init);
+    /// The wanted name, or a new one if there is none or if another robot has it, as the game's engine does with the
+    /// names of its bots (UnrealEngine 2, DeathMatch.ChangeName); the log says so.
+    std::string nameOf(ClientId client, const protocol::Init& init);
+    /// Why no robot can start there; nullopt if it may be tried.
+    std::optional<std::string> refusalOf(const Pose& start_in_map) const;
     /// The start that INIT asks for. An unknown name is logged and gives the command's fallback or the map's origin.
     Pose startOf(ClientId client, const protocol::Init& init);
     /// Returns false if there is no such camera, or no such viewer to detach.
@@ -88,6 +96,13 @@ struct Simulation::State {
     std::vector<JournalEntry> journal;
     std::size_t journal_bytes = 0;
     std::vector<std::string> sentences; ///< for takeLog()
+    /// What a client may still cause to be logged.
+    struct Chatter {
+        double allowance = 50.0; ///< sentences
+        Seconds at{0.0};         ///< when it was reckoned
+        std::size_t left_out = 0;
+    };
+    std::map<ClientId, Chatter> chatters;
     std::vector<RefusedObject> refused; ///< for takeRefused()
 
     Seconds now() const { return static_cast<double>(ticks) * options.tick; }

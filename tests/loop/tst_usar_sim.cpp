@@ -78,7 +78,33 @@ double heardTime(QTcpSocket& socket, double least_s) {
 
 class tst_UsarSim : public QObject {
     Q_OBJECT
+
 private slots:
+    void everyProgramTellsItsVersion_data() {
+        QTest::addColumn<QString>("path");
+        for (const char* const path :
+             {"bin/usar-sim", "bin/usar-mission", "bin/usar-behavior-host", "tools/usar-make-world"})
+            QTest::newRow(path) << QString(path);
+    }
+    void everyProgramTellsItsVersion() {
+        QFETCH(const QString, path);
+        QProcess process;
+        process.start(QString(USAR_BINARY_DIR) + "/" + path, {"--version"});
+        QVERIFY(process.waitForFinished(patience_ms));
+        QCOMPARE(process.exitCode(), 0);
+        const QString said = QString::fromUtf8(process.readAllStandardOutput());
+        QVERIFY2(QRegularExpression("^[a-z-]+ \\d+\\.\\d+\\.\\d+\\n$").match(said).hasMatch(), qPrintable(said));
+        QVERIFY(said.startsWith(path.section('/', 1)));
+    }
+
+    void itIsOpenToOtherMachinesOnlyIfBothOptionsSaySo() {
+        Simulator open({"--bind", "0.0.0.0", "--allow", "192.0.2.0/24"});
+        QVERIFY(open.printed("Open to this machine and to 192.0.2.0/24").contains(" on 0.0.0.0:"));
+        Simulator shut({"--bind", "0.0.0.0"});
+        QVERIFY(shut.printed("--allow 192.168.1.0/24").contains("nobody would be allowed to connect"));
+        QCOMPARE(shut.exitCode(), 2);
+    }
+
     void goesOnWhereItWasSaved();
     void aFileThatIsNoSnapshotIsRefused();
     void aWrongFaultIsRefused();

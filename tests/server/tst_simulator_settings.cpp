@@ -64,6 +64,14 @@ void tst_SimulatorSettings::everyOptionIsRead() {
     QCOMPARE(settings->save, QString("end.usarsnap"));
     QVERIFY(simulatorOf("--speed 0")->pace == Pace::Paused);
     QCOMPARE(simulatorOf("--speed 2.5")->factor, 2.5);
+    const auto others = simulatorOf("--bind 0.0.0.0 --allow 10.1.0.0/16 --allow fd00::/8 --battery 60 --tick 0.1 "
+                                    "--lockstep-patience 2.5");
+    QVERIFY(others && others->access.isOpen());
+    QCOMPARE(others->access.networks(), QString("10.1.0.0/16, fd00::/8"));
+    QVERIFY(others->battery_life == Seconds{60.0} && others->tick == Seconds{0.1});
+    QVERIFY(others->lockstep_patience == std::chrono::milliseconds(2500));
+    QVERIFY(simulatorOf("--battery robot")->battery_life == std::nullopt);
+    QVERIFY(simulatorOf("")->battery_life == sim::survey_battery_life); // as the embedded simulator
 }
 
 void tst_SimulatorSettings::aWrongOptionIsNamed_data() {
@@ -81,6 +89,20 @@ void tst_SimulatorSettings::aWrongOptionIsNamed_data() {
                              << "--profile";
     QTest::newRow("type of picture") << "--image-type best"
                                      << "--image-type";
+    QTest::newRow("an address without a network") << "--bind 0.0.0.0"
+                                                  << "--allow";
+    QTest::newRow("a network without an address") << "--allow 10.0.0.0/8"
+                                                  << "--bind";
+    QTest::newRow("no address") << "--bind here --allow 10.0.0.0/8"
+                                << "--bind";
+    QTest::newRow("no network") << "--bind 0.0.0.0 --allow 10.0.0/x"
+                                << "--allow";
+    QTest::newRow("battery") << "--battery 0"
+                             << "--battery";
+    QTest::newRow("a tick that is no whole number of steps") << "--tick 0.005"
+                                                             << "--tick";
+    QTest::newRow("patience") << "--lockstep-patience never"
+                              << "--lockstep-patience";
     QTest::newRow("a word too much") << "meadow"
                                      << "meadow";
 }
@@ -99,6 +121,12 @@ void tst_SimulatorSettings::aServerIsNamedByHostAndPort() {
     QCOMPARE(target->host, QString("robots.example"));
     QCOMPARE(target->port, quint16(3001));
     QCOMPARE(target->simulator.channels.wireless, quint16(50001));
+    const auto six = targetOf("--connect [fd00::7]:3001");
+    QVERIFY(six);
+    QCOMPARE(six->host, QString("fd00::7"));
+    QCOMPARE(six->port, quint16(3001));
+    const auto open = targetOf("--bind 0.0.0.0 --allow 10.0.0.0/8 --battery 300");
+    QVERIFY(open && open->simulator.access.isOpen() && open->simulator.battery_life == Seconds{300.0});
 }
 
 void tst_SimulatorSettings::aWrongServerIsNamed_data() {
@@ -106,6 +134,8 @@ void tst_SimulatorSettings::aWrongServerIsNamed_data() {
     QTest::addColumn<QString>("named");
     QTest::newRow("no port") << "--connect robots.example"
                              << "--connect";
+    QTest::newRow("IPv6 without brackets") << "--connect ::1:3000"
+                                           << "[::1]:3000";
     QTest::newRow("no number") << "--connect robots.example:bot"
                                << "--connect";
     QTest::newRow("seed") << "--seed x"

@@ -13,10 +13,19 @@ namespace usar::mission {
 namespace {
 
 QList<QCommandLineOption> runOptions() {
-    return {{"behavior", {}, "ID"},    {"plan", {}, "FILE"},          {"seed", {}, "N"},
-            {"speed", {}, "N|max"},    {"connect", {}, "HOST:PORT"},  {"out", {}, "DIR"},
-            {"record", {}, "FILE"},    {"continue", {}, "RECORDING"}, {"fault", {}, "TEXT"},
-            {"plugins", {}, "FOLDER"}, QCommandLineOption("isolate"), QCommandLineOption(QStringList{"h", "help"})};
+    return {{"behavior", {}, "ID"},
+            {"plan", {}, "FILE"},
+            {"seed", {}, "N"},
+            {"speed", {}, "N|max"},
+            {"connect", {}, "HOST:PORT"},
+            {"out", {}, "DIR"},
+            {"record", {}, "FILE"},
+            {"continue", {}, "RECORDING"},
+            {"fault", {}, "TEXT"},
+            {"plugins", {}, "FOLDER"},
+            {"battery", {}, "S"},
+            QCommandLineOption("isolate"),
+            QCommandLineOption(QStringList{"h", "help"})};
 }
 
 /// The options whose values can be wrong.
@@ -36,6 +45,12 @@ Result<void> readValues(const QCommandLineParser& parser, MissionOptions& option
                            "For example --speed 10");
         options.speed_x = speed;
     }
+    if (parser.isSet("battery")) {
+        options.battery_life_s = readNumber(parser.value("battery").toStdString());
+        if (!options.battery_life_s || !(*options.battery_life_s >= 1.0))
+            return failure("the life of the battery is no number of seconds from 1 up", asWritten(parser, "battery"),
+                           "For example --battery 1200");
+    }
     if (parser.isSet("connect")) {
         auto server = readServerAddress(parser.value("connect"));
         if (!server)
@@ -49,6 +64,8 @@ Result<void> readValues(const QCommandLineParser& parser, MissionOptions& option
 
 Result<ServerAddress> readServerAddress(const QString& text) {
     ServerAddress address{text};
+    if (text.count(':') > 1 && !text.startsWith('['))
+        return failure("an IPv6 address needs brackets", text.toStdString(), "For example --connect [fd00::7]:3000");
     const qsizetype colon = text.lastIndexOf(':');
     const bool has_port = colon >= 0 && !text.endsWith(']') && (text.count(':') == 1 || text.at(colon - 1) == ']');
     if (has_port) {
@@ -130,6 +147,7 @@ QString missionHelp() {
                "airrobot/posh\n"
                "  --seed N             noise and drift of the embedded simulator (1)\n"
                "  --speed N|max        simulated seconds per second (max)\n"
+               "  --battery S          life of the robots' batteries in the embedded simulator, in seconds (a day)\n"
                "  --connect HOST:PORT  a USARSim server instead of the embedded simulator\n"
                "  --out DIR            where the results go (USAR_Scan on the Desktop)\n"
                "  --record FILE        every byte in and out, for replay (a new file, usually NAME.usarrec)\n"

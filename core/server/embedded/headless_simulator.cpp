@@ -15,7 +15,7 @@ Result<std::unique_ptr<HeadlessSimulator>> HeadlessSimulator::serve(sim::World w
         qWarning("%s", refused.text().c_str());
     auto simulation = sim::Simulation::make(
         std::move(world), {.seed = spec.seed,
-                           .battery_life = sim::survey_battery_life,
+                           .battery_life = spec.battery_life,
                            .robots = std::make_shared<const sim::RobotCatalog>(std::move(robots.robots)),
                            .faults = spec.faults});
     if (!simulation)

@@ -23,6 +23,8 @@ struct HeadlessSpec {
     std::uint64_t seed = 1;
     std::optional<double> speed_x{}; ///< simulated seconds per real second; absent: as fast as possible
     std::vector<sim::Fault> faults{};
+    /// Life of every robot's battery; nullopt: as its file says.
+    std::optional<Seconds> battery_life = sim::survey_battery_life;
 };
 
 /// Serves one world on a free loopback port from a thread of its own until it is destroyed; simulated time begins with

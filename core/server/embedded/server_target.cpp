@@ -11,11 +11,19 @@ Result<void> readServer(const QString& text, ServerTarget& server) {
     const int colon = static_cast<int>(text.lastIndexOf(':'));
     if (colon <= 0)
         return failure("\"" + text.toStdString() + "\" is no host and port", "--connect", "Write host:port");
+    QString host = text.left(colon);
+    const bool bracketed = host.startsWith('[') && host.endsWith(']');
+    if (host.contains(':') && !bracketed)
+        return failure("\"" + text.toStdString() + "\" may mean more than one host and port", "--connect",
+                       "Put an IPv6 address in brackets: [" + host.toStdString() +
+                           "]:" + text.mid(colon + 1).toStdString());
+    if (bracketed)
+        host = host.mid(1, host.size() - 2);
     const auto port = readPort(text.mid(colon + 1), "connect");
     if (!port)
         return tl::unexpected(port.error());
     server.embedded = false;
-    server.host = text.left(colon);
+    server.host = host;
     server.port = *port;
     return {};
 }
@@ -33,6 +41,14 @@ Result<void> readSimulator(const QCommandLineParser& parser, ServerTarget& serve
             return tl::unexpected(port.error());
         *number = *port;
     }
+    auto access = readAccess(parser);
+    if (!access)
+        return tl::unexpected(access.error());
+    server.simulator.access = *std::move(access);
+    const auto battery = readBattery(parser.value("battery"));
+    if (!battery)
+        return tl::unexpected(battery.error());
+    server.simulator.battery_life = *battery;
     auto faults = readFaults(parser.values("fault"));
     if (!faults)
         return tl::unexpected(faults.error());
@@ -44,6 +60,7 @@ Result<void> readSimulator(const QCommandLineParser& parser, ServerTarget& serve
 
 void addServerOptions(QCommandLineParser& parser) {
     const ServerTarget usual;
+    addSharedOptions(parser);
     parser.addOptions({{"connect", "A USARSim server instead of the embedded simulator.", "host:port"},
                        {"world", "World of the embedded simulator: a name or a folder.", "world", "tall_test"},
                        {"seed", "Seed of the embedded simulator.", "number", "1"},

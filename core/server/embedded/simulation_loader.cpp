@@ -60,7 +60,7 @@ Result<LoadedSimulation> loadSimulation(const SimulatorSpec& spec, const sim::Si
     if (!world)
         return tl::unexpected(world.error());
     return keep(sim::Simulation::make(std::move(*world), {.seed = spec.seed,
-                                                          .battery_life = sim::survey_battery_life,
+                                                          .battery_life = spec.battery_life,
                                                           .robots = std::move(catalog),
                                                           .faults = spec.faults,
                                                           .world_source = spec.world.toStdString()}));

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <QObject>
@@ -32,6 +33,9 @@ struct SimulatorSpec {
     /// Bot port. A free one is used instead if it is in use. With 0 it and all channels get free ports.
     quint16 port = protocol::usual_port::bot;
     ChannelPorts channels{};
+    Access access{};
+    /// Life of every robot's battery; nullopt: as its file says.
+    std::optional<Seconds> battery_life = sim::survey_battery_life;
     std::shared_ptr<LoadedSimulation> loaded{}; ///< loaded in advance, for one start; null: the start loads it
 };
 

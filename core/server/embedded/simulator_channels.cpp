@@ -37,6 +37,11 @@ OpenChannels openChannels(SimulatorServer& server, const ChannelPorts& wanted, c
     QObject::connect(&server, &SimulatorServer::ticked, relay, &RadioRelay::look);
     QObject::connect(&server, &SimulatorServer::figuresChanged, relay, &RadioRelay::look);
     QObject::connect(relay, &RadioRelay::logged, &server, &SimulatorServer::logged);
+    for (RequestServer* const one : {static_cast<RequestServer*>(wireless), static_cast<RequestServer*>(comserver),
+                                     static_cast<RequestServer*>(cominterface)})
+        one->setAccess(server.access());
+    image->setAccess(server.access());
+    relay->setAccess(server.access());
     OpenChannels open;
     auto& [ports, sentences] = open;
     ports.image = listen(*image, wanted.image, QObject::tr("image server"), sentences);

@@ -69,6 +69,7 @@ void SimulatorHost::serve(const SimulatorSpec& spec, QObject* worker) {
     picture.camera_classes = loaded->camera_classes;
     const std::vector<sim::Simulation::Orphan> waiting = loaded->simulation->orphans();
     auto* server = new SimulatorServer(std::move(loaded->simulation), worker);
+    server->setAccess(spec.access);
     Result<quint16> port = server->listen(spec.port);
     if (!port) {
         port = server->listen(0);
@@ -79,6 +80,9 @@ void SimulatorHost::serve(const SimulatorSpec& spec, QObject* worker) {
                            .arg(spec.port)
                            .arg(*port));
     }
+    if (spec.access.isOpen())
+        emit movedPort(tr("Programs on other machines may connect to the embedded simulator on %1: %2.")
+                           .arg(endpointText(spec.access.address(), *port), spec.access.networks()));
     wire(*server);
     emit faultsChanged(server->simulation().faults()); // Replaces those of the previous simulator.
     const OpenChannels channels = openChannels(*server, spec.port == 0 ? ChannelPorts::anywhere() : spec.channels);

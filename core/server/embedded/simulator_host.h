@@ -56,7 +56,8 @@ signals:
     void robotRefused(const QString& sentence);
     /// `class_name` is without package.
     void robotLearned(const QString& robot_file, const QString& class_name, bool has_camera);
-    /// A wanted port is in use by another program; the sentence names the port that is used instead, if any.
+    /// A wanted port is in use by another program, and the sentence names the port that is used instead, if any; or the
+    /// simulator is open to other machines.
     void movedPort(const QString& sentence);
     /// Emitted before `ready`, with the ports on which the other channels listen.
     void channelsOpened(const usar::server::ChannelPorts& ports);

@@ -13,9 +13,15 @@ namespace usar::server {
 namespace {
 
 void tellClients(SimulatorServer& server, quint16 port, quint16 image_port) {
-    std::printf("%s on 127.0.0.1:%u - connect a USARSim client there, or: nc -C 127.0.0.1 %u; Ctrl+C ends\n",
-                server.simulation().world().name.c_str(), static_cast<unsigned>(port), static_cast<unsigned>(port));
-    std::printf("Pictures of its cameras on 127.0.0.1:%u\n", static_cast<unsigned>(image_port));
+    const Access& access = server.access();
+    const std::string host = access.address().toString().toStdString();
+    std::printf("%s on %s - connect a USARSim client there, or: nc -C %s %u; Ctrl+C ends\n",
+                server.simulation().world().name.c_str(), endpointText(access.address(), port).toUtf8().constData(),
+                host.c_str(), static_cast<unsigned>(port));
+    std::printf("Pictures of its cameras on %s\n", endpointText(access.address(), image_port).toUtf8().constData());
+    if (access.isOpen())
+        std::printf("Open to this machine and to %s; nothing that they send is checked for who sent it\n",
+                    access.networks().toUtf8().constData());
     for (const sim::Simulation::Orphan& robot : server.simulation().orphans())
         std::printf("%s %s waits, and time with it, for a client that says INIT with its name\n",
                     robot.class_name.c_str(), robot.name.c_str());
@@ -31,6 +37,9 @@ Result<int> runSimulator(const SimulatorSettings& settings, std::unique_ptr<sim:
     QObject::connect(&server, &SimulatorServer::objectRefused, [say](const QString& name, const QString& reason) {
         say(QStringLiteral("could not place '%1': %2").arg(name, reason));
     });
+    server.setAccess(settings.access);
+    if (settings.lockstep_patience)
+        server.setLockstepPatience(*settings.lockstep_patience);
     const auto port = server.listen(settings.port);
     if (!port)
         return tl::unexpected(port.error());

@@ -9,6 +9,7 @@ namespace usar::server {
 
 namespace {
 
+constexpr Seconds physics_step{0.004};                                           ///< of sim::SimulationOptions
 const QStringList image_types{"raw", "superb", "good", "normal", "fair", "bad"}; // In the order of link::ImageType.
 
 Result<void> readSpeed(const std::string& text, SimulatorSettings& settings) {
@@ -33,6 +34,39 @@ Result<long long> readWhole(const QString& words, const QString& option, long lo
     return *value;
 }
 
+Result<Seconds> readSeconds(const QString& words, const QString& option, double least, double most) {
+    const std::string text = words.toStdString();
+    const std::optional<double> value = readNumber(text);
+    if (!value || !(*value >= least && *value <= most))
+        return failure("'" + text + "' is not a time from " + shortest(least) + " to " + shortest(most) + " s",
+                       "--" + option.toStdString(), "Give such a number");
+    return Seconds{*value};
+}
+
+Result<void> readTick(const QString& words, SimulatorSettings& settings) {
+    const auto tick = readSeconds(words, "tick", physics_step.count(), 10.0);
+    if (!tick)
+        return tl::unexpected(tick.error());
+    const double steps = std::round(*tick / physics_step);
+    if (std::abs(steps * physics_step.count() - tick->count()) > 1e-9)
+        return failure("'" + words.toStdString() + "' is no multiple of 0.004 s, a step of the physics", "--tick",
+                       "Give one such as 0.1 or 0.2");
+    settings.tick = *tick;
+    return {};
+}
+
+Result<void> readTimes(const QCommandLineParser& parser, SimulatorSettings& settings) {
+    const auto patience = readSeconds(parser.value("lockstep-patience"), "lockstep-patience", 0.1, 86400.0);
+    if (!patience)
+        return tl::unexpected(patience.error());
+    settings.lockstep_patience = std::chrono::milliseconds(std::lround(patience->count() * 1e3));
+    auto battery = readBattery(parser.value("battery"));
+    if (!battery)
+        return tl::unexpected(battery.error());
+    settings.battery_life = *battery;
+    return parser.isSet("tick") ? readTick(parser.value("tick"), settings) : Result<void>();
+}
+
 std::vector<std::pair<QString, quint16*>> portOptions(SimulatorSettings& settings) {
     return {{"port", &settings.port},
             {"image-port", &settings.channels.image},
@@ -47,7 +81,28 @@ Result<quint16> readPort(const QString& text, const QString& option) {
     return readWhole(text, option, 65535).map([](long long port) { return static_cast<quint16>(port); });
 }
 
+Result<std::optional<Seconds>> readBattery(const QString& text) {
+    if (text == "robot")
+        return std::nullopt;
+    return readSeconds(text, "battery", 1.0, 1e7).map([](Seconds life) { return std::optional(life); });
+}
+
+Result<Access> readAccess(const QCommandLineParser& parser) {
+    return Access::make(parser.value("bind"), parser.values("allow"));
+}
+
+void addSharedOptions(QCommandLineParser& parser) {
+    parser.addOptions(
+        {{"bind", "Address on which the simulator listens, for programs on other machines; needs --allow.", "address",
+          "127.0.0.1"},
+         {"allow", "Network that may connect to it, such as 192.168.1.0/24; repeat the option for more. Needs --bind.",
+          "network"},
+         {"battery", "How long a robot's battery lasts: seconds, or robot for what the robot's file says.", "seconds",
+          QString::number(sim::survey_battery_life.count())}});
+}
+
 void addSimulatorOptions(QCommandLineParser& parser) {
+    addSharedOptions(parser);
     parser.addOptions(
         {{"world", "World that comes with the program, or a world folder.", "name|folder", "tall_test"},
          {"port", "TCP port; 0 chooses a free one.", "number", QString::number(protocol::usual_port::bot)},
@@ -61,6 +116,10 @@ void addSimulatorOptions(QCommandLineParser& parser) {
          {"cominterface-port", "TCP port for the questions of another program's wireless server.", "number",
           QString::number(protocol::usual_port::com_interface)},
          {"seed", "Equal seeds and equal commands give equal bytes.", "number", "1"},
+         {"tick", "Time between two STA in seconds; a multiple of 0.004. Usually 0.2, with --profile udk 0.1.",
+          "seconds"},
+         {"lockstep-patience",
+          "Time in seconds for which other clients wait for a client that says LOCKSTEP and no STEP.", "seconds", "10"},
          {"profile", "Dialect of the server: ut2004 or udk.", "profile", "ut2004"},
          {"resume", "Snapshot to continue from; world, seed, profile and faults come from it.", "file"},
          {"save", "File for a snapshot that is saved when the program ends.", "file"},
@@ -96,6 +155,12 @@ Result<SimulatorSettings> readSimulatorSettings(const QCommandLineParser& parser
     if (!faults)
         return tl::unexpected(faults.error());
     settings.faults = *std::move(faults);
+    if (const auto read = readTimes(parser, settings); !read)
+        return tl::unexpected(read.error());
+    auto access = readAccess(parser);
+    if (!access)
+        return tl::unexpected(access.error());
+    settings.access = *std::move(access);
     const auto type = static_cast<int>(image_types.indexOf(parser.value("image-type").toLower()));
     if (type < 0)
         return failure("'" + parser.value("image-type").toStdString() + "' is no type of picture", "--image-type",
@@ -117,12 +182,17 @@ Result<std::unique_ptr<sim::Simulation>> makeSimulation(const SimulatorSettings&
         return tl::unexpected(world.error());
     sim::SimulationOptions options{.seed = settings.seed,
                                    .profile = settings.profile,
+                                   .battery_life = settings.battery_life,
                                    .robots = std::move(catalog),
                                    .faults = settings.faults,
                                    .world_source = settings.world.toStdString()};
     if (settings.profile == protocol::Dialect::Udk) { // The robot's state at 10 Hz, sensors at their intervals.
         options.tick /= 2.0;
         options.physics_steps_per_tick /= 2;
+    }
+    if (settings.tick) {
+        options.tick = *settings.tick;
+        options.physics_steps_per_tick = static_cast<int>(std::lround(*settings.tick / physics_step));
     }
     return sim::Simulation::make(std::move(*world), options);
 }

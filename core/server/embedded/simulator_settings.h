@@ -1,8 +1,10 @@
 // The command line of usar-sim as a value, and the simulation that it describes.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include <QCommandLineParser>
 
@@ -17,6 +19,7 @@ struct SimulatorSettings {
     QString world; ///< name or folder
     quint16 port = protocol::usual_port::bot;
     ChannelPorts channels;
+    Access access;
     ImageServerOptions images;
     std::uint64_t seed = 1;
     Pace pace = Pace::Factor;
@@ -25,10 +28,23 @@ struct SimulatorSettings {
     QString save;        ///< where a snapshot is saved at the end; empty: nowhere
     std::vector<sim::Fault> faults;
     protocol::Dialect profile = protocol::Dialect::Ut2004;
+    /// Life of every robot's battery; nullopt: as its file says.
+    std::optional<Seconds> battery_life = sim::survey_battery_life;
+    std::optional<Seconds> tick{};                                ///< period of STA; nullopt: the profile's own
+    std::optional<std::chrono::milliseconds> lockstep_patience{}; ///< nullopt: the server's usual one
 };
 
 /// Reads a TCP port, 0 to 65535. The error names the option.
 Result<quint16> readPort(const QString& text, const QString& option);
+
+/// Reads the life of a robot's battery, or nullopt from "robot": as the robot's file says. The error names --battery.
+Result<std::optional<Seconds>> readBattery(const QString& text);
+
+/// Reads --bind and --allow; the error names the wrong one.
+Result<Access> readAccess(const QCommandLineParser& parser);
+
+/// Adds the options that usar-sim and the programs with an embedded simulator share.
+void addSharedOptions(QCommandLineParser& parser);
 
 /// Adds the options with their help and defaults; --help and --version are left to the caller.
 void addSimulatorOptions(QCommandLineParser& parser);

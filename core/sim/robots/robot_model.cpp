@@ -41,8 +41,11 @@ std::string_view withoutPackage(std::string_view class_name) {
 
 const RobotModel* findRobot(const RobotCatalog& robots, std::string_view class_name) {
     const std::string_view bare_name = withoutPackage(class_name);
-    const auto found =
-        std::ranges::find_if(robots, [&](const RobotModel& robot) { return sameWord(robot.class_name, bare_name); });
+    const auto is_named = [&](const std::string& name) { return sameWord(name, bare_name); };
+    auto found = std::ranges::find_if(robots, is_named, &RobotModel::class_name);
+    if (found == robots.end())
+        found = std::ranges::find_if(
+            robots, [&](const RobotModel& robot) { return std::ranges::any_of(robot.aliases, is_named); });
     return found == robots.end() ? nullptr : &*found;
 }
 

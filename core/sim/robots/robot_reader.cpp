@@ -225,6 +225,7 @@ private:
         const sdf::ElementConstPtr drive = facts.FindElement("usar:drive");
         if (!drive)
             return refuse("usar:robot has no usar:drive");
+        model_.aliases = textsOf(facts, "usar:alias");
         model_.drive.kind = attributeOf(*drive, "kind").value_or("");
         model_.drive.joints = textsOf(*drive, "usar:joint");
         readSettings(*drive, model_.drive.numbers, nullptr);

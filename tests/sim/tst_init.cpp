@@ -1,0 +1,137 @@
+// INIT: the names that robots get, the classes that clients send, and starts that are refused.
+#include <QObject>
+#include <QString>
+#include <QTest>
+
+#include "tests/sim/talker.h"
+#include "tests/sim/tiny_worlds.h"
+#include "tests/suite/suite.h"
+
+namespace tst_init {
+
+using namespace usar;
+using namespace usar::sim;
+
+namespace {
+
+/// Level ground of 64 m, under a ceiling at 3 m.
+World hall() {
+    World world = flatWorld();
+    world.boxes.push_back({.center_in_map = {.position_m = {0.0, 0.0, 3.25}}, .size_m = {64.0, 64.0, 0.5}});
+    return world;
+}
+
+QStringList namesIn(const Simulation& simulation) {
+    QStringList names;
+    for (const RobotTruth& robot : simulation.robots())
+        names << QString::fromStdString(robot.name);
+    return names;
+}
+
+QString logOf(Simulation& simulation) {
+    QStringList lines;
+    for (const std::string& line : simulation.takeLog())
+        lines << QString::fromStdString(line);
+    return lines.join('\n');
+}
+
+} // namespace
+
+class tst_Init : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyRobotHasANameOfItsOwn_data() {
+        QTest::addColumn<QStringList>("wanted");
+        QTest::addColumn<QStringList>("got");
+        QTest::addColumn<QString>("said");
+        QTest::newRow("different ones") << QStringList{"R1", "R2"} << QStringList{"R1", "R2"} << "";
+        QTest::newRow("none") << QStringList{"", ""} << QStringList{"P2DX_1", "P2DX_2"}
+                              << "INIT has no Name; the robot is called 'P2DX_1'";
+        QTest::newRow("one that is taken, in another case")
+            << QStringList{"R1", "r1", "R1"} << QStringList{"R1", "r1_2", "R1_3"}
+            << "there is a robot 'r1' already; this one is called 'r1_2'";
+        QTest::newRow("one that was invented") << QStringList{"P2DX_1", ""} << QStringList{"P2DX_1", "P2DX_2"} << "";
+    }
+    void everyRobotHasANameOfItsOwn() {
+        QFETCH(const QStringList, wanted);
+        QFETCH(const QStringList, got);
+        QFETCH(const QString, said);
+        const auto simulation = simulationOf(flatWorld());
+        std::vector<Talker> talkers;
+        for (int i = 0; i < wanted.size(); ++i) {
+            talkers.emplace_back(*simulation);
+            const QString name = wanted[i].isEmpty() ? "" : " {Name " + wanted[i] + "}";
+            talkers.back().say(
+                QString("INIT {ClassName USARBot.P2DX}%1 {Location %2,0,-0.2}").arg(name).arg(4 * i).toStdString());
+        }
+        steps(*simulation, 2);
+        QCOMPARE(namesIn(*simulation), got);
+        QVERIFY(logOf(*simulation).contains(said));
+    }
+
+    void clientsOfTheYearsGetARobot_data() {
+        QTest::addColumn<QString>("robot");
+        QTest::newRow("P3AT") << "P2AT";
+        QTest::newRow("USARBot.p3at") << "P2AT";
+        QTest::newRow("USARBot.P3DX") << "P2DX";
+        QTest::newRow("USARBot.QuadRotor") << "AirRobot";
+        QTest::newRow("USARBot.BasicAckermanRobot") << "Sedan";
+    }
+    void clientsOfTheYearsGetARobot() {
+        QFETCH(const QString, robot);
+        const auto simulation = simulationOf(flatWorld());
+        Talker talker(*simulation);
+        talker.say("INIT {ClassName " + std::string(QTest::currentDataTag()) + "} {Name R1} {Location 0,0,-0.6}");
+        steps(*simulation, 2);
+        talker.hearText();
+        talker.say("GETCONF {Type Robot}");
+        steps(*simulation, 1);
+        QVERIFY(QString::fromStdString(talker.hearText().at(0)).contains("{Name " + robot + "}"));
+    }
+
+    void startsThatCannotBeAreRefusedInOneLine_data() {
+        QTest::addColumn<World>("world");
+        QTest::addColumn<QString>("place");
+        QTest::addColumn<QString>("said");
+        QTest::newRow("no number") << flatWorld() << "{Location nan,0,-1}"
+                                   << "";
+        QTest::newRow("infinite") << flatWorld() << "{Location 1e400,0,-1}"
+                                  << "";
+        QTest::newRow("beside the world")
+            << flatWorld() << "{Location 40,0,-1}"
+            << "refused the start of 'R1': it is beside the world, which reaches from -32.00,-32.00 to 32.00,32.00 m";
+        QTest::newRow("over the ceiling") << hall() << "{Location 0,0,-5}"
+                                          << "refused the start of 'R1': it is above the ceiling";
+        QTest::newRow("under the ground") << flatWorld() << "{Location 0,0,3}"
+                                          << "no room to spawn a robot there";
+    }
+    void startsThatCannotBeAreRefusedInOneLine() {
+        QFETCH(const World, world);
+        QFETCH(const QString, place);
+        QFETCH(const QString, said);
+        const auto simulation = simulationOf(world);
+        Talker talker(*simulation);
+        talker.say("INIT {ClassName USARBot.P2DX} {Name R1} " + place.toStdString());
+        steps(*simulation, 3);
+        const QString log = logOf(*simulation);
+        if (said.isEmpty()) { // The reader takes such a place for none and says so.
+            QVERIFY2(log.contains("nan") || log.contains("1e400") || log.contains("number"), qPrintable(log));
+        } else {
+            QVERIFY2(namesIn(*simulation).isEmpty(), qPrintable(log));
+            QVERIFY2(log.contains(said), qPrintable(log));
+            QCOMPARE(log.count('\n'), 0);
+        }
+        for (const RobotTruth& robot : simulation->robots())
+            QVERIFY(robot.base_in_map.position_m.allFinite());
+        talker.say("INIT {ClassName USARBot.P2DX} {Name R1} {Location 0,0,-0.3}");
+        steps(*simulation, 2);
+        QCOMPARE(simulation->robots().size(), std::size_t(1)); // the client may try again
+    }
+};
+
+USAR_TEST(tst_Init)
+
+} // namespace tst_init
+
+#include "tst_init.moc"
