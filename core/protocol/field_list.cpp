@@ -14,15 +14,20 @@ std::string FieldList::partOf(std::string_view field, std::string_view part) {
     return name.append(part);
 }
 
+void FieldList::put(const FieldView& field) {
+    fields_.push_back({std::string(field.source), std::string(field.item), std::string(field.field), field.number,
+                       std::string(field.text), std::string(field.unit)});
+}
+
 void FieldList::text(std::string_view field, std::string_view value) {
-    fields_.push_back({source, item, std::string(field), std::nullopt, std::string(value), {}});
+    put({source, item, field, std::nullopt, value, {}});
 }
 
 void FieldList::number(std::string_view field, double value, std::string_view unit) {
     if (std::isfinite(value))
-        fields_.push_back({source, item, std::string(field), value, {}, std::string(unit)});
+        put({source, item, field, value, {}, unit});
     else
-        fields_.push_back({source, item, std::string(field), std::nullopt, "nan", std::string(unit)});
+        put({source, item, field, std::nullopt, "nan", unit});
 }
 
 void FieldList::flag(std::string_view field, const std::optional<bool>& value) {
@@ -43,6 +48,8 @@ void FieldList::pose(const Pose& pose) {
 }
 
 void FieldList::values(std::string_view field, std::span<const double> values, std::string_view unit) {
+    if (putList(field, values, unit))
+        return;
     if (values.size() > longest_list)
         return summary(field, values, unit);
     for (std::size_t i = 0; i < values.size(); ++i)
@@ -50,6 +57,8 @@ void FieldList::values(std::string_view field, std::span<const double> values, s
 }
 
 void FieldList::summary(std::string_view field, std::span<const double> values, std::string_view unit) {
+    if (putList(field, values, unit))
+        return;
     double minimum = std::numeric_limits<double>::infinity();
     double maximum = -minimum;
     double sum = 0.0;

@@ -12,10 +12,23 @@
 
 namespace usar::protocol {
 
-/// Builds a list of Fields. `source` and `item` apply to all values added after they are set. A number that is NaN or
-/// infinite is added without a number and with the text "nan".
+/// One value as it is added; the texts are valid during the call only.
+struct FieldView {
+    std::string_view source, item, field;
+    std::optional<double> number;
+    std::string_view text, unit;
+};
+
+/// Takes the values of messages and builds a list of Fields; a derived class may do something else with each value.
+/// `source` and `item` apply to all values added after they are set. A number that is NaN or infinite is added without
+/// a number and with the text "nan".
 class FieldList {
 public:
+    FieldList() = default;
+    virtual ~FieldList() = default;
+    FieldList(const FieldList&) = delete;
+    FieldList& operator=(const FieldList&) = delete;
+
     std::string source;
     std::string item;
 
@@ -38,13 +51,20 @@ public:
     /// Adds the number of values, and the minimum, mean and maximum of the finite ones, which are "nan" if there are
     /// none.
     void summary(std::string_view field, std::span<const double> values, std::string_view unit);
-    void add(Field field) { fields_.push_back(std::move(field)); }
+    void add(const FieldView& field) { put(field); }
 
     /// Moves the list out.
     std::vector<Field> take() { return std::move(fields_); }
 
     /// Longer lists are summarized.
     static constexpr std::size_t longest_list = 16;
+
+protected:
+    virtual void put(const FieldView& field);
+    /// A list of numbers as a whole. True if it has been taken; otherwise its values or its summary are added.
+    virtual bool putList(std::string_view /*field*/, std::span<const double> /*values*/, std::string_view /*unit*/) {
+        return false;
+    }
 
 private:
     /// "field.part", or "part" if `field` is empty.

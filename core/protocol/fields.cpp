@@ -17,8 +17,7 @@ namespace usar::protocol {
 namespace {
 
 void listAll(FieldList& fields, const GenericMessage& message) {
-    for (Field& field : genericFieldsOf(message))
-        fields.add(std::move(field));
+    listGenericFields(message, fields);
 }
 
 void listAll(FieldList& fields, const GameInfo& game) {
@@ -75,8 +74,7 @@ void listAll(FieldList& fields, const RobotState& state) {
     for (const KeyValue& other : state.others)
         if (sameWord(other.key, "Type"))
             fields.text("kind", other.value);
-    for (Field& field : genericFieldsOf({fields.source, {}, {}, state.others}))
-        fields.add(std::move(field));
+    listGenericFields({fields.source, {}, {}, state.others}, fields);
 }
 
 void listAll(FieldList& fields, const PackageState& package) {
@@ -182,8 +180,14 @@ std::string Field::path() const {
 
 std::vector<Field> fieldsOf(const InfoMessage& message) {
     FieldList fields;
-    std::visit([&fields](const auto& value) { listAll(fields, value); }, message);
+    listFields(message, fields);
     return fields.take();
+}
+
+void listFields(const InfoMessage& message, FieldList& fields) {
+    fields.source.clear();
+    fields.item.clear();
+    std::visit([&fields](const auto& value) { listAll(fields, value); }, message);
 }
 
 std::string_view containerOf(const InfoMessage& message) {

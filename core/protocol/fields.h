@@ -29,6 +29,12 @@ struct Field {
     bool operator==(const Field&) const = default;
 };
 
+class FieldList;
+
+/// Adds all values of `message` to `fields`; the lists below are made by these two.
+void listFields(const InfoMessage& message, FieldList& fields);
+void listGenericFields(const GenericMessage& message, FieldList& fields);
+
 /// All values of `message` except its time, in the server's order. A vector gives one field per axis. A long list, such
 /// as a scan, gives its count and the minimum, mean and maximum of its finite values.
 std::vector<Field> fieldsOf(const InfoMessage& message);

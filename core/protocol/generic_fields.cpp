@@ -40,7 +40,7 @@ std::optional<std::vector<double>> numbersOf(std::string_view value) {
 
 class GenericCollector {
 public:
-    explicit GenericCollector(const GenericMessage& message) {
+    GenericCollector(const GenericMessage& message, FieldList& fields) : fields_(fields) {
         fields_.source = message.type.empty() ? message.type_word : message.type_word + " " + message.type;
     }
 
@@ -53,8 +53,6 @@ public:
             fields_.item = (name_.empty() ? "" : name_ + " ") + std::string(key) + " " + std::string(value);
         takeValue(key, value);
     }
-
-    std::vector<Field> finish() { return fields_.take(); }
 
 private:
     void takeName(std::string_view value) {
@@ -80,16 +78,21 @@ private:
     }
 
     std::string name_;
-    FieldList fields_;
+    FieldList& fields_;
 };
 
 } // namespace
 
 std::vector<Field> genericFieldsOf(const GenericMessage& message) {
-    GenericCollector collector(message);
+    FieldList fields;
+    listGenericFields(message, fields);
+    return fields.take();
+}
+
+void listGenericFields(const GenericMessage& message, FieldList& fields) {
+    GenericCollector collector(message, fields);
     for (const KeyValue& segment : message.segments)
         collector.take(segment.key, segment.value);
-    return collector.finish();
 }
 
 } // namespace usar::protocol

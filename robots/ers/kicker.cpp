@@ -11,9 +11,10 @@ namespace {
 
 constexpr Seconds fresh{0.5};
 constexpr double least_depth_m = 0.02; ///< least distance in front of the camera; tangents are useless below it
-constexpr double bow_per_rad = 0.4;    ///< share by which the head follows the ball downward in each tick
-constexpr double rise_rad = 0.03;      ///< how far the head rises in each tick while the ball is not visible
-constexpr double tightest = -0.6;      ///< inner stride as a share of the outer one when the ball is far to the side
+const double edge_of_picture = std::tan(radians(56.9 / 2.0)); ///< of an ERS-7's camera, as a tangent
+constexpr double bow_per_rad = 0.4; ///< share by which the head follows the ball downward in each tick
+constexpr double rise_rad = 0.03;   ///< how far the head rises in each tick while the ball is not visible
+constexpr double tightest = -0.6;   ///< inner stride as a share of the outer one when the ball is far to the side
 constexpr double lying_rad = 1.1;
 constexpr double way_step_m = 0.1; ///< shorter moves are only swaying and do not count
 
@@ -48,7 +49,10 @@ void Kicker::lookForBall() {
         return;
     }
     const Vec3& ball = *newest->value.position; // Forward, right, down
-    seen_ = ImagePlace{ball.y() / ball.x(), ball.z() / ball.x()};
+    const std::vector<double>& place = newest->value.place_in_picture;
+    seen_ = place.size() == 2 && std::isfinite(place[0]) && std::isfinite(place[1])
+                ? ImagePlace{place[0] * edge_of_picture, place[1] * edge_of_picture} // as the thesis steers
+                : ImagePlace{ball.y() / ball.x(), ball.z() / ball.x()};
     last_on_the_right_ = seen_->right > 0.0;
     bow_rad_ = std::clamp(bow_rad_ + bow_per_rad * std::atan(seen_->down), 0.0, deepest_bow_rad);
     kicking_since_.reset();

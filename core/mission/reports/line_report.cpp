@@ -1,17 +1,22 @@
 #include "core/mission/reports/line_report.h"
 
 #include <algorithm>
-#include <string>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <set>
 #include <vector>
 
-#include <QJsonArray>
+#include <QString>
 
 #include "core/base/text.h"
 #include "core/base/type_name.h"
-#include "core/mission/reports/json_line.h"
 #include "core/mission/session/stream_name.h"
 #include "core/protocol/command_grammar.h"
 #include "core/protocol/command_reader.h"
+#include "core/protocol/described_fields.h"
+#include "core/protocol/field_list.h"
 #include "core/protocol/fields.h"
 #include "core/protocol/line_splitter.h"
 
@@ -19,42 +24,147 @@ namespace usar::mission {
 
 namespace {
 
-QString shown(std::string_view text) {
-    // Latin-1 is the encoding of the wire.
-    return QString::fromLatin1(text);
-}
+constexpr qint64 block_bytes = 1 << 20;
+constexpr std::size_t written_at_once_bytes = 1 << 20;
 
-QJsonArray toJson(const std::vector<protocol::Field>& fields) {
-    QJsonArray array;
-    for (const protocol::Field& field : fields) {
-        QJsonObject object{{"field", shown(field.field)}};
-        if (!field.item.empty())
-            object["item"] = shown(field.item);
-        object["value"] = field.number ? QJsonValue(*field.number) : QJsonValue(shown(field.text));
-        if (!field.unit.empty())
-            object["unit"] = QString::fromStdString(field.unit);
-        array.append(object);
+/// Appends JSON to a text. A QJsonDocument for each line would take ten times as long as reading the line.
+class JsonPen {
+public:
+    explicit JsonPen(std::string& out) : out_(out) {}
+
+    void raw(std::string_view json) { out_.append(json); }
+    void key(std::string_view name) {
+        raw("\"");
+        raw(name);
+        raw("\":");
     }
-    return array;
-}
+    /// A text in Latin-1, the encoding of the wire.
+    void text(std::string_view latin1) {
+        out_ += '"';
+        for (const char c : latin1)
+            character(static_cast<unsigned char>(c));
+        out_ += '"';
+    }
+    void text(const QString& text) {
+        out_ += '"';
+        for (const char c : text.toStdString()) {
+            const auto byte = static_cast<unsigned char>(c);
+            if (byte < 0x80)
+                character(byte);
+            else
+                out_ += c;
+        }
+        out_ += '"';
+    }
+    void number(double value) {
+        if (!std::isfinite(value))
+            return raw("\"nan\"");
+        std::array<char, 32> digits;
+        out_.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
+    }
+    void number(std::uint64_t value) {
+        std::array<char, 24> digits;
+        out_.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
+    }
+    /// A comma, except before the first of several things.
+    void next(bool& first) {
+        if (!std::exchange(first, false))
+            out_ += ',';
+    }
 
-QString nameOf(Severity severity) {
+private:
+    void character(unsigned char c) {
+        constexpr std::string_view digits = "0123456789abcdef";
+        if (c == '"' || c == '\\') {
+            out_ += '\\';
+            out_ += static_cast<char>(c);
+        } else if (c < 0x20) {
+            out_.append({'\\', 'u', '0', '0', digits[c >> 4], digits[c & 15]});
+        } else if (c < 0x80) {
+            out_ += static_cast<char>(c);
+        } else { // The two bytes of UTF-8.
+            out_ += static_cast<char>(0xc0 | (c >> 6));
+            out_ += static_cast<char>(0x80 | (c & 0x3f));
+        }
+    }
+
+    std::string& out_;
+};
+
+/// Writes each value as an element of a JSON array as soon as it is listed.
+class WrittenFields : public protocol::FieldList {
+public:
+    explicit WrittenFields(JsonPen& pen) : pen_(pen) {}
+
+protected:
+    void put(const protocol::FieldView& field) override {
+        open(field.item, field.field, field.unit);
+        pen_.raw(",\"value\":");
+        if (field.number)
+            pen_.number(*field.number);
+        else
+            pen_.text(field.text);
+        pen_.raw("}");
+    }
+    bool putList(std::string_view field, std::span<const double> values, std::string_view unit) override {
+        open(item, field.empty() ? "values" : field, unit);
+        pen_.raw(",\"values\":[");
+        bool first = true;
+        for (const double value : values) {
+            pen_.next(first);
+            pen_.number(value);
+        }
+        pen_.raw("]}");
+        return true;
+    }
+
+private:
+    void open(std::string_view item, std::string_view field, std::string_view unit) {
+        pen_.next(first_);
+        pen_.raw("{\"field\":");
+        pen_.text(field);
+        if (!item.empty()) {
+            pen_.raw(",\"item\":");
+            pen_.text(item);
+        }
+        if (!unit.empty()) {
+            pen_.raw(",\"unit\":");
+            pen_.text(QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size())));
+        }
+    }
+
+    JsonPen& pen_;
+    bool first_ = true;
+};
+
+std::string_view nameOf(Severity severity) {
     return severity == Severity::Note ? "note" : severity == Severity::Warning ? "warning" : "error";
 }
 
-QJsonArray toJson(const Diagnostics& diagnostics) {
-    QJsonArray array;
-    for (const Diagnostic& diagnostic : diagnostics)
-        array.append(QJsonObject{{"severity", nameOf(diagnostic.severity)},
-                                 {"column", static_cast<qint64>(diagnostic.offset) + 1},
-                                 {"message", QString::fromStdString(diagnostic.message)}});
-    return array;
+void writeDiagnostics(JsonPen& pen, const Diagnostics& diagnostics) {
+    pen.raw(",\"diagnostics\":[");
+    bool first = true;
+    for (const Diagnostic& diagnostic : diagnostics) {
+        pen.next(first);
+        pen.raw("{\"severity\":");
+        pen.text(nameOf(diagnostic.severity));
+        pen.raw(",\"column\":");
+        pen.number(static_cast<std::uint64_t>(diagnostic.offset + 1));
+        pen.raw(",\"message\":");
+        pen.text(QString::fromStdString(diagnostic.message));
+        pen.raw("}");
+    }
+    pen.raw("]");
 }
 
 bool isCommand(std::string_view text) {
-    const std::string_view word = trimmed(text.substr(0, text.find('{')));
-    return std::ranges::any_of(protocol::commandRules(),
-                               [word](const protocol::CommandRule& rule) { return sameWord(rule.word, word); });
+    static const std::set<std::string, std::less<>> words = [] {
+        std::set<std::string, std::less<>> all;
+        for (const protocol::CommandRule& rule : protocol::commandRules())
+            all.insert(lowerCase(rule.word));
+        return all;
+    }();
+    return words.contains(lowerCase(trimmed(text.substr(0, text.find('{')))));
 }
 
 /// The segments of a command as they are on the wire. The command's own struct is meant for programs and uses another
@@ -71,76 +181,209 @@ protocol::GenericMessage segmentsOf(std::string_view text) {
     return message;
 }
 
-QJsonObject reportCommand(std::string_view text) {
+void open(JsonPen& pen, std::uint64_t line, std::string_view direction, std::string_view type,
+          std::string_view container) {
+    pen.raw("{\"line\":");
+    pen.number(line);
+    pen.raw(",\"direction\":");
+    pen.text(direction);
+    pen.raw(",\"type\":");
+    pen.text(type);
+    pen.raw(",\"container\":");
+    pen.text(container);
+}
+
+bool reportCommand(JsonPen& pen, std::string_view text, std::uint64_t line) {
     Diagnostics diagnostics;
     const protocol::Command command = protocol::readCommand(text, diagnostics);
     const protocol::GenericMessage segments = segmentsOf(text);
     const std::string_view container =
         std::visit([]<class T>(const T&) -> std::string_view { return typeName<T>(); }, command);
-    return {{"direction", "out"},
-            {"type", shown(lowerCase(segments.type_word) == "set" ? segments.type_word + " " + segments.type
-                                                                  : segments.type_word)},
-            {"container", shown(container)},
-            {"fields", toJson(protocol::genericFieldsOf(segments))},
-            {"diagnostics", toJson(diagnostics)}};
+    open(pen, line, "out",
+         sameWord(segments.type_word, "set") ? segments.type_word + " " + segments.type : segments.type_word,
+         container);
+    pen.raw(",\"fields\":[");
+    WrittenFields fields(pen);
+    protocol::listGenericFields(segments, fields);
+    pen.raw("]");
+    writeDiagnostics(pen, diagnostics);
+    return !diagnostics.empty();
 }
 
-QJsonObject reportInfo(const protocol::InfoLine& line) {
-    return {{"direction", "in"},
-            {"type", shown(streamName(line.message))},
-            {"container", shown(protocol::containerOf(line.message))},
-            {"fields", toJson(protocol::fieldsOf(line.message))},
-            {"diagnostics", toJson(line.diagnostics)}};
+template <class Owner>
+bool hasItem(std::string_view key) {
+    bool found = false;
+    protocol::forEachItem<Owner>([&](const auto& item) {
+        if constexpr (requires { item.key; })
+            found |= sameWord(item.key, key) || (!item.other_key.empty() && sameWord(item.other_key, key));
+        else
+            found |= sameWord(key, "Location") || sameWord(key, "Orientation") || sameWord(key, "Rotation");
+    });
+    return found;
 }
 
-/// Reads up to the end of the line, however long it is, and drops what exceeds the cap.
-QByteArray takeLine(QIODevice& input, bool& too_long) {
-    constexpr qint64 cap = static_cast<qint64>(protocol::LineSplitter::default_cap_bytes);
-    QByteArray line = input.readLine(cap);
-    too_long = line.size() >= cap - 1 && !line.endsWith('\n');
-    while (too_long) {
-        const QByteArray rest = input.readLine(cap);
-        if (rest.isEmpty() || rest.endsWith('\n'))
-            break;
+/// True if lines of this kind have the key, or if the kind has a reader of its own, which knows.
+template <class Message>
+bool hasKey(std::string_view key) {
+    if constexpr (protocol::SensorMessage<Message> && protocol::Described<Message>) {
+        if (sameWord(key, "Name") || sameWord(key, "Time") || sameWord(key, "Type") || hasItem<Message>(key))
+            return true;
+        if constexpr (protocol::HasGroups<Message>) {
+            constexpr auto groups = Message::groups();
+            using Element = decltype(protocol::elementOf(groups));
+            return sameWord(groups.opening_key, key) ||
+                   (!groups.other_key.empty() && sameWord(groups.other_key, key)) || hasItem<Element>(key);
+        }
+        return false;
     }
-    return line;
+    return true;
 }
+
+/// Words that the server sent and no struct has a place for.
+void writeUnread(JsonPen& pen, std::string_view text, const protocol::InfoMessage& message) {
+    const auto has_key = std::visit([]<class One>(const One&) { return &hasKey<One>; },
+                                    static_cast<const protocol::InfoVariant&>(message));
+    if (has_key("?"))
+        return;
+    thread_local protocol::Segments segments;
+    thread_local Diagnostics ignored;
+    ignored.clear();
+    segments.read(text, ignored);
+    bool first = true;
+    const auto write = [&](std::string_view key, std::string_view value) {
+        if (has_key(key))
+            return;
+        pen.raw(first ? ",\"unread\":[" : ",");
+        first = false;
+        pen.raw("{\"key\":");
+        pen.text(key);
+        pen.raw(",\"value\":");
+        pen.text(value);
+        pen.raw("}");
+    };
+    for (const protocol::Segment& segment : segments.all()) {
+        write(segment.key, segment.value);
+        if (!sameWord(segment.key, "Name"))
+            continue;
+        protocol::NamedPairs pairs(segment.value);
+        std::string_view key, value;
+        while (pairs.next(key, value))
+            write(key, value);
+    }
+    if (!first)
+        pen.raw("]");
+}
+
+bool reportInfo(JsonPen& pen, std::string_view text, const protocol::InfoLine& read, std::uint64_t line) {
+    open(pen, line, "in", streamName(read.message), protocol::containerOf(read.message));
+    if (const auto time = protocol::timeOf(read.message)) {
+        pen.raw(",\"time\":");
+        pen.number(time->count());
+    }
+    pen.raw(",\"fields\":[");
+    WrittenFields fields(pen);
+    protocol::listFields(read.message, fields);
+    pen.raw("]");
+    writeUnread(pen, text, read.message);
+    writeDiagnostics(pen, read.diagnostics);
+    return !read.diagnostics.empty();
+}
+
+/// Cuts blocks of a log into numbered lines, and drops what exceeds the cap of a line.
+class LogLines {
+public:
+    explicit LogLines(QIODevice& input) : input_(input), block_(block_bytes, '\0') {}
+
+    /// Calls `take(text, number, too_long)` for each line, with what is there of it, until one call returns false.
+    template <class Take>
+    void each(Take take) {
+        bool goes_on = true;
+        while (goes_on) {
+            const qint64 count = input_.read(block_.data(), static_cast<qint64>(block_.size()));
+            if (count <= 0)
+                break;
+            std::string_view rest(block_.data(), static_cast<std::size_t>(count));
+            while (goes_on && !rest.empty()) {
+                const auto* const end = static_cast<const char*>(std::memchr(rest.data(), '\n', rest.size()));
+                const std::string_view part =
+                    rest.substr(0, end ? static_cast<std::size_t>(end - rest.data()) : rest.size());
+                rest.remove_prefix(std::min(rest.size(), part.size() + 1));
+                if (!end || !begun_.empty())
+                    keep(part);
+                if (end)
+                    goes_on = finish(part, take);
+            }
+        }
+        if (goes_on && !begun_.empty())
+            finish({}, take);
+    }
+
+private:
+    void keep(std::string_view part) {
+        constexpr std::size_t cap = protocol::LineSplitter::default_cap_bytes;
+        too_long_ |= begun_.size() + part.size() > cap;
+        begun_.append(part.substr(0, cap - std::min(cap, begun_.size())));
+    }
+
+    template <class Take>
+    bool finish(std::string_view whole, Take take) {
+        const std::string_view line = begun_.empty() ? whole : std::string_view(begun_);
+        const bool goes_on = take(trimmed(line), ++number_, too_long_);
+        begun_.clear();
+        too_long_ = false;
+        return goes_on;
+    }
+
+    QIODevice& input_;
+    std::string block_;
+    std::string begun_; ///< what earlier blocks had of the current line
+    bool too_long_ = false;
+    std::uint64_t number_ = 0;
+};
 
 } // namespace
 
-QJsonObject reportLine(protocol::Reader& reader, std::string_view text, std::uint64_t line) {
-    QJsonObject object = isCommand(text) ? reportCommand(text) : reportInfo(reader.read(text));
-    object["line"] = static_cast<qint64>(line);
-    object["text"] = shown(text);
-    return object;
+bool reportLine(protocol::Reader& reader, std::string_view text, std::uint64_t line, std::string& out) {
+    JsonPen pen(out);
+    const bool has_diagnostics =
+        isCommand(text) ? reportCommand(pen, text, line) : reportInfo(pen, text, reader.read(text), line);
+    pen.raw(",\"text\":");
+    pen.text(text);
+    pen.raw("}\n");
+    return has_diagnostics;
 }
 
 Result<LineCounts> reportLines(QIODevice& input, QIODevice& output) {
     protocol::Reader reader;
     LineCounts counts;
-    for (std::uint64_t number = 1;; ++number) {
-        bool too_long = false;
-        const QByteArray bytes = takeLine(input, too_long);
-        if (bytes.isEmpty())
-            break;
-        const std::string_view text = trimmed({bytes.data(), static_cast<std::size_t>(bytes.size())});
+    std::string out;
+    std::uint64_t last_number = 0;
+    bool written = true;
+    const auto flush = [&] {
+        written = output.write(out.data(), static_cast<qint64>(out.size())) == static_cast<qint64>(out.size());
+        out.clear();
+        return written;
+    };
+    LogLines(input).each([&](std::string_view text, std::uint64_t number, bool too_long) {
+        last_number = number;
         if (text.empty() || text.starts_with('#'))
-            continue;
-        QJsonObject object;
-        if (too_long)
-            object = {{"line", static_cast<qint64>(number)},
-                      {"direction", "in"},
-                      {"type", ""},
-                      {"container", ""},
-                      {"fields", QJsonArray()},
-                      {"diagnostics", toJson(Diagnostics{{Severity::Error, 0, "the line is longer than 4 MiB"}})}};
-        else
-            object = reportLine(reader, text, number);
+            return true;
         ++counts.lines;
-        counts.with_diagnostics += object["diagnostics"].toArray().isEmpty() ? 0 : 1;
-        if (const auto printed = printLine(object, output, "line " + std::to_string(number)); !printed)
-            return tl::unexpected(printed.error());
-    }
+        if (too_long) {
+            JsonPen pen(out);
+            open(pen, number, "in", "", "");
+            pen.raw(",\"fields\":[]");
+            writeDiagnostics(pen, {{Severity::Error, 0, "the line is longer than 4 MiB"}});
+            pen.raw("}\n");
+            ++counts.with_diagnostics;
+        } else {
+            counts.with_diagnostics += reportLine(reader, text, number, out) ? 1 : 0;
+        }
+        return out.size() < written_at_once_bytes || flush();
+    });
+    if (!written || !flush())
+        return failure("the output cannot be written: " + output.errorString().toStdString(),
+                       "line " + std::to_string(last_number), "Make room, or write elsewhere");
     return counts;
 }
 

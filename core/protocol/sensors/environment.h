@@ -84,20 +84,26 @@ struct GasReading {
 };
 
 /// The place at which the camera of a soccer robot sees the ball (thesis 5.2). The axes are those of the camera's
-/// picture, so the three numbers stay as they are on the wire.
-/// On the wire: `SEN {Time 67.2} {Type Helper} {Name b} {Pos3D 1.2,0.1,0} {Visible true}`.
+/// picture, so the numbers stay as they are on the wire: forward, right and down. The thesis tells of a place and a
+/// radius in the picture, too; their keys are ours, because no source gives them (robots-and-worlds.md 3.6).
+/// On the wire: `SEN {Type Helper} {Name b} {Pos3D 1.2,0.1,0} {Visible true} {Pos2D 0.15,0} {Radius 0.08}`.
 struct BallReading {
     std::optional<Seconds> time{};
     std::string name{};
     std::optional<Vec3> position{};
     /// False if the ball is out of sight.
     std::optional<bool> visible{};
+    /// Right of and below the middle of the picture, from -1 to 1 at its edges; empty if not sent.
+    std::vector<double> place_in_picture{};
+    std::optional<double> radius_in_picture{}; ///< share of half the picture's width
 
     static constexpr std::string_view wire_types = "Helper";
     static constexpr bool speaks_always = false;
     static constexpr auto items() {
         return std::tuple(item("Pos3D", &BallReading::position, "position"),
-                          item("Visible", &BallReading::visible, "visible"));
+                          item("Visible", &BallReading::visible, "visible"),
+                          item("Pos2D", &BallReading::place_in_picture, "place_in_picture"),
+                          item("Radius", &BallReading::radius_in_picture, "radius_in_picture"));
     }
     bool operator==(const BallReading&) const = default;
 };

@@ -147,17 +147,26 @@ void BallSensor::measure(const SensorView& view, std::vector<protocol::InfoMessa
         return word.size() >= 4 && sameWord(word.substr(word.size() - 4), "ball");
     };
     std::optional<Vec3> nearest_m;
+    double radius_m = 0.0;
     for (const SceneObject& object : view.scene.objects) {
         const Vec3 ball_m = sensor_in_map.inverse() * object.body_in_map.position_m;
         if ((is_ball(object.class_name) || is_ball(object.name)) && inView(ball_m, range_m_, fov_rad_, fov_rad_) &&
             (!nearest_m || ball_m.norm() < nearest_m->norm()) &&
-            isOpen(view, sensor_in_map.translation(), object.body_in_map.position_m, object.radius_m + 0.01))
+            isOpen(view, sensor_in_map.translation(), object.body_in_map.position_m, object.radius_m + 0.01)) {
             nearest_m = ball_m;
+            radius_m = object.radius_m;
+        }
     }
-    Vec3 seen_m = Vec3::Zero();
-    if (nearest_m)
-        seen_m = protocol::acrossWire(shaken(random_, *nearest_m, sigma_ * nearest_m->norm()));
-    out.emplace_back(protocol::BallReading{view.now, model().name, seen_m, nearest_m.has_value()});
+    protocol::BallReading seen{view.now, model().name, Vec3(Vec3::Zero()), nearest_m.has_value()};
+    if (nearest_m) {
+        seen.position = protocol::acrossWire(shaken(random_, *nearest_m, sigma_ * nearest_m->norm()));
+        const double edge_m = seen.position->x() * std::tan(fov_rad_ / 2.0); // of the picture, at the ball's distance
+        if (edge_m > 0.0) {
+            seen.place_in_picture = {seen.position->y() / edge_m, seen.position->z() / edge_m};
+            seen.radius_in_picture = radius_m / edge_m;
+        }
+    }
+    out.emplace_back(std::move(seen));
 }
 
 } // namespace usar::sim

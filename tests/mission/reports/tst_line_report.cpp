@@ -15,7 +15,12 @@ namespace {
 
 QJsonObject reportOf(const QByteArray& line) {
     protocol::Reader reader;
-    return reportLine(reader, {line.data(), static_cast<std::size_t>(line.size())}, 7);
+    std::string out;
+    const bool has_diagnostics = reportLine(reader, {line.data(), static_cast<std::size_t>(line.size())}, 7, out);
+    const QJsonObject report = QJsonDocument::fromJson(QByteArray::fromStdString(out)).object();
+    if (report.isEmpty() || has_diagnostics == report["diagnostics"].toArray().isEmpty())
+        return {}; // no JSON, or not what it says
+    return report;
 }
 
 } // namespace
@@ -62,6 +67,47 @@ private slots:
         QCOMPARE(fields[0].toObject(),
                  (QJsonObject{{"item", "F1"}, {"field", "range"}, {"value", 1.5}, {"unit", "m"}}));
         QCOMPARE(fields[1].toObject()["value"].toString(), QString("nan"));
+    }
+
+    void aScanHasItsTimeAndAllItsBeams() {
+        const QJsonObject report = reportOf("SEN {Time 395.38} {Type RangeScanner} {Name Scanner1} {Resolution 0.0174} "
+                                            "{FOV 3.1415} {Range 2.1924,2.1961,nan,20.0000}");
+        QCOMPARE(report["time"].toDouble(), 395.38);
+        const QJsonArray fields = report["fields"].toArray();
+        QCOMPARE(fields.last().toObject(), (QJsonObject{{"item", "Scanner1"},
+                                                        {"field", "values"},
+                                                        {"unit", "m"},
+                                                        {"values", QJsonArray{2.1924, 2.1961, "nan", 20.0}}}));
+        QVERIFY(!reportOf("SEN {Type INS} {Name INS} {Location 1,2,3} {Orientation 0,0,0}").contains("time"));
+    }
+
+    void noWordIsDropped_data() {
+        QTest::addColumn<QByteArray>("line");
+        QTest::addColumn<QJsonArray>("unread");
+        const auto word = [](const char* key, const char* value) {
+            return QJsonObject{{"key", key}, {"value", value}};
+        };
+        QTest::newRow("all known") << QByteArray("SEN {Type Sonar} {Name F1 Range 1.5}") << QJsonArray();
+        QTest::newRow("in a segment of its own")
+            << QByteArray("SEN {Type INS} {Name I} {Location 1,2,3} {Orientation 0,0,0} {Wobble 4}")
+            << QJsonArray{word("Wobble", "4")};
+        QTest::newRow("in a pair") << QByteArray("SEN {Type Sonar} {Name F1 Range 1.5 Echo 7}")
+                                   << QJsonArray{word("Echo", "7")};
+        QTest::newRow("the ball's place in the picture")
+            << QByteArray("SEN {Type Helper} {Name b} {Pos3D 1,0,0} {Visible true} {Pos2D 0.5,-0.25} {Radius 0.1}")
+            << QJsonArray();
+        QTest::newRow("an unknown sensor keeps all as fields")
+            << QByteArray("SEN {Type Geiger} {Dose 1} {X 2}") << QJsonArray();
+    }
+    void noWordIsDropped() {
+        QFETCH(const QByteArray, line);
+        QFETCH(const QJsonArray, unread);
+        QCOMPARE(reportOf(line)["unread"].toArray(), unread);
+    }
+
+    void bytesBeyondAsciiAndQuotesStayValidJson() {
+        const QByteArray line = "SEN {Type Geiger} {Name \"G\\1\"} {Word caf\xe9\x01}";
+        QCOMPARE(reportOf(line)["text"].toString(), QString::fromLatin1(line));
     }
 
     void diagnosticsSayWhere() {
