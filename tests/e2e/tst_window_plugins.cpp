@@ -380,9 +380,10 @@ void tst_WindowPlugins::aPluginThatHangsWhenAskedHoldsNobodyUp() {
     page.window().views().behavior->chooseBehavior("slow/idle");
     QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
     QVERIFY(page.spawnAt("PlayerStart"));
-    QCOMPARE(page.window().views().behavior->behaviorId(), std::string("slow/idle"));
+    const std::string chosen = page.window().views().behavior->behaviorId();
+    const bool enabled = page.window().commands().action("mission.start")->isEnabled();
     if (clock.elapsed() < 4000) // or it has been given up already
-        QVERIFY(!page.window().commands().action("mission.start")->isEnabled());
+        QVERIFY(chosen == "slow/idle" && !enabled);
     QTRY_VERIFY_WITH_TIMEOUT(!page.notified("did not answer for 5 s").isEmpty(), soon_ms);
     QVERIFY(page.notified("slow_to_tell.so was refused").contains("while being loaded in a separate process"));
     const auto* const told = page.window().views().notifications->model();
