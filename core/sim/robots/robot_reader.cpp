@@ -87,6 +87,7 @@ private:
         model_.kind = protocol::vehicleKindOf(textOf(*facts, "usar:kind"));
         if (model_.kind == protocol::VehicleKind::Unknown)
             return refuse("usar:kind is GroundVehicle, AerialVehicle, NauticVehicle, LeggedRobot or StaticPlatform");
+        model_.aliases = textsOf(*facts, "usar:alias");
         model_.steering = textOf(*facts, "usar:steering");
         const auto dimensions_m = vectorIn(*facts, "usar:dimensions");
         if (model_.steering.empty() || !dimensions_m)
@@ -225,7 +226,6 @@ private:
         const sdf::ElementConstPtr drive = facts.FindElement("usar:drive");
         if (!drive)
             return refuse("usar:robot has no usar:drive");
-        model_.aliases = textsOf(facts, "usar:alias");
         model_.drive.kind = attributeOf(*drive, "kind").value_or("");
         model_.drive.joints = textsOf(*drive, "usar:joint");
         readSettings(*drive, model_.drive.numbers, nullptr);
