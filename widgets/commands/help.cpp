@@ -46,9 +46,12 @@ QDialog* makeAbout(QWidget* window) {
 }
 
 void explainParts(QWidget& window) {
+    constexpr const char* from_tip = "usar_explained_by_tip"; // Tooltips change, so these are renewed.
     for (QWidget* const part : window.findChildren<QWidget*>())
-        if (part->whatsThis().isEmpty())
+        if (part->whatsThis().isEmpty() || part->property(from_tip).toBool()) {
             part->setWhatsThis(explanationOf(*part));
+            part->setProperty(from_tip, true);
+        }
     for (QDockWidget* const dock : window.findChildren<QDockWidget*>()) {
         const QString inside = dock->widget() ? explanationOf(*dock->widget()) : QString();
         if (dock->whatsThis().isEmpty())
