@@ -3,6 +3,7 @@
 #include <QAbstractSpinBox>
 #include <QComboBox>
 #include <QLineEdit>
+#include <QRegularExpression>
 #include <QScrollBar>
 #include <QSlider>
 #include <QSpinBox>
@@ -11,6 +12,7 @@
 #include <QTextDocument>
 #include <QToolBar>
 #include <QToolButton>
+#include <QTreeWidget>
 #include <QWhatsThis>
 
 #include "tests/e2e/window_page.h"
@@ -111,6 +113,7 @@ class tst_WindowHelp : public QObject {
 private slots:
     void everyPartOfADockIsExplained();
     void whatIsThisFollowsTheTooltip();
+    void aboutNamesEveryLoadedLibrary();
 };
 
 void tst_WindowHelp::everyPartOfADockIsExplained() {
@@ -146,6 +149,30 @@ void tst_WindowHelp::whatIsThisFollowsTheTooltip() {
     }
     for (const QDockWidget* dock : page.window().views().docks)
         QVERIFY2(dock->whatsThis().startsWith(dock->windowTitle() + ": "), qPrintable(dock->objectName()));
+}
+
+void tst_WindowHelp::aboutNamesEveryLoadedLibrary() {
+    WindowPage page;
+    page.window().commands().action("help.about")->trigger();
+    const auto dialogs = page.window().findChildren<QDialog*>();
+    const auto about =
+        std::ranges::find_if(dialogs, [](const QDialog* d) { return d->windowTitle().startsWith("About"); });
+    QVERIFY(about != dialogs.end() && !(*about)->isModal());
+    const auto* const table = (*about)->findChild<QTreeWidget*>();
+    QStringList names;
+    for (int row = 0; row < table->topLevelItemCount(); ++row) {
+        const QTreeWidgetItem& item = *table->topLevelItem(row);
+        names << item.text(0);
+        QVERIFY2(QRegularExpression("^\\d+(\\.\\d+)+$").match(item.text(1)).hasMatch(),
+                 qPrintable(item.text(0) + item.text(1)));
+    }
+    for (const char* const name :
+         {"Qt", "Bullet Physics", "sdformat", "Eigen", "QCustomPlot", "libpng", "libjpeg-turbo", "zlib"})
+        QVERIFY2(names.contains(name), name);
+    QVERIFY(QTest::qWaitForWindowExposed(*about));
+    (*about)->grab().save(QStringLiteral(USAR_BINARY_DIR "/screenshots/about.png"));
+    QTest::keyClick(*about, Qt::Key_Escape);
+    QTRY_VERIFY((*about)->isHidden());
 }
 
 USAR_TEST(tst_WindowHelp)
