@@ -35,6 +35,7 @@ ViewDesk::ViewDesk(const DeskContext& context, QMainWindow& window, const QStrin
     , layouts_(window, context.commands, besideSettings("/layouts"))
     , docks_(window, context.views, context.commands, layouts_)
     , keys_(context.commands, besideSettings("/keys.json"))
+    , themes_(context.commands)
     , main_window_(window)
     , theme_(theme) {}
 
@@ -51,7 +52,7 @@ void ViewDesk::registerCommands() {
     add("map.follow", [map](bool on) { map->setFollowing(on); });
     add("map.zoom_in", [map] { map->zoomIn(); });
     add("map.zoom_out", [map] { map->zoomOut(); });
-    add("view.dark", [this](bool dark) { setTheme(dark ? widgets::Theme::Dark : widgets::Theme::Light); });
+    themes_.registerCommands();
     add("view.hint", [this] { views_.hint->setDismissed(false); });
     auto* palette = new widgets::CommandPalette(commands_, &main_window_);
     add("view.palette", [palette] { palette->open(); });
@@ -96,11 +97,6 @@ void ViewDesk::wire() {
     views_.hint->setWhatNext(tr("On its way. In the simulator, %1 makes time run faster. %2 pauses the robot. At the "
                                 "end a card shows the result.")
                                  .arg(key("time.faster"), key("mission.pause")));
-}
-
-void ViewDesk::setTheme(widgets::Theme theme) {
-    widgets::applyTheme(theme);
-    action("view.dark")->setChecked(theme == widgets::Theme::Dark);
 }
 
 void ViewDesk::wireHistory() {
@@ -163,8 +159,7 @@ void ViewDesk::showPlots(const QJsonObject& plots) {
 }
 
 void ViewDesk::restore(const QSettings& settings) {
-    const QString theme = theme_.isEmpty() ? settings.value("theme").toString() : theme_;
-    setTheme(theme == "light" ? widgets::Theme::Light : widgets::Theme::Dark);
+    themes_.choose(theme_.isEmpty() ? settings.value("theme").toString() : theme_);
     const bool sized = main_window_.restoreGeometry(settings.value("geometry").toByteArray());
     docks_.restore(sized, settings.value("layout").toByteArray(),
                    settings.value("waiting_docks", docks_.waiting()).toStringList());
@@ -174,7 +169,7 @@ void ViewDesk::restore(const QSettings& settings) {
 }
 
 void ViewDesk::save(SettingsSheet& settings) const {
-    settings.setValue("theme", widgets::currentTheme() == widgets::Theme::Light ? "light" : "dark");
+    settings.setValue("theme", themes_.name());
     settings.setValue("geometry", main_window_.saveGeometry());
     settings.setValue("layout", docks_.state());
     settings.setValue("waiting_docks", docks_.waiting());

@@ -8,13 +8,13 @@
 
 #include "app/desks/desk.h"
 #include "widgets/commands/key_file.h"
-#include "widgets/style/theme.h"
+#include "widgets/commands/theme_chooser.h"
 #include "widgets/window/layout_keeper.h"
 #include "widgets/window/window_docks.h"
 
 namespace usar::app {
 
-/// Switches the theme, arranges the docks, undoes and redoes, and fits, zooms and follows on the map. Theme, docks,
+/// Lets the theme be chosen, arranges the docks, undoes and redoes, and fits, zooms and follows on the map. Theme, docks,
 /// plots and visible layers are kept in the settings; keys and layouts in files beside them. GUI thread.
 class ViewDesk : public Desk {
     Q_OBJECT
@@ -31,7 +31,6 @@ public:
     void save(SettingsSheet& settings) const override;
 
 private:
-    void setTheme(widgets::Theme theme);
     void registerHelpCommands();
     /// For the palette: each number that the selected robot's sensors say can be plotted.
     std::vector<widgets::PaletteOffer> plots() const;
@@ -46,6 +45,7 @@ private:
     widgets::LayoutKeeper layouts_;
     widgets::WindowDocks docks_;
     widgets::KeyFile keys_;
+    widgets::ThemeChooser themes_;
     QMainWindow& main_window_;
     QString theme_;
     QPointer<QDialog> sheet_; ///< lists all keys; nullptr while it is closed
