@@ -2,26 +2,12 @@
 
 #include <QFileInfo>
 #include <QJsonDocument>
-#include <QWhatsThis>
 
 #include "widgets/commands/command_palette.h"
-#include "widgets/commands/help.h"
-#include "widgets/commands/shortcut_sheet.h"
 
 namespace usar::app {
 
 namespace {
-
-/// Shows the dialog; makes it first if it is closed.
-void showOne(QPointer<QDialog>& dialog, const auto& make) {
-    if (!dialog) {
-        dialog = make();
-        dialog->setAttribute(Qt::WA_DeleteOnClose);
-    }
-    dialog->show();
-    dialog->raise();
-    dialog->activateWindow();
-}
 
 /// A file or folder beside the settings.
 QString besideSettings(const char* name) {
@@ -36,6 +22,7 @@ ViewDesk::ViewDesk(const DeskContext& context, QMainWindow& window, const QStrin
     , docks_(window, context.views, context.commands, layouts_)
     , keys_(context.commands, besideSettings("/keys.json"))
     , themes_(context.commands)
+    , help_(window, context.views, context.commands)
     , main_window_(window)
     , theme_(theme) {}
 
@@ -58,17 +45,7 @@ void ViewDesk::registerCommands() {
     add("view.palette", [palette] { palette->open(); });
     commands_.offer([this] { return plots(); });
     docks_.registerCommands();
-    registerHelpCommands();
-}
-
-void ViewDesk::registerHelpCommands() {
-    add("help.shortcuts",
-        [this] { showOne(sheet_, [this] { return widgets::makeShortcutSheet(commands_, &main_window_); }); });
-    add("help.what", [this] {
-        widgets::explainParts(main_window_);
-        QWhatsThis::enterWhatsThisMode();
-    });
-    add("help.about", [this] { showOne(about_, [this] { return widgets::makeAbout(&main_window_); }); });
+    help_.registerCommands();
 }
 
 std::vector<widgets::PaletteOffer> ViewDesk::plots() const {
@@ -164,6 +141,7 @@ void ViewDesk::restore(const QSettings& settings) {
     docks_.restore(sized, settings.value("layout").toByteArray(),
                    settings.value("waiting_docks", docks_.waiting()).toStringList());
     views_.hint->setDismissed(settings.value("hint_dismissed", false).toBool());
+    help_.tour().setTaken(settings.value("tour_taken", false).toBool());
     views_.layers->restoreState(settings.value("layers").toByteArray());
     showPlots(QJsonDocument::fromJson(settings.value("plots").toString().toUtf8()).object());
 }
@@ -174,6 +152,7 @@ void ViewDesk::save(SettingsSheet& settings) const {
     settings.setValue("layout", docks_.state());
     settings.setValue("waiting_docks", docks_.waiting());
     settings.setValue("hint_dismissed", views_.hint->dismissed());
+    settings.setValue("tour_taken", help_.tour().taken());
     settings.setValue("layers", views_.layers->saveState());
     settings.setValue("plots", QString(QJsonDocument(views_.plots->plotLayout()).toJson(QJsonDocument::Compact)));
 }
