@@ -2,26 +2,12 @@
 
 #include <QFileInfo>
 #include <QJsonDocument>
-#include <QWhatsThis>
 
 #include "widgets/commands/command_palette.h"
-#include "widgets/commands/help.h"
-#include "widgets/commands/shortcut_sheet.h"
 
 namespace usar::app {
 
 namespace {
-
-/// Shows the dialog; makes it first if it is closed.
-void showOne(QPointer<QDialog>& dialog, const auto& make) {
-    if (!dialog) {
-        dialog = make();
-        dialog->setAttribute(Qt::WA_DeleteOnClose);
-    }
-    dialog->show();
-    dialog->raise();
-    dialog->activateWindow();
-}
 
 /// A file or folder beside the settings.
 QString besideSettings(const char* name) {
@@ -35,6 +21,8 @@ ViewDesk::ViewDesk(const DeskContext& context, QMainWindow& window, const QStrin
     , layouts_(window, context.commands, besideSettings("/layouts"))
     , docks_(window, context.views, context.commands, layouts_)
     , keys_(context.commands, besideSettings("/keys.json"))
+    , themes_(context.commands)
+    , help_(window, context.views, context.commands)
     , main_window_(window)
     , theme_(theme) {}
 
@@ -51,23 +39,13 @@ void ViewDesk::registerCommands() {
     add("map.follow", [map](bool on) { map->setFollowing(on); });
     add("map.zoom_in", [map] { map->zoomIn(); });
     add("map.zoom_out", [map] { map->zoomOut(); });
-    add("view.dark", [this](bool dark) { setTheme(dark ? widgets::Theme::Dark : widgets::Theme::Light); });
+    themes_.registerCommands();
     add("view.hint", [this] { views_.hint->setDismissed(false); });
     auto* palette = new widgets::CommandPalette(commands_, &main_window_);
     add("view.palette", [palette] { palette->open(); });
     commands_.offer([this] { return plots(); });
     docks_.registerCommands();
-    registerHelpCommands();
-}
-
-void ViewDesk::registerHelpCommands() {
-    add("help.shortcuts",
-        [this] { showOne(sheet_, [this] { return widgets::makeShortcutSheet(commands_, &main_window_); }); });
-    add("help.what", [this] {
-        widgets::explainParts(main_window_);
-        QWhatsThis::enterWhatsThisMode();
-    });
-    add("help.about", [this] { showOne(about_, [this] { return widgets::makeAbout(&main_window_); }); });
+    help_.registerCommands();
 }
 
 std::vector<widgets::PaletteOffer> ViewDesk::plots() const {
@@ -96,11 +74,6 @@ void ViewDesk::wire() {
     views_.hint->setWhatNext(tr("On its way. In the simulator, %1 makes time run faster. %2 pauses the robot. At the "
                                 "end a card shows the result.")
                                  .arg(key("time.faster"), key("mission.pause")));
-}
-
-void ViewDesk::setTheme(widgets::Theme theme) {
-    widgets::applyTheme(theme);
-    action("view.dark")->setChecked(theme == widgets::Theme::Dark);
 }
 
 void ViewDesk::wireHistory() {
@@ -163,22 +136,23 @@ void ViewDesk::showPlots(const QJsonObject& plots) {
 }
 
 void ViewDesk::restore(const QSettings& settings) {
-    const QString theme = theme_.isEmpty() ? settings.value("theme").toString() : theme_;
-    setTheme(theme == "light" ? widgets::Theme::Light : widgets::Theme::Dark);
+    themes_.choose(theme_.isEmpty() ? settings.value("theme").toString() : theme_);
     const bool sized = main_window_.restoreGeometry(settings.value("geometry").toByteArray());
     docks_.restore(sized, settings.value("layout").toByteArray(),
                    settings.value("waiting_docks", docks_.waiting()).toStringList());
     views_.hint->setDismissed(settings.value("hint_dismissed", false).toBool());
+    help_.tour().setTaken(settings.value("tour_taken", false).toBool());
     views_.layers->restoreState(settings.value("layers").toByteArray());
     showPlots(QJsonDocument::fromJson(settings.value("plots").toString().toUtf8()).object());
 }
 
 void ViewDesk::save(SettingsSheet& settings) const {
-    settings.setValue("theme", widgets::currentTheme() == widgets::Theme::Light ? "light" : "dark");
+    settings.setValue("theme", themes_.name());
     settings.setValue("geometry", main_window_.saveGeometry());
     settings.setValue("layout", docks_.state());
     settings.setValue("waiting_docks", docks_.waiting());
     settings.setValue("hint_dismissed", views_.hint->dismissed());
+    settings.setValue("tour_taken", help_.tour().taken());
     settings.setValue("layers", views_.layers->saveState());
     settings.setValue("plots", QString(QJsonDocument(views_.plots->plotLayout()).toJson(QJsonDocument::Compact)));
 }

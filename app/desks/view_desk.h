@@ -2,20 +2,19 @@
 // help.
 #pragma once
 
-#include <QDialog>
 #include <QMainWindow>
-#include <QPointer>
 
 #include "app/desks/desk.h"
 #include "widgets/commands/key_file.h"
-#include "widgets/style/theme.h"
+#include "widgets/commands/theme_chooser.h"
 #include "widgets/window/layout_keeper.h"
 #include "widgets/window/window_docks.h"
+#include "widgets/window/window_help.h"
 
 namespace usar::app {
 
-/// Switches the theme, arranges the docks, undoes and redoes, and fits, zooms and follows on the map. Theme, docks,
-/// plots and visible layers are kept in the settings; keys and layouts in files beside them. GUI thread.
+/// Lets the theme be chosen, arranges the docks, undoes and redoes, and fits, zooms and follows on the map. Theme,
+/// docks, plots and visible layers are kept in the settings; keys and layouts in files beside them. GUI thread.
 class ViewDesk : public Desk {
     Q_OBJECT
 public:
@@ -31,8 +30,6 @@ public:
     void save(SettingsSheet& settings) const override;
 
 private:
-    void setTheme(widgets::Theme theme);
-    void registerHelpCommands();
     /// For the palette: each number that the selected robot's sensors say can be plotted.
     std::vector<widgets::PaletteOffer> plots() const;
     /// Connects what is edited in views to the history, and the history to its dock and commands.
@@ -46,10 +43,10 @@ private:
     widgets::LayoutKeeper layouts_;
     widgets::WindowDocks docks_;
     widgets::KeyFile keys_;
+    widgets::ThemeChooser themes_;
+    widgets::WindowHelp help_;
     QMainWindow& main_window_;
     QString theme_;
-    QPointer<QDialog> sheet_; ///< lists all keys; nullptr while it is closed
-    QPointer<QDialog> about_; ///< versions and licenses; nullptr while it is closed
 };
 
 } // namespace usar::app

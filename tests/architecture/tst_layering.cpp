@@ -33,7 +33,7 @@ const std::map<QString, Rule> rules{
     {"core/server", {{"core/base", "core/protocol", "core/link", "core/sim"}, {"QtCore", "QtGui", "QtNetwork"}}},
     {"core/mission", {sdk + QStringList{"core/agent", "core/link"}, {"QtCore", "QtGui", "QtNetwork"}}},
     {"robots", {sdk + QStringList{"core/agent"}, {"QtCore"}}},
-    {"widgets", {sdk + QStringList{"core/agent"}, {"QtCore", "QtGui", "QtWidgets", "QtPrintSupport"}}},
+    {"widgets", {sdk + QStringList{"core/agent"}, {"QtCore", "QtGui", "QtWidgets", "QtPrintSupport", "QtDBus"}}},
 };
 
 /// The rooms within a folder, and which of its other rooms each may include; "" is the folder itself.

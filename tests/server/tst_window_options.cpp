@@ -53,9 +53,12 @@ private slots:
     }
 
     void aThemeAndMorePluginsAreTaken() {
+        for (const char* const theme : {"light", "dark", "system"}) {
+            const auto options = server::readWindowOptions({"mission-control", "--theme", theme});
+            QVERIFY2(options && options->theme == theme, theme);
+        }
         const auto options = server::readWindowOptions({"mission-control", "--theme", "light", "--plugins", "/mine"});
         QVERIFY(options);
-        QCOMPARE(options->theme, QString("light"));
         QCOMPARE(options->plugin_folders.last(), QString("/mine"));
     }
 };

@@ -1,13 +1,16 @@
 #include <QAbstractItemModelTester>
+#include <QClipboard>
 #include <QDockWidget>
 #include <QLabel>
 #include <QListView>
 #include <QMainWindow>
+#include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QTest>
+#include <QTreeWidget>
 
 #include "tests/suite/suite.h"
 #include "widgets/commands/command_palette.h"
@@ -330,7 +333,17 @@ void tst_CommandRegistry::aboutTellsVersionsAndLicenses() {
         texts << label->text();
     const QString all = texts.join(' ');
     QVERIFY(all.contains(QCoreApplication::applicationName()));
-    QVERIFY(all.contains("General Public License") && all.contains(qVersion()) && all.contains("LGPL"));
+    QVERIFY(all.contains("General Public License"));
+    const auto* const table = about->findChild<QTreeWidget*>();
+    QVERIFY(table && !table->findItems("Qt", Qt::MatchExactly).isEmpty());
+    QCOMPARE(table->findItems("Qt", Qt::MatchExactly).front()->text(1), QString::fromLatin1(qVersion()));
+    for (int row = 0; row < table->topLevelItemCount(); ++row)
+        for (int column = 0; column < table->columnCount(); ++column)
+            QVERIFY2(!table->topLevelItem(row)->text(column).isEmpty(), qPrintable(table->topLevelItem(row)->text(0)));
+    for (QPushButton* button : about->findChildren<QPushButton*>())
+        if (button->text().contains("Copy"))
+            button->click();
+    QVERIFY(QGuiApplication::clipboard()->text().contains(QString("Qt %1 (LGPL-3.0-only)").arg(qVersion())));
 }
 
 void tst_CommandRegistry::everyPartIsExplainedByItsTooltip() {

@@ -41,6 +41,8 @@ private slots:
     void emptyListSaysHowToSpawn();
     void rowHasTheRobotsColorAndGreysWhenStale();
     void wholeHeightShowsEveryRobot();
+    void rowsGetFewerLinesWhereRoomIsShort_data();
+    void rowsGetFewerLinesWhereRoomIsShort();
 
 private:
     QListView* view() const { return list_->findChild<QListView*>(); }
@@ -207,10 +209,30 @@ void tst_RobotList::wholeHeightShowsEveryRobot() {
     QCOMPARE(changed.count(), 9);
     list_->resize(260, list_->wholeHeight_px());
     QTRY_COMPARE(view()->verticalScrollBar()->maximum(), 0);
-    list_->resize(260, list_->wholeHeight_px() - 20);
+    list_->resize(260, list_->wholeHeight_px(1) - 1);
     QTRY_VERIFY(view()->verticalScrollBar()->maximum() > 0);
     list_->removeRobot({9});
     QCOMPARE(changed.count(), 10);
+}
+
+void tst_RobotList::rowsGetFewerLinesWhereRoomIsShort_data() {
+    QTest::addColumn<int>("lines");
+    for (const int lines : {1, 2, 3})
+        QTest::addRow("%d", lines) << lines;
+}
+
+void tst_RobotList::rowsGetFewerLinesWhereRoomIsShort() {
+    QFETCH(int, lines);
+    for (int number = 1; number <= 9; ++number)
+        list_->updateRobot(robot(number, number, "flying to lane 3 of 5"));
+    list_->resize(260, list_->wholeHeight_px(lines));
+    QTRY_COMPARE(view()->visualRect(list_->model().index(8)).bottom() + 1, 9 * view()->sizeHintForRow(0));
+    QCOMPARE(9 * view()->sizeHintForRow(0), list_->wholeHeight_px(lines));
+    QCOMPARE(view()->verticalScrollBar()->maximum(), 0);
+    QCOMPARE(list_->heightWithin_px(list_->height() + 5), list_->height());
+    for (int number = 9; number > 2; --number)
+        list_->removeRobot({number});
+    QTRY_VERIFY(2 * view()->sizeHintForRow(0) >= list_->wholeHeight_px(3)); // There is room again.
 }
 
 USAR_TEST(tst_RobotList)

@@ -10,6 +10,7 @@
 #include "widgets/models/figures.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
+#include "widgets/style/tips.h"
 
 namespace usar::widgets {
 namespace {
@@ -163,7 +164,8 @@ void ConnectionBar::setUpAddress() {
     port_->setRange(1, 65535);
     port_->setValue(protocol::usual_port::bot);
     port_->setButtonSymbols(QAbstractSpinBox::NoButtons);
-    named(port_, tr("Port"), tr("TCP port of the server; USARSim listens on %1").arg(protocol::usual_port::bot));
+    port_->setAccessibleName(tr("Port"));
+    tellRange(port_, tr("TCP port of the server; USARSim listens on %1").arg(protocol::usual_port::bot));
     button_->setIcon(icon(QStringLiteral("plug")));
     button_->setText(tr("Disconnect")); // The longest text, so that the neighbors do not move.
     button_width_px_ = button_->sizeHint().width();

@@ -9,6 +9,7 @@
 #include "widgets/models/figures.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
+#include "widgets/style/tips.h"
 
 namespace usar::widgets {
 namespace {
@@ -21,7 +22,7 @@ ReplayBar::ReplayBar(QWidget* parent) : QFrame(parent) {
     setProperty("role", "strip");
     setAccessibleName(tr("Replay"));
     slider_->setRange(0, time_steps);
-    named(slider_, tr("Moment of the recording"), tr("Click or drag to go to another moment"));
+    slider_->setAccessibleName(tr("Moment of the recording"));
     slider_->setMinimumHeight(minimum_target);
     named(time_, tr("Moment and length of the recording"),
           tr("Time since the recording began, and the length of the recording"));
@@ -80,6 +81,8 @@ void ReplayBar::changeSpeed(int entries) {
 
 void ReplayBar::showTime(Seconds position) {
     time_->setText(clockText(position) + QStringLiteral(" / ") + clockText(state_.span));
+    tellRange(slider_, tr("Click or drag to go to another moment, in hours, minutes and seconds"),
+              clockText(Seconds{0.0}), clockText(state_.span));
 }
 
 RecordBadge::RecordBadge(QWidget* parent) : QWidget(parent) {

@@ -27,8 +27,12 @@ HintStrip::HintStrip(QWidget* parent) : QFrame(parent) {
     makeFlat(close);
     text_->setTextFormat(Qt::RichText);
     text_->setWordWrap(true);
-    laidOut(new QHBoxLayout(this), {gap::medium, gap::tiny, gap::small, gap::tiny}, -1, {text_, close})
+    laidOut(new QHBoxLayout(this), {gap::medium, gap::tiny, gap::small, gap::tiny}, gap::small, {text_, tour_, close})
         ->setStretchFactor(text_, 1);
+    tour_->setToolTip(tr("Shows the first flight in five steps; you can leave at any moment"));
+    tour_->setMinimumHeight(minimum_target);
+    tour_->hide();
+    connect(tour_, &QPushButton::clicked, this, &HintStrip::tourRequested);
     read_->setSingleShot(true);
     read_->setInterval(reading_time);
     connect(read_, &QTimer::timeout, this, [this] { setDismissed(true); });
@@ -77,6 +81,25 @@ void HintStrip::setDismissed(bool dismissed) {
     if (!dismissed && steps_.complete())
         read_->start(); // It is read once more.
     setVisible(!dismissed_ && !in_replay_);
+}
+
+void HintStrip::setTourOffered(bool offered) {
+    tour_offered_ = offered;
+    fitTour();
+}
+
+QSize HintStrip::minimumSizeHint() const {
+    const int tour_px = tour_->isHidden() ? 0 : tour_->sizeHint().width() + gap::small;
+    return QFrame::minimumSizeHint() - QSize(tour_px, 0);
+}
+
+void HintStrip::fitTour() {
+    tour_->setVisible(tour_offered_ && width() >= minimumSizeHint().width() + tour_->sizeHint().width() + gap::small);
+}
+
+void HintStrip::resizeEvent(QResizeEvent* event) {
+    QFrame::resizeEvent(event);
+    fitTour();
 }
 
 void HintStrip::refresh() {

@@ -30,13 +30,26 @@ public:
     void setAreaNeeded(bool needed);
     /// Sentences for the time after the last step.
     void setWhatNext(const QString& text);
+    /// Offers a tour of the window, if there is room for the offer.
+    void setTourOffered(bool offered);
+    /// The offer needs no room.
+    QSize minimumSizeHint() const override;
     /// In a replay there is nothing to start, so the strip is hidden as long as that.
     void setInReplay(bool in_replay);
     /// True once it need not be shown at the next start.
     bool dismissed() const { return dismissed_ || steps_.complete(); }
     void setDismissed(bool dismissed);
 
+signals:
+    /// The user wants the tour.
+    void tourRequested();
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
+    /// Shows the offer, if there is one and room for it.
+    void fitTour();
     /// Renders the text from steps and state.
     void refresh();
     /// The steps as rich text.
@@ -46,7 +59,9 @@ private:
     QString what_next_;
     bool dismissed_ = false;
     bool in_replay_ = false;
+    bool tour_offered_ = false;
     QLabel* text_ = new QLabel(this);
+    QPushButton* tour_ = new QPushButton(tr("Take the tour"), this);
     QTimer* read_ = new QTimer(this); ///< dismisses the strip when there was time to read what comes next
 };
 

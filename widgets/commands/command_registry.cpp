@@ -78,6 +78,7 @@ void CommandRegistry::list(const CommandSpec& spec, QAction* action, std::functi
     action->setShortcuts(spec.shortcuts);
     action->setToolTip(tooltipText(spec));
     action->setStatusTip(spec.help);
+    action->setWhatsThis(tooltipText(spec));
     window_->addAction(action);
     commands_.push_back(std::make_unique<Command>(Command{spec, action, std::move(enabled), spec.shortcuts}));
     if (const auto& rule = commands_.back()->enabled)

@@ -9,7 +9,8 @@ namespace usar::widgets {
 QDialog* makeAbout(QWidget* window);
 
 /// Gives each part of `window` that has no explanation one for "What is this?": its tooltip, or else its accessible
-/// description; docks get that of their contents. Parts without any show that of the part around them.
+/// description; docks get that of their contents. Parts without any show that of the part around them. To be called
+/// again before each question, because tooltips change.
 void explainParts(QWidget& window);
 
 } // namespace usar::widgets

@@ -14,6 +14,7 @@
 #include "core/base/geometry.h"
 #include "widgets/models/figures.h"
 #include "widgets/style/theme.h"
+#include "widgets/style/tips.h"
 
 namespace usar::widgets {
 namespace {
@@ -124,7 +125,7 @@ void CameraView::makeControls() {
     named(cameras_, tr("Camera"), tr("The robot's camera that is shown"));
     slider_->setRange(0, slider_steps);
     slider_->setMinimumHeight(minimum_target);
-    named(slider_, tr("Zoom"), tr("Angle of view: wide on the left, close on the right"));
+    slider_->setAccessibleName(tr("Zoom"));
     angle_->setFont(themeFont(FontRole::Small));
     named(angle_, tr("Angle of view"), tr("Angle of view across the picture, in degrees"));
     angle_->setMinimumWidth(angle_->fontMetrics().horizontalAdvance(QStringLiteral("120°")));
@@ -173,7 +174,10 @@ void CameraView::setZoom(const CameraZoom& zoom) {
     zoom_ = zoom;
     const bool fixed = zoom.largest_rad <= zoom.smallest_rad;
     slider_->setEnabled(!fixed && !isEmpty());
-    angle_->setText(figure(degrees(zoom.now_rad), 0) + QStringLiteral("°"));
+    const auto angle = [](double rad) { return figure(degrees(rad), 0) + QStringLiteral("°"); };
+    tellRange(slider_, tr("Angle of view: wide on the left, close on the right"), angle(zoom.largest_rad),
+              angle(zoom.smallest_rad));
+    angle_->setText(angle(zoom.now_rad));
     if (fixed || slider_->isSliderDown())
         return;
     const QSignalBlocker quiet(slider_);

@@ -9,6 +9,7 @@
 #include "widgets/drive/drive_pad.h"
 #include "widgets/models/figures.h"
 #include "widgets/style/theme.h"
+#include "widgets/style/tips.h"
 
 namespace usar::widgets {
 
@@ -75,7 +76,7 @@ void DrivePanel::makeSpeed() {
     speed_->setRange(1, speed_steps);
     speed_->setValue(speed_steps * 2 / 5);
     speed_->setMinimumHeight(minimum_target);
-    named(speed_, tr("Speed limit"), tr("Speed at full stick, as a share of the robot's top speed"));
+    speed_->setAccessibleName(tr("Speed limit"));
     speed_text_->setAccessibleName(tr("Speed at full stick"));
     speed_text_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     speed_text_->setFixedSize(speed_text_->fontMetrics().horizontalAdvance(QStringLiteral("100 % · 00.0 m/s")),
@@ -185,6 +186,12 @@ void DrivePanel::showSpeed() {
     if (state_.top_speed_m_s)
         text += tr(" · %1 m/s").arg(figure(*state_.top_speed_m_s * speedShare(), 1));
     speed_text_->setText(text);
+    const auto share = [this](double part) {
+        return figure(100.0 * part, 0) + QStringLiteral(" %") +
+               (state_.top_speed_m_s ? tr(" (%1 m/s)").arg(figure(*state_.top_speed_m_s * part, 2)) : QString());
+    };
+    tellRange(speed_, tr("Speed at full stick, as a share of the robot's top speed"), share(1.0 / speed_steps),
+              share(1.0));
 }
 
 void DrivePanel::setEmpty(const QString& title, const QString& hint) {

@@ -7,6 +7,7 @@
 
 #include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
+#include "widgets/style/tips.h"
 
 namespace usar::widgets {
 namespace {
@@ -21,10 +22,12 @@ const QString highest_key = QStringLiteral("highest_m");
 
 QuantityBox* heightBox(QWidget* parent, const QString& name, const QString& help) {
     constexpr double far_m = 10000.0;
-    auto* const box = named(new QuantityBox(parent), name, help);
+    auto* const box = new QuantityBox(parent);
+    box->setAccessibleName(name);
     box->setRange(-far_m, far_m);
     box->setDecimals(2);
     box->setSuffix(QStringLiteral(" m"));
+    tellRange(box, help);
     box->hide();
     return box;
 }

@@ -14,6 +14,7 @@
 #include "widgets/style/icons.h"
 #include "widgets/style/sheet.h"
 #include "widgets/style/theme.h"
+#include "widgets/style/tips.h"
 
 namespace usar::widgets {
 namespace {
@@ -203,7 +204,7 @@ void LayersPanel::setLayer(MapLayer layer, const LayerState& state) {
     row.eye->setIcon(icon(state.visible ? QStringLiteral("eye") : QStringLiteral("eye-off")));
     row.opacity->setValue(qRound(state.opacity * 100.0));
     row.opacity->setEnabled(state.visible);
-    row.opacity->setToolTip(tr("Opacity: %1 %").arg(row.opacity->value()));
+    tellRange(row.opacity, tr("Opacity: %1 %").arg(row.opacity->value()), tr("10 %"), tr("100 %"));
 }
 
 LayerState LayersPanel::layer(MapLayer layer) const {

@@ -14,6 +14,7 @@
 #include "widgets/style/empty_state.h"
 #include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
+#include "widgets/style/tips.h"
 #include "widgets/style/tool_button.h"
 
 namespace usar::widgets {
@@ -23,12 +24,15 @@ namespace {
 constexpr int palette_columns = 4;
 constexpr int object_icon_px = 24;
 
-QuantityBox* makeBox(const QString& name, const QString& unit, double lowest, double highest, QWidget* parent) {
-    auto* box = named(new QuantityBox(parent), name, name);
+/// Without `suffix` the unit, meters, is written beside the box.
+QuantityBox* makeBox(const QString& name, const QString& suffix, double lowest, double highest, QWidget* parent) {
+    auto* box = new QuantityBox(parent);
+    box->setAccessibleName(name);
     box->setRange(lowest, highest);
     box->setDecimals(2);
     box->setSingleStep(0.1);
-    box->setSuffix(unit);
+    box->setSuffix(suffix);
+    tellRange(box, name, QStringLiteral("m"));
     box->setMinimumWidth(56);
     return box;
 }

@@ -9,6 +9,7 @@
 
 #include "core/base/geometry.h"
 #include "core/base/numbers.h"
+#include "widgets/style/tips.h"
 
 namespace usar::widgets {
 
@@ -89,7 +90,7 @@ QString parameterToolTip(const agent::ParameterSpec& spec) {
         lines << tr("Unit: %1").arg(unit.toHtmlEscaped());
     const bool number = spec.default_value.index() == 1 || spec.default_value.index() == 2;
     if (number)
-        lines << tr("Range: %1 to %2").arg(numberText(spec.minimum, spec), numberText(spec.maximum, spec));
+        lines << rangeText(numberText(spec.minimum, spec), numberText(spec.maximum, spec)).toHtmlEscaped();
     lines << tr("Default: %1").arg(valueText(spec, spec.default_value).toHtmlEscaped());
     lines << tr("In files: %1").arg(QString::fromStdString(spec.id).toHtmlEscaped());
     return lines.join(QStringLiteral("<br>"));

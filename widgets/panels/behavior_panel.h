@@ -71,6 +71,13 @@ public:
     /// Shows this action as a button beside the list of behaviors.
     void setRescanAction(QAction* action);
 
+    /// True while the behavior runs or is paused.
+    bool busy() const { return run_state_ == RunState::Running || run_state_ == RunState::Paused; }
+    // What the tour points at.
+    QComboBox* choice() const { return behavior_box_; }
+    QToolButton* areaTool() const { return area_tool_; }
+    QPushButton* startButton() const { return start_; }
+
 signals:
     /// By the user, or because setBehaviors or chooseBehavior changed the choice.
     void behaviorChosen(const QString& id);
@@ -94,7 +101,6 @@ private:
     /// Enables or disables the button as its action is. Moves the focus to another button before the one that has it is
     /// disabled.
     void follow(QPushButton* button, const QAction* action);
-    bool busy() const { return run_state_ == RunState::Running || run_state_ == RunState::Paused; }
 
     std::vector<agent::BehaviorDescription> behaviors_; ///< in the order of the list
     QWidget* content_ = new QWidget;                    ///< all but the buttons

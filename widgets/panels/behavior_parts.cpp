@@ -9,6 +9,7 @@
 #include "widgets/models/figures.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
+#include "widgets/style/tips.h"
 
 namespace usar::widgets {
 namespace {
@@ -83,11 +84,11 @@ Rectangle AreaForm::area() const {
 
 bool AreaForm::mark(QDoubleSpinBox* box, double minimum_m, double maximum_m) {
     const bool outside = box->value() < minimum_m || box->value() > maximum_m;
-    QString tip = tr("%1 of the mission area in the map frame, meters").arg(box->accessibleName());
+    tellRange(box, tr("%1 of the mission area in the map frame, meters").arg(box->accessibleName()));
     if (outside)
-        tip += u'\n' +
-               tr("This is outside the world, which spans %1 … %2 m").arg(figure(minimum_m, 1), figure(maximum_m, 1));
-    box->setToolTip(tip);
+        box->setToolTip(
+            box->toolTip() + u'\n' +
+            tr("This is outside the world, which spans %1 … %2 m").arg(figure(minimum_m, 1), figure(maximum_m, 1)));
     setRole(box, outside ? "caution" : "");
     return outside;
 }

@@ -8,6 +8,7 @@
 #include "widgets/panels/quantity_box.h"
 #include "widgets/style/empty_state.h"
 #include "widgets/style/theme.h"
+#include "widgets/style/tips.h"
 
 namespace usar::widgets {
 
@@ -46,13 +47,14 @@ void fillRow(QWidget* field) {
     field->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
-QuantityBox* timeBox(const QString& at_zero, const QString& name) {
+QuantityBox* timeBox(const QString& at_zero, const QString& name, const QString& help) {
     auto* box = new QuantityBox;
     box->setRange(0.0, longest_s);
     box->setDecimals(1);
     box->setSuffix(FaultPanel::tr(" s"));
     box->setSpecialValueText(at_zero);
     box->setAccessibleName(name);
+    tellRange(box, help);
     fillRow(box);
     return box;
 }
@@ -75,8 +77,9 @@ void setNames(QComboBox* box, const QString& all, const QStringList& names) {
 
 FaultPanel::FaultPanel(QWidget* parent)
     : QWidget(parent)
-    , from_(timeBox(tr("now"), tr("Begins")))
-    , lasts_(timeBox(tr("until it is ended"), tr("Lasts"))) {
+    , from_(timeBox(tr("now"), tr("Begins"), tr("Simulated time from now until the fault begins")))
+    , lasts_(timeBox(tr("until it is ended"), tr("Lasts"),
+                     tr("Simulated time that the fault lasts; 0: until you end it"))) {
     makeForm();
     makeList();
     laidOut(new QVBoxLayout(this), {gap::small, gap::small, gap::small, gap::small}, gap::small,
@@ -113,7 +116,6 @@ void FaultPanel::makeForm() {
     sensor_->setToolTip(tr("The sensor by name or type; you can type one that is not listed"));
     form_->addRow(tr("Begins"), from_);
     form_->addRow(tr("Lasts"), lasts_);
-    from_->setToolTip(tr("Seconds of simulated time from now"));
     text_->setFont(codeFont());
     text_->setWordWrap(true);
     text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -181,7 +183,7 @@ FaultPanel::Field FaultPanel::addNumber(const FaultQuantity& quantity) {
     if (!quantity.unit.isEmpty())
         box->setSuffix(quantity.unit == "deg" ? QStringLiteral("°") : ' ' + quantity.unit);
     box->setValue(quantity.usual);
-    box->setToolTip(quantity.help.left(1).toUpper() + quantity.help.mid(1));
+    tellRange(box, quantity.help.left(1).toUpper() + quantity.help.mid(1));
     box->setAccessibleName(labelOf(quantity.key));
     fillRow(box);
     form_->insertRow(2 + static_cast<int>(fields_.size()), labelOf(quantity.key), box); // Below robot and sensor.

@@ -73,7 +73,8 @@ ParameterRow::ParameterRow(agent::ParameterSpec spec, QWidget* parent)
         policy.setRetainSizeWhenHidden(true);
         shy->setSizePolicy(policy);
     }
-    setToolTip(parameterToolTip(spec_));
+    for (QWidget* const part : {static_cast<QWidget*>(this), editor_})
+        part->setToolTip(parameterToolTip(spec_));
     laidOut(new QHBoxLayout(this), {}, gap::tiny, {mark_, label_, editor_, reset_})->setStretchFactor(label_, 1);
     showValue();
 }

@@ -7,6 +7,7 @@
 
 #include "core/base/numbers.h"
 #include "widgets/style/theme.h"
+#include "widgets/style/tips.h"
 
 namespace usar::widgets {
 
@@ -20,14 +21,7 @@ QuantityBox::QuantityBox(QWidget* parent) : QDoubleSpinBox(parent) {
 }
 
 QString QuantityBox::textFromValue(double value) const {
-    QString text = QString::fromStdString(fixed(value, decimals()));
-    if (text.contains(u'.')) {
-        while (text.endsWith(u'0'))
-            text.chop(1);
-        if (text.endsWith(u'.'))
-            text.chop(1);
-    }
-    return text == QStringLiteral("-0") ? QStringLiteral("0") : text;
+    return withoutTrailingZeros(QString::fromStdString(fixed(value, decimals())));
 }
 
 QString QuantityBox::numberIn(QString text) const {

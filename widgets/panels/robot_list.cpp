@@ -1,6 +1,7 @@
 #include "widgets/panels/robot_list.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QPainter>
 #include <QScopedValueRollback>
@@ -19,6 +20,8 @@ namespace {
 constexpr int chip_px = 24;
 constexpr int bar_height_px = 6;
 constexpr int percent_width_px = 44;
+constexpr int short_battery_px = 100; ///< beside the state
+constexpr int most_lines = 3;
 
 void paintNumberChip(QPainter* painter, const QRect& chip, const RobotRow& robot) {
     const QColor color = robotColor(robot.number);
@@ -94,11 +97,40 @@ void paintBattery(QPainter* painter, const QRect& line, const RobotRow& robot) {
     painter->drawText(line, Qt::AlignRight | Qt::AlignVCenter, figure(*robot.battery_pct, 0) + QStringLiteral(" %"));
 }
 
+int rowHeight_px(int lines) {
+    return std::max(chip_px, lines * QFontMetrics(themeFont()).height()) + 2 * (lines == 1 ? 2 : gap::tiny);
+}
+
+/// Paints the battery's charge in words at the right of the line; returns the rest of the line.
+QRect paintPercent(QPainter* painter, QRect line, const RobotRow& robot) {
+    if (robot.battery_pct)
+        paintBattery(painter, QRect(line.right() - percent_width_px, line.top(), percent_width_px, line.height()),
+                     robot);
+    line.setRight(line.right() - percent_width_px - gap::small);
+    return line;
+}
+
+/// Name and state in one line; the class, which the tooltip has, and a behavior that drives are left out.
+void paintOneLine(QPainter* painter, QRect line, const RobotRow& robot) {
+    line = paintPercent(painter, line, robot);
+    if (robot.driver.driver == Driver::Person)
+        line = paintDriver(painter, line, robot);
+    painter->setFont(themeFont(FontRole::Body, QFont::DemiBold));
+    painter->setPen(robot.stale ? tokens().stale : tokens().text);
+    paintElided(*painter, line, robot.name);
+    line.setLeft(line.left() + painter->fontMetrics().horizontalAdvance(robot.name) + gap::small);
+    if (line.width() > chip_px)
+        paintState(painter, line, robot);
+}
+
+} // namespace
+
 /// Paints a robot's row: color chip with its number, name, class, state in words, battery bar. Stale rows are gray with
-/// the state struck through and the words "no news".
+/// the state struck through and the words "no news". Where there is little room, a row has fewer lines.
 class RobotDelegate : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
+    int lines = most_lines; ///< 1 to 3
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
         const RobotRow& robot = static_cast<const RobotListModel*>(index.model())->row(index.row());
@@ -109,28 +141,38 @@ public:
         paintRowGround(*painter, option);
         if (selected)
             painter->fillRect(QRect(option.rect.topLeft(), QSize(3, option.rect.height())), tokens().accent);
-        const QRect inner = option.rect.adjusted(gap::small, gap::tiny, -gap::small, -gap::tiny);
+        const int above_px = lines == 1 ? 2 : gap::tiny;
+        const QRect inner = option.rect.adjusted(gap::small, above_px, -gap::small, -above_px);
         paintNumberChip(painter, QRect(inner.topLeft(), QSize(chip_px, chip_px)), robot);
-        const int line_px = QFontMetrics(themeFont()).height();
-        QRect line = inner.adjusted(chip_px + gap::small, 0, 0, 0);
-        line.setHeight(line_px);
-        paintTitle(painter, line, robot);
-        line.translate(0, line_px);
-        paintState(painter, line, robot);
-        line.translate(0, line_px);
-        paintBattery(painter, line, robot);
+        paintLines(painter, inner.adjusted(chip_px + gap::small, 0, 0, 0), robot);
         painter->restore();
     }
     QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override {
-        return {200, 3 * QFontMetrics(themeFont()).height() + 2 * gap::tiny};
+        return {200, rowHeight_px(lines)};
+    }
+
+private:
+    void paintLines(QPainter* painter, QRect line, const RobotRow& robot) const {
+        if (lines == 1)
+            return paintOneLine(painter, line, robot);
+        const int line_px = QFontMetrics(themeFont()).height();
+        line.setHeight(line_px);
+        paintTitle(painter, line, robot);
+        line.translate(0, line_px);
+        QRect battery = line.translated(0, line_px);
+        if (lines == 2 && robot.battery_pct) {
+            battery = line;
+            battery.setLeft(line.right() - short_battery_px);
+            line.setRight(battery.left() - gap::small);
+        }
+        paintState(painter, line, robot);
+        paintBattery(painter, battery, robot);
     }
 };
 
-} // namespace
-
-RobotList::RobotList(QWidget* parent) : QWidget(parent) {
+RobotList::RobotList(QWidget* parent) : QWidget(parent), delegate_(new RobotDelegate(view_)) {
     laidOut(new QVBoxLayout(this), {}, -1, {view_});
-    setUpPaintedRows(view_, model_, new RobotDelegate(view_), tr("Robots"));
+    setUpPaintedRows(view_, model_, delegate_, tr("Robots"));
     view_->setUniformItemSizes(true);
     view_->setMouseTracking(true);
     view_->setContextMenuPolicy(Qt::CustomContextMenu);
@@ -144,7 +186,10 @@ RobotList::RobotList(QWidget* parent) : QWidget(parent) {
             emit robotSelected(model_->row(current.row()).id);
     });
     for (const auto change : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
-        connect(model_, change, this, &RobotList::wholeHeightChanged);
+        connect(model_, change, this, [this] {
+            fitRows();
+            emit wholeHeightChanged();
+        });
     empty_state_ = new EmptyState(view_, tr("No robot yet"), tr("Double-click a start pose on the map to spawn one."));
 }
 
@@ -173,9 +218,28 @@ std::optional<RobotId> RobotList::selectedRobot() const {
     return current.isValid() ? std::optional(model_->row(current.row()).id) : std::nullopt;
 }
 
-int RobotList::wholeHeight_px() const {
-    const int rows = model_->rowCount();
-    return rows * std::max(0, view_->sizeHintForRow(0)) + 2 * view_->frameWidth();
+int RobotList::wholeHeight_px(int lines) const {
+    return model_->rowCount() * rowHeight_px(lines) + 2 * view_->frameWidth();
+}
+
+int RobotList::heightWithin_px(int most_px) const {
+    for (int lines = most_lines; lines >= 1; --lines)
+        if (wholeHeight_px(lines) <= most_px)
+            return wholeHeight_px(lines);
+    return most_px;
+}
+
+void RobotList::fitRows() {
+    int lines = most_lines;
+    while (lines > 1 && wholeHeight_px(lines) > height())
+        --lines;
+    if (std::exchange(delegate_->lines, lines) != lines)
+        view_->doItemsLayout();
+}
+
+void RobotList::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fitRows();
 }
 
 void RobotList::updateEmptyState() {

@@ -9,6 +9,7 @@
 namespace usar::widgets {
 
 class EmptyState;
+class RobotDelegate;
 
 /// State comes in by setters, choices go out by signals; the keys 1-9 belong to the window. GUI thread.
 class RobotList : public QWidget {
@@ -26,8 +27,10 @@ public:
     std::optional<RobotId> selectedRobot() const;
 
     const RobotListModel& model() const { return *model_; }
-    /// Height of the list at which no robot is hidden, in pixels.
-    int wholeHeight_px() const;
+    /// Height of the list at which no robot is hidden, in pixels, if each has so many lines (1 to 3).
+    int wholeHeight_px(int lines = 3) const;
+    /// The height of at most `most_px` that shows all robots with as many lines as possible; `most_px` if none does.
+    int heightWithin_px(int most_px) const;
     QSize sizeHint() const override { return {260, 220}; }
     QSize minimumSizeHint() const override { return {180, 64}; }
 
@@ -39,11 +42,17 @@ signals:
     /// From the context menu or by Delete; the list itself removes nothing before `removeRobot` is called.
     void removeRequested(usar::RobotId id);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void updateEmptyState();
+    /// Gives the rows as many lines as let all robots be seen, but at least one.
+    void fitRows();
 
     RobotListModel* model_ = new RobotListModel(this);
     QListView* view_ = new QListView(this);
+    RobotDelegate* delegate_;
     EmptyState* empty_state_;
     bool quiet_ = false; ///< the program changes the selection, not the user
 };

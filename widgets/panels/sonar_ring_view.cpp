@@ -29,6 +29,14 @@ QPolygonF sector(const auto& frame, const SonarCone& cone, double range_m) {
 
 SonarRingView::SonarRingView(QWidget* parent) : Instrument(parent) {
     setAccessibleName(tr("Sonars around the robot"));
+    tellWhat(0.0);
+}
+
+void SonarRingView::tellWhat(double farthest_m) {
+    const QString reach = farthest_m > 0.0 ? tr(", up to %1 m").arg(figure(farthest_m, 1)) : QString();
+    setToolTip(tr("The sonars where they are mounted, seen from above, with what is ahead at the top. Ranges in "
+                  "meters%1; a cone that is filled to its rim hears nothing.")
+                   .arg(reach));
 }
 
 void SonarRingView::setRing(const SonarRing& ring) {
@@ -41,9 +49,7 @@ void SonarRingView::setRing(const SonarRing& ring) {
         words << tr("%1 %2 m").arg(QString::fromStdString(cone.name), figure(cone.range_m, 2));
         farthest_m = std::max(farthest_m, cone.maximum_m);
     }
-    setToolTip(tr("The sonars where they are mounted, seen from above, with what is ahead at the top. Ranges in "
-                  "meters, up to %1 m; a cone that is filled to its rim hears nothing.")
-                   .arg(figure(farthest_m, 1)));
+    tellWhat(farthest_m);
     showFresh(words.isEmpty() ? tr("No places of sonars yet") : words.join(QStringLiteral(", ")));
 }
 

@@ -38,6 +38,9 @@ private:
     void paintRange(QPainter& painter, const Frame& frame, const SonarCone& cone) const;
     void paintRobot(QPainter& painter, const Frame& frame) const;
 
+    /// Sets the tooltip; zero: the range is not known.
+    void tellWhat(double farthest_m);
+
     SonarRing ring_;
 };
 

@@ -9,6 +9,7 @@
 #include "widgets/plan/plan_parts.h"
 #include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
+#include "widgets/style/tips.h"
 
 namespace usar::widgets {
 
@@ -58,6 +59,7 @@ BreakpointDialog::BreakpointDialog(posh::Breakpoint breakpoint, QWidget* parent)
     from_hit_->setRange(1, std::numeric_limits<int>::max());
     from_hit_->setValue(static_cast<int>(std::min<std::uint64_t>(breakpoint_.skip, 1'000'000'000)) + 1);
     from_hit_->setAccessibleName(tr("First hit that stops"));
+    tellRange(from_hit_, tr("The plan stops at this hit of the breakpoint and at all later ones"));
     once_->setChecked(breakpoint_.once);
     enabled_->setChecked(breakpoint_.enabled);
     auto* form = laidOut(new QFormLayout(this), gap::small);

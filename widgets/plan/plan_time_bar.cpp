@@ -12,6 +12,7 @@
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 #include "widgets/style/time_controls.h"
+#include "widgets/style/tips.h"
 #include "widgets/style/tool_button.h"
 
 namespace usar::widgets {
@@ -46,7 +47,7 @@ PlanTimeBar::PlanTimeBar(QWidget* parent)
     setAccessibleName(tr("Moment of the run"));
     slider_->setRange(0, run_steps);
     slider_->setPageStep(run_steps / 20);
-    named(slider_, tr("Moment of the plan's run"), tr("Click or drag to see what the plan did at another moment"));
+    slider_->setAccessibleName(tr("Moment of the plan's run"));
     slider_->setMinimumHeight(minimum_target);
     named(words_, tr("Shown moment of the run"), tr("Time since the start of the plan, by the robot's clock"));
     words_->setMinimumWidth(words_->fontMetrics().horizontalAdvance(QStringLiteral("at 0000.0 s of 0000.0 s")));
@@ -101,6 +102,8 @@ void PlanTimeBar::setTime(const PlanTime& time) {
     arrange();
     setRole(words_, time.live ? "ok" : "caution");
     words_->setText(planTimeText(time));
+    tellRange(slider_, tr("Click or drag to see what the plan did at another moment"), durationText(time.begin),
+              durationText(time.end));
     if (slider_->isSliderDown())
         return;
     const double span_s = (time.end - time.begin).count();

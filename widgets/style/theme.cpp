@@ -220,7 +220,14 @@ Theme currentTheme() {
     return current_theme;
 }
 
+Theme desktopTheme() {
+    static const Theme at_start =
+        QGuiApplication::palette().color(QPalette::Window).lightness() < 128 ? Theme::Dark : Theme::Light;
+    return at_start;
+}
+
 void applyTheme(Theme theme) {
+    desktopTheme(); // It is read before the palette becomes ours.
     current_theme = theme;
     // A style sheet wraps the style, so the style's name is no indication: a property says whether the style has been
     // set.

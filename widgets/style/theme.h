@@ -42,6 +42,9 @@ const Tokens& tokens();
 /// The theme applied last; dark before the first.
 Theme currentTheme();
 
+/// Dark or light, as the palette was at the start of the program, which is the desktop's. GUI thread.
+Theme desktopTheme();
+
 /// Sets Fusion, palette, fonts and style sheet of the application; every widget gets a PaletteChange. GUI thread.
 void applyTheme(Theme theme);
 

@@ -114,8 +114,8 @@ void WindowDocks::giveRobotsRoom() {
     const int column_px = window_.height() - window_.centralWidget()->y();
     constexpr int rounding_px = 4; // The main window deals out heights in whole shares.
     const int title_px = dock->height() - views_.robots->height() + rounding_px;
-    const int robots_px =
-        std::clamp(views_.robots->wholeHeight_px() + title_px, least_px, std::max(least_px, column_px - others_px));
+    const int most_px = std::max(least_px, column_px - others_px);
+    const int robots_px = std::max(least_px, views_.robots->heightWithin_px(most_px - title_px) + title_px);
     window_.resizeDocks({dock, views_.docks[1]}, {robots_px, column_px - robots_px}, Qt::Vertical);
 }
 

@@ -14,7 +14,7 @@ Result<WindowOptions> readWindowOptions(const QStringList& arguments) {
     addServerOptions(parser);
     parser.addOptions({{"out", "Folder for results.", "folder"},
                        {"plugins", "Folder with robot plugins, besides those that come with the program.", "folder"},
-                       {"theme", "light or dark.", "theme"}});
+                       {"theme", "light, dark or system (as the desktop).", "theme"}});
     parser.addPositionalArgument("file",
                                  "A mission or a plan to open, a recording to replay, or a snapshot to continue from.",
                                  "[MISSION.json | PLAN.lap | RECORDING.usarrec | SNAPSHOT.usarsnap]");
@@ -38,8 +38,8 @@ Result<WindowOptions> readWindowOptions(const QStringList& arguments) {
      : file.endsWith(".usarsnap") ? options.server.simulator.snapshot
                                   : options.mission_file) = file;
     options.theme = parser.value("theme");
-    if (!QStringList{"", "light", "dark"}.contains(options.theme))
-        return failure("\"" + options.theme.toStdString() + "\" is no theme", "--theme", "Say light or dark");
+    if (!QStringList{"", "light", "dark", "system"}.contains(options.theme))
+        return failure("\"" + options.theme.toStdString() + "\" is no theme", "--theme", "Say light, dark or system");
     return options;
 }
 

@@ -13,7 +13,7 @@ struct WindowOptions {
     /// The server to connect to at the start.
     ServerTarget server;
     QString result_folder;      ///< empty: the default folder
-    QString theme;              ///< "light" or "dark"; empty: the one used last
+    QString theme;              ///< "light", "dark" or "system"; empty: the one used last
     QStringList plugin_folders; ///< empty: those that come with the program
     QString mission_file;       ///< mission or plan to open at the start; empty: none
     QString recording;          ///< recording to replay; then no server is connected; empty: none

@@ -11,6 +11,7 @@
 #include "widgets/plan/plan_parts.h"
 #include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
+#include "widgets/style/tips.h"
 
 namespace usar::widgets {
 
@@ -123,6 +124,7 @@ QWidget* ValueField::makeNumber(const ValueShape& shape, double number) {
         auto* const box = new QSpinBox(this);
         box->setRange(static_cast<int>(low), static_cast<int>(high));
         box->setSuffix(suffix);
+        tellRange(box, tr("A whole number"));
         box->setValue(static_cast<int>(number));
         connect(box, &QSpinBox::valueChanged, this, &ValueField::changed);
         edited_ = [box] { return literalOf(static_cast<std::int64_t>(box->value())); };
@@ -133,6 +135,7 @@ QWidget* ValueField::makeNumber(const ValueShape& shape, double number) {
     box->setRange(low, high);
     box->setSingleStep(has_range && high - low <= 2.0 ? 0.05 : 0.5);
     box->setSuffix(suffix);
+    tellRange(box, tr("A number"));
     box->setValue(number);
     connect(box, &QDoubleSpinBox::valueChanged, this, &ValueField::changed);
     edited_ = [this, box, number] { return number == box->value() ? first_ : literalOf(box->value()); };
