@@ -16,7 +16,7 @@ MissionControl::MissionControl(QObject* parent) : Fleet(server::behaviorHostProg
     connect(this, &MissionControl::nextConnected, this, &MissionControl::goOnWithNext);
     connect(&simulator_, &server::SimulatorHost::ready, this, &MissionControl::enter);
     connect(&simulator_, &server::SimulatorHost::robotLearned, this,
-            [this](const QString&, const QString& class_name, bool has_camera) { learn(class_name, has_camera); });
+            [this](const QString&, const auto&... robot) { learn(robot...); });
     connect(&simulator_, &server::SimulatorHost::failed, this, [this](const QString& reason) {
         note(Severity::Error, "simulator", tr("The embedded simulator did not start. %1").arg(reason));
     });
@@ -67,8 +67,8 @@ void MissionControl::leave() {
     emit classesChanged();
 }
 
-void MissionControl::learn(const QString& class_name, bool has_camera) {
-    world_.learn(class_name, has_camera);
+void MissionControl::learn(const QString& class_name, bool has_camera, const std::vector<Outline>& outlines) {
+    world_.learn(class_name, has_camera, outlines);
     emit classesChanged();
 }
 

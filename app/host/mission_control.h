@@ -55,7 +55,7 @@ signals:
 private:
     void enter(quint16 port, const server::WorldPicture& world, const std::vector<sim::Simulation::Orphan>& waiting);
     void leave();
-    void learn(const QString& class_name, bool has_camera);
+    void learn(const QString& class_name, bool has_camera, const std::vector<Outline>& outlines);
     /// Gives the spare connection to the next waiting robot of a snapshot.
     void goOnWithNext();
 

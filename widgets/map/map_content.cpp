@@ -81,7 +81,10 @@ void MapContent::forgetServer() {
 
 void MapContent::takeRobot(const MapRobot& robot) {
     RobotOnMap& on_map = robots[robot.name];
+    FootprintPtr known = on_map.robot.footprint;
     on_map.robot = robot;
+    if (!robot.footprint)
+        on_map.robot.footprint = std::move(known); // Who tells only where it is does not make it forgotten.
     if (!robot.stale)
         on_map.trail.add(robot.base_in_map.position_m.head<2>());
 }

@@ -11,9 +11,9 @@
 
 #include "core/agent/published.h"
 #include "core/protocol/info/game_info.h"
+#include "widgets/map/robot_on_map.h"
 #include "widgets/models/map/area_grip.h"
 #include "widgets/models/map/map_object.h"
-#include "widgets/models/map/trail.h"
 #include "widgets/models/radio_links.h"
 
 namespace usar::widgets {
@@ -52,29 +52,6 @@ using LayerStates = std::array<LayerState, map_layer_count>;
 /// Initial state of map and layers panel: everything visible except contours and radio links; the world is faint, so
 /// that it stays in the background of the measurements.
 LayerStates firstLayers();
-
-/// A robot as the map needs it. `number` 1..9 selects its color and key.
-struct MapRobot {
-    QString name;
-    int number = 1;
-    /// Drawn from x, y and yaw; z appears only in the tooltip.
-    Pose base_in_map;
-    bool stale = false;   ///< the pose may be out of date
-    bool station = false; ///< a base station: it does not move and has no heading
-};
-
-/// A robot with everything that belongs to it.
-struct RobotOnMap {
-    MapRobot robot;
-    /// Path since the spawn, without stale poses.
-    Trail trail;
-    /// Place toward which the behavior is driving; nullopt while it has no goal.
-    std::optional<Vec3> goal_in_map_m;
-    /// End points of the newest scan; NaN for beams that hit nothing.
-    std::vector<Vec3> hits_in_map_m;
-    /// Area of its newest behavior; empty: none. That of the selected robot is AreaOnMap's, which the user may change.
-    Rectangle area_in_map;
-};
 
 /// The mission area while it is drawn and afterwards.
 struct AreaOnMap {

@@ -54,7 +54,12 @@ std::optional<std::size_t> MapHits::startPoseAt(const QPointF& point_px) const {
 QString MapHits::robotAt(const QPointF& point_px) const {
     const auto found = nearest(content_.robots, point_px, transform_,
                                [](const auto& named) { return named.second.robot.base_in_map.position_m; });
-    return found == content_.robots.end() ? QString() : found->first;
+    if (found != content_.robots.end())
+        return found->first;
+    for (const auto& [name, on_map] : content_.robots)
+        if (outlineCovers(on_map.robot, transform_, point_px))
+            return name;
+    return {};
 }
 
 QString MapHits::objectAt(const QPointF& point_px) const {

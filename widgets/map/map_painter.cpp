@@ -259,22 +259,9 @@ void MapPainter::paintRadio() {
 
 void MapPainter::paintRobots() {
     for (const auto& [name, on_map] : content_.robots) {
-        const MapRobot& robot = on_map.robot;
         const bool selected = name == content_.selected_robot;
-        painter_.save();
-        painter_.translate(transform_.toScreen(flat(robot.base_in_map.position_m)));
-        if (selected) {
-            painter_.setPen(QPen(tokens_.text, 2.0));
-            painter_.setBrush(faded(tokens_.background, 0.35));
-            painter_.drawEllipse(QPointF(), symbol::ring_px, symbol::ring_px);
-        }
-        if (robot.station)
-            paintStationSymbol(painter_, robotColor(robot.number), robot.stale);
-        else
-            paintRobotSymbol(painter_, transform_.screenRotation_rad(robot.base_in_map.yaw_rad),
-                             robotColor(robot.number), robot.stale);
-        painter_.restore();
-        paintLabel(labels_.robots.at(name), robotLabel(robot), selected);
+        paintRobot(painter_, on_map.robot, transform_, selected);
+        paintLabel(labels_.robots.at(name), robotLabel(on_map.robot), selected);
     }
 }
 

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <atomic>
+#include <map>
 #include <memory>
 #include <vector>
 
 #include <QObject>
 #include <QStringList>
 
+#include "core/base/outline.h"
 #include "core/protocol/usual_values.h"
 #include "core/server/embedded/simulator_channels.h"
 #include "core/server/embedded/simulator_files.h"
@@ -17,9 +19,10 @@ namespace usar::server {
 /// A simulation that has not been started yet, and the robots that it knows.
 struct LoadedSimulation {
     std::unique_ptr<sim::Simulation> simulation{};
-    QStringList robot_classes{};  ///< classes that can be spawned, without package
-    QStringList camera_classes{}; ///< those of them that have a camera
-    QStringList refused_robots{}; ///< one sentence for each robot file that cannot be read
+    QStringList robot_classes{};                              ///< classes that can be spawned, without package
+    QStringList camera_classes{};                             ///< those of them that have a camera
+    std::map<QString, std::vector<Outline>> robot_outlines{}; ///< footprints (sim::footprintOf), by class
+    QStringList refused_robots{};                             ///< one sentence for each robot file that cannot be read
 };
 
 /// Everything that an embedded simulator is started with.

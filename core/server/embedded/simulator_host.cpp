@@ -4,6 +4,7 @@
 
 #include "core/link/across_threads.h"
 #include "core/server/embedded/simulator_files.h"
+#include "core/sim/robots/footprint.h"
 
 namespace usar::server {
 
@@ -67,6 +68,7 @@ void SimulatorHost::serve(const SimulatorSpec& spec, QObject* worker) {
     WorldPicture picture = pictureOf(loaded->simulation->world());
     picture.robot_classes = loaded->robot_classes;
     picture.camera_classes = loaded->camera_classes;
+    picture.robot_outlines = loaded->robot_outlines;
     const std::vector<sim::Simulation::Orphan> waiting = loaded->simulation->orphans();
     auto* server = new SimulatorServer(std::move(loaded->simulation), worker);
     Result<quint16> port = server->listen(spec.port);
@@ -116,7 +118,8 @@ void SimulatorHost::learn(const QString& robot_file) {
         auto robot = sim::readRobot(robot_file.toStdString());
         if (!robot)
             return emit robotRefused(QString::fromStdString(robot.error().text()));
-        emit robotLearned(robot_file, QString::fromStdString(robot->class_name), hasCamera(*robot));
+        emit robotLearned(robot_file, QString::fromStdString(robot->class_name), hasCamera(*robot),
+                          sim::footprintOf(*robot));
         server.simulation().learn(*std::move(robot));
     });
 }

@@ -54,8 +54,9 @@ signals:
     void noted(const QString& sentence);
     /// A robot file cannot be read; the others can be spawned.
     void robotRefused(const QString& sentence);
-    /// `class_name` is without package.
-    void robotLearned(const QString& robot_file, const QString& class_name, bool has_camera);
+    /// `class_name` is without package; `outlines` as in WorldPicture.
+    void robotLearned(const QString& robot_file, const QString& class_name, bool has_camera,
+                      const std::vector<usar::Outline>& outlines);
     /// A wanted port is in use by another program; the sentence names the port that is used instead, if any.
     void movedPort(const QString& sentence);
     /// Emitted before `ready`, with the ports on which the other channels listen.

@@ -4,12 +4,13 @@
 #include <map>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include <QImage>
 #include <QString>
 #include <QStringList>
 
-#include "core/base/geometry.h"
+#include "core/base/outline.h"
 #include "core/sim/world/world.h"
 
 namespace usar::server {
@@ -18,16 +19,18 @@ namespace usar::server {
 /// not known.
 struct WorldPicture {
     QString name;
-    Rectangle extent_in_map;                      ///< meters; empty: unknown
-    QImage relief;                                ///< ground, water and buildings from above; row 0 = highest y
-    QStringList robot_classes;                    ///< classes that can be spawned there, without package
-    QStringList camera_classes;                   ///< those of them that have a camera
-    std::shared_ptr<const sim::World> world{};    ///< as it was at its start
-    std::shared_ptr<const sim::Terrain> ground{}; ///< that of `world`
-    std::map<QString, QString> objects{};         ///< classes of the objects that the world starts with, by object name
+    Rectangle extent_in_map;    ///< meters; empty: unknown
+    QImage relief;              ///< ground, water and buildings from above; row 0 = highest y
+    QStringList robot_classes;  ///< classes that can be spawned there, without package
+    QStringList camera_classes; ///< those of them that have a camera
+    std::map<QString, std::vector<Outline>> robot_outlines{}; ///< footprints of the classes (sim::footprintOf)
+    std::shared_ptr<const sim::World> world{};                ///< as it was at its start
+    std::shared_ptr<const sim::Terrain> ground{};             ///< that of `world`
+    std::map<QString, QString> objects{}; ///< classes of the objects that the world starts with, by object name
 
     /// A robot of this class can be spawned from now on; it may have been known before.
-    void learn(const QString& class_name, bool has_camera) {
+    void learn(const QString& class_name, bool has_camera, const std::vector<Outline>& outlines) {
+        robot_outlines[class_name] = outlines;
         for (auto [classes, is_one] : {std::pair(&robot_classes, true), std::pair(&camera_classes, has_camera)}) {
             classes->removeAll(class_name);
             if (is_one)
