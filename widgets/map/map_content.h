@@ -10,6 +10,7 @@
 #include <QString>
 
 #include "core/agent/published.h"
+#include "core/base/scenery.h"
 #include "core/protocol/info/game_info.h"
 #include "widgets/map/robot_on_map.h"
 #include "widgets/models/map/area_grip.h"
@@ -82,8 +83,10 @@ struct MapContent {
     QImage background; ///< picture of the world, null for none; row 0 = highest y
     /// The rectangle that `background` covers.
     Rectangle background_in_map;
+    SceneryPtr scenery; ///< what stands in the world; nullptr: unknown
     std::vector<protocol::StartPose> start_poses;
     std::optional<std::size_t> hot_start_pose; ///< index of the one under the cursor or chosen by keys
+    std::optional<Pose> spawn_draft_in_map;    ///< where the user wants to spawn a robot apart from the start poses
     AreaOnMap area;
     /// Robots and base stations, by name.
     std::map<QString, RobotOnMap> robots;
@@ -119,6 +122,8 @@ struct MapContent {
     /// The object with this name; nullptr if there is none. Valid until the next setObjects.
     MapObject* object(const QString& name);
     const MapObject* object(const QString& name) const;
+    /// Where a SpawnChoice spawns: the start pose of this index, or the draft for SpawnChoice::at_draft; nullopt: gone.
+    std::optional<Pose> startOf(int start_pose) const;
     /// Moves the highlight by `by` start poses, wrapping around at both ends; to the first (or last) one if none was
     /// highlighted. Returns the highlighted start pose, or nullptr if there are none.
     const protocol::StartPose* stepStartPose(int by);

@@ -210,6 +210,21 @@ void MapPainter::paintStartPoses() {
         if (const auto& box = labels_.start_poses[i])
             paintLabel(*box, QString::fromStdString(pose.name), hot);
     }
+    paintSpawnDraft();
+}
+
+void MapPainter::paintSpawnDraft() {
+    if (!content_.spawn_draft_in_map)
+        return;
+    constexpr double way_px = 56.0;
+    const Pose& draft = *content_.spawn_draft_in_map;
+    painter_.save();
+    painter_.translate(transform_.toScreen(flat(draft.position_m)));
+    const double turn_rad = transform_.screenRotation_rad(draft.yaw_rad);
+    painter_.setPen(dashedPen(tokens_.accent, 1.5, {3.0, 3.0}));
+    painter_.drawLine(QPointF(), way_px * QPointF(std::sin(turn_rad), -std::cos(turn_rad)));
+    paintStartPoseSymbol(painter_, turn_rad, true);
+    painter_.restore();
 }
 
 void MapPainter::paintLaser() {

@@ -47,6 +47,8 @@ private:
     void paintWaypoints(const MapObject& object);
     /// Paints diamonds with an arrow along the yaw; the one under the cursor is larger and in the accent color.
     void paintStartPoses();
+    /// Paints the robot to spawn as a start pose with a long way ahead.
+    void paintSpawnDraft();
     void paintLaser();
     void paintGoals();
     /// Paints lines between robots in the color of their quality, with their dBm; dashed if there is no link.

@@ -99,6 +99,7 @@ void SimulatorHost::wire(const SimulatorServer& server) {
     using Server = SimulatorServer;
     link::connectAcross(&server, &Server::figuresChanged, this, &SimulatorHost::figuresChanged);
     link::connectAcross(&server, &Server::robotsChanged, this, &SimulatorHost::robotsChanged);
+    link::connectAcross(&server, &Server::objectsChanged, this, &SimulatorHost::objectsChanged);
     link::connectAcross(&server, &Server::marksLeft, this, &SimulatorHost::marksLeft);
     link::connectAcross(&server, &Server::logged, this, &SimulatorHost::noted);
     link::connectAcross(&server, &Server::objectRefused, this, &SimulatorHost::objectRefused);

@@ -67,6 +67,7 @@ signals:
     void faultTurned(const QString& sentence);
     void objectRefused(const QString& name, const QString& reason);
     void robotsChanged(const std::vector<usar::sim::RobotTruth>& robots);
+    void objectsChanged(const usar::protocol::WorldObjects& objects);
     void marksLeft(const std::vector<usar::sim::TraceMark>& marks);
 
 private:
