@@ -4,8 +4,16 @@
 
 #include "core/mission/fleet/roster.h"
 #include "core/protocol/commands/spawn.h"
+#include "widgets/window/map_commands.h"
 
 namespace usar::app {
+
+namespace {
+
+constexpr double drop_height_m = 0.5; ///< so that wheels and feet are above the ground
+const QString draft_subject = QStringLiteral("spawn draft");
+
+} // namespace
 
 RobotDesk::RobotDesk(const DeskContext& context)
     : Desk(context)
@@ -99,11 +107,17 @@ void RobotDesk::wireSpawning() {
     auto* const card = views_.spawn_card;
     connect(views_.map, &widgets::MapView::spawnRequested, this,
             [this, card](int pose) { spawn(card->lastChoice(pose, control_.nextRobotName())); });
-    connect(views_.map, &widgets::MapView::startPoseClicked, this, [this, card](int pose, const QPoint& at) {
-        const auto& start = control_.startPoses()[static_cast<std::size_t>(pose)];
-        card->openFor(pose, QString::fromStdString(start.name), control_.nextRobotName(), at);
-    });
+    widgets::wireSpawnCard(views_, [this] { return control_.nextRobotName(); });
     connect(card, &widgets::SpawnCard::spawnRequested, this, &RobotDesk::spawn);
+    const auto show = [this](const std::optional<Pose>& draft) {
+        widgets::showSpawnDraft(views_, draft, control_.nextRobotName());
+    };
+    connect(&views_.map->gestures(), &widgets::MapGestures::draftPlaced, this,
+            [this, show](const auto& before, const auto& after) {
+                show(after);
+                control_.history().addStep(
+                    mission::valueEdit<std::optional<Pose>>(draft_subject, tr("place robot"), before, after, show));
+            });
     const auto count = [this, card] {
         card->setRoom(static_cast<int>(control_.robots().size()), mission::Roster::most_robots);
     };
@@ -177,14 +191,20 @@ void RobotDesk::dismiss(RobotId id, const QString& name, RobotId instead) {
 }
 
 void RobotDesk::spawn(const widgets::SpawnChoice& choice) {
-    const auto& poses = control_.startPoses();
-    if (choice.start_pose < 0 || choice.start_pose >= static_cast<int>(poses.size()))
+    std::optional<Pose> start = views_.map->content().startOf(choice.start_pose);
+    const bool drawn = choice.start_pose == widgets::SpawnChoice::at_draft;
+    if (!start)
         return;
-    const protocol::StartPose& pose = poses[static_cast<std::size_t>(choice.start_pose)];
-    const auto id =
-        control_.spawn({choice.class_name.toStdString(), choice.robot_name.toStdString(), pose.pose_in_map});
+    if (drawn)
+        start->position_m.z() = control_.ground_m(start->position_m.head<2>(), robot()) + drop_height_m;
+    const auto id = control_.spawn({choice.class_name.toStdString(), choice.robot_name.toStdString(), *start});
     if (!id)
         return notices_.complain("spawn", id.error());
+    if (drawn) {
+        views_.map->gestures().setDraft({});
+        control_.history().lock([](const QString& subject) { return subject == draft_subject; },
+                                tr("The robot was spawned."));
+    }
     control_.history().note(tr("spawn %1").arg(choice.robot_name));
     if (!choice.behavior_id.isEmpty())
         views_.behavior->chooseBehavior(choice.behavior_id.toStdString());

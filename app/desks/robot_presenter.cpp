@@ -11,16 +11,6 @@
 
 namespace usar::app {
 
-namespace {
-
-widgets::MapRobot onMap(const RobotView& view) {
-    return {QString::fromStdString(view.spawn.robot_name), view.id.value,
-            view.base_in_map.value_or(view.spawn.start_in_map), mission::isStale(view),
-            protocol::isStation(view.spawn.class_name)};
-}
-
-} // namespace
-
 widgets::ControlWords controlWords(const MissionControl& control, const Robot* robot) {
     using widgets::Driver;
     if (!robot)
@@ -32,6 +22,16 @@ widgets::ControlWords controlWords(const MissionControl& control, const Robot* r
         return {nameOf(*robot), Driver::Person, mission::deviceText(state)};
     const agent::BehaviorDescription* const behavior = control.plugins().behavior(state.behavior_id);
     return {nameOf(*robot), Driver::Behavior, QString::fromStdString(behavior ? behavior->name : state.behavior_id)};
+}
+
+widgets::MapRobot RobotPresenter::onMap(const RobotView& view) {
+    return {QString::fromStdString(view.spawn.robot_name),
+            view.id.value,
+            view.base_in_map.value_or(view.spawn.start_in_map),
+            mission::isStale(view),
+            protocol::isStation(view.spawn.class_name),
+            footprints_.of(QString::fromStdString(view.spawn.class_name), control_.world().robot_outlines,
+                           heard_[view.connection].instruments.fitting().dimensions_m())};
 }
 
 void RobotPresenter::show(RobotId id, const std::shared_ptr<const mission::SessionUpdate>& shared) {
@@ -55,12 +55,12 @@ void RobotPresenter::show(RobotId id, const std::shared_ptr<const mission::Sessi
         heard.questions.take(line, update.figures.now);
         views_.plots->take(QString::fromStdString(view.spawn.robot_name), line, update.figures.now);
     }
+    ask(*control_.robot(id));
     if (!selected)
         return;
     showTraffic(update.figures);
     if (update.ground)
         views_.terrain->setProfile(*update.ground);
-    ask(*control_.robot(id));
     showInstruments(view);
     for (const protocol::InfoLine& line : update.lines)
         views_.sensors->take(line, update.figures.now);

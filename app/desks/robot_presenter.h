@@ -43,6 +43,8 @@ private:
         widgets::RobotInstruments instruments;
         mission::EquipmentQuestions questions;
     };
+    /// With the outline of its robot file or, on another server, of the size that it tells.
+    widgets::MapRobot onMap(const RobotView& view);
     /// Clears what was shown of a replay that was rewound.
     void restart(const RobotView& view, bool selected);
     void extendTrail(const RobotView& view, const mission::SessionUpdate& update);
@@ -59,7 +61,8 @@ private:
     const Selection& selection_;
     std::map<ConnectionId, mission::TraceWatch> traces_; ///< by connection
     std::map<ConnectionId, Heard> heard_;                ///< kept for every robot until it is selected
-    std::map<ConnectionId, std::uint64_t> not_shown_;    ///< number of lines left out of updates so far, by connection
+    widgets::Footprints footprints_;
+    std::map<ConnectionId, std::uint64_t> not_shown_; ///< number of lines left out of updates so far, by connection
 };
 
 /// Says who drives the robot, for chips and lists. `robot` may be null; then the words are empty.

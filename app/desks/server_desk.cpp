@@ -143,7 +143,7 @@ void ServerDesk::showLink(const link::LinkStatus& status) {
 }
 
 void ServerDesk::showWorld(const server::WorldPicture& world) {
-    views_.map->setWorld(world.extent_in_map, world.name);
+    views_.map->setWorld(world.extent_in_map, world.name, world.scenery);
     views_.map->setBackground(world.relief, world.extent_in_map);
     views_.map->fitWorld();
 }

@@ -4,6 +4,7 @@
 #include <QJsonDocument>
 
 #include "widgets/commands/command_palette.h"
+#include "widgets/window/map_commands.h"
 
 namespace usar::app {
 
@@ -33,12 +34,7 @@ void ViewDesk::registerCommands() {
     add(
         "edit.redo", [history] { return history->canRedo(); }, [history] { history->redo(); });
     layouts_.registerCommands();
-    auto* const map = views_.map;
-    add("map.fit", [map] { map->fit(); });
-    add("map.fit_world", [map] { map->fitWorld(); });
-    add("map.follow", [map](bool on) { map->setFollowing(on); });
-    add("map.zoom_in", [map] { map->zoomIn(); });
-    add("map.zoom_out", [map] { map->zoomOut(); });
+    widgets::registerMapCommands(commands_, views_.map);
     themes_.registerCommands();
     add("view.hint", [this] { views_.hint->setDismissed(false); });
     auto* palette = new widgets::CommandPalette(commands_, &main_window_);
@@ -64,7 +60,6 @@ void ViewDesk::wire() {
     wireHistory();
     wireFiles();
     docks_.wire();
-    connect(views_.map, &widgets::MapView::followingChanged, action("map.follow"), &QAction::setChecked);
     connect(&selection_, &Selection::changed, this, [this](RobotId id) {
         if (id.valid())
             docks_.showForRobot();

@@ -56,8 +56,9 @@ MapObject onMap(const mission::WorldThing& thing, std::vector<Vec2> way_m, doubl
 
 WorldEditor::WorldEditor(const DeskContext& context)
     : Desk(context)
-    , edits_(context.control.history(), {sizeOfKind, [this](const protocol::Command& command) { link_.send(command); },
-                                         [this](const Vec2& at_m) { return ground_m(at_m); }, [this] { show(); }}) {
+    , edits_(context.control.history(),
+             {sizeOfKind, [this](const protocol::Command& command) { link_.send(command); },
+              [this](const Vec2& at_m) { return control_.ground_m(at_m, robot()); }, [this] { show(); }}) {
     setClasses();
     views_.world->setKinds(palette());
 }
@@ -127,6 +128,10 @@ void WorldEditor::wire() {
     connect(views_.layers, &widgets::LayersPanel::layerChanged, this, &WorldEditor::refreshPolling);
     connect(&control_.simulator(), &server::SimulatorHost::figuresChanged, this,
             [this](const server::SimulatorFigures& figures) { real_time_factor_ = figures.real_time_factor; });
+    connect(&control_.simulator(), &server::SimulatorHost::objectsChanged, this, [this](const auto& objects) {
+        edits_.inventory().setSeen(objects);
+        show();
+    });
     connect(&control_.simulator(), &server::SimulatorHost::objectRefused, &link_, &mission::WorldLink::refuse);
     wireMap();
     showState();
@@ -149,6 +154,8 @@ void WorldEditor::setServer(const link::LinkStatus& status) {
         if (std::exchange(opened_, false))
             link_.close();
         edits_.clear();
+        edits_.inventory().setThings({});
+        show();
         setClasses();
     } else if (status.state == link::LinkState::Connected && !same) {
         host_ = status.host;
@@ -175,7 +182,7 @@ void WorldEditor::setClasses() {
 }
 
 void WorldEditor::refresh() {
-    if (dock_seen_ && port_ != 0 && !opened_) {
+    if ((dock_seen_ || !selected_.isEmpty()) && port_ != 0 && !opened_) {
         opened_ = true;
         link_.open(host_, port_);
     }
@@ -208,7 +215,8 @@ std::vector<MapObject> WorldEditor::objects() const {
 
 void WorldEditor::show() {
     const bool none_before = shown_.empty();
-    edits_.inventory().setThings(link_.view().things);
+    if (link_.view().state == mission::WorldState::Ready || !control_.simulator().running())
+        edits_.inventory().setThings(link_.view().things);
     shown_ = objects();
     views_.map->setObjects(shown_);
     if (dock_seen_)
@@ -232,7 +240,7 @@ void WorldEditor::select(const QString& name) {
     selected_ = name;
     views_.map->selectObject(name);
     views_.world->selectObject(name);
-    commands_.refresh();
+    refresh();
 }
 
 /// Lets the map place the object chosen in the palette; ends placing if none is chosen.
@@ -244,12 +252,7 @@ void WorldEditor::arm() {
             views_.map->setTool(MapTool::Pan);
         return;
     }
-    MapObject ghost;
-    ghost.name = ghost.kind = choice->class_name;
-    ghost.form = choice->form;
-    ghost.size_m = choice->size_m;
-    ghost.carries = choice->conveyor;
-    views_.map->setGhost(ghost);
+    views_.map->setGhost(choice->object());
     views_.map->setTool(MapTool::Place);
 }
 
@@ -297,20 +300,6 @@ void WorldEditor::follow(bool moving) {
     if ((!object->waypoints_in_map_m.empty() || !object->carries) && views_.map->tool() == MapTool::Waypoint)
         views_.map->setTool(MapTool::Pan);
     edits_.follow(selectedName(), object->carries, {views_.world->speed_m_s(), views_.world->loop(), moving});
-}
-
-double WorldEditor::ground_m(const Vec2& at_m) const {
-    mission::GroundSources sources;
-    if (const auto& terrain = control_.world().ground; terrain && !terrain->empty())
-        sources.terrain_m = [terrain](const Vec2& point_m) {
-            return terrain->extent().contains(point_m) ? std::optional(terrain->height_m(point_m)) : std::nullopt;
-        };
-    if (const Robot* const robot = selection_.robot()) {
-        sources.tiles = &robot->view().tiles;
-        sources.cell_size_m = robot->view().cell_size_m;
-    }
-    sources.start_poses = control_.startPoses();
-    return mission::groundHeight_m(sources, at_m);
 }
 
 } // namespace usar::app

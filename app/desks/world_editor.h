@@ -9,9 +9,10 @@
 
 namespace usar::app {
 
-/// Connects when the dock is first shown on a server, so that the server has no load from users who do not need it.
-/// Polls five times a second while the dock is visible, twice a second while only the map shows objects, else never.
-/// Belongs to the GUI thread; owned by the window.
+/// Connects when the dock is first shown or an object is selected on a server, so that the server has no load from
+/// users who do not need it; until then the embedded simulator tells where its objects are when one has moved. Polls
+/// five times a second while the dock is visible, twice a second while only the map shows objects, else never. Belongs
+/// to the GUI thread; owned by the window.
 class WorldEditor : public Desk {
     Q_OBJECT
 public:
@@ -63,8 +64,6 @@ private:
     /// Starts or stops the selected object's motion along its way, or its belt.
     void follow(bool moving);
     void say(const QString& text) { notices_.say(Severity::Warning, "world", text); }
-    /// Returns the ground height, from the embedded world, the selected robot's scan, or a guess from the start poses.
-    double ground_m(const Vec2& at_m) const;
 
     mission::WorldLink link_;
     mission::WorldEditing edits_;

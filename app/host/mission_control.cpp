@@ -15,8 +15,10 @@ MissionControl::MissionControl(QObject* parent) : Fleet(server::behaviorHostProg
     connect(this, &MissionControl::serverLeft, this, &MissionControl::leave);
     connect(this, &MissionControl::nextConnected, this, &MissionControl::goOnWithNext);
     connect(&simulator_, &server::SimulatorHost::ready, this, &MissionControl::enter);
-    connect(&simulator_, &server::SimulatorHost::robotLearned, this,
-            [this](const QString&, const QString& class_name, bool has_camera) { learn(class_name, has_camera); });
+    connect(&simulator_, &server::SimulatorHost::robotLearned, this, [this](const QString&, const auto&... robot) {
+        world_.learn(robot...);
+        emit classesChanged();
+    });
     connect(&simulator_, &server::SimulatorHost::failed, this, [this](const QString& reason) {
         note(Severity::Error, "simulator", tr("The embedded simulator did not start. %1").arg(reason));
     });
@@ -64,11 +66,6 @@ void MissionControl::leave() {
     waiting_.clear();
     simulator_.stop();
     world_ = {};
-    emit classesChanged();
-}
-
-void MissionControl::learn(const QString& class_name, bool has_camera) {
-    world_.learn(class_name, has_camera);
     emit classesChanged();
 }
 

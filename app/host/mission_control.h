@@ -6,6 +6,7 @@
 #include "core/mission/edits/edit_history.h"
 #include "core/mission/fleet/fleet.h"
 #include "core/mission/fleet/fleet_questions.h"
+#include "core/mission/fleet/known_ground.h"
 #include "core/server/embedded/simulator_host.h"
 #include "core/server/embedded/window_options.h"
 
@@ -37,6 +38,10 @@ public:
     /// Returns the robots that plugins can drive, followed by the embedded simulator's other robots, which can only be
     /// driven by commands.
     std::vector<agent::RobotDescription> robotsToSpawn() const;
+    /// Height of the ground, as far as it is known (mission::knownGround_m).
+    double ground_m(const Vec2& at_m, const Robot* scanning) const {
+        return mission::knownGround_m(at_m, world_.terrainHeight(), scanning, startPoses());
+    }
     /// Names of all robots on the server; replays are left out.
     QStringList liveNames() const { return mission::liveNames(robots()); }
     /// True if a behavior of ours runs on any robot.
@@ -55,7 +60,6 @@ signals:
 private:
     void enter(quint16 port, const server::WorldPicture& world, const std::vector<sim::Simulation::Orphan>& waiting);
     void leave();
-    void learn(const QString& class_name, bool has_camera);
     /// Gives the spare connection to the next waiting robot of a snapshot.
     void goOnWithNext();
 

@@ -17,6 +17,18 @@ constexpr qint64 rtf_window_ms = 1000;
 constexpr qint64 turn_ms = 20;
 constexpr double most_ticks_owed = 5.0;
 
+/// True if nobody who watches would see a difference: a body at rest on another trembles a little.
+bool looksLike(const protocol::WorldObjects& some, const protocol::WorldObjects& others) {
+    constexpr double least_m = 0.002;
+    constexpr double least_rad = 0.01;
+    return std::ranges::equal(some.objects, others.objects, [](const auto& a, const auto& b) {
+        const Pose& from = a.object_in_map;
+        const Pose& to = b.object_in_map;
+        return a.name == b.name && a.size_m == b.size_m && (from.position_m - to.position_m).norm() < least_m &&
+               from.rotation().angularDistance(to.rotation()) < least_rad;
+    });
+}
+
 } // namespace
 
 SimulatorServer::SimulatorServer(std::unique_ptr<sim::Simulation> simulation, QObject* parent)
@@ -244,6 +256,8 @@ void SimulatorServer::report() {
         samples_.pop_front();
     emit figuresChanged(figures());
     emit robotsChanged(simulation_->robots());
+    if (const protocol::WorldObjects objects = simulation_->objects(); !looksLike(objects, objects_told_))
+        emit objectsChanged(objects_told_ = objects);
     if (const std::vector<sim::TraceMark> marks = simulation_->traceMarksSince(marks_told_); !marks.empty())
         emit marksLeft(marks);
     marks_told_ = simulation_->traceMarksMade();

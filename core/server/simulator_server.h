@@ -85,6 +85,8 @@ signals:
     void faultsChanged(const std::vector<usar::sim::FaultStatus>& faults);
     void faultTurned(const QString& sentence); ///< such as "60.0 s: fault begins: wind speed=5"
     void robotsChanged(const std::vector<usar::sim::RobotTruth>& robots); ///< emitted with figuresChanged
+    /// Emitted with figuresChanged if an object has come, gone or visibly moved.
+    void objectsChanged(const usar::protocol::WorldObjects& objects);
     /// Trace marks left by robots of any client since the last emission; emitted with figuresChanged.
     void marksLeft(const std::vector<usar::sim::TraceMark>& marks);
 
@@ -128,6 +130,7 @@ private:
     /// Calls of `stepOnce` that have not been obeyed yet.
     int steps_asked_ = 0;
     std::uint64_t marks_told_ = 0;
+    protocol::WorldObjects objects_told_;
     qint64 last_advance_ms_ = 0;
     Seconds tick_;
     Seconds owed_{0.0}; ///< simulated time that is due at this pace but has not been made

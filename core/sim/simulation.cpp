@@ -387,6 +387,10 @@ std::vector<RobotTruth> Simulation::robots() const {
     return truths;
 }
 
+protocol::WorldObjects Simulation::objects() const {
+    return state_->controller.states({});
+}
+
 std::vector<RadioStation> Simulation::radios() const {
     const Vec3 up_m(0.0, 0.0, state_->options.radio.antenna_height_m);
     std::vector<RadioStation> radios;

@@ -12,6 +12,7 @@
 #include "core/base/clock.h"
 #include "core/base/id.h"
 #include "core/base/result.h"
+#include "core/protocol/info/world_objects.h"
 #include "core/sim/camera/camera_scene.h"
 #include "core/sim/faults/fault_schedule.h"
 #include "core/sim/radio.h"
@@ -107,6 +108,7 @@ public:
     const World& world() const;
     CameraScene cameraScene() const; ///< a value that any thread can render
     std::vector<RobotTruth> robots() const;
+    protocol::WorldObjects objects() const;   ///< where the movable ones are now
     std::vector<RadioStation> radios() const; ///< those of all robots and base stations, in the order of connection
     /// Counts all obstacles, even those beyond the number that weakens a radio.
     int obstaclesBetween(const Vec3& a_in_map_m, const Vec3& b_in_map_m) const;

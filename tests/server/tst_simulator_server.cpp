@@ -314,6 +314,31 @@ private slots:
         QVERIFY(figures.last().first().value<SimulatorFigures>().real_time_factor < 12.0);
     }
 
+    void objectsAreToldWhenOneHasMoved() {
+        Served served(Pace::Factor, 10.0);
+        QSignalSpy told(&served.server, &SimulatorServer::objectsChanged);
+        const auto ball = [&]() -> std::optional<Pose> {
+            const auto objects =
+                told.isEmpty() ? protocol::WorldObjects{} : told.last()[0].value<protocol::WorldObjects>();
+            return objects.objects.size() == 1 ? std::optional(objects.objects[0].object_in_map) : std::nullopt;
+        };
+        Client client(served.port);
+        client.say(
+            "INIT {ClassName USARBot.WorldController} {Name WC}\r\n"
+            "CONTROL {Type Create} {ClassName USARModels.Ball} {Name B} {Location 2,1,-0.11} {Permanent True}\r\n");
+        QTRY_VERIFY(ball());
+        QSignalSpy figures(&served.server, &SimulatorServer::figuresChanged);
+        QTRY_VERIFY(figures.count() >= 4);
+        told.clear();
+        figures.clear();
+        QTRY_VERIFY(figures.count() >= 4);
+        QCOMPARE(told.count(), 0); // It lies still.
+        client.say("CONTROL {Type AbsMove} {Name B} {Location 4,-3,-0.11}\r\n");
+        QTRY_VERIFY(ball() && (ball()->position_m.head<2>() - Vec2(4.0, 3.0)).norm() < 0.05);
+        client.say("CONTROL {Type Kill} {Name B}\r\n");
+        QTRY_VERIFY(!told.last()[0].value<protocol::WorldObjects>().objects.size());
+    }
+
     void whatIsIgnoredIsLogged() {
         Served served(Pace::Factor, 50.0);
         QSignalSpy log(&served.server, &SimulatorServer::logged);

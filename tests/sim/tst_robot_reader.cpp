@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -7,6 +8,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/sim/robots/footprint.h"
 #include "core/sim/robots/robot_reader.h"
 #include "tests/doubles/shipped_robots.h"
 #include "tests/suite/suite.h"
@@ -187,6 +189,31 @@ private slots:
             QVERIFY2(findRobot(*doubles::shippedRobots(), name), name);
         QCOMPARE(findRobot(*doubles::shippedRobots(), "ERS")->drive.joints.size(), std::size_t(15));
         QVERIFY(!findRobot(*doubles::shippedRobots(), "USARBot.Zerg"));
+    }
+
+    /// In the frame of the base, which is neither that of the center of mass nor that of a link.
+    void footprintIsWhereTheCollisionsAre() {
+        const auto robot = readText(sample());
+        QVERIFY(robot);
+        const std::vector<Outline> outlines = footprintOf(*robot);
+        QCOMPARE(outlines.size(), std::size_t(2)); // The arm collides with nothing.
+        Rectangle hull{outlines[0][0], outlines[0][0]};
+        for (const Vec2& corner_m : outlines[0])
+            hull = {hull.min_m.cwiseMin(corner_m), hull.max_m.cwiseMax(corner_m)};
+        QVERIFY(hull.min_m.isApprox(Vec2(-0.15, -0.2)) && hull.max_m.isApprox(Vec2(0.35, 0.2)));
+        for (const Vec2& corner_m : outlines[1])
+            QVERIFY(std::abs((corner_m - Vec2(0.0, 0.2)).norm() - 0.1) < 1e-9);
+    }
+
+    void everyShippedRobotCoversWhatItsFileSays() {
+        for (const RobotModel& robot : *doubles::shippedRobots()) {
+            double longest_m = 0.0;
+            for (const Outline& outline : footprintOf(robot))
+                for (const Vec2& corner_m : outline)
+                    longest_m = std::max(longest_m, corner_m.norm());
+            const double said_m = robot.dimensions_m.head<2>().norm() / 2.0;
+            QVERIFY2(longest_m > 0.5 * said_m && longest_m < 1.5 * said_m, robot.class_name.c_str());
+        }
     }
 };
 

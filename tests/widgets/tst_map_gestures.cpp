@@ -7,6 +7,7 @@
 
 #include "tests/suite/suite.h"
 #include "widgets/map/map_gestures.h"
+#include "widgets/map/spawn_choice.h"
 
 namespace tst_map_gestures {
 
@@ -89,6 +90,10 @@ private slots:
     void cursorSaysWhatAPressWouldDo();
     void disabledWidgetHasNoGestures();
     void toolTipsDescribeWhatIsThere();
+    void robotIsPlacedAndTurned_data();
+    void robotIsPlacedAndTurned();
+    void placingIsCanceledAndTakenAway();
+    void placedRobotIsClicked();
 };
 
 void tst_MapGestures::leftPressPansOnlyIfItMoves() {
@@ -108,7 +113,7 @@ void tst_MapGestures::leftPressPansOnlyIfItMoves() {
 void tst_MapGestures::otherButtonsPanWithEveryTool_data() {
     QTest::addColumn<int>("tool");
     QTest::addColumn<Qt::MouseButton>("button");
-    for (const MapTool tool : {MapTool::Pan, MapTool::Area, MapTool::Place, MapTool::Waypoint})
+    for (const MapTool tool : {MapTool::Pan, MapTool::Area, MapTool::Place, MapTool::Waypoint, MapTool::Robot})
         for (const Qt::MouseButton button : {Qt::MiddleButton, Qt::RightButton})
             QTest::addRow("tool %d, button %d", int(tool), int(button)) << int(tool) << button;
 }
@@ -355,6 +360,74 @@ void tst_MapGestures::toolTipsDescribeWhatIsThere() {
     QCOMPARE(hits.robotAt(ground.screen(8, -8)), QString());
     ground.content.layers[static_cast<std::size_t>(MapLayer::StartPoses)].visible = false;
     QCOMPARE(hits.toolTipAt(ground.screen(8, 8)), QString());
+}
+
+void tst_MapGestures::robotIsPlacedAndTurned_data() {
+    QTest::addColumn<double>("dx_m");
+    QTest::addColumn<double>("dy_m");
+    QTest::addColumn<double>("yaw_rad");
+    QTest::newRow("a click looks along x") << 0.0 << 0.0 << 0.0;
+    QTest::newRow("a hand that trembles, too") << 0.3 << 0.4 << 0.0;
+    QTest::newRow("up") << 0.0 << 5.0 << pi / 2.0;
+    QTest::newRow("down and left") << -4.0 << -4.0 << -0.75 * pi;
+}
+
+void tst_MapGestures::robotIsPlacedAndTurned() {
+    QFETCH(double, dx_m);
+    QFETCH(double, dy_m);
+    QFETCH(double, yaw_rad);
+    Ground ground;
+    std::vector<std::pair<std::optional<Pose>, std::optional<Pose>>> placed;
+    connect(&ground.gestures, &MapGestures::draftPlaced, this,
+            [&](const auto& before, const auto& after) { placed.emplace_back(before, after); });
+    ground.gestures.setTool(MapTool::Robot);
+    ground.pull(ground.screen(3.0, -2.0), ground.screen(3.0 + dx_m, -2.0 + dy_m));
+    QVERIFY(ground.content.spawn_draft_in_map && placed.empty()); // It is seen before it is told.
+    ground.release(ground.screen(3.0 + dx_m, -2.0 + dy_m));
+    QCOMPARE(placed.size(), 1u);
+    QVERIFY(!placed[0].first && placed[0].second == ground.content.spawn_draft_in_map);
+    QVERIFY((placed[0].second->position_m - Vec3(3.0, -2.0, 0.0)).norm() < 0.06);
+    QVERIFY(std::abs(placed[0].second->yaw_rad - yaw_rad) < 0.02);
+    QCOMPARE(ground.gestures.tool(), MapTool::Pan); // One robot at a time.
+    ground.gestures.setTool(MapTool::Robot);
+    ground.press({10, 10});
+    ground.release({10, 10});
+    QVERIFY(placed.size() == 2 && placed[1].first == placed[0].second);
+}
+
+void tst_MapGestures::placingIsCanceledAndTakenAway() {
+    Ground ground;
+    int told = 0;
+    connect(&ground.gestures, &MapGestures::draftPlaced, this, [&] { ++told; });
+    QVERIFY(!ground.gestures.escape());
+    ground.gestures.setTool(MapTool::Robot);
+    ground.pull({100, 100}, {150, 100});
+    QVERIFY(ground.gestures.escape());
+    ground.release({150, 100});
+    QVERIFY(!ground.content.spawn_draft_in_map && told == 0);
+    QCOMPARE(ground.gestures.tool(), MapTool::Robot); // Another try.
+    ground.pull({100, 100}, {150, 100});
+    ground.release({150, 100});
+    QVERIFY(ground.content.spawn_draft_in_map && told == 1);
+    QVERIFY(ground.gestures.escape()); // The next Escape takes the robot away, as an edit.
+    QVERIFY(!ground.content.spawn_draft_in_map && told == 2);
+    QVERIFY(!ground.gestures.escape());
+}
+
+void tst_MapGestures::placedRobotIsClicked() {
+    Ground ground;
+    QSignalSpy clicked(&ground.gestures, &MapGestures::draftClicked);
+    ground.gestures.setDraft(Pose{{3.0, 2.0, 0.0}});
+    ground.press(ground.screen(3.5, 2.0));
+    ground.release(ground.screen(3.5, 2.0));
+    QCOMPARE(clicked.count(), 1);
+    ground.press(ground.screen(7.0, 2.0));
+    ground.release(ground.screen(7.0, 2.0));
+    QCOMPARE(clicked.count(), 1);
+    QCOMPARE(ground.content.startOf(SpawnChoice::at_draft), std::optional(Pose{{3.0, 2.0, 0.0}}));
+    QVERIFY(!ground.content.startOf(0));
+    ground.gestures.setDraft({});
+    QVERIFY(!ground.content.startOf(SpawnChoice::at_draft));
 }
 
 USAR_TEST(tst_MapGestures)

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "widgets/map/scenery_painter.h"
 #include "widgets/style/sheet.h"
 
 namespace usar::widgets {
@@ -73,6 +74,8 @@ void GroundPicture::paint(QPainter& painter, const MapContent& content, const Ma
                       content.background_in_map,
                       content.layer(MapLayer::World),
                       content.layer(MapLayer::Grid),
+                      content.scenery,
+                      content.layer(MapLayer::Objects),
                       currentTheme(),
                       painter.device()->devicePixelRatioF()};
     if (shown_ != shown) {
@@ -88,6 +91,10 @@ void GroundPicture::paint(QPainter& painter, const MapContent& content, const Ma
             paintWorld(ground, content, transform);
         if (seen(shown.grid))
             paintGrid(ground, content, transform);
+        if (seen(shown.objects) && content.scenery) {
+            ground.setOpacity(shown.objects.opacity);
+            paintScenery(ground, *content.scenery, transform);
+        }
     }
     painter.drawImage(0, 0, picture_);
 }

@@ -1,5 +1,5 @@
-// The lowest layers of the map as one picture: the world with its relief, and the grid. They change only when the view
-// moves, so frames in between copy pixels.
+// The lowest layers of the map as one picture: the world with its relief, the grid, and the trees and buildings. They
+// change only when the view moves, so frames in between copy pixels.
 #pragma once
 
 #include <optional>
@@ -16,8 +16,9 @@ namespace usar::widgets {
 /// Keeps the picture of the last frame. GUI thread.
 class GroundPicture {
 public:
-    /// Paints the background of the whole viewport, and those of the two layers that are visible. Makes the picture
-    /// again if anything that it shows has changed since the last call.
+    /// Paints the background of the whole viewport, and those of the layers that are visible. Makes the picture again
+    /// if anything that it shows has changed since the last call. Trees and buildings lie below the height map, which
+    /// shows what was scanned of them; objects that can be moved are painted above it, by MapPainter.
     void paint(QPainter& painter, const MapContent& content, const MapTransform& transform);
     /// How often the picture was made.
     int times_made() const { return times_made_; }
@@ -32,6 +33,8 @@ private:
         Rectangle background_in_map;
         LayerState world;
         LayerState grid;
+        SceneryPtr scenery;
+        LayerState objects;
         Theme theme;
         double pixel_ratio;
         bool operator==(const Shown&) const = default;

@@ -10,6 +10,7 @@
 
 #include "core/mapping/shading.h"
 #include "widgets/map/map_painter.h"
+#include "widgets/map/scenery_painter.h"
 #include "widgets/style/form_parts.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/sheet.h"
@@ -95,7 +96,9 @@ void paintLayer(QPainter& painter, MapLayer layer) {
     case MapLayer::Traces:
         return paintTraceSwatch(painter);
     case MapLayer::Objects:
-        return paintObjectSymbol(painter, QRectF(-7.0, -6.0, 12.0, 12.0), false);
+        paintObjectSymbol(painter, QRectF(2.0, -5.0, 10.0, 10.0), false);
+        painter.translate(-7.0, 0.0);
+        return paintTree(painter, 6.0, 1.5);
     case MapLayer::Marks:
         paintMark(painter, agent::MarkKind::HighRisk, QPointF(-7.0, 0.0), 10.0);
         return paintMark(painter, agent::MarkKind::Diversion, QPointF(7.0, 0.0), 10.0);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "widgets/map/spawn_choice.h"
+
 namespace usar::widgets {
 
 namespace {
@@ -81,7 +83,10 @@ void MapContent::forgetServer() {
 
 void MapContent::takeRobot(const MapRobot& robot) {
     RobotOnMap& on_map = robots[robot.name];
+    FootprintPtr known = on_map.robot.footprint;
     on_map.robot = robot;
+    if (!robot.footprint)
+        on_map.robot.footprint = std::move(known); // Who tells only where it is does not make it forgotten.
     if (!robot.stale)
         on_map.trail.add(robot.base_in_map.position_m.head<2>());
 }
@@ -106,6 +111,14 @@ MapObject* MapContent::object(const QString& name) {
 const MapObject* MapContent::object(const QString& name) const {
     const auto found = std::ranges::find(objects.objects, name, &MapObject::name);
     return found == objects.objects.end() ? nullptr : &*found;
+}
+
+std::optional<Pose> MapContent::startOf(int start_pose) const {
+    if (start_pose == SpawnChoice::at_draft)
+        return spawn_draft_in_map;
+    if (start_pose < 0 || start_pose >= static_cast<int>(start_poses.size()))
+        return std::nullopt;
+    return start_poses[static_cast<std::size_t>(start_pose)].pose_in_map;
 }
 
 const protocol::StartPose* MapContent::stepStartPose(int by) {

@@ -10,10 +10,11 @@
 #include <QString>
 
 #include "core/agent/published.h"
+#include "core/base/scenery.h"
 #include "core/protocol/info/game_info.h"
+#include "widgets/map/robot_on_map.h"
 #include "widgets/models/map/area_grip.h"
 #include "widgets/models/map/map_object.h"
-#include "widgets/models/map/trail.h"
 #include "widgets/models/radio_links.h"
 
 namespace usar::widgets {
@@ -53,29 +54,6 @@ using LayerStates = std::array<LayerState, map_layer_count>;
 /// that it stays in the background of the measurements.
 LayerStates firstLayers();
 
-/// A robot as the map needs it. `number` 1..9 selects its color and key.
-struct MapRobot {
-    QString name;
-    int number = 1;
-    /// Drawn from x, y and yaw; z appears only in the tooltip.
-    Pose base_in_map;
-    bool stale = false;   ///< the pose may be out of date
-    bool station = false; ///< a base station: it does not move and has no heading
-};
-
-/// A robot with everything that belongs to it.
-struct RobotOnMap {
-    MapRobot robot;
-    /// Path since the spawn, without stale poses.
-    Trail trail;
-    /// Place toward which the behavior is driving; nullopt while it has no goal.
-    std::optional<Vec3> goal_in_map_m;
-    /// End points of the newest scan; NaN for beams that hit nothing.
-    std::vector<Vec3> hits_in_map_m;
-    /// Area of its newest behavior; empty: none. That of the selected robot is AreaOnMap's, which the user may change.
-    Rectangle area_in_map;
-};
-
 /// The mission area while it is drawn and afterwards.
 struct AreaOnMap {
     /// nullopt before the first drawing; never an empty rectangle.
@@ -105,8 +83,10 @@ struct MapContent {
     QImage background; ///< picture of the world, null for none; row 0 = highest y
     /// The rectangle that `background` covers.
     Rectangle background_in_map;
+    SceneryPtr scenery; ///< what stands in the world; nullptr: unknown
     std::vector<protocol::StartPose> start_poses;
     std::optional<std::size_t> hot_start_pose; ///< index of the one under the cursor or chosen by keys
+    std::optional<Pose> spawn_draft_in_map;    ///< where the user wants to spawn a robot apart from the start poses
     AreaOnMap area;
     /// Robots and base stations, by name.
     std::map<QString, RobotOnMap> robots;
@@ -142,6 +122,8 @@ struct MapContent {
     /// The object with this name; nullptr if there is none. Valid until the next setObjects.
     MapObject* object(const QString& name);
     const MapObject* object(const QString& name) const;
+    /// Where a SpawnChoice spawns: the start pose of this index, or the draft for SpawnChoice::at_draft; nullopt: gone.
+    std::optional<Pose> startOf(int start_pose) const;
     /// Moves the highlight by `by` start poses, wrapping around at both ends; to the first (or last) one if none was
     /// highlighted. Returns the highlighted start pose, or nullptr if there are none.
     const protocol::StartPose* stepStartPose(int by);

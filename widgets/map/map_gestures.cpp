@@ -107,6 +107,11 @@ void MapGestures::press(const QMouseEvent& event) {
         gesture_ = Gesture::Panning;
     else if (event.button() == Qt::LeftButton)
         gesture_ = Gesture::Pressed;
+    if (gesture_ == Gesture::Pressed && tool_ == MapTool::Robot) {
+        gesture_ = Gesture::PlacingRobot;
+        draft_before_ = content_.spawn_draft_in_map;
+        setDraft(Pose{Vec3(pressed_m_.x(), pressed_m_.y(), 0.0)});
+    }
     updateCursor();
 }
 
@@ -121,6 +126,8 @@ void MapGestures::move(const QPointF& at_px) {
         dragArea(at_px);
     else if (gesture_ == Gesture::DraggingObject)
         content_.objects.held_to_m = held_from_m_ + transform_.toMap(at_px) - pressed_m_;
+    else if (gesture_ == Gesture::PlacingRobot)
+        turnDraft(at_px);
     else
         hover(at_px);
     updateCursor();
@@ -136,6 +143,8 @@ void MapGestures::release(const QMouseEvent& event) {
         finishObjectDrag();
     else if (gesture == Gesture::DraggingArea)
         finishAreaDrag(event.position());
+    else if (gesture == Gesture::PlacingRobot)
+        finishPlacing();
     updateCursor();
     widget_.update();
 }
@@ -175,8 +184,22 @@ void MapGestures::drop(QDropEvent& event) {
 void MapGestures::cancel() {
     if (gesture_ == Gesture::DraggingArea)
         restoreArea();
+    if (gesture_ == Gesture::PlacingRobot)
+        content_.spawn_draft_in_map = draft_before_;
     content_.objects.held.clear();
     forget();
+}
+
+bool MapGestures::escape() {
+    if (inProgress())
+        return cancel(), true;
+    if (tool_ != MapTool::Pan)
+        return setTool(MapTool::Pan), true;
+    const auto before = std::exchange(content_.spawn_draft_in_map, {});
+    if (before)
+        emit draftPlaced(before, {});
+    widget_.update();
+    return before.has_value();
 }
 
 void MapGestures::forget() {
@@ -262,12 +285,34 @@ void MapGestures::finishObjectDrag() {
     emit objectMoved(name, content_.objects.held_to_m);
 }
 
+void MapGestures::setDraft(const std::optional<Pose>& draft_in_map) {
+    content_.spawn_draft_in_map = draft_in_map;
+    widget_.update();
+}
+
+void MapGestures::turnDraft(const QPointF& at_px) {
+    constexpr double least_px = 8.0;
+    const QPointF way = at_px - pressed_px_;
+    if (content_.spawn_draft_in_map && std::hypot(way.x(), way.y()) >= least_px)
+        content_.spawn_draft_in_map->yaw_rad = bearingOf(transform_.toMap(at_px) - pressed_m_);
+}
+
+void MapGestures::finishPlacing() {
+    const auto before = std::exchange(draft_before_, {});
+    const auto after = content_.spawn_draft_in_map;
+    setTool(MapTool::Pan);
+    if (after)
+        emit draftPlaced(before, after);
+}
+
 void MapGestures::click(const QPointF& at_px, Qt::KeyboardModifiers modifiers) {
     if (clickWithTool(at_px, modifiers))
         return;
     if (const QString robot = hits().robotAt(at_px); !robot.isEmpty()) {
         content_.selected_robot = robot;
         emit robotClicked(robot);
+    } else if (hits().draftAt(at_px)) {
+        emit draftClicked();
     } else if (const auto pose = hits().startPoseAt(at_px)) {
         emit startPoseClicked(*pose);
     } else if (const QString object = hits().objectAt(at_px);

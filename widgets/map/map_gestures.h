@@ -10,8 +10,9 @@
 namespace usar::widgets {
 
 /// Action of the left mouse button on open ground. Place: a click places an object in the world. Waypoint: a click adds
-/// a way point to the selected object. The middle and right buttons always pan.
-enum class MapTool { Pan, Area, Place, Waypoint };
+/// a way point to the selected object. Robot: a press is the place of a robot to spawn, a drag from there its yaw. The
+/// middle and right buttons always pan.
+enum class MapTool { Pan, Area, Place, Waypoint, Robot };
 
 /// MIME type of an object that is dragged out of the palette.
 inline constexpr const char* object_mime = "application/x-usar-thing";
@@ -32,10 +33,16 @@ public:
     /// The object that the Place tool and drags out of the palette preview under the cursor; nullopt: none.
     void setGhost(const std::optional<MapObject>& ghost);
 
+    /// Sets the pose of the robot to spawn, which is drawn like a start pose; nullopt: none. Emits nothing.
+    void setDraft(const std::optional<Pose>& draft_in_map);
+
     /// True from a press until its release or cancel().
     bool inProgress() const { return gesture_ != Gesture::None; }
     /// Ends the gesture and undoes its changes.
     void cancel();
+    /// Cancels the gesture, else leaves the tool, else takes away the robot to spawn; returns false if there is none of
+    /// them.
+    bool escape();
     /// Ends the gesture without undoing its changes, because the changed content no longer exists.
     void forget();
     /// Position of the cursor in pixels of the widget; nullopt if it is outside.
@@ -58,6 +65,9 @@ signals:
     /// The user wants an object here; `again`: the tool should stay active for another one (Shift).
     void placeRequested(const usar::Vec2& point_in_map_m, bool again);
     void waypointAdded(const usar::Vec2& point_in_map_m);
+    /// The user has placed a robot to spawn, or another than before; z is 0, because only the server knows the ground.
+    void draftPlaced(const std::optional<usar::Pose>& before, const std::optional<usar::Pose>& after);
+    void draftClicked();
     /// The object is already selected in the content; empty: none.
     void objectClicked(const QString& name);
     /// The object was dragged so that its center is here; the map shows it here until the next setObjects.
@@ -65,7 +75,7 @@ signals:
     void toolChanged(usar::widgets::MapTool tool);
 
 private:
-    enum class Gesture { None, Pressed, Panning, DraggingArea, DraggingObject };
+    enum class Gesture { None, Pressed, Panning, DraggingArea, DraggingObject, PlacingRobot };
     MapHits hits() const { return {content_, transform_}; }
     /// These two functions return false if the event is of another kind.
     bool takeMouse(QEvent* event);
@@ -85,6 +95,9 @@ private:
     void finishAreaDrag(const QPointF& at_px);
     void restoreArea();
     void finishObjectDrag();
+    /// Turns the robot that is being placed toward the cursor, once this is far enough from it to tell a direction.
+    void turnDraft(const QPointF& at_px);
+    void finishPlacing();
     /// Updates what is highlighted under the cursor.
     void hover(const QPointF& at_px);
     void click(const QPointF& at_px, Qt::KeyboardModifiers modifiers);
@@ -108,6 +121,7 @@ private:
     QPointF last_px_;
     std::optional<AreaGrip> held_grip_;    ///< the part of the area that is dragged; nullopt: a new area is drawn
     std::optional<Rectangle> area_before_; ///< area before the drag
+    std::optional<Pose> draft_before_;     ///< robot to spawn before the drag
     Vec2 held_from_m_ = Vec2::Zero();      ///< center of the held object before the drag
     std::optional<MapObject> ghost_;       ///< the object to preview, wherever the cursor is
     bool dragged_in_ = false;              ///< a drag out of the palette is over the widget

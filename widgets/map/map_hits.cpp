@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QLineF>
 #include <QObject>
 
 #include "widgets/models/figures.h"
@@ -11,11 +12,13 @@ namespace usar::widgets {
 
 namespace {
 
+constexpr double near_px = 16.0;
+
 /// Finds the item that is nearest to a point within reach, the last one of equals; the end if there is none.
 /// `place_in_map` returns where an item is, in meters of the map frame.
 template <class Items, class Place>
 auto nearest(const Items& items, const QPointF& to_px, const MapTransform& transform, Place place_in_map) {
-    double best_px = 16.0;
+    double best_px = near_px;
     auto best = items.end();
     for (auto item = items.begin(); item != items.end(); ++item) {
         const Vec3 at_m = place_in_map(*item);
@@ -32,6 +35,13 @@ QString robotText(const MapRobot& robot) {
     return QObject::tr("%1, z %2 m, yaw %3°. Click selects it (key %4).")
         .arg(robot.name, figure(robot.base_in_map.position_m.z(), 2), figure(degrees(robot.base_in_map.yaw_rad), 0))
         .arg(robot.number);
+}
+
+QString treeText(const SceneryTree& tree) {
+    const QString crown = QObject::tr("crown %1 m across").arg(figure(2.0 * tree.crown_radius_m, 1));
+    if (tree.trunk_radius_m <= 0.0)
+        return QObject::tr("Bush, %1").arg(crown);
+    return QObject::tr("Tree, %1, trunk %2 m").arg(crown, figure(2.0 * tree.trunk_radius_m, 2));
 }
 
 QString objectText(const MapObject& object) {
@@ -51,10 +61,22 @@ std::optional<std::size_t> MapHits::startPoseAt(const QPointF& point_px) const {
     return found == poses.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - poses.begin()));
 }
 
+bool MapHits::draftAt(const QPointF& point_px) const {
+    if (!content_.spawn_draft_in_map)
+        return false;
+    const QPointF at = transform_.toScreen(Vec2(content_.spawn_draft_in_map->position_m.head<2>()));
+    return QLineF(at, point_px).length() <= near_px;
+}
+
 QString MapHits::robotAt(const QPointF& point_px) const {
     const auto found = nearest(content_.robots, point_px, transform_,
                                [](const auto& named) { return named.second.robot.base_in_map.position_m; });
-    return found == content_.robots.end() ? QString() : found->first;
+    if (found != content_.robots.end())
+        return found->first;
+    for (const auto& [name, on_map] : content_.robots)
+        if (outlineCovers(on_map.robot, transform_, point_px))
+            return name;
+    return {};
 }
 
 QString MapHits::objectAt(const QPointF& point_px) const {
@@ -70,6 +92,17 @@ QString MapHits::objectAt(const QPointF& point_px) const {
     return found == objects.rend() ? QString() : found->name;
 }
 
+const SceneryTree* MapHits::treeAt(const QPointF& point_px) const {
+    if (!content_.scenery || !content_.layer(MapLayer::Objects).visible)
+        return nullptr;
+    const Vec2 at_m = transform_.toMap(point_px);
+    const auto& trees = content_.scenery->trees;
+    const auto found = std::ranges::find_if(trees, [&](const SceneryTree& tree) {
+        return (tree.center_m - at_m).norm() <= std::max(tree.crown_radius_m, tree.trunk_radius_m);
+    });
+    return found == trees.end() ? nullptr : &*found;
+}
+
 std::optional<AreaGrip> MapHits::gripAt(const QPointF& point_px) const {
     const auto& area = content_.area.area_in_map;
     return area ? widgets::gripAt(*area, transform_, point_px) : std::nullopt;
@@ -78,11 +111,15 @@ std::optional<AreaGrip> MapHits::gripAt(const QPointF& point_px) const {
 QString MapHits::toolTipAt(const QPointF& point_px) const {
     if (const QString robot = robotAt(point_px); !robot.isEmpty())
         return robotText(content_.robots.at(robot).robot);
+    if (draftAt(point_px))
+        return QObject::tr("A robot to spawn here. One click asks which; Undo or Esc takes it away.");
     if (const auto i = startPoseAt(point_px))
         return QObject::tr("Start pose %1. Double-click spawns a robot here; one click asks which.")
             .arg(QString::fromStdString(content_.start_poses[*i].name));
-    const MapObject* const object = content_.object(objectAt(point_px));
-    return object ? objectText(*object) : QString();
+    if (const MapObject* const object = content_.object(objectAt(point_px)))
+        return objectText(*object);
+    const SceneryTree* const tree = treeAt(point_px);
+    return tree ? treeText(*tree) : QString();
 }
 
 } // namespace usar::widgets

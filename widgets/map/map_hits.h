@@ -15,6 +15,8 @@ public:
 
     /// Index of the nearest start pose within reach of the point; nullopt also if their layer is hidden.
     std::optional<std::size_t> startPoseAt(const QPointF& point_px) const;
+    /// True near the pose that was drawn for a robot to spawn.
+    bool draftAt(const QPointF& point_px) const;
     /// Name of the nearest robot within reach; empty: none.
     QString robotAt(const QPointF& point_px) const;
     /// Name of the topmost object there, with a tolerance of a few pixels for small ones; empty: none, or their layer
@@ -22,7 +24,9 @@ public:
     QString objectAt(const QPointF& point_px) const;
     /// The handle or middle of the area; nullopt: neither, or there is no area.
     std::optional<AreaGrip> gripAt(const QPointF& point_px) const;
-    /// Describes the robot, start pose or object there for the user, in this order; empty: none of them.
+    /// A tree whose crown covers the point; nullptr: none, or their layer is hidden.
+    const SceneryTree* treeAt(const QPointF& point_px) const;
+    /// Describes the robot, start pose, object or tree there for the user, in this order; empty: none of them.
     QString toolTipAt(const QPointF& point_px) const;
 
 private:

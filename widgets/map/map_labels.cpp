@@ -64,7 +64,7 @@ QSizeF boxSize(const QString& text, bool bold) {
 
 void addRobot(Layout& layout, const MapRobot& robot, bool selected, const MapTransform& transform) {
     const QPointF at = transform.toScreen(Vec2(robot.base_in_map.position_m.head<2>()));
-    const double half_px = selected ? symbol::ring_px : symbol::robot_px;
+    const double half_px = reach_px(robot, transform, selected);
     layout.robots.push_back(robot.name);
     layout.wishes.push_back({at, half_px + gap::tiny, boxSize(robotLabel(robot), selected), true});
     layout.takeAround(at, half_px);

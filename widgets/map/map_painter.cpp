@@ -210,6 +210,21 @@ void MapPainter::paintStartPoses() {
         if (const auto& box = labels_.start_poses[i])
             paintLabel(*box, QString::fromStdString(pose.name), hot);
     }
+    paintSpawnDraft();
+}
+
+void MapPainter::paintSpawnDraft() {
+    if (!content_.spawn_draft_in_map)
+        return;
+    constexpr double way_px = 56.0;
+    const Pose& draft = *content_.spawn_draft_in_map;
+    painter_.save();
+    painter_.translate(transform_.toScreen(flat(draft.position_m)));
+    const double turn_rad = transform_.screenRotation_rad(draft.yaw_rad);
+    painter_.setPen(dashedPen(tokens_.accent, 1.5, {3.0, 3.0}));
+    painter_.drawLine(QPointF(), way_px * QPointF(std::sin(turn_rad), -std::cos(turn_rad)));
+    paintStartPoseSymbol(painter_, turn_rad, true);
+    painter_.restore();
 }
 
 void MapPainter::paintLaser() {
@@ -259,22 +274,9 @@ void MapPainter::paintRadio() {
 
 void MapPainter::paintRobots() {
     for (const auto& [name, on_map] : content_.robots) {
-        const MapRobot& robot = on_map.robot;
         const bool selected = name == content_.selected_robot;
-        painter_.save();
-        painter_.translate(transform_.toScreen(flat(robot.base_in_map.position_m)));
-        if (selected) {
-            painter_.setPen(QPen(tokens_.text, 2.0));
-            painter_.setBrush(faded(tokens_.background, 0.35));
-            painter_.drawEllipse(QPointF(), symbol::ring_px, symbol::ring_px);
-        }
-        if (robot.station)
-            paintStationSymbol(painter_, robotColor(robot.number), robot.stale);
-        else
-            paintRobotSymbol(painter_, transform_.screenRotation_rad(robot.base_in_map.yaw_rad),
-                             robotColor(robot.number), robot.stale);
-        painter_.restore();
-        paintLabel(labels_.robots.at(name), robotLabel(robot), selected);
+        paintRobot(painter_, on_map.robot, transform_, selected);
+        paintLabel(labels_.robots.at(name), robotLabel(on_map.robot), selected);
     }
 }
 

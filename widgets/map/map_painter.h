@@ -47,11 +47,13 @@ private:
     void paintWaypoints(const MapObject& object);
     /// Paints diamonds with an arrow along the yaw; the one under the cursor is larger and in the accent color.
     void paintStartPoses();
+    /// Paints the robot to spawn as a start pose with a long way ahead.
+    void paintSpawnDraft();
     void paintLaser();
     void paintGoals();
     /// Paints lines between robots in the color of their quality, with their dBm; dashed if there is no link.
     void paintRadio();
-    /// Paints arrowheads along the yaw; hollow and gray when stale.
+    /// Paints their marks or, where the map is large enough, their outlines, with their names.
     void paintRobots();
     /// Paints separate segments through the points, without segments that are shorter than a pixel or out of sight; a
     /// point of NaN interrupts them.

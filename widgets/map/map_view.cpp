@@ -27,9 +27,10 @@ MapView::MapView(QWidget* parent) : QWidget(parent) {
     showContent();
 }
 
-void MapView::setWorld(const Rectangle& extent_in_map, const QString& name) {
+void MapView::setWorld(const Rectangle& extent_in_map, const QString& name, const SceneryPtr& scenery) {
     content_.world_in_map = extent_in_map;
     content_.world_name = name;
+    content_.scenery = scenery;
     view_touched_ = false;
     fitWorld();
     showContent();

@@ -25,8 +25,8 @@ public:
     explicit MapView(QWidget* parent = nullptr);
 
     // The world and its height map.
-    /// Sets the extent and name of the world and shows all of it.
-    void setWorld(const Rectangle& extent_in_map, const QString& name);
+    /// Sets the extent and name of the world and what stands in it, and shows all of it.
+    void setWorld(const Rectangle& extent_in_map, const QString& name, const SceneryPtr& scenery = {});
     /// Sets a picture of the world (row 0 = highest y), drawn directly above the ground.
     void setBackground(const QImage& image, const Rectangle& image_in_map);
     void setStartPoses(const std::vector<protocol::StartPose>& poses); ///< signals refer to them by index

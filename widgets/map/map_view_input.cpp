@@ -34,12 +34,8 @@ bool MapView::actByKey(const QKeyEvent& event) {
     case Qt::Key_N:
         return walkStartPoses(event.modifiers() & Qt::ShiftModifier ? -1 : 1), true;
     case Qt::Key_Escape:
-        if (!gestures_.inProgress() && tool() == MapTool::Pan)
+        if (!gestures_.escape())
             return false;
-        if (gestures_.inProgress())
-            gestures_.cancel();
-        else
-            setTool(MapTool::Pan);
         emit escapeUsed();
         return true;
     case Qt::Key_Delete:

@@ -10,17 +10,9 @@
 #include <QPushButton>
 
 #include "core/agent/robot_plugin.h"
+#include "widgets/map/spawn_choice.h"
 
 namespace usar::widgets {
-
-/// The robot that the user wants at a start pose.
-struct SpawnChoice {
-    int start_pose = 0; ///< index of the pose
-    QString class_name; ///< as in the protocol: "USARBot.AirRobot"
-    QString robot_name;
-    QString behavior_id; ///< empty: no behavior
-    bool operator==(const SpawnChoice&) const = default;
-};
 
 /// A child widget, not a popup window, so that the second click of a double-click still reaches the map. Escape, a
 /// click elsewhere or a robot spawned elsewhere closes it and returns the focus to the map; Return spawns. The choice

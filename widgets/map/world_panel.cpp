@@ -64,6 +64,15 @@ QToolButton* buttonFor(QAction* action, QWidget* parent) {
 
 } // namespace
 
+MapObject PaletteChoice::object() const {
+    MapObject object;
+    object.name = object.kind = class_name;
+    object.form = form;
+    object.size_m = size_m;
+    object.carries = conveyor;
+    return object;
+}
+
 WorldPanel::WorldPanel(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("World"));
     buttons_->setExclusive(false); // A second click releases the button.

@@ -36,6 +36,9 @@ struct PaletteKind {
 struct PaletteChoice : PaletteKind {
     /// Factor per axis relative to the size of the kind.
     Vec3 scale = Vec3::Ones();
+
+    /// The object that it would place, for previews.
+    MapObject object() const;
 };
 
 /// State comes in by setters, choices go out by signals. The user presses a button of the palette and clicks on the

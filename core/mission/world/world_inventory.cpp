@@ -18,6 +18,16 @@ void WorldInventory::setThings(const std::vector<WorldThing>& things) {
     std::erase_if(given_, [this](const auto& given) { return !find(given.first); });
 }
 
+void WorldInventory::setSeen(const protocol::WorldObjects& objects) {
+    std::vector<WorldThing> things;
+    for (const protocol::WorldObject& object : objects.objects) {
+        const auto own = own_classes_.find(object.name);
+        const std::string class_name = own == own_classes_.end() ? std::string() : own->second;
+        things.push_back({object.name, withoutPackage(class_name), object.size_m, object.object_in_map});
+    }
+    setThings(things);
+}
+
 const WorldThing* WorldInventory::find(std::string_view name) const {
     const auto found = std::ranges::find(things_, name, &WorldThing::name);
     return found == things_.end() ? nullptr : &*found;

@@ -23,6 +23,8 @@ public:
 
     explicit WorldInventory(SizeOfClass size_of_class) : size_of_class_(std::move(size_of_class)) {}
 
+    /// Takes what the embedded simulator tells of its objects without being asked; their classes are those of `setOwn`.
+    void setSeen(const protocol::WorldObjects& objects);
     /// Takes the server's newest report. Forgets the waypoints and spins of objects that no longer exist.
     void setThings(const std::vector<WorldThing>& things);
     const std::vector<WorldThing>& things() const { return things_; }

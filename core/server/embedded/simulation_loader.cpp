@@ -9,6 +9,7 @@
 #include "core/base/text.h"
 #include "core/link/across_threads.h"
 #include "core/protocol/commands/spawn.h"
+#include "core/sim/robots/footprint.h"
 
 namespace usar::server {
 
@@ -33,6 +34,7 @@ std::shared_ptr<const sim::RobotCatalog> readRobots(const QStringList& further_f
         loaded.robot_classes << QString::fromStdString(robot.class_name);
         if (hasCamera(robot))
             loaded.camera_classes << loaded.robot_classes.back();
+        loaded.robot_outlines[loaded.robot_classes.back()] = sim::footprintOf(robot);
     }
     loaded.robot_classes << QString::fromStdString(std::string(protocol::station_class)).section('.', -1);
     return std::make_shared<const sim::RobotCatalog>(std::move(read.robots));

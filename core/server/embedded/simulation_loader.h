@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -9,6 +10,7 @@
 #include <QObject>
 #include <QStringList>
 
+#include "core/base/outline.h"
 #include "core/protocol/usual_values.h"
 #include "core/server/embedded/simulator_channels.h"
 #include "core/server/embedded/simulator_files.h"
@@ -18,9 +20,10 @@ namespace usar::server {
 /// A simulation that has not been started yet, and the robots that it knows.
 struct LoadedSimulation {
     std::unique_ptr<sim::Simulation> simulation{};
-    QStringList robot_classes{};  ///< classes that can be spawned, without package
-    QStringList camera_classes{}; ///< those of them that have a camera
-    QStringList refused_robots{}; ///< one sentence for each robot file that cannot be read
+    QStringList robot_classes{};                              ///< classes that can be spawned, without package
+    QStringList camera_classes{};                             ///< those of them that have a camera
+    std::map<QString, std::vector<Outline>> robot_outlines{}; ///< footprints (sim::footprintOf), by class
+    QStringList refused_robots{};                             ///< one sentence for each robot file that cannot be read
 };
 
 /// Everything that an embedded simulator is started with.

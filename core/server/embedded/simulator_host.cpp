@@ -4,6 +4,7 @@
 
 #include "core/link/across_threads.h"
 #include "core/server/embedded/simulator_files.h"
+#include "core/sim/robots/footprint.h"
 
 namespace usar::server {
 
@@ -67,6 +68,7 @@ void SimulatorHost::serve(const SimulatorSpec& spec, QObject* worker) {
     WorldPicture picture = pictureOf(loaded->simulation->world());
     picture.robot_classes = loaded->robot_classes;
     picture.camera_classes = loaded->camera_classes;
+    picture.robot_outlines = loaded->robot_outlines;
     const std::vector<sim::Simulation::Orphan> waiting = loaded->simulation->orphans();
     auto* server = new SimulatorServer(std::move(loaded->simulation), worker);
     server->setAccess(spec.access);
@@ -101,6 +103,7 @@ void SimulatorHost::wire(const SimulatorServer& server) {
     using Server = SimulatorServer;
     link::connectAcross(&server, &Server::figuresChanged, this, &SimulatorHost::figuresChanged);
     link::connectAcross(&server, &Server::robotsChanged, this, &SimulatorHost::robotsChanged);
+    link::connectAcross(&server, &Server::objectsChanged, this, &SimulatorHost::objectsChanged);
     link::connectAcross(&server, &Server::marksLeft, this, &SimulatorHost::marksLeft);
     link::connectAcross(&server, &Server::logged, this, &SimulatorHost::noted);
     link::connectAcross(&server, &Server::objectRefused, this, &SimulatorHost::objectRefused);
@@ -120,7 +123,8 @@ void SimulatorHost::learn(const QString& robot_file) {
         auto robot = sim::readRobot(robot_file.toStdString());
         if (!robot)
             return emit robotRefused(QString::fromStdString(robot.error().text()));
-        emit robotLearned(robot_file, QString::fromStdString(robot->class_name), hasCamera(*robot));
+        emit robotLearned(robot_file, QString::fromStdString(robot->class_name), hasCamera(*robot),
+                          sim::footprintOf(*robot));
         server.simulation().learn(*std::move(robot));
     });
 }

@@ -54,8 +54,9 @@ signals:
     void noted(const QString& sentence);
     /// A robot file cannot be read; the others can be spawned.
     void robotRefused(const QString& sentence);
-    /// `class_name` is without package.
-    void robotLearned(const QString& robot_file, const QString& class_name, bool has_camera);
+    /// `class_name` is without package; `outlines` as in WorldPicture.
+    void robotLearned(const QString& robot_file, const QString& class_name, bool has_camera,
+                      const std::vector<usar::Outline>& outlines);
     /// A wanted port is in use by another program, and the sentence names the port that is used instead, if any; or the
     /// simulator is open to other machines.
     void movedPort(const QString& sentence);
@@ -67,6 +68,7 @@ signals:
     void faultTurned(const QString& sentence);
     void objectRefused(const QString& name, const QString& reason);
     void robotsChanged(const std::vector<usar::sim::RobotTruth>& robots);
+    void objectsChanged(const usar::protocol::WorldObjects& objects);
     void marksLeft(const std::vector<usar::sim::TraceMark>& marks);
 
 private:

@@ -45,6 +45,22 @@ void paintGround(QImage& image, const sim::World& world, const Rectangle& extent
     }
 }
 
+/// Floors and ceilings cover most of the world and would hide everything in it.
+bool isBuilding(const sim::Box& box, const Rectangle& extent) {
+    return box.size_m.x() * box.size_m.y() <= 0.5 * extent.area_m2();
+}
+
+SceneryPtr sceneryOf(const sim::World& world, const Rectangle& extent) {
+    auto scenery = std::make_shared<Scenery>();
+    for (const sim::Plant& plant : world.plants)
+        scenery->trees.push_back({plant.base_in_map_m.head<2>(),
+                                  plant.trunk_height_m > 0.0 ? plant.trunk_radius_m : 0.0, plant.crown_radius_m});
+    for (const sim::Box& box : world.boxes)
+        if (isBuilding(box, extent))
+            scenery->buildings.push_back(outlineOfBox(box.center_in_map, box.size_m));
+    return scenery;
+}
+
 void paintBuildings(QImage& image, const sim::World& world, const Rectangle& extent) {
     QPainter painter(&image);
     painter.setRenderHint(QPainter::Antialiasing);
@@ -55,8 +71,8 @@ void paintBuildings(QImage& image, const sim::World& world, const Rectangle& ext
     painter.setPen(edge);
     painter.setBrush(building_color);
     for (const sim::Box& box : world.boxes) {
-        if (box.size_m.x() * box.size_m.y() > 0.5 * extent.area_m2())
-            continue; // Floors and ceilings cover most of the world and would hide everything in it.
+        if (!isBuilding(box, extent))
+            continue;
         painter.save();
         painter.translate(box.center_in_map.position_m.x(), box.center_in_map.position_m.y());
         painter.rotate(degrees(box.center_in_map.yaw_rad));
@@ -67,13 +83,24 @@ void paintBuildings(QImage& image, const sim::World& world, const Rectangle& ext
 
 } // namespace
 
+std::function<std::optional<double>(const Vec2&)> WorldPicture::terrainHeight() const {
+    if (!ground || ground->empty())
+        return {};
+    return [terrain = ground](const Vec2& point_m) {
+        return terrain->extent().contains(point_m) ? std::optional(terrain->height_m(point_m)) : std::nullopt;
+    };
+}
+
 WorldPicture pictureOf(const sim::World& world) {
-    WorldPicture picture{QString::fromStdString(world.name), sim::extentOf(world), {}, {}, {}};
+    WorldPicture picture;
+    picture.name = QString::fromStdString(world.name);
+    picture.extent_in_map = sim::extentOf(world);
     picture.world = std::make_shared<const sim::World>(world);
     picture.ground = {picture.world, &picture.world->terrain};
     for (const sim::WorldObject& object : world.objects)
         picture.objects[QString::fromStdString(object.name)] = QString::fromStdString(object.class_name);
     const Rectangle& extent = picture.extent_in_map;
+    picture.scenery = sceneryOf(world, extent);
     if (extent.empty())
         return picture;
     const double pixels_per_m = longer_side_px / std::max(extent.width_m(), extent.height_m());

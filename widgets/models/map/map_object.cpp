@@ -1,68 +1,31 @@
 #include "widgets/models/map/map_object.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "core/base/outline.h"
 
 namespace usar::widgets {
 
 namespace {
 
-constexpr int corners_of_a_circle = 24;
 constexpr double least_px = 5.0; ///< smallest half size of an object on the screen
 
 double cross(const Vec2& a, const Vec2& b, const Vec2& c) {
     return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
 }
 
-/// Computes the convex hull with Andrew's monotone chain.
-std::vector<Vec2> hullOf(std::vector<Vec2> points) {
-    std::ranges::sort(points,
-                      [](const Vec2& a, const Vec2& b) { return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y()); });
-    std::vector<Vec2> hull;
-    const auto addAll = [&hull](auto first, auto last) {
-        const std::size_t begin = hull.size();
-        for (; first != last; ++first) {
-            while (hull.size() >= begin + 2 && cross(hull[hull.size() - 2], hull.back(), *first) <= 0.0)
-                hull.pop_back();
-            hull.push_back(*first);
-        }
-        hull.pop_back(); // The other chain begins with this point.
-    };
-    addAll(points.begin(), points.end());
-    addAll(points.rbegin(), points.rend());
-    return hull;
-}
-
-std::vector<Vec3> pointsOf(const MapObject& object) {
-    std::vector<Vec3> points;
-    const Vec3 half_m = object.size_m / 2.0;
-    if (object.form == ObjectForm::Box) {
-        for (int corner = 0; corner < 8; ++corner)
-            points.emplace_back(corner & 1 ? half_m.x() : -half_m.x(), corner & 2 ? half_m.y() : -half_m.y(),
-                                corner & 4 ? half_m.z() : -half_m.z());
-        return points;
-    }
-    for (int i = 0; i < corners_of_a_circle; ++i) {
-        const double angle_rad = 2.0 * pi * i / corners_of_a_circle;
-        const Vec2 on_circle(half_m.x() * std::cos(angle_rad), half_m.y() * std::sin(angle_rad));
-        points.emplace_back(on_circle.x(), on_circle.y(), half_m.z());
-        points.emplace_back(on_circle.x(), on_circle.y(), -half_m.z());
-    }
-    return points;
-}
-
 } // namespace
 
 std::vector<Vec2> outlineOf(const MapObject& object) {
-    MapObject seen = object;
-    if (object.form == ObjectForm::Sphere) { // Its rotation does not matter.
-        seen.size_m.z() = 0.0;
-        seen.body_in_map = Pose{object.body_in_map.position_m};
+    switch (object.form) {
+    case ObjectForm::Box:
+        return outlineOfBox(object.body_in_map, object.size_m);
+    case ObjectForm::Cylinder:
+        return outlineOfCylinder(object.body_in_map, object.size_m);
+    case ObjectForm::Sphere:
+        break;
     }
-    std::vector<Vec2> points;
-    for (const Vec3& point_m : pointsOf(seen))
-        points.emplace_back((seen.body_in_map * point_m).head<2>());
-    return hullOf(std::move(points));
+    return outlineOfCylinder(Pose{object.body_in_map.position_m}, object.size_m); // However it has rolled.
 }
 
 QPolygonF outlineOnScreen(const MapObject& object, const MapTransform& transform) {
