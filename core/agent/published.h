@@ -13,6 +13,7 @@
 #include "core/base/geometry.h"
 #include "core/base/id.h"
 #include "core/base/sealed.h"
+#include "core/base/time_range.h"
 #include "core/posh/model/finding.h"
 
 namespace usar::agent {
@@ -29,7 +30,8 @@ struct BehaviorStatus {
     std::optional<Seconds> time_left;       ///< estimate on the protocol clock
     double distance_flown_m = 0.0;
     int charges = 0;
-    bool paused = false; ///< by an order; a behavior may end its pause itself
+    bool paused = false;                      ///< by an order; a behavior may end its pause itself
+    std::optional<TimeRange> time_left_range; ///< about four of five real ends lie in it
     bool operator==(const BehaviorStatus&) const = default;
 };
 
@@ -93,7 +95,6 @@ struct BehaviorEvent {
     std::string text;
     bool operator==(const BehaviorEvent&) const = default;
 };
-
 /// The last value of a behavior. `reason` is a sentence.
 struct BehaviorFinished {
     bool success = false;
@@ -129,7 +130,6 @@ struct PlanResumed {
 /// Kept: execution continues at the same place with the new text. Restarted: the new plan begins at its root; body and
 /// blackboard are unchanged. Refused: the old plan continues.
 enum class PlanFate { Kept, Restarted, Refused };
-
 /// The result of a request to replace the running plan.
 struct PlanReplaced {
     PlanFate fate = PlanFate::Refused;

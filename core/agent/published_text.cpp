@@ -35,7 +35,9 @@ struct FieldLists {
         io(status.time, status.elapsed, status.state, status.distance_to_goal_m, status.battery_used_pct);
         io(status.range_left_m, status.progress_pct, status.time_left, status.distance_flown_m, status.charges);
         io(status.paused);
+        io.trailing(status.time_left_range);
     }
+    static void pass(auto& io, Field<TimeRange> auto& range) { io(range.least, range.most); }
     static void pass(auto& io, Field<PoseEstimate> auto& estimate) { io(estimate.time, estimate.base_in_map); }
     static void pass(auto& io, Field<MapMark> auto& mark) {
         io(mark.kind, mark.position_in_map_m, mark.time, mark.line);
@@ -78,6 +80,7 @@ public:
     explicit Writer(std::string& text) : text_(text) {}
 
     void operator()(const auto&... fields) { (add(fields), ...); }
+    void trailing(const auto& field) { add(field); }
 
 private:
     void add(double value) {
@@ -121,6 +124,11 @@ public:
     std::string_view word() { return takeWord(rest_); }
     bool fine() { return fine_ && done(); }
     void operator()(auto&... fields) { (take(fields), ...); }
+    /// A field that recordings of earlier versions do not have.
+    void trailing(auto& optional) {
+        if (!done())
+            take(optional);
+    }
 
 private:
     bool done() { return (rest_ = trimmed(rest_)).empty(); }

@@ -29,6 +29,26 @@ Seconds longestSilence(const Senses& senses) {
     return std::max({senses.ins_age, senses.sonar_age, senses.scan_age});
 }
 
+/// `first`: before the first take-off.
+Stage stageOf(Phase phase, bool first) {
+    switch (phase) {
+    case Phase::Lane:
+        return Stage::Lane;
+    case Phase::ToLane:
+    case Phase::Home:
+        return Stage::Way;
+    case Phase::Landing:
+        return Stage::Landing;
+    case Phase::Ground:
+    case Phase::TakeOff:
+        return first ? Stage::None : Stage::Charge;
+    case Phase::Launch:
+    case Phase::Finished:
+        break;
+    }
+    return Stage::None;
+}
+
 } // namespace
 
 SurveyFlight::SurveyFlight(agent::BehaviorContext context)
@@ -77,7 +97,9 @@ void SurveyFlight::perceive(const agent::Tick& tick, agent::CommandPort& port) {
         endPause("the robot's own battery runs out", port);
     if (phase_ == Phase::ToLane || phase_ == Phase::Lane)
         survey_.note(craft_.senses.position2_m());
-    time_.note(phase_ == Phase::Lane && !paused_ && !silent_, tick.now, survey_.doneLength_m(), craft_.settings);
+    time_.note({tick.now, stageOf(phase_, errand_ == Errand::Start), phase_ == Phase::Home, paused_ || silent_,
+                craft_.senses.position2_m(), survey_.doneLength_m(), craft_.battery.flown_m()},
+               craft_.settings);
     if (planned() && !finished())
         time_.update(tick.now, survey_, missionState(), craft_.settings);
 }
@@ -351,7 +373,10 @@ agent::BehaviorStatus SurveyFlight::status() const {
     status.battery_used_pct = craft_.battery.used_pct(craft_.settings);
     status.range_left_m = craft_.battery.rangeLeft_m(beelineHome_m(), craft_.settings);
     status.progress_pct = planned() ? 100.0 * survey_.doneLength_m() / survey_.totalLength_m() : 0.0;
-    status.time_left = finished() ? Seconds{0.0} : time_.left(status.time);
+    if (const auto left = finished() ? agent::Forecast{} : time_.left(status.time)) {
+        status.time_left = Seconds(left->mean);
+        status.time_left_range = left->range();
+    }
     status.distance_flown_m = craft_.battery.flown_m();
     status.charges = craft_.battery.charges();
     status.paused = paused_;

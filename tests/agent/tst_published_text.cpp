@@ -16,6 +16,7 @@ private slots:
     void readsBackWhatItWrote_data();
     void readsBackWhatItWrote();
     void theTextsAreThoseOfTheDocument();
+    void aStatusOfAnEarlierVersionHasNoRange();
     void whatIsNotANumberStaysNone();
     void rejectsTheRest_data();
     void rejectsTheRest();
@@ -36,7 +37,8 @@ void tst_PublishedText::readsBackWhatItWrote_data() {
               .time_left = Seconds{99.0},
               .distance_flown_m = 412.0,
               .charges = 2,
-              .paused = true};
+              .paused = true,
+              .time_left_range = TimeRange{Seconds{90.0}, Seconds{110.5}}};
     QTest::newRow("a status that knows all") << agent::Published(status);
     QTest::newRow("pose") << agent::Published(agent::PoseEstimate{Seconds{1.0}, pose});
     QTest::newRow("mark") << agent::Published(
@@ -81,6 +83,15 @@ void tst_PublishedText::theTextsAreThoseOfTheDocument() {
     std::string text;
     appendText(text, agent::ScanPlacement{{317}, {{1.0, -2.0, 3.5}, 0.0, 0.0, 1.5}});
     QCOMPARE(text, std::string("scan 317 1 -2 3.5 0 0 1.5"));
+}
+
+void tst_PublishedText::aStatusOfAnEarlierVersionHasNoRange() {
+    const auto read = readPublished(R"(status 12 3 "scanning" - - - 40 99 412 2 0)");
+    QVERIFY(read);
+    const auto& status = std::get<agent::BehaviorStatus>(*read);
+    QCOMPARE(status.time_left->count(), 99.0);
+    QVERIFY(!status.time_left_range);
+    QVERIFY(!readPublished(R"(status 12 3 "scanning" - - - 40 99 412 2 0 90)"));
 }
 
 void tst_PublishedText::whatIsNotANumberStaysNone() {

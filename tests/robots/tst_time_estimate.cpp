@@ -45,12 +45,20 @@ void flyLane(Survey& survey, const LaneTimes& times, const Settings& settings, E
         survey.next(settings);
 }
 
+MissionMoment onLane(Seconds now, const Vec2& place_m, double done_m) {
+    return {.now = now, .stage = Stage::Lane, .position_m = place_m, .done_m = done_m, .flown_m = done_m};
+}
+
 } // namespace
 
 class tst_TimeEstimate : public QObject {
     Q_OBJECT
 
     Settings settings;
+
+    Seconds timeLeft(const TimeEstimate& estimate, const Survey& survey, const MissionState& state) const {
+        return Seconds(estimate.forecast(survey, state, settings).mean);
+    }
 
 private slots:
     /// Recorded in `quick_scan.json`: the fastest and the slowest of ten seeds; then farther away, and without trees.
@@ -88,41 +96,57 @@ private slots:
         TimeEstimate estimate;
         for (const LaneTimes& times : lanes) {
             flyLane(survey, times, settings, [&](Seconds now, const Vec2& place_m) {
-                estimate.note(true, now, survey.doneLength_m(), settings);
-                const Seconds left = estimate.timeLeft(survey, {place_m, base_m, now.count()}, settings);
-                QVERIFY2(std::abs((now + left).count() - whole_s) <= 0.1 * whole_s,
-                         qPrintable(QString("at %1 s: %2 s are left").arg(now.count()).arg(left.count())));
+                estimate.note(onLane(now, place_m, survey.doneLength_m()), settings);
+                const double left_s = estimate.forecast(survey, {place_m, base_m, now.count()}, settings).mean;
+                QVERIFY2(std::abs(now.count() + left_s - whole_s) <= 0.1 * whole_s,
+                         qPrintable(QString("at %1 s: %2 s are left").arg(now.count()).arg(left_s)));
             });
-            estimate.note(false, Seconds(times.to_s), survey.doneLength_m(), settings);
         }
         QVERIFY(survey.done());
     }
 
     void learnsThePaceOfTheLanes() {
         TimeEstimate estimate;
-        const double first = estimate.pace();
+        const double first = estimate.pace(Stage::Lane).pace();
         for (int second = 0; second <= 4000; ++second)
-            estimate.note(true, Seconds(second), 0.5 * second * settings.scan_speed_m_s, settings);
-        QVERIFY(first > 1.0 && estimate.pace() > 1.7 && estimate.pace() < 2.0);
+            estimate.note(onLane(Seconds(second), Vec2::Zero(), 0.5 * second * settings.scan_speed_m_s), settings);
+        const double learned = estimate.pace(Stage::Lane).pace();
+        QVERIFY(first > 1.0 && learned > 1.7 && learned < 2.0);
     }
 
-    void timeBesideTheLanesTeachesNothing() {
+    void aWaitTeachesNothing() {
         TimeEstimate estimate;
-        const double first = estimate.pace();
-        estimate.note(true, Seconds(0.0), 0.0, settings);
-        for (int second = 1; second <= 1000; ++second)
-            estimate.note(false, Seconds(second), 0.0, settings);
-        estimate.note(true, Seconds(1001.0), 0.0, settings);
-        QCOMPARE(estimate.pace(), first);
+        const double first = estimate.pace(Stage::Way).pace();
+        estimate.note({.now = Seconds(0.0), .stage = Stage::Lane}, settings);
+        const double way_s = 2.0 + 1.1 * 16.0 / settings.transit_speed_m_s; // As it is planned
+        estimate.note({.now = Seconds(way_s / 2.0), .stage = Stage::Way, .position_m = {8.0, 0.0}}, settings);
+        estimate.note({.now = Seconds(1000.0), .stage = Stage::Way, .holding = true, .position_m = {8.0, 0.0}},
+                      settings);
+        estimate.note({.now = Seconds(1000.0 + way_s / 2.0), .stage = Stage::Way, .position_m = {16.0, 0.0}}, settings);
+        estimate.note({.now = Seconds(1001.0 + way_s / 2.0), .stage = Stage::Lane, .position_m = {16.0, 0.0}},
+                      settings);
+        QVERIFY(std::abs(estimate.pace(Stage::Way).pace() - first) < 1e-3);
+    }
+
+    void learnsFromEachChargeAndLanding() {
+        TimeEstimate estimate;
+        const double charge = estimate.pace(Stage::Charge).pace();
+        const double landing = estimate.pace(Stage::Landing).pace();
+        estimate.note({.now = Seconds(0.0), .stage = Stage::Landing}, settings);
+        estimate.note({.now = Seconds(100.0), .stage = Stage::Landing}, settings);
+        estimate.note({.now = Seconds(300.0), .stage = Stage::Charge}, settings);
+        estimate.note({.now = Seconds(301.0), .stage = Stage::Way}, settings);
+        QVERIFY(estimate.pace(Stage::Charge).pace() > 1.3 * charge);
+        QVERIFY(estimate.pace(Stage::Landing).pace() > 1.3 * landing);
     }
 
     void countsTheChargesToCome() {
         const Survey survey = surveyOver({{0, 0}, {100, 100}}, settings);
         TimeEstimate estimate;
-        const Seconds with_charges = estimate.timeLeft(survey, {}, settings);
+        const Seconds with_charges = timeLeft(estimate, survey, {});
         Settings enduring = settings;
         enduring.battery_range_m = 1e6;
-        const Seconds without = estimate.timeLeft(survey, {}, enduring);
+        const Seconds without(estimate.forecast(survey, {}, enduring).mean);
         const Seconds of_charges = with_charges - without;
         QVERIFY(of_charges >= Seconds(settings.recharge_time_s)); // One at least, for 1.2 km of lanes.
         QVERIFY(of_charges < Seconds(4.0 * (settings.recharge_time_s + 200.0)));
@@ -132,9 +156,9 @@ private slots:
         const Survey survey = surveyOver({{0, 0}, {100, 100}}, settings);
         const TimeEstimate estimate;
         MissionState state{.waiting = Seconds(7.0), .lanes_left = false};
-        QCOMPARE(estimate.timeLeft(survey, state, settings).count(), 7.0);
+        QCOMPARE(timeLeft(estimate, survey, state).count(), 7.0);
         state.returning = true;
-        QVERIFY(estimate.timeLeft(survey, state, settings) > Seconds(15.0));
+        QVERIFY(timeLeft(estimate, survey, state) > Seconds(15.0));
     }
 
     void anEstimateRunsDownUntilTheNext() {
@@ -142,11 +166,11 @@ private slots:
         TimeEstimate estimate;
         QVERIFY(!estimate.left(Seconds(1.0)));
         estimate.update(Seconds(1.0), survey, {}, settings);
-        const Seconds first = *estimate.left(Seconds(1.0));
+        const double first_s = estimate.left(Seconds(1.0))->mean;
         estimate.update(Seconds(1.5), survey, {.waiting = Seconds(50.0)}, settings);
-        QCOMPARE(estimate.left(Seconds(1.5))->count(), (first - Seconds(0.5)).count());
+        QCOMPARE(estimate.left(Seconds(1.5))->mean, first_s - 0.5);
         estimate.update(Seconds(2.5), survey, {.waiting = Seconds(50.0)}, settings);
-        QCOMPARE(estimate.left(Seconds(2.5))->count(), (first + Seconds(50.0)).count());
+        QCOMPARE(estimate.left(Seconds(2.5))->mean, first_s + 50.0);
     }
 };
 

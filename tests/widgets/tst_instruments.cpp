@@ -73,6 +73,7 @@ class tst_Instruments : public QObject {
 private slots:
     void initTestCase() { applyTheme(Theme::Dark); }
     void stripShowsTheBehaviorsFigures();
+    void stripTellsTheSpreadOfTheEnd();
     void stripShowsOnlyWhatTheRobotCanHave();
     void unknownFiguresAreADash();
     void readoutKeepsItsWidth();
@@ -113,6 +114,28 @@ void tst_Instruments::stripShowsTheBehaviorsFigures() {
     strip.setBattery(71.0);
     QCOMPARE(strip.findChildren<Meter*>()[0]->value(), std::optional(71.0));
     QCOMPARE(strip.findChildren<Meter*>()[0]->accessibleName(), QStringLiteral("Battery"));
+}
+
+void tst_Instruments::stripTellsTheSpreadOfTheEnd() {
+    StatusStrip strip;
+    const auto labels = strip.findChildren<QLabel*>();
+    const QLabel* const end =
+        *std::ranges::find(labels, QStringLiteral("Spread of the time left"), &QLabel::accessibleName);
+    agent::BehaviorStatus status;
+    status.time_left = Seconds(760.0);
+    status.time_left_range = TimeRange{Seconds(710.0), Seconds(3810.0)};
+    const int before = strip.sizeHint().height();
+    strip.setStatus(status);
+    QCOMPARE(readout(strip, QStringLiteral("time left")), QStringLiteral("00:12:40"));
+    QCOMPARE(end->text(), QStringLiteral("Ends in 11:50 to 1:03:30"));
+    QCOMPARE(strip.sizeHint().height(), before);
+    status.time_left_range.reset();
+    strip.setStatus(status);
+    QVERIFY(end->text().trimmed().isEmpty());
+    status.time_left_range = TimeRange{};
+    strip.setStatus(status);
+    strip.setIdle(QStringLiteral("Idle"));
+    QVERIFY(end->text().trimmed().isEmpty());
 }
 
 void tst_Instruments::stripShowsOnlyWhatTheRobotCanHave() {

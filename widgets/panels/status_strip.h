@@ -97,6 +97,8 @@ public:
     void clear(const QString& words);
 
 private:
+    /// Absent: nothing is known about the end.
+    void showRange(const std::optional<TimeRange>& left);
     /// Sets word and shape together, so that they always match.
     void setState(const QString& words, StateShape shape);
 
@@ -105,6 +107,7 @@ private:
     QLabel* robot_ = new QLabel(this);
     QLabel* state_ = new QLabel(this);
     QLabel* stale_ = new QLabel(tr("stale"), this);
+    QLabel* end_ = mutedLabel({}, this); ///< the spread of the time that is left
     Readout* elapsed_;
     Readout* left_;
     Readout* goal_;

@@ -5,14 +5,11 @@
 #include <utility>
 
 #include "core/base/numbers.h"
+#include "core/base/time_range.h"
 
 namespace usar::mission {
 
 namespace {
-
-std::string twoDigits(long long value) {
-    return (value < 10 ? "0" : "") + std::to_string(value);
-}
 
 const std::string to_line_start = "\r";
 const std::string clear_to_line_end = "\x1b[K";
@@ -27,14 +24,6 @@ std::optional<Seconds> wallTimeLeft(const Progress& progress, Seconds wall_elaps
     return std::nullopt;
 }
 
-std::string clockText(Seconds span) {
-    const auto total = static_cast<long long>(std::ceil(std::max(0.0, span.count())));
-    const long long hours = total / 3600;
-    const std::string minutes = std::to_string(total / 60 % 60);
-    const std::string head = hours > 0 ? std::to_string(hours) + ":" + twoDigits(total / 60 % 60) : minutes;
-    return head + ":" + twoDigits(total % 60);
-}
-
 std::string progressLine(const Progress& progress, Seconds wall_elapsed) {
     constexpr int width = 20;
     const double percent = std::clamp(progress.percent, 0.0, 100.0);
@@ -45,7 +34,10 @@ std::string progressLine(const Progress& progress, Seconds wall_elapsed) {
     if (progress.speed_x > 0.0)
         line += "  " + fixed(progress.speed_x, progress.speed_x < 10.0 ? 1 : 0) + "x";
     if (const auto left = wallTimeLeft(progress, wall_elapsed))
-        line += "  ETA " + clockText(*left);
+        line += "  ETA " + spanText(*left);
+    if (const auto range = progress.time_left_range; range && progress.speed_x > 0.0)
+        line +=
+            " (" + spanText(range->least / progress.speed_x) + " to " + spanText(range->most / progress.speed_x) + ")";
     return line;
 }
 

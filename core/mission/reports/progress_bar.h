@@ -12,11 +12,9 @@ namespace usar::mission {
 /// helps.
 std::optional<Seconds> wallTimeLeft(const Progress& progress, Seconds wall_elapsed);
 
-/// Formats a line such as "[########------------]  40 %  scanning lane 4 of 9  120x  ETA 0:12".
+/// Formats a line such as "[########------------]  40 %  scanning lane 4 of 9  120x  ETA 0:12 (0:10 to 0:14)"; the
+/// range is left out if the behavior says nothing about it.
 std::string progressLine(const Progress& progress, Seconds wall_elapsed);
-
-/// Formats a duration as "1:02:03" or "2:03", rounded up to whole seconds.
-std::string clockText(Seconds span);
 
 /// A bar that is redrawn in place on a terminal; otherwise one line for every 10 %. It only returns the bytes; its
 /// owner writes them.

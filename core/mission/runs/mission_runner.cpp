@@ -161,6 +161,7 @@ Progress MissionRunner::progress() const {
     result.percent = status.progress_pct.value_or(0.0);
     result.now = now;
     result.time_left = status.time_left;
+    result.time_left_range = status.time_left_range;
     if (phase_ == Phase::Flying) {
         result.state = status.state;
         result.speed_x = wall_s > 0.0 ? flightTime().count() / wall_s : 0.0;

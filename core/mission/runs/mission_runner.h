@@ -57,11 +57,12 @@ struct RunOptions {
 
 /// Progress of a run, for display.
 struct Progress {
-    double percent = 0.0;             ///< of the whole task, 0..100
-    Seconds now{0.0};                 ///< protocol clock
-    std::optional<Seconds> time_left; ///< estimate on the protocol clock; absent: unknown
-    double speed_x = 0.0;             ///< protocol seconds per wall second; 0 before the flight
-    std::string state;                ///< in words: "scanning lane 4 of 9"
+    double percent = 0.0;                     ///< of the whole task, 0..100
+    Seconds now{0.0};                         ///< protocol clock
+    std::optional<Seconds> time_left;         ///< estimate on the protocol clock; absent: unknown
+    std::optional<TimeRange> time_left_range; ///< its spread; absent: unknown
+    double speed_x = 0.0;                     ///< protocol seconds per wall second; 0 before the flight
+    std::string state;                        ///< in words: "scanning lane 4 of 9"
 };
 
 /// Exit codes of `usar-mission`.

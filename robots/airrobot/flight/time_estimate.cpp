@@ -1,6 +1,7 @@
 #include "robots/airrobot/flight/time_estimate.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "robots/airrobot/flight/battery_model.h"
@@ -10,45 +11,59 @@ namespace usar::airrobot {
 namespace {
 
 /// Acceleration and turns cost a few seconds on every way between lanes, however long it is, and evasion makes it
-/// longer than at transit speed; the way flown is longer than the beeline. Means of surveys in `tall_test` and
-/// `volcano`: from lane to lane 8 m take 7.2 s to 7.4 s, and home over 56 m and 250 m at 1.25 to 1.0 times the time at
-/// transit speed.
+/// longer than at transit speed. Means of surveys in `tall_test` and `volcano`: from lane to lane 8 m take 7.2 s to
+/// 7.4 s, and home over 56 m and 250 m at 1.25 to 1.0 times the time at transit speed.
 constexpr double transit_pace = 1.1;
-constexpr Seconds turn{2.0};
-constexpr double detour = 1.06;
-constexpr Seconds start_up{4.0}; ///< the rotors need it before the climb
+constexpr double turn_s = 2.0;
+constexpr double start_up_s = 4.0; ///< the rotors need it before the climb
+constexpr double piece_s = 20.0;   ///< of a lane, at scan speed, after which it is noted
 
-/// A flight in thought.
+double planned_s(Stage stage, double way_m, const Settings& settings) {
+    switch (stage) {
+    case Stage::Lane:
+        return way_m / settings.scan_speed_m_s;
+    case Stage::Way:
+        return turn_s + transit_pace * way_m / settings.transit_speed_m_s;
+    case Stage::Landing:
+        return settings.scan_altitude_m / settings.landing_speed_m_s;
+    case Stage::Charge:
+        return start_up_s + settings.recharge_time_s + settings.scan_altitude_m / settings.climb_speed_m_s;
+    case Stage::None:
+        break;
+    }
+    return 0.0;
+}
+
+/// A flight in thought, which adds up what the stages are planned to take.
 class ThoughtFlight {
 public:
-    ThoughtFlight(const MissionState& state, double pace, const Settings& settings)
+    ThoughtFlight(const MissionState& state, double detour, const Settings& settings)
         : settings_(settings)
-        , pace_(pace)
+        , detour_(detour)
         , base_m_(state.base_m)
         , at_m_(state.position_m)
-        , used_m_(state.since_charge_m)
-        , time_(state.waiting) {}
+        , used_m_(state.since_charge_m) {}
 
-    Seconds time() const { return time_; }
+    double stage_s(Stage stage) const { return stages_s_[static_cast<std::size_t>(stage)]; }
     void transit(const Vec2& to_m) {
         const double way_m = move(to_m);
         if (way_m > 0.0)
-            time_ += turn + Seconds(transit_pace * way_m / settings_.transit_speed_m_s);
+            add(Stage::Way, way_m);
     }
-    void scan(const Vec2& to_m) { time_ += Seconds(pace_ * move(to_m) / settings_.scan_speed_m_s); }
+    void scan(const Vec2& to_m) { add(Stage::Lane, move(to_m)); }
     /// Flies home and lands.
     void land() {
         transit(base_m_);
-        time_ += Seconds(settings_.scan_altitude_m / settings_.landing_speed_m_s);
+        add(Stage::Landing);
     }
     /// Charges on the ground and takes off.
     void charge() {
-        time_ += start_up + Seconds(settings_.recharge_time_s + settings_.scan_altitude_m / settings_.climb_speed_m_s);
+        add(Stage::Charge);
         used_m_ = 0.0;
     }
     /// Flies home for a charge and back to this place if the battery does not last for `way_m` and the way home.
     void chargeBefore(double way_m) {
-        if (used_m_ == 0.0 || used_m_ + way_m * detour + (at_m_ - base_m_).norm() <= usableRange_m(settings_))
+        if (used_m_ == 0.0 || used_m_ + way_m * detour_ + (at_m_ - base_m_).norm() <= usableRange_m(settings_))
             return;
         const Vec2 place_m = at_m_;
         land();
@@ -57,19 +72,22 @@ public:
     }
 
 private:
+    void add(Stage stage, double way_m = 0.0) {
+        stages_s_[static_cast<std::size_t>(stage)] += planned_s(stage, way_m, settings_);
+    }
     double move(const Vec2& to_m) {
         const double way_m = (to_m - at_m_).norm();
         at_m_ = to_m;
-        used_m_ += way_m * detour;
+        used_m_ += way_m * detour_;
         return way_m;
     }
 
     const Settings& settings_;
-    double pace_;
+    double detour_;
     Vec2 base_m_;
     Vec2 at_m_;
     double used_m_; ///< distance taken from the battery's range
-    Seconds time_;
+    double stages_s_[5] = {};
 };
 
 /// Flies the rest of a lane, from `along_m` on, in pieces between which the battery is watched.
@@ -86,23 +104,12 @@ void flyLane(ThoughtFlight& flight, const mapping::Lane& lane, double along_m) {
     }
 }
 
-} // namespace
-
-void TimeEstimate::note(bool on_lane, Seconds now, double done_m, const Settings& settings) {
-    if (on_lane && last_) {
-        flown_ += now - *last_;
-        planned_ += Seconds(std::max(0.0, done_m - last_done_m_) / settings.scan_speed_m_s);
-    }
-    last_ = on_lane ? std::optional(now) : std::nullopt;
-    last_done_m_ = done_m;
-}
-
-Seconds TimeEstimate::timeLeft(const Survey& survey, const MissionState& state, const Settings& settings) const {
-    ThoughtFlight flight(state, pace(), settings);
+/// Flies all that is left.
+void flyOn(ThoughtFlight& flight, const Survey& survey, const MissionState& state) {
     if (state.returning)
         flight.land();
     if (!state.lanes_left)
-        return flight.time();
+        return;
     if (state.returning)
         flight.charge();
     const auto& lanes = survey.plan().lanes;
@@ -115,18 +122,99 @@ Seconds TimeEstimate::timeLeft(const Survey& survey, const MissionState& state, 
         flyLane(flight, lanes[i], first ? survey.alongLane_m() : 0.0);
     }
     flight.land();
-    return flight.time();
+}
+
+} // namespace
+
+void TimeEstimate::note(const MissionMoment& moment, const Settings& settings) {
+    if (!last_)
+        last_ = moment;
+    if (moment.stage != last_->stage || moment.returning != last_->returning) {
+        noteStage(settings);
+        took_ = Seconds{0.0};
+        from_m_ = last_->position_m;
+    }
+    const Seconds passed = moment.holding ? Seconds{0.0} : moment.now - last_->now;
+    took_ += passed;
+    if (moment.stage == Stage::Lane)
+        noteLane(moment, passed, settings);
+    last_ = moment;
+}
+
+void TimeEstimate::noteLane(const MissionMoment& moment, Seconds passed, const Settings& settings) {
+    piece_.took += passed;
+    piece_.planned_m += std::max(0.0, moment.done_m - last_->done_m);
+    piece_.flown_m += moment.flown_m - last_->flown_m;
+    const double planned = planned_s(Stage::Lane, piece_.planned_m, settings);
+    if (planned < piece_s)
+        return;
+    paceOf(Stage::Lane).note(planned, piece_.took.count());
+    detour_.note(piece_.planned_m, piece_.flown_m);
+    piece_ = {};
+}
+
+void TimeEstimate::noteStage(const Settings& settings) {
+    if (last_->stage == Stage::None || last_->stage == Stage::Lane)
+        return; // Lanes are noted in pieces
+    paceOf(last_->stage).note(plannedStage_s(settings), took_.count());
+}
+
+double TimeEstimate::plannedStage_s(const Settings& settings) const {
+    return planned_s(last_->stage, (last_->position_m - from_m_).norm(), settings);
+}
+
+agent::Pace TimeEstimate::paceSoFar(Stage stage, const Settings& settings) const {
+    agent::Pace so_far = pace(stage);
+    if (stage == Stage::Lane && piece_.took > Seconds{0.0})
+        so_far.note(std::max(1.0, planned_s(Stage::Lane, piece_.planned_m, settings)), piece_.took.count());
+    if (stage == Stage::Way && last_ && last_->stage == Stage::Way)
+        so_far.note(plannedStage_s(settings), took_.count());
+    return so_far;
+}
+
+agent::Forecast TimeEstimate::flightInThought(double detour, const Survey& survey, const MissionState& state,
+                                              const Settings& settings) const {
+    ThoughtFlight flight(state, detour, settings);
+    flyOn(flight, survey, state);
+    agent::Forecast sum{state.waiting.count(), 0.0};
+    for (const Stage stage : {Stage::Lane, Stage::Way, Stage::Landing, Stage::Charge})
+        sum += paceSoFar(stage, settings).forecast(flight.stage_s(stage));
+    return sum;
+}
+
+agent::Forecast TimeEstimate::forecast(const Survey& survey, const MissionState& state,
+                                       const Settings& settings) const {
+    const double charge_m = usableRange_m(settings);
+    const double apart = std::sqrt(2.0) * detour_.forecast(charge_m).deviation() / charge_m;
+    struct Thought {
+        double share;
+        agent::Forecast forecast;
+    };
+    std::array<Thought, 3> thoughts;
+    for (std::size_t i = 0; i < thoughts.size(); ++i)
+        thoughts[i] = {i == 1 ? 0.5 : 0.25, flightInThought(detour_.pace() + (static_cast<double>(i) - 1.0) * apart,
+                                                            survey, state, settings)};
+    agent::Forecast all;
+    for (const Thought& thought : thoughts)
+        all.mean += thought.share * thought.forecast.mean;
+    for (const Thought& thought : thoughts) {
+        const double aside = thought.forecast.mean - all.mean;
+        all.variance += thought.share * (thought.forecast.variance + aside * aside);
+    }
+    return all;
 }
 
 void TimeEstimate::update(Seconds now, const Survey& survey, const MissionState& state, const Settings& settings) {
     if (estimated_ && now - *estimated_ < Seconds(1.0))
         return;
     estimated_ = now;
-    end_ = now + timeLeft(survey, state, settings);
+    forecast_ = forecast(survey, state, settings);
 }
 
-std::optional<Seconds> TimeEstimate::left(Seconds now) const {
-    return estimated_ ? std::optional(std::max(Seconds{0.0}, end_ - now)) : std::nullopt;
+std::optional<agent::Forecast> TimeEstimate::left(Seconds now) const {
+    if (!estimated_)
+        return std::nullopt;
+    return agent::Forecast{std::max(0.0, forecast_.mean - (now - *estimated_).count()), forecast_.variance};
 }
 
 } // namespace usar::airrobot

@@ -1,6 +1,7 @@
 #include <QDir>
 #include <QTest>
 
+#include "core/base/time_range.h"
 #include "core/mission/files/mission_options.h"
 #include "core/mission/reports/progress_bar.h"
 #include "tests/suite/suite.h"
@@ -211,6 +212,9 @@ private slots:
         progress.state = "scanning lane 4 of 9";
         QCOMPARE(progressLine(progress, Seconds{8.0}),
                  std::string("[########------------]  40 %  scanning lane 4 of 9  120x  ETA 0:12"));
+        progress.time_left_range = TimeRange{Seconds{1200.0}, Seconds{1680.0}};
+        QCOMPARE(progressLine(progress, Seconds{8.0}),
+                 std::string("[########------------]  40 %  scanning lane 4 of 9  120x  ETA 0:12 (0:10 to 0:14)"));
         progress = {};
         progress.percent = 250.0;
         progress.state = "done";
@@ -240,7 +244,7 @@ private slots:
     void clocksReadAsClocks() {
         QFETCH(double, span_s);
         QFETCH(QByteArray, text);
-        QCOMPARE(QByteArray::fromStdString(clockText(Seconds{span_s})), text);
+        QCOMPARE(QByteArray::fromStdString(spanText(Seconds{span_s})), text);
     }
 };
 
