@@ -6,6 +6,7 @@
 #include <QUrl>
 
 #include "core/server/embedded/program_files.h"
+#include "widgets/bars/compare_dialog.h"
 #include "widgets/panels/dialogs.h"
 
 namespace usar::app {
@@ -23,6 +24,7 @@ void FileDesk::registerCommands() {
         "file.export", [this] { return selection_.id().valid(); }, [this] { control_.exportResults(selection_.id()); });
     commands_.offer([this] { return missions(); });
     add("file.folder", [this] { chooseResultFolder({}); });
+    add("file.compare", [this] { widgets::compareRuns(window_, control_.resultFolder()); });
     add("file.show_folder", [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(control_.resultFolder())); });
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/link/across_threads.h"
 #include "core/mission/fleet/robot_words.h"
+#include "widgets/bars/compare_dialog.h"
 
 namespace usar::app {
 
@@ -46,6 +47,8 @@ void ResultDesk::wire() {
     const auto open = [](const QString& path) { QDesktopServices::openUrl(QUrl::fromLocalFile(path)); };
     connect(views_.result, &widgets::ResultCard::folderRequested, this, open);
     connect(views_.result, &widgets::ResultCard::pictureRequested, this, open);
+    connect(views_.result, &widgets::ResultCard::compareRequested, this,
+            [this](const QString& path) { widgets::compareRuns(window_, path); });
     connect(views_.result, &widgets::ResultCard::flyAgainRequested, this, &ResultDesk::flyAgain);
 }
 

@@ -13,7 +13,7 @@ std::string twoDigits(long long value) {
 
 } // namespace
 
-std::string spanText(Seconds span) {
+std::string countdownText(Seconds span) {
     const auto total = static_cast<long long>(std::ceil(std::max(0.0, span.count())));
     const long long hours = total / 3600;
     const std::string minutes = std::to_string(total / 60 % 60);

@@ -1,4 +1,4 @@
-// Ranges of time until an event, and time spans as short text: "2:03".
+// Ranges of time until an event, and the time until it as short text: "2:03".
 #pragma once
 
 #include <string>
@@ -15,6 +15,6 @@ struct TimeRange {
 };
 
 /// "2:03" or "1:02:03", rounded up to whole seconds; "0:00" for negative spans.
-std::string spanText(Seconds span);
+std::string countdownText(Seconds span);
 
 } // namespace usar

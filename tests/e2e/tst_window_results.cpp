@@ -4,6 +4,7 @@
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/e2e/window_page.h"
 #include "tests/suite/suite.h"
+#include "widgets/bars/compare_dialog.h"
 
 namespace tst_window_results {
 
@@ -37,6 +38,16 @@ private slots:
             QVERIFY2(figures.contains(name), qPrintable(figures));
         QVERIFY(!page.notified("Saved").isEmpty());
         page.screenshot("result_card");
+        page.press("Compare");
+        auto* const compare = page.window().findChild<widgets::CompareDialog*>();
+        QVERIFY(compare && compare->isVisible() && !compare->isModal());
+        QTRY_COMPARE_WITH_TIMEOUT(compare->runs().size(), std::size_t(1), soon_ms);
+        QVERIFY(compare->runs()[0].coverage_pct && !compare->runs()[0].picture.isEmpty() &&
+                compare->trouble().isEmpty());
+        compare->close();
+        page.window().commands().action("file.compare")->trigger();
+        QVERIFY(compare->isVisible());
+        compare->close();
         page.press("Fly again");
         QTRY_VERIFY_WITH_TIMEOUT(page.window().control().robot({1})->running(), soon_ms);
         QVERIFY(card->isHidden());

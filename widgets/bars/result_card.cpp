@@ -14,6 +14,7 @@ ResultCard::ResultCard(QWidget* parent) : QFrame(parent) {
     named(folder_, tr("Open folder"), tr("Opens the folder with all files of this scan"));
     named(open_picture_, tr("Open picture"), tr("Opens the picture of the map with its marks"));
     named(again_, tr("Fly again"), tr("Starts the same behavior with the same area and parameters once more"));
+    named(compare_, tr("Compare"), tr("Shows the figures of this run beside those of others"));
     named(close_, tr("Close the result"), tr("Closes this card; the files stay, and Notifications names them"));
     close_->setIcon(icon(QStringLiteral("clear")));
     makeFlat(close_);
@@ -22,6 +23,7 @@ ResultCard::ResultCard(QWidget* parent) : QFrame(parent) {
     connect(folder_, &QPushButton::clicked, this, [this] { emit folderRequested(folderOf(outcome_)); });
     connect(open_picture_, &QPushButton::clicked, this, [this] { emit pictureRequested(pictureOf(outcome_)); });
     connect(again_, &QPushButton::clicked, this, &ResultCard::flyAgainRequested);
+    connect(compare_, &QPushButton::clicked, this, [this] { emit compareRequested(summaryOf(outcome_)); });
     hide();
 }
 
@@ -30,9 +32,9 @@ void ResultCard::lay() {
     reason_->setWordWrap(true);
     figures_->setWordWrap(true);
     figures_->setTextFormat(Qt::RichText);
-    auto* const buttons = laidOut(new QHBoxLayout, gap::small, {folder_, open_picture_, again_});
+    auto* const buttons = laidOut(new QHBoxLayout, gap::small, {folder_, open_picture_, again_, compare_});
     buttons->addStretch(1);
-    for (QPushButton* const button : {folder_, open_picture_, again_})
+    for (QPushButton* const button : {folder_, open_picture_, again_, compare_})
         button->setFocusPolicy(Qt::TabFocus); // A click leaves the keys to the map.
     auto* const column = laidOut(new QVBoxLayout, gap::tiny, {title_, reason_, figures_});
     column->addLayout(buttons);
@@ -51,6 +53,7 @@ void ResultCard::tell(const MissionOutcome& outcome) {
     picture_->hide();
     folder_->setVisible(!folderOf(outcome).isEmpty());
     open_picture_->setVisible(!pictureOf(outcome).isEmpty());
+    compare_->setVisible(!summaryOf(outcome).isEmpty());
     setCanFlyAgain(true);
     showFigures();
     show();

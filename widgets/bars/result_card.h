@@ -32,6 +32,8 @@ signals:
     void folderRequested(const QString& path);
     void pictureRequested(const QString& path);
     void flyAgainRequested();
+    /// To compare this run with others; `summary` is the path of its summary.
+    void compareRequested(const QString& summary);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -49,6 +51,7 @@ private:
     QPushButton* folder_ = new QPushButton(tr("Open folder"), this);
     QPushButton* open_picture_ = new QPushButton(tr("Open picture"), this);
     QPushButton* again_ = new QPushButton(tr("Fly again"), this);
+    QPushButton* compare_ = new QPushButton(tr("Compare"), this);
     QToolButton* close_ = new QToolButton(this);
 };
 

@@ -10,6 +10,17 @@
 
 namespace usar::widgets {
 
+namespace {
+
+/// The first of the files whose name ends like this; empty: there is none.
+QString fileWith(const char* ending, const MissionOutcome& outcome) {
+    const auto fits = [&](const QString& path) { return path.endsWith(QLatin1String(ending)); };
+    const auto found = std::ranges::find_if(outcome.files, fits);
+    return found == outcome.files.end() ? QString() : *found;
+}
+
+} // namespace
+
 MissionOutcome outcomeOf(const QString& robot, std::optional<double> coverage_pct,
                          const std::optional<agent::BehaviorFinished>& finished,
                          const std::optional<agent::BehaviorStatus>& status) {
@@ -55,9 +66,11 @@ QString titleOf(const MissionOutcome& outcome) {
 }
 
 QString pictureOf(const MissionOutcome& outcome) {
-    const auto is_picture = [](const QString& path) { return path.endsWith(mapping::picture_ending); };
-    const auto found = std::ranges::find_if(outcome.files, is_picture);
-    return found == outcome.files.end() ? QString() : *found;
+    return fileWith(mapping::picture_ending, outcome);
+}
+
+QString summaryOf(const MissionOutcome& outcome) {
+    return fileWith(".json", outcome);
 }
 
 QString folderOf(const MissionOutcome& outcome) {

@@ -45,6 +45,8 @@ std::vector<OutcomeFigure> figuresOf(const MissionOutcome& outcome);
 QString titleOf(const MissionOutcome& outcome);
 /// Path of the picture among the files; empty: there is none.
 QString pictureOf(const MissionOutcome& outcome);
+/// Path of the summary (.json) among the files; empty: there is none.
+QString summaryOf(const MissionOutcome& outcome);
 /// The folder of the files; empty: there are none.
 QString folderOf(const MissionOutcome& outcome);
 

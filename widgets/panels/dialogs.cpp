@@ -21,6 +21,12 @@
 
 namespace usar::widgets {
 
+void showInFront(QDialog* dialog) {
+    dialog->show();
+    dialog->raise();
+    dialog->activateWindow();
+}
+
 namespace {
 
 /// The open dialog with this title; nullptr if there is none.
@@ -30,12 +36,6 @@ Dialog* openOne(QWidget* parent, const QString& title) {
         if (dialog->isVisible())
             return dynamic_cast<Dialog*>(dialog);
     return nullptr;
-}
-
-void showInFront(QDialog* dialog) {
-    dialog->show();
-    dialog->raise();
-    dialog->activateWindow();
 }
 
 /// Shows the number or text dialog of that title; `prepare` is called with a new one.
@@ -72,7 +72,10 @@ public:
         setOption(DontUseNativeDialog);
         setOption(DontConfirmOverwrite);
         setOption(ReadOnly);
-        connect(this, &QFileDialog::fileSelected, this, [this](const QString& path) { take_(QDir::cleanPath(path)); });
+        connect(this, &QFileDialog::filesSelected, this, [this](const QStringList& paths) {
+            for (const QString& path : paths)
+                take_(QDir::cleanPath(path));
+        });
     }
 
     void setTake(TakePath take) { take_ = std::move(take); }
@@ -154,15 +157,24 @@ void askForPath(QWidget* parent, const QString& title, const std::function<void(
     showInFront(dialog);
 }
 
-} // namespace
-
-void askForFile(QWidget* parent, const QString& title, const QString& begin, const QString& filters, TakePath take) {
+void askForExisting(QWidget* parent, const QString& title, const QString& begin, const QString& filters,
+                    QFileDialog::FileMode mode, TakePath take) {
     const auto prepare = [&](PathDialog& dialog) {
-        dialog.setFileMode(QFileDialog::ExistingFile);
+        dialog.setFileMode(mode);
         dialog.setFilters(filters);
         dialog.beginAt(begin);
     };
     askForPath(parent, title, prepare, std::move(take));
+}
+
+} // namespace
+
+void askForFile(QWidget* parent, const QString& title, const QString& begin, const QString& filters, TakePath take) {
+    askForExisting(parent, title, begin, filters, QFileDialog::ExistingFile, std::move(take));
+}
+
+void askForFiles(QWidget* parent, const QString& title, const QString& begin, const QString& filters, TakePath take) {
+    askForExisting(parent, title, begin, filters, QFileDialog::ExistingFiles, std::move(take));
 }
 
 void askForFolder(QWidget* parent, const QString& title, const QString& begin, TakePath take) {

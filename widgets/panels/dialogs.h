@@ -18,12 +18,16 @@ using TakePath = std::function<void(const QString& path)>;
 
 /// Asks for a file that exists. `begin`: the folder that is shown first, or the file that is offered; may be empty.
 void askForFile(QWidget* parent, const QString& title, const QString& begin, const QString& filters, TakePath take);
+/// The same for one file or several at once; `take` is called with each of them, in the order of the list.
+void askForFiles(QWidget* parent, const QString& title, const QString& begin, const QString& filters, TakePath take);
 /// Asks for a folder; the user can make a new one. `begin`: as in `askForFile`.
 void askForFolder(QWidget* parent, const QString& title, const QString& begin, TakePath take);
 /// Asks for the name of a file to write; asks again before an existing one is replaced. `proposal`: name or path that
 /// is offered. A name that is typed without a suffix gets that of the chosen filter, that is, the filter's first one.
 void askWhereToSave(QWidget* parent, const QString& title, const QString& proposal, const QString& filters,
                     TakePath take);
+/// Shows a dialog that is not modal, and brings it in front.
+void showInFront(QDialog* dialog);
 /// Asks for a whole number within `least` and `most`.
 void askForNumber(QWidget* parent, const QString& title, const QString& label, int value, int least, int most,
                   std::function<void(int)> take);

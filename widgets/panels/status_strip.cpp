@@ -216,7 +216,7 @@ void StatusStrip::setStatus(const agent::BehaviorStatus& status) {
 }
 
 void StatusStrip::showRange(const std::optional<TimeRange>& left) {
-    const auto text = [](Seconds span) { return QString::fromStdString(spanText(span)); };
+    const auto text = [](Seconds span) { return QString::fromStdString(countdownText(span)); };
     // A blank keeps the height of the line, so that nothing moves when a behavior begins.
     end_->setText(left ? tr("Ends in %1 to %2").arg(text(left->least), text(left->most)) : QStringLiteral(" "));
 }

@@ -34,10 +34,10 @@ std::string progressLine(const Progress& progress, Seconds wall_elapsed) {
     if (progress.speed_x > 0.0)
         line += "  " + fixed(progress.speed_x, progress.speed_x < 10.0 ? 1 : 0) + "x";
     if (const auto left = wallTimeLeft(progress, wall_elapsed))
-        line += "  ETA " + spanText(*left);
+        line += "  ETA " + countdownText(*left);
     if (const auto range = progress.time_left_range; range && progress.speed_x > 0.0)
-        line +=
-            " (" + spanText(range->least / progress.speed_x) + " to " + spanText(range->most / progress.speed_x) + ")";
+        line += " (" + countdownText(range->least / progress.speed_x) + " to " +
+                countdownText(range->most / progress.speed_x) + ")";
     return line;
 }
 

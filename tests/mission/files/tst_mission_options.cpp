@@ -244,7 +244,7 @@ private slots:
     void clocksReadAsClocks() {
         QFETCH(double, span_s);
         QFETCH(QByteArray, text);
-        QCOMPARE(QByteArray::fromStdString(spanText(Seconds{span_s})), text);
+        QCOMPARE(QByteArray::fromStdString(countdownText(Seconds{span_s})), text);
     }
 };
 

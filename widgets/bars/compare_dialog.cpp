@@ -1,0 +1,183 @@
+#include "widgets/bars/compare_dialog.h"
+
+#include <algorithm>
+
+#include <QFileInfo>
+#include <QHeaderView>
+#include <QImageReader>
+#include <QScrollArea>
+
+#include "widgets/panels/dialogs.h"
+#include "widgets/style/form_parts.h"
+#include "widgets/style/theme.h"
+
+namespace usar::widgets {
+
+namespace {
+
+constexpr QSize picture_px{320, 220};
+
+QImage pictureOf(const QString& path) {
+    const QImage picture = path.isEmpty() ? QImage() : QImageReader(path).read();
+    return picture.isNull() ? picture : picture.scaled(picture_px, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+}
+
+} // namespace
+
+CompareDialog::CompareDialog(QWidget* parent) : QDialog(parent) {
+    setWindowTitle(tr("Compare runs"));
+    setAccessibleName(windowTitle());
+    named(add_, tr("Add runs"), tr("Chooses the summaries (.json) that missions left with their results"));
+    named(remove_, tr("Remove run"), tr("Takes the run of the chosen column out of the table; its files stay"));
+    hint_->setText(tr("Add two runs or more. Differences are from the first run; ✓ marks the better figure."));
+    hint_->setWordWrap(true);
+    setRole(hint_, "muted");
+    trouble_->setWordWrap(true);
+    trouble_->setAccessibleName(tr("File that cannot be compared"));
+    setRole(trouble_, "caution");
+    trouble_->hide();
+    pool_.setMaxThreadCount(1); // The runs keep the order in which they were added.
+    lay();
+    connect(add_, &QPushButton::clicked, this, &CompareDialog::choose);
+    connect(remove_, &QPushButton::clicked, this, &CompareDialog::removeChosen);
+    connect(close_, &QPushButton::clicked, this, &QWidget::close);
+    connect(table_, &QTableWidget::itemSelectionChanged, this,
+            [this] { remove_->setEnabled(!table_->selectedItems().isEmpty()); });
+    showRuns();
+}
+
+void CompareDialog::lay() {
+    table_->setAccessibleName(tr("Figures of the runs"));
+    table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table_->setSelectionBehavior(QAbstractItemView::SelectColumns);
+    table_->setSelectionMode(QAbstractItemView::SingleSelection);
+    table_->setTabKeyNavigation(false);
+    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    table_->horizontalHeader()->setMinimumSectionSize(150);
+    table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    auto* const scroll = new QScrollArea(this);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidget(gallery_);
+    laidOut(new QHBoxLayout(gallery_), {}, gap::medium);
+    auto* const buttons = laidOut(new QHBoxLayout, gap::small, {add_, remove_});
+    buttons->addStretch(1);
+    buttons->addWidget(close_);
+    for (QPushButton* const button : {add_, remove_, close_})
+        button->setAutoDefault(false); // Return in the table must not open a file dialog.
+    auto* const column = laidOut(new QVBoxLayout(this), gap::small, {hint_, trouble_, table_, scroll});
+    column->setStretch(2, 3);
+    column->setStretch(3, 2);
+    column->addLayout(buttons);
+}
+
+void CompareDialog::choose() {
+    const QString begin = runs_.empty() ? folder_ : QFileInfo(runs_.back().path).path();
+    trouble_->clear();
+    trouble_->hide();
+    askForFiles(this, tr("Add runs"), begin, tr("Summaries of runs (*.json)"),
+                [this](const QString& path) { add(path); });
+}
+
+void CompareDialog::add(const QString& summary) {
+    pool_.start([this, summary] {
+        Read read{readRun(summary), {}};
+        if (read.run)
+            read.picture = pictureOf(read.run->picture);
+        QMetaObject::invokeMethod(
+            this, [this, read] { take(read); }, Qt::QueuedConnection);
+    });
+}
+
+void CompareDialog::take(const Read& read) {
+    if (!read.run) {
+        const QString text = QString::fromStdString(read.run.error().text());
+        trouble_->setText(trouble_->text().isEmpty() ? text : trouble_->text() + u'\n' + text);
+        return trouble_->show();
+    }
+    const auto same = std::ranges::find(runs_, read.run->path, &RunFigures::path);
+    const auto at = same - runs_.begin();
+    if (same == runs_.end()) {
+        runs_.push_back(*read.run);
+        pictures_.push_back(read.picture);
+    } else {
+        *same = *read.run;
+        pictures_[static_cast<std::size_t>(at)] = read.picture;
+    }
+    showRuns();
+}
+
+void CompareDialog::removeChosen() {
+    const int column = table_->currentColumn();
+    if (column < 0 || column >= static_cast<int>(runs_.size()))
+        return;
+    runs_.erase(runs_.begin() + column);
+    pictures_.erase(pictures_.begin() + column);
+    showRuns();
+}
+
+void CompareDialog::showRuns() {
+    const std::vector<ComparedRow> rows = compared(runs_);
+    table_->clear();
+    table_->setColumnCount(static_cast<int>(runs_.size()));
+    table_->setRowCount(static_cast<int>(rows.size()));
+    for (std::size_t column = 0; column < runs_.size(); ++column) {
+        auto* const head = new QTableWidgetItem(titleOf(runs_[column]));
+        head->setToolTip(runs_[column].path);
+        table_->setHorizontalHeaderItem(static_cast<int>(column), head);
+    }
+    for (std::size_t row = 0; row < rows.size(); ++row)
+        showRow(static_cast<int>(row), rows[row]);
+    remove_->setEnabled(false);
+    showPictures();
+}
+
+void CompareDialog::showRow(int row, const ComparedRow& figures) {
+    auto* const head = new QTableWidgetItem(figures.name);
+    head->setToolTip(figures.help);
+    table_->setVerticalHeaderItem(row, head);
+    for (std::size_t column = 0; column < figures.cells.size(); ++column) {
+        const ComparedCell& cell = figures.cells[column];
+        const QString difference =
+            cell.difference.isEmpty() ? QString() : QStringLiteral("  (%1)").arg(cell.difference);
+        const QString mark = cell.better ? QStringLiteral("✓ ") : QString();
+        auto* const item = new QTableWidgetItem(mark + cell.value + difference);
+        item->setToolTip(figures.help);
+        item->setData(Qt::AccessibleTextRole,
+                      figures.name + u' ' + cell.value + difference + (cell.better ? tr(", better") : QString()));
+        if (cell.better)
+            item->setFont(themeFont(FontRole::Body, QFont::DemiBold));
+        table_->setItem(row, static_cast<int>(column), item);
+    }
+}
+
+void CompareDialog::showPictures() {
+    qDeleteAll(gallery_->findChildren<QWidget*>(Qt::FindDirectChildrenOnly));
+    const bool any = std::ranges::any_of(pictures_, [](const QImage& picture) { return !picture.isNull(); });
+    gallery_->parentWidget()->parentWidget()->setVisible(any);
+    for (std::size_t i = 0; i < pictures_.size(); ++i) {
+        auto* const picture = new QLabel(gallery_);
+        const QString name = titleOf(runs_[i]).section(u'\n', -1);
+        picture->setAlignment(Qt::AlignCenter);
+        picture->setAccessibleName(tr("Picture of %1").arg(name));
+        picture->setToolTip(name);
+        if (pictures_[i].isNull())
+            picture->setText(tr("%1 has no picture").arg(name));
+        else
+            picture->setPixmap(QPixmap::fromImage(pictures_[i]));
+        gallery_->layout()->addWidget(picture);
+    }
+}
+
+void compareRuns(QWidget* parent, const QString& path) {
+    auto* dialog = parent->findChild<CompareDialog*>(QString(), Qt::FindDirectChildrenOnly);
+    if (!dialog)
+        dialog = new CompareDialog(parent);
+    if (QFileInfo(path).isDir())
+        dialog->setFolder(path);
+    else
+        dialog->add(path);
+    showInFront(dialog);
+}
+
+} // namespace usar::widgets

@@ -1,0 +1,65 @@
+// Compares runs: the figures of two or more finished missions side by side, and their pictures.
+#pragma once
+
+#include <vector>
+
+#include <QBoxLayout>
+#include <QDialog>
+#include <QImage>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QThreadPool>
+
+#include "widgets/models/run_comparison.h"
+
+namespace usar::widgets {
+
+/// One column for each run, in the order in which they were added; differences are from the first. It is not modal, and
+/// its files are read in a pool. GUI thread.
+class CompareDialog : public QDialog {
+    Q_OBJECT
+public:
+    explicit CompareDialog(QWidget* parent = nullptr);
+
+    /// Adds the run with this summary (.json); one that is shown already is read again. A file that is none is named
+    /// with what to do instead.
+    void add(const QString& summary);
+    /// Folder in which files are chosen until a run was added.
+    void setFolder(const QString& folder) { folder_ = folder; }
+    const std::vector<RunFigures>& runs() const { return runs_; }
+    /// What is wrong with the files that were chosen last, a line for each; empty: nothing.
+    QString trouble() const { return trouble_->text(); }
+    QSize sizeHint() const override { return {760, 600}; }
+
+private:
+    struct Read {
+        Result<RunFigures> run;
+        QImage picture; ///< null: there is none
+    };
+    void lay();
+    void choose();
+    void take(const Read& read);
+    void removeChosen();
+    void showRuns();
+    void showRow(int row, const ComparedRow& figures);
+    void showPictures();
+
+    std::vector<RunFigures> runs_;
+    std::vector<QImage> pictures_; ///< of the runs, in their order; small
+    QString folder_;
+    QLabel* hint_ = new QLabel(this);
+    QLabel* trouble_ = new QLabel(this);
+    QTableWidget* table_ = new QTableWidget(this);
+    QWidget* gallery_ = new QWidget(this);
+    QPushButton* add_ = new QPushButton(tr("Add runs…"), this);
+    QPushButton* remove_ = new QPushButton(tr("Remove run"), this);
+    QPushButton* close_ = new QPushButton(tr("Close"), this);
+    QThreadPool pool_; ///< its destructor waits
+};
+
+/// Shows the dialog beside `parent`, or raises the open one, and returns at once. `path`: a summary to add, or the
+/// folder in which to choose.
+void compareRuns(QWidget* parent, const QString& path);
+
+} // namespace usar::widgets
