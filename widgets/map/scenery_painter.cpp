@@ -67,11 +67,11 @@ void paintBuildings(QPainter& painter, const Scenery& scenery, const MapTransfor
 } // namespace
 
 void paintTree(QPainter& painter, double crown_px, double trunk_px) {
-    painter.setPen(QPen(crownColor(), std::min(1.0, crown_px / 3.0)));
-    painter.setBrush(faded(crownColor(), 0.4));
+    painter.setPen(QPen(faded(crownColor(), 0.6), std::min(1.0, crown_px / 4.0)));
+    painter.setBrush(faded(crownColor(), 0.3));
     painter.drawEllipse(QPointF(), crown_px, crown_px);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(tokens().text);
+    painter.setBrush(tokens().text_muted);
     if (trunk_px > 0.0)
         painter.drawEllipse(QPointF(), trunk_px, trunk_px);
 }
@@ -86,7 +86,7 @@ void paintScenery(QPainter& painter, const Scenery& scenery, const MapTransform&
         const QPointF at = transform.toScreen(tree.center_m);
         const double crown_px = tree.crown_radius_m * transform.pixels_per_m;
         // A trunk that is told from its crown only when close is not worth a dot.
-        const double trunk_px = crown_px > 3.0 || tree.crown_radius_m <= 0.0
+        const double trunk_px = crown_px > 6.0 || tree.crown_radius_m <= 0.0
                                     ? std::max(tree.trunk_radius_m * transform.pixels_per_m, 0.75)
                                     : 0.0;
         const double reach_px = std::max(crown_px, trunk_px);
