@@ -6,7 +6,7 @@
 #include <QUrl>
 
 #include "core/server/embedded/program_files.h"
-#include "widgets/bars/compare_dialog.h"
+#include "widgets/panels/compare_dialog.h"
 #include "widgets/panels/dialogs.h"
 
 namespace usar::app {

@@ -6,7 +6,7 @@
 
 #include "core/link/across_threads.h"
 #include "core/mission/fleet/robot_words.h"
-#include "widgets/bars/compare_dialog.h"
+#include "widgets/panels/compare_dialog.h"
 
 namespace usar::app {
 

@@ -4,7 +4,7 @@
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/e2e/window_page.h"
 #include "tests/suite/suite.h"
-#include "widgets/bars/compare_dialog.h"
+#include "widgets/panels/compare_dialog.h"
 
 namespace tst_window_results {
 

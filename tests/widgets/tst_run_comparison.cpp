@@ -13,8 +13,8 @@
 #include <QTest>
 
 #include "tests/suite/suite.h"
-#include "widgets/bars/compare_dialog.h"
 #include "widgets/bars/result_card.h"
+#include "widgets/panels/compare_dialog.h"
 
 namespace tst_run_comparison {
 

@@ -69,7 +69,7 @@ std::unique_ptr<QWidget> instrumentsPage() {
         auto* sonars = new SonarColumnsView;
         if (live) {
             strip->setStatus({Seconds(751.0), Seconds(751.0), "scanning lane 4 of 9", 38.0, 72.0, 412.0, 42.0,
-                              Seconds(980.0), 1204.0, 1, TimeRange{Seconds(900.0), Seconds(1080.0)}});
+                              Seconds(980.0), 1204.0, 1, false, TimeRange{Seconds(900.0), Seconds(1080.0)}});
             strip->setBattery(28.0);
             fan->setScan(roughGround());
             terrain->setProfile(roughCourse());

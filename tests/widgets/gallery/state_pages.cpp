@@ -75,7 +75,7 @@ std::unique_ptr<QWidget> stalePage() {
     auto* row = new QHBoxLayout(page.get());
     auto* strip = new StatusStrip;
     strip->setStatus({Seconds(751.0), Seconds(751.0), "returning to recharge, 120 m to go over the wood", 38.0, 92.0,
-                      412.0, 42.0, Seconds(980.0), 1204.0, 1, TimeRange{Seconds(900.0), Seconds(1080.0)}});
+                      412.0, 42.0, Seconds(980.0), 1204.0, 1, false, TimeRange{Seconds(900.0), Seconds(1080.0)}});
     strip->setBattery(8.0);
     strip->setCoverage(61.0);
     strip->setStale(true);

@@ -1,4 +1,4 @@
-#include "widgets/bars/compare_dialog.h"
+#include "widgets/panels/compare_dialog.h"
 
 #include <algorithm>
 
