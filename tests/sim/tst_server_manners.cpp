@@ -42,7 +42,8 @@ private slots:
         const std::size_t robots = simulation->robots().size();
         int said = 0;
         for (const corpus::Line& line : corpus::commandLines()) {
-            if (line.source.find("50000") != std::string::npos || line.text.starts_with("INIT"))
+            if (line.source.find("50000") != std::string::npos ||
+                QString::fromStdString(line.text).startsWith("INIT", Qt::CaseInsensitive))
                 continue; // another port's, or a second robot
             talker.say(line.text);
             simulation->step();
