@@ -112,7 +112,7 @@ void tst_WindowMap::treesAreALayer() {
     auto* const layers = page.window().views().layers;
     QToolButton* eye = nullptr;
     for (QToolButton* button : layers->findChildren<QToolButton*>())
-        if (button->accessibleName() == "Show Trees and objects")
+        if (button->accessibleName() == "Show Trees, objects")
             eye = button;
     QVERIFY(eye);
     eye->click();

@@ -52,7 +52,7 @@ private slots:
             else if (line.startsWith("client 1: "))
                 ++said;
         QCOMPARE(said, 1'000'000); // each is told or counted
-        QVERIFY(lines.filter("client 2: ignored 'DRIVE {Left 1}'").size() == 1);
+        QVERIFY(lines.filter("client 2: ignored 'DRIVE ").size() == 1);
     }
 
     void controlBytesAreShown() {

@@ -151,7 +151,10 @@ void tst_RobotInstruments::aRobotGetsWhatItHas() {
         robot.instruments.setWater(30.0);
         robot.ask();
         QTEST(robot.figures(), "figures");
-        QTEST(robot.lists(), "lists");
+        QFETCH(QString, lists);
+        if (profile == protocol::Dialect::Udk) // which has no such class
+            lists.remove(", victims 1");
+        QCOMPARE(robot.lists(), lists);
         const PoseSource* const attitude = robot.instruments.pose().attitude(robot.now);
         QVERIFY(attitude && !attitude->heard.stale(robot.now));
         QTEST(QString::fromStdString(attitude->type), "attitude");

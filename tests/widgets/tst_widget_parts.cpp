@@ -157,6 +157,10 @@ void tst_WidgetParts::widgetsKeepTheirOwnKeys_data() {
     QTest::newRow("keypad") << "slider" << int(Qt::Key_Home) << int(Qt::KeypadModifier) << true;
     QTest::newRow("list") << "list" << int(Qt::Key_End) << 0 << true;
     QTest::newRow("choice") << "choice" << int(Qt::Key_Home) << 0 << true;
+    QTest::newRow("letter typed into a choice") << "choice" << int(Qt::Key_A) << 0 << true;
+    QTest::newRow("digit typed into a choice") << "choice" << int(Qt::Key_2) << 0 << true;
+    QTest::newRow("letter with Ctrl") << "choice" << int(Qt::Key_K) << int(Qt::ControlModifier) << false;
+    QTest::newRow("letter in a list") << "list" << int(Qt::Key_L) << 0 << false;
     QTest::newRow("a shortcut with Ctrl") << "slider" << int(Qt::Key_Home) << int(Qt::ControlModifier) << false;
     QTest::newRow("another key") << "slider" << int(Qt::Key_F5) << 0 << false;
     QTest::newRow("button without ends") << "button" << int(Qt::Key_Home) << 0 << false;
@@ -174,7 +178,8 @@ void tst_WidgetParts::widgetsKeepTheirOwnKeys() {
                                                  {"button", new QPushButton(&window)},
                                                  {"label", new QLabel(&window)}};
     OwnKeys watch(nullptr);
-    QKeyEvent asked(QEvent::ShortcutOverride, key, Qt::KeyboardModifiers(modifiers));
+    const QString text = key < Qt::Key_Escape ? QString(QChar(key)) : QString();
+    QKeyEvent asked(QEvent::ShortcutOverride, key, Qt::KeyboardModifiers(modifiers), text);
     asked.ignore();
     QApplication::sendEvent(widgets.at(widget), &asked);
     QTEST(asked.isAccepted(), "own");

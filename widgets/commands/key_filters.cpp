@@ -34,6 +34,21 @@ void KeyTwice::take(const QKeyEvent& event) {
         emit pressedTwice();
 }
 
+namespace {
+
+/// A list that drops down finds its entries by what is typed.
+bool isTyped(const QKeyEvent& key) {
+    const bool with_command = key.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier);
+    return !with_command && !key.text().isEmpty() && key.text().front().isPrint();
+}
+
+bool isToAnEnd(const QKeyEvent& key) {
+    const bool is_end = key.key() == Qt::Key_Home || key.key() == Qt::Key_End;
+    return is_end && (key.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
+}
+
+} // namespace
+
 OwnKeys::OwnKeys(QObject* parent) : QObject(parent) {
     qApp->installEventFilter(this);
 }
@@ -42,10 +57,10 @@ bool OwnKeys::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() != QEvent::ShortcutOverride)
         return false;
     const auto& key = static_cast<const QKeyEvent&>(*event);
-    const bool to_an_end = key.key() == Qt::Key_Home || key.key() == Qt::Key_End;
-    const bool has_ends = qobject_cast<QAbstractSlider*>(watched) || qobject_cast<QAbstractItemView*>(watched) ||
-                          qobject_cast<QComboBox*>(watched);
-    if (!to_an_end || !has_ends || (key.modifiers() & ~Qt::KeypadModifier) != Qt::NoModifier)
+    const bool is_choice = qobject_cast<QComboBox*>(watched);
+    const bool has_ends =
+        is_choice || qobject_cast<QAbstractSlider*>(watched) || qobject_cast<QAbstractItemView*>(watched);
+    if (!(has_ends && isToAnEnd(key)) && !(is_choice && isTyped(key)))
         return false;
     event->accept(); // It is not a shortcut then.
     return true;

@@ -1,4 +1,4 @@
-// Keys that are watched in the whole application: one pressed twice, and Home and End in widgets that use them.
+// Keys that are watched in the whole application: one pressed twice, and those that some widgets need themselves.
 #pragma once
 
 #include <QKeySequence>
@@ -40,8 +40,8 @@ private:
     bool armed_ = false;
 };
 
-/// Sliders, lists and combo boxes go to their ends with these keys; in other widgets the key triggers the window's
-/// command. Event filter on the application for as long as this object exists. GUI thread.
+/// Sliders, lists and combo boxes go to their ends with Home and End, and combo boxes find an entry by what is typed; in
+/// other widgets such a key triggers the window's command. Event filter on the application for as long as this object exists. GUI thread.
 class OwnKeys : public QObject {
 public:
     explicit OwnKeys(QObject* parent);

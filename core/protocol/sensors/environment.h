@@ -85,7 +85,7 @@ struct GasReading {
 
 /// The place at which the camera of a soccer robot sees the ball (thesis 5.2). The axes are those of the camera's
 /// picture, so the numbers stay as they are on the wire: forward, right and down. The thesis tells of a place and a
-/// radius in the picture, too; their keys are ours, because no source gives them (robots-and-worlds.md 3.6).
+/// radius in the picture, too; their keys are ours, because no source gives them (robots-and-worlds.md 3.4).
 /// On the wire: `SEN {Type Helper} {Name b} {Pos3D 1.2,0.1,0} {Visible true} {Pos2D 0.15,0} {Radius 0.08}`.
 struct BallReading {
     std::optional<Seconds> time{};
