@@ -46,6 +46,7 @@ private slots:
         auto host = HostProcess::start(program, "behavior test");
         QVERIFY(host);
         const int process = (*host)->id();
+        QTRY_VERIFY(!folderOf(process).isEmpty()); // once the program has replaced the copy of this one
         const QString folder = folderOf(process);
         QVERIFY2(QDir(folder).exists(), qPrintable(folder));
 
