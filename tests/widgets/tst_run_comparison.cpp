@@ -86,8 +86,9 @@ private slots:
     void namesAGarbledFileAndItsMend_data() {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<QString>("words");
-        QTest::newRow("cut off") << QByteArray("{\n\"success\": true,\n\"dur") << QStringLiteral("line 3 is garbled");
-        QTest::newRow("empty") << QByteArray() << QStringLiteral("line 1 is garbled");
+        QTest::newRow("cut off") << QByteArray("{\n\"success\": true,\n\"dur")
+                                 << QStringLiteral("odd.json: is garbled at line 3. Choose");
+        QTest::newRow("empty") << QByteArray() << QStringLiteral("odd.json: is garbled at line 1. Choose");
         QTest::newRow("a mission") << QByteArray(R"({"name": "Quick scan", "area": {}})")
                                    << QStringLiteral("is not the summary of a run");
         QTest::newRow("a list") << QByteArray("[1, 2]") << QStringLiteral("is not the summary of a run");

@@ -145,7 +145,7 @@ Result<RunFigures> readRun(const QString& path) {
     const QJsonDocument document = QJsonDocument::fromJson(text, &error);
     if (error.error != QJsonParseError::NoError) {
         const auto line = text.left(error.offset).count('\n') + 1;
-        return notARun(path, tr("line %1 is garbled: %2").replace(5, 2, std::to_string(line)));
+        return notARun(path, QObject::tr("is garbled at line %1").arg(line).toStdString());
     }
     const QJsonObject summary = document.object();
     if (!summary.contains("success") || !summary.contains("duration_s"))

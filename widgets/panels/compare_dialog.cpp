@@ -15,7 +15,7 @@ namespace usar::widgets {
 
 namespace {
 
-constexpr QSize picture_px{320, 220};
+constexpr QSize picture_px{300, 170};
 
 QImage pictureOf(const QString& path) {
     const QImage picture = path.isEmpty() ? QImage() : QImageReader(path).read();
@@ -38,6 +38,7 @@ CompareDialog::CompareDialog(QWidget* parent) : QDialog(parent) {
     trouble_->hide();
     pool_.setMaxThreadCount(1); // The runs keep the order in which they were added.
     lay();
+    resize(sizeHint()); // Qt would make it at most two thirds as wide as the screen.
     connect(add_, &QPushButton::clicked, this, &CompareDialog::choose);
     connect(remove_, &QPushButton::clicked, this, &CompareDialog::removeChosen);
     connect(close_, &QPushButton::clicked, this, &QWidget::close);
@@ -59,6 +60,8 @@ void CompareDialog::lay() {
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setWidget(gallery_);
+    scroll->setFixedHeight(picture_px.height() + gap::large);
+    table_->setMinimumHeight(180);
     laidOut(new QHBoxLayout(gallery_), {}, gap::medium);
     auto* const buttons = laidOut(new QHBoxLayout, gap::small, {add_, remove_});
     buttons->addStretch(1);
@@ -66,8 +69,7 @@ void CompareDialog::lay() {
     for (QPushButton* const button : {add_, remove_, close_})
         button->setAutoDefault(false); // Return in the table must not open a file dialog.
     auto* const column = laidOut(new QVBoxLayout(this), gap::small, {hint_, trouble_, table_, scroll});
-    column->setStretch(2, 3);
-    column->setStretch(3, 2);
+    column->setStretch(2, 1);
     column->addLayout(buttons);
 }
 

@@ -30,7 +30,7 @@ public:
     const std::vector<RunFigures>& runs() const { return runs_; }
     /// What is wrong with the files that were chosen last, a line for each; empty: nothing.
     QString trouble() const { return trouble_->text(); }
-    QSize sizeHint() const override { return {760, 600}; }
+    QSize sizeHint() const override { return {760, 670}; }
 
 private:
     struct Read {
