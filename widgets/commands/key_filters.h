@@ -40,8 +40,9 @@ private:
     bool armed_ = false;
 };
 
-/// Sliders, lists and combo boxes go to their ends with Home and End, and combo boxes find an entry by what is typed; in
-/// other widgets such a key triggers the window's command. Event filter on the application for as long as this object exists. GUI thread.
+/// Sliders, lists and combo boxes go to their ends with Home and End, and combo boxes find an entry by what is typed;
+/// in other widgets such a key triggers the window's command. Event filter on the application for as long as this
+/// object exists. GUI thread.
 class OwnKeys : public QObject {
 public:
     explicit OwnKeys(QObject* parent);

@@ -59,7 +59,7 @@ struct PackageModel {
 
 /// Everything about one class of robots. Frames are those of the file, except in `body`.
 struct RobotModel {
-    std::string class_name; ///< without "USARBot."
+    std::string class_name;             ///< without "USARBot."
     std::vector<std::string> aliases{}; ///< other classes that clients send for it
     protocol::VehicleKind kind = protocol::VehicleKind::Ground;
     std::string steering;                    ///< SteeringType in CONF
@@ -87,7 +87,8 @@ using RobotCatalog = std::vector<RobotModel>;
 /// "AirRobot" for "USARBot.AirRobot".
 std::string_view withoutPackage(std::string_view class_name);
 
-/// Finds a robot by its class, or by an alias that is no robot's class, in any case, with or without its package ("USARBot.AirRobot"); nullptr if there is none.
+/// Finds a robot by its class, or by an alias that is no robot's class, in any case, with or without its package
+/// ("USARBot.AirRobot"); nullptr if there is none.
 const RobotModel* findRobot(const RobotCatalog& robots, std::string_view class_name);
 
 } // namespace usar::sim
