@@ -71,7 +71,7 @@ private:
     static constexpr std::size_t kinds = 4;
     /// The priors lie between open ground, where lanes take 1.03 times as long, and woods, where they take up to 1.5
     /// times as long; landings are faster high up than at the end.
-    agent::Pace paces_[kinds] = {agent::Pace({1.12, 400.0, 4.0, 3.0}), agent::Pace({1.0, 200.0, 1.5, 3.0}),
+    agent::Pace paces_[kinds] = {agent::Pace({1.13, 400.0, 4.0, 3.0}), agent::Pace({1.0, 200.0, 1.5, 3.0}),
                                  agent::Pace({0.85, 60.0, 0.5, 3.0}), agent::Pace({0.9, 200.0, 0.2, 3.0})};
     agent::Pace detour_{{1.06, 300.0, 0.3, 3.0}}; ///< meters flown against meters of the plan
 
