@@ -140,6 +140,17 @@ void tst_WindowUndo::whatWasSentIsInTheListAndIsPassedOver() {
     const int last = list->model()->rowCount() - 1;
     QCOMPARE(list->model()->index(last, 0).data().toString(), QString("Stop all robots"));
     QVERIFY(history.reasonOf(last - 1).contains("cannot be undone"));
+    page.window().commands().action("view.history")->trigger();
+    QTRY_VERIFY(list->isVisible());
+    const QImage seen = list->viewport()->grab().toImage();
+    const QRect row = list->visualRect(list->currentIndex());
+    QCOMPARE(list->currentIndex().row(), last);
+    const QColor fill = seen.pixelColor(row.right() - 2, row.center().y());
+    double best = 1.0;
+    for (int x = row.left(); x < row.center().x(); ++x)
+        for (int y = row.top(); y <= row.bottom(); ++y)
+            best = std::max(best, widgets::contrast(seen.pixelColor(x, y), fill));
+    QVERIFY2(best >= 4.5, qPrintable(QString("the selected row can hardly be read: %1").arg(best)));
     page.window().commands().action("edit.undo")->trigger();
     QVERIFY(!page.map().area());
 }

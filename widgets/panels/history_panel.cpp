@@ -29,8 +29,7 @@ protected:
             return;
         option->text += QStringLiteral(" – ") + reason;
         option->font.setItalic(true);
-        for (const auto role : {QPalette::Text, QPalette::HighlightedText})
-            option->palette.setColor(role, tokens().text_muted);
+        option->palette.setColor(QPalette::Text, tokens().text_muted); // on the selection's fill it could not be read
     }
 
 private:
