@@ -1,5 +1,8 @@
 // What a person edits in the window is undone and redone there, and layouts are kept under names of one's own.
+#include <algorithm>
+
 #include <QDir>
+#include <QImage>
 #include <QLineEdit>
 #include <QTest>
 #include <QUndoView>
@@ -7,6 +10,7 @@
 #include "tests/e2e/window_page.h"
 #include "tests/suite/suite.h"
 #include "widgets/panels/layout_dialog.h"
+#include "widgets/style/theme.h"
 #include "widgets/window/dock_arranger.h"
 
 namespace tst_window_undo {
@@ -140,7 +144,7 @@ void tst_WindowUndo::whatWasSentIsInTheListAndIsPassedOver() {
     const int last = list->model()->rowCount() - 1;
     QCOMPARE(list->model()->index(last, 0).data().toString(), QString("Stop all robots"));
     QVERIFY(history.reasonOf(last - 1).contains("cannot be undone"));
-    page.window().commands().action("view.history")->trigger();
+    page.window().commands().action("view.dock.history")->trigger();
     QTRY_VERIFY(list->isVisible());
     const QImage seen = list->viewport()->grab().toImage();
     const QRect row = list->visualRect(list->currentIndex());
