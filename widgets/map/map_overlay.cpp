@@ -184,11 +184,8 @@ void paintOverlay(QPainter& painter, const MapOverlay& overlay, const MapContent
     if (!overlay.following.isEmpty())
         paintChip(painter, QPointF(transform.viewport.width() / 2.0, edge),
                   QStringLiteral("Following %1 — drag the map to stop").arg(overlay.following), Qt::AlignHCenter);
-    if (overlay.focused) {
-        painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(tokens().accent, 2.0));
-        painter.drawRect(QRectF(QPointF(1.0, 1.0), transform.viewport - QSizeF(2.0, 2.0)));
-    }
+    if (overlay.focused)
+        frameInStrips(painter, QRectF(QPointF(), transform.viewport), 2.0, tokens().accent);
 }
 
 } // namespace usar::widgets

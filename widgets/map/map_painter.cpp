@@ -1,5 +1,6 @@
 #include "widgets/map/map_painter.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "widgets/map/map_overlay.h"
@@ -106,11 +107,10 @@ void MapPainter::paintArea() {
         return;
     const Rectangle& area = *content_.area.area_in_map;
     const QRectF rect = transform_.toScreen(area);
-    painter_.setPen(Qt::NoPen);
-    painter_.fillRect(rect, faded(tokens_.accent, content_.area.editing ? 0.12 : 0.06));
+    const QRectF seen = rect & sight();
+    fillInStrips(painter_, seen, faded(tokens_.accent, content_.area.editing ? 0.12 : 0.06));
+    frameInStrips(painter_, rect.adjusted(-1.5, -1.5, 1.5, 1.5) & sight(), 3.0, tokens_.background);
     painter_.setBrush(Qt::NoBrush);
-    painter_.setPen(QPen(tokens_.background, 3.0));
-    painter_.drawRect(rect);
     painter_.setPen(dashedPen(tokens_.accent, 1.5, {5.0, 3.0}));
     painter_.drawRect(rect);
     if (content_.area.editing)
@@ -133,7 +133,7 @@ void MapPainter::paintAreaHandles(const Rectangle& area) {
 void MapPainter::paintSegments(const std::vector<Vec2>& points_m) {
     if (points_m.size() < 2)
         return;
-    const QRectF sight = QRectF(QPointF(), transform_.viewport).adjusted(-8.0, -8.0, 8.0, 8.0);
+    const QRectF in_sight = sight();
     QVector<QLineF> lines;
     lines.reserve(static_cast<qsizetype>(points_m.size()));
     QPointF last = transform_.toScreen(points_m.front());
@@ -142,7 +142,7 @@ void MapPainter::paintSegments(const std::vector<Vec2>& points_m) {
         if (i + 1 < points_m.size() && (next - last).manhattanLength() < 1.5)
             continue;
         const bool gap = !points_m[i].allFinite() || !points_m[i - 1].allFinite();
-        if (!gap && QRectF(last, next).normalized().adjusted(-1.0, -1.0, 1.0, 1.0).intersects(sight))
+        if (!gap && QRectF(last, next).normalized().adjusted(-1.0, -1.0, 1.0, 1.0).intersects(in_sight))
             lines << QLineF(last, next);
         last = next;
     }
@@ -150,16 +150,22 @@ void MapPainter::paintSegments(const std::vector<Vec2>& points_m) {
 }
 
 void MapPainter::paintLanes() {
-    painter_.setRenderHint(QPainter::Antialiasing,
-                           false); // They are upright or level.
-    painter_.setPen(QPen(faded(tokens_.accent, 0.75), 1.0));
-    paintSegments(content_.area.lanes_in_map_m);
-    if (content_.area.lanes_in_map_m.empty())
+    const std::vector<Vec2>& lanes_m = content_.area.lanes_in_map_m;
+    if (lanes_m.empty())
         return;
-    painter_.setRenderHint(QPainter::Antialiasing);
+    const QColor color = faded(tokens_.accent, 0.75);
+    painter_.setPen(QPen(color, 1.0));
+    for (std::size_t i = 1; i < lanes_m.size(); ++i) {
+        const QLineF lane(transform_.toScreen(lanes_m[i - 1]), transform_.toScreen(lanes_m[i]));
+        const QRectF line = QRectF(lane.p1(), lane.p2()).normalized();
+        if (std::min(line.width(), line.height()) < 1.0) // Upright or level, as nearly all are.
+            fillInStrips(painter_, line.adjusted(-0.5, -0.5, 0.5, 0.5) & sight(), color);
+        else
+            painter_.drawLine(lane);
+    }
     painter_.setBrush(tokens_.accent);
     painter_.setPen(QPen(tokens_.background, 1.0));
-    painter_.drawEllipse(transform_.toScreen(content_.area.lanes_in_map_m.front()), 4.0, 4.0);
+    painter_.drawEllipse(transform_.toScreen(lanes_m.front()), 4.0, 4.0);
 }
 
 void MapPainter::paintTrails() {
@@ -182,11 +188,11 @@ void MapPainter::paintMarks() {
 }
 
 void MapPainter::paintMarksOf(const std::vector<agent::MapMark>& marks) {
-    const QRectF sight = QRectF(QPointF(), transform_.viewport).adjusted(-10.0, -10.0, 10.0, 10.0);
+    const QRectF in_sight = sight();
     QVector<QPointF> path;
     for (const agent::MapMark& mark : marks) {
         const QPointF at = transform_.toScreen(flat(mark.position_in_map_m));
-        if (!sight.contains(at) || mark.kind != agent::MarkKind::Path)
+        if (!in_sight.contains(at) || mark.kind != agent::MarkKind::Path)
             continue;
         if (path.empty() || (at - path.back()).manhattanLength() >= 3.0)
             path << at;
@@ -195,7 +201,7 @@ void MapPainter::paintMarksOf(const std::vector<agent::MapMark>& marks) {
     painter_.drawPoints(path.data(), static_cast<int>(path.size()));
     for (const agent::MapMark& mark : marks)
         if (const QPointF at = transform_.toScreen(flat(mark.position_in_map_m));
-            mark.kind != agent::MarkKind::Path && sight.contains(at))
+            mark.kind != agent::MarkKind::Path && in_sight.contains(at))
             paintMark(painter_, mark.kind, at, 10.0);
 }
 

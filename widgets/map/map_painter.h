@@ -58,6 +58,8 @@ private:
     /// Paints separate segments through the points, without segments that are shorter than a pixel or out of sight; a
     /// point of NaN interrupts them.
     void paintSegments(const std::vector<Vec2>& points_m);
+    /// The part of the screen that is painted, in pixels, with a margin for what is wider than its place.
+    QRectF sight() const { return QRectF(QPointF(), transform_.viewport).adjusted(-10.0, -10.0, 10.0, 10.0); }
     /// Paints text on a background of its own, so that it is readable everywhere.
     void paintLabel(const QRectF& box_px, const QString& text, bool bold);
 

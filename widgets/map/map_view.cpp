@@ -6,6 +6,13 @@
 
 namespace usar::widgets {
 
+namespace {
+
+// Longer than the pages of a scan need, shorter than anybody sees.
+constexpr int one_cycle_ms = 30;
+
+} // namespace
+
 MapView::MapView(QWidget* parent) : QWidget(parent) {
     describeMaps();
     setFocusPolicy(Qt::StrongFocus);
@@ -14,7 +21,10 @@ MapView::MapView(QWidget* parent) : QWidget(parent) {
     setAccessibleDescription(tr("Arrow keys pan, plus and minus zoom, N walks over the start poses, Return spawns."));
     empty_state_->setText(tr("No world yet"),
                           tr("The world, its start poses and the height map appear here once a server answers."));
-    connect(heights_, &HeightLayer::changed, this, qOverload<>(&QWidget::update));
+    soon_.setSingleShot(true);
+    soon_.setInterval(one_cycle_ms);
+    connect(&soon_, &QTimer::timeout, this, qOverload<>(&QWidget::update));
+    connect(heights_, &HeightLayer::changed, this, &MapView::paintSoon);
     way_back_->setToolTip(tr("Nothing of the world is in sight here; shows all of it again"));
     way_back_->hide();
     connect(way_back_, &QPushButton::clicked, this, [this] {
@@ -91,13 +101,13 @@ void MapView::setRadioLinks(const std::vector<RadioLink>& links) {
 void MapView::setGoal(const QString& robot, const std::optional<Vec3>& goal_in_map_m) {
     if (const auto found = content_.robots.find(robot); found != content_.robots.end())
         found->second.goal_in_map_m = goal_in_map_m;
-    update();
+    paintSoon();
 }
 
 void MapView::setLaserHits(const QString& robot, const std::vector<Vec3>& hits_in_map_m) {
     if (const auto found = content_.robots.find(robot); found != content_.robots.end())
         found->second.hits_in_map_m = hits_in_map_m;
-    update();
+    paintSoon();
 }
 
 void MapView::addMarks(const QString& robot, const std::vector<agent::MapMark>& marks) {
@@ -105,7 +115,7 @@ void MapView::addMarks(const QString& robot, const std::vector<agent::MapMark>& 
         return;
     std::vector<agent::MapMark>& of_robot = content_.marks[robot];
     of_robot.insert(of_robot.end(), marks.begin(), marks.end());
-    update();
+    paintSoon();
 }
 
 void MapView::clearMarks(const QString& robot) {
@@ -127,12 +137,12 @@ void MapView::selectRobot(const QString& name) {
 
 void MapView::setObjects(const std::vector<MapObject>& objects) {
     content_.setObjects(objects);
-    update();
+    paintSoon();
 }
 
 void MapView::addTraceMark(const Vec2& point_in_map_m, const QColor& color) {
     traces_.add(point_in_map_m, color);
-    update();
+    paintSoon();
 }
 
 void MapView::clearTraceMarks() {
@@ -186,6 +196,11 @@ void MapView::panBy(const QPointF& by_px) {
 }
 
 void MapView::moved() {
+    showWayBack();
+    update();
+}
+
+void MapView::showWayBack() {
     const auto all = content_.everythingInMap(heights_->bounds_in_map());
     const Rectangle seen = transform_.visible();
     const bool in_sight =
@@ -196,7 +211,6 @@ void MapView::moved() {
     }
     if (way_back_->isHidden() != in_sight)
         way_back_->setHidden(in_sight);
-    update();
 }
 
 void MapView::setFollowing(bool following) {
@@ -213,7 +227,13 @@ void MapView::setFollowing(bool following) {
 
 void MapView::showContent() {
     empty_state_->setVisible(content_.empty());
-    moved();
+    showWayBack();
+    paintSoon();
+}
+
+void MapView::paintSoon() {
+    if (!soon_.isActive())
+        soon_.start();
 }
 
 void MapView::paintEvent(QPaintEvent*) {

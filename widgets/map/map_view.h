@@ -2,8 +2,8 @@
 #pragma once
 
 #include <functional>
-#include <type_traits>
 
+#include <QTimer>
 #include <QWidget>
 
 #include "widgets/map/ground_picture.h"
@@ -15,7 +15,8 @@
 
 namespace usar::widgets {
 
-/// State comes in by setters, gestures go out by signals; it knows no session. Repaints are coalesced by Qt's update().
+/// State comes in by setters, gestures go out by signals; it knows no session. What one cycle of a robot changes, scan
+/// included, is painted once.
 /// Keys when focused: arrows pan (with Shift farther), + and - zoom, N and Shift+N step through the start poses, Return
 /// spawns there, Space asks first, Escape cancels a drag or leaves a tool, Delete asks to remove the selected object.
 /// Lengths are in meters of the map frame. GUI thread.
@@ -46,15 +47,13 @@ public:
     void setLanes(const std::vector<Vec2>& points_in_map_m) { put(content_.area.lanes_in_map_m, points_in_map_m); }
 
     // Robots. A pose also extends the trail, unless it is stale.
-    /// Adds the robot, or updates the one with the same name.
-    void setRobot(const MapRobot& robot);
+    void setRobot(const MapRobot& robot); ///< adds it, or updates the one with this name
     /// Removes a robot with its trail, goal, hits, area and marks; if it was selected, selection and following end.
     void removeRobot(const QString& name);
     /// Goal of the behavior and end points of the newest scan (NaN: no hit). An unknown robot changes nothing.
     void setGoal(const QString& robot, const std::optional<Vec3>& goal_in_map_m);
     void setLaserHits(const QString& robot, const std::vector<Vec3>& hits_in_map_m);
-    /// The robot need not be on the map yet.
-    void addMarks(const QString& robot, const std::vector<agent::MapMark>& marks);
+    void addMarks(const QString& robot, const std::vector<agent::MapMark>& marks); ///< of one not on the map yet, too
     void clearMarks(const QString& robot);
     /// Area of its newest behavior, shown while another robot is selected; empty: none. As setGoal for unknown robots.
     void setRobotArea(const QString& robot, const Rectangle& area_in_map);
@@ -65,8 +64,7 @@ public:
     // Objects of the world.
     /// Replaces all objects; the last one is on top. Selection and drag end if their object is missing.
     void setObjects(const std::vector<MapObject>& objects);
-    /// An empty name: none.
-    void selectObject(const QString& name) { put(content_.objects.selected, name); }
+    void selectObject(const QString& name) { put(content_.objects.selected, name); } ///< empty: none
     /// Sets the object that the Place tool and drags out of the palette show under the cursor; nullopt: none.
     void setGhost(const std::optional<MapObject>& ghost) { gestures_.setGhost(ghost); }
     void addTraceMark(const Vec2& point_in_map_m, const QColor& color); ///< left by a robot while TRACE was on
@@ -76,7 +74,7 @@ public:
     // The view.
     void setLayer(MapLayer layer, const LayerState& state);
     const LayerState& layer(MapLayer layer) const { return content_.layer(layer); }
-    /// The gestures of the mouse, whose signals report what the user does on the map; owned by the map.
+    /// Report what the user does on the map with the mouse.
     MapGestures& gestures() { return gestures_; }
     /// Cancels a drag in progress; the gestures emit toolChanged if the tool changed.
     void setTool(MapTool tool) { gestures_.setTool(tool); }
@@ -104,8 +102,7 @@ public slots:
 signals:
     /// Double-click or Return on a start pose; its index.
     void spawnRequested(int start_pose);
-    /// Single click or Space; `at` is in global coordinates, beside the diamond.
-    void startPoseClicked(int start_pose, const QPoint& at);
+    void startPoseClicked(int start_pose, const QPoint& at); ///< or Space; `at` is global, beside the diamond
     void objectRemovalRequested(const QString& name);
     void followingChanged(bool following);
     /// Escape has canceled a drag or left a tool.
@@ -119,9 +116,10 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    /// Sets a part of the content and repaints.
-    template <class Part>
-    void put(Part& part, const std::type_identity_t<Part>& value) {
+    template <class Part, class Value>
+    void put(Part& part, const Value& value) { // Repaints if this changes the content.
+        if (part == value)
+            return;
         part = value;
         update();
     }
@@ -130,9 +128,10 @@ private:
     bool actByKey(const QKeyEvent& event);
     void walkStartPoses(int by);
     void askAbout(std::size_t start_pose); ///< emits startPoseClicked
-    void showContent();                    ///< repaints, and shows the sheet if there is nothing
-    /// Repaints after the view moved; with nothing of the world in sight, a button leads back.
-    void moved();
+    void showContent();                    ///< paints soon, and shows the sheet if there is nothing
+    void paintSoon();                      ///< with what comes within the next moment
+    void moved();                          ///< repaints after the view moved
+    void showWayBack();                    ///< a button, if nothing of the world is in sight
 
     MapContent content_;
     MapTransform transform_;
@@ -141,6 +140,7 @@ private:
     GroundPicture ground_;
     TraceLayer traces_;
     std::function<QStringList(const Vec2&)> scanned_by_;
+    QTimer soon_;
     EmptyState* empty_state_ = new EmptyState(this);
     QPushButton* way_back_ = new QPushButton(tr("Back to the map"), this);
     bool following_ = false;

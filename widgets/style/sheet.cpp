@@ -1,5 +1,6 @@
 #include "widgets/style/sheet.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -71,6 +72,22 @@ void paintCard(QPainter& painter, const QRectF& card) {
     painter.setBrush(faded(tokens().raised, 0.92));
     painter.setPen(QPen(tokens().line, 1.0));
     painter.drawRoundedRect(card.adjusted(0.5, 0.5, -0.5, -0.5), 4.0, 4.0);
+}
+
+void fillInStrips(QPainter& painter, const QRectF& rectangle, const QColor& color) {
+    constexpr int rows = 64;
+    const QRect whole(QPoint(qRound(rectangle.left()), qRound(rectangle.top())),
+                      QPoint(qRound(rectangle.right()) - 1, qRound(rectangle.bottom()) - 1));
+    for (int top = whole.top(); top <= whole.bottom(); top += rows)
+        painter.fillRect(QRect(whole.left(), top, whole.width(), std::min(rows, whole.bottom() + 1 - top)), color);
+}
+
+void frameInStrips(QPainter& painter, const QRectF& rectangle, double width_px, const QColor& color) {
+    const QRectF inner = rectangle.adjusted(width_px, width_px, -width_px, -width_px);
+    fillInStrips(painter, QRectF(rectangle.topLeft(), QPointF(rectangle.right(), inner.top())), color);
+    fillInStrips(painter, QRectF(QPointF(rectangle.left(), inner.bottom()), rectangle.bottomRight()), color);
+    fillInStrips(painter, QRectF(QPointF(rectangle.left(), inner.top()), QPointF(inner.left(), inner.bottom())), color);
+    fillInStrips(painter, QRectF(inner.topRight(), QPointF(rectangle.right(), inner.bottom())), color);
 }
 
 void paintRowGround(QPainter& painter, const QStyleOptionViewItem& option) {

@@ -32,6 +32,13 @@ double sheetHead_px(const QWidget& widget);
 
 /// Paints a raised card on which something can be read above a drawing. Leaves its pen and brush set.
 void paintCard(QPainter& painter, const QRectF& card);
+
+/// Fills a rectangle in low strips, without antialiasing. Qt 6.4 hands a fill of more than 95 rows to a pool of
+/// threads, and waking those costs more than filling.
+void fillInStrips(QPainter& painter, const QRectF& rectangle, const QColor& color);
+
+/// The outline of a rectangle, inside of it, filled like that.
+void frameInStrips(QPainter& painter, const QRectF& rectangle, double width_px, const QColor& color);
 /// Paints the background of a list's row: raised if it is selected, with a frame if it has the focus.
 void paintRowGround(QPainter& painter, const QStyleOptionViewItem& option);
 /// Paints a line of text at the left of `box`, elided with "…" if there is no room.
