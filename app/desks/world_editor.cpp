@@ -57,25 +57,29 @@ MapObject onMap(const mission::WorldThing& thing, std::vector<Vec2> way_m, doubl
 WorldEditor::WorldEditor(const DeskContext& context)
     : Desk(context)
     , edits_(context.control.history(),
-             {sizeOfKind, [this](const protocol::Command& command) { link_.send(command); },
+             {sizeOfKind,
+              [this](const protocol::Command& command) {
+                  open();
+                  link_.send(command);
+              },
               [this](const Vec2& at_m) { return control_.ground_m(at_m, robot()); }, [this] { show(); }}) {
     setClasses();
     views_.world->setKinds(palette());
 }
 
 void WorldEditor::registerCommands() {
-    const auto one = [this] { return selected() != nullptr; };
+    const auto one = [this] { return selected() && port_ != 0; };
     add("world.turn_left", one, [this] { edits_.turn(selectedName(), radians(15.0)); });
     add("world.turn_right", one, [this] { edits_.turn(selectedName(), radians(-15.0)); });
     add("world.spin", one, [this] { edits_.toggleSpin(selectedName()); });
     add("world.delete", one, [this] { remove(selected_); });
-    const auto any = [this] { return !shown_.empty(); };
+    const auto any = [this] { return !shown_.empty() && port_ != 0; };
     add("world.delete_all", any, [this] { tellLost(edits_.removeAll()); });
     registerWayCommands();
 }
 
 void WorldEditor::registerWayCommands() {
-    const auto one = [this] { return selected() != nullptr; };
+    const auto one = [this] { return selected() && port_ != 0; };
     const auto has_way = [this] { return selected() && !selected()->waypoints_in_map_m.empty(); };
     const auto can_go = [this, has_way] { return has_way() || (selected() && selected()->carries); };
     add(
@@ -125,10 +129,12 @@ void WorldEditor::wire() {
     connect(views_.world, &widgets::WorldPanel::choiceChanged, this, &WorldEditor::arm);
     connect(views_.world, &widgets::WorldPanel::objectSelected, this, &WorldEditor::select);
     connect(views_.world, &widgets::WorldPanel::removeRequested, this, &WorldEditor::remove);
-    connect(views_.layers, &widgets::LayersPanel::layerChanged, this, &WorldEditor::refreshPolling);
+    connect(views_.layers, &widgets::LayersPanel::layerChanged, this, [this] { link_.setPolling(polling()); });
     connect(&control_.simulator(), &server::SimulatorHost::figuresChanged, this,
             [this](const server::SimulatorFigures& figures) { real_time_factor_ = figures.real_time_factor; });
     connect(&control_.simulator(), &server::SimulatorHost::objectsChanged, this, [this](const auto& objects) {
+        if (answers() && polling())
+            return; // Its answers and these come from two threads: an older one would take away what was just placed.
         edits_.inventory().setSeen(objects);
         show();
     });
@@ -181,23 +187,26 @@ void WorldEditor::setClasses() {
     link_.setClasses(edits_.inventory().classesToAskFor(std::move(kinds)));
 }
 
+void WorldEditor::open() {
+    if (port_ == 0 || std::exchange(opened_, true))
+        return;
+    link_.open(host_, port_);
+}
+
 void WorldEditor::refresh() {
-    if ((dock_seen_ || !selected_.isEmpty()) && port_ != 0 && !opened_) {
-        opened_ = true;
-        link_.open(host_, port_);
-    }
-    refreshPolling();
+    if (dock_seen_ || !selected_.isEmpty())
+        open();
+    link_.setPolling(polling());
     showState();
     commands_.refresh();
 }
 
-void WorldEditor::refreshPolling() {
+std::optional<std::chrono::milliseconds> WorldEditor::polling() const {
     if (dock_seen_)
-        link_.setPolling(seen_polling);
-    else if (!shown_.empty() && views_.map->layer(widgets::MapLayer::Objects).visible)
-        link_.setPolling(map_polling);
-    else
-        link_.setPolling(std::nullopt);
+        return seen_polling;
+    if (!shown_.empty() && views_.map->layer(widgets::MapLayer::Objects).visible)
+        return map_polling;
+    return std::nullopt;
 }
 
 void WorldEditor::showState() {
@@ -215,7 +224,7 @@ std::vector<MapObject> WorldEditor::objects() const {
 
 void WorldEditor::show() {
     const bool none_before = shown_.empty();
-    if (link_.view().state == mission::WorldState::Ready || !control_.simulator().running())
+    if (answers() || !control_.simulator().running())
         edits_.inventory().setThings(link_.view().things);
     shown_ = objects();
     views_.map->setObjects(shown_);
@@ -227,7 +236,7 @@ void WorldEditor::show() {
         select(std::exchange(awaited_, {}));
     showState();
     if (none_before != shown_.empty())
-        refreshPolling();
+        link_.setPolling(polling());
     commands_.refresh();
 }
 

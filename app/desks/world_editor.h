@@ -9,10 +9,10 @@
 
 namespace usar::app {
 
-/// Connects when the dock is first shown or an object is selected on a server, so that the server has no load from
-/// users who do not need it; until then the embedded simulator tells where its objects are when one has moved. Polls
-/// five times a second while the dock is visible, twice a second while only the map shows objects, else never. Belongs
-/// to the GUI thread; owned by the window.
+/// Connects when the dock is first shown, an object is selected or one is edited on a server, so that the server has no
+/// load from users who do not need it; until then the embedded simulator tells where its objects are when one has
+/// moved. Polls five times a second while the dock is visible, twice a second while only the map shows objects, else
+/// never. Belongs to the GUI thread; owned by the window.
 class WorldEditor : public Desk {
     Q_OBJECT
 public:
@@ -34,10 +34,14 @@ private:
     /// Registers the commands for way points, and those that start and stop an object or a belt.
     void registerWayCommands();
     void wireMap();
+    /// Opens the connection to the server, if there is one and it is not open yet.
+    void open();
     /// Opens the connection when the dock is visible for the first time, and updates polling and state.
     void refresh();
-    /// Sets the interval of polling by what is visible.
-    void refreshPolling();
+    /// How often to ask where the objects are; nullopt while nobody looks at them.
+    std::optional<std::chrono::milliseconds> polling() const;
+    /// The server has answered as a world controller on this connection.
+    bool answers() const { return opened_ && link_.view().state == mission::WorldState::Ready; }
     /// Shows the newest objects, and selects the one that was just placed as soon as it appears.
     void show();
     /// Covers the panel with the reason if no objects can be edited: no server, no world controller, or no answer yet.

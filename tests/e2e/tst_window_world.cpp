@@ -159,8 +159,8 @@ private slots:
     }
 
     void anObjectGoesAlongItsWayPoints() {
-        QTemporaryDir
-            folder; // on a level ground: once it has arrived it lies there as any other, and slides on a slope
+        // The ground is level: once the object has arrived it lies there as any other, and slides on a slope.
+        QTemporaryDir folder;
         QVERIFY(sim::writeWorld(yardWithStatues(), folder.filePath("yard").toStdString()));
         WorldPage page;
         QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
@@ -169,6 +169,8 @@ private slots:
         page.dropFile(folder.filePath("yard"));
         QTRY_COMPARE_WITH_TIMEOUT(page.count(), 2, soon_ms);
         page.lookAt({0, 0});
+        // The simulator tells of its objects before the window is connected to it.
+        QTRY_VERIFY_WITH_TIMEOUT(page.window().commands().action("world.delete_all")->isEnabled(), soon_ms);
         page.put("Box", {-4, 2});
         QTRY_COMPARE_WITH_TIMEOUT(page.map().content().objects.selected, QString("Box1"), soon_ms);
         QVERIFY(!page.window().commands().action("world.go")->isEnabled());
@@ -244,10 +246,12 @@ private slots:
             return widgets::MapObject{};
         };
         QTRY_COMPARE_WITH_TIMEOUT(page.count(), 2, soon_ms);
+        QAction* const delete_all = page.window().commands().action("world.delete_all");
+        QTRY_VERIFY_WITH_TIMEOUT(delete_all->isEnabled(), soon_ms); // before, no server is connected yet
         QTRY_COMPARE_WITH_TIMEOUT(named("Venus").kind, QString("Statue"), soon_ms);
         const Vec3 size_m = named("Venus").size_m;
         QVERIFY(size_m.z() > 1.3);
-        page.window().commands().action("world.delete_all")->trigger();
+        delete_all->trigger();
         QTRY_COMPARE_WITH_TIMEOUT(page.count(), 0, soon_ms);
         QVERIFY(page.notified("cannot be brought back").isEmpty());
         page.window().commands().action("edit.undo")->trigger();

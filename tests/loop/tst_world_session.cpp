@@ -198,6 +198,28 @@ private slots:
                              [&] { return patiences.count() >= 2; }));
     }
 
+    void sendsAfterTheGreetingWhatWasAskedForWhileItConnected() {
+        FakeWorld server;
+        Session world;
+        world.session.open("127.0.0.1", server.port());
+        world.session.send(creation("Crate", "C1", {2, 3, 0.6})); // the event loop has not run, so nothing is connected
+        QTRY_COMPARE(server.heardOf("CONTROL {Type Create}").size(), 1);
+        QVERIFY(server.heard().front().startsWith("INIT"));
+        QVERIFY(world.notices.empty());
+    }
+
+    void saysOnceThatThereIsNobodyToChangeTheWorld() {
+        FakeWorld gone;
+        const quint16 port = gone.port();
+        gone.stopListening();
+        Session world;
+        world.session.open("127.0.0.1", port);
+        world.session.send(creation("Crate", "C1", {2, 3, 0.6}));
+        world.session.send(creation("Crate", "C2", {5, 3, 0.6}));
+        QTRY_VERIFY(world.said("no connection to the world"));
+        QCOMPARE(world.notices.size(), std::size_t(1));
+    }
+
     void comesBackAfterALostConnection() {
         FakeWorld server;
         server.things = " {Name B} {Location 0,0,0} {Rotation 0,0,0}";

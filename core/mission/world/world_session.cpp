@@ -27,6 +27,8 @@ WorldSession::WorldSession() : link_(this), beat_(this) {
     connect(&link_, &link::TcpLink::statusChanged, this, [this](const link::LinkStatus& status) {
         if (status.state == link::LinkState::Connecting || status.state == link::LinkState::Waiting)
             setState(WorldState::Connecting, status.trouble.toStdString());
+        if (status.state == link::LinkState::Waiting && !std::exchange(waiting_, {}).empty())
+            refuseWithoutConnection();
     });
     connect(&beat_, &QTimer::timeout, this, [this] { beat(); });
 }
@@ -46,6 +48,7 @@ void WorldSession::open(const QString& host, quint16 port) {
 void WorldSession::close() {
     link_.close();
     beat_.stop();
+    waiting_.clear(); // Nobody waits for another server's objects.
     closed();
     setState(WorldState::Off);
 }
@@ -68,6 +71,8 @@ void WorldSession::opened() {
     auto init = protocol::Init::worldController("MissionControl", dialect_);
     link_.send(protocol::write(init, dialect_));
     questions_left_ = std::max(questions_left_, 1);
+    for (const protocol::Command& command : std::exchange(waiting_, {}))
+        send(command);
     beat();
 }
 
@@ -81,10 +86,11 @@ void WorldSession::closed() {
 }
 
 void WorldSession::send(const protocol::Command& command) {
-    if (link_.status().state != link::LinkState::Connected) {
-        emit noticed({Severity::Warning, "There is no connection to the world yet. Connect to a server first.", topic});
-        return;
-    }
+    const link::LinkState state = link_.status().state;
+    if (state == link::LinkState::Connecting)
+        return waiting_.push_back(command);
+    if (state != link::LinkState::Connected)
+        return refuseWithoutConnection();
     if (const auto* const created = std::get_if<protocol::CreateObject>(&command)) {
         const std::string name = created->object_name.text();
         kinds_[name] = withoutPackage(created->class_name.text());
@@ -97,6 +103,10 @@ void WorldSession::send(const protocol::Command& command) {
     if (!open_question_)
         ask();
     beat();
+}
+
+void WorldSession::refuseWithoutConnection() {
+    emit noticed({Severity::Warning, "There is no connection to the world yet. Connect to a server first.", topic});
 }
 
 void WorldSession::refuse(const QString& name, const QString& reason) {

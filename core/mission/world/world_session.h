@@ -73,7 +73,8 @@ public slots:
     void setPolling(std::optional<std::chrono::milliseconds> interval);
     /// While the simulator is paused it answers nothing, and that is not reported.
     void setPaused(bool paused);
-    /// Sends one of the commands of world_control.h; without a connection it is only reported.
+    /// Sends one of the commands of world_control.h. While the first attempt to connect is under way it waits, and goes
+    /// out when the server is there; without a connection it is only reported.
     void send(const usar::protocol::Command& command);
     /// The embedded simulator refused to create this object of ours; `reason` is part of a sentence.
     void refuse(const QString& name, const QString& reason);
@@ -112,6 +113,8 @@ private:
     /// Reports a created thing that is missing from three answers in a row.
     void noteAwaited();
     void failToPlace(std::string sentence);
+    /// Reports that a command was not sent.
+    void refuseWithoutConnection();
     /// Map frame, m/s; zero until positions from more than 0.05 s are known.
     Vec3 velocityOf(const std::string& name, const Vec3& position_m);
     void beat();
@@ -129,6 +132,8 @@ private:
     WorldSessionLimits limits_;
     protocol::Reader reader_;
     WorldView view_;
+    /// Commands given while the connection was being made.
+    std::vector<protocol::Command> waiting_;
     std::optional<std::chrono::milliseconds> polling_;
     /// Questions still to be asked without polling.
     int questions_left_ = 0;
