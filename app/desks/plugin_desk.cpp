@@ -5,6 +5,7 @@
 #include <QFileInfo>
 
 #include "core/mission/fleet/plugin_words.h"
+#include "widgets/panels/dialogs.h"
 
 namespace usar::app {
 
@@ -16,11 +17,45 @@ PluginDesk::PluginDesk(const DeskContext& context, const QStringList& folders)
     control_.plugins().scan(folders);
 }
 
+void PluginDesk::registerCommands() {
+    add("plugins.rescan", [this] { rescan(true); });
+    add("plugins.show", [this] { showList(); });
+}
+
 void PluginDesk::wire() {
     views_.behavior->setRescanAction(action("plugins.rescan"));
     connect(&control_, &MissionControl::pluginsChanged, this, &PluginDesk::take);
     watch_.watch(control_.plugins().folders());
     connect(&watch_, &agent::PluginWatch::changed, this, [this] { rescan(false); });
+    connect(this, &PluginDesk::changed, this, &PluginDesk::fillList);
+    connect(this, &PluginDesk::isolationChanged, this, &PluginDesk::fillList);
+}
+
+void PluginDesk::showList() {
+    if (!list_) {
+        list_ = new widgets::PluginDialog(control_.plugins().folders(), window_);
+        list_->setAttribute(Qt::WA_DeleteOnClose);
+        connect(list_, &widgets::PluginDialog::rescanRequested, this, [this] { rescan(true); });
+        // Queued, because the rows are made anew in answer.
+        connect(list_, &widgets::PluginDialog::isolationRequested, this, &PluginDesk::setIsolated,
+                Qt::QueuedConnection);
+        fillList();
+    }
+    widgets::showInFront(list_);
+}
+
+void PluginDesk::fillList() {
+    if (!list_)
+        return;
+    std::vector<widgets::PluginRow> rows;
+    for (const agent::PluginRecord& record : control_.plugins().records()) {
+        const QString name = mission::nameOf(record);
+        rows.push_back({name.isEmpty() ? QFileInfo(record.file).fileName() : name,
+                        record.metadata.value("version").toString(), mission::stateText(record), record.reason,
+                        mission::listedIn(record, "behaviors"), mission::listedIn(record, "robots"), record.file,
+                        name.isEmpty() ? std::nullopt : std::optional(isolates(name))});
+    }
+    list_->setPlugins(rows);
 }
 
 /// Also sets the folder for marks of plugins that have ended the program; it is beside the settings file.

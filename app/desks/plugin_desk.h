@@ -1,10 +1,12 @@
 // Desk for robot plugins: loads them, reports refused and rebuilt ones, and gives plugins a process of their own.
 #pragma once
 
+#include <QPointer>
 #include <QStringList>
 
 #include "app/desks/desk.h"
 #include "core/agent/plugins/plugin_watch.h"
+#include "widgets/panels/plugin_dialog.h"
 
 namespace usar::app {
 
@@ -15,9 +17,7 @@ class PluginDesk : public Desk {
 public:
     PluginDesk(const DeskContext& context, const QStringList& folders);
 
-    void registerCommands() override {
-        add("plugins.rescan", [this] { rescan(true); });
-    }
+    void registerCommands() override;
     void wire() override;
     void save(SettingsSheet& settings) const override { settings.setValue("isolated_plugins", isolated_); }
     /// Reports the refused plugins; to be called once notifications can be seen.
@@ -43,10 +43,15 @@ private:
     /// nothing has changed.
     void rescan(bool asked);
     void take(const std::vector<agent::PluginChange>& changes);
+    /// Opens the list of all plugins, or raises the open one.
+    void showList();
+    /// Brings the open list up to date.
+    void fillList();
     /// Reports a change.
     void tell(const agent::PluginChange& change);
 
     agent::PluginWatch watch_;
+    QPointer<widgets::PluginDialog> list_;
     QStringList folders_;
     QStringList isolated_; ///< names of the plugins
 };

@@ -177,7 +177,7 @@ void RobotPresenter::showStatus(const RobotView& view) {
 void RobotPresenter::showLinkState(RobotId id) {
     const Robot* robot = control_.robot(id);
     const bool stale = robot && mission::isStale(robot->view());
-    views_.status->setStale(stale && robot->view().status);
+    views_.status->setStale(stale && (robot->view().status || robot->batteryLeft_pct())); // Dashes are not out of date.
     views_.terrain->setStale(stale);
     views_.sensors->setLinked(!stale);
     if (!robot)
@@ -212,7 +212,8 @@ void RobotPresenter::showLink(const std::shared_ptr<const mission::SessionUpdate
 }
 
 void RobotPresenter::showTraffic(const mission::SessionFigures& figures) {
-    views_.connection->panel()->setFigures({figures.traffic, figures.rates, figures.lines_not_shown});
+    views_.connection->panel()->setFigures(
+        {figures.traffic, figures.rates, figures.lines_not_shown, figures.round_trip});
     views_.traffic->setText(widgets::trafficSummary(figures.traffic));
 }
 

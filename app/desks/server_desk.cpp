@@ -63,7 +63,8 @@ void ServerDesk::wire() {
                 bar->setStatus({widgets::ConnectionState::Connected, level, {}, Seconds{0.0}});
             });
     connectUpdates([bar](const mission::SessionUpdate& update) {
-        bar->setRate(update.figures.replay ? std::nullopt : std::optional(update.figures.lines_per_second));
+        bar->setRate(update.figures.replay ? std::nullopt : std::optional(update.figures.lines_per_second),
+                     update.figures.round_trip);
     });
     auto* const strip = views_.progress;
     connect(strip, &widgets::ProgressStrip::cancelRequested, this, &ServerDesk::abandonLoading);

@@ -11,6 +11,15 @@
 
 namespace usar::app {
 
+namespace {
+
+/// Notification key of a start that was refused.
+QString startKey(RobotId id) {
+    return QStringLiteral("start-%1").arg(id.value);
+}
+
+} // namespace
+
 TaskDesk::TaskDesk(const DeskContext& context, PluginDesk& plugins) : Desk(context), plugins_(plugins) {
     preview_due_.setSingleShot(true);
     preview_due_.setInterval(std::chrono::milliseconds(150)); // so that a quick preview does not flicker
@@ -20,22 +29,19 @@ TaskDesk::TaskDesk(const DeskContext& context, PluginDesk& plugins) : Desk(conte
 
 void TaskDesk::registerCommands() {
     add("mission.area", [this](bool on) { views_.map->setTool(on ? widgets::MapTool::Area : widgets::MapTool::Pan); });
-    const auto runs = [this] { return running(); };
+    const auto runs = [this] { return !chosenAtWork().empty(); };
     const auto ready = [this] {
-        return robot() && robot()->view().figures.spawned && !running() && !robot()->isReplay() &&
-               control_.plugins().behavior(drafts_.shown().behavior_id);
+        return std::ranges::any_of(chosen(), [this](const Robot* robot) { return mayStart(*robot); });
     };
     add("mission.start", ready, [this] { start(); });
     const auto broke = [this] { return brokenRobot().valid(); };
     add("mission.start_again", broke, [this] { startAgain(brokenRobot()); });
-    add("mission.pause", runs,
-        [this] { give(robot() && robot()->view().paused ? agent::Order::Resume : agent::Order::Pause); });
-    const auto lands = [this] { return running() && robot()->view().equipment.mayFly(); };
+    add("mission.pause", runs, [this] { pauseOrResume(); });
+    const auto lands = [this] {
+        return std::ranges::any_of(chosenAtWork(), [](const Robot* one) { return one->view().equipment.mayFly(); });
+    };
     add("mission.land", lands, [this] { give(agent::Order::LandNow); });
-    add("mission.stop", runs, [this] {
-        if (robot())
-            robot()->stop();
-    });
+    add("mission.stop", runs, [this] { std::ranges::for_each(chosenAtWork(), &Robot::stop); });
     add("mission.stop_all", [this] { control_.stopAll(); });
 }
 
@@ -58,6 +64,10 @@ void TaskDesk::wire() {
     connect(&control_, &MissionControl::startPosesKnown, this,
             [this](const protocol::StartPoses&, const QString& level) { bringBackArea(level); });
     wireArea();
+    connect(views_.robots, &widgets::RobotList::chosenChanged, this, [this] {
+        refreshRunState();
+        commands_.refresh();
+    });
     connectUpdates([this](const mission::SessionUpdate& update) {
         takeTask(update);
         refreshRunState();
@@ -245,27 +255,68 @@ void TaskDesk::clearPreview(const QString& instead) {
     views_.behavior->setPlanSummary(instead);
 }
 
+std::vector<Robot*> TaskDesk::chosen() const {
+    std::vector<Robot*> robots;
+    for (const RobotId id : views_.robots->chosenRobots())
+        if (Robot* const one = control_.robot(id))
+            robots.push_back(one);
+    if (std::ranges::find(robots, robot()) == robots.end()) // The list has not heard of the selection yet.
+        robots.assign(robot() ? 1 : 0, robot());
+    return robots;
+}
+
+std::vector<Robot*> TaskDesk::chosenAtWork() const {
+    std::vector<Robot*> robots = chosen();
+    std::erase_if(robots, [](const Robot* one) { return !one->running(); });
+    return robots;
+}
+
+QString TaskDesk::addressees() const {
+    QStringList names;
+    for (const Robot* const one : chosen())
+        names << nameOf(*one);
+    return mission::robotsText(names);
+}
+
+bool TaskDesk::mayStart(const Robot& robot) {
+    return robot.view().figures.spawned && !robot.running() && !robot.isReplay() &&
+           control_.plugins().behavior(drafts_.of(robot.view().id).behavior_id);
+}
+
 void TaskDesk::start() {
-    const RobotId id = selection_.id();
-    const mission::TaskDraft& draft = drafts_.shown();
-    if (robot())
-        robot()->setCellSize(draft.cell_size_m);
+    for (Robot* const one : chosen())
+        if (mayStart(*one) && startOne(*one) && one == robot())
+            showStarted();
+    refreshRunState();
+    commands_.refresh();
+}
+
+bool TaskDesk::startOne(Robot& robot) {
+    const RobotId id = robot.view().id;
+    const mission::TaskDraft& draft = drafts_.of(id);
+    robot.setCellSize(draft.cell_size_m);
     const auto started = control_.startBehavior(id, draft.behavior_id, draft.area(), draft.values,
-                                                QString::fromStdString(draft.plan_path), isolated());
-    if (!started)
-        return notices_.complain("start", started.error());
+                                                QString::fromStdString(draft.plan_path),
+                                                plugins_.isolates(plugins_.pluginOf(draft.behavior_id)));
+    if (!started) {
+        notices_.complain(startKey(id), started.error());
+        return false;
+    }
+    begin(id);
+    return true;
+}
+
+void TaskDesk::showStarted() {
     control_.plugins().forgetPreview(); // from now on the behavior itself reports its task
     preview_due_.stop();
-    begin(id);
-    emit faultsWanted(server::textsOf(draft.faults));
+    emit faultsWanted(server::textsOf(drafts_.shown().faults));
     views_.hint->setDone(widgets::FirstStep::Start);
     views_.map->setAreaSummary({}); // the summary showed the preview's figures
     views_.map->fit();
-    refreshRunState();
 }
 
 void TaskDesk::begin(RobotId id) {
-    notices_.cure("start");
+    notices_.cure(startKey(id));
     if (notices_.offers(missionKey(id)))
         notices_.cure(missionKey(id));
     emit begun(id);
@@ -273,7 +324,7 @@ void TaskDesk::begin(RobotId id) {
 
 void TaskDesk::startAgain(RobotId id) {
     if (const auto started = control_.startAgain(id); !started)
-        return notices_.complain("start", started.error());
+        return notices_.complain(startKey(id), started.error());
     begin(id);
     refreshRunState();
     commands_.refresh();
@@ -297,8 +348,17 @@ void TaskDesk::offerToStartAgain(RobotId id, const QString& key, const QString& 
 }
 
 void TaskDesk::give(agent::Order order) {
-    if (robot())
-        robot()->order(order);
+    for (Robot* const one : chosenAtWork())
+        one->order(order);
+    refreshRunState();
+}
+
+void TaskDesk::pauseOrResume() {
+    const std::vector<Robot*> robots = chosenAtWork();
+    const bool all_paused = std::ranges::all_of(robots, [](const Robot* one) { return one->view().paused; });
+    for (Robot* const one : robots)
+        if (all_paused || !one->view().paused)
+            one->order(all_paused ? agent::Order::Resume : agent::Order::Pause);
     refreshRunState();
 }
 
@@ -312,7 +372,7 @@ void TaskDesk::refreshRunState() {
     else if (robot() && robot()->view().figures.spawned)
         state = RunState::Ready;
     action("mission.land")->setVisible(!robot() || robot()->view().equipment.mayFly());
-    if (!views_.behavior->setRunState(state, robot() ? nameOf(*robot()) : QString()))
+    if (!views_.behavior->setRunState(state, addressees()))
         return;
     commands_.refresh();
     emit situationChanged();

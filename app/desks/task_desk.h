@@ -33,6 +33,8 @@ public:
     void preferClass(const std::string& robot_class) { wanted_class_ = robot_class; }
     /// Takes over what a mission file says. `values`: its parameters in SI units and radians.
     void setUp(const mission::Mission& mission, const std::map<std::string, agent::ParameterValue>& values);
+    /// The robots that commands apply to, in words: "R1", "R1, R2 and R3", "7 robots". Empty without a robot.
+    QString addressees() const;
     /// Uses the user's plan from the next start on; an empty path means the robot's own.
     void takePlan();
     /// Clears every drawn area, because the world that they were drawn in is gone.
@@ -63,16 +65,28 @@ private:
     void askForPreview();
     void showPreview(const Result<agent::TaskPreview>& preview);
     void clearPreview(const QString& instead);
-    /// Starts the behavior of the draft on the selected robot; an error is a notice.
+    /// The selected robot and those that are marked with it in the list.
+    std::vector<Robot*> chosen() const;
+    /// Those of them whose behavior runs.
+    std::vector<Robot*> chosenAtWork() const;
+    /// True if the robot stands ready and a behavior is set up for it.
+    bool mayStart(const Robot& robot);
+    /// Starts on each chosen robot that may start what is set up for it; an error is a notice.
     void start();
+    /// Returns true if it was started.
+    bool startOne(Robot& robot);
+    /// Shows that the selected robot's behavior was started from its draft.
+    void showStarted();
     /// Starts the behavior that broke on this robot again.
     void startAgain(RobotId id);
     void offerToStartAgain(RobotId id, const QString& key, const QString& text);
     void begin(RobotId id);
     /// Id of a robot whose behavior broke and was not started again, preferably the selected robot; 0: none.
     RobotId brokenRobot() const;
-    /// Gives an order to the selected robot's behavior.
+    /// Gives an order to the behaviors of the chosen robots.
     void give(agent::Order order);
+    /// Pauses the chosen robots if one of them works on; otherwise all of them continue.
+    void pauseOrResume();
     void refreshRunState();
     void applyParameters(const std::map<std::string, agent::ParameterValue>& values);
     /// True if a behavior runs on the selected robot.

@@ -3,7 +3,9 @@
 #include <QFileInfo>
 #include <QJsonDocument>
 
+#include "core/mission/fleet/robot_words.h"
 #include "widgets/commands/command_palette.h"
+#include "widgets/models/notice_place.h"
 #include "widgets/window/map_commands.h"
 
 namespace usar::app {
@@ -60,6 +62,7 @@ void ViewDesk::wire() {
     wireHistory();
     wireFiles();
     docks_.wire();
+    connect(views_.notifications, &widgets::NotificationCenter::activated, this, &ViewDesk::goTo);
     connect(&selection_, &Selection::changed, this, [this](RobotId id) {
         if (id.valid())
             docks_.showForRobot();
@@ -71,13 +74,30 @@ void ViewDesk::wire() {
                                  .arg(key("time.faster"), key("mission.pause")));
 }
 
+void ViewDesk::goTo(const QString& notice_key) {
+    const widgets::NoticePlace place = widgets::placeOf(notice_key);
+    for (const Robot* const one : control_.robots())
+        if (one->view().id == place.robot_id || nameOf(*one) == place.robot_name)
+            selection_.select(one->view().id);
+    for (QDockWidget* const dock : views_.docks)
+        if (dock->objectName() == place.dock)
+            raise(dock);
+    if (!place.command.isEmpty())
+        action(place.command)->trigger();
+}
+
 void ViewDesk::wireHistory() {
     mission::EditHistory* const history = &control_.history();
     views_.history->setHistory(history->stack(), [history](int row) { return history->reasonOf(row); });
     connect(history, &mission::EditHistory::changed, this, &ViewDesk::showHistory);
     connect(&commands_, &widgets::CommandRegistry::sent, this, [this, history](const widgets::CommandSpec& spec) {
         const bool about_all = spec.id.endsWith("_all") || spec.group == widgets::commandSpec("world.go").group;
-        history->note(robot() && !about_all ? tr("%1 (%2)").arg(spec.text, nameOf(*robot())) : spec.text);
+        const bool of_mission = spec.group == widgets::commandSpec("mission.start").group;
+        const QString names = about_all    ? QString()
+                              : of_mission ? mission::robotsText(views_.robots->chosenNames())
+                              : robot()    ? nameOf(*robot())
+                                           : QString();
+        history->note(names.isEmpty() ? spec.text : tr("%1 (%2)").arg(spec.text, names));
     });
     auto* const layers = views_.layers;
     connect(layers, &widgets::LayersPanel::edited, this,

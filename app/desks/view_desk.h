@@ -39,6 +39,8 @@ private:
     /// Reads the user's keys and layouts, and connects what is edited in them to the history.
     void wireFiles();
     void showPlots(const QJsonObject& plots);
+    /// Shows what the notification with this key is about: selects its robot, and raises or opens the place.
+    void goTo(const QString& notice_key);
 
     widgets::LayoutKeeper layouts_;
     widgets::WindowDocks docks_;

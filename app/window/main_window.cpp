@@ -85,8 +85,10 @@ void MainWindow::wire() {
             [this](const widgets::CommandSpec& spec, const std::function<void()>& run) {
                 if (views_.question->openQuestion() == spec.id)
                     return views_.question->give(0); // The key again is a clear answer.
-                const Robot* const robot = selection_.robot();
-                const QString question = spec.question.arg(robot ? nameOf(*robot) : tr("the robot"));
+                const QString names = spec.group == "Mission" ? task_.addressees()
+                                      : selection_.robot()    ? nameOf(*selection_.robot())
+                                                              : QString();
+                const QString question = spec.question.arg(names.isEmpty() ? tr("the robot") : names);
                 views_.question->ask(spec.id, question, {{spec.answer, run}, {tr("Cancel"), {}}});
             });
     commands_.setPlacesOfPlainKeys({views_.map, views_.robots});

@@ -2,7 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
+
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
 
 #include <QNetworkProxy>
 
@@ -122,6 +127,17 @@ void TcpLink::failWhereNobodyReads() {
     if (status_.state == LinkState::Connected && unsentBytes() > limits_.most_unsent_bytes)
         failed(QStringLiteral("The server at %1 reads no commands any more: %2 MB wait to be sent. Restart it.")
                    .arg(place(), QString::fromStdString(fixed(static_cast<double>(unsentBytes()) / 1e6, 1))));
+}
+
+std::optional<Seconds> TcpLink::roundTrip() const {
+    if (status_.state != LinkState::Connected)
+        return std::nullopt;
+    tcp_info info{};
+    socklen_t size = sizeof info;
+    const int descriptor = static_cast<int>(socket_.socketDescriptor());
+    if (getsockopt(descriptor, IPPROTO_TCP, TCP_INFO, &info, &size) != 0 || info.tcpi_rtt == 0)
+        return std::nullopt;
+    return std::chrono::microseconds(info.tcpi_rtt);
 }
 
 protocol::TrafficCounts TcpLink::counts() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -106,6 +107,9 @@ public:
     const LinkStatus& status() const { return status_; }
     /// Number of lines that were dropped because they exceed the splitter's cap, over all connections.
     std::size_t overlongCount() const { return splitter_.overlongCount(); }
+    /// The time from here to the server and back, as the system smooths it from the acknowledgments of what was sent
+    /// (RFC 6298); absent without a connection, or where the system does not tell. Waits for nothing.
+    std::optional<Seconds> roundTrip() const;
     /// Lines, bytes and dropped lines of this connection, or of the last one. Fields about the contents of lines stay
     /// 0.
     protocol::TrafficCounts counts() const;

@@ -35,6 +35,7 @@ private slots:
     void firstFlightFromDoubleClickToFiles();
     void closingInTheMiddleKeepsTheScan();
     void escapeTwiceStopsEveryRobot();
+    void anEscapeThatLeavesAToolIsNoHalfOfTheStop();
     void anUnwritableFolderIsNamedAndNothingIsLost();
 };
 
@@ -104,6 +105,23 @@ void tst_Window::escapeTwiceStopsEveryRobot() {
     page.pressKey(Qt::Key_Escape);
     page.pressKey(Qt::Key_Escape);
     QTRY_VERIFY_WITH_TIMEOUT(!page.robot(1)->figures.behavior_running, soon_ms);
+}
+
+/// Defect D12 of the review: whoever left the area tool by Escape and pressed it again stopped all robots.
+void tst_Window::anEscapeThatLeavesAToolIsNoHalfOfTheStop() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(page.spawnAt("PlayerStart"));
+    page.typeArea({{-20, -15}, {20, 15}});
+    page.press("Start");
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->figures.behavior_running, soon_ms);
+    page.pressKey(Qt::Key_A);
+    QVERIFY(page.window().commands().action("mission.area")->isChecked());
+    QVERIFY(page.map().hasFocus());
+    page.pressKey(Qt::Key_Escape);
+    QVERIFY(!page.window().commands().action("mission.area")->isChecked());
+    page.pressKey(Qt::Key_Escape);
+    QVERIFY(page.holdsWhileClockGoesOn([&] { return page.robot(1)->figures.behavior_running; }, Seconds(1.0)));
 }
 
 void tst_Window::anUnwritableFolderIsNamedAndNothingIsLost() {

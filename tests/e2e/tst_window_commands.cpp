@@ -80,6 +80,7 @@ void tst_WindowCommands::theServerIsLeftAndJoinedByCommand() {
     QTRY_VERIFY_WITH_TIMEOUT(enabled(page, "link.connect"), soon_ms);
     QVERIFY(!enabled(page, "link.disconnect"));
     QVERIFY(!enabled(page, "time.pause"));
+    QVERIFY(page.window().views().connection->rateText().isEmpty()); // Nothing that was measured before stays.
     run(page, "link.connect");
     QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
     QVERIFY(page.spawnAt("PlayerStart"));

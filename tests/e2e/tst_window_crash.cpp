@@ -25,6 +25,14 @@ QByteArray missionOver(const Rectangle& area) {
         .toUtf8();
 }
 
+/// The line of the settings that begins so; empty where there is none.
+QByteArray lineOf(const QByteArray& settings, const QByteArray& beginning) {
+    for (const QByteArray& line : settings.split('\n'))
+        if (line.startsWith(beginning))
+            return line;
+    return {};
+}
+
 } // namespace
 
 class tst_WindowCrash : public QObject {
@@ -43,6 +51,13 @@ private slots:
         {
             WindowPage page({.settings_folder = of_killed.path()});
             QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+            const auto text = [&] {
+                QFile file(of_killed.filePath(settings_file));
+                return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+            };
+            const auto docks = [&] { return lineOf(text(), "layout="); };
+            QTRY_VERIFY_WITH_TIMEOUT(!docks().isEmpty(), soon_ms);
+            const QByteArray docks_before = docks();
             page.window().commands().action("view.dark")->trigger();
             page.window().commands().action("view.dock.robots")->trigger();
             page.pressKey(Qt::Key_A);
@@ -50,12 +65,11 @@ private slots:
             area_in_map = page.map().area();
             QVERIFY(area_in_map.has_value());
             const auto isWritten = [&] {
-                QFile file(of_killed.filePath(settings_file));
-                const QByteArray text = file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-                return text.contains("theme=light") && text.contains("max_x_m=") && !text.contains("max_x_m=0");
+                const QByteArray now = text();
+                return now.contains("theme=light") && now.contains("max_x_m=") && !now.contains("max_x_m=0") &&
+                       lineOf(now, "layout=") != docks_before;
             };
             QTRY_VERIFY_WITH_TIMEOUT(isWritten(), soon_ms);
-            QTest::qWait(2000); // The docks are written with them, or a second later.
             QVERIFY(QDir(settings_->path()).mkpath("USAR"));
             QVERIFY(QFile::copy(of_killed.filePath(settings_file), settings_->filePath(settings_file)));
         }

@@ -2,6 +2,7 @@
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>
 #include <QComboBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QRegularExpression>
 #include <QScrollBar>
@@ -17,6 +18,7 @@
 
 #include "tests/e2e/window_page.h"
 #include "tests/suite/suite.h"
+#include "widgets/commands/shortcut_sheet.h"
 #include "widgets/panels/parameter_form.h"
 
 namespace tst_window_help {
@@ -114,6 +116,7 @@ private slots:
     void everyPartOfADockIsExplained();
     void whatIsThisFollowsTheTooltip();
     void aboutNamesEveryLoadedLibrary();
+    void theSheetOfKeysIsThereOnceAndHasThemAll();
 };
 
 void tst_WindowHelp::everyPartOfADockIsExplained() {
@@ -173,6 +176,23 @@ void tst_WindowHelp::aboutNamesEveryLoadedLibrary() {
     (*about)->grab().save(QStringLiteral(USAR_BINARY_DIR "/screenshots/about.png"));
     QTest::keyClick(*about, Qt::Key_Escape);
     QTRY_VERIFY((*about)->isHidden());
+}
+
+/// Defect D20 of the review: each F1 opened one more sheet, on which keys of the map and Escape twice were missing.
+void tst_WindowHelp::theSheetOfKeysIsThereOnceAndHasThemAll() {
+    WindowPage page;
+    for (int i = 0; i < 3; ++i)
+        QTest::keyClick(page.window().windowHandle(), Qt::Key_F1);
+    const auto sheets = page.window().findChildren<widgets::ShortcutSheet*>();
+    QCOMPARE(sheets.size(), 1);
+    QVERIFY(sheets.front()->isVisible() && !sheets.front()->isModal());
+    QStringList texts;
+    for (const QLabel* label : sheets.front()->findChildren<QLabel*>())
+        texts << label->text();
+    for (const char* const keys : {"Ctrl+.  Esc Esc", "N  Shift+N", "1 – 9"})
+        QVERIFY2(texts.contains(QString(keys)), keys);
+    QCOMPARE(texts.filter("Select robot").size(), 1);
+    sheets.front()->close();
 }
 
 USAR_TEST(tst_WindowHelp)

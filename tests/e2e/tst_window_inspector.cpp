@@ -217,6 +217,7 @@ void tst_WindowInspector::countersAreInSight() {
     QTRY_VERIFY(said("Lines in").toInt() > 20);
     QTRY_VERIFY(said("Lines out per second").toInt() > 0); // STEP
     QCOMPARE(said("Dropped"), QString("0"));
+    QTRY_VERIFY2(said("Round trip").section(' ', 0, 0).toDouble() > 0.0, qPrintable(said("Round trip")));
     panel->close();
 }
 

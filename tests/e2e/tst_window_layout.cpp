@@ -106,11 +106,12 @@ void tst_WindowLayout::everyDockFitsTheScreen() {
 
 void tst_WindowLayout::openingLayersKeepsTheWindowsHeight() {
     WindowPage page;
+    page.window().setAnimated(false); // So that docks are in their places at once.
     page.window().resize(1280, 760);
     QTRY_COMPARE(page.window().height(), 760);
     page.window().commands().action("view.dock.layers")->trigger();
     QTRY_VERIFY(page.window().views().layers->isVisible());
-    QTest::qWait(300); // Docks are moved by an animation.
+    QTRY_VERIFY(!page.window().views().layers->visibleRegion().isEmpty());
     QCOMPARE(page.window().height(), 760);
     page.window().commands().action("view.operate")->trigger();
     QTRY_VERIFY(!page.window().views().layers->isVisible());

@@ -1,4 +1,6 @@
 // What is in the world and in the air, as the map of the real window shows it: robots at their true size.
+#include <algorithm>
+
 #include <QTcpSocket>
 #include <QTest>
 #include <QTimer>
@@ -35,7 +37,31 @@ private slots:
     void ballIsSeenWhereItIs();
     void treesAreALayer();
     void robotIsPlacedByADragAndUndoTakesItAway();
+    void whatWasStartedIsInSight();
 };
+
+/// Defect D9 of the review: after Start the map showed the area, and the robot that was started was out of the view.
+void tst_WindowMap::whatWasStartedIsInSight() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    const auto& poses = page.map().content().start_poses;
+    const auto farthest = std::ranges::max_element(
+        poses, {}, [](const protocol::StartPose& pose) { return pose.pose_in_map.position_m.head<2>().norm(); });
+    QVERIFY(page.spawnAt(farthest->name));
+    page.typeArea({{-20, -15}, {20, 15}});
+    widgets::MapTransform away = page.map().transform();
+    away.center_m = Vec2(0.0, 0.0);
+    away.pixels_per_m = 40.0; // Of the area, not even the edges are in sight.
+    page.map().setTransform(away);
+    page.press("Start");
+    const auto seen = [&](const Vec2& at_m) {
+        return QRectF(page.map().rect()).contains(page.map().transform().toScreen(at_m));
+    };
+    const Vec2 robot_m = page.map().content().robots.at("R1").robot.base_in_map.position_m.head<2>();
+    QTRY_VERIFY(seen(robot_m));
+    for (const Vec2& corner_m : {Vec2(-20, -15), Vec2(20, -15), Vec2(-20, 15), Vec2(20, 15)})
+        QVERIFY2(seen(corner_m), qPrintable(QStringLiteral("%1 %2").arg(corner_m.x()).arg(corner_m.y())));
+}
 
 void tst_WindowMap::embeddedRobotHasTheOutlineOfItsFile() {
     DrivePage page;

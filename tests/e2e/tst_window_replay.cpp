@@ -8,6 +8,7 @@
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/e2e/window_page.h"
 #include "tests/suite/suite.h"
+#include "widgets/models/figures.h"
 
 namespace tst_window_replay {
 
@@ -36,6 +37,7 @@ private slots:
     void init() { GuiWatchdog::instance().reset(); }
     void cleanup() { QVERIFY2(GuiWatchdog::instance().complaint().isEmpty(), GuiWatchdog::instance().complaint()); }
     void theReplayShowsWhatTheFlightShowed();
+    void theStatusIsThatOfTheMomentShown();
     void aRecordingIsDroppedOnTheWindow();
     void theCommandLineOpensARecordingWithoutAServer();
     void nothingCanBeSentAndTheLiveRobotGoesOn();
@@ -113,6 +115,40 @@ void tst_WindowReplay::theReplayShowsWhatTheFlightShowed() {
     page.pressKey(Qt::Key_Left, Qt::AltModifier);
     QTRY_VERIFY_WITH_TIMEOUT(std::abs(page.robot(id)->figures.replay->position.count() - (span_s - 10.0)) < 0.5,
                              soon_ms);
+}
+
+/// Defect D14 of the review: in flight the replay said how it would end, and after a seek all figures were dashes.
+void tst_WindowReplay::theStatusIsThatOfTheMomentShown() {
+    WindowPage page;
+    QVERIFY(opens(page));
+    const RobotId id = page.window().selectedRobot();
+    mission::Robot& robot = *page.window().control().robot(id);
+    const widgets::WindowViews& views = page.window().views();
+    const auto elapsed = [&] {
+        for (const widgets::Readout* readout : views.status->findChildren<widgets::Readout*>())
+            if (readout->accessibleName() == "elapsed")
+                return readout->text().trimmed();
+        return QString();
+    };
+    const Seconds span = robot.view().figures.replay->span;
+    const auto seek = [&](double share) {
+        robot.orderReplay({.seek = span * share});
+        return QTest::qWaitFor(
+            [&] { return std::abs((robot.view().figures.replay->position - span * share).count()) < 1.0; }, soon_ms);
+    };
+    QVERIFY(seek(1.0));
+    QTRY_VERIFY_WITH_TIMEOUT(robot.view().finished.has_value(), soon_ms);
+    const QString ending = QString::fromStdString(robot.view().finished->reason);
+    QTRY_COMPARE(views.status->accessibleDescription(), ending);
+    for (const double share : {0.5, 0.7, 0.3}) {
+        QVERIFY(seek(share));
+        QVERIFY(!robot.view().finished && robot.view().status);
+        const QString state = QString::fromStdString(robot.view().status->state);
+        QTRY_COMPARE(views.status->accessibleDescription(), state);
+        QVERIFY(state != ending);
+        QTRY_COMPARE(elapsed(), widgets::clockText(robot.view().status->elapsed));
+        QCOMPARE(views.robots->model().row(0).state, "replay · " + state);
+    }
 }
 
 void tst_WindowReplay::aRecordingIsDroppedOnTheWindow() {

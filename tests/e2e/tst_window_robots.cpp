@@ -43,6 +43,7 @@ private slots:
     void parametersOfAMissionFileSurviveSpawning();
     void eachRobotKeepsItsSettingsAndItsPause();
     void aDoubleClickedSensorValueIsPlotted();
+    void oneCommandIsForAllThatAreMarked();
     void nobodyGetsANameTwice();
     void removingARobotSavesItsScan();
     void disconnectingSavesEveryScan();
@@ -94,6 +95,46 @@ void tst_WindowRobots::eachRobotKeepsItsSettingsAndItsPause() {
     page.pressKey(Qt::Key_2);
     QCOMPARE(page.map().area()->max_m.x(), 50.0);
     QCOMPARE(page.window().views().behavior->area().max_m.x(), 50.0);
+}
+
+void tst_WindowRobots::oneCommandIsForAllThatAreMarked() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    const auto poses = page.map().content().start_poses;
+    for (int id = 1; id <= 3; ++id) {
+        QVERIFY(page.spawnAt(poses[std::size_t(id - 1)].name));
+        page.typeArea({{10.0 * id, -8}, {10.0 * id + 8.0, 8}});
+    }
+    auto* const list = page.window().views().robots->findChild<QListView*>();
+    const auto mark = [&](int row, Qt::KeyboardModifiers keys) {
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, keys,
+                          list->visualRect(list->model()->index(row, 0)).center());
+    };
+    const auto running = [&](int id) { return page.window().control().robot({id})->running(); };
+    mark(0, {});
+    mark(1, Qt::ControlModifier);
+    QCOMPARE(page.window().selectedRobot(), RobotId{2});
+    page.press("Start");
+    QTRY_VERIFY_WITH_TIMEOUT(running(1) && running(2), soon_ms);
+    QVERIFY(!running(3));
+    QCOMPARE(page.robot(1)->area_in_map.min_m.x(), 10.0); // Each flies its own task.
+    QCOMPARE(page.robot(2)->area_in_map.min_m.x(), 20.0);
+    page.press("Pause");
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->paused && page.robot(2)->paused, soon_ms);
+    page.press("Resume");
+    QTRY_VERIFY_WITH_TIMEOUT(!page.robot(1)->paused && !page.robot(2)->paused, soon_ms);
+    page.pressKey(Qt::Key_L);
+    auto* const question = page.window().views().question;
+    QCOMPARE(question->openQuestion(), QString("mission.land"));
+    bool named = false;
+    for (const QLabel* label : question->findChildren<QLabel*>())
+        named |= label->text().contains("Land R1 and R2 here and now?");
+    QVERIFY(named);
+    question->give(1);
+    page.pressKey(Qt::Key_1); // R1 alone.
+    page.press("Stop");
+    QTRY_VERIFY_WITH_TIMEOUT(!running(1), soon_ms);
+    QVERIFY(running(2));
 }
 
 void tst_WindowRobots::aDoubleClickedSensorValueIsPlotted() {

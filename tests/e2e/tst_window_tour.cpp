@@ -114,7 +114,8 @@ void tst_WindowTour::itGoesOnAsThePersonDoesTheSteps() {
     begin(page);
     QVERIFY(shows(page, 1));
     QVERIFY(ringOf(page).inside().intersects(inWindow(page, page.window().views().connection)));
-    QTest::qWait(1500);
+    const test::Beats looks(300);
+    QVERIFY(test::holdsUntil([&] { return shows(page, 1); }, [&] { return looks.count() >= 5; }, soon_ms));
     QVERIFY(shows(page, 1)); // What was done before waits for Next.
     QVERIFY(cardOf(page).next()->hasFocus());
     QTest::keyClick(cardOf(page).next(), Qt::Key_Return);
@@ -175,17 +176,17 @@ void tst_WindowTour::theRingCutsNoLabel() {
     QFETCH(QSize, screen);
     WindowPage page({.first_start = true});
     QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    page.window().setAnimated(false); // So that docks are in their places at once.
     page.window().resize(screen - frame);
     QTRY_COMPARE(page.window().size(), screen - frame);
     begin(page);
     for (int step = 1; step <= steps; ++step) {
-        QTest::qWait(300); // Docks are moved by an animation.
         QVERIFY(shows(page, step));
         QTRY_COMPARE(cutByTheRing(page), QStringList());
-        QVERIFY(page.window().rect().contains(ringOf(page).outside()));
-        QVERIFY(page.window().rect().contains(cardOf(page).geometry()));
-        QVERIFY2(step == steps || !cardOf(page).geometry().intersects(ringOf(page).outside()),
-                 qPrintable(QString::number(step)));
+        QTRY_VERIFY(page.window().rect().contains(ringOf(page).outside()));
+        QTRY_VERIFY(page.window().rect().contains(cardOf(page).geometry()));
+        QTRY_VERIFY2(step == steps || !cardOf(page).geometry().intersects(ringOf(page).outside()),
+                     qPrintable(QString::number(step)));
         page.screenshot(QStringLiteral("tour_%1_%2").arg(screen.width()).arg(step));
         QTest::mouseClick(cardOf(page).next(), Qt::LeftButton);
     }

@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QLineEdit>
+#include <QListView>
 #include <QPushButton>
 #include <QTcpServer>
 #include <QTest>
@@ -15,6 +16,7 @@
 #include "tests/e2e/scratch_files.h"
 #include "tests/e2e/window_page.h"
 #include "tests/suite/suite.h"
+#include "widgets/panels/plugin_dialog.h"
 
 namespace tst_window_trouble {
 
@@ -58,6 +60,7 @@ private slots:
     void badLinesAreNamedAndTheRobotLives_data();
     void badLinesAreNamedAndTheRobotLives();
     void aSensorThatStopsIsNamed();
+    void aNotificationLeadsToItsRobotAndDock();
     void anAreaThatCannotBeFlownIsRefused_data();
     void anAreaThatCannotBeFlownIsRefused();
     void aWrongMissionFileIsRefusedWithItsPlace_data();
@@ -175,6 +178,32 @@ void tst_WindowTrouble::aSensorThatStopsIsNamed() {
     QTRY_VERIFY_WITH_TIMEOUT(page.window().views().notifications->model()->openCount() == 0, soon_ms);
 }
 
+void tst_WindowTrouble::aNotificationLeadsToItsRobotAndDock() {
+    TroubledServer server;
+    WindowPage page;
+    QVERIFY(connectedTo(page, server));
+    QVERIFY(page.spawnAt("PlayerStart"));
+    QVERIFY(page.clockGoesOn(Seconds(1.0))); // All sensors have spoken.
+    server.relay->meddle = [](const QByteArray& line) { return line.contains("RangeScanner") ? QByteArray() : line; };
+    QTRY_VERIFY_WITH_TIMEOUT(!page.notified("No reading from").isEmpty(), soon_ms);
+    QVERIFY(page.spawnAt(page.map().content().start_poses.back().name));
+    QCOMPARE(page.window().selectedRobot(), RobotId{2});
+    page.window().commands().action("view.dock.sensors")->trigger(); // Closes it.
+    QTRY_VERIFY(!page.window().views().sensors->isVisible());
+    page.window().commands().action("view.dock.notifications")->trigger();
+    auto* const list = page.window().views().notifications->findChild<QListView*>();
+    QTRY_VERIFY(list->isVisible());
+    const auto* const model = page.window().views().notifications->model();
+    int row = 0;
+    while (row < model->rowCount() && !model->row(row).text.contains("No reading from"))
+        ++row;
+    QVERIFY(row < model->rowCount());
+    list->setCurrentIndex(list->model()->index(row, 0));
+    emit list->activated(list->currentIndex()); // A double-click, or Return.
+    QCOMPARE(page.window().selectedRobot(), RobotId{1});
+    QTRY_VERIFY(page.window().views().sensors->isVisible());
+}
+
 void tst_WindowTrouble::anAreaThatCannotBeFlownIsRefused_data() {
     QTest::addColumn<Rectangle>("area");
     QTest::addColumn<QString>("words");
@@ -249,6 +278,17 @@ void tst_WindowTrouble::aBrokenPluginIsNamed() {
     QVERIFY(!page.notified("cut_off.so").isEmpty());
     QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
     QVERIFY(page.spawnAt("PlayerStart")); // the good one works all the same
+    page.window().commands().action("plugins.show")->trigger();
+    const auto* const list = page.window().findChild<widgets::PluginDialog*>();
+    QVERIFY(list && list->isVisible() && !list->isModal());
+    int refused = 0;
+    int loaded = 0;
+    for (const widgets::PluginRow& row : list->plugins()) {
+        refused += row.state == "refused" && !row.reason.isEmpty() ? 1 : 0;
+        loaded += row.state == "loaded" && !row.behaviors.isEmpty() && !row.version.isEmpty() ? 1 : 0;
+    }
+    QCOMPARE(refused, 2);
+    QVERIFY(loaded >= 1);
 }
 
 void tst_WindowTrouble::aPortInUseIsToldAndAnotherTaken() {

@@ -1,4 +1,6 @@
 // The palette of the world in the real window: objects by mouse, and the marks of a robot under TRACE.
+#include <algorithm>
+
 #include <QComboBox>
 #include <QMimeData>
 #include <QTabBar>
@@ -183,6 +185,25 @@ private slots:
         page.chooseSpeed("10×");
         QTest::mouseClick(page.button("Start moving"), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(page.isNear(page.rowOf("Box"), {4, -2}), flight_ms); // at 1×, without a robot
+    }
+
+    /// Defect D30 of the review: the window guessed at the class although the simulator had said what is in the way.
+    void anObjectThatFindsNoRoomSaysWhy() {
+        WorldPage page;
+        QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+        page.open();
+        QTRY_VERIFY_WITH_TIMEOUT(page.isOpen(), soon_ms);
+        const auto& trees = page.map().content().scenery->trees;
+        const auto thick = std::ranges::max_element(trees, {}, &SceneryTree::trunk_radius_m);
+        QVERIFY(thick != trees.end() && thick->trunk_radius_m > 0.1);
+        page.lookAt(thick->center_m);
+        page.put("Crate", thick->center_m);
+        QTRY_VERIFY_WITH_TIMEOUT(!page.notified("Could not place Crate1").isEmpty(), soon_ms);
+        const QString said = page.notified("Could not place Crate1");
+        QVERIFY2(said.contains("such as a tree") && !said.contains("client"), qPrintable(said));
+        for (int row = 0; row < page.window().views().notifications->model()->rowCount(); ++row)
+            QVERIFY(!page.window().views().notifications->model()->row(row).text.startsWith("client "));
+        QCOMPARE(page.count(), 0);
     }
 
     void wayPointsAreNotAddedWhileTheUserDrives() {

@@ -139,6 +139,14 @@ void Desktop::key(const QString& chord) {
     xdotool({"key", chord});
 }
 
+void Desktop::press(const QString& key) {
+    xdotool({"keydown", key});
+}
+
+void Desktop::letGo(const QString& key) {
+    xdotool({"keyup", key});
+}
+
 void Desktop::keyTwice(const QString& chord) {
     xdotool({"key", "--delay", "80", chord, chord});
 }

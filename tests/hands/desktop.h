@@ -39,7 +39,10 @@ public:
     void moveTo(const QPoint& at);
     /// Presses and releases a key or a chord by its X name: "Return", "ctrl+period".
     void key(const QString& chord);
-    /// The same, twice, as fast as a person in a hurry.
+    /// Holds a key down until `letGo`; it repeats, as held keys do.
+    void press(const QString& key);
+    void letGo(const QString& key);
+    /// Presses and releases a key twice, as fast as a person in a hurry.
     void keyTwice(const QString& chord);
     void type(const QString& text);
 

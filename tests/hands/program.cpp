@@ -42,8 +42,30 @@ QString Program::trouble() const {
                                                  : "Mission Control does not run: " + process_.errorString();
 }
 
+std::optional<Seen> Program::settled(const ScreenReader::Wanted& wanted) const {
+    std::optional<Seen> before;
+    const bool stands = QTest::qWaitFor(
+        [&] {
+            const std::optional<Seen> now = reader_->find(wanted, 0);
+            const bool same = now && before && now->at == before->at && now->path == before->path;
+            before = now;
+            return same;
+        },
+        patience_ms);
+    return stands ? before : std::nullopt;
+}
+
+bool Program::keyChanges(const QString& key, const std::function<QString()>& look) {
+    constexpr int soon_ms = 5000;
+    const QString before = look();
+    desktop_.key(key);
+    return QTest::qWaitFor([&] { return look() != before; }, soon_ms);
+}
+
 bool Program::click(const QString& role, const QString& name) {
-    const auto seen = reader_->find(role, name);
+    const auto seen = settled([&](const Seen& one) {
+        return one.role == role && one.enabled() && QString(one.name).remove('&').contains(name, Qt::CaseInsensitive);
+    });
     if (seen)
         desktop_.click(seen->at.center());
     return seen.has_value();
@@ -58,10 +80,16 @@ bool Program::says(const QString& words, int within_ms) const {
 
 bool Program::tabTo(const QString& role) {
     const auto is_there = [&](const Seen& seen) { return seen.role == role && seen.focused(); };
+    const auto focus = [this] { // Groups say that they have it, too.
+        QStringList paths;
+        for (const Seen& seen : reader_->all([](const Seen& one) { return one.focused(); }))
+            paths << seen.path;
+        return paths.join(' ');
+    };
     constexpr int most_widgets = 12;
     for (int i = 0; i < most_widgets; ++i) {
-        desktop_.key("Tab");
-        if (reader_->find(is_there, 300))
+        keyChanges("Tab", focus);
+        if (reader_->find(is_there, 0))
             return true;
     }
     return false;
@@ -80,7 +108,7 @@ QString Program::row(const QString& robot) const {
 }
 
 bool Program::lookAtWorld() {
-    const auto map = reader_->find([](const Seen& seen) { return seen.name == "Map"; });
+    const auto map = settled([](const Seen& seen) { return seen.name == "Map"; });
     if (!map)
         return false;
     desktop_.click(map->at.topLeft() + QPoint(12, map->at.height() / 2));
@@ -89,7 +117,7 @@ bool Program::lookAtWorld() {
 }
 
 bool Program::spawnAt(const QString& start_pose, const QString& robot) {
-    const auto pose = reader_->find([&](const Seen& seen) { return seen.name == "Start pose " + start_pose; });
+    const auto pose = settled([&](const Seen& seen) { return seen.name == "Start pose " + start_pose; });
     if (!pose)
         return false;
     desktop_.doubleClick(pose->at.center());
@@ -97,11 +125,13 @@ bool Program::spawnAt(const QString& start_pose, const QString& robot) {
 }
 
 bool Program::takesMark(const QString& start_pose) {
-    const auto marked = [&](const Seen& seen) { return seen.description.startsWith("Start pose " + start_pose + "."); };
+    const auto mark = [this] {
+        return reader_->find([](const Seen& seen) { return seen.name == "Map"; }, 0).value_or(Seen{}).description;
+    };
     constexpr int most_poses = 20;
     for (int i = 0; i < most_poses; ++i) {
-        desktop_.key("n");
-        if (reader_->find(marked, 300))
+        keyChanges("n", mark);
+        if (mark().startsWith("Start pose " + start_pose + "."))
             return true;
     }
     return false;
@@ -115,8 +145,15 @@ bool Program::spawnByKeys(const QString& start_pose, const QString& robot) {
 }
 
 bool Program::fly() {
-    const auto map = reader_->find([](const Seen& seen) { return seen.name == "Map"; });
-    if (!map || !lookAtWorld())
+    const auto is_there = [this] { // Start does nothing before the robot has spoken.
+        const auto list = reader_->all([](const Seen& seen) { return seen.role == "list item"; });
+        return !list.empty() &&
+               std::ranges::none_of(list, [](const Seen& seen) { return seen.name.contains("spawning"); });
+    };
+    if (!QTest::qWaitFor(is_there, patience_ms) || !lookAtWorld())
+        return false;
+    const auto map = settled([](const Seen& seen) { return seen.name == "Map"; });
+    if (!map)
         return false;
     desktop_.key("a");
     const QPoint middle = map->at.center();

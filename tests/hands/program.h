@@ -21,7 +21,8 @@ public:
     const ScreenReader& read() const { return *reader_; }
     const QString& resultFolder() const { return results_; }
 
-    /// Clicks the middle of the first widget with this role and name; false, after a while, where there is none.
+    /// Clicks the middle of the first widget with this role and name, once it is enabled and stands still; false, after
+    /// a while, where there is none.
     bool click(const QString& role, const QString& name);
     /// The same for a button.
     bool press(const QString& name) { return click("push button", name); }
@@ -50,6 +51,12 @@ public:
     std::optional<int> ended(int within_ms);
 
 private:
+    /// The first widget that is wanted, once it was seen twice at the same place: docks open and views are fitted while
+    /// a hand already aims.
+    std::optional<Seen> settled(const ScreenReader::Wanted& wanted) const;
+    /// Presses the key and waits until what `look` reads has changed, so that no later key overtakes it; false if it
+    /// stays as it was.
+    bool keyChanges(const QString& key, const std::function<QString()>& look);
     bool takesMark(const QString& start_pose);
 
     Desktop desktop_;

@@ -89,7 +89,7 @@ void tst_HandsSafety::aLetterOnTheMapAsksFirst() {
     QVERIFY(flies());
     QVERIFY(program_.lookAtWorld());
     program_.desk().key("l");
-    QVERIFY(program_.says("Land R2 where it is?"));
+    QVERIFY(program_.says("Land R2 here and now?"));
     program_.screenshot("land_question");
     QVERIFY2(!program_.row("R2").contains("land"), qPrintable(program_.row("R2")));
     QVERIFY(program_.press("Cancel"));

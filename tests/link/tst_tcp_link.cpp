@@ -49,6 +49,7 @@ private slots:
     void tellsWhatDoesNotSpeakUsarsim();
     void dropsAnEndlessLineAndGoesOn();
     void mayBeClosedAndReopenedByWhoTakesTheLines();
+    void tellsTheTimeToTheServerAndBack();
     void sendingWithoutAConnectionIsHarmless();
     void aServerThatReadsNoMoreIsLeftBeforeMemoryIsFull();
 
@@ -276,6 +277,18 @@ void tst_TcpLink::mayBeClosedAndReopenedByWhoTakesTheLines() {
     QCOMPARE(server_->connectionCount(), 2);
     QCOMPARE(lines_.at(0), lines_.at(1)); // the greetings of both connections, and nothing of the first behind it
     QCOMPARE(lines_.at(2), QByteArray("STA {Time 1.00}"));
+}
+
+void tst_TcpLink::tellsTheTimeToTheServerAndBack() {
+    QVERIFY(!link_->roundTrip());
+    link_->open(QStringLiteral("127.0.0.1"), server_->port());
+    QTRY_COMPARE(link_->status().state, LinkState::Connected);
+    link_->send("GETSTARTPOSES");
+    QTRY_VERIFY(link_->roundTrip());
+    QVERIFY2(link_->roundTrip()->count() > 0.0 && link_->roundTrip()->count() < 1.0, // It is this machine.
+             qPrintable(QString::number(link_->roundTrip()->count())));
+    link_->close();
+    QVERIFY(!link_->roundTrip());
 }
 
 void tst_TcpLink::sendingWithoutAConnectionIsHarmless() {

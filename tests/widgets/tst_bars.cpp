@@ -281,7 +281,7 @@ void tst_Bars::rateKeepsItsWidth() {
     auto* dot = bar.findChild<StateDot*>();
     bar.setRate(3.0);
     const int before = dot->x();
-    bar.setRate(4800.0);
+    bar.setRate(4800.0, Seconds(0.00123));
     QCoreApplication::sendPostedEvents();
     QCOMPARE(dot->x(), before);
 }
@@ -296,6 +296,7 @@ void tst_Bars::figuresOfTheLinkOpenFromTheRate() {
     figures.counts = {1234, 56, 1'500'000, 240, 2, 1, 3, 4};
     figures.rates = {48.0, 10.0, 61'000.0, 0.0};
     figures.not_shown = 7;
+    figures.round_trip = Seconds(0.0123);
     bar.panel()->setFigures(figures);
     bar.panel()->setName(QStringLiteral("R1"));
     QTest::mouseClick(bar.findChild<QToolButton*>(), Qt::LeftButton);
@@ -314,6 +315,7 @@ void tst_Bars::figuresOfTheLinkOpenFromTheRate() {
     QCOMPARE(said("Dropped"), QStringLiteral("3"));
     QCOMPARE(said("DRIVE replaced"), QStringLiteral("4"));
     QCOMPARE(said("Not shown"), QStringLiteral("7"));
+    QCOMPARE(said("Round trip"), QStringLiteral("12 ms"));
     QCOMPARE(trafficSummary(figures.counts), QStringLiteral("1,234 in · 56 out · 2 unknown · 1 malformed · 3 dropped"));
 }
 

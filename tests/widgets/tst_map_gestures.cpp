@@ -94,6 +94,7 @@ private slots:
     void robotIsPlacedAndTurned();
     void placingIsCanceledAndTakenAway();
     void placedRobotIsClicked();
+    void lineIsMeasuredUntilTheToolIsLeft();
 };
 
 void tst_MapGestures::leftPressPansOnlyIfItMoves() {
@@ -393,6 +394,36 @@ void tst_MapGestures::robotIsPlacedAndTurned() {
     ground.press({10, 10});
     ground.release({10, 10});
     QVERIFY(placed.size() == 2 && placed[1].first == placed[0].second);
+}
+
+void tst_MapGestures::lineIsMeasuredUntilTheToolIsLeft() {
+    Ground ground;
+    std::vector<MeasuredLine> told;
+    connect(&ground.gestures, &MapGestures::lineMeasured, this,
+            [&](const MeasuredLine& line) { told.push_back(line); });
+    QSignalSpy panned(&ground.gestures, &MapGestures::panned);
+    ground.gestures.setTool(MapTool::Measure);
+    ground.pull(ground.screen(1.0, 2.0), ground.screen(4.0, 6.0));
+    QVERIFY(ground.content.measured && told.empty()); // It is seen while it is drawn.
+    ground.release(ground.screen(4.0, 6.0));
+    QCOMPARE(told.size(), std::size_t(1));
+    QVERIFY2(std::abs(told[0].length_m() - 5.0) < 0.15, qPrintable(QString::number(told[0].length_m())));
+    QVERIFY(ground.content.measured == told[0]);
+    QCOMPARE(panned.count(), 0);
+    QCOMPARE(ground.gestures.tool(), MapTool::Measure); // For another line.
+    ground.press({50, 50});
+    ground.release({50, 50});
+    QVERIFY2(!ground.content.measured && told.size() == 1, "a click draws no line");
+    ground.pull({50, 50}, {90, 90});
+    QVERIFY(ground.gestures.escape()); // In the middle
+    QVERIFY(!ground.content.measured);
+    ground.release({90, 90});
+    QCOMPARE(told.size(), std::size_t(1));
+    ground.pull({50, 50}, {90, 90});
+    ground.release({90, 90});
+    QVERIFY(ground.content.measured && ground.gestures.escape());
+    QVERIFY(!ground.content.measured);
+    QCOMPARE(ground.gestures.tool(), MapTool::Pan);
 }
 
 void tst_MapGestures::placingIsCanceledAndTakenAway() {

@@ -35,6 +35,7 @@ private slots:
     void rowIsASentenceForAssistiveTools();
     void clickSelects();
     void selectingByTheWindowIsSilent();
+    void severalAreChosenWithTheSelectedOne();
     void selectionSurvivesUpdates();
     void removingTheSelectedRobotSelectsANeighbor();
     void deleteAsksForRemovalAndRemovesNothing();
@@ -132,6 +133,31 @@ void tst_RobotList::selectingByTheWindowIsSilent() {
     list_->selectRobot({99});
     QCOMPARE(list_->selectedRobot(), std::optional<RobotId>());
     QCOMPARE(selected.count(), 0);
+}
+
+void tst_RobotList::severalAreChosenWithTheSelectedOne() {
+    using Ids = std::vector<RobotId>;
+    for (int number = 1; number <= 4; ++number)
+        list_->updateRobot(robot(number, number));
+    list_->selectRobot({1});
+    QCOMPARE(list_->chosenRobots(), Ids{{1}});
+    QSignalSpy changed(list_.get(), &RobotList::chosenChanged);
+    QTest::mouseClick(view()->viewport(), Qt::LeftButton, Qt::ControlModifier, center(2));
+    QCOMPARE(list_->selectedRobot(), std::optional(RobotId{3}));
+    list_->selectRobot({3}); // As the window does in answer to robotSelected.
+    QCOMPARE(list_->chosenRobots(), (Ids{{1}, {3}}));
+    QVERIFY(changed.count() > 0);
+    list_->updateRobot(robot(2, 2, "scanning"));
+    QCOMPARE(list_->chosenRobots(), (Ids{{1}, {3}}));
+    QTest::mouseClick(view()->viewport(), Qt::LeftButton, Qt::ControlModifier, center(2));
+    QVERIFY2(view()->selectionModel()->isSelected(list_->model().index(2)), "what the window shows stays marked");
+    QTest::keyClick(view(), Qt::Key_A, Qt::ControlModifier);
+    QCOMPARE(list_->chosenRobots().size(), std::size_t(4));
+    list_->removeRobot({3});
+    QCOMPARE(list_->chosenRobots(), (Ids{{1}, {2}, {4}}));
+    list_->selectRobot({4});
+    list_->selectRobot({2});
+    QCOMPARE(list_->chosenRobots(), Ids{{2}});
 }
 
 void tst_RobotList::selectionSurvivesUpdates() {

@@ -58,6 +58,13 @@ QString trafficSummary(const protocol::TrafficCounts& counts) {
              counted(counts.dropped));
 }
 
+QString roundTripText(std::optional<Seconds> round_trip) {
+    if (!round_trip)
+        return LinkPanel::tr("–");
+    const double ms = round_trip->count() * 1000.0;
+    return LinkPanel::tr("%1 ms").arg(figure(ms, ms < 1.0 ? 2 : ms < 10.0 ? 1 : 0));
+}
+
 QString bytesText(double bytes) {
     static constexpr std::array units = {"B", "kB", "MB", "GB", "TB"};
     std::size_t unit = 0;
@@ -89,7 +96,8 @@ LinkPanel::LinkPanel(QWidget* parent) : QFrame(parent, Qt::Popup) {
          {tr("Dropped"), tr("Lines longer than 4 MiB, which were left out")},
          {tr("DRIVE replaced"),
           tr("DRIVE commands that a newer one replaced, because a server takes only 20 per second")},
-         {tr("Not shown"), tr("Lines that were read and used, but arrived faster than the lists can take them")}}};
+         {tr("Not shown"), tr("Lines that were read and used, but arrived faster than the lists can take them")},
+         {tr("Round trip"), tr("Time to the server and back, as the network's acknowledgments tell it")}}};
     for (std::size_t row = 0; row < row_count; ++row) {
         const auto& [name, help] = rows[row];
         totals_[row] = figureLabel(this);
@@ -112,7 +120,7 @@ void LinkPanel::setName(const QString& name) {
 }
 
 void LinkPanel::setFigures(const LinkFigures& figures) {
-    const auto& [counts, rates, not_shown] = figures;
+    const auto& [counts, rates, not_shown, round_trip] = figures;
     // In the order of the rows; only the first four have a rate.
     const QString totals[row_count] = {counted(counts.lines_in),
                                        counted(counts.lines_out),
@@ -122,7 +130,8 @@ void LinkPanel::setFigures(const LinkFigures& figures) {
                                        counted(counts.malformed),
                                        counted(counts.dropped),
                                        counted(counts.drives_replaced),
-                                       counted(not_shown)};
+                                       counted(not_shown),
+                                       roundTripText(round_trip)};
     const QString per_second[] = {figure(rates.lines_in_per_s, 0), figure(rates.lines_out_per_s, 0),
                                   bytesText(rates.bytes_in_per_s), bytesText(rates.bytes_out_per_s)};
     for (std::size_t row = 0; row < row_count; ++row)
@@ -180,12 +189,12 @@ void ConnectionBar::setUpStatus() {
     retry_->setAccessibleName(tr("Next try"));
     retry_->setMinimumWidth(retry_->fontMetrics().horizontalAdvance(tr("Retrying in %1 s.").arg(u"00")));
     named(rate_, tr("Info lines per second"),
-          tr("Info lines received per second of wall time; click to see all figures of the link"));
+          tr("Info lines received per second of wall time, and the time to the server and back; click to see all "
+             "figures of the link"));
     rate_->setAutoRaise(true);
     rate_->setFocusPolicy(Qt::StrongFocus);
     rate_->setMinimumHeight(minimum_target);
     connect(rate_, &QToolButton::clicked, this, &ConnectionBar::openPanel);
-    rate_->setMinimumWidth(rate_->fontMetrics().horizontalAdvance(QStringLiteral("00000 lines/s")));
 }
 
 void ConnectionBar::setAddress(const QString& host, quint16 port) {
@@ -227,9 +236,22 @@ void ConnectionBar::setRoom(BarRoom room) {
         refresh();
 }
 
-void ConnectionBar::setRate(std::optional<double> lines_per_s) {
-    rate_->setText(lines_per_s ? tr("%1 lines/s").arg(figure(*lines_per_s, 0, 4)) : QString());
-    rate_->setEnabled(lines_per_s.has_value());
+void ConnectionBar::setRate(std::optional<double> lines_per_s, std::optional<Seconds> round_trip) {
+    lines_per_s_ = lines_per_s;
+    round_trip_ = round_trip;
+    showRate();
+}
+
+/// The button is always as wide as its longest text, so that its neighbors do not move.
+void ConnectionBar::showRate() {
+    const bool timed = room_ == BarRoom::Wide;
+    const QString rate = lines_per_s_ ? tr("%1 lines/s").arg(figure(*lines_per_s_, 0, 4)) : QString();
+    const QString time = lines_per_s_ && timed ? QStringLiteral(" · ") + roundTripText(round_trip_) : QString();
+    rate_->setText(rate + time);
+    rate_->setEnabled(lines_per_s_.has_value());
+    const QString longest =
+        QStringLiteral("00000 lines/s") + (lines_per_s_ && timed ? QStringLiteral(" · 0.00 ms") : QString());
+    rate_->setMinimumWidth(rate_->fontMetrics().horizontalAdvance(longest));
 }
 
 void ConnectionBar::press() {
@@ -261,6 +283,7 @@ void ConnectionBar::refresh() {
                             : tr("Closes the link; what was scanned is kept"));
     dot_->setState(shape(status_));
     showWords();
+    showRate();
     for (QLabel* label : std::initializer_list<QLabel*>{status_text_, retry_})
         setRole(label, stateRole(shape(status_)));
 }

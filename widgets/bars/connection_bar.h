@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include <QComboBox>
 #include <QFrame>
@@ -25,10 +26,13 @@ struct LinkFigures {
     protocol::TrafficCounts counts;
     protocol::TrafficRates rates;
     std::uint64_t not_shown = 0;
+    std::optional<Seconds> round_trip; ///< to the server and back; absent: unknown
 };
 
 /// "1,234 in · 56 out · 2 unknown · 1 malformed · 0 dropped": a line below a list.
 QString trafficSummary(const protocol::TrafficCounts& counts);
+/// "0.04 ms", "3.2 ms", "140 ms"; a dash for an unknown time.
+QString roundTripText(std::optional<Seconds> round_trip);
 /// "1.5 MB", "240 B": decimal units, at most four characters for the number.
 QString bytesText(double bytes);
 
@@ -46,7 +50,7 @@ public:
     void openBelow(const QWidget* widget);
 
 private:
-    static constexpr std::size_t row_count = 9;
+    static constexpr std::size_t row_count = 10;
 
     QLabel* title_ = new QLabel(this);
     std::array<QLabel*, row_count> totals_;
@@ -94,8 +98,11 @@ public:
     void setStatus(const ConnectionStatus& status);
     /// Sets how much room the bar has; the owner knows the width of the window.
     void setRoom(BarRoom room);
-    /// Info lines per second of wall time; nullopt shows no figure. The figure is visible in every BarRoom.
-    void setRate(std::optional<double> lines_per_s);
+    /// Info lines per second of wall time; nullopt shows no figure. The rate is visible in every BarRoom, the time to
+    /// the server and back in a wide bar only.
+    void setRate(std::optional<double> lines_per_s, std::optional<Seconds> round_trip = std::nullopt);
+    /// "48 lines/s · 0.4 ms"; empty while no rate is known.
+    QString rateText() const { return rate_->text(); }
     /// The popup with all figures of the link, which a click on the rate opens. It always exists, so it can be filled
     /// at any time; owned by the bar.
     LinkPanel* panel() const { return panel_; }
@@ -114,6 +121,7 @@ private:
     void setUpStatus();
     void countDown();
     void showWords();
+    void showRate();
     /// Connects, disconnects or cancels, depending on the state.
     void press();
     void refresh();
@@ -121,7 +129,9 @@ private:
     ConnectionStatus status_; ///< as last set
     BarRoom room_ = BarRoom::Wide;
     int button_width_px_ = 0; ///< width with its longest word
-    Seconds retry_in_{0.0};   ///< time to the next try, counting down
+    std::optional<double> lines_per_s_;
+    std::optional<Seconds> round_trip_;
+    Seconds retry_in_{0.0}; ///< time to the next try, counting down
     QTimer second_{this};
     QComboBox* server_ = new QComboBox(this);
     QLineEdit* host_ = new QLineEdit(QStringLiteral("127.0.0.1"), this);

@@ -15,6 +15,7 @@
 #include "widgets/map/robot_on_map.h"
 #include "widgets/models/map/area_grip.h"
 #include "widgets/models/map/map_object.h"
+#include "widgets/models/map/measured_line.h"
 #include "widgets/models/radio_links.h"
 
 namespace usar::widgets {
@@ -87,6 +88,7 @@ struct MapContent {
     std::vector<protocol::StartPose> start_poses;
     std::optional<std::size_t> hot_start_pose; ///< index of the one under the cursor or chosen by keys
     std::optional<Pose> spawn_draft_in_map;    ///< where the user wants to spawn a robot apart from the start poses
+    std::optional<MeasuredLine> measured;      ///< what the measuring tool has drawn
     AreaOnMap area;
     /// Robots and base stations, by name.
     std::map<QString, RobotOnMap> robots;

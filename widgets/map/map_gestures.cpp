@@ -40,6 +40,7 @@ void MapGestures::setTool(MapTool tool) {
         return;
     cancel();
     tool_ = tool;
+    content_.measured.reset();
     content_.area.editing = tool == MapTool::Area;
     content_.area.hot_grip.reset();
     showGhost(cursor_px_);
@@ -112,6 +113,10 @@ void MapGestures::press(const QMouseEvent& event) {
         draft_before_ = content_.spawn_draft_in_map;
         setDraft(Pose{Vec3(pressed_m_.x(), pressed_m_.y(), 0.0)});
     }
+    if (gesture_ == Gesture::Pressed && tool_ == MapTool::Measure) {
+        gesture_ = Gesture::Measuring;
+        content_.measured = {pressed_m_, pressed_m_};
+    }
     updateCursor();
 }
 
@@ -128,6 +133,8 @@ void MapGestures::move(const QPointF& at_px) {
         content_.objects.held_to_m = held_from_m_ + transform_.toMap(at_px) - pressed_m_;
     else if (gesture_ == Gesture::PlacingRobot)
         turnDraft(at_px);
+    else if (gesture_ == Gesture::Measuring)
+        content_.measured = {pressed_m_, transform_.toMap(at_px)};
     else
         hover(at_px);
     updateCursor();
@@ -145,6 +152,8 @@ void MapGestures::release(const QMouseEvent& event) {
         finishAreaDrag(event.position());
     else if (gesture == Gesture::PlacingRobot)
         finishPlacing();
+    else if (gesture == Gesture::Measuring)
+        finishMeasuring();
     updateCursor();
     widget_.update();
 }
@@ -186,6 +195,8 @@ void MapGestures::cancel() {
         restoreArea();
     if (gesture_ == Gesture::PlacingRobot)
         content_.spawn_draft_in_map = draft_before_;
+    if (gesture_ == Gesture::Measuring)
+        content_.measured.reset();
     content_.objects.held.clear();
     forget();
 }
@@ -303,6 +314,13 @@ void MapGestures::finishPlacing() {
     setTool(MapTool::Pan);
     if (after)
         emit draftPlaced(before, after);
+}
+
+void MapGestures::finishMeasuring() {
+    if (content_.measured && content_.measured->length_m() > 0.0)
+        emit lineMeasured(*content_.measured);
+    else
+        content_.measured.reset(); // A click draws no line.
 }
 
 void MapGestures::click(const QPointF& at_px, Qt::KeyboardModifiers modifiers) {

@@ -12,7 +12,7 @@ namespace usar::widgets {
 /// Action of the left mouse button on open ground. Place: a click places an object in the world. Waypoint: a click adds
 /// a way point to the selected object. Robot: a press is the place of a robot to spawn, a drag from there its yaw. The
 /// middle and right buttons always pan.
-enum class MapTool { Pan, Area, Place, Waypoint, Robot };
+enum class MapTool { Pan, Area, Place, Waypoint, Robot, Measure };
 
 /// MIME type of an object that is dragged out of the palette.
 inline constexpr const char* object_mime = "application/x-usar-thing";
@@ -72,10 +72,12 @@ signals:
     void objectClicked(const QString& name);
     /// The object was dragged so that its center is here; the map shows it here until the next setObjects.
     void objectMoved(const QString& name, const usar::Vec2& center_in_map_m);
+    /// A line was drawn with the tool Measure; it stays until the tool is left or draws another one.
+    void lineMeasured(const usar::widgets::MeasuredLine& line);
     void toolChanged(usar::widgets::MapTool tool);
 
 private:
-    enum class Gesture { None, Pressed, Panning, DraggingArea, DraggingObject, PlacingRobot };
+    enum class Gesture { None, Pressed, Panning, DraggingArea, DraggingObject, PlacingRobot, Measuring };
     MapHits hits() const { return {content_, transform_}; }
     /// These two functions return false if the event is of another kind.
     bool takeMouse(QEvent* event);
@@ -98,6 +100,7 @@ private:
     /// Turns the robot that is being placed toward the cursor, once this is far enough from it to tell a direction.
     void turnDraft(const QPointF& at_px);
     void finishPlacing();
+    void finishMeasuring();
     /// Updates what is highlighted under the cursor.
     void hover(const QPointF& at_px);
     void click(const QPointF& at_px, Qt::KeyboardModifiers modifiers);

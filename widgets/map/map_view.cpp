@@ -3,6 +3,7 @@
 #include "widgets/map/map_accessible.h"
 #include "widgets/map/map_overlay.h"
 #include "widgets/map/map_painter.h"
+#include "widgets/map/measure_painter.h"
 
 namespace usar::widgets {
 
@@ -34,6 +35,9 @@ MapView::MapView(QWidget* parent) : QWidget(parent) {
     connect(&gestures_, &MapGestures::panned, this, &MapView::panBy);
     connect(&gestures_, &MapGestures::startPoseClicked, this, &MapView::askAbout);
     connect(&gestures_, &MapGestures::spawnRequested, this, &MapView::spawnRequested);
+    connect(&gestures_, &MapGestures::lineMeasured, this, [this](const MeasuredLine& line) {
+        setAccessibleDescription(tr("Measured: %1").arg(profileText(profileOf(line, *heights_))));
+    });
     showContent();
 }
 
@@ -242,6 +246,8 @@ void MapView::paintEvent(QPaintEvent*) {
         return painter.fillRect(rect(), tokens().background);
     ground_.paint(painter, content_, transform_);
     MapPainter(painter, content_, *heights_, traces_, transform_).paintLayers();
+    if (content_.measured)
+        paintMeasured(painter, *content_.measured, *heights_, transform_);
     MapOverlay overlay;
     overlay.focused = hasFocus() && focusWidget() == this;
     if (following_)

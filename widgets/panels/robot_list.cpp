@@ -174,16 +174,21 @@ RobotList::RobotList(QWidget* parent) : QWidget(parent), delegate_(new RobotDele
     laidOut(new QVBoxLayout(this), {}, -1, {view_});
     setUpPaintedRows(view_, model_, delegate_, tr("Robots"));
     view_->setUniformItemSizes(true);
+    view_->setSelectionMode(QAbstractItemView::ExtendedSelection);
     view_->setMouseTracking(true);
     view_->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(addRowAction(view_, tr("Remove this robot"), QKeySequence::Delete), &QAction::triggered, this, [this] {
-        if (const std::optional<RobotId> id = selectedRobot())
-            emit removeRequested(*id);
+        for (const RobotId id : chosenRobots())
+            emit removeRequested(id);
     });
     connect(view_, &QWidget::customContextMenuRequested, this, [this](const QPoint& at) { popUpRowMenu(view_, at); });
     connect(view_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex& current) {
         if (!quiet_ && current.isValid())
             emit robotSelected(model_->row(current.row()).id);
+    });
+    connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
+        markSelected();
+        emit chosenChanged();
     });
     for (const auto change : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
         connect(model_, change, this, [this] {
@@ -204,13 +209,39 @@ void RobotList::updateRobot(const RobotRow& robot) {
 
 void RobotList::removeRobot(RobotId id) {
     model_->removeRobot(id);
+    markSelected();
     updateEmptyState();
 }
 
 void RobotList::selectRobot(RobotId id) {
     const QScopedValueRollback quiet(quiet_, true);
     const std::optional<int> at = model_->indexOf(id);
-    view_->setCurrentIndex(at ? model_->index(*at) : QModelIndex());
+    const QModelIndex index = at ? model_->index(*at) : QModelIndex();
+    if (index.isValid() && index == view_->currentIndex())
+        return markSelected();
+    view_->selectionModel()->setCurrentIndex(index, QItemSelectionModel::ClearAndSelect);
+}
+
+void RobotList::markSelected() {
+    const QModelIndex current = view_->currentIndex();
+    if (current.isValid() && !view_->selectionModel()->isSelected(current))
+        view_->selectionModel()->select(current, QItemSelectionModel::Select);
+}
+
+std::vector<RobotId> RobotList::chosenRobots() const {
+    std::vector<RobotId> chosen;
+    for (int row = 0; row < model_->rowCount(); ++row)
+        if (const QModelIndex index = model_->index(row);
+            view_->selectionModel()->isSelected(index) || index == view_->currentIndex())
+            chosen.push_back(model_->row(row).id);
+    return chosen;
+}
+
+QStringList RobotList::chosenNames() const {
+    QStringList names;
+    for (const RobotId id : chosenRobots())
+        names << model_->row(*model_->indexOf(id)).name;
+    return names;
 }
 
 std::optional<RobotId> RobotList::selectedRobot() const {

@@ -1,6 +1,8 @@
 // List of the robots: names, what they are doing, battery.
 #pragma once
 
+#include <vector>
+
 #include <QListView>
 #include <QWidget>
 
@@ -21,10 +23,16 @@ public:
     void updateRobot(const RobotRow& robot);
     /// If the robot was selected, its neighbor is selected and robotSelected emitted.
     void removeRobot(RobotId id);
-    /// Emits nothing; an unknown id clears the selection.
+    /// Selects this robot alone, unless it is selected already; emits no robotSelected. An unknown id clears the
+    /// selection.
     void selectRobot(RobotId id);
     /// Id of the selected robot; nullopt if none is.
     std::optional<RobotId> selectedRobot() const;
+    /// The selected robot and those that were marked with it (Ctrl or Shift with a click, Ctrl+A), from top to bottom.
+    /// Commands apply to all of them.
+    std::vector<RobotId> chosenRobots() const;
+    /// Their names.
+    QStringList chosenNames() const;
 
     const RobotListModel& model() const { return *model_; }
     /// Height of the list at which no robot is hidden, in pixels, if each has so many lines (1 to 3).
@@ -37,6 +45,8 @@ public:
 signals:
     /// By mouse or keys, or because the selected robot was removed.
     void robotSelected(usar::RobotId id);
+    /// `chosenRobots` may have changed.
+    void chosenChanged();
     /// A robot came or went, so that the list needs another height.
     void wholeHeightChanged();
     /// From the context menu or by Delete; the list itself removes nothing before `removeRobot` is called.
@@ -47,6 +57,8 @@ protected:
 
 private:
     void updateEmptyState();
+    /// Marks the selected robot, which Ctrl and a click had unmarked.
+    void markSelected();
     /// Gives the rows as many lines as let all robots be seen, but at least one.
     void fitRows();
 

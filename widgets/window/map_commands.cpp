@@ -17,9 +17,15 @@ void registerMapCommands(CommandRegistry& commands, MapView* map) {
         map->setTool(on ? MapTool::Robot : MapTool::Pan);
         map->setFocus(); // So that it receives Escape.
     });
+    QAction* const measure = add("map.measure", [map](bool on) {
+        map->setTool(on ? MapTool::Measure : MapTool::Pan);
+        map->setFocus(); // So that it receives Escape.
+    });
     QObject::connect(map, &MapView::followingChanged, follow, &QAction::setChecked);
-    QObject::connect(&map->gestures(), &MapGestures::toolChanged, place,
-                     [place](MapTool tool) { place->setChecked(tool == MapTool::Robot); });
+    QObject::connect(&map->gestures(), &MapGestures::toolChanged, place, [place, measure](MapTool tool) {
+        place->setChecked(tool == MapTool::Robot);
+        measure->setChecked(tool == MapTool::Measure);
+    });
 }
 
 void wireSpawnCard(const WindowViews& views, const std::function<QString()>& robot_name) {

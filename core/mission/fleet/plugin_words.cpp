@@ -5,16 +5,25 @@
 
 namespace usar::mission {
 
-namespace {
-
-QString behaviorsOf(const agent::PluginRecord& record) {
-    QStringList ids;
-    for (const QVariant& id : record.metadata.toVariantMap().value("behaviors").toList())
-        ids << id.toString();
-    return ids.join(", ");
+QStringList listedIn(const agent::PluginRecord& record, const QString& key) {
+    return record.metadata.toVariantMap().value(key).toStringList();
 }
 
-} // namespace
+QString stateText(const agent::PluginRecord& record) {
+    const auto tr = [](const char* text) { return QObject::tr(text); };
+    using enum agent::PluginState;
+    switch (record.state) {
+    case Loaded:
+        return record.isolated ? tr("in a separate process") : tr("loaded");
+    case Asked:
+        return tr("being asked");
+    case Rejected:
+        return tr("refused");
+    case Found:
+        return tr("found");
+    }
+    return {};
+}
 
 QString nameOf(const agent::PluginRecord& record) {
     return record.metadata.value("name").toString();
@@ -43,7 +52,7 @@ QString changeText(const agent::PluginChange& change, const QStringList& running
         return {};
     const QString text =
         change.news == Added
-            ? tr("The plugin %1 was loaded: %2.").arg(name, behaviorsOf(change.record))
+            ? tr("The plugin %1 was loaded: %2.").arg(name, listedIn(change.record, "behaviors").join(", "))
             : tr("The plugin %1 was built anew, and what is started from now on is the new code.").arg(name);
     return running.isEmpty()
                ? text

@@ -10,6 +10,10 @@ namespace usar::mission {
 
 /// The name that the plugin's author gave it.
 QString nameOf(const agent::PluginRecord& record);
+/// "loaded", "refused"
+QString stateText(const agent::PluginRecord& record);
+/// What its metadata list under this key, such as "behaviors" or "robots".
+QStringList listedIn(const agent::PluginRecord& record, const QString& key);
 /// Names of the robots whose running behavior is of this plugin, and goes on with the code that it began with.
 QStringList robotsRunning(const Robots& robots, const agent::PluginLoader& plugins, const agent::PluginRecord& record);
 /// A sentence or two about the change; empty if it needs none or, for a refused plugin, needs a button. `running`: see

@@ -39,9 +39,17 @@ QString replayNameOf(const RecordingFacts& facts) {
                : QObject::tr("%1 replay").arg(QString::fromStdString(name->second));
 }
 
+QString robotsText(QStringList names) {
+    constexpr int most_names = 3;
+    if (names.size() > most_names)
+        return QObject::tr("%1 robots").arg(names.size());
+    const QString last = names.isEmpty() ? QString() : names.takeLast();
+    return names.isEmpty() ? last : QObject::tr("%1 and %2").arg(names.join(QStringLiteral(", ")), last);
+}
+
 QString savedText(const QString& robot_name, const QStringList& files) {
-    return QObject::tr("Saved the scan of %1: %n file(s) in %2.", "", static_cast<int>(files.size()))
-        .arg(robot_name, QFileInfo(files.value(0)).path());
+    const QString count = files.size() == 1 ? QObject::tr("1 file") : QObject::tr("%1 files").arg(files.size());
+    return QObject::tr("Saved the scan of %1: %2 in %3.").arg(robot_name, count, QFileInfo(files.value(0)).path());
 }
 
 bool isStale(const RobotView& view) {

@@ -15,6 +15,9 @@ bool isStale(const RobotView& view);
 /// as one.
 QString stateText(const RobotView& view);
 
+/// "R1", "R1 and R2", "R1, R2 and R3", "4 robots"; empty without a robot.
+QString robotsText(QStringList names);
+
 /// "R1 replay": what the robot of a recording with these facts is called.
 QString replayNameOf(const RecordingFacts& facts);
 

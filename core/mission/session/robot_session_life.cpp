@@ -157,6 +157,7 @@ void RobotSession::Private::writeLine(const agent::CausedCommand& command, std::
 SessionFigures RobotSession::Private::figures() const {
     SessionFigures figures;
     figures.traffic = replaying() ? replay.traffic() : link.counts();
+    figures.round_trip = replaying() ? std::nullopt : link.roundTrip();
     incoming.describe(figures);
     helm.describe(figures);
     spawning.describe(figures);

@@ -45,6 +45,7 @@ struct SessionFigures {
     double lines_per_second = 0.0;     ///< received, per second of wall time
     protocol::TrafficCounts traffic;   ///< of this connection, or of the last one
     protocol::TrafficRates rates;      ///< over about half a second of wall time
+    std::optional<Seconds> round_trip; ///< to the server and back; absent: not connected, a replay, or not known yet
     std::optional<protocol::Dialect> dialect; ///< of this connection; absent until the server has shown it
     bool lockstep = false;                    ///< the server waits for us after each tick
     std::optional<double>

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/link/across_threads.h"
+#include "core/server/embedded/log_words.h"
 #include "core/server/embedded/simulator_files.h"
 #include "core/sim/robots/footprint.h"
 
@@ -105,7 +106,10 @@ void SimulatorHost::wire(const SimulatorServer& server) {
     link::connectAcross(&server, &Server::robotsChanged, this, &SimulatorHost::robotsChanged);
     link::connectAcross(&server, &Server::objectsChanged, this, &SimulatorHost::objectsChanged);
     link::connectAcross(&server, &Server::marksLeft, this, &SimulatorHost::marksLeft);
-    link::connectAcross(&server, &Server::logged, this, &SimulatorHost::noted);
+    link::connectAcross(&server, &Server::logged, this, [this](const QString& sentence) {
+        if (const QString notice = noticeOfLog(sentence); !notice.isEmpty())
+            emit noted(notice);
+    });
     link::connectAcross(&server, &Server::objectRefused, this, &SimulatorHost::objectRefused);
     link::connectAcross(&server, &Server::faultsChanged, this, &SimulatorHost::faultsChanged);
     link::connectAcross(&server, &Server::faultTurned, this, &SimulatorHost::faultTurned);

@@ -39,6 +39,7 @@ private slots:
     void theStateIsOneOrTwoWords_data();
     void theStateIsOneOrTwoWords();
     void savingNamesTheRobotAndTheFolder();
+    void severalRobotsAreNamedOrCounted();
     void aRobotWithoutALinkIsStale();
     void theDeviceIsNamed_data();
     void theDeviceIsNamed();
@@ -54,7 +55,15 @@ private slots:
 };
 
 void tst_RobotWords::savingNamesTheRobotAndTheFolder() {
-    QCOMPARE(savedText("R4", {"/scans/a.bil", "/scans/a.hdr"}), QString("Saved the scan of R4: 2 file(s) in /scans."));
+    QCOMPARE(savedText("R4", {"/scans/a.bil", "/scans/a.hdr"}), QString("Saved the scan of R4: 2 files in /scans."));
+}
+
+void tst_RobotWords::severalRobotsAreNamedOrCounted() {
+    QCOMPARE(robotsText({}), QString());
+    QCOMPARE(robotsText({"R1"}), QString("R1"));
+    QCOMPARE(robotsText({"R1", "R2"}), QString("R1 and R2"));
+    QCOMPARE(robotsText({"R1", "R2", "R5"}), QString("R1, R2 and R5"));
+    QCOMPARE(robotsText({"R1", "R2", "R5", "R7"}), QString("4 robots"));
 }
 
 void tst_RobotWords::theStateIsOneOrTwoWords_data() {

@@ -26,7 +26,7 @@ QWidget* topBar(ServerChoice choice, const ConnectionStatus& status) {
     connection->setServer(choice);
     connection->setStatus(status);
     if (status.state == ConnectionState::Connected)
-        connection->setRate(48.0);
+        connection->setRate(48.0, Seconds(0.0004));
     auto* time = new TimeBar;
     time->setClock(Seconds(751.0));
     time->setRealTimeFactor(1.0);
