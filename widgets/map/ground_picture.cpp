@@ -50,14 +50,16 @@ void paintGrid(QPainter& painter, const MapContent& content, const MapTransform&
         seen = {seen.min_m.cwiseMax(world->min_m), seen.max_m.cwiseMin(world->max_m)};
     if (seen.empty())
         return;
-    QVector<QLineF> lines;
-    for (double x = std::ceil(seen.min_m.x() / step_m) * step_m; x <= seen.max_m.x(); x += step_m)
-        lines << QLineF(transform.toScreen(Vec2(x, seen.min_m.y())), transform.toScreen(Vec2(x, seen.max_m.y())));
-    for (double y = std::ceil(seen.min_m.y() / step_m) * step_m; y <= seen.max_m.y(); y += step_m)
-        lines << QLineF(transform.toScreen(Vec2(seen.min_m.x(), y)), transform.toScreen(Vec2(seen.max_m.x(), y)));
     painter.setOpacity(content.layer(MapLayer::Grid).opacity);
-    painter.setPen(QPen(faded(tokens().line, 0.55), 1.0));
-    painter.drawLines(lines);
+    const QColor color = faded(tokens().line, 0.55);
+    const auto paintLine = [&](const Vec2& from_m, const Vec2& to_m) {
+        const QRectF line(transform.toScreen(from_m), transform.toScreen(to_m));
+        fillInStrips(painter, line.normalized().adjusted(-0.5, -0.5, 0.5, 0.5), color);
+    };
+    for (double x = std::ceil(seen.min_m.x() / step_m) * step_m; x <= seen.max_m.x(); x += step_m)
+        paintLine({x, seen.min_m.y()}, {x, seen.max_m.y()});
+    for (double y = std::ceil(seen.min_m.y() / step_m) * step_m; y <= seen.max_m.y(); y += step_m)
+        paintLine({seen.min_m.x(), y}, {seen.max_m.x(), y});
 }
 
 bool seen(const LayerState& layer) {
