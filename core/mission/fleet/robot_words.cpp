@@ -40,8 +40,8 @@ QString replayNameOf(const RecordingFacts& facts) {
 }
 
 QString savedText(const QString& robot_name, const QStringList& files) {
-    return QObject::tr("Saved the scan of %1: %n file(s) in %2.", "", static_cast<int>(files.size()))
-        .arg(robot_name, QFileInfo(files.value(0)).path());
+    const QString count = files.size() == 1 ? QObject::tr("one file") : QObject::tr("%1 files").arg(files.size());
+    return QObject::tr("Saved the scan of %1: %2 in %3.").arg(robot_name, count, QFileInfo(files.value(0)).path());
 }
 
 bool isStale(const RobotView& view) {

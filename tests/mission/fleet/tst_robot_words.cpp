@@ -54,7 +54,7 @@ private slots:
 };
 
 void tst_RobotWords::savingNamesTheRobotAndTheFolder() {
-    QCOMPARE(savedText("R4", {"/scans/a.bil", "/scans/a.hdr"}), QString("Saved the scan of R4: 2 file(s) in /scans."));
+    QCOMPARE(savedText("R4", {"/scans/a.bil", "/scans/a.hdr"}), QString("Saved the scan of R4: 2 files in /scans."));
 }
 
 void tst_RobotWords::theStateIsOneOrTwoWords_data() {
