@@ -193,8 +193,14 @@ void TaskDesk::setUp(const mission::Mission& mission, const std::map<std::string
     drafts_.shown().take(mission, values);
     edits_.replaced(before, tr("open mission"));
     show(selection_.id());
-    views_.map->fit();
+    views_.map->fit(robot() ? std::nullopt : placeOfStart(mission.start)); // A robot is to be spawned there first.
     applyParameters(drafts_.shown().values);
+}
+
+std::optional<Vec2> TaskDesk::placeOfStart(const std::string& name) const {
+    const auto& poses = control_.startPoses();
+    const auto found = std::ranges::find(poses, name, &protocol::StartPose::name);
+    return found == poses.end() ? std::nullopt : std::optional<Vec2>(found->pose_in_map.position_m.head<2>());
 }
 
 bool TaskDesk::complete() const {
@@ -241,7 +247,7 @@ void TaskDesk::showPreview(const Result<agent::TaskPreview>& preview) {
         views_.map->setLanes(std::vector<Vec2>{});
         return views_.behavior->setPlanSummary(QString::fromStdString(preview.error().text()));
     }
-    const QString summary = tr("%1 · %2 m · %3")
+    const QString summary = tr("%1 · %2 m · about %3")
                                 .arg(QString::fromStdString(preview->summary), widgets::figure(preview->length_m, 0),
                                      widgets::durationText(preview->duration));
     views_.map->setLanes(preview->path_in_map_m);

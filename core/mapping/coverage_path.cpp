@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "core/base/numbers.h"
@@ -136,12 +135,6 @@ Result<CoveragePlan> planCoverage(const Rectangle& area_in_map, const Vec2& base
             best = std::move(other);
     }
     return best;
-}
-
-Seconds estimatedTime(const CoveragePlan& plan, double scan_speed_m_s, double transit_speed_m_s) {
-    if (!(scan_speed_m_s > 0.0 && transit_speed_m_s > 0.0))
-        return Seconds{std::numeric_limits<double>::infinity()};
-    return Seconds{plan.lane_length_m / scan_speed_m_s + plan.transit_length_m / transit_speed_m_s};
 }
 
 } // namespace usar::mapping

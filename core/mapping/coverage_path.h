@@ -39,7 +39,4 @@ struct CoveragePlan {
 Result<CoveragePlan> planCoverage(const Rectangle& area_in_map, const Vec2& base_in_map_m,
                                   const CoverageOptions& options);
 
-/// Flying time of a plan without obstacles and charging; infinite if one of the speeds is not positive.
-Seconds estimatedTime(const CoveragePlan& plan, double scan_speed_m_s, double transit_speed_m_s);
-
 } // namespace usar::mapping

@@ -3,10 +3,13 @@
 #include <QAbstractSlider>
 #include <QAbstractSpinBox>
 #include <QComboBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListView>
 #include <QScrollBar>
 #include <QTest>
+#include <QToolBar>
+#include <QToolButton>
 
 #include "tests/e2e/window_page.h"
 #include "tests/suite/suite.h"
@@ -58,6 +61,36 @@ QString unreachable(const QDockWidget* dock) {
     return {};
 }
 
+/// Width in pixels that the words of this label, button or number need; 0 for other widgets.
+int neededWidth_px(const QWidget* widget) {
+    const auto width_px = [widget](const QString& text) {
+        return widget->fontMetrics().size(Qt::TextShowMnemonic, text).width();
+    };
+    if (const auto* const label = qobject_cast<const QLabel*>(widget))
+        return label->wordWrap() || label->text().isEmpty() ? 0 : label->sizeHint().width();
+    if (const auto* const tool = qobject_cast<const QToolButton*>(widget);
+        tool && tool->toolButtonStyle() == Qt::ToolButtonIconOnly && !tool->icon().isNull())
+        return 0;
+    if (const auto* const button = qobject_cast<const QAbstractButton*>(widget))
+        return button->text().isEmpty() ? 0 : width_px(button->text());
+    if (const auto* const box = qobject_cast<const QAbstractSpinBox*>(widget->parentWidget()))
+        return qobject_cast<const QLineEdit*>(widget) ? width_px(box->text()) : 0;
+    return 0;
+}
+
+/// All words below `root` that are cut. What elides itself says so by "…" and tells the rest in its tooltip.
+QStringList cutWords(const QWidget* root) {
+    QStringList cut;
+    for (const QWidget* widget : root->findChildren<QWidget*>())
+        if (const int needed_px = neededWidth_px(widget);
+            widget->isVisible() && widget->width() < needed_px && !widget->inherits("usar::widgets::ElidedLabel"))
+            cut << QStringLiteral("%1 '%2' has %3 of %4 px")
+                       .arg(widget->metaObject()->className(), widget->property("text").toString())
+                       .arg(widget->width())
+                       .arg(needed_px);
+    return cut;
+}
+
 void openInFront(WindowPage& page, const QDockWidget* dock) {
     if (dock->visibleRegion().isEmpty())
         page.window().commands().action("view.dock." + dock->objectName())->trigger();
@@ -98,9 +131,12 @@ void tst_WindowLayout::everyDockFitsTheScreen() {
         openInFront(page, dock);
         QTRY_VERIFY2(!dock->visibleRegion().isEmpty(), qPrintable(dock->objectName()));
         QTRY_COMPARE(unreachable(dock), QString());
+        QTRY_VERIFY2(cutWords(dock).isEmpty(), qPrintable(dock->objectName() + ": " + cutWords(dock).join(u'\n')));
         QVERIFY2(page.window().size() == room, qPrintable(dock->objectName()));
         QVERIFY2(page.window().minimumSizeHint().height() <= room.height(), qPrintable(dock->objectName()));
     }
+    for (const QToolBar* bar : page.window().findChildren<QToolBar*>())
+        QVERIFY2(screen.width() < 1024 || cutWords(bar).isEmpty(), qPrintable(cutWords(bar).join(u'\n')));
     page.screenshot(QStringLiteral("layout_%1x%2").arg(screen.width()).arg(screen.height()));
 }
 

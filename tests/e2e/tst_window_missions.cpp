@@ -1,9 +1,12 @@
 // Missions of every robot, opened in the real window and begun there.
+#include <algorithm>
+
 #include <QDir>
 #include <QTest>
 
 #include "core/mission/files/mission_file.h"
 #include "tests/e2e/gui_watchdog.h"
+#include "tests/e2e/scratch_files.h"
 #include "tests/e2e/window_page.h"
 #include "tests/suite/suite.h"
 
@@ -28,6 +31,7 @@ private slots:
     void cleanup() { QVERIFY2(GuiWatchdog::instance().complaint().isEmpty(), GuiWatchdog::instance().complaint()); }
     void aMissionBringsItsWorldAndItsRobot_data();
     void aMissionBringsItsWorldAndItsRobot();
+    void theStartPoseOfAMissionIsInView();
     void aMissionForAnotherRobotWaitsForOne();
     void aWorldWithARobotInItIsNotLeft();
     void anotherWorldThanTheMissionsForgetsIt();
@@ -59,6 +63,23 @@ void tst_WindowMissions::aMissionBringsItsWorldAndItsRobot() {
                               qPrintable(page.notified({})), soon_ms);
     QCOMPARE(page.robot(1)->behavior_id, mission->behavior);
     QVERIFY2(!page.robot(1)->finished, page.robot(1)->finished ? page.robot(1)->finished->reason.c_str() : "");
+}
+
+void tst_WindowMissions::theStartPoseOfAMissionIsInView() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    const QTemporaryDir folder;
+    page.window().mission().openMission(
+        fileIn(folder, "volcano.json",
+               R"({ "name": "Volcano", "world": "volcano", "robot": "USARBot.AirRobot", "start": "NorthFoot",
+        "behavior": "airrobot/cpp", "area": { "x": -60, "y": 20, "width": 60, "height": 40 } })"));
+    QTRY_VERIFY2_WITH_TIMEOUT(!page.notified("is ready").isEmpty(), qPrintable(page.notified({})), 2 * soon_ms);
+    const auto& poses = page.map().content().start_poses;
+    const auto start = std::ranges::find(poses, "NorthFoot", &protocol::StartPose::name);
+    QVERIFY(start != poses.end());
+    const Rectangle seen = page.map().transform().visible();
+    QVERIFY(seen.contains(start->pose_in_map.position_m.head<2>()));
+    QVERIFY(seen.contains(Vec2(-60.0, 20.0)) && seen.contains(Vec2(0.0, 60.0)));
 }
 
 void tst_WindowMissions::aMissionForAnotherRobotWaitsForOne() {

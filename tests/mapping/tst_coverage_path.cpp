@@ -53,7 +53,6 @@ private slots:
     void transitBetweenQuadrantsStaysShort();
     void refusesTheRestAndSaysWhy_data();
     void refusesTheRestAndSaysWhy();
-    void estimatesTheTimeFromBothSpeeds();
 };
 
 void tst_CoveragePath::beginsAtTheCornerNearestToTheBase_data() {
@@ -212,15 +211,6 @@ void tst_CoveragePath::refusesTheRestAndSaysWhy() {
     QVERIFY2(QString::fromStdString(plan.error().what).contains(what), plan.error().text().c_str());
     QVERIFY(!plan.error().mend.empty());
     QVERIFY(!planCoverage({{0, 0}, {60, 40}}, {qQNaN(), 0}, {10.0}).has_value());
-}
-
-void tst_CoveragePath::estimatesTheTimeFromBothSpeeds() {
-    CoveragePlan plan;
-    plan.lane_length_m = 240.0;
-    plan.transit_length_m = 100.0;
-    QCOMPARE(estimatedTime(plan, 0.8, 2.0).count(), 350.0);
-    QVERIFY(std::isinf(estimatedTime(plan, 0.0, 2.0).count()));
-    QVERIFY(std::isinf(estimatedTime({}, 0.0, 0.0).count()));
 }
 
 USAR_TEST(tst_CoveragePath)

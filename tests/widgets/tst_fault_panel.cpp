@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <QAction>
 #include <QLineEdit>
 #include <QSignalSpy>
@@ -36,6 +38,7 @@ private slots:
     void aTypedSensorStaysWhenOthersBecomeKnown();
     void onlyWhatIsNotOverCanBeEnded();
     void buttonsFollowTheirActions();
+    void buttonsAreSeenInALowDock();
     void saysWhoCouldMakeFaultsWhereNobodyCan();
 
 private:
@@ -135,6 +138,16 @@ void tst_FaultPanel::buttonsFollowTheirActions() {
         else if (button->text() == "End fault")
             QVERIFY(!button->isEnabled());
     QCOMPARE(injected.size(), 1);
+}
+
+void tst_FaultPanel::buttonsAreSeenInALowDock() {
+    panel_->resize(280, 200);
+    QTRY_COMPARE(panel_->size(), QSize(280, 200));
+    const auto buttons = panel_->findChildren<QPushButton*>();
+    QVERIFY(std::ranges::count_if(buttons, &QWidget::isVisible) == 2);
+    for (const QPushButton* button : buttons)
+        if (button->isVisible())
+            QTRY_COMPARE(button->visibleRegion().boundingRect(), button->rect());
 }
 
 void tst_FaultPanel::saysWhoCouldMakeFaultsWhereNobodyCan() {

@@ -62,6 +62,7 @@ private slots:
     void followKeepsTheRobotInTheMiddleUntilPanned();
     void robotOnAStartPoseCoversNoName();
     void crowdedStartPoseGivesItsNameUp();
+    void theAxesLieInTheirGlass();
     void namesStayWholeAtTheEdge();
     void areaWithoutGroundIsRefused_data();
     void areaWithoutGroundIsRefused();
@@ -273,6 +274,23 @@ void tst_MapView::crowdedStartPoseGivesItsNameUp() {
     view_->setLayer(MapLayer::Robots, {false, 1.0});
     labels = placeMapLabels(view_->content(), view_->transform());
     QVERIFY2(labels.robots.empty() && labels.start_poses[0], "a hidden robot takes no room");
+}
+
+void tst_MapView::theAxesLieInTheirGlass() {
+    const QRectF glass = axesGlass_px(view_->transform());
+    QVERIFY(QRectF(view_->rect()).contains(glass));
+    const QImage image = view_->grab().toImage();
+    const QRgb inks[] = {tokens().text.rgb(), tokens().text_muted.rgb()};
+    int inside = 0;
+    for (int y = 4; y < 150; ++y) // The frame of the focus is left out.
+        for (int x = image.width() - 150; x < image.width() - 4; ++x)
+            if (const QRgb pixel = image.pixel(x, y); pixel == inks[0] || pixel == inks[1]) {
+                const QPointF from_middle = QPointF(x, y) - glass.center();
+                QVERIFY2(std::hypot(from_middle.x(), from_middle.y()) < glass.width() / 2.0,
+                         qPrintable(QStringLiteral("%1, %2").arg(x).arg(y)));
+                ++inside;
+            }
+    QVERIFY(inside > 40);
 }
 
 void tst_MapView::namesStayWholeAtTheEdge() {

@@ -188,7 +188,7 @@ void tst_RobotInstruments::readingsBecomeRows_data() {
                                                << "W1 14 ticks; W2 7 ticks";
     QTest::newRow("encoders of a known size")
         << QStringList{"CONF {Type Encoder} {Name L} {Resolution 0.0174533}", "SEN {Type Encoder} {Name L Tick 90}"}
-        << "L 90  (90°) ticks";
+        << "L 90 ticks = 90°";
     QTest::newRow("touch") << QStringList{"SEN {Type Touch} {Name L Touch False} {Name R Touch True}"}
                            << "L free; R touched";
     QTest::newRow("ranges") << QStringList{"SEN {Time 66} {Type IR} {Name IR1 Range 0.4122} {Name IR2 Range 0.8000}"}

@@ -176,6 +176,17 @@ private slots:
                                     [](const QLabel* label) { return !label->pixmap(Qt::ReturnByValue).isNull(); }));
     }
 
+    void aFolderThatNoMissionHasMadeYetIsNoError() {
+        QWidget window;
+        compareRuns(&window, folder_->filePath("results"));
+        auto* const dialog = window.findChild<CompareDialog*>();
+        QVERIFY(says(*dialog, "No runs yet"));
+        dialog->add(write("S_001.json", QJsonDocument(summary()).toJson()));
+        QTRY_COMPARE(dialog->runs().size(), std::size_t(1));
+        QCOMPARE(dialog->trouble(), QString());
+        QTRY_VERIFY(!says(*dialog, "No runs yet"));
+    }
+
     void aRunIsTakenOutAgain() {
         CompareDialog dialog;
         dialog.add(write("S_001.json", QJsonDocument(summary()).toJson()));
@@ -213,8 +224,9 @@ private:
         return *std::ranges::find(all, text, &QPushButton::text);
     }
     static bool says(const QWidget& widget, const QString& words) {
-        return std::ranges::any_of(widget.findChildren<QLabel*>(),
-                                   [&](const QLabel* label) { return label->text().contains(words); });
+        return std::ranges::any_of(widget.findChildren<QLabel*>(), [&](const QLabel* label) {
+            return label->isVisible() && label->text().contains(words);
+        });
     }
 
     std::unique_ptr<QTemporaryDir> folder_;

@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QCheckBox>
+#include <QDialogButtonBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSpinBox>
@@ -41,6 +42,7 @@ private slots:
     void applyingReachesWidgetsThatExist();
     void emptyControlsCanBeSeen_data();
     void emptyControlsCanBeSeen();
+    void buttonsOfDialogsHaveWordsOnly();
     void everyIconDrawsSomething();
     void unknownIconIsNull();
     void iconFollowsTheme();
@@ -173,6 +175,14 @@ void tst_Theme::emptyControlsCanBeSeen() {
     for (int x = 6; x < 14; ++x) // across the left outline
         strongest = std::max(strongest, contrast(image.pixelColor(x, 20), tokens().background));
     QVERIFY2(strongest >= least, qPrintable(QString::number(strongest)));
+}
+
+void tst_Theme::buttonsOfDialogsHaveWordsOnly() {
+    applyTheme(Theme::Light);
+    const QDialogButtonBox box(QDialogButtonBox::Close | QDialogButtonBox::Cancel | QDialogButtonBox::Save);
+    QCOMPARE(box.buttons().size(), 3);
+    for (const QAbstractButton* button : box.buttons())
+        QVERIFY2(button->icon().isNull(), qPrintable(button->text()));
 }
 
 void tst_Theme::everyIconDrawsSomething() {

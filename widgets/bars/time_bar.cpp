@@ -1,10 +1,20 @@
 #include "widgets/bars/time_bar.h"
 
+#include <algorithm>
+
+#include <QFontMetrics>
+
 #include "widgets/models/figures.h"
 #include "widgets/style/icons.h"
 #include "widgets/style/theme.h"
 
 namespace usar::widgets {
+
+namespace {
+
+constexpr const char* unknown_clock = "--:--:--";
+
+} // namespace
 
 TimeBar::TimeBar(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Time"));
@@ -19,7 +29,10 @@ TimeBar::TimeBar(QWidget* parent) : QWidget(parent) {
     named(clock_, tr("Protocol clock"), tr("Protocol clock, hours:minutes:seconds since the server's own zero"));
     clock_->setFont(themeFont(FontRole::Body, QFont::DemiBold));
     clock_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    clock_->setMinimumWidth(QFontMetrics(clock_->font()).horizontalAdvance(QStringLiteral("00:00:00")) + gap::tiny);
+    const QFontMetrics metrics(clock_->font());
+    clock_->setMinimumWidth(std::max(metrics.horizontalAdvance(QStringLiteral("00:00:00")),
+                                     metrics.horizontalAdvance(QString::fromUtf8(unknown_clock))) +
+                            gap::tiny);
     factor_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     factor_->setMinimumWidth(factor_->fontMetrics().horizontalAdvance(QStringLiteral("RTF 000.00")));
     laidOut(new QHBoxLayout(this), {gap::small, gap::tiny, gap::small, gap::tiny}, gap::tiny,
@@ -63,7 +76,7 @@ void TimeBar::changeSpeed(int entries) {
 }
 
 void TimeBar::setClock(std::optional<Seconds> now) {
-    clock_->setText(now ? clockText(*now) : QStringLiteral("--:--:--"));
+    clock_->setText(now ? clockText(*now) : QString::fromUtf8(unknown_clock));
 }
 
 void TimeBar::setRealTimeFactor(std::optional<double> factor) {

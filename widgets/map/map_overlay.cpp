@@ -45,8 +45,10 @@ void paintArrow(QPainter& painter, const QPointF& from, const QPointF& by, const
     painter.drawText(QRectF(middle.x() - 8.0, middle.y() - 9.0, 16.0, 18.0), Qt::AlignCenter, name);
 }
 
+/// Where the axes meet, so that arrows and letters lie in the middle of their glass.
 QPointF axesOrigin(const MapTransform& transform) {
-    return {transform.viewport.width() - edge - 24.0, edge + 56.0};
+    const bool x_up = transform.orientation == MapOrientation::XUp;
+    return axesGlass_px(transform).center() + (x_up ? QPointF(19.0, 19.0) : QPointF(-12.0, 19.0));
 }
 
 /// Paints the x and y axes of the map frame, so that "up" is defined without pretending to know north.
@@ -127,7 +129,8 @@ QString probeText(const Vec2& point_in_map_m, const std::optional<mapping::Heigh
 }
 
 QRectF axesGlass_px(const MapTransform& transform) {
-    return {axesOrigin(transform) + QPointF(-56.0, -60.0), QSizeF(88.0, 88.0)};
+    constexpr double across_px = 88.0;
+    return {transform.viewport.width() - gap::small - across_px, gap::small, across_px, across_px};
 }
 
 Legends legendsOf(const MapContent& content, const HeightLayer& heights) {

@@ -173,10 +173,12 @@ void MapView::setTransform(const MapTransform& transform) {
     moved();
 }
 
-void MapView::fit() {
-    const Rectangle mission = content_.missionInMap(heights_->bounds_in_map());
+void MapView::fit(const std::optional<Vec2>& wanted_in_map_m) {
+    Rectangle mission = content_.missionInMap(heights_->bounds_in_map());
     if (mission.empty())
         return fitWorld();
+    if (wanted_in_map_m)
+        mission = {mission.min_m.cwiseMin(*wanted_in_map_m), mission.max_m.cwiseMax(*wanted_in_map_m)};
     transform_.fitClearOf(mission, OverlayPlaces(legendsOfAMission(content_), transform_).all(), 48.0);
     view_touched_ = true;
     moved();

@@ -90,8 +90,8 @@ public:
     QSize minimumSizeHint() const override { return {160, 110}; }
 
 public slots:
-    /// Shows the mission with the selected robot if there is one, clear of the legends; else the world.
-    void fit();
+    /// Shows the mission with the selected robot or a place that is wanted, clear of the legends; else the world.
+    void fit(const std::optional<usar::Vec2>& wanted_in_map_m = {});
     /// Shows the whole world, or the start poses with 20 m around them if its extent is not known.
     void fitWorld();
     void zoomIn() { zoomAt(QRectF(rect()).center(), zoom_step::closer); }

@@ -1,5 +1,7 @@
 #include "widgets/map/world_panel.h"
 
+#include <algorithm>
+
 #include <QAction>
 #include <QApplication>
 #include <QDrag>
@@ -144,6 +146,9 @@ void WorldPanel::makeList() {
 QHBoxLayout* WorldPanel::makeWayRow() {
     speed_ = makeBox(tr("Speed along the waypoints, or of the belt"), tr(" m/s"), -5.0, 20.0, this);
     speed_->setValue(0.5);
+    speed_->setButtonSymbols(QAbstractSpinBox::NoButtons); // They would cover the unit; keys and wheel do as well.
+    speed_->setMinimumWidth(std::max(
+        speed_->minimumWidth(), speed_->fontMetrics().horizontalAdvance(QStringLiteral("0.05 m/s")) + 2 * gap::small));
     loop_ = makeToolButton(tr("Starts over at the first waypoint after the last one"), this, QStringLiteral("reset"));
     loop_->setCheckable(true);
     worded(loop_)->setText(tr("Loop"));

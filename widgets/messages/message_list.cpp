@@ -70,7 +70,7 @@ void MessageList::setUpView() {
     header->setStretchLastSection(true);
     const int widths[] = {60, 72, 64, 52, 140};
     for (int column = 0; column < MessageModel::Text; ++column)
-        header->resizeSection(column, widths[column]);
+        header->resizeSection(column, std::max(widths[column], header->sectionSizeHint(column)));
 }
 
 void MessageList::wireView() {

@@ -19,13 +19,22 @@ QString tr(const char* text) {
     return QCoreApplication::translate("ParameterForm", text);
 }
 
+constexpr int most_decimals = 6;
+
 /// Returns the fewest decimals that show `value` to nine significant digits, at most six.
 int decimalsOf(double value) {
     double scale = 1.0;
-    for (int decimals = 0; decimals < 6; ++decimals, scale *= 10.0)
+    for (int decimals = 0; decimals < most_decimals; ++decimals, scale *= 10.0)
         if (std::abs(value * scale - std::round(value * scale)) <= 1e-9 * std::max(1.0, std::abs(value * scale)))
             return decimals;
-    return 6;
+    return most_decimals;
+}
+
+/// The same for a value in the unit that people read. A round figure in radians is endless in degrees: two decimals say
+/// enough of it, and the parameter itself keeps its exact value until it is edited.
+int decimalsShown(double shown, const DisplayUnit& unit) {
+    const int decimals = decimalsOf(shown);
+    return decimals == most_decimals && unit.factor != 1.0 ? 2 : decimals;
 }
 
 QString withUnit(const QString& number, const QString& unit) {
@@ -35,7 +44,7 @@ QString withUnit(const QString& number, const QString& unit) {
 QString numberText(double si, const agent::ParameterSpec& spec) {
     const DisplayUnit unit = displayUnit(spec.unit);
     const double shown = si * unit.factor;
-    return withUnit(QString::fromStdString(fixed(shown, decimalsOf(shown))), unit.text);
+    return withUnit(QString::fromStdString(fixed(shown, decimalsShown(shown, unit))), unit.text);
 }
 
 } // namespace
@@ -54,10 +63,10 @@ int decimalsFor(const agent::ParameterSpec& spec) {
     const auto* value = std::get_if<double>(&spec.default_value);
     if (!value)
         return 0;
-    const double factor = displayUnit(spec.unit).factor;
-    const double span = (spec.maximum - spec.minimum) * factor;
+    const DisplayUnit unit = displayUnit(spec.unit);
+    const double span = (spec.maximum - spec.minimum) * unit.factor;
     const int by_span = span >= 100.0 ? 1 : span >= 10.0 ? 2 : 3;
-    return std::max(by_span, decimalsOf(*value * factor));
+    return std::max(by_span, decimalsShown(*value * unit.factor, unit));
 }
 
 double stepFor(const agent::ParameterSpec& spec) {

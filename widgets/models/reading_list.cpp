@@ -92,7 +92,7 @@ ReadingList encodersOf(const protocol::EncoderReadings& reading, const Fitting& 
                        .value = figure(static_cast<double>(one.ticks), 0),
                        .unit = QObject::tr("ticks")};
         if (const auto* const told = fitting.settings("Encoder", one.name); told && told->resolution_rad)
-            row.value += QStringLiteral("  (%1°)").arg(
+            row.unit += QStringLiteral(" = %1°").arg(
                 figure(degrees(static_cast<double>(one.ticks) * *told->resolution_rad), 0));
         list.rows.push_back(row);
     }

@@ -62,6 +62,9 @@ void CompareDialog::lay() {
     scroll->setWidget(gallery_);
     scroll->setFixedHeight(picture_px.height() + gap::large);
     table_->setMinimumHeight(180);
+    nothing_ = new EmptyState(table_, tr("No runs yet"),
+                              tr("Press Add runs and choose the summaries (.json) that missions leave with their "
+                                 "results. The card at a mission's end compares that mission, too."));
     laidOut(new QHBoxLayout(gallery_), {}, gap::medium);
     auto* const buttons = laidOut(new QHBoxLayout, gap::small, {add_, remove_});
     buttons->addStretch(1);
@@ -131,6 +134,7 @@ void CompareDialog::showRuns() {
     for (std::size_t row = 0; row < rows.size(); ++row)
         showRow(static_cast<int>(row), rows[row]);
     remove_->setEnabled(false);
+    nothing_->setVisible(runs_.empty());
     showPictures();
 }
 
@@ -175,10 +179,10 @@ void compareRuns(QWidget* parent, const QString& path) {
     auto* dialog = parent->findChild<CompareDialog*>(QString(), Qt::FindDirectChildrenOnly);
     if (!dialog)
         dialog = new CompareDialog(parent);
-    if (QFileInfo(path).isDir())
-        dialog->setFolder(path);
-    else
+    if (path.endsWith(QStringLiteral(".json")))
         dialog->add(path);
+    else // The folder of the results, which the first mission makes.
+        dialog->setFolder(path);
     showInFront(dialog);
 }
 

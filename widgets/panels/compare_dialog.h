@@ -12,6 +12,7 @@
 #include <QThreadPool>
 
 #include "widgets/models/run_comparison.h"
+#include "widgets/style/empty_state.h"
 
 namespace usar::widgets {
 
@@ -52,6 +53,7 @@ private:
     QLabel* trouble_ = new QLabel(this);
     QTableWidget* table_ = new QTableWidget(this);
     QWidget* gallery_ = new QWidget(this);
+    EmptyState* nothing_ = nullptr; ///< over the table, as long as there is no run
     QPushButton* add_ = new QPushButton(tr("Add runs…"), this);
     QPushButton* remove_ = new QPushButton(tr("Remove run"), this);
     QPushButton* close_ = new QPushButton(tr("Close"), this);

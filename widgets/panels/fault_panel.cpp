@@ -7,6 +7,7 @@
 
 #include "widgets/panels/quantity_box.h"
 #include "widgets/style/empty_state.h"
+#include "widgets/style/scroll_box.h"
 #include "widgets/style/theme.h"
 #include "widgets/style/tips.h"
 
@@ -82,9 +83,14 @@ FaultPanel::FaultPanel(QWidget* parent)
                      tr("Simulated time that the fault lasts; 0: until you end it"))) {
     makeForm();
     makeList();
-    laidOut(new QVBoxLayout(this), {gap::small, gap::small, gap::small, gap::small}, gap::small,
-            {kind_, help_, form_->parentWidget(), text_, inject_, list_, end_})
+    auto* const scrolled = new QWidget;
+    laidOut(new QVBoxLayout(scrolled), {}, gap::small, {kind_, help_, form_->parentWidget(), text_, list_})
         ->setStretchFactor(list_, 1);
+    auto* const scroll = new ScrollBox(scrolled);
+    auto* const buttons = new QWidget; // Outside of what scrolls, so that they are always seen.
+    laidOut(new QHBoxLayout(buttons), {}, gap::small, {inject_, end_})->setStretchFactor(inject_, 1);
+    laidOut(new QVBoxLayout(this), {gap::small, gap::small, gap::small, gap::small}, gap::small, {scroll, buttons})
+        ->setStretchFactor(scroll, 1);
     empty_state_ = new EmptyState(this, tr("No simulator to break"),
                                   tr("Faults are made by the embedded simulator. Connect to it, and sensors, links, "
                                      "batteries, rotors and the wind can go wrong here on request."));

@@ -20,6 +20,10 @@ public:
         : QStyledItemDelegate(parent)
         , reason_of_(std::move(reason_of)) {}
 
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        return QStyledItemDelegate::sizeHint(option, index).expandedTo({0, minimum_target});
+    }
+
 protected:
     void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
         QStyledItemDelegate::initStyleOption(option, index);
@@ -45,7 +49,7 @@ HistoryPanel::HistoryPanel(QWidget* parent) : QWidget(parent), list_(new QUndoVi
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list_->setTextElideMode(Qt::ElideRight);
     list_->setMinimumHeight(3 * minimum_target);
-    laidOut(new QVBoxLayout(this), {}, 0, {list_});
+    laidOut(new QVBoxLayout(this), {gap::small, 0, gap::small, gap::small}, 0, {list_});
     nothing_ = new EmptyState(list_, tr("Nothing was edited yet"),
                               tr("Areas, parameters, objects and layers that you change appear here."));
 }

@@ -28,7 +28,7 @@ public:
     /// Shows the sentence that says what will appear here.
     void clear() { setScan({}); }
     QSize sizeHint() const override { return {280, 160}; }
-    QSize minimumSizeHint() const override { return {160, 72}; }
+    QSize minimumSizeHint() const override { return {160, 112}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;

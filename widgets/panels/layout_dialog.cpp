@@ -39,6 +39,8 @@ LayoutDialog::LayoutDialog(QWidget* parent) : QDialog(parent), trouble_(new QLab
     column->addWidget(makeRow());
     column->addWidget(trouble_);
     resize(380, 320);
+    nothing_ = new EmptyState(list_->viewport(), tr("No layouts of your own yet"),
+                              tr("Type a name above to keep where all docks are now."));
     connect(list_, &QListWidget::itemActivated, this,
             [this](const QListWidgetItem* item) { emit showRequested(item->data(layout_name_role).toString()); });
     connect(list_, &QListWidget::itemChanged, this, &LayoutDialog::takeName);
@@ -138,6 +140,7 @@ void LayoutDialog::refresh() {
     const QString name = name_->text().trimmed();
     save_->setEnabled(!name.isEmpty());
     save_->setText(names().contains(name) ? tr("Replace") : tr("Save"));
+    nothing_->setVisible(list_->count() == 0);
 }
 
 QStringList LayoutDialog::names() const {

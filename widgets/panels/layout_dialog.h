@@ -8,6 +8,8 @@
 #include <QPushButton>
 #include <QToolButton>
 
+#include "widgets/style/empty_state.h"
+
 namespace usar::widgets {
 
 /// Tells the user's wishes by signals and changes nothing itself. Not modal; Escape closes it. GUI thread.
@@ -49,7 +51,8 @@ private:
     QLineEdit* name_ = new QLineEdit(this);
     QPushButton* save_ = new QPushButton(tr("Save"), this);
     QLabel* trouble_;
-    QList<QToolButton*> buttons_; ///< those that need a chosen layout
+    EmptyState* nothing_ = nullptr; ///< over the list, as long as there is no layout
+    QList<QToolButton*> buttons_;   ///< those that need a chosen layout
 };
 
 } // namespace usar::widgets

@@ -144,6 +144,11 @@ public:
         if (control == CC_SpinBox && needsHairline(*option))
             outline(*painter, option->rect, tokens().line);
     }
+    /// Buttons of dialogs have words; Qt's pictures for them are of another family than ours.
+    int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                  QStyleHintReturn* more) const override {
+        return hint == SH_DialogButtonBox_ButtonsHaveIcons ? 0 : QProxyStyle::styleHint(hint, option, widget, more);
+    }
 };
 
 /// What Fusion and a palette cannot express: tooltips, dock titles, headers, and the roles that widgets have by the

@@ -147,7 +147,7 @@ void makeDocks(QMainWindow& window, WindowViews& views) {
         add("notifications", QObject::tr("Notifications"), bottom, views.notifications = new NotificationCenter);
     views.toasts = new ToastStack(views.map, views.notifications->model());
     add("layers", QObject::tr("Layers"), left, new ScrollBox(views.layers = new LayersPanel))->hide();
-    auto* faults = add("faults", QObject::tr("Faults"), left, new ScrollBox(views.faults = new FaultPanel));
+    auto* faults = add("faults", QObject::tr("Faults"), left, views.faults = new FaultPanel);
     window.tabifyDockWidget(behavior, faults); // It is tall enough.
     faults->hide();
     auto* camera = add("camera", QObject::tr("Camera"), right, new ScrollBox(views.camera = new CameraView));

@@ -204,6 +204,11 @@ agent::Forecast TimeEstimate::forecast(const Survey& survey, const MissionState&
     return all;
 }
 
+Seconds TimeEstimate::whole(const Survey& survey, const Vec2& base_m, const Settings& settings) const {
+    const Seconds take_off(settings.rest_time_s + start_up_s + settings.scan_altitude_m / settings.climb_speed_m_s);
+    return Seconds(forecast(survey, {.position_m = base_m, .base_m = base_m, .waiting = take_off}, settings).mean);
+}
+
 void TimeEstimate::update(Seconds now, const Survey& survey, const MissionState& state, const Settings& settings) {
     if (estimated_ && now - *estimated_ < Seconds(1.0))
         return;

@@ -50,6 +50,8 @@ public:
     /// flown is than the plan's, d with deviation s. So the mean m and the variance are those of three flights in
     /// thought, at d - √2 s, d and d + √2 s with the shares of ¼, ½ and ¼: Σ share (variance(i) + (mean(i) - m)²).
     agent::Forecast forecast(const Survey& survey, const MissionState& state, const Settings& settings) const;
+    /// Time of the whole mission of a robot that still stands at its base, with the stages' paces so far.
+    Seconds whole(const Survey& survey, const Vec2& base_m, const Settings& settings) const;
     /// Estimates when the mission ends, at most once a second, because a long survey has many lanes.
     void update(Seconds now, const Survey& survey, const MissionState& state, const Settings& settings);
     /// Time in seconds until the end by the last estimate; nullopt before the first.
