@@ -53,11 +53,15 @@ void writeInto(const Context& context, const GroundTruthReading& truth) {
     writeItem(line, truth, pose(&GroundTruthReading::base_in_map, false), false);
 }
 
+/// With a position there is no space before Fix.
 void writeInto(const Context& context, const GpsReading& gps) {
     GpsReading timed = gps;
     timed.time = gps.time.value_or(context.now);
+    const std::size_t begin = context.out.size();
     LineWriter line(context.out);
     write(line, timed);
+    if (const std::size_t fix = context.out.find("} {Fix", begin); gps.latitude_rad && fix != std::string::npos)
+        context.out.erase(fix + 1, 1);
 }
 
 void writeInto(const Context& context, const StartPoses& start) {
@@ -99,7 +103,7 @@ void writeInto(const Context& context, const RobotState& state) {
 void writeInto(const Context& context, const PackageState& package) {
     LineWriter line(context.out);
     line.text("ASTA");
-    line.time(package.time.value_or(context.now), Decimals::TwoRounded);
+    line.time(package.time.value_or(context.now), Decimals::FourCut);
     line.segment("Name", package.name);
     for (const LinkState& link : package.links) {
         line.whole("Link", link.link);
@@ -124,6 +128,16 @@ void writeInto(const Context& context, const GeometryInfo& geometry) {
     }
 }
 
+/// UDK's camera answers with no space between its name and its settings.
+void writeCameraSettings(std::string& out, const ConfiguredItem& camera) {
+    for (const Setting& setting : camera.settings) {
+        const std::size_t space = out.size();
+        LineWriter line(out);
+        writeSetting(line, setting.key, setting);
+        out.erase(space, 1);
+    }
+}
+
 void writeInto(const Context& context, const ConfigurationInfo& configuration) {
     if (configuration.items.empty() || configuration.items.front().settings.empty())
         return;
@@ -136,6 +150,10 @@ void writeInto(const Context& context, const ConfigurationInfo& configuration) {
     for (const ConfiguredItem& item : configuration.items) {
         if (!of_robot)
             line.segment("Name", item.name);
+        if (sameWord(configuration.type, "Camera")) {
+            writeCameraSettings(context.out, item);
+            continue;
+        }
         for (const Setting& setting : item.settings)
             writeSetting(line, setting.key == "Paning" ? "Panning" : std::string_view(setting.key), setting);
     }

@@ -273,7 +273,7 @@ private slots:
         row("a legged robot by the newer word", "STA {Type LeggedRobot} {Time 2}",
             "STA {Time 2.0000} {Type LeggedVehicle}\r\n");
         row("a package without torques", "MISSTA {Time 1} {Name Cam} {Link 1} {Value 0.5} {Torque -20.00}",
-            "ASTA {Time 1.00} {Name Cam} {Link 1} {Value 0.5000}\r\n");
+            "ASTA {Time 1.0000} {Name Cam} {Link 1} {Value 0.5000}\r\n");
         row("a mount on the chassis by the robot's class",
             "GEO {Type Sonar} {Name F Location 1,0,0 Orientation 0,0,0 Mount HARD}",
             "GEO {Type Sonar} {Name F} {Location 1.00,0.00,0.00} {Orientation 0.00,0.00,0.00} {Mount P2DX}\r\n");

@@ -71,9 +71,9 @@ class tst_UdkProfile : public QObject {
 private slots:
     void camerasAreConfiguredInDegreesAndUnasked() {
         Udk udk("P2DX");
-        const std::string line = "CONF {Type Camera} {Name Camera} {TextureOffsetX 0} {TextureOffsetY 0} "
-                                 "{TextureResolutionX 320} {TextureResolutionY 240} {CameraDefFov 80.0000} "
-                                 "{CameraMinFov 20.0000} {CameraMaxFov 120.0000} {CameraFov 80.0000}";
+        const std::string line = "CONF {Type Camera} {Name Camera}{TextureOffsetX 0}{TextureOffsetY 0}"
+                                 "{TextureResolutionX 320}{TextureResolutionY 240}{CameraDefFov 80.0000}"
+                                 "{CameraMinFov 20.0000}{CameraMaxFov 120.0000}{CameraFov 80.0000}";
         const auto unasked = udk.talker.hearText();
         QCOMPARE(std::count_if(unasked.begin(), unasked.end(),
                                [](const std::string& one) { return one.starts_with("CONF {Type Camera}"); }),
