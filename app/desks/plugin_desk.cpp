@@ -36,7 +36,7 @@ void PluginDesk::showList() {
         list_ = new widgets::PluginDialog(control_.plugins().folders(), window_);
         list_->setAttribute(Qt::WA_DeleteOnClose);
         connect(list_, &widgets::PluginDialog::rescanRequested, this, [this] { rescan(true); });
-        // Queued, because the rows are made anew in answer.
+        // The call is queued, because the list rebuilds its rows in answer.
         connect(list_, &widgets::PluginDialog::isolationRequested, this, &PluginDesk::setIsolated,
                 Qt::QueuedConnection);
         fillList();

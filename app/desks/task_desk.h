@@ -58,7 +58,7 @@ private:
     /// Shows what undo or redo has changed, and selects the robot if it is another.
     void showEdited(RobotId robot);
     void showIsolation() { views_.behavior->setIsolated(isolated()); }
-    /// Of the start pose with this name, in the map frame; nullopt if this world has none.
+    /// Returns the start pose with this name, in the map frame; nullopt if this world has none.
     std::optional<Vec2> placeOfStart(const std::string& name) const;
     /// Stores the drawn area in the draft as an edit; an empty rectangle removes it.
     void setArea(const Rectangle& area_in_map);

@@ -132,7 +132,7 @@ void tst_WindowFigures::theBatteryIsTheSameInListAndInstruments() {
 /// Defect D10: the scan was gray on a gray relief, and nothing in the window could change that.
 void tst_WindowFigures::heightsAreColoredAndGrayIsOneClickAway() {
     select(1);
-    const auto colored_pct = [this] { // Of places whose height is known.
+    const auto colored_pct = [this] { // It counts places whose height is known.
         const QImage map = page_->map().grab().toImage();
         int known = 0;
         int colored = 0;

@@ -51,7 +51,7 @@ void tst_WindowMap::whatWasStartedIsInSight() {
     page.typeArea({{-20, -15}, {20, 15}});
     widgets::MapTransform away = page.map().transform();
     away.center_m = Vec2(0.0, 0.0);
-    away.pixels_per_m = 40.0; // Of the area, not even the edges are in sight.
+    away.pixels_per_m = 40.0; // Not even the edges of the area are in sight.
     page.map().setTransform(away);
     page.press("Start");
     const auto seen = [&](const Vec2& at_m) {

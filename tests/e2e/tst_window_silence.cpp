@@ -103,7 +103,7 @@ void tst_WindowSilence::nothingComesBackToLifeWithTheConnection() {
     relay_->revive();
     QTRY_VERIFY_WITH_TIMEOUT(page_->robot(1)->link.state == link::LinkState::Connected, soon_ms);
     QVERIFY(!page_->robot(1)->figures.spawned);
-    // Lines are counted anew on each connection, so the views were told of the new one by then.
+    // The count of lines starts at 0 on each connection, so the views were told of the new one by then.
     const auto greeted = [&] {
         const std::uint64_t lines = page_->robot(1)->figures.traffic.lines_in;
         return lines > 0 && lines < before;

@@ -1,4 +1,4 @@
-// What the window tells of the embedded simulator's log.
+// These tests say which lines of the embedded simulator's log become notices of the window.
 #include <QTest>
 
 #include "core/server/embedded/log_words.h"

@@ -1,4 +1,5 @@
-// What both profiles send, word by word against lines that real servers sent: keys, order, spaces, decimals, ranges.
+// This test compares what both profiles send, word by word, with lines that real servers sent: keys, order, spaces,
+// decimals, ranges.
 #include <QObject>
 #include <QString>
 #include <QTest>
@@ -144,7 +145,7 @@ Wire captured(const std::string& dialect, bool only_captured) {
     return wire;
 }
 
-/// What a robot of the profile sends while it drives a bow forward and then turns on the spot both ways.
+/// Returns what a robot of the profile sends while it drives a bow forward and then turns on the spot both ways.
 Wire sent(protocol::Dialect profile, const std::string& class_name) {
     SimulationOptions options;
     options.profile = profile;

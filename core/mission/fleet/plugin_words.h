@@ -12,7 +12,7 @@ namespace usar::mission {
 QString nameOf(const agent::PluginRecord& record);
 /// "loaded", "refused"
 QString stateText(const agent::PluginRecord& record);
-/// What its metadata list under this key, such as "behaviors" or "robots".
+/// Returns what the plugin's metadata list under this key, such as "behaviors" or "robots".
 QStringList listedIn(const agent::PluginRecord& record, const QString& key);
 /// Names of the robots whose running behavior is of this plugin, and goes on with the code that it began with.
 QStringList robotsRunning(const Robots& robots, const agent::PluginLoader& plugins, const agent::PluginRecord& record);

@@ -1,4 +1,4 @@
-// What the window's user is told of the embedded simulator's log.
+// Decides which lines of the embedded simulator's log the window shows as notices.
 #pragma once
 
 #include <QString>
