@@ -125,8 +125,12 @@ void tst_HandsWindow::theWindowFitsTheScreen() {
     QVERIFY2(program_->trouble().isEmpty(), qPrintable(program_->trouble()));
     QVERIFY(program_->says("Connected"));
     const auto frame = [this] { return program_->read().find("frame", "Mission Control").value_or(Seen{}).at; };
-    program_->desk().doubleClick(QPoint(frame().center().x(), frame().top() - 8)); // on the title bar, which maximizes
-    QTRY_VERIFY_WITH_TIMEOUT(frame().width() > size_px.width() - 20, patience_ms);
+    const auto maximized = [&] { return frame().width() > size_px.width() - 20; };
+    for (int i = 0; i < 5 && !maximized(); ++i) { // On a busy machine the window manager may take it for two clicks.
+        program_->desk().doubleClick(QPoint(frame().center().x(), frame().top() - 8)); // On the title bar.
+        QTest::qWaitFor(maximized, patience_ms / 5);
+    }
+    QVERIFY(maximized());
     for (const QString& dock : QStringList{"", "Layers", "Plan", "World"}) {
         if (!dock.isEmpty())
             runByPalette("Show " + dock);
