@@ -17,6 +17,7 @@
 #include "core/mission/reports/replay_verb.h"
 #include "core/mission/runs/mission_runner.h"
 #include "core/server/embedded/program_files.h"
+#include "core/server/embedded/quiet_qt.h"
 #include "core/server/embedded/quit_signals.h"
 #include "core/server/embedded/simulator_files.h"
 
@@ -155,6 +156,7 @@ int goOn(mission::MissionOptions options) {
 } // namespace
 
 int main(int argc, char** argv) {
+    usar::server::keepQtQuiet();
     if (usar::answersVersion(argc, argv))
         return 0;
     if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))

@@ -1,14 +1,52 @@
 // mission-control: reads the command line, makes the window and runs the event loop.
+#include <algorithm>
 #include <cstdio>
+#include <span>
+#include <string_view>
 
 #include <QApplication>
 #include <QThreadPool>
 
 #include "app/window/main_window.h"
+#include "core/base/version.h"
+#include "core/server/embedded/quiet_qt.h"
 #include "core/server/embedded/quit_signals.h"
 #include "core/server/embedded/simulator_files.h"
 
+namespace {
+
+/// True for arguments that are answered without a window.
+bool asksForHelp(int argc, const char* const* argv) {
+    return std::ranges::any_of(std::span(argv, static_cast<std::size_t>(argc)), [](std::string_view argument) {
+        return argument == "--help" || argument == "-h" || argument == "-v";
+    });
+}
+
+/// True if Qt would find no screen to show a window on.
+bool lacksDisplay(int argc, const char* const* argv) {
+    const auto is_set = [](const char* name) { return !qEnvironmentVariableIsEmpty(name); };
+    return !is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY") && !is_set("QT_QPA_PLATFORM") &&
+           std::ranges::count(std::span(argv, static_cast<std::size_t>(argc)), std::string_view("-platform")) == 0;
+}
+
+} // namespace
+
 int main(int argc, char** argv) {
+    usar::server::keepQtQuiet();
+    if (usar::answersVersion(argc, argv))
+        return 0;
+    if (asksForHelp(argc, argv)) {
+        QCoreApplication without_window(argc, argv);
+        QCoreApplication::setApplicationName("mission-control");
+        QCoreApplication::setApplicationVersion(USAR_VERSION);
+        usar::server::readWindowOptions(QCoreApplication::arguments()); // Prints the help and exits.
+        return 0;
+    }
+    if (lacksDisplay(argc, argv)) {
+        std::fprintf(stderr, "mission-control: there is no display (DISPLAY is not set). To fly a mission without a "
+                             "window, run: usar-mission run MISSION.json\n");
+        return 2;
+    }
     QApplication application(argc, argv);
     QApplication::setApplicationName("Mission Control");
     QApplication::setOrganizationName("USAR");

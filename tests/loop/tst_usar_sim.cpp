@@ -82,8 +82,8 @@ class tst_UsarSim : public QObject {
 private slots:
     void everyProgramTellsItsVersion_data() {
         QTest::addColumn<QString>("path");
-        for (const char* const path :
-             {"bin/usar-sim", "bin/usar-mission", "bin/usar-behavior-host", "tools/usar-make-world"})
+        for (const char* const path : {"bin/usar-sim", "bin/usar-mission", "bin/mission-control",
+                                       "bin/usar-behavior-host", "tools/usar-make-world"})
             QTest::newRow(path) << QString(path);
     }
     void everyProgramTellsItsVersion() {
@@ -95,6 +95,38 @@ private slots:
         const QString said = QString::fromUtf8(process.readAllStandardOutput());
         QVERIFY2(QRegularExpression("^[a-z-]+ \\d+\\.\\d+\\.\\d+\\n$").match(said).hasMatch(), qPrintable(said));
         QVERIFY(said.startsWith(path.section('/', 1)));
+    }
+
+    /// In a bare environment, as over ssh.
+    void everyProgramHelpsWithoutADisplayAndWithoutWarningsOfQt_data() {
+        QTest::addColumn<QString>("path");
+        QTest::addColumn<QString>("argument");
+        QTest::addColumn<int>("exit_code");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("usar-sim") << "usar-sim"
+                                  << "--help" << 0 << "Usage: ";
+        QTest::newRow("usar-mission") << "usar-mission"
+                                      << "--help" << 0 << "usar-mission run MISSION.json";
+        QTest::newRow("mission-control") << "mission-control"
+                                         << "--help" << 0 << "Usage: ";
+        QTest::newRow("a window without a display") << "mission-control"
+                                                    << "--theme=dark" << 2 << "there is no display";
+    }
+    void everyProgramHelpsWithoutADisplayAndWithoutWarningsOfQt() {
+        QFETCH(const QString, path);
+        QFETCH(const QString, argument);
+        QFETCH(const int, exit_code);
+        QFETCH(const QString, words);
+        QProcess process;
+        QProcessEnvironment bare;
+        bare.insert("PATH", "/usr/bin:/bin");
+        process.setProcessEnvironment(bare);
+        process.setProcessChannelMode(QProcess::MergedChannels);
+        process.start(QString(USAR_BINARY_DIR "/bin/") + path, {argument});
+        QVERIFY(process.waitForFinished(patience_ms));
+        const QString said = QString::fromUtf8(process.readAll());
+        QCOMPARE(process.exitCode(), exit_code);
+        QVERIFY2(said.contains(words) && !said.contains("QStandardPaths"), qPrintable(said));
     }
 
     void itIsOpenToOtherMachinesOnlyIfBothOptionsSaySo() {
