@@ -1,4 +1,5 @@
 #include <cmath>
+#include <random>
 
 #include <QSignalSpy>
 #include <QTest>
@@ -40,6 +41,8 @@ private slots:
     void pagesHoldFourTilesASide();
     void cellLandsOnItsPixel_data();
     void cellLandsOnItsPixel();
+    void aPartRenderedAgainIsThatOfTheWholePage_data();
+    void aPartRenderedAgainIsThatOfTheWholePage();
     void coarseLevelsAverage();
     void levelFollowsTheScale();
     void picturesAppearTogether();
@@ -92,6 +95,40 @@ void tst_HeightLayer::cellLandsOnItsPixel() {
     for (int y = 0; y < image.height(); ++y)
         for (int x = 0; x < image.width(); ++x)
             QCOMPARE(qAlpha(image.pixel(x, y)) != 0, x == int(at.x()) && y == int(at.y()));
+}
+
+void tst_HeightLayer::aPartRenderedAgainIsThatOfTheWholePage_data() {
+    cellLandsOnItsPixel_data();
+}
+
+/// Light, contours and reductions reach over the edges of tiles.
+void tst_HeightLayer::aPartRenderedAgainIsThatOfTheWholePage() {
+    QFETCH(MapOrientation, orientation);
+    std::mt19937 random(5);
+    const auto upTo = [&](std::size_t most) { return random() % (most + 1); };
+    const auto hill = [&] {
+        auto tile = std::make_shared<HeightTile>();
+        for (float& height_m : tile->preview_m)
+            height_m = upTo(9) == 0 ? std::nanf("") : static_cast<float>(upTo(100)) * 0.1f;
+        return tile;
+    };
+    const HeightStyle style{{0.0f, 10.0f}, orientation, ColorMap::Color, 0.25, 2.0};
+    PageTiles page;
+    for (std::size_t i = 0; i < PageTiles::count; i += 2)
+        page.tiles[i] = hill();
+    PagePicture picture = renderPage(page, style);
+    for (int change = 0; change < 40; ++change) {
+        PageTiles::Which changed;
+        for (std::size_t i = 0; i <= upTo(2); ++i) {
+            const std::size_t tile = upTo(PageTiles::count - 1);
+            page.tiles[tile] = hill();
+            changed.set(tile);
+        }
+        picture = renderAgain(page, style, picture, changed);
+        const PagePicture whole = renderPage(page, style);
+        QVERIFY(picture.levels == whole.levels);
+        QVERIFY(picture.contours == whole.contours);
+    }
 }
 
 void tst_HeightLayer::coarseLevelsAverage() {

@@ -20,19 +20,25 @@ const std::uint32_t* scanLine(const QImage& image, int y) {
     return reinterpret_cast<const std::uint32_t*>(image.constScanLine(y));
 }
 
-/// Copies the preview of a tile into the page. With x up and y left the page is rotated by a quarter turn
+/// Where a tile of a page is in its picture. With x up and y left the page is rotated by a quarter turn
 /// counter-clockwise.
-void place(PageHeights& heights_m, const mapping::HeightTile& tile, int tile_column, int tile_row,
-           MapOrientation orientation) {
+QRect rectOf(std::size_t tile, MapOrientation orientation) {
     const int last = PageTiles::tiles_per_side - 1;
+    const int column = static_cast<int>(tile) % PageTiles::tiles_per_side;
+    const int row = static_cast<int>(tile) / PageTiles::tiles_per_side;
     const bool x_up = orientation == MapOrientation::XUp;
-    const int left = (x_up ? last - tile_row : tile_column) * tile_side;
-    const int top = (x_up ? last - tile_column : last - tile_row) * tile_side;
+    return {(x_up ? last - row : column) * tile_side, (x_up ? last - column : last - row) * tile_side, tile_side,
+            tile_side};
+}
+
+/// Copies the preview of a tile into the page.
+void place(PageHeights& heights_m, const mapping::HeightTile& tile, const QRect& at, MapOrientation orientation) {
+    const bool x_up = orientation == MapOrientation::XUp;
     for (int y = 0; y < tile_side; ++y)
         for (int x = 0; x < tile_side; ++x) {
             const int upward = tile_side - 1 - y;
             const int cell = x_up ? (tile_side - 1 - x) * tile_side + upward : upward * tile_side + x;
-            heights_m[static_cast<std::size_t>((top + y) * PageTiles::side + left + x)] =
+            heights_m[static_cast<std::size_t>((at.top() + y) * PageTiles::side + at.left() + x)] =
                 tile.preview_m[static_cast<std::size_t>(cell)];
         }
 }
@@ -41,8 +47,7 @@ PageHeights heightsOf(const PageTiles& page, MapOrientation orientation) {
     PageHeights heights_m(std::size_t(PageTiles::side) * PageTiles::side, std::numeric_limits<float>::quiet_NaN());
     for (std::size_t i = 0; i < page.tiles.size(); ++i)
         if (page.tiles[i])
-            place(heights_m, *page.tiles[i], static_cast<int>(i) % PageTiles::tiles_per_side,
-                  static_cast<int>(i) / PageTiles::tiles_per_side, orientation);
+            place(heights_m, *page.tiles[i], rectOf(i, orientation), orientation);
     return heights_m;
 }
 
@@ -54,31 +59,58 @@ std::uint32_t mean(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint3
     return low | high << 8;
 }
 
-QImage halved(const QImage& image) {
-    QImage half(image.width() / 2, image.height() / 2, QImage::Format_ARGB32_Premultiplied);
-    for (int y = 0; y < half.height(); ++y) {
+/// Puts the reduction of a part of the image, all of whose edges are even, into an image of half the size.
+void halve(const QImage& image, const QRect& part, QImage& half) {
+    for (int y = part.top() / 2; y <= part.bottom() / 2; ++y) {
         const std::uint32_t* upper = scanLine(image, 2 * y);
         const std::uint32_t* lower = scanLine(image, 2 * y + 1);
         std::uint32_t* out = scanLine(half, y);
-        for (int x = 0; x < half.width(); ++x)
+        for (int x = part.left() / 2; x <= part.right() / 2; ++x)
             out[x] = mean(upper[2 * x], upper[2 * x + 1], lower[2 * x], lower[2 * x + 1]);
     }
-    return half;
 }
 
-/// A picture of the page with what `colorOf(column, row)` gives, as premultiplied pixels, and its reductions.
+/// Paints a part of the page's picture with what `colorOf(column, row)` gives, as premultiplied pixels, and of its
+/// reductions.
 template <class ColorOf>
-PagePicture::Levels paintedBy(const ColorOf& colorOf) {
-    PagePicture::Levels levels;
-    levels[0] = QImage(PageTiles::side, PageTiles::side, QImage::Format_ARGB32_Premultiplied);
-    for (int row = 0; row < PageTiles::side; ++row) {
+void paint(PagePicture::Levels& levels, QRect part, const ColorOf& colorOf) {
+    for (std::size_t level = 0; level < levels.size(); ++level)
+        if (levels[level].isNull())
+            levels[level] =
+                QImage(PageTiles::side >> level, PageTiles::side >> level, QImage::Format_ARGB32_Premultiplied);
+    for (int row = part.top(); row <= part.bottom(); ++row) {
         std::uint32_t* out = scanLine(levels[0], row);
-        for (int column = 0; column < PageTiles::side; ++column)
+        for (int column = part.left(); column <= part.right(); ++column)
             out[column] = qPremultiply(colorOf(column, row));
     }
-    for (std::size_t level = 1; level < levels.size(); ++level)
-        levels[level] = halved(levels[level - 1]);
-    return levels;
+    for (std::size_t level = 1; level < levels.size(); ++level) {
+        halve(levels[level - 1], part, levels[level]);
+        part = QRect(part.topLeft() / 2, part.size() / 2);
+    }
+}
+
+constexpr QRect whole_page(0, 0, PageTiles::side, PageTiles::side);
+
+/// The part of a page that looks other when these tiles change: light depends on the next cell. Its edges are edges of
+/// pixels in all reductions.
+QRect partOf(const PageTiles::Which& changed, MapOrientation orientation) {
+    constexpr int coarsest = 1 << (PagePicture::level_count - 1);
+    QRect part;
+    for (std::size_t i = 0; i < changed.size(); ++i)
+        if (changed[i])
+            part |= rectOf(i, orientation);
+    return part.adjusted(-coarsest, -coarsest, coarsest, coarsest) & whole_page;
+}
+
+void renderPart(const PageTiles& page, const HeightStyle& style, const QRect& part, PagePicture& picture) {
+    const PageHeights heights_m = heightsOf(page, style.orientation);
+    const mapping::HeightGrid grid{heights_m, PageTiles::side, PageTiles::side, style.cell_size_m};
+    paint(picture.levels, part,
+          [&](int column, int row) { return mapping::shadeCell(grid, column, row, style.range, style.color_map); });
+    if (style.contour_step_m > 0.0)
+        paint(picture.contours, part, [&](int column, int row) {
+            return mapping::contourCell(grid, column, row, style.range, style.contour_step_m);
+        });
 }
 
 std::int32_t floorDivided(std::int32_t a, std::int32_t b) {
@@ -108,15 +140,15 @@ double contourStep_m(const mapping::HeightRange& range) {
 }
 
 PagePicture renderPage(const PageTiles& page, const HeightStyle& style) {
-    const PageHeights heights_m = heightsOf(page, style.orientation);
-    const mapping::HeightGrid grid{heights_m, PageTiles::side, PageTiles::side, style.cell_size_m};
     PagePicture picture;
-    picture.levels = paintedBy(
-        [&](int column, int row) { return mapping::shadeCell(grid, column, row, style.range, style.color_map); });
-    if (style.contour_step_m > 0.0)
-        picture.contours = paintedBy([&](int column, int row) {
-            return mapping::contourCell(grid, column, row, style.range, style.contour_step_m);
-        });
+    renderPart(page, style, whole_page, picture);
+    return picture;
+}
+
+PagePicture renderAgain(const PageTiles& page, const HeightStyle& style, const PagePicture& before,
+                        const PageTiles::Which& changed) {
+    PagePicture picture = before;
+    renderPart(page, style, partOf(changed, style.orientation), picture);
     return picture;
 }
 
@@ -157,7 +189,7 @@ void HeightLayer::restyle(Value HeightStyle::*part, const Value& value) {
     if (std::exchange(style_.*part, value) == value)
         return;
     for (const auto& [index, source] : sources_)
-        dirty_.insert(index);
+        dirty_[index].set();
 }
 
 void HeightLayer::take(const std::vector<std::shared_ptr<const HeightTile>>& tiles,
@@ -169,8 +201,9 @@ void HeightLayer::take(const std::vector<std::shared_ptr<const HeightTile>>& til
         source.index = page;
         const int column = tile->index.column - page.column * PageTiles::tiles_per_side;
         const int row = tile->index.row - page.row * PageTiles::tiles_per_side;
-        source.tiles[static_cast<std::size_t>(row * PageTiles::tiles_per_side + column)] = tile;
-        dirty_.insert(page);
+        const auto place = static_cast<std::size_t>(row * PageTiles::tiles_per_side + column);
+        source.tiles[place] = tile;
+        dirty_[page].set(place);
     }
     if (range)
         scan_range_ = range;
@@ -230,17 +263,27 @@ std::optional<mapping::HeightProbe> HeightLayer::probe(const Vec2& point_in_map_
 void HeightLayer::renderNext() {
     if (rendering_ || dirty_.empty() || !rangeKnown())
         return;
-    std::vector<PageTiles> batch;
+    struct Work {
+        PageTiles page;
+        PageTiles::Which changed;
+        PagePicture before;
+    };
+    std::vector<Work> batch;
     batch.reserve(dirty_.size());
-    for (const GridIndex index : dirty_)
-        batch.push_back(sources_.at(index));
+    for (const auto& [index, changed] : dirty_) {
+        const auto before = pages_.find(index);
+        const bool is_new = before == pages_.end();
+        batch.push_back(
+            {sources_.at(index), is_new ? PageTiles::Which().set() : changed, is_new ? PagePicture() : before->second});
+    }
     dirty_.clear();
     rendering_ = true;
     pool_.start(HandedOver([this, batch = std::move(batch), style = style_, generation = generation_] {
         std::vector<std::pair<GridIndex, PagePicture>> finished;
         finished.reserve(batch.size());
-        for (const PageTiles& page : batch)
-            finished.emplace_back(page.index, renderPage(page, style));
+        for (const auto& [page, changed, before] : batch)
+            finished.emplace_back(page.index,
+                                  changed.all() ? renderPage(page, style) : renderAgain(page, style, before, changed));
         // The destructor waits for this worker, so `this` is valid here; if the object is destroyed, the queued call is
         // discarded.
         QMetaObject::invokeMethod(this, HandedOver([this, finished = std::move(finished), generation]() mutable {

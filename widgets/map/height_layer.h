@@ -3,10 +3,10 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <vector>
 
 #include <QImage>
@@ -40,8 +40,11 @@ struct PageTiles {
     static constexpr int tiles_per_side = 4;
     static constexpr int side = tiles_per_side * mapping::HeightTile::side; ///< in cells: 256
 
+    static constexpr std::size_t count = std::size_t(tiles_per_side) * tiles_per_side;
+    using Which = std::bitset<count>; ///< of the tiles
+
     mapping::GridIndex index; ///< in pages
-    std::array<std::shared_ptr<const mapping::HeightTile>, std::size_t(tiles_per_side) * tiles_per_side> tiles;
+    std::array<std::shared_ptr<const mapping::HeightTile>, count> tiles;
 };
 
 /// Pictures of a page: level 0 has one pixel per cell, each further level half the size. Already oriented for the
@@ -68,6 +71,9 @@ double contourStep_m(const mapping::HeightRange& range);
 /// Renders a page; a pure function that takes about a millisecond, meant for a worker thread. Light and contours end at
 /// the edge of the page.
 PagePicture renderPage(const PageTiles& page, const HeightStyle& style);
+/// The same if `before` is the page in the same style before these tiles changed; only their part of it is rendered.
+PagePicture renderAgain(const PageTiles& page, const HeightStyle& style, const PagePicture& before,
+                        const PageTiles::Which& changed);
 
 /// Index of the page that contains the tile. Both count from the map's origin and may be negative.
 mapping::GridIndex pageOfTile(mapping::GridIndex tile);
@@ -136,8 +142,8 @@ private:
     mapping::HeightTiles tiles_;
     std::map<mapping::GridIndex, PageTiles> sources_;
     std::map<mapping::GridIndex, PagePicture> pages_;
-    /// Pages that must be rendered.
-    std::set<mapping::GridIndex> dirty_;
+    /// Pages that must be rendered, and their tiles that have changed.
+    std::map<mapping::GridIndex, PageTiles::Which> dirty_;
     bool rendering_ = false;
     /// Number of calls of clear().
     int generation_ = 0;

@@ -110,7 +110,11 @@ void SensorPanel::showEmpty(bool empty) {
 }
 
 void SensorPanel::refresh() {
-    for (const CountedLine& counted : newest_.takeAll())
+    const auto lines = newest_.takeAll();
+    const std::pair showing(now_, silent());
+    if (std::exchange(shown_, showing) == showing && lines.empty() && !silent())
+        return; // Only in silence do ages grow between messages.
+    for (const CountedLine& counted : lines)
         model_->take(counted.line, counted.now, counted.count);
     model_->flush(silent() ? now_ + silence() : now_, !silent());
     showEmpty(model_->rowCount() == 0);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <utility>
 
 #include <QLineEdit>
 #include <QSortFilterProxyModel>
@@ -14,11 +15,11 @@
 
 namespace usar::widgets {
 
-/// Takes lines and reports plot requests. Repaints ten times per second, which is as fast as numbers can be read; while
-/// hidden it only keeps the newest line of each stream. Ages are measured on the protocol clock. If that clock stands
-/// still for more than 2 s of wall time (up to 10 s in slow simulations) although nobody paused the simulation, all
-/// repeated values are stale and their ages continue by wall time. Return, a double-click or a drag plots a number. GUI
-/// thread.
+/// Takes lines and reports plot requests. Shows what is new ten times a second, which is as fast as numbers can be
+/// read; while hidden it only keeps the newest line of each stream. Ages are measured on the protocol clock. If that
+/// clock stands still for more than 2 s of wall time (up to 10 s in slow simulations) although nobody paused the
+/// simulation, all repeated values are stale and their ages continue by wall time. Return, a double-click or a drag
+/// plots a number. GUI thread.
 class SensorPanel : public QWidget {
     Q_OBJECT
 public:
@@ -70,8 +71,9 @@ private:
     QTimer frame_;
     std::function<Seconds()> wall_clock_;
     Seconds now_{0.0};
-    Seconds heard_at_{0.0}; ///< wall time
-    Seconds pace_{0.0};     ///< wall time between the last two steps of the clock; long in slow simulations
+    std::pair<Seconds, bool> shown_{-1.0, false}; ///< time and silence that the rows show
+    Seconds heard_at_{0.0};                       ///< wall time
+    Seconds pace_{0.0}; ///< wall time between the last two steps of the clock; long in slow simulations
     bool linked_ = true;
     bool paused_ = false;
 };

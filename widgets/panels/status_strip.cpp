@@ -94,7 +94,11 @@ Meter::Meter(const QString& caption, QWidget* parent, double caution_pct, double
 }
 
 void Meter::setValue(std::optional<double> value_pct) {
-    value_pct_ = value_pct;
+    constexpr double seen_pct = 0.2; // Smaller changes are not worth a repaint, five times a second.
+    if (std::exchange(value_pct_, value_pct).has_value() == value_pct.has_value() &&
+        std::abs(value_pct.value_or(0.0) - painted_pct_) < seen_pct)
+        return;
+    painted_pct_ = value_pct.value_or(0.0);
     describe(value_pct ? figure(*value_pct, 0) + QStringLiteral(" %") : tr("unknown"));
     update();
 }

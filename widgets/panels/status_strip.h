@@ -2,6 +2,7 @@
 // figure that it consists of.
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include <QLabel>
@@ -64,6 +65,7 @@ protected:
 private:
     QString caption_;
     std::optional<double> value_pct_;
+    double painted_pct_ = std::numeric_limits<double>::quiet_NaN(); ///< 0 for an unknown value
     double caution_pct_;
     double danger_pct_;
 };
