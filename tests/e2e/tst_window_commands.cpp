@@ -1,4 +1,5 @@
 // What a person does from the menus and the palette: server, time, layouts, missions on the disk.
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -48,6 +49,7 @@ private slots:
     void withoutARobotTheClockDoesNotRunAway();
     void builtInLayoutsPutTheirDockFirst();
     void aDockIsHiddenAndShownByCommand();
+    void aDockBehindATabIsRaisedByItsCommand();
     void thePaletteOffersRobotsPosesWorldsAndMissions();
     void aFirstStartFitsASmallScreen();
     void onASmallScreenTimeCanBeSteered();
@@ -164,6 +166,27 @@ void tst_WindowCommands::aDockIsHiddenAndShownByCommand() {
     QTRY_VERIFY(layers->isVisible());
     run(page, "view.dock.layers");
     QTRY_VERIFY(layers->isHidden());
+}
+
+/// Defect D15 of the review: the command of a dock that lay behind another tab took it away.
+void tst_WindowCommands::aDockBehindATabIsRaisedByItsCommand() {
+    WindowPage page;
+    int raised = 0;
+    for (QDockWidget* const dock : page.window().views().docks) {
+        const QList<QDockWidget*> mates = page.window().tabifiedDockWidgets(dock);
+        const auto front = std::ranges::find_if(mates, [](const QDockWidget* mate) { return !mate->isHidden(); });
+        if (dock->isHidden() || front == mates.end())
+            continue;
+        (*front)->raise();
+        QTRY_VERIFY2(dock->visibleRegion().isEmpty(), qPrintable(dock->objectName()));
+        const QString command = "view.dock." + dock->objectName();
+        run(page, command);
+        QTRY_VERIFY2(!dock->visibleRegion().isEmpty(), qPrintable(dock->objectName()));
+        QTRY_VERIFY2(page.window().commands().action(command)->isChecked(), qPrintable(dock->objectName()));
+        QVERIFY2(!(*front)->isHidden(), qPrintable((*front)->objectName()));
+        ++raised;
+    }
+    QVERIFY2(raised >= 5, qPrintable(QString::number(raised)));
 }
 
 void tst_WindowCommands::thePaletteOffersRobotsPosesWorldsAndMissions() {

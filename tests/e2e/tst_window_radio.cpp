@@ -1,4 +1,7 @@
 // Radio links of robots and base stations in the real window: the dock, the map, and what is said when one is lost.
+#include <algorithm>
+#include <vector>
+
 #include <QLabel>
 #include <QRegularExpression>
 #include <QTest>
@@ -15,7 +18,7 @@ using namespace usar;
 
 namespace {
 
-/// Answers an observer with one strength for every pair.
+/// Answers an observer with one strength for every pair, but for those of the robot that is far away.
 class WirelessDouble {
 public:
     WirelessDouble() {
@@ -24,11 +27,13 @@ public:
             if (line.startsWith("INIT"))
                 return server_.say("INITREPLY {Status OK}\r\n");
             QByteArray reply = line;
-            server_.say(reply.replace("GETSS", "SS") + " {Strength " + strength + "}\r\n");
+            const bool is_far = !far.isEmpty() && line.contains(" " + far + "}");
+            server_.say(reply.replace("GETSS", "SS") + " {Strength " + (is_far ? "-99.5" : strength) + "}\r\n");
         };
     }
     quint16 port() const { return server_.port(); }
     QByteArray strength = "-60.5";
+    QByteArray far; ///< name of a robot that nobody hears; empty: there is none
 
 private:
     test::FakeServer server_;
@@ -39,9 +44,9 @@ widgets::RadioView& radio(WindowPage& page) {
 }
 
 /// Each on a connection of its own, which has to open first.
-bool twoStations(WindowPage& page) {
+bool stations(WindowPage& page, const std::vector<const char*>& names) {
     bool spawned = true;
-    for (const char* const name : {"Base", "Relay"})
+    for (const char* const name : names)
         spawned =
             spawned && QTest::qWaitFor(
                            [&] {
@@ -66,6 +71,7 @@ private slots:
     void cleanup() { QVERIFY2(GuiWatchdog::instance().complaint().isEmpty(), GuiWatchdog::instance().complaint()); }
     void aRobotAndABaseStationHearEachOther();
     void aLostLinkIsSaidAndCured();
+    void moreLostLinksAreTheSameNotice();
     void withoutAWirelessServerTheDockSaysSo();
 };
 
@@ -113,7 +119,7 @@ void tst_WindowRadio::aLostLinkIsSaidAndCured() {
     WindowPage page({.wireless_port = wireless.port()});
     page.connectToServer("127.0.0.1", server.port());
     QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
-    QVERIFY(twoStations(page));
+    QVERIFY(stations(page, {"Base", "Relay"}));
     QTRY_VERIFY_WITH_TIMEOUT(onlyStrength(page) == -60.5, soon_ms);
     QVERIFY(page.notified("radio link").isEmpty());
     wireless.strength = "-94.2";
@@ -130,6 +136,42 @@ void tst_WindowRadio::aLostLinkIsSaidAndCured() {
     QTRY_COMPARE_WITH_TIMEOUT(open(), 0, soon_ms);
 }
 
+/// Defect D19 of the review: nine robots made 36 toasts about pairs that nobody had asked for.
+void tst_WindowRadio::moreLostLinksAreTheSameNotice() {
+    std::vector<bool> toasts; // Of each report about radio links, whether it came as a toast.
+    test::FakeRobotServer server;
+    QVERIFY(server.listen());
+    WirelessDouble wireless;
+    WindowPage page({.wireless_port = wireless.port()});
+    page.connectToServer("127.0.0.1", server.port());
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(stations(page, {"Base", "Relay", "Third"}));
+    QTRY_COMPARE_WITH_TIMEOUT(radio(page).model().rowCount(), 3, soon_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(radio(page).model().row(2).link.strength_dbm == -60.5, soon_ms);
+    const auto* const model = page.window().views().notifications->model();
+    connect(model, &widgets::NotificationModel::pushed, this, [&](const widgets::Notification& pushed) {
+        if (pushed.text.contains("radio link"))
+            toasts.push_back(pushed.toast);
+    });
+    wireless.far = "Third";
+    QTRY_VERIFY_WITH_TIMEOUT(!page.notified("2 pairs of robots have lost their radio link").isEmpty(), soon_ms);
+    wireless.strength = "-99.5";
+    QTRY_VERIFY_WITH_TIMEOUT(!page.notified("3 pairs of robots have lost their radio link").isEmpty(), soon_ms);
+    QVERIFY(toasts.size() >= 2 && toasts.front());
+    QVERIFY2(std::ranges::count(toasts, true) == 1, "only the first loss is worth a toast");
+    const auto rows = [&] {
+        std::vector<widgets::Notification> found;
+        for (int row = 0; row < model->rowCount(); ++row)
+            if (model->row(row).text.contains("radio link"))
+                found.push_back(model->row(row));
+        return found;
+    };
+    QCOMPARE(rows().size(), std::size_t(1));
+    wireless.far.clear();
+    wireless.strength = "-60.5";
+    QTRY_VERIFY_WITH_TIMEOUT(rows().front().cured, soon_ms);
+}
+
 void tst_WindowRadio::withoutAWirelessServerTheDockSaysSo() {
     test::FakeRobotServer server;
     QVERIFY(server.listen());
@@ -142,7 +184,7 @@ void tst_WindowRadio::withoutAWirelessServerTheDockSaysSo() {
     WindowPage page({.wireless_port = closed});
     page.connectToServer("127.0.0.1", server.port());
     QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
-    QVERIFY(twoStations(page));
+    QVERIFY(stations(page, {"Base", "Relay"}));
     QTRY_VERIFY_WITH_TIMEOUT(radio(page).emptyState()->accessibleDescription().contains("Start WSS there"), soon_ms);
 }
 

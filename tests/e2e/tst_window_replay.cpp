@@ -5,7 +5,9 @@
 #include <QMimeData>
 #include <QTest>
 
+#include "tests/doubles/two_flights.h"
 #include "tests/e2e/gui_watchdog.h"
+#include "tests/e2e/scratch_files.h"
 #include "tests/e2e/window_page.h"
 #include "tests/suite/suite.h"
 #include "widgets/models/figures.h"
@@ -24,6 +26,13 @@ double lengthOf(const std::vector<Vec2>& points_m) {
     return length_m;
 }
 
+QString figureOf(const widgets::WindowViews& views, const QString& caption) {
+    for (const widgets::Readout* readout : views.status->findChildren<widgets::Readout*>())
+        if (readout->accessibleName() == caption)
+            return readout->text().trimmed();
+    return {};
+}
+
 QStringList recordingsIn(const QString& folder) {
     return QDir(folder).entryList({"*.usarrec"}, QDir::Files);
 }
@@ -38,6 +47,8 @@ private slots:
     void cleanup() { QVERIFY2(GuiWatchdog::instance().complaint().isEmpty(), GuiWatchdog::instance().complaint()); }
     void theReplayShowsWhatTheFlightShowed();
     void theStatusIsThatOfTheMomentShown();
+    void theStatusIsThatOfTheFlightShown_data();
+    void theStatusIsThatOfTheFlightShown();
     void aRecordingIsDroppedOnTheWindow();
     void theCommandLineOpensARecordingWithoutAServer();
     void nothingCanBeSentAndTheLiveRobotGoesOn();
@@ -124,12 +135,6 @@ void tst_WindowReplay::theStatusIsThatOfTheMomentShown() {
     const RobotId id = page.window().selectedRobot();
     mission::Robot& robot = *page.window().control().robot(id);
     const widgets::WindowViews& views = page.window().views();
-    const auto elapsed = [&] {
-        for (const widgets::Readout* readout : views.status->findChildren<widgets::Readout*>())
-            if (readout->accessibleName() == "elapsed")
-                return readout->text().trimmed();
-        return QString();
-    };
     const Seconds span = robot.view().figures.replay->span;
     const auto seek = [&](double share) {
         robot.orderReplay({.seek = span * share});
@@ -146,9 +151,54 @@ void tst_WindowReplay::theStatusIsThatOfTheMomentShown() {
         const QString state = QString::fromStdString(robot.view().status->state);
         QTRY_COMPARE(views.status->accessibleDescription(), state);
         QVERIFY(state != ending);
-        QTRY_COMPARE(elapsed(), widgets::clockText(robot.view().status->elapsed));
+        QTRY_COMPARE(figureOf(views, "elapsed"), widgets::clockText(robot.view().status->elapsed));
         QCOMPARE(views.robots->model().row(0).state, "replay · " + state);
     }
+}
+
+/// Defect D14, too: what an earlier flight told came after the one shown had begun.
+void tst_WindowReplay::theStatusIsThatOfTheFlightShown_data() {
+    QTest::addColumn<double>("at_s");
+    QTest::addColumn<QString>("state");
+    QTest::addColumn<QString>("flown");
+    QTest::addColumn<QString>("row");
+    QTest::newRow("in the second flight") << 5.5 << "again"
+                                          << "2"
+                                          << "replay · again";
+    QTest::newRow("before its first status") << 4.5 << ""
+                                             << "–"
+                                             << "";
+    QTest::newRow("after the first flight") << 3.5 << "Landed on request."
+                                            << "7"
+                                            << "replay · ended early";
+    QTest::newRow("in the first flight") << 2.5 << "out"
+                                         << "7"
+                                         << "replay · out";
+}
+
+void tst_WindowReplay::theStatusIsThatOfTheFlightShown() {
+    QFETCH(double, at_s);
+    QFETCH(QString, state);
+    QFETCH(QString, flown);
+    QFETCH(QString, row);
+    const QTemporaryDir folder;
+    WindowPage page;
+    page.window().control().openRecording(
+        fileIn(folder, "R1.usarrec", QByteArray::fromStdString(doubles::twoFlights())));
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(page.window().selectedRobot()), soon_ms);
+    mission::Robot& robot = *page.window().control().robot(page.window().selectedRobot());
+    const widgets::WindowViews& views = page.window().views();
+    for (const double moment_s : {6.0, at_s}) { // Once to the end, and back.
+        robot.orderReplay({.seek = Seconds(moment_s)});
+        QTRY_VERIFY_WITH_TIMEOUT(robot.view().figures.replay && !robot.view().figures.replay->seeking &&
+                                     std::abs(robot.view().figures.replay->position.count() - moment_s) < 0.01,
+                                 soon_ms);
+    }
+    QTRY_COMPARE(figureOf(views, "flown"), flown);
+    const QString said = views.status->accessibleDescription();
+    QVERIFY2(state.isEmpty() ? said != "Landed on request." : said == state, qPrintable(said));
+    const QString listed = views.robots->model().row(0).state;
+    QVERIFY2(row.isEmpty() ? !listed.contains("ended") : listed == row, qPrintable(listed));
 }
 
 void tst_WindowReplay::aRecordingIsDroppedOnTheWindow() {

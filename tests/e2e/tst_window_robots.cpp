@@ -47,6 +47,7 @@ private slots:
     void nobodyGetsANameTwice();
     void removingARobotSavesItsScan();
     void disconnectingSavesEveryScan();
+    void eachSavedScanIsANoteOfItsOwn();
     void theEndIsInTheSummaryAndTimeIsRealAgain();
     void aRobotWithoutABehaviorIsSpawnedAndDrivenByCommands();
     void anotherWorldIsChosenFromTheMenu();
@@ -231,6 +232,36 @@ void tst_WindowRobots::disconnectingSavesEveryScan() {
     page.press("Connect");
     QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
     QVERIFY(!page.map().area());
+}
+
+/// Defect D19 of the review: the saving of nine robots was one line, and it had the path of the first one.
+void tst_WindowRobots::eachSavedScanIsANoteOfItsOwn() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    for (const char* const pose : {"PlayerStart", "HillTop"})
+        QVERIFY(page.spawnAt(pose));
+    for (const int id : {1, 2}) {
+        page.pressKey(id == 1 ? Qt::Key_1 : Qt::Key_2);
+        QCOMPARE(page.window().selectedRobot(), RobotId{id});
+        const Vec2 at_m = page.robot(id)->spawn.start_in_map.position_m.head<2>();
+        page.typeArea({at_m - Vec2(12, 9), at_m + Vec2(12, 9)});
+        page.press("Start");
+        QTRY_VERIFY_WITH_TIMEOUT(page.robot(id)->figures.behavior_running, soon_ms);
+    }
+    page.chooseSpeed("max");
+    QTRY_VERIFY_WITH_TIMEOUT(!page.robot(1)->tiles.empty() && !page.robot(2)->tiles.empty(), flight_ms);
+    page.press("Disconnect");
+    for (const QString& name : {QString("R1"), QString("R2")})
+        QTRY_VERIFY2_WITH_TIMEOUT(!page.notified("Saved the scan of " + name + ":").isEmpty(), qPrintable(name),
+                                  soon_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(!page.window().control().anythingToSave(), soon_ms);
+    for (const QString& name : {QString("R1"), QString("R2")}) // One does not replace the other.
+        QVERIFY2(!page.notified("Saved the scan of " + name + ":").isEmpty(), qPrintable(name));
+    const auto* const model = page.window().views().notifications->model();
+    int open = 0;
+    for (int row = 0; row < model->rowCount(); ++row)
+        open += !model->row(row).cured && model->row(row).severity != Severity::Note ? 1 : 0;
+    QCOMPARE(model->openCount(), open); // A note is no problem.
 }
 
 void tst_WindowRobots::theEndIsInTheSummaryAndTimeIsRealAgain() {

@@ -21,7 +21,8 @@ private slots:
 
     void backToNowLeadsToTheRobotThatWasReplayed_data();
     void backToNowLeadsToTheRobotThatWasReplayed();
-    void removingARobotKeepsTheOneThatIsSelected();
+    void afterARemovalTheRightRobotIsSelected_data();
+    void afterARemovalTheRightRobotIsSelected();
     void aRobotThatIsSelectedWhileTimeStandsShowsItsReadings();
     void lettersTypedIntoAListAreNoCommands();
 
@@ -66,15 +67,37 @@ void tst_WindowSelection::backToNowLeadsToTheRobotThatWasReplayed() {
     QCOMPARE(page.window().control().robots().size(), std::size_t(2));
 }
 
-void tst_WindowSelection::removingARobotKeepsTheOneThatIsSelected() {
+/// Defect D13 of the review: the list selects the robot below the removed row, or above the last one, and that one was
+/// kept. What ought to be selected is the one that was, or else the first.
+void tst_WindowSelection::afterARemovalTheRightRobotIsSelected_data() {
+    QTest::addColumn<std::size_t>("robots");
+    QTest::addColumn<int>("selected");
+    QTest::addColumn<int>("removed");
+    QTest::addColumn<int>("then");
+    QTest::newRow("the only one") << std::size_t(1) << 1 << 1 << 0;
+    QTest::newRow("the selected first one") << std::size_t(3) << 1 << 1 << 2;
+    QTest::newRow("the selected middle one, below which the list goes on") << std::size_t(3) << 2 << 2 << 1;
+    QTest::newRow("the selected last one, above which the list goes on") << std::size_t(3) << 3 << 3 << 1;
+    QTest::newRow("one above the selected one") << std::size_t(3) << 3 << 1 << 3;
+    QTest::newRow("one just above the selected one") << std::size_t(3) << 3 << 2 << 3;
+    QTest::newRow("one below the selected one") << std::size_t(3) << 1 << 2 << 1;
+}
+
+void tst_WindowSelection::afterARemovalTheRightRobotIsSelected() {
+    QFETCH(std::size_t, robots);
+    QFETCH(int, selected);
+    QFETCH(int, removed);
+    QFETCH(int, then);
     WindowPage page;
-    QVERIFY(spawns(page, 3));
-    page.pressKey(Qt::Key_3);
-    page.window().control().remove({2}); // Its row was above the selected one.
-    QCOMPARE(page.window().selectedRobot(), RobotId{3});
-    page.window().commands().action("robot.remove")->trigger();
-    QCOMPARE(page.window().selectedRobot(), RobotId{1});
-    QCOMPARE(page.window().control().robots().size(), std::size_t(1));
+    QVERIFY(spawns(page, robots));
+    page.pressKey(Qt::Key(Qt::Key_0 + selected));
+    QCOMPARE(page.window().selectedRobot(), RobotId{selected});
+    page.window().control().remove({removed});
+    QCOMPARE(page.window().selectedRobot(), RobotId{then});
+    QCOMPARE(page.window().control().robots().size(), robots - 1);
+    const widgets::WindowViews& views = page.window().views();
+    QCOMPARE(views.robots->selectedRobot().value_or(RobotId{}), RobotId{then});
+    QCOMPARE(page.map().content().selected_robot, then == 0 ? QString() : QString("R%1").arg(then));
 }
 
 /// Defect D17 of the review.

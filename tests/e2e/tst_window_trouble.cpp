@@ -60,6 +60,7 @@ private slots:
     void badLinesAreNamedAndTheRobotLives_data();
     void badLinesAreNamedAndTheRobotLives();
     void aSensorThatStopsIsNamed();
+    void theTroubleOfARobotGoesWithIt();
     void aNotificationLeadsToItsRobotAndDock();
     void anAreaThatCannotBeFlownIsRefused_data();
     void anAreaThatCannotBeFlownIsRefused();
@@ -176,6 +177,28 @@ void tst_WindowTrouble::aSensorThatStopsIsNamed() {
     QVERIFY2(page.notified("No reading from").contains("Scanner"), qPrintable(page.notified("No reading from")));
     server.relay->meddle = {};
     QTRY_VERIFY_WITH_TIMEOUT(page.window().views().notifications->model()->openCount() == 0, soon_ms);
+}
+
+/// Defect D19 of the review: dozens of problems stood open, most of them of robots that were gone.
+void tst_WindowTrouble::theTroubleOfARobotGoesWithIt() {
+    TroubledServer server;
+    WindowPage page;
+    QVERIFY(connectedTo(page, server));
+    QVERIFY(page.spawnAt("PlayerStart"));
+    QVERIFY(page.clockGoesOn(Seconds(1.0))); // All sensors have spoken.
+    server.relay->meddle = [](const QByteArray& line) { return line.contains("RangeScanner") ? QByteArray() : line; };
+    QTRY_VERIFY_WITH_TIMEOUT(!page.notified("No reading from").isEmpty(), soon_ms);
+    const auto* const model = page.window().views().notifications->model();
+    const auto open = [&] {
+        int rows = 0;
+        for (int row = 0; row < model->rowCount(); ++row)
+            rows += model->row(row).severity != Severity::Note && !model->row(row).cured ? 1 : 0;
+        return rows;
+    };
+    QVERIFY(open() >= 1);
+    page.window().control().remove({1});
+    QTRY_COMPARE(open(), 0);
+    QVERIFY(!page.notified("No reading from").isEmpty()); // It is still in the list.
 }
 
 void tst_WindowTrouble::aNotificationLeadsToItsRobotAndDock() {

@@ -99,6 +99,7 @@ private slots:
     void aCellOfTwoRobotsFollowsTheRule();
     void theOrderOfArrivalDoesNotMatter();
     void changesGiveTheSameAsEverythingAtOnce();
+    void theRangeIsThatOfTheCellsThereAreNow();
     void withoutARobotTheMapIsAsIfItHadNeverBeenThere();
     void aReplayThatStartsOverTakesItsHeightsBack();
     void onlyWhatHasChangedIsTold();
@@ -189,6 +190,23 @@ void tst_HeightFusion::changesGiveTheSameAsEverythingAtOnce() {
             told[tile->index] = tile;
     }
     QVERIFY(same(told, fusedAtOnce({{{1}, &a}, {{2}, &b}, {{3}, &c}})));
+}
+
+/// The legend of the map shows it, and may not keep heights that no cell has any more.
+void tst_HeightFusion::theRangeIsThatOfTheCellsThereAreNow() {
+    HeightMap map(0.25);
+    HeightFusion fusion;
+    const auto rangeAfter = [&](float height_m) {
+        map.write({2, 2}, height_m, {1});
+        fusion.take({1}, 0.25, map.takeChangedTiles());
+        return fusion.takeChange().range;
+    };
+    QVERIFY(rangeAfter(10.0f) == (HeightRange{10.0f, 10.0f}));
+    QVERIFY(rangeAfter(-4.0f) == (HeightRange{3.0f, 3.0f})); // The mean of both.
+    fusion.take({2}, 0.25, listOf(tilesOf(oneCell(5.0f, true))));
+    QVERIFY(fusion.takeChange().range == (HeightRange{4.0f, 4.0f}));
+    fusion.remove({2});
+    QVERIFY(fusion.takeChange().range == (HeightRange{3.0f, 3.0f}));
 }
 
 void tst_HeightFusion::withoutARobotTheMapIsAsIfItHadNeverBeenThere() {

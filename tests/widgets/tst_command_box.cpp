@@ -24,6 +24,7 @@ private slots:
     void aWordBeingTypedIsNotYetWrong();
     void withoutAConnectionItSaysWhy();
     void tabTakesTheFirstCompletion();
+    void keysThatTheOpenListGetsFirstAreTheLines();
     void aCompletionIsChosenWithTheArrows();
     void completedValuesCloseTheirBrace();
     void arrowsWalkThroughTheHistory();
@@ -112,6 +113,25 @@ void tst_CommandBox::tabTakesTheFirstCompletion() {
     press(Qt::Key_Tab);
     QCOMPARE(box_->line()->text(), QStringLiteral("GETSTARTPOSES "));
     QVERIFY(box_->line()->hasFocus());
+}
+
+/// As in a real window, where the open list gets all keys and the line none.
+void tst_CommandBox::keysThatTheOpenListGetsFirstAreTheLines() {
+    QAbstractItemView* const list = box_->completer()->popup();
+    type(QStringLiteral("DRI"));
+    QVERIFY(popupOpen());
+    QTest::keyClick(list, Qt::Key_Tab);
+    QCOMPARE(box_->line()->text(), QStringLiteral("DRIVE "));
+    QVERIFY2(box_->line()->hasFocus(), "Tab would have gone to the next control");
+    QCOMPARE(sent_->count(), 0);
+    box_->line()->clear();
+    const QString whole = QStringLiteral("SET {Type Camera}");
+    type(whole);
+    QTRY_VERIFY(popupOpen());
+    QTest::keyClick(list, Qt::Key_Return);
+    QCOMPARE(sent_->count(), 1);
+    QCOMPARE(sent_->at(0).at(0).toString(), whole);
+    QCOMPARE(box_->line()->text(), QString());
 }
 
 void tst_CommandBox::aCompletionIsChosenWithTheArrows() {

@@ -33,6 +33,8 @@ private slots:
     void aStartedMissionIsSeenWhole();
     void labelsLieBesideEachOtherAndTheLegends_data();
     void labelsLieBesideEachOtherAndTheLegends();
+    void namesOfStartPosesKeepClear_data();
+    void namesOfStartPosesKeepClear();
     void aNarrowViewShortensTheSummary();
     void legendsLeaveASmallMapFree();
     void aLandingIsARingAsInExportedPictures();
@@ -115,6 +117,37 @@ void tst_MapSight::labelsLieBesideEachOtherAndTheLegends() {
             QVERIFY2(!boxes[i].intersects(boxes[k]), qPrintable(QStringLiteral("%1 and %2").arg(i).arg(k)));
     for (std::size_t i = places.all().size(); i < boxes.size(); ++i)
         QVERIFY(QRectF(view_->rect()).contains(boxes[i]));
+}
+
+/// Defect D27 of the review: names were cut at the edge, and lay under the axes and the legends.
+void tst_MapSight::namesOfStartPosesKeepClear_data() {
+    QTest::addColumn<QPointF>("at_px");
+    MapTransform transform;
+    transform.viewport = QSizeF(800, 600);
+    const OverlayPlaces places(legendsOfAMission(MapContent()), transform);
+    QTest::newRow("at the left edge") << QPointF(4, 300);
+    QTest::newRow("at the right edge") << QPointF(796, 300);
+    QTest::newRow("at the upper edge") << QPointF(400, 4);
+    QTest::newRow("at the lower edge") << QPointF(400, 596);
+    QTest::newRow("beside the axes") << QPointF(places.axes.left() - 12, places.axes.center().y() - 20);
+    QTest::newRow("above the scale bar") << QPointF(places.scale_bar.center().x(), places.scale_bar.top() - 12);
+    QTest::newRow("above the legend of heights") << QPointF(places.heights.center().x(), places.heights.top() - 12);
+    QTest::newRow("beside the legend of marks") << QPointF(places.marks.left() - 12, places.marks.center().y());
+}
+
+void tst_MapSight::namesOfStartPosesKeepClear() {
+    QFETCH(QPointF, at_px);
+    QCOMPARE(view_->size(), QSize(800, 600));
+    const Vec2 at_m = view_->transform().toMap(at_px);
+    view_->setStartPoses({{"FarCorner", {{at_m.x(), at_m.y(), 0}, 0, 0, 0}}});
+    QVERIFY((view_->transform().toScreen(at_m) - at_px).manhattanLength() < 1.0);
+    const std::vector<QRectF> legends = OverlayPlaces(legendsOfAMission(view_->content()), view_->transform()).all();
+    const MapLabels labels = placeMapLabels(view_->content(), view_->transform(), legends);
+    QVERIFY2(labels.start_poses.front(), "there is room beside it");
+    const QRectF name = *labels.start_poses.front();
+    QVERIFY2(QRectF(view_->rect()).contains(name), "the edge cuts it");
+    for (const QRectF& legend : legends)
+        QVERIFY2(!legend.intersects(name), "a legend lies over it");
 }
 
 void tst_MapSight::aNarrowViewShortensTheSummary() {

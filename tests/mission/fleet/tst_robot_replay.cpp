@@ -7,55 +7,22 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/agent/published_text.h"
-#include "core/link/recording_format.h"
 #include "core/mission/fleet/robot.h"
+#include "tests/doubles/two_flights.h"
 #include "tests/suite/suite.h"
 
 namespace tst_robot_replay {
 
 using namespace usar;
 using namespace usar::mission;
-using link::RecordKind;
 using namespace std::chrono_literals;
 
 namespace {
 
-std::string statusText(const std::string& state, double flown_m) {
-    agent::BehaviorStatus status;
-    status.battery_used_pct = 20.0;
-    status.state = state;
-    status.distance_flown_m = flown_m;
-    std::string text;
-    agent::appendText(text, status);
-    return text;
-}
-
-/// Two flights of one robot. The first one begins at 1 s, says "out" at 2 s, and is landed at 3 s. The second one
-/// begins at 4 s and says "again" at 5 s. The recording ends at 6 s, in flight.
-std::string twoFlights() {
-    std::string file;
-    link::recording::appendHead(file);
-    const auto add = [&](link::RecordTime time, const std::string& name, const std::string& bytes) {
-        link::recording::append(file,
-                                {.kind = RecordKind::Note, .time = time, .line = {2}, .name = name, .bytes = bytes});
-    };
-    link::recording::append(file, {.kind = RecordKind::Start, .bytes = "robot: R1\n"});
-    link::recording::append(file, {.kind = RecordKind::Opened, .bytes = "h:1"});
-    link::recording::append(file, {.kind = RecordKind::In, .bytes = "STA {Battery 1000}\r\nSTA {Battery 500}\r\n"});
-    add(1s, "behavior", "airrobot/cpp\tR1\t0 0 3 4");
-    add(2s, "published", statusText("out", 7.0));
-    add(3s, "finished", "0 Landed on request.");
-    add(4s, "behavior", "airrobot/posh\tR1\t0 0 3 4");
-    add(5s, "published", statusText("again", 2.0));
-    add(6s, "fault", "wind");
-    return file;
-}
-
 struct Replayed {
     Replayed() {
         QFile file(folder.filePath("R1.usarrec"));
-        const std::string bytes = twoFlights();
+        const std::string bytes = doubles::twoFlights();
         if (file.open(QIODevice::WriteOnly))
             file.write(bytes.data(), static_cast<qint64>(bytes.size()));
         file.close();

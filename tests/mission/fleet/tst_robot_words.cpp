@@ -41,6 +41,7 @@ private slots:
     void savingNamesTheRobotAndTheFolder();
     void severalRobotsAreNamedOrCounted();
     void aRobotWithoutALinkIsStale();
+    void aRobotThatIsNotThereIsStale();
     void theDeviceIsNamed_data();
     void theDeviceIsNamed();
     void theNoteSaysWhatToDoOrWhatIsWrong_data();
@@ -107,6 +108,16 @@ void tst_RobotWords::aRobotWithoutALinkIsStale() {
     QVERIFY(!isStale(lost)); // it has not begun
     lost.figures.lines_received = 1;
     QVERIFY(isStale(lost));
+}
+
+/// After a reconnect the server no longer has it, whatever the connection says.
+void tst_RobotWords::aRobotThatIsNotThereIsStale() {
+    RobotView gone = changed([](RobotView& view) { view.figures.spawned = false; });
+    QCOMPARE(gone.link.state, link::LinkState::Connected);
+    QVERIFY(isStale(gone));
+    gone.recording = "R1.usarrec"; // A replay shows what was, and nobody spawns it.
+    gone.figures.lines_received = 1;
+    QVERIFY(!isStale(gone));
 }
 
 void tst_RobotWords::theDeviceIsNamed_data() {
