@@ -72,8 +72,8 @@ private slots:
 
     void clientsOfTheYearsGetARobot_data() {
         QTest::addColumn<QString>("robot");
-        QTest::newRow("P3AT") << "P2AT";
-        QTest::newRow("USARBot.p3at") << "P2AT";
+        QTest::newRow("Kurt3D") << "P2AT";
+        QTest::newRow("USARBot.p3at") << "P3AT";
         QTest::newRow("USARBot.P3DX") << "P2DX";
         QTest::newRow("USARBot.QuadRotor") << "AirRobot";
         QTest::newRow("USARBot.BasicAckermanRobot") << "Sedan";

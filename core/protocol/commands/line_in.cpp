@@ -83,6 +83,12 @@ void LineIn::position(const Key& key, Vec3& value) {
     value = acrossWire(value);
 }
 
+void LineIn::position(const Key& key, std::optional<Vec3>& value) {
+    vector(key, value);
+    if (value)
+        value = acrossWire(*value);
+}
+
 std::optional<Pose> LineIn::poseOnLine() {
     std::optional<Vec3> position_m;
     std::optional<Vec3> angles_rad;

@@ -15,10 +15,10 @@ constexpr double still_rad_s = 0.02;
 using protocol::JointOpcode;
 using protocol::JointOrder;
 
+/// True for the joints of mission packages and grippers.
 bool isInPackage(const RobotModel& model, const std::string& joint) {
-    return std::ranges::any_of(model.packages, [&](const PackageModel& package) {
-        return std::ranges::find(package.joints, joint) != package.joints.end();
-    });
+    const auto has = [&](const auto& part) { return std::ranges::find(part.joints, joint) != part.joints.end(); };
+    return std::ranges::any_of(model.packages, has) || std::ranges::any_of(model.grippers, has);
 }
 
 /// What an opcode other than Stiffness orders; the rows are in the order of the opcodes.

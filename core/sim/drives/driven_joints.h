@@ -26,7 +26,7 @@ public:
         double speed_limit = 0.0;
         double lower = 1.0; ///< above `upper` if there are no limits
         double upper = -1.0;
-        bool in_package = false; ///< belongs to a mission package
+        bool in_package = false; ///< belongs to a mission package or a gripper
         double stiffness = 1.0;  ///< share of the torque that UDK's SET leaves it
         JointMotor motor{};
         Vec3 pivot_in_base_m = Vec3::Zero(); ///< with all joints at 0, as is the axis

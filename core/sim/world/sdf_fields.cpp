@@ -15,6 +15,7 @@
 #include <sdf/Console.hh>
 #include <sdf/Cylinder.hh>
 #include <sdf/Sphere.hh>
+#include <sdf/parser.hh>
 
 #include "core/base/numbers.h"
 
@@ -115,6 +116,19 @@ std::optional<int> lineOf(const sdf::Element& element, const std::filesystem::pa
     return lineOfTag(file, element.GetName(), number);
 }
 
+/// An empty document with the description of all elements. The library reads that description from text, which takes
+/// longer than reading one of our files, so it is read once and copied.
+sdf::SDFPtr emptyDocument() {
+    static const sdf::SDFPtr described = [] {
+        const auto made = std::make_shared<sdf::SDF>();
+        sdf::init(made);
+        return made;
+    }();
+    const auto document = std::make_shared<sdf::SDF>();
+    document->Root(described->Root()->Clone());
+    return document;
+}
+
 } // namespace
 
 Result<sdf::Root> loadSdf(const std::filesystem::path& file) {
@@ -124,7 +138,12 @@ Result<sdf::Root> loadSdf(const std::filesystem::path& file) {
     const Listener listener;
     std::error_code trouble;
     sdf::Root root;
-    const sdf::Errors errors = root.Load(std::filesystem::absolute(file, trouble).string());
+    sdf::Errors errors;
+    const sdf::SDFPtr document = emptyDocument();
+    if (!sdf::readFile(std::filesystem::absolute(file, trouble).string(), document, errors) && errors.empty())
+        return unreadable(listener.heard(), file);
+    if (errors.empty())
+        errors = root.Load(document);
     if (errors.empty())
         return root;
     const sdf::Error& first = errors.front();
