@@ -74,7 +74,8 @@ struct PackagePose {
     static constexpr auto signs = texts("Location");
     static void segments(auto& io, auto& wanted) {
         io.text(package_name, wanted.package);
-        io.position({"Location", "x,y,z in the robot's frame: where the last link's tip shall be"}, wanted.tip_in_base_m);
+        io.position({"Location", "x,y,z in the robot's frame: where the last link's tip shall be"},
+                    wanted.tip_in_base_m);
         io.position({"Rotation", "roll,pitch,yaw in the robot's frame"}, wanted.tip_angles_rad);
     }
 };

@@ -143,6 +143,12 @@ void DrivenJoints::push(std::size_t joint, double torque) {
                   known.speed_limit});
 }
 
+void DrivenJoints::holdFree() {
+    for (std::size_t i = 0; i < joints_.size(); ++i)
+        if (isFree(joints_[i]))
+            hold(i, 0.0);
+}
+
 void DrivenJoints::releaseAll() {
     for (std::size_t i = 0; i < joints_.size(); ++i)
         if (!joints_[i].in_package)
@@ -166,7 +172,7 @@ bool DrivenJoints::still() const {
 std::vector<protocol::JointAngle> DrivenJoints::angles() const {
     std::vector<protocol::JointAngle> angles;
     for (std::size_t i = 0; i < joints_.size(); ++i)
-        if (joints_[i].torque_limit > 0.0 && joints_[i].lower <= joints_[i].upper && !joints_[i].in_package)
+        if (isFree(joints_[i]))
             angles.push_back({joints_[i].name, state(i).position});
     return angles;
 }

@@ -9,8 +9,9 @@
 
 namespace usar::sim {
 
-/// The first half of the model's drive joints are the wheels, in the order of DRIVE's WheelNumber, which begins at 0; the
-/// second half are the joints that steer them, in the same order. A wheel that a DRIVE does not name keeps its values.
+/// The first half of the model's drive joints are the wheels, in the order of DRIVE's WheelNumber, which begins at 0;
+/// the second half are the joints that steer them, in the same order. A wheel that a DRIVE does not name keeps its
+/// values.
 class OmniDrive : public WheeledDrive {
 public:
     /// Fails unless there are as many steering joints as wheels.

@@ -66,8 +66,11 @@ protocol::MountedItem Gripper::geometry() const {
 }
 
 std::vector<protocol::Setting> Gripper::settings() const {
-    return {{"Opcode", "Grip", {}}, {"MaxVal", "1", 1.0}, {"MinVal", "0", 0.0},
-            {"Opcode", "Close", {}}, {"Opcode", "Open", {}}};
+    return {{"Opcode", "Grip", {}},
+            {"MaxVal", "1", 1.0},
+            {"MinVal", "0", 0.0},
+            {"Opcode", "Close", {}},
+            {"Opcode", "Open", {}}};
 }
 
 } // namespace usar::sim

@@ -17,8 +17,8 @@ ObjectKind boxOf(std::string_view name, const Vec3& size_m, double mass_kg) {
 }
 
 // The names are those of USARPhysObj in hrnr/robocup-usarsim. Sizes of crates with a number, of WCPallet48x40 and of
-// KitTray are there, too, and so are the masses of 18, 1.5, 1 and 0.5 kg. All other figures are ours, because the meshes
-// that have them are not public.
+// KitTray are there, too, and so are the masses of 18, 1.5, 1 and 0.5 kg. All other figures are ours, because the
+// meshes that have them are not public.
 const std::array kinds{
     boxOf("WCCrate", {0.40, 0.40, 0.40}, 18.0),
     boxOf("WCCrate101223", {0.273, 0.204, 0.249}, 18.0),
@@ -69,7 +69,8 @@ std::span<const ObjectKind> nistKinds() {
 }
 
 const ObjectKind* findNistKind(std::string_view bare_name) {
-    const auto exact = std::ranges::find_if(kinds, [&](const ObjectKind& one) { return sameWord(one.name, bare_name); });
+    const auto exact =
+        std::ranges::find_if(kinds, [&](const ObjectKind& one) { return sameWord(one.name, bare_name); });
     if (exact != kinds.end())
         return &*exact;
     const auto family = std::ranges::find_if(kinds, [&](const ObjectKind& one) {

@@ -91,8 +91,8 @@ private slots:
         // The place alone can be reached, but not with the hand turned about its own axis.
         const ArmSolution place = solver.solve({{0.65, 0.0, 0.0}, {}}, folded);
         QVERIFY(place.reached());
-        const ArmSolution turned = solver.solve(
-            {{0.65, 0.0, 0.0}, Eigen::Quaterniond(Eigen::AngleAxisd(1.0, Vec3::UnitX()))}, folded);
+        const ArmSolution turned =
+            solver.solve({{0.65, 0.0, 0.0}, Eigen::Quaterniond(Eigen::AngleAxisd(1.0, Vec3::UnitX()))}, folded);
         QVERIFY(!turned.reached() && turned.off_rad > 0.1);
     }
 
@@ -114,7 +114,8 @@ private slots:
             all[i] = body.joint(static_cast<int>(i)).position;
         const int last = model.linkOnJoint("ArmElbow").value();
         const Vec3 tip_m = body.link_in_map(last) * *model.packages[0].tip_in_last_link_m;
-        const Vec3 solved_m = body.base_in_map().isometry() * ArmSolver(model, model.packages[0]).tipInBase(all).translation();
+        const Vec3 solved_m =
+            body.base_in_map().isometry() * ArmSolver(model, model.packages[0]).tipInBase(all).translation();
         QVERIFY2((tip_m - solved_m).norm() < 1e-6, qPrintable(QString::number((tip_m - solved_m).norm())));
     }
 };

@@ -1,5 +1,5 @@
-// Every class name that the sources attest (protocol.md 2.4): it spawns, speaks, answers, and drives; or it is refused so
-// that a person sees it.
+// Every class name that the sources attest (protocol.md 2.4): it spawns, speaks, answers, and drives; or it is refused
+// so that a person sees it.
 #include <cmath>
 
 #include <QObject>
@@ -187,7 +187,7 @@ private slots:
                     .startsWith("CONF {Name P3AT} {Type GroundVehicle} {SteeringType SkidSteered} {Mass 11.9000} "
                                 "{MaxSpeed 1.3000}"));
         QVERIFY(robot.answer("GETGEO {Type RangeScanner}", "GEO")
-                    .startsWith("GEO {Type RangeScanner} {Name lms200} {Location 0.21,0.00,-0.20}"));
+                    .startsWith("GEO {Type RangeScanner} {Name lms200} {Location 0.21,-0.00,-0.20}"));
         for (const char* const type : {"InsTest", "TachTest", "GndTruth", "Odometer"}) {
             robot.talker.hearText();
             steps(*robot.simulation, 5);

@@ -22,7 +22,7 @@ World room() {
     return makeWorld("vmac_room", 1, USAR_SOURCE_DIR "/resources/worlds").value();
 }
 
-/// A TeleMax in front of the crate of vmac_room, and its client.
+/// A TeleMax that has driven up to the crate of vmac_room, and its client.
 struct Handling {
     std::unique_ptr<Simulation> simulation;
     Talker talker;
@@ -30,8 +30,20 @@ struct Handling {
     explicit Handling(protocol::Dialect profile = protocol::Dialect::Ut2004, World world = room())
         : simulation(simulationOf(std::move(world), optionsOf(profile)))
         , talker(*simulation) {
-        talker.say("INIT {ClassName USARBot.TeleMax} {Name R1} {Location 16.35,-4,-0.25}");
-        steps(*simulation, 10);
+        talker.say("INIT {ClassName USARBot.TeleMax} {Name R1} {Location 15.4,-4,-0.25}");
+        steps(*simulation, 5);
+        say("DRIVE {Left 2} {Right 2}", 23);
+        say("DRIVE {Left 0} {Right 0}", 5);
+    }
+    /// MISPKG with the crate's distance and this height above the floor.
+    void reach(double height_m, int ticks) {
+        const Pose base_in_map = simulation->robots().at(0).base_in_map;
+        const Vec3 at_m = simulation->objects().objects.at(0).object_in_map.position_m;
+        const double ahead_m = (at_m - base_in_map.position_m).head<2>().norm();
+        say("MISPKG {Name TeleMaxArm} {Location " + std::to_string(start_ahead_m_.value_or(ahead_m)) + ",0," +
+                std::to_string(base_in_map.position_m.z() - height_m) + "}",
+            ticks);
+        start_ahead_m_ = start_ahead_m_.value_or(ahead_m);
     }
     static SimulationOptions optionsOf(protocol::Dialect profile) {
         SimulationOptions options;
@@ -57,6 +69,9 @@ struct Handling {
                 return QString::fromStdString(line);
         return {};
     }
+
+private:
+    std::optional<double> start_ahead_m_; ///< how far off the crate was when the arm first reached for it
 };
 
 } // namespace
@@ -75,8 +90,8 @@ private slots:
                                               << "SET {Type Gripper} {Opcode GRIP} {Params 0}";
         QTest::newRow("UDK, SET") << true << "SET {Type Gripper} {Name Gripper1} {Opcode GRIP} {Params 1}"
                                   << "SET {Type Gripper} {Name Gripper1} {Opcode OPEN}";
-        QTest::newRow("UDK, the arm's command")
-            << true << "MISPKG {Name TeleMaxArm} {Gripper 1}" << "ACT {Name TeleMaxArm} {Gripper 0}";
+        QTest::newRow("UDK, the arm's command") << true << "MISPKG {Name TeleMaxArm} {Gripper 1}"
+                                                << "ACT {Name TeleMaxArm} {Gripper 0}";
     }
     void liftsACrate() {
         QFETCH(const bool, udk);
@@ -85,11 +100,11 @@ private slots:
         Handling hand(udk ? protocol::Dialect::Udk : protocol::Dialect::Ut2004);
         const double lies_m = hand.crate_m();
         QVERIFY2(std::abs(lies_m - 0.1) < 0.01, qPrintable(QString::number(lies_m)));
-        hand.say("MISPKG {Name TeleMaxArm} {Location 0.65,0,-0.25}", 50);
-        hand.say("MISPKG {Name TeleMaxArm} {Location 0.65,0,0.06}", 30);
+        hand.reach(0.45, 50);
+        hand.reach(0.14, 30);
         QVERIFY2(std::abs(hand.crate_m() - lies_m) < 0.01, qPrintable(QString::number(hand.crate_m())));
         hand.say(close.toStdString(), 15);
-        hand.say("MISPKG {Name TeleMaxArm} {Location 0.65,0,-0.3}", 40);
+        hand.reach(0.5, 40);
         qInfo("the crate is %.3f m higher", hand.crate_m() - lies_m);
         QVERIFY(hand.crate_m() > lies_m + 0.25);
         const double held_m = hand.crate_m();
@@ -103,9 +118,9 @@ private slots:
     void anOpenGripperLiftsNothing() {
         Handling hand;
         const double lies_m = hand.crate_m();
-        hand.say("MISPKG {Name TeleMaxArm} {Location 0.65,0,-0.25}", 50);
-        hand.say("MISPKG {Name TeleMaxArm} {Location 0.65,0,0.06}", 30);
-        hand.say("MISPKG {Name TeleMaxArm} {Location 0.65,0,-0.3}", 40);
+        hand.reach(0.45, 50);
+        hand.reach(0.14, 30);
+        hand.reach(0.5, 40);
         QVERIFY(std::abs(hand.crate_m() - lies_m) < 0.01);
     }
 
@@ -131,9 +146,10 @@ private slots:
     void answersForArmAndGripper() {
         Handling hand;
         const QString arm = hand.answer("GETGEO {Type MisPkg} {Name TeleMaxArm}", "GEO");
-        QVERIFY2(arm.startsWith("GEO {Type MisPkg} {Name TeleMaxArm} {Link 1} {ParentLink -1} {Location 0.1800,0.0000,") &&
-                     arm.contains("{Link 3} {ParentLink 2}"),
-                 qPrintable(arm));
+        QVERIFY2(
+            arm.startsWith("GEO {Type MisPkg} {Name TeleMaxArm} {Link 1} {ParentLink -1} {Location 0.1800,0.0000,") &&
+                arm.contains("{Link 3} {ParentLink 2}"),
+            qPrintable(arm));
         QVERIFY(hand.answer("GETCONF {Type MisPkg}", "CONF").contains("{Link 3} {JointType Revolute}"));
         QCOMPARE(hand.answer("GETCONF {Type Gripper}", "CONF"),
                  QString("CONF {Type Gripper} {Name Gripper1} {Opcode Grip} {MaxVal 1} {MinVal 0} {Opcode Close} "
@@ -151,7 +167,7 @@ private slots:
         hand.say("SET {Type Gripper} {Name Gripper1} {Opcode CLOSE}", 1);
         QVERIFY(hand.answer("TEST", "EFF").contains("{Status CLOSED}"));
         const QString geometry = hand.answer("GETGEO {Type Gripper}", "GEO");
-        QVERIFY2(geometry.contains("{Mount TeleMaxArm} {MountLink 3} {Tip 0.53,0.00,0.00}"), qPrintable(geometry));
+        QVERIFY2(geometry.contains("{Mount TeleMaxArm} {MountLink 3} {Tip 0.53,-0.00,-0.00}"), qPrintable(geometry));
     }
 };
 

@@ -133,25 +133,29 @@ private slots:
         QVERIFY(tiltOf(robot.pose()) < radians(5.0));
     }
 
-    /// A step as high as its wheels stops a robot that keeps its flippers level, and does not stop one that uses them.
+    /// The step stops the robot with its nose up, until its rear flippers press down and lift the tail.
     void flippersHelpOverAStep_data() {
         QTest::addColumn<double>("height_m");
-        QTest::newRow("Talon") << 0.16;
-        QTest::newRow("Kenaf") << 0.12;
+        QTest::newRow("Talon") << 0.12;
+        QTest::newRow("Kenaf") << 0.08;
+        QTest::newRow("TeleMax") << 0.12;
     }
     void flippersHelpOverAStep() {
         QFETCH(const double, height_m);
         DrivenRobot robot(withBox({9.0, 0.0, height_m / 2.0}, {10.0, 20.0, height_m}), robots, QTest::currentDataTag(),
-                          2.5, 0.0);
+                          2.8, 0.0);
         setFlippers(robot, 0.7, 0.0);
         robot.run(Seconds{2.0});
         roll(robot, 0.25);
-        robot.run(Seconds{6.0});
-        setFlippers(robot, -0.5, -0.3); // down on the step: the nose comes up
-        robot.run(Seconds{14.0});
-        qInfo("x %.2f m, z %.2f m, tilt %.1f degrees", robot.position_m().x(), robot.position_m().z(),
+        robot.run(Seconds{15.0});
+        const double stuck_at_m = robot.position_m().x();
+        setFlippers(robot, 0.2, -0.6);
+        robot.run(Seconds{10.0});
+        qInfo("stuck at x %.2f m, then gets to %.2f m, tilt %.1f degrees", stuck_at_m, robot.position_m().x(),
               degrees(tiltOf(robot.pose())));
+        QVERIFY(stuck_at_m < 4.1);
         QVERIFY(robot.position_m().x() > 4.5);
+        QVERIFY(tiltOf(robot.pose()) < radians(10.0));
     }
 };
 
