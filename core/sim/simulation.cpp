@@ -449,4 +449,9 @@ std::vector<std::string> Simulation::takeLog() {
     return std::exchange(state_->sentences, {});
 }
 
+void Simulation::sumUpLog() {
+    for (const auto& [client, chatter] : state_->chatters)
+        state_->tellLeftOut(client);
+}
+
 } // namespace usar::sim
