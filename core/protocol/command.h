@@ -38,8 +38,8 @@ using CommandVariant =
     std::variant<RawCommand, Init, GetStartPoses, AerialDrive, SkidDrive, AckermannDrive, OmniDrive, NauticDrive,
                  JointDrive, DriveSwitches, MultiDrive, GetGeometry, GetConfiguration, SetInsPose, SetJoint, ZoomCamera,
                  ReadTag, WriteTag, ReleaseTag, CountTags, UseGripper, UseToolChanger, ResetSensor, ScanNow, SetItem,
-                 AttachCamera, DetachCamera, SetViewports, PackageRotation, PackageDrive, ActuatorDrive, Trace,
-                 CreateObject, KillObject, KillAllObjects, PlaceObject, ShiftObject, SpinObject, RunConveyor,
+                 AttachCamera, DetachCamera, SetViewports, PackagePose, PackageRotation, PackageDrive, ActuatorDrive,
+                 Trace, CreateObject, KillObject, KillAllObjects, PlaceObject, ShiftObject, SpinObject, RunConveyor,
                  AddWaypoints, ClearWaypoints, FollowWaypoints, GetObjectStates, GetPathNodes, GetClosestPathNode,
                  GoToNode, WalkTo, PauseWalk, ResumeWalk, Test, Pause, Lockstep, Step>;
 

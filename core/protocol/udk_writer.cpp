@@ -111,6 +111,21 @@ void writeInto(const Context& context, const PackageState& package) {
     }
 }
 
+/// What is mounted on a link of an actuator names both apart; UT2004 says "TeleMaxArm_Link3".
+void writeMount(LineWriter& line, const MountedItem& item, const UdkRobot& robot) {
+    constexpr std::string_view mark = "_Link";
+    const std::string_view mount = item.mount;
+    const std::size_t at = mount.rfind(mark);
+    if (at == std::string_view::npos) {
+        line.segment("Mount", sameWord(mount, "HARD") ? std::string_view(robot.class_name) : mount);
+    } else {
+        line.segment("Mount", mount.substr(0, at));
+        line.segment("MountLink", mount.substr(at + mark.size()));
+    }
+    if (item.tip_in_item_m)
+        line.segment("Tip", acrossWire(*item.tip_in_item_m), Decimals::TwoRounded);
+}
+
 void writeInto(const Context& context, const GeometryInfo& geometry) {
     if (geometry.items.empty() && !geometry.dimensions_m)
         return;
@@ -124,7 +139,7 @@ void writeInto(const Context& context, const GeometryInfo& geometry) {
         line.segment("Name", item.name);
         line.segment("Location", on_wire.position_m, Decimals::TwoRounded);
         line.segment("Orientation", anglesOf(on_wire), Decimals::TwoRounded);
-        line.segment("Mount", sameWord(item.mount, "HARD") ? context.robot.class_name : item.mount);
+        writeMount(line, item, context.robot);
     }
 }
 

@@ -162,6 +162,18 @@ void ClientSession::obey(const protocol::Command& command, const Host& host) {
         return;
     else if (std::holds_alternative<protocol::RawCommand>(command) || !obeyForRobot(command, host.now))
         obeyUnknown(command, host);
+    else if (const auto trouble = robot_->takeTrouble())
+        refuse("MisPkg", trouble->package, trouble->sentence, host);
+}
+
+/// Tells the person at the server by the log, and the client by a RES where the dialect has one. UT2004 itself answers
+/// neither INIT nor MISPKG.
+void ClientSession::refuse(const std::string& type, const std::string& name, const std::string& sentence,
+                           const Host& host) {
+    if (!sentence.empty())
+        host.log(sentence);
+    if (!isUdk())
+        send(protocol::Response{host.now, type, name, false}, host.now);
 }
 
 void ClientSession::control(const protocol::Command& command, const Host& host) {
@@ -263,6 +275,8 @@ void ClientSession::init(const protocol::Init& wanted, const Host& host) {
     if (is_station)
         station_in_map_ = host.startOf(wanted);
     initialized_ = robot_ || controls_ || is_station; // After a refused INIT the client may try again.
+    if (!initialized_)
+        refuse("Init", named.class_name.text(), {}, host); // The log has the reason already.
 }
 
 void ClientSession::startPoses() {

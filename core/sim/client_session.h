@@ -109,6 +109,7 @@ private:
     bool hasCamera(std::string_view name) const;
     void obeyUnknown(const protocol::Command& command, const Host& host);
     void init(const protocol::Init& init, const Host& host);
+    void refuse(const std::string& type, const std::string& name, const std::string& sentence, const Host& host);
     void startPoses();
     void answer(Seconds now);
     protocol::Response resultOf(const protocol::Command& asked, Seconds now);

@@ -130,8 +130,10 @@ std::unique_ptr<Robot> Simulation::State::spawn(ClientId client, const protocol:
     ++spawned;
     const Vec3 at_m = (*spawned_robot)->figures().base_in_map.position_m;
     const bool beside = (at_m - robot.base_in_map.position_m).head<2>().norm() > 0.5;
+    const bool stands_in = !sameWord(withoutPackage(init.class_name.text()), model->class_name);
     log(client, "spawned " + init.class_name.text() + " '" + init.robot_name.text() +
-                    (beside ? "' beside the wanted place, where another robot is" : "'"));
+                    (beside ? "' beside the wanted place, where another robot is" : "'") +
+                    (stands_in ? "; it has the body of a " + model->class_name : ""));
     return std::move(*spawned_robot);
 }
 
@@ -445,6 +447,11 @@ std::vector<RefusedObject> Simulation::takeRefused() {
 
 std::vector<std::string> Simulation::takeLog() {
     return std::exchange(state_->sentences, {});
+}
+
+void Simulation::sumUpLog() {
+    for (const auto& [client, chatter] : state_->chatters)
+        state_->tellLeftOut(client);
 }
 
 } // namespace usar::sim

@@ -120,6 +120,8 @@ public:
     std::size_t clientCount() const;
     std::vector<RefusedObject> takeRefused(); ///< since the last call, at most 1000; they are not in the log
     std::vector<std::string> takeLog();       ///< sentences for the server's log since the last call, at most 1000
+    /// Logs how many sentences about each client were left out, for a server that ends while they are connected.
+    void sumUpLog();
 
 private:
     struct State;

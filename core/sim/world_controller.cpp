@@ -207,8 +207,10 @@ protocol::WorldObjects WorldController::states(const protocol::GetObjectStates& 
     protocol::WorldObjects states;
     for (const SceneObject& object : scene_.objects) {
         const bool named = asked.object_name.text().empty() || sameWord(asked.object_name, object.name);
-        const bool of_class = asked.class_name.text().empty() ||
-                              sameWord(withoutPackage(asked.class_name.text()), withoutPackage(object.class_name));
+        const std::string_view asked_class = withoutPackage(asked.class_name.text());
+        // WCObject is the class that all others of UDK are made from.
+        const bool of_class = asked_class.empty() || sameWord(asked_class, "WCObject") ||
+                              sameWord(asked_class, withoutPackage(object.class_name));
         if (named && of_class)
             states.objects.push_back({object.name, object.size_m, object.body_in_map, object.memory});
     }

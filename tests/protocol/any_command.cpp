@@ -72,6 +72,7 @@ public:
             value = anyVector();
     }
     void position(const Key&, Vec3& value) { value = anyVector(); }
+    void position(const Key& key, std::optional<Vec3>& value) { vector(key, value); }
     void pose(Pose& pose) {
         const auto angle = [this] { return uniform(random_, -pi, pi); };
         pose = {anyVector(), angle(), angle(), angle()};

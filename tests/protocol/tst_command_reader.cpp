@@ -204,6 +204,10 @@ void tst_CommandReader::readsEveryKind_data() {
         MultiDrive{{{"FRFlipper", 1.5}, {"FLflipper", -1.5}}});
     row("a package by its misspelt word", "MISSPKG {Name Cam} {Link 1} {Value 1.5}", PackageDrive{"Cam", {{1, 1.5}}});
     row("a package turned the old way", "MISPKG {Name Cam1}{Rotation 0,0.1,0.5}", PackageRotation{"Cam1", 0.1, 0.5});
+    row("a package's tip at a place", "MISPKG {Name Arm} {Location 0.5,0.25,-1}",
+        PackagePose{"Arm", {0.5, -0.25, 1.0}});
+    row("a package's tip in a pose", "MISSPKG {Name Arm}{Rotation 0.5,0.1,-1}{Location 0.5, 0.25, -1}",
+        PackagePose{"Arm", {0.5, -0.25, 1.0}, Vec3(0.5, -0.1, 1.0)});
     row("orders of single links", "MISPKG {Name Arm} {Link 1} {Value 1} {Link 2} {Value 2} {Order 2}",
         PackageDrive{"Arm", {{1, 1.0, LinkOrder::Angle}, {2, 2.0, LinkOrder::Torque}}});
     row("a sequence", "ACT {Name KR60Arm} {Sequence 2}", ActuatorDrive{"KR60Arm", {}, {}, 2});

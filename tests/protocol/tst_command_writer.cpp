@@ -83,6 +83,8 @@ void packagesAndMarks() {
         "MISPKG {Name Arm} {Link 1} {Value 0.5} {Order 0} {Link 2} {Value 0.25} {Order 1}");
     row("the old way to turn", PackageRotation{"Cam1", 0.25, 0.5},
         "MISPKG {Name Cam1} {Rotation 0,0.25,0.5} {Order 0}");
+    row("the tip of an arm", PackagePose{"Arm", {0.75, 0.25, 0.5}, Vec3(0.0, 0.5, 0.0)},
+        "MISPKG {Name Arm} {Location 0.75,-0.25,-0.5} {Rotation 0,-0.5,0}");
     row("an arm's sequence", PackageDrive{"Arm", {}, 1, true}, "MISPKG {Name Arm} {Seq 1} {Gripper 1}");
     row("an actuator", ActuatorDrive{"Arm", {{1, 0.5}, {3, 0.0}}},
         "ACT {Name Arm} {Link 1} {Value 0.5} {Link 3} {Value 0}");

@@ -28,7 +28,14 @@ class tst_ServerLog : public QObject {
     Q_OBJECT
 
 private slots:
+    void aClientThatIsWrongAMillionTimesFillsNoLog_data() {
+        QTest::addColumn<bool>("leaves");
+        QTest::newRow("and leaves") << true;
+        QTest::newRow("and is there when the server ends") << false;
+    }
+
     void aClientThatIsWrongAMillionTimesFillsNoLog() {
+        QFETCH(bool, leaves);
         const auto simulation = simulationOf(flatWorld());
         Talker noisy(*simulation);
         Talker quiet(*simulation);
@@ -42,7 +49,10 @@ private slots:
         quiet.say("DRIVE {Left 1}");
         simulation->step();
         lines += logOf(*simulation);
-        simulation->disconnect(noisy.id());
+        if (leaves)
+            simulation->disconnect(noisy.id());
+        else
+            simulation->sumUpLog();
         lines += logOf(*simulation);
         QVERIFY2(lines.size() > 50 && lines.size() < 400, qPrintable(QString::number(lines.size())));
         long said = 0;

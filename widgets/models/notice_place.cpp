@@ -33,11 +33,11 @@ constexpr std::array global_rows{Row{"radio", "radio"},
                                  Row{"plugin", "", "plugins.show"}};
 
 /// What sessions report of their robot, behind its name and a slash.
-constexpr std::array robot_rows{Row{"sensor", "sensors"},       Row{"lines", "messages"},
-                                Row{"overlong", "messages"},    Row{"queue", "messages"},
-                                Row{"link", "messages"},        Row{"no connection", "messages"},
-                                Row{"start poses", "messages"}, Row{"behavior", "behavior"},
-                                Row{"control", "drive"},        Row{"placement", "behavior"}};
+constexpr std::array robot_rows{
+    Row{"sensor", "sensors"},         Row{"lines", "messages"},       Row{"clock", "messages"},
+    Row{"overlong", "messages"},      Row{"queue", "messages"},       Row{"link", "messages"},
+    Row{"no connection", "messages"}, Row{"start poses", "messages"}, Row{"behavior", "behavior"},
+    Row{"control", "drive"},          Row{"placement", "behavior"}};
 
 template <std::size_t size>
 NoticePlace lookedUp(const std::array<Row, size>& rows, const QString& key) {

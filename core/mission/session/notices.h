@@ -16,6 +16,7 @@ namespace usar::mission {
 enum class Topic {
     Behavior,
     CellSize,
+    Clock,
     Control,
     DamagedLine,
     FarParts,

@@ -99,6 +99,7 @@ void Vigil::setLimits(const SessionLimits& limits) {
 
 void Vigil::beginConnection() {
     sensors_.reset();
+    earlier_times_ = 0;
     start_poses_settled_ = silence_said_ = false;
 }
 
@@ -113,6 +114,22 @@ void Vigil::heardRobot(const protocol::InfoMessage& message, const std::string& 
     heard_at_ = wall;
     if (std::exchange(silence_said_, false))
         notices_.over(Topic::Silence, robot_name + " is sending again.");
+    if (const auto* const state = std::get_if<protocol::RobotState>(&message); state && state->time)
+        heardTime(*state->time, now);
+}
+
+/// A single earlier time may be a damaged line or one that was late.
+void Vigil::heardTime(Seconds time, Seconds now) {
+    constexpr int many = 3;
+    constexpr Seconds rounding{0.5};
+    earlier_times_ = time < now - rounding ? earlier_times_ + 1 : 0;
+    if (earlier_times_ == many)
+        notices_.trouble(Severity::Warning, Topic::Clock,
+                         "The server's time went back from " + fixed(now.count(), 1) + " s to " +
+                             fixed(time.count(), 1) + " s. Behaviors wait until it passes " + fixed(now.count(), 1) +
+                             " s. Was the server's level restarted? Then stop the robot and connect again.");
+    else if (earlier_times_ == 0)
+        notices_.over(Topic::Clock, "The server's time goes on from where it had been.");
 }
 
 void Vigil::expectSilence(bool expected, Seconds wall) {

@@ -59,7 +59,8 @@ public:
     void rewind() { overlong_ = 0; }
 
     void heardStartPoses();
-    /// Takes a message from the robot itself.
+    /// Takes a message from the robot itself. `now` is the protocol's clock after that message; a server that tells
+    /// earlier times than that again and again has gone back in time, and is reported until it has caught up.
     void heardRobot(const protocol::InfoMessage& message, const std::string& robot_name, Seconds now, Seconds wall);
     /// Restarts the measurement of the robot's silence, which was not its fault so far.
     void forgive(Seconds wall) { heard_at_ = wall; }
@@ -82,12 +83,15 @@ public:
     std::uint64_t overlong() const { return overlong_; }
 
 private:
+    void heardTime(Seconds time, Seconds now);
+
     Notices& notices_;
     SessionLimits limits_;
     SensorWatch sensors_{limits_.sensor_silence};
     std::optional<Seconds> connected_at_; ///< wall
     std::optional<Seconds> heard_at_;     ///< wall
     std::uint64_t overlong_ = 0;
+    int earlier_times_ = 0;            ///< in a row, told by the server although its clock had been further
     bool start_poses_settled_ = false; ///< they came, or their absence was reported
     bool silence_said_ = false;
     bool silence_expected_ = false;

@@ -1,6 +1,8 @@
 #include "core/protocol/commands/line_in.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
@@ -8,6 +10,21 @@
 #include "core/protocol/wire_frame.h"
 
 namespace usar::protocol {
+
+namespace {
+
+/// True if one of the numbers, which commas separate, is "nan", "inf" or beyond what a double holds.
+bool hasNotANumber(std::string_view numbers) {
+    while (!numbers.empty()) {
+        const std::size_t end = std::min(numbers.find(','), numbers.size());
+        if (std::isnan(readNumber(numbers.substr(0, end)).value_or(0.0)))
+            return true;
+        numbers.remove_prefix(std::min(end + 1, numbers.size()));
+    }
+    return false;
+}
+
+} // namespace
 
 const Segment* LineIn::find(std::string_view key) {
     if (!only_)
@@ -83,6 +100,12 @@ void LineIn::position(const Key& key, Vec3& value) {
     value = acrossWire(value);
 }
 
+void LineIn::position(const Key& key, std::optional<Vec3>& value) {
+    vector(key, value);
+    if (value)
+        value = acrossWire(*value);
+}
+
 std::optional<Pose> LineIn::poseOnLine() {
     std::optional<Vec3> position_m;
     std::optional<Vec3> angles_rad;
@@ -96,7 +119,12 @@ std::optional<Pose> LineIn::poseOnLine() {
 
 void LineIn::start(const Key& key, std::variant<Pose, Token>& start, std::optional<Pose>* fallback) {
     if (segments().value(key).empty()) {
-        start = poseOnLine().value_or(Pose{});
+        // Elsewhere such a number counts as 0. A robot at 0,0 instead of where its client meant it would mislead.
+        if (fallback &&
+            (hasNotANumber(segments().value(location_key)) || hasNotANumber(segments().value(rotation_key))))
+            start = Pose{Vec3::Constant(std::numeric_limits<double>::quiet_NaN())};
+        else
+            start = poseOnLine().value_or(Pose{});
         return;
     }
     text(key, start.emplace<Token>("?"));

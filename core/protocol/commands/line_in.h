@@ -79,10 +79,11 @@ public:
             choice(key, value.emplace());
     }
 
-    /// Three numbers in the wire's frame; `position` converts them to ours.
+    /// Three numbers in the wire's frame; `position` converts them, or the angles of an orientation, to ours.
     void vector(const Key& key, std::optional<Vec3>& value);
     void vector(const Key& key, Vec3& value);
     void position(const Key& key, Vec3& value);
+    void position(const Key& key, std::optional<Vec3>& value);
     /// Reads Location and Rotation, each 0,0,0 if absent.
     void pose(Pose& pose) { pose = poseOnLine().value_or(Pose{}); }
     /// Reads the name of a start pose and the pose beside it, or else a pose.

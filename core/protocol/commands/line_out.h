@@ -85,6 +85,10 @@ public:
     /// Writes the vector unchanged; `position` converts it.
     void vector(const Key& key, const std::optional<Vec3>& value);
     void position(const Key& key, const Vec3& value) { vector(key, acrossWire(value)); }
+    void position(const Key& key, const std::optional<Vec3>& value) {
+        if (value)
+            position(key, *value);
+    }
     /// Writes Location and Rotation.
     void pose(const Pose& pose);
     /// Writes a pose, or the name of a start pose and the pose to take if there is no such name.

@@ -61,6 +61,25 @@ struct PackageDrive {
     }
 };
 
+/// MISPKG with the pose of the last joint, from which the server computes those of all joints (thesis 3.3). The thesis
+/// tells no words for it; ours are those of INIT. Without Rotation only the place counts.
+/// On the wire: `MISPKG {Name Arm} {Location 0.75,-0.25,-0.5} {Rotation 0,-0.5,0}`.
+struct PackagePose {
+    Token package;
+    Vec3 tip_in_base_m = Vec3::Zero();    ///< in the robot's frame, which is ours: y left, z up
+    std::optional<Vec3> tip_angles_rad{}; ///< roll, pitch and yaw, likewise
+    bool operator==(const PackagePose&) const = default;
+
+    static constexpr auto& word = package_word;
+    static constexpr auto signs = texts("Location");
+    static void segments(auto& io, auto& wanted) {
+        io.text(package_name, wanted.package);
+        io.position({"Location", "x,y,z in the robot's frame: where the last link's tip shall be"},
+                    wanted.tip_in_base_m);
+        io.position({"Rotation", "roll,pitch,yaw in the robot's frame"}, wanted.tip_angles_rad);
+    }
+};
+
 /// The old form of MISPKG, which turns a camera.
 /// On the wire: `MISPKG {Name Cam1} {Rotation 0,0.25,0.5} {Order 0}`.
 struct PackageRotation {

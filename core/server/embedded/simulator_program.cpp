@@ -51,6 +51,9 @@ Result<int> runSimulator(const SimulatorSettings& settings, std::unique_ptr<sim:
     QuitSignals signals_;
     QObject::connect(&signals_, &QuitSignals::quit, qApp, &QCoreApplication::quit);
     const int exit_code = QCoreApplication::exec();
+    server.simulation().sumUpLog();
+    for (const std::string& sentence : server.simulation().takeLog())
+        say(QString::fromStdString(sentence));
     if (settings.save.isEmpty())
         return exit_code;
     const auto saved = saveSnapshot(server.simulation(), settings.save);

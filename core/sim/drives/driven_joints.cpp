@@ -15,10 +15,10 @@ constexpr double still_rad_s = 0.02;
 using protocol::JointOpcode;
 using protocol::JointOrder;
 
+/// True for the joints of mission packages and grippers.
 bool isInPackage(const RobotModel& model, const std::string& joint) {
-    return std::ranges::any_of(model.packages, [&](const PackageModel& package) {
-        return std::ranges::find(package.joints, joint) != package.joints.end();
-    });
+    const auto has = [&](const auto& part) { return std::ranges::find(part.joints, joint) != part.joints.end(); };
+    return std::ranges::any_of(model.packages, has) || std::ranges::any_of(model.grippers, has);
 }
 
 /// What an opcode other than Stiffness orders; the rows are in the order of the opcodes.
@@ -143,6 +143,12 @@ void DrivenJoints::push(std::size_t joint, double torque) {
                   known.speed_limit});
 }
 
+void DrivenJoints::holdFree() {
+    for (std::size_t i = 0; i < joints_.size(); ++i)
+        if (isFree(joints_[i]))
+            hold(i, 0.0);
+}
+
 void DrivenJoints::releaseAll() {
     for (std::size_t i = 0; i < joints_.size(); ++i)
         if (!joints_[i].in_package)
@@ -166,7 +172,7 @@ bool DrivenJoints::still() const {
 std::vector<protocol::JointAngle> DrivenJoints::angles() const {
     std::vector<protocol::JointAngle> angles;
     for (std::size_t i = 0; i < joints_.size(); ++i)
-        if (joints_[i].torque_limit > 0.0 && joints_[i].lower <= joints_[i].upper && !joints_[i].in_package)
+        if (isFree(joints_[i]))
             angles.push_back({joints_[i].name, state(i).position});
     return angles;
 }

@@ -26,7 +26,7 @@ public:
         double speed_limit = 0.0;
         double lower = 1.0; ///< above `upper` if there are no limits
         double upper = -1.0;
-        bool in_package = false; ///< belongs to a mission package
+        bool in_package = false; ///< belongs to a mission package or a gripper
         double stiffness = 1.0;  ///< share of the torque that UDK's SET leaves it
         JointMotor motor{};
         Vec3 pivot_in_base_m = Vec3::Zero(); ///< with all joints at 0, as is the axis
@@ -43,6 +43,8 @@ public:
     void hold(std::size_t joint, double position);
     void spin(std::size_t joint, double speed);
     void push(std::size_t joint, double torque);
+    /// Holds flippers and the like (see `angles`) where they start, at 0, until they get a command.
+    void holdFree();
     /// Turns all motors off, except those of mission packages.
     void releaseAll();
 
@@ -56,6 +58,10 @@ public:
     std::vector<protocol::JointAngle> angles() const;
 
 private:
+    /// True for a joint with torque and limits that no mission package moves.
+    static bool isFree(const Joint& joint) {
+        return joint.torque_limit > 0.0 && joint.lower <= joint.upper && !joint.in_package;
+    }
     /// The joint by this name, in any case; nullopt if there is none.
     std::optional<std::size_t> find(std::string_view joint) const;
     void drive(std::size_t joint, const JointMotor& motor);

@@ -145,7 +145,9 @@ Result<std::unique_ptr<Drive>> SkidDrive::make(const RobotModel& model, Physics&
     if (wheels.empty() || wheels.size() % 2 != 0)
         return failure("a skid drive has " + std::to_string(wheels.size()) + " joints", "robot " + model.class_name,
                        "Name the left wheels' joints and then as many right ones");
-    return std::make_unique<SkidDrive>(model, physics, body, wheels);
+    auto drive = std::make_unique<SkidDrive>(model, physics, body, wheels);
+    drive->joints_.holdFree();
+    return drive;
 }
 
 bool SkidDrive::obey(const protocol::Command& command) {

@@ -3,6 +3,7 @@
 #include "core/sim/drives/ackermann_drive.h"
 #include "core/sim/drives/driven_joints.h"
 #include "core/sim/drives/nautic_drive.h"
+#include "core/sim/drives/omni_drive.h"
 #include "core/sim/drives/rotor_drive.h"
 #include "core/sim/drives/wheeled_drive.h"
 
@@ -24,10 +25,12 @@ Result<std::unique_ptr<Drive>> makeDrive(const RobotModel& model, Physics& physi
         return SkidDrive::make(model, physics, body, *joints);
     if (drive.kind == "ackermann")
         return AckermannDrive::make(model, physics, body, *joints);
-    if (drive.kind == "legs")
+    if (drive.kind == "omni")
+        return OmniDrive::make(model, physics, body, *joints);
+    if (drive.kind == "legs" || drive.kind == "none")
         return std::make_unique<LegDrive>(model, physics, body, *joints);
     return failure("there is no drive of the kind \"" + drive.kind + "\"", "robot " + model.class_name,
-                   "Known are rotors, skid, ackermann, nautic and legs");
+                   "Known are rotors, skid, ackermann, omni, nautic, legs and none");
 }
 
 } // namespace usar::sim

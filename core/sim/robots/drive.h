@@ -51,8 +51,9 @@ protected:
     CollisionCounter collisions_;
 };
 
-/// Makes the drive that the model names. Fails if the model lacks something for it, and names what. A flying robot
-/// `near_ground` lands by itself. All references must outlive the drive.
+/// Makes the drive that the model names: rotors, skid, ackermann, omni, nautic, legs, or none for what stands. Fails if
+/// the model lacks something for it, and names what. A flying robot `near_ground` lands by itself. All references must
+/// outlive the drive.
 Result<std::unique_ptr<Drive>> makeDrive(const RobotModel& model, Physics& physics, BodyId body, const World& world,
                                          bool near_ground);
 

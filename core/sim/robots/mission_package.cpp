@@ -1,6 +1,8 @@
 #include "core/sim/robots/mission_package.h"
 
+#include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/sim/robots/arm_solver.h"
 
 namespace usar::sim {
 
@@ -32,6 +34,12 @@ bool MissionPackage::obey(const protocol::Command& command) {
             move(target.link, target.value, target.order);
         return true;
     }
+    if (const auto* const pose = std::get_if<protocol::PackagePose>(&command)) {
+        if (!sameWord(pose->package, name()))
+            return false;
+        reach(*pose);
+        return true;
+    }
     if (const auto* const turn = std::get_if<protocol::PackageRotation>(&command)) {
         if (!sameWord(turn->package, name()))
             return false;
@@ -45,6 +53,25 @@ bool MissionPackage::obey(const protocol::Command& command) {
     for (const protocol::LinkValue& target : actuator->links)
         move(target.link, target.value, protocol::LinkOrder::Angle);
     return true;
+}
+
+void MissionPackage::reach(const protocol::PackagePose& wanted) {
+    std::vector<double> all;
+    for (std::size_t i = 0; i < body_.model().links.size(); ++i)
+        all.push_back(body_.joint(static_cast<int>(i)).position);
+    TipTarget target{wanted.tip_in_base_m, {}};
+    if (wanted.tip_angles_rad)
+        target.rotation_in_base =
+            Pose{{}, wanted.tip_angles_rad->x(), wanted.tip_angles_rad->y(), wanted.tip_angles_rad->z()}.rotation();
+    const ArmSolution found = ArmSolver(body_.model(), model_).solve(target, all);
+    if (!found.reached()) {
+        trouble_ = name() + " cannot reach that pose: it comes no nearer than " + fixed(found.off_m, 3) + " m and " +
+                   fixed(found.off_rad, 3) + " rad; it stays where it is";
+        return;
+    }
+    trouble_.reset();
+    for (std::size_t i = 0; i < links_.size(); ++i)
+        move(static_cast<int>(i) + 1, found.positions[i], protocol::LinkOrder::Angle);
 }
 
 /// Ignores a link that the package does not have, as servers do.

@@ -1,6 +1,9 @@
 // A mission package: joints that MISPKG moves, such as a camera's pan and tilt, or an arm.
 #pragma once
 
+#include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "core/protocol/command.h"
@@ -16,8 +19,10 @@ public:
     MissionPackage(const PackageModel& model, RobotBody& body);
 
     const std::string& name() const { return model_.name; }
-    /// Obeys both forms of MISPKG, and ACT. Returns false for a command that is meant for another package.
+    /// Obeys all forms of MISPKG, and ACT. Returns false for a command that is meant for another package.
     bool obey(const protocol::Command& command);
+    /// The reason why the last pose was not obeyed, for the log; nullopt if it was, and after it has been taken.
+    std::optional<std::string> takeTrouble() { return std::exchange(trouble_, {}); }
     /// Turns the joints' motors off.
     void switchOff();
 
@@ -30,11 +35,14 @@ public:
 private:
     /// Links are counted from 1; the value is in rad or m, rad/s or m/s, N m or N, depending on the order.
     void move(int link, double value, protocol::LinkOrder order);
+    /// Moves all joints so that the tip gets there, or none if that is impossible.
+    void reach(const protocol::PackagePose& wanted);
     const ModelLink& link(std::size_t index) const;
 
     PackageModel model_;
     RobotBody& body_;
     std::vector<std::size_t> links_; ///< indices of the body's links, the one nearest to the base first
+    std::optional<std::string> trouble_;
 };
 
 } // namespace usar::sim

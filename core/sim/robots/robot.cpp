@@ -157,6 +157,7 @@ Robot::Robot(const RobotModel& model, const RobotSurroundings& surroundings, con
     , rays_(surroundings.caster, surroundings.physics, body_.id())
     , world_(surroundings.world)
     , scene_(surroundings.scene)
+    , profile_(options.profile)
     , tick_(options.scan_interval)
     , battery_left_(options.battery_life.value_or(model.battery_life)) {}
 
@@ -173,6 +174,8 @@ Result<void> Robot::equip(const RobotSurroundings& surroundings, const RobotOpti
     sensors_ = std::move(*sensors);
     for (const PackageModel& package : model.packages)
         packages_.emplace_back(package, body_);
+    for (const GripperModel& gripper : model.grippers)
+        grippers_.emplace_back(gripper, body_);
     return {};
 }
 
@@ -182,9 +185,18 @@ bool Robot::obey(const protocol::Command& command) {
         if (switches->flip.value_or(false))
             rightItself();
     }
+    for (Gripper& gripper : grippers_)
+        gripper.obey(command);
     const bool for_package =
         std::ranges::any_of(packages_, [&](MissionPackage& package) { return package.obey(command); });
     return for_package || drive_->obey(command) || std::holds_alternative<protocol::DriveSwitches>(command);
+}
+
+std::optional<PackageTrouble> Robot::takeTrouble() {
+    for (MissionPackage& package : packages_)
+        if (auto sentence = package.takeTrouble())
+            return PackageTrouble{package.name(), *std::move(sentence)};
+    return std::nullopt;
 }
 
 /// Turns the robot level again and lifts it clear of what it lay on.
@@ -221,6 +233,8 @@ void Robot::switchOff() {
     drive_->switchOff();
     for (MissionPackage& package : packages_)
         package.switchOff();
+    for (Gripper& gripper : grippers_)
+        gripper.switchOff();
 }
 
 void Robot::measure(Seconds now, bool first, std::vector<protocol::InfoMessage>& out) {
@@ -229,6 +243,9 @@ void Robot::measure(Seconds now, bool first, std::vector<protocol::InfoMessage>&
         sensors_.measure({now, tick_, body_, rays_, world_, scene_}, first, out);
         for (const MissionPackage& package : packages_)
             out.emplace_back(package.state(now));
+        if (profile_ == protocol::Dialect::Udk) // UT2004's effecters send nothing by themselves.
+            for (const Gripper& gripper : grippers_)
+                out.emplace_back(gripper.state(now));
     }
     body_.forgetTouches();
     out.emplace_back(state(now));
@@ -273,6 +290,16 @@ protocol::GeometryInfo Robot::geometry(const std::string& type, const std::strin
                 std::ranges::move(package.geometry(), std::back_inserter(info.items));
         if (info.items.empty())
             info.robot_class = name;
+    } else if (sameWord(type, "Gripper")) {
+        info.type = "Gripper";
+        for (const Gripper& gripper : grippers_)
+            if (name.empty() || sameWord(gripper.name(), name))
+                info.items.push_back(gripper.geometry());
+        if (profile_ != protocol::Dialect::Udk)
+            for (protocol::MountedItem& item : info.items)
+                item.tip_in_item_m.reset(); // UT2004 does not tell it (protocol.md 4.6).
+        if (info.items.empty())
+            info.robot_class = name;
     } else {
         info = sensors_.geometry(type, name);
     }
@@ -287,18 +314,28 @@ protocol::ConfigurationInfo Robot::configuration(const std::string& type, const 
         drive_->addSettings(item.settings);
         return {std::string(protocol::wordOf(model.kind)), {std::move(item)}};
     }
-    if (!sameWord(type, "MisPkg"))
+    const bool of_gripper = sameWord(type, "Gripper");
+    if (!sameWord(type, "MisPkg") && !of_gripper)
         return sensors_.configuration(type, name);
-    protocol::ConfigurationInfo info{"MisPkg", {}};
-    for (const MissionPackage& package : packages_)
-        if (name.empty() || sameWord(package.name(), name))
-            info.items.push_back({package.name(), package.settings()});
+    protocol::ConfigurationInfo info{of_gripper ? "Gripper" : "MisPkg", {}};
+    const auto add = [&](const auto& parts) {
+        for (const auto& part : parts)
+            if (name.empty() || sameWord(part.name(), name))
+                info.items.push_back({part.name(), part.settings()});
+    };
+    of_gripper ? add(grippers_) : add(packages_);
     if (info.items.empty() && !name.empty())
         info.items.push_back({name, {}});
     return info;
 }
 
 std::optional<protocol::Response> Robot::set(const protocol::Command& wanted) {
+    std::optional<protocol::Response> answer;
+    for (Gripper& gripper : grippers_)
+        if (auto one = gripper.set(wanted))
+            answer = std::move(one);
+    if (answer)
+        return answer;
     return sensors_.set(wanted, atRest());
 }
 

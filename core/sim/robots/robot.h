@@ -13,6 +13,7 @@
 #include "core/sim/physics/physics.h"
 #include "core/sim/rays/ray_caster.h"
 #include "core/sim/robots/drive.h"
+#include "core/sim/robots/gripper.h"
 #include "core/sim/robots/mission_package.h"
 #include "core/sim/robots/robot_body.h"
 #include "core/sim/robots/robot_figures.h"
@@ -28,6 +29,12 @@ struct RobotSurroundings {
     Scene& scene;
 };
 
+/// The package's name, and a sentence for the log.
+struct PackageTrouble {
+    std::string package;
+    std::string sentence;
+};
+
 /// One spawned robot. Owned by its client's session.
 class Robot {
 public:
@@ -39,6 +46,9 @@ public:
 
     /// Obeys a driving command. Returns false for those of other vehicles, which it ignores.
     bool obey(const protocol::Command& command);
+    /// A mission package that was told something that it cannot do, and why; nullopt if there is none, and after it has
+    /// been taken.
+    std::optional<PackageTrouble> takeTrouble();
     /// Called before and after each physics step.
     void beforeStep(Seconds dt) { drive_->beforeStep(dt); }
     void afterStep(Seconds dt);
@@ -91,6 +101,8 @@ private:
     std::unique_ptr<Drive> drive_;
     SensorSuite sensors_;
     std::vector<MissionPackage> packages_;
+    std::vector<Gripper> grippers_;
+    protocol::Dialect profile_;
     Seconds tick_;
     Seconds battery_left_;
     bool light_on_ = false;

@@ -35,7 +35,7 @@ struct ModelLink {
 
 /// The drive of a robot and its settings. `joints` are those that it drives, in the order that this kind needs.
 struct DriveModel {
-    std::string kind; ///< rotors, skid, ackermann, nautic or legs
+    std::string kind; ///< as in `makeDrive`
     std::vector<std::string> joints;
     Numbers numbers;
 };
@@ -55,6 +55,16 @@ struct SensorModel {
 struct PackageModel {
     std::string name;
     std::vector<std::string> joints;
+    /// The point that a pose given to MISPKG is about; absent: where the last joint is.
+    std::optional<Vec3> tip_in_last_link_m{};
+};
+
+/// A gripper: joints whose links close like fingers, open at 0.
+struct GripperModel {
+    std::string name;
+    std::string package; ///< that carries it; empty if it is on the chassis
+    std::vector<std::string> joints;
+    Vec3 tip_in_holder_m = Vec3::Zero(); ///< between the fingers, in the frame of the link that they hang on
 };
 
 /// Everything about one class of robots. Frames are those of the file, except in `body`.
@@ -72,6 +82,7 @@ struct RobotModel {
     DriveModel drive;
     std::vector<SensorModel> sensors;
     std::vector<PackageModel> packages;
+    std::vector<GripperModel> grippers{};
 
     /// Mass of the base and all links.
     double mass_kg() const;

@@ -97,7 +97,9 @@ private:
         model_.battery_life = Seconds{numberIn(*facts, "usar:battery", model_.battery_life.count())};
         if (auto done = readDrive(*facts); !done)
             return done;
-        return readPackages(*facts);
+        if (auto done = readPackages(*facts); !done)
+            return done;
+        return readGrippers(*facts);
     }
 
     Result<void> readBase() {
@@ -236,10 +238,24 @@ private:
         for (sdf::ElementPtr child = facts.GetFirstElement(); child; child = child->GetNextElement()) {
             if (child->GetName() != "usar:package")
                 continue;
-            PackageModel package{attributeOf(*child, "name").value_or(""), textsOf(*child, "usar:joint")};
+            PackageModel package{attributeOf(*child, "name").value_or(""), textsOf(*child, "usar:joint"),
+                                 vectorIn(*child, "usar:tip")};
             if (package.name.empty() || package.joints.empty())
                 return refuse("a usar:package needs a name and at least one usar:joint");
             model_.packages.push_back(std::move(package));
+        }
+        return {};
+    }
+
+    Result<void> readGrippers(const sdf::Element& facts) {
+        for (sdf::ElementPtr child = facts.GetFirstElement(); child; child = child->GetNextElement()) {
+            if (child->GetName() != "usar:gripper")
+                continue;
+            GripperModel gripper{attributeOf(*child, "name").value_or(""), attributeOf(*child, "package").value_or(""),
+                                 textsOf(*child, "usar:joint"), vectorIn(*child, "usar:tip").value_or(Vec3::Zero())};
+            if (gripper.name.empty() || gripper.joints.empty())
+                return refuse("a usar:gripper needs a name and at least one usar:joint");
+            model_.grippers.push_back(std::move(gripper));
         }
         return {};
     }
@@ -252,6 +268,13 @@ private:
         std::vector<std::string> wanted = model_.drive.joints;
         for (const PackageModel& package : model_.packages)
             wanted.insert(wanted.end(), package.joints.begin(), package.joints.end());
+        for (const GripperModel& gripper : model_.grippers) {
+            wanted.insert(wanted.end(), gripper.joints.begin(), gripper.joints.end());
+            if (!gripper.package.empty() && std::ranges::none_of(model_.packages, [&](const PackageModel& package) {
+                    return package.name == gripper.package;
+                }))
+                return refuse("there is no package \"" + gripper.package + "\" for the gripper " + gripper.name);
+        }
         for (const std::string& joint : wanted)
             if (!model_.linkOnJoint(joint))
                 return refuse("there is no joint \"" + joint + "\"");

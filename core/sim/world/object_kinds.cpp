@@ -5,6 +5,7 @@
 
 #include "core/base/text.h"
 #include "core/sim/robots/robot_model.h"
+#include "core/sim/world/nist_kinds.h"
 
 namespace usar::sim {
 
@@ -52,11 +53,11 @@ const ObjectKind* findObjectKind(std::string_view class_name) {
     const std::string_view bare_name = withoutPackage(class_name);
     const auto kind =
         std::ranges::find_if(object_kinds, [&](const ObjectKind& one) { return sameWord(one.name, bare_name); });
-    return kind == object_kinds.end() ? nullptr : &*kind;
+    return kind == object_kinds.end() ? findNistKind(bare_name) : &*kind;
 }
 
 std::string objectKindNames() {
-    return listOf(object_kinds, &ObjectKind::name);
+    return listOf(object_kinds, &ObjectKind::name) + ", and NIST's " + listOf(nistKinds(), &ObjectKind::name);
 }
 
 BodyDescription bodyOf(const ObjectKind& kind, const Vec3& scale) {

@@ -25,9 +25,9 @@ struct ObjectKind {
     bool conveyor = false;  ///< stands still; its top carries what lies on it along its x axis
 };
 
-/// All kinds, always in the same order.
+/// All kinds but NIST's (nist_kinds.h), always in the same order: those that a person chooses from.
 std::span<const ObjectKind> objectKinds();
-/// Finds a kind by its class, in any case, with or without package; nullptr if there is none.
+/// Finds a kind by its class, NIST's included, in any case, with or without package; nullptr if there is none.
 const ObjectKind* findObjectKind(std::string_view class_name);
 /// The names of all kinds for messages: "Box, Crate, …".
 std::string objectKindNames();

@@ -1,5 +1,6 @@
 #include "core/sim/worlds/made_worlds.h"
 
+#include "core/sim/world/object_kinds.h"
 #include "core/sim/worlds/building.h"
 
 namespace usar::sim {
@@ -85,6 +86,16 @@ void placeSigns(World& world) {
     world.gases = {{"CO2", 0.04, {6.0, -11.5, 0.2}}, {"CO2", 0.02, {-17.0, 9.7, 0.2}}};
 }
 
+/// A crate that a robot with a gripper can lift, in a corner where nothing else is.
+void placeCrate(World& world) {
+    constexpr const char* crate_class = "USARPhysObj.WCBoxLarge";
+    const ObjectKind& kind = *findObjectKind(crate_class);
+    world.objects = {{.name = "Crate1",
+                      .class_name = crate_class,
+                      .body = bodyOf(kind, Vec3::Ones()),
+                      .body_in_map = {.position_m = {17.0, 4.0, kind.size_m.z() / 2.0}}}};
+}
+
 } // namespace
 
 World makeVmacRoom(std::uint64_t seed) {
@@ -95,6 +106,7 @@ World makeVmacRoom(std::uint64_t seed) {
     buildPillars(world);
     buildShelves(world, random);
     placeSigns(world);
+    placeCrate(world);
     addStarts(world, {{"PlayerStart", {0.0, 0.0}, 0.0},
                       {"West", {-16.0, 0.0}, 0.0},
                       {"East", {16.0, 0.0}, pi},

@@ -24,6 +24,12 @@ struct Watched : test::NoticeBook {
         vigil.beginConnection();
     }
     void hear(Seconds wall, Seconds now = Seconds{1.0}) { vigil.heardRobot(protocol::InsReading{}, "R1", now, wall); }
+    /// STA of a server whose clock had reached `now` before.
+    void hearTime(Seconds time, Seconds now) {
+        protocol::RobotState state;
+        state.time = time;
+        vigil.heardRobot(state, "R1", now, Seconds{0.0});
+    }
 
     Vigil vigil{notices};
 };
@@ -144,6 +150,30 @@ private slots:
                                    remark)));
         w.hear(Seconds{0.1}, Seconds{13.2});
         QCOMPARE(w.topics(), (Topics{"sensor: INS", "-sensor: INS"}));
+    }
+
+    void timeThatGoesBackwardIsReportedUntilItHasCaughtUp() {
+        Watched w;
+        w.hearTime(Seconds{99.9}, Seconds{100.0}); // late by a tick
+        w.hearTime(Seconds{1.0}, Seconds{100.0});  // damaged: the next one is right again
+        w.hearTime(Seconds{100.2}, Seconds{100.2});
+        QVERIFY(w.said.empty());
+        for (const double time_s : {0.2, 0.4, 0.6, 0.8, 1.0})
+            w.hearTime(Seconds{time_s}, Seconds{100.2});
+        QCOMPARE(w.topics(), Topics{"clock"});
+        QVERIFY(w.saidWords("The server's time went back from 100.2 s to 0.6 s."));
+        w.hearTime(Seconds{100.4}, Seconds{100.4});
+        QCOMPARE(w.topics(), (Topics{"clock", "-clock"}));
+    }
+
+    void aNewConnectionMayBeginAtAnEarlierTime() {
+        Watched w;
+        w.hearTime(Seconds{1.0}, Seconds{50.0});
+        w.hearTime(Seconds{1.2}, Seconds{50.0});
+        w.vigil.beginConnection();
+        w.hearTime(Seconds{1.4}, Seconds{50.0}); // the last one of the old connection
+        w.hearTime(Seconds{0.2}, Seconds{0.2});
+        QVERIFY(w.said.empty());
     }
 
     void aFullQueueIsReportedUntilItIsEmpty() {
