@@ -126,9 +126,10 @@ void tst_HandsWindow::theWindowFitsTheScreen() {
     QVERIFY(program_->says("Connected"));
     const auto frame = [this] { return program_->read().find("frame", "Mission Control").value_or(Seen{}).at; };
     const auto maximized = [&] { return frame().width() > size_px.width() - 20; };
-    for (int i = 0; i < 5 && !maximized(); ++i) { // On a busy machine the window manager may take it for two clicks.
+    for (int i = 0; i < 5; ++i) { // On a busy machine the window manager may take it for two clicks.
         program_->desk().doubleClick(QPoint(frame().center().x(), frame().top() - 8)); // On the title bar.
-        QTest::qWaitFor(maximized, patience_ms / 5);
+        if (QTest::qWaitFor(maximized, patience_ms / 5))
+            break;
     }
     QVERIFY(maximized());
     for (const QString& dock : QStringList{"", "Layers", "Plan", "World"}) {
