@@ -22,21 +22,27 @@ FileDesk::FileDesk(const DeskContext& context, ServerDesk& server, MissionDesk& 
 void FileDesk::registerCommands() {
     add(
         "file.export", [this] { return selection_.id().valid(); }, [this] { control_.exportResults(selection_.id()); });
-    commands_.offer([this] { return missions(); });
+    commands_.offer([this] { return files(); });
     add("file.folder", [this] { chooseResultFolder({}); });
     add("file.compare", [this] { widgets::compareRuns(window_, control_.resultFolder()); });
     add("file.show_folder", [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(control_.resultFolder())); });
 }
 
-std::vector<widgets::PaletteOffer> FileDesk::missions() {
+std::vector<widgets::PaletteOffer> FileDesk::files() {
     std::vector<widgets::PaletteOffer> offers;
-    for (const QFileInfo& file : QDir(server::missionsFolder()).entryInfoList({"*.json"}, QDir::Files, QDir::Name)) {
+    const QDir shipped(server::missionsFolder());
+    for (const QFileInfo& file : shipped.entryInfoList({"*.json"}, QDir::Files, QDir::Name)) {
         QString name = file.completeBaseName();
         offers.push_back({tr("Open mission %1").arg(name.replace('_', ' ')),
                           tr("File"),
                           {file.completeBaseName(), "load", "example", "shipped"},
                           [this, path = file.absoluteFilePath()] { open(path); }});
     }
+    for (const QString& path : recent_.existing())
+        if (const QFileInfo file(path); file.dir() != shipped)
+            offers.push_back({tr("Open %1").arg(file.fileName()), tr("File"), {"recent", "last", "load"}, [this, path] {
+                                  open(path);
+                              }});
     return offers;
 }
 

@@ -41,8 +41,8 @@ public:
     void chooseResultFolder(const std::function<void()>& then);
 
 private:
-    /// For the palette: each mission that comes with the program can be opened.
-    std::vector<widgets::PaletteOffer> missions();
+    /// For the palette: the missions that come with the program, and the other files that were used last.
+    std::vector<widgets::PaletteOffer> files();
 
     ServerDesk& server_;
     MissionDesk& mission_;

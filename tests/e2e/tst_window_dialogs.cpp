@@ -15,6 +15,7 @@
 #include "tests/e2e/scratch_files.h"
 #include "tests/e2e/window_page.h"
 #include "tests/suite/suite.h"
+#include "widgets/commands/command_palette.h"
 
 namespace tst_window_dialogs {
 
@@ -74,6 +75,15 @@ QStringList recentFiles(WindowPage& page) {
     return texts;
 }
 
+/// What the palette offers of the group of files for what is typed, in its order.
+QStringList fileOffers(WindowPage& page, const QString& typed) {
+    QStringList texts;
+    for (const widgets::PaletteOffer& offer : page.window().commands().offers())
+        if (offer.group == "File" && widgets::matchScore(typed, offer.text, offer.words))
+            texts << offer.text;
+    return texts;
+}
+
 } // namespace
 
 class tst_WindowDialogs : public QObject {
@@ -86,6 +96,7 @@ private slots:
     void stopAllWorksOverADialog();
     void missionsAreLookedForWhereTheyAreShipped();
     void filesThatWereUsedAreOfferedAgain();
+    void thePaletteOpensFilesThatWereUsed();
 
 private:
     QTimer modal_closer_; ///< closes a modal dialog, which would stop the test for good
@@ -155,6 +166,25 @@ void tst_WindowDialogs::filesThatWereUsedAreOfferedAgain() {
     QCOMPARE(recentFiles(page), QStringList{"planned.json" + in_folder});
     recentMenu(page)->actions().front()->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(page.notified("is ready").contains("Planned"), soon_ms);
+}
+
+/// Shipped missions are offered in any case, and not twice.
+void tst_WindowDialogs::thePaletteOpensFilesThatWereUsed() {
+    const QTemporaryDir folder;
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QCOMPARE(fileOffers(page, "recent"), QStringList());
+    QVERIFY(page.dropFile(fileIn(folder, "lookout.lap", "((DC lookout (drives ((stay Hover)))))")));
+    QVERIFY(page.dropFile(plannedMission(folder)));
+    QVERIFY(page.dropFile(server::missionsFolder() + "/quick_scan.json"));
+    QVERIFY(recentFiles(page).value(0).startsWith("quick_scan.json"));
+    QCOMPARE(fileOffers(page, "recent"), QStringList({"Open planned.json", "Open lookout.lap"}));
+    QCOMPARE(fileOffers(page, "open quick"), QStringList{"Open mission quick scan"});
+
+    widgets::CommandListModel palette(page.window().commands());
+    palette.setFilter("open planned");
+    palette.run(palette.index(0));
+    QVERIFY(recentFiles(page).value(0).startsWith("planned.json"));
 }
 
 USAR_TEST(tst_WindowDialogs)
