@@ -52,7 +52,8 @@ void PluginDesk::fillList() {
         const QString name = mission::nameOf(record);
         rows.push_back({name.isEmpty() ? QFileInfo(record.file).fileName() : name,
                         record.metadata.value("version").toString(), mission::stateText(record), record.reason,
-                        mission::listedIn(record, "behaviors"), mission::listedIn(record, "robots"), record.file,
+                        mission::listedIn(record, "behaviors"), mission::listedIn(record, "robots"),
+                        mission::sensorsNeeded(record, control_.plugins()), record.file,
                         name.isEmpty() ? std::nullopt : std::optional(isolates(name))});
     }
     list_->setPlugins(rows);

@@ -16,6 +16,7 @@
 #include "tests/e2e/window_page.h"
 #include "tests/suite/suite.h"
 #include "widgets/messages/toast_stack.h"
+#include "widgets/panels/plugin_dialog.h"
 
 namespace tst_window_plugins {
 
@@ -120,6 +121,16 @@ bool summarized(WindowPage& page, const QString& words) {
     return false;
 }
 
+/// The sensors that the open list of plugins says this file needs.
+QStringList sensorsNeeded(WindowPage& page, const QString& file) {
+    const auto* const list = page.window().findChild<widgets::PluginDialog*>();
+    if (list)
+        for (const widgets::PluginRow& row : list->plugins())
+            if (row.file.endsWith(file))
+                return row.sensors;
+    return {"not listed"};
+}
+
 QCheckBox* isolationBox(const WindowPage& page) {
     return const_cast<WindowPage&>(page).window().views().behavior->findChild<QCheckBox*>();
 }
@@ -146,6 +157,7 @@ private slots:
     void isolationIsChosenForAPluginAndRemembered();
     void whatEndedTheProgramIsOfferedAProcessOfItsOwn();
     void aPluginThatIsAskedIsAtOnceInTheListAndFilledInLater();
+    void theListSaysWhichSensorsEachPluginNeeds();
     void aPluginThatHangsWhenAskedHoldsNobodyUp();
     void closingTheWindowWhileItAsksDoesNotWait();
     void aPreviewThatHangsIsToldOfWhileTheWindowGoesOn();
@@ -367,6 +379,22 @@ void tst_WindowPlugins::aPluginThatIsAskedIsAtOnceInTheListAndFilledInLater() {
     QTRY_COMPARE_WITH_TIMEOUT(behaviorRows(page), QStringList{"Idle at last"}, soon_ms);
     QVERIFY(page.window().commands().action("mission.start")->isEnabled());
     QVERIFY(page.notified("slow_to_tell").isEmpty()); // it was there from the first, and nothing is wrong
+}
+
+/// What is not known is not said: of one that has not answered yet, and of one that is refused because another has its
+/// behavior.
+void tst_WindowPlugins::theListSaysWhichSensorsEachPluginNeeds() {
+    const QTemporaryDir settings;
+    isolate(settings, "Slow robot");
+    qputenv("USAR_TEST_SLOW_S", "2");
+    WindowPage page(
+        {.plugin_folders = {slow, built + "good.so", built + "twin.so", robots}, .settings_folder = settings.path()});
+    page.window().commands().action("plugins.show")->trigger();
+    QCOMPARE(sensorsNeeded(page, "slow_to_tell.so"), QStringList());
+    QCOMPARE(sensorsNeeded(page, "good.so"), QStringList{"INS"});
+    QCOMPARE(sensorsNeeded(page, "twin.so"), QStringList());
+    QCOMPARE(sensorsNeeded(page, "airrobot.so"), QStringList({"INS", "GroundTruth", "RangeScanner", "Sonar"}));
+    QTRY_COMPARE_WITH_TIMEOUT(sensorsNeeded(page, "slow_to_tell.so"), QStringList{"INS"}, soon_ms);
 }
 
 void tst_WindowPlugins::aPluginThatHangsWhenAskedHoldsNobodyUp() {

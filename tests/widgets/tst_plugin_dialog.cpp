@@ -12,10 +12,17 @@ using namespace usar::widgets;
 
 namespace {
 
-const PluginRow good{
-    "AirRobot", "1.0", "loaded", {}, {"airrobot/cpp", "airrobot/posh"}, {"USARBot.AirRobot"}, "/plugins/libairrobot.so",
-    false};
-const PluginRow bad{"libbad.so", {}, "refused", "It has no metadata. Build it anew.", {}, {}, "/plugins/libbad.so", {}};
+const PluginRow good{"AirRobot",
+                     "1.0",
+                     "loaded",
+                     {},
+                     {"airrobot/cpp", "airrobot/posh"},
+                     {"USARBot.AirRobot"},
+                     {"INS", "Sonar"},
+                     "/plugins/libairrobot.so",
+                     false};
+const PluginRow bad{"libbad.so",          {}, "refused", "It has no metadata. Build it anew.", {}, {}, {},
+                    "/plugins/libbad.so", {}};
 
 } // namespace
 
@@ -24,6 +31,7 @@ class tst_PluginDialog : public QObject {
 private slots:
     void eachPluginHasARow();
     void theReasonOfARefusalIsShown();
+    void theSensorsThatItNeedsAreNamed();
     void theSelectedOneStaysSelected();
     void aCheckMarkAsksForAProcessOfItsOwn();
     void anEmptyListNamesTheFolders();
@@ -55,6 +63,15 @@ void tst_PluginDialog::theReasonOfARefusalIsShown() {
     list(dialog).setCurrentItem(list(dialog).topLevelItem(0));
     QVERIFY2(dialog.details().contains("USARBot.AirRobot"), qPrintable(dialog.details()));
     QVERIFY(!dialog.details().contains(bad.reason));
+}
+
+void tst_PluginDialog::theSensorsThatItNeedsAreNamed() {
+    PluginDialog dialog({"/plugins"});
+    dialog.setPlugins({good, bad});
+    list(dialog).setCurrentItem(list(dialog).topLevelItem(0));
+    QVERIFY2(dialog.details().contains("\nNeeds sensors: INS, Sonar\n"), qPrintable(dialog.details()));
+    list(dialog).setCurrentItem(list(dialog).topLevelItem(1));
+    QVERIFY2(dialog.details().contains("\nNeeds sensors: –\n"), qPrintable(dialog.details()));
 }
 
 void tst_PluginDialog::theSelectedOneStaysSelected() {

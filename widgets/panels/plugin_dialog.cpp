@@ -88,7 +88,7 @@ void PluginDialog::showDetails() {
     }
     const PluginRow& plugin = plugins_[std::size_t(row)];
     QStringList lines{lineOf(tr("Behaviors"), plugin.behaviors), lineOf(tr("For robots of class"), plugin.robots),
-                      lineOf(tr("File"), {plugin.file})};
+                      lineOf(tr("Needs sensors"), plugin.sensors), lineOf(tr("File"), {plugin.file})};
     if (!plugin.reason.isEmpty())
         lines.prepend(plugin.reason);
     details_->setText(lines.join('\n'));

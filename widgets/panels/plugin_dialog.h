@@ -20,6 +20,7 @@ struct PluginRow {
     QString reason;  ///< why it was refused, and what to do; empty otherwise
     QStringList behaviors;
     QStringList robots;             ///< classes on the wire that it needs
+    QStringList sensors;            ///< types on the wire that its behaviors need; empty: none, or not known
     QString file;                   ///< full path
     std::optional<bool> isolated{}; ///< absent: without a name of its author's it cannot be
     bool operator==(const PluginRow&) const = default;

@@ -29,6 +29,18 @@ QString nameOf(const agent::PluginRecord& record) {
     return record.metadata.value("name").toString();
 }
 
+QStringList sensorsNeeded(const agent::PluginRecord& record, const agent::PluginLoader& plugins) {
+    if (!record.plugin)
+        return {}; // What it claims may be another's.
+    QStringList sensors;
+    for (const QString& behavior : listedIn(record, "behaviors"))
+        if (const auto* const robot = plugins.robotOf(behavior.toStdString()))
+            for (const std::string& sensor : robot->sensors_needed)
+                sensors << QString::fromStdString(sensor);
+    sensors.removeDuplicates();
+    return sensors;
+}
+
 QStringList robotsRunning(const Robots& robots, const agent::PluginLoader& plugins, const agent::PluginRecord& record) {
     QStringList names;
     for (const Robot* const robot : robots)
