@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <QElapsedTimer>
@@ -27,6 +28,13 @@ using namespace usar;
 
 void tell(const std::string& text) {
     std::fputs(text.c_str(), stderr);
+}
+
+/// Width of the terminal at standard error; nullopt if that is none, or does not say.
+std::optional<std::size_t> terminalColumns() {
+    winsize size{};
+    const bool told = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+    return told ? std::optional<std::size_t>(size.ws_col) : std::nullopt;
 }
 
 int end(int exit_code, const QJsonObject& summary) {
@@ -104,7 +112,7 @@ int run(const mission::MissionOptions& options, mission::Mission plan,
     QElapsedTimer wall;
     wall.start();
     QObject::connect(&runner, &mission::MissionRunner::progressed, [&](const auto& progress) {
-        tell(bar.show(progress, Seconds(static_cast<double>(wall.elapsed()) / 1000.0)));
+        tell(bar.show(progress, Seconds(static_cast<double>(wall.elapsed()) / 1000.0), terminalColumns()));
     });
     QObject::connect(&runner, &mission::MissionRunner::noticed,
                      [&](const auto& notice) { tell(bar.say(notice.text)); });

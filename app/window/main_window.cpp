@@ -11,9 +11,9 @@
 #include <QTimer>
 
 #include "core/base/hand_over.h"
+#include "core/mission/fleet/robot_words.h"
 #include "core/server/embedded/program_files.h"
 #include "widgets/commands/key_filters.h"
-#include "widgets/models/figures.h"
 #include "widgets/window/window_wiring.h"
 
 namespace usar::app {
@@ -109,9 +109,13 @@ void MainWindow::wireDesks() {
             close();
     });
     connect(&control_, &MissionControl::robotUpdated, this, [this](RobotId id) {
-        if (id == selection_.id())
+        if (id == selection_.id() && !title_rests_.isActive()) {
             showTitle();
+            title_rests_.start(std::chrono::seconds(1));
+        }
     });
+    title_rests_.setSingleShot(true);
+    connect(&title_rests_, &QTimer::timeout, this, &MainWindow::showTitle);
     const auto refresh = &widgets::CommandRegistry::refresh;
     connect(&selection_, &Selection::changed, &commands_, refresh);
     connect(&control_, &MissionControl::linkChanged, &commands_, refresh);
@@ -193,12 +197,10 @@ void MainWindow::keepSaving() {
 
 void MainWindow::showTitle() {
     const Robot* robot = selection_.robot();
-    QString title = QApplication::applicationName();
-    if (robot && robot->running() && robot->view().status) {
-        const agent::BehaviorStatus& status = *robot->view().status;
-        const QString progress = status.progress_pct ? widgets::figure(*status.progress_pct, 0) + " % · " : QString();
-        title = progress + QString::fromStdString(status.state) + " – " + title;
-    }
+    const QString progress =
+        robot && robot->running() ? mission::titleText(robot->view(), robot->coverage_pct()) : QString();
+    const QString program = QApplication::applicationName();
+    const QString title = progress.isEmpty() ? program : progress + " – " + program;
     if (title != windowTitle())
         setWindowTitle(title);
 }

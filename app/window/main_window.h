@@ -3,6 +3,7 @@
 
 #include <QMainWindow>
 #include <QThreadPool>
+#include <QTimer>
 
 #include "app/desks/camera_desk.h"
 #include "app/desks/drive_desk.h"
@@ -117,6 +118,7 @@ private:
     ResultDesk results_{desk_};
     ViewDesk view_;
     RecoveryDesk recovery_{desk_, disk_};
+    QTimer title_rests_{this}; ///< runs for a second after an update: in fast time every update has new figures
     QString settings_file_ = QSettings().fileName();
     SettingsSheet saved_;    ///< the settings as they were written last
     bool may_stop_ = false;  ///< the user has said that busy robots may be stopped

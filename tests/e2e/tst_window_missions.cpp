@@ -2,6 +2,9 @@
 #include <algorithm>
 
 #include <QDir>
+#include <QElapsedTimer>
+#include <QRegularExpression>
+#include <QSignalSpy>
 #include <QTest>
 
 #include "core/mission/files/mission_file.h"
@@ -32,6 +35,7 @@ private slots:
     void aMissionBringsItsWorldAndItsRobot_data();
     void aMissionBringsItsWorldAndItsRobot();
     void theStartPoseOfAMissionIsInView();
+    void theTitleTellsHowFarTheMissionIs();
     void aMissionForAnotherRobotWaitsForOne();
     void aWorldWithARobotInItIsNotLeft();
     void anotherWorldThanTheMissionsForgetsIt();
@@ -80,6 +84,28 @@ void tst_WindowMissions::theStartPoseOfAMissionIsInView() {
     const Rectangle seen = page.map().transform().visible();
     QVERIFY(seen.contains(start->pose_in_map.position_m.head<2>()));
     QVERIFY(seen.contains(Vec2(-60.0, 20.0)) && seen.contains(Vec2(0.0, 60.0)));
+}
+
+/// In whole units, and no more than once a second however fast time goes: a taskbar draws each title.
+void tst_WindowMissions::theTitleTellsHowFarTheMissionIs() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(page.dropFile(shipped("quick_scan")));
+    QVERIFY(page.spawnAt("PlayerStart"));
+    const QString idle = page.window().windowTitle();
+    page.chooseSpeed("10×");
+    QSignalSpy titles(&page.window(), &QWidget::windowTitleChanged);
+    QElapsedTimer since;
+    since.start();
+    page.press("Start");
+    static const QRegularExpression all("^\\d+ % · .+ · [1-9]\\d* % covered · \\d+ m traveled · [\\d:]+ elapsed · "
+                                        "[\\d:]+ left · \\d+ m range left – ");
+    QTRY_VERIFY2_WITH_TIMEOUT(page.window().windowTitle().contains(all), qPrintable(page.window().windowTitle()),
+                              flight_ms);
+    QVERIFY(page.window().windowTitle().endsWith(" – " + idle));
+    QVERIFY2(titles.size() <= since.elapsed() / 1000 + 3, qPrintable(QString::number(titles.size())));
+    page.window().commands().action("mission.stop")->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(page.window().windowTitle(), idle, soon_ms);
 }
 
 void tst_WindowMissions::aMissionForAnotherRobotWaitsForOne() {

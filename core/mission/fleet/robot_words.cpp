@@ -1,7 +1,10 @@
 #include "core/mission/fleet/robot_words.h"
 
+#include <cmath>
+
 #include <QFileInfo>
 
+#include "core/base/time_range.h"
 #include "core/protocol/commands/spawn.h"
 
 namespace usar::mission {
@@ -37,6 +40,31 @@ QString replayNameOf(const RecordingFacts& facts) {
     return name == facts.end() || name->second.empty()
                ? QObject::tr("Replay")
                : QObject::tr("%1 replay").arg(QString::fromStdString(name->second));
+}
+
+QString titleText(const RobotView& view, std::optional<double> coverage_pct) {
+    if (!view.status)
+        return {};
+    const auto tr = [](const char* text) { return QObject::tr(text); };
+    const agent::BehaviorStatus& status = *view.status;
+    QStringList words;
+    const auto add = [&](const QString& text, std::optional<double> value) {
+        if (value && std::isfinite(*value)) // Adding 0 takes the minus from -0.
+            words << text.arg(std::round(*value) + 0.0, 0, 'f', 0);
+    };
+    const auto addTime = [&](const QString& text, Seconds span) {
+        if (std::isfinite(span.count()))
+            words << text.arg(QString::fromStdString(countdownText(span)));
+    };
+    add(tr("%1 %"), status.progress_pct);
+    words << QString::fromStdString(status.state);
+    add(tr("%1 % covered"), coverage_pct);
+    add(tr("%1 m traveled"), status.distance_flown_m);
+    addTime(tr("%1 elapsed"), Seconds(std::floor(status.elapsed.count())));
+    if (status.time_left)
+        addTime(tr("%1 left"), *status.time_left);
+    add(tr("%1 m range left"), status.range_left_m);
+    return words.join(QStringLiteral(" · "));
 }
 
 QString robotsText(QStringList names) {

@@ -1,6 +1,8 @@
 // Short texts of the window about a robot: its state, who drives it, and why it cannot be driven by hand.
 #pragma once
 
+#include <optional>
+
 #include <QStringList>
 
 #include "core/mission/fleet/robot.h"
@@ -14,6 +16,11 @@ bool isStale(const RobotView& view);
 /// The robot's state, as the list of robots shows it: "idle", "no link", or the behavior's own word. A replay is marked
 /// as one.
 QString stateText(const RobotView& view);
+
+/// What the running behavior has done, for a title: "42 % · scanning lane 4 of 9 · 37 % covered · 120 m traveled · 0:45
+/// elapsed · 1:03 left · 310 m range left", without what is not known; empty before its first status. Times are on the
+/// protocol clock. `coverage_pct`: see Robot.
+QString titleText(const RobotView& view, std::optional<double> coverage_pct);
 
 /// "R1", "R1 and R2", "R1, R2 and R3", "4 robots"; empty without a robot.
 QString robotsText(QStringList names);

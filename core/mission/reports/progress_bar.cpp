@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "core/base/numbers.h"
 #include "core/base/time_range.h"
@@ -14,6 +15,21 @@ namespace {
 const std::string to_line_start = "\r";
 const std::string clear_to_line_end = "\x1b[K";
 
+/// True for the bytes of UTF-8 that a character begins with.
+bool beginsCharacter(char byte) {
+    return (static_cast<unsigned char>(byte) & 0xC0) != 0x80;
+}
+
+std::size_t charactersIn(const std::string& text) {
+    return static_cast<std::size_t>(std::ranges::count_if(text, beginsCharacter));
+}
+
+/// The first `count` characters.
+std::string cutTo(std::size_t count, const std::string& text) {
+    const auto end = std::ranges::find_if(text, [&](char byte) { return beginsCharacter(byte) && count-- == 0; });
+    return {text.begin(), end};
+}
+
 } // namespace
 
 std::optional<Seconds> wallTimeLeft(const Progress& progress, Seconds wall_elapsed) {
@@ -24,28 +40,55 @@ std::optional<Seconds> wallTimeLeft(const Progress& progress, Seconds wall_elaps
     return std::nullopt;
 }
 
-std::string progressLine(const Progress& progress, Seconds wall_elapsed) {
+namespace {
+
+/// What is known, the most important first; each begins with the gap before it.
+std::vector<std::string> figuresOf(const Progress& progress, Seconds wall_elapsed) {
+    std::vector<std::string> figures;
+    const auto add = [&](const std::string& text) { figures.push_back("  " + text); };
+    const auto addWhole = [&](std::optional<double> value, const std::string& unit) {
+        if (value && std::isfinite(*value))
+            add(fixed(std::floor(*value), 0) + unit);
+    };
+    if (progress.speed_x > 0.0)
+        add(fixed(progress.speed_x, progress.speed_x < 10.0 ? 1 : 0) + "x");
+    if (const auto left = wallTimeLeft(progress, wall_elapsed))
+        add("ETA " + countdownText(*left));
+    if (const auto range = progress.time_left_range; range && progress.speed_x > 0.0)
+        figures.push_back(" (" + countdownText(range->least / progress.speed_x) + " to " +
+                          countdownText(range->most / progress.speed_x) + ")");
+    addWhole(progress.coverage_pct, " % covered");
+    addWhole(progress.distance_m, " m traveled");
+    if (progress.elapsed)
+        add(countdownText(*progress.elapsed) + " elapsed");
+    addWhole(progress.range_left_m, " m range left");
+    return figures;
+}
+
+} // namespace
+
+std::string progressLine(const Progress& progress, Seconds wall_elapsed, std::optional<std::size_t> columns) {
     constexpr int width = 20;
     const double percent = std::clamp(progress.percent, 0.0, 100.0);
     const auto filled = static_cast<std::size_t>(std::lround(percent / 100.0 * width));
     std::string line = "[" + std::string(filled, '#') + std::string(width - filled, '-') + "] ";
     const std::string number = fixed(std::floor(percent), 0);
     line += std::string(number.size() < 3 ? 3 - number.size() : 0, ' ') + number + " %  " + progress.state;
-    if (progress.speed_x > 0.0)
-        line += "  " + fixed(progress.speed_x, progress.speed_x < 10.0 ? 1 : 0) + "x";
-    if (const auto left = wallTimeLeft(progress, wall_elapsed))
-        line += "  ETA " + countdownText(*left);
-    if (const auto range = progress.time_left_range; range && progress.speed_x > 0.0)
-        line += " (" + countdownText(range->least / progress.speed_x) + " to " +
-                countdownText(range->most / progress.speed_x) + ")";
-    return line;
+    for (const std::string& figure : figuresOf(progress, wall_elapsed)) {
+        if (columns && charactersIn(line + figure) > *columns)
+            break;
+        line += figure;
+    }
+    return columns ? cutTo(*columns, line) : line;
 }
 
-std::string ProgressBar::show(const Progress& progress, Seconds wall) {
+std::string ProgressBar::show(const Progress& progress, Seconds wall, std::optional<std::size_t> columns) {
     const int tenth = static_cast<int>(progress.percent / 10.0);
     if (is_terminal_) {
         drawn_ = true;
-        return to_line_start + progressLine(progress, wall) + clear_to_line_end;
+        if (columns && *columns > 0)
+            --*columns; // In the last column some terminals go on to the next line.
+        return to_line_start + progressLine(progress, wall, columns) + clear_to_line_end;
     }
     if (tenth <= last_tenth_)
         return {};

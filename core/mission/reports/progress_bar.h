@@ -1,6 +1,7 @@
 // The progress display of a run, for a terminal or for a file that standard error is redirected to.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -12,9 +13,10 @@ namespace usar::mission {
 /// helps.
 std::optional<Seconds> wallTimeLeft(const Progress& progress, Seconds wall_elapsed);
 
-/// Formats a line such as "[########------------]  40 %  scanning lane 4 of 9  120x  ETA 0:12 (0:10 to 0:14)"; the
-/// range is left out if the behavior says nothing about it.
-std::string progressLine(const Progress& progress, Seconds wall_elapsed);
+/// Formats a line such as "[########------------]  40 %  scanning lane 4 of 9  120x  ETA 0:12 (0:10 to 0:14)  37 %
+/// covered  812 m traveled  16:00 elapsed  310 m range left"; what is not known is left out. `columns`: the most
+/// characters that it may have, so figures at its end are left out, and then words are cut; absent: any number.
+std::string progressLine(const Progress& progress, Seconds wall_elapsed, std::optional<std::size_t> columns = {});
 
 /// A bar that is redrawn in place on a terminal; otherwise one line for every 10 %. It only returns the bytes; its
 /// owner writes them.
@@ -23,8 +25,8 @@ public:
     explicit ProgressBar(bool is_terminal) : is_terminal_(is_terminal) {}
 
     /// Returns the text to write for this progress; empty if there is nothing new. `wall` is the wall time since the
-    /// run began.
-    [[nodiscard]] std::string show(const Progress& progress, Seconds wall);
+    /// run began. `columns`: of the terminal, where a line that is longer could not be drawn in place; absent: unknown.
+    [[nodiscard]] std::string show(const Progress& progress, Seconds wall, std::optional<std::size_t> columns = {});
     /// Returns a line of text that replaces the bar; the next `show` draws the bar again below it.
     [[nodiscard]] std::string say(const std::string& text);
 

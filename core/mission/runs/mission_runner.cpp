@@ -165,6 +165,10 @@ Progress MissionRunner::progress() const {
     if (phase_ == Phase::Flying) {
         result.state = status.state;
         result.speed_x = wall_s > 0.0 ? flightTime().count() / wall_s : 0.0;
+        result.coverage_pct = coverage_pct(session_.map(), session_.record().area_in_map);
+        result.distance_m = status.distance_flown_m;
+        result.elapsed = flightTime();
+        result.range_left_m = status.range_left_m;
     } else if (phase_ == Phase::Spawning) {
         result.state = "spawning";
     } else {

@@ -63,6 +63,12 @@ struct Progress {
     std::optional<TimeRange> time_left_range; ///< its spread; absent: unknown
     double speed_x = 0.0;                     ///< protocol seconds per wall second; 0 before the flight
     std::string state;                        ///< in words: "scanning lane 4 of 9"
+
+    // Absent before the flight.
+    std::optional<double> coverage_pct; ///< share of the mission area whose height is known, 0..100
+    std::optional<double> distance_m;   ///< as the robot estimates it
+    std::optional<Seconds> elapsed;     ///< protocol clock, since the spawn
+    std::optional<double> range_left_m; ///< distance until the battery's reserve is needed; absent: unknown
 };
 
 /// Exit codes of `usar-mission`.

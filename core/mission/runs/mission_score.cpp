@@ -73,6 +73,16 @@ int knownCellsIn(const AreaCells& area, const mapping::HeightTile& tile) {
     return known;
 }
 
+std::optional<double> coverage_pct(const mapping::HeightMap& map, const Rectangle& area_in_map) {
+    if (area_in_map.empty())
+        return std::nullopt;
+    const AreaCells area = cellsOf(area_in_map, map.cellSize_m());
+    std::int64_t known = 0;
+    for (const mapping::GridIndex& index : map.tileIndices())
+        known += knownCellsIn(area, *map.tile(index));
+    return area.count() == 0 ? 0.0 : 100.0 * double(known) / double(area.count());
+}
+
 Score score(const mapping::Raster& raster, const Rectangle& area_in_map, const Truth* truth) {
     Score result;
     if (raster.empty() || area_in_map.empty())

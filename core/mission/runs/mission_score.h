@@ -30,6 +30,10 @@ AreaCells cellsOf(const Rectangle& area_in_map, double cell_size_m);
 /// Number of cells of the tile that are in the area and whose height is known.
 int knownCellsIn(const AreaCells& area, const mapping::HeightTile& tile);
 
+/// Percentage of the area whose height is known, 0..100, as in a Score; nullopt without an area. Looks at each cell of
+/// the area in the map's tiles.
+std::optional<double> coverage_pct(const mapping::HeightMap& map, const Rectangle& area_in_map);
+
 /// True heights in meters above the map's datum, z up, at points in the map frame.
 struct Truth {
     std::function<double(const Vec2&)> surface_m; ///< ground, crown or roof seen from above

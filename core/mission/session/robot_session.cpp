@@ -42,6 +42,10 @@ SessionFigures RobotSession::figures() const {
     return d_->figures();
 }
 
+const mapping::HeightMap& RobotSession::map() const {
+    return d_->book.mapper().map();
+}
+
 const link::LinkStatus& RobotSession::linkStatus() const {
     return d_->linkStatus();
 }

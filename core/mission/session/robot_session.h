@@ -8,6 +8,7 @@
 
 #include "core/agent/running_behavior.h"
 #include "core/link/tcp_link.h"
+#include "core/mapping/height_map.h"
 #include "core/mission/files/scan_record.h"
 #include "core/mission/session/earlier_scan.h"
 #include "core/mission/session/session_orders.h"
@@ -34,6 +35,7 @@ public:
     const ScanRecord& record() const;
     ScanRecord snapshot() const;
     SessionFigures figures() const;
+    const mapping::HeightMap& map() const;
     const link::LinkStatus& linkStatus() const;
 
     /// Records every byte from now on, with its time and cause, in a new file (resources/docs/recording-format.md),

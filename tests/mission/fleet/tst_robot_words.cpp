@@ -38,6 +38,8 @@ class tst_RobotWords : public QObject {
 private slots:
     void theStateIsOneOrTwoWords_data();
     void theStateIsOneOrTwoWords();
+    void theTitleTellsWhatIsKnown_data();
+    void theTitleTellsWhatIsKnown();
     void savingNamesTheRobotAndTheFolder();
     void severalRobotsAreNamedOrCounted();
     void aRobotWithoutALinkIsStale();
@@ -98,6 +100,45 @@ void tst_RobotWords::theStateIsOneOrTwoWords_data() {
 void tst_RobotWords::theStateIsOneOrTwoWords() {
     QFETCH(RobotView, view);
     QTEST(stateText(view), "text");
+}
+
+void tst_RobotWords::theTitleTellsWhatIsKnown_data() {
+    using Coverage = std::optional<double>;
+    QTest::addColumn<RobotView>("view");
+    QTest::addColumn<Coverage>("coverage_pct");
+    QTest::addColumn<QString>("title");
+    const auto told = [](auto change) {
+        return changed([&](RobotView& view) {
+            view.status.emplace().state = "scanning";
+            change(*view.status);
+        });
+    };
+    QTest::newRow("no status yet") << idleRobot() << Coverage(50.0) << "";
+    QTest::newRow("hardly anything") << told([](agent::BehaviorStatus&) {}) << Coverage()
+                                     << "scanning · 0 m traveled · 0:00 elapsed";
+    const RobotView all = told([](agent::BehaviorStatus& status) {
+        status.progress_pct = 42.4;
+        status.distance_flown_m = 119.6;
+        status.elapsed = Seconds{45.9};
+        status.time_left = Seconds{62.1};
+        status.range_left_m = 310.4;
+    });
+    QTest::newRow("everything, in whole units")
+        << all << Coverage(36.6)
+        << "42 % · scanning · 37 % covered · 120 m traveled · 0:45 elapsed · 1:03 left · 310 m range left";
+    QTest::newRow("the reserve is being used")
+        << told([](agent::BehaviorStatus& status) { status.range_left_m = -0.2; }) << Coverage()
+        << "scanning · 0 m traveled · 0:00 elapsed · 0 m range left";
+    QTest::newRow("no numbers") << told([](agent::BehaviorStatus& status) {
+        status.progress_pct = status.range_left_m = qQNaN();
+        status.time_left = Seconds{qInf()};
+    }) << Coverage() << "scanning · 0 m traveled · 0:00 elapsed";
+}
+
+void tst_RobotWords::theTitleTellsWhatIsKnown() {
+    QFETCH(RobotView, view);
+    QFETCH(std::optional<double>, coverage_pct);
+    QTEST(titleText(view, coverage_pct), "title");
 }
 
 void tst_RobotWords::aRobotWithoutALinkIsStale() {

@@ -19,6 +19,17 @@ Progress at(double percent) {
     return progress;
 }
 
+/// With 12 s of wall time left.
+Progress allKnown() {
+    Progress progress = at(40.0);
+    progress.speed_x = 120.0;
+    progress.coverage_pct = 37.0;
+    progress.distance_m = 812.0;
+    progress.elapsed = Seconds{960.0};
+    progress.range_left_m = 310.0;
+    return progress;
+}
+
 } // namespace
 
 class tst_RunReports : public QObject {
@@ -30,6 +41,70 @@ private slots:
             const std::string written = bar.show(at(percent), Seconds{1.0});
             QCOMPARE(written, "\r" + progressLine(at(percent), Seconds{1.0}) + "\x1b[K");
         }
+    }
+
+    void aLineTellsWhatIsKnown_data() {
+        QTest::addColumn<Progress>("progress");
+        QTest::addColumn<QString>("end");
+        const auto but = [](auto change) {
+            Progress progress = at(40.0);
+            progress.speed_x = 120.0;
+            change(progress);
+            return progress;
+        };
+        QTest::newRow("nothing more") << but([](Progress&) {}) << "scanning  120x  ETA 0:12";
+        QTest::newRow("coverage is never rounded up")
+            << but([](Progress& progress) { progress.coverage_pct = 99.9; }) << "ETA 0:12  99 % covered";
+        QTest::newRow("distance") << but([](Progress& progress) { progress.distance_m = 812.3; })
+                                  << "ETA 0:12  812 m traveled";
+        QTest::newRow("elapsed") << but([](Progress& progress) { progress.elapsed = Seconds{960.0}; })
+                                 << "ETA 0:12  16:00 elapsed";
+        QTest::newRow("battery") << but([](Progress& progress) { progress.range_left_m = 310.0; })
+                                 << "ETA 0:12  310 m range left";
+        QTest::newRow("no number") << but([](Progress& progress) { progress.range_left_m = qQNaN(); }) << "ETA 0:12";
+        QTest::newRow("all of it") << allKnown()
+                                   << "ETA 0:12  37 % covered  812 m traveled  16:00 elapsed  310 m range left";
+    }
+
+    void aLineTellsWhatIsKnown() {
+        QFETCH(Progress, progress);
+        QFETCH(QString, end);
+        const QString line = QString::fromStdString(progressLine(progress, Seconds{8.0}));
+        QVERIFY2(line.endsWith(end), qPrintable(line));
+    }
+
+    /// A longer one would go on to the next row, and each drawing would leave a row behind.
+    void aLineIsNoWiderThanTheTerminal_data() {
+        QTest::addColumn<int>("columns");
+        QTest::addColumn<QString>("line");
+        const QString bar = "[########------------]  40 %  ";
+        QTest::newRow("wide enough") << 200
+                                     << bar + "scanning  120x  ETA 0:12  37 % covered  812 m traveled  16:00 elapsed"
+                                              "  310 m range left";
+        QTest::newRow("no figure is cut") << 80 << bar + "scanning  120x  ETA 0:12  37 % covered";
+        QTest::newRow("the last one just fits") << 68 << bar + "scanning  120x  ETA 0:12  37 % covered";
+        QTest::newRow("and here it does not") << 67 << bar + "scanning  120x  ETA 0:12";
+        QTest::newRow("words are cut") << 34 << bar + "scan";
+        QTest::newRow("no room") << 0 << "";
+    }
+
+    void aLineIsNoWiderThanTheTerminal() {
+        QFETCH(int, columns);
+        QFETCH(QString, line);
+        QCOMPARE(QString::fromStdString(progressLine(allKnown(), Seconds{8.0}, std::size_t(columns))), line);
+    }
+
+    void charactersAreCountedAndNotBytes() {
+        Progress progress;
+        progress.state = "ééé";
+        QCOMPARE(progressLine(progress, Seconds{1.0}, 32), "[--------------------]   0 %  éé");
+    }
+
+    void theLastColumnOfATerminalStaysFree() {
+        ProgressBar bar(true);
+        QCOMPARE(bar.show(allKnown(), Seconds{8.0}, 68), "\r" + progressLine(allKnown(), Seconds{8.0}, 67) + "\x1b[K");
+        ProgressBar file(false);
+        QCOMPARE(file.show(allKnown(), Seconds{8.0}, 68), progressLine(allKnown(), Seconds{8.0}) + "\n");
     }
 
     void textTakesThePlaceOfTheBar() {

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <QGuiApplication>
 #include <QJsonArray>
 #include <QSignalSpy>
@@ -121,6 +123,12 @@ private slots:
         QVERIFY(!seen.empty());
         QCOMPARE(seen.back().percent, 100.0);
         QCOMPARE(seen.back().state, std::string("hop 5"));
+        QCOMPARE(seen.back().distance_m, std::optional(5.0));
+        const QJsonObject& summary = runner_->summary();
+        QVERIFY(std::abs(seen.back().elapsed->count() - summary["duration_s"].toDouble()) < 0.01);
+        QVERIFY(std::abs(*seen.back().coverage_pct - summary["coverage_pct"].toDouble()) < 0.01);
+        QVERIFY(*seen.back().coverage_pct > 0.0);
+        QVERIFY2(!seen.back().range_left_m, "the behavior does not tell it");
     }
 
     void refusesBeforeAnythingMoves_data() {

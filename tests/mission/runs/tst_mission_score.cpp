@@ -13,13 +13,17 @@ using namespace usar::mission;
 namespace {
 
 /// 0.5 m cells whose centers lie in the rectangle, all at one height.
-mapping::Raster rasterOver(const Rectangle& area, float height_m) {
+mapping::HeightMap mapOver(const Rectangle& area, float height_m) {
     mapping::HeightMap map(0.5);
     for (double x = area.min_m.x() + 0.25; x < area.max_m.x(); x += 0.5) {
         for (double y = area.min_m.y() + 0.25; y < area.max_m.y(); y += 0.5)
             map.write(map.cellAt({x, y}), height_m, {1});
     }
-    return mapping::rasterOf(map);
+    return map;
+}
+
+mapping::Raster rasterOver(const Rectangle& area, float height_m) {
+    return mapping::rasterOf(mapOver(area, height_m));
 }
 
 const Rectangle field{{-10, -5}, {10, 5}};
@@ -44,6 +48,7 @@ private slots:
         QFETCH(Rectangle, scanned);
         QFETCH(double, coverage_pct);
         QCOMPARE(score(rasterOver(scanned, 1.0f), field, nullptr).coverage_pct, coverage_pct);
+        QCOMPARE(mission::coverage_pct(mapOver(scanned, 1.0f), field), std::optional(coverage_pct));
     }
 
     void anEmptyMapCoversNothing() {
@@ -51,6 +56,8 @@ private slots:
         QCOMPARE(score(rasterOver(field, 1.0f), Rectangle{}, nullptr).coverage_pct, 0.0);
         const Rectangle between_centers{{0.01, 0.01}, {0.02, 0.02}};
         QCOMPARE(score(rasterOver(field, 1.0f), between_centers, nullptr).coverage_pct, 0.0);
+        QCOMPARE(mission::coverage_pct(mapOver(field, 1.0f), between_centers), std::optional(0.0));
+        QVERIFY(!mission::coverage_pct(mapOver(field, 1.0f), Rectangle{}));
     }
 
     void withoutATruthThereIsNoRmse() {
