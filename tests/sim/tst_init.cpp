@@ -94,7 +94,7 @@ private slots:
         QTest::addColumn<World>("world");
         QTest::addColumn<QString>("place");
         QTest::addColumn<QString>("said");
-        const QString not_numbers = "refused the start of 'R1': its pose is not made of numbers";
+        const QString not_numbers = "Location and Rotation take numbers that exist";
         for (const char* const pose : {"{Location nan,0,-1}", "{Location 0, -inf ,0}", "{Location 0,0,1e400}",
                                        "{Location 0,0,-1} {Rotation 0,0,-1.#IND}", "{Rotation nan,0,0}"})
             QTest::newRow(pose) << flatWorld() << pose << not_numbers;

