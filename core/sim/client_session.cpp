@@ -33,6 +33,12 @@ protocol::Segments segmentsOf(std::string_view line) {
     return segments;
 }
 
+/// True for an INIT that its reader refused.
+bool isRefusedInit(const protocol::Command& command) {
+    const auto* const raw = std::get_if<protocol::RawCommand>(&command);
+    return raw && sameWord(std::string_view(raw->line).substr(0, 4), "INIT");
+}
+
 } // namespace
 
 ClientSession::ClientSession(const World& world, protocol::Dialect profile) : world_(world), profile_(profile) {
@@ -156,6 +162,8 @@ void ClientSession::obey(const protocol::Command& command, const Host& host) {
         init(*wanted, host);
     else if (WorldController::isControl(command))
         control(command, host);
+    else if (isRefusedInit(command))
+        refuse("Init", {}, {}, host); // The log has what its reader said.
     else if (!robot_)
         host.log("ignored " + quoted(command) + ": there is no robot on this connection");
     else if (attachCamera(command, host) || setViewports(command, host))
