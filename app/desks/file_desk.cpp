@@ -22,6 +22,8 @@ FileDesk::FileDesk(const DeskContext& context, ServerDesk& server, MissionDesk& 
 void FileDesk::registerCommands() {
     add(
         "file.export", [this] { return selection_.id().valid(); }, [this] { control_.exportResults(selection_.id()); });
+    add(
+        "file.cancel_saving", [this] { return saving_; }, [this] { control_.cancelSaving(); });
     commands_.offer([this] { return files(); });
     add("file.folder", [this] { chooseResultFolder({}); });
     add("file.compare", [this] { widgets::compareRuns(window_, control_.resultFolder()); });
@@ -51,6 +53,17 @@ void FileDesk::wire() {
     connect(&mission_, &MissionDesk::fileUsed, this, remember);
     connect(&workshop_, &PlanWorkshop::fileUsed, this, remember);
     connect(&server_, &ServerDesk::snapshotUsed, this, remember);
+    connect(&control_, &MissionControl::savingChanged, this, &FileDesk::showSaving);
+    connect(views_.saving, &widgets::ProgressStrip::cancelRequested, &control_, &MissionControl::cancelSaving);
+}
+
+void FileDesk::showSaving(const QString& robot_name) {
+    saving_ = !robot_name.isEmpty();
+    if (saving_)
+        views_.saving->begin(tr("Saving what %1 has scanned").arg(robot_name));
+    else
+        views_.saving->end();
+    commands_.refresh();
 }
 
 void FileDesk::restore(const QSettings& settings) {

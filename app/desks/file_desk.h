@@ -44,11 +44,15 @@ private:
     /// For the palette: the missions that come with the program, and the other files that were used last.
     std::vector<widgets::PaletteOffer> files();
 
+    /// Shows whose results are being written; empty: nobody's.
+    void showSaving(const QString& robot_name);
+
     ServerDesk& server_;
     MissionDesk& mission_;
     PlanWorkshop& workshop_;
     mission::RecentFiles recent_;
     bool keeps_folder_;
+    bool saving_ = false;
 };
 
 } // namespace usar::app

@@ -1,5 +1,6 @@
 #include "app/desks/robot_desk.h"
 
+#include <algorithm>
 #include <functional>
 
 #include "core/mission/fleet/roster.h"
@@ -153,6 +154,49 @@ void RobotDesk::wireHeights() {
     connect(views_.layers->heightControls(), &widgets::HeightControls::lookChanged, this,
             [this](const widgets::HeightLook& look) { control_.setPictureColors(look.color_map); });
     views_.map->setScannedBy([this](const Vec2& point_in_map_m) { return heights_.knowing(point_in_map_m); });
+    views_.map->setAgeOf([this](const Vec2& point_in_map_m) { return ageAt(point_in_map_m); });
+    // A new link may count its lines from the beginning.
+    connect(&control_, &MissionControl::robotLinkChanged, this, [this] { line_times_.clear(); });
+    connect(&views_.map->gestures(), &widgets::MapGestures::writerAsked, this, &RobotDesk::showWriter);
+}
+
+std::optional<Seconds> RobotDesk::ageAt(const Vec2& point_in_map_m) {
+    constexpr std::size_t most_times = 1000;
+    if (line_times_.size() > most_times)
+        line_times_.clear();
+    std::optional<Seconds> youngest;
+    for (const auto& [id, probe] : heights_.sourcesAt(point_in_map_m)) {
+        const mission::RobotView& view = control_.robot(id)->view();
+        const auto [known, is_new] = line_times_.try_emplace({view.connection, probe.line});
+        if (is_new)
+            known->second = views_.messages->timeOf(view.connection, probe.line);
+        if (!known->second)
+            continue;
+        const Seconds age = std::max(view.figures.now - *known->second, Seconds{0.0});
+        youngest = std::min(youngest.value_or(age), age);
+    }
+    return youngest;
+}
+
+void RobotDesk::showWriter(const Vec2& point_in_map_m) {
+    const auto sources = heights_.sourcesAt(point_in_map_m);
+    for (const auto& [id, probe] : sources)
+        if (const ConnectionId connection = control_.connectionOf(id);
+            views_.messages->timeOf(connection, probe.line)) {
+            raise(views_.messages_dock);
+            if (views_.messages->jumpToLine(connection, probe.line))
+                return notices_.cure("cell");
+        }
+    if (sources.empty())
+        return notices_.note("cell", tr("No robot knows the height of this place."));
+    const auto& [id, probe] = sources.front();
+    notices_.note("cell",
+                  probe.line == LineNumber{}
+                      ? tr("This height comes from an earlier run, whose lines are not here.")
+                      : tr("Line %1 of %2 wrote this height, but the messages do not keep it any longer. Replay "
+                           "the recording to see it.")
+                            .arg(probe.line.value)
+                            .arg(nameOf(*control_.robot(id))));
 }
 
 std::vector<widgets::PaletteOffer> RobotDesk::offers() {

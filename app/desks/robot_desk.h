@@ -1,6 +1,10 @@
 // Desk for robots: spawns, lists and removes them, shows their updates, and lets them leave trace marks.
 #pragma once
 
+#include <map>
+#include <optional>
+#include <utility>
+
 #include "app/desks/desk.h"
 #include "app/desks/robot_presenter.h"
 #include "core/mission/fleet/shown_heights.h"
@@ -30,6 +34,11 @@ private:
     void wireMarks();
     /// Connects whose heights are shown with the height layer, its controls and their command.
     void wireHeights();
+    /// Time since the shown height at this point was scanned, on the protocol clock; nullopt: nobody knows it, or the
+    /// messages do not have the scan.
+    std::optional<Seconds> ageAt(const Vec2& point_in_map_m);
+    /// Shows the line that wrote the map here in the messages, or says why there is none.
+    void showWriter(const Vec2& point_in_map_m);
     /// For the palette: each robot can be selected, and one can be spawned at each start pose.
     std::vector<widgets::PaletteOffer> offers();
     /// Shows and selects a new robot.
@@ -45,6 +54,8 @@ private:
 
     RobotPresenter presenter_;
     mission::ShownHeights heights_;
+    /// When the lines were sent that the probe has asked for, because to look for one takes a millisecond.
+    std::map<std::pair<ConnectionId, LineNumber>, std::optional<Seconds>> line_times_;
 };
 
 } // namespace usar::app

@@ -195,7 +195,34 @@ std::optional<HeightProbe> probeHeight(const HeightTiles& tiles, double cell_siz
         knownHeight(found == tiles.end() ? nullptr : found->second.get(), &HeightTile::height_m, cell);
     if (!height_m)
         return std::nullopt;
-    return HeightProbe{*height_m, found->second->hits[offsetOf(cell)]};
+    const HeightTile& tile = *found->second;
+    return HeightProbe{*height_m, tile.hits[offsetOf(cell)], {tile.line[offsetOf(cell)]}};
+}
+
+std::optional<HeightRange> rangeWithin(const HeightTiles& tiles, double cell_size_m, const Rectangle& area_in_map) {
+    const auto cell_at = [cell_size_m](const Vec2& at_m) {
+        return GridIndex{cellIndex(at_m.x(), cell_size_m), cellIndex(at_m.y(), cell_size_m)};
+    };
+    const GridIndex first = cell_at(area_in_map.min_m), last = cell_at(area_in_map.max_m);
+    std::optional<HeightRange> range;
+    for (const auto& [index, tile] : tiles) {
+        // Distances between cells at both ends of the grid are longer than 32 bits.
+        constexpr std::int64_t side = HeightTile::side;
+        const std::int64_t left = std::max<std::int64_t>(first.column - index.column * side, 0);
+        const std::int64_t right = std::min(last.column - index.column * side, side - 1);
+        const std::int64_t bottom = std::max<std::int64_t>(first.row - index.row * side, 0);
+        const std::int64_t top = std::min(last.row - index.row * side, side - 1);
+        for (std::int64_t row = bottom; left <= right && row <= top; ++row) {
+            const std::span all(tile->height_m);
+            const auto part = HeightRange::of(
+                all.subspan(static_cast<std::size_t>(row * side + left), static_cast<std::size_t>(right - left + 1)));
+            if (!part)
+                continue;
+            HeightRange::include(range, part->minimum_m);
+            HeightRange::include(range, part->maximum_m);
+        }
+    }
+    return range;
 }
 
 } // namespace usar::mapping

@@ -128,10 +128,14 @@ using HeightTiles = std::map<GridIndex, std::shared_ptr<const HeightTile>>;
 struct HeightProbe {
     float height_m = 0.0f; ///< value of the height array: the mean of the measurements
     int hits = 0;          ///< number of measurements; 0: interpolated between two beams
+    LineNumber line{};     ///< the newest scan that wrote it; 0: unknown, as where several robots know a fused cell
 };
 
 /// Data of the cell at this point of the map frame, looked up in tiles that a height map has handed out; nullopt if its
 /// height is unknown. `cell_size_m` is the side of the tiles' cells.
 std::optional<HeightProbe> probeHeight(const HeightTiles& tiles, double cell_size_m, const Vec2& point_in_map_m);
+
+/// The range of the known heights in all cells that `area_in_map` touches; nullopt if there are none.
+std::optional<HeightRange> rangeWithin(const HeightTiles& tiles, double cell_size_m, const Rectangle& area_in_map);
 
 } // namespace usar::mapping

@@ -1,5 +1,9 @@
 // Two robots scan, and the map shows one height map of both; then both are replayed.
+#include <algorithm>
+#include <optional>
+
 #include <QDir>
+#include <QLineF>
 #include <QTest>
 
 #include "tests/e2e/gui_watchdog.h"
@@ -58,6 +62,24 @@ void begin(WindowPage& page, const std::string& start_pose, const Rectangle& are
     page.press("Start");
 }
 
+/// A pixel of the map over a cell that robot 1 has scanned, away from robots and start poses.
+std::optional<QPoint> openCell(WindowPage& page) {
+    constexpr double clear_px = 40.0;
+    const widgets::MapTransform& transform = page.map().transform();
+    std::vector<QPointF> taken{transform.toScreen(Vec2(page.robot(1)->base_in_map->position_m.head<2>()))};
+    for (const auto& pose : page.map().content().start_poses)
+        taken.push_back(transform.toScreen(Vec2(pose.pose_in_map.position_m.head<2>())));
+    for (const auto& [cell, height_m] : heightsOf(*page.robot(1))) {
+        const QPoint at = transform.toScreen(Vec2(Vec2(cell.first + 0.5, cell.second + 0.5) * cell_m)).toPoint();
+        const bool is_open =
+            std::ranges::all_of(taken, [&](const QPointF& other) { return QLineF(other, at).length() > clear_px; });
+        const auto probe = mapping::probeHeight(page.robot(1)->tiles, cell_m, transform.toMap(at));
+        if (is_open && page.map().rect().contains(at) && !page.map().childAt(at) && probe)
+            return at;
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 class tst_WindowHeights : public QObject {
@@ -67,6 +89,7 @@ private slots:
     void cleanup() { QVERIFY2(GuiWatchdog::instance().complaint().isEmpty(), GuiWatchdog::instance().complaint()); }
     void twoRobotsMakeOneMap();
     void twoReplaysMakeOneMap();
+    void aCellLeadsToTheLineThatWroteIt();
 
 private:
     QTemporaryDir folder_;
@@ -117,6 +140,35 @@ void tst_WindowHeights::twoReplaysMakeOneMap() {
     QTRY_VERIFY_WITH_TIMEOUT(isOneMap(shownIn(page), first_, second_), flight_ms);
     page.window().control().robot({1})->orderReplay({.seek = Seconds(0.0)});
     QTRY_VERIFY_WITH_TIMEOUT(shownIn(page) == second_, soon_ms);
+}
+
+void tst_WindowHeights::aCellLeadsToTheLineThatWroteIt() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    begin(page, "PlayerStart", west);
+    QTRY_VERIFY_WITH_TIMEOUT(page.knownTiles() >= 1, flight_ms);
+    page.window().control().stopAll();
+    QTRY_VERIFY_WITH_TIMEOUT(!page.window().control().robot({1})->running(), soon_ms);
+    auto& views = page.window().views();
+    page.window().commands().action("map.fit")->trigger();
+    const std::optional<QPoint> at = openCell(page);
+    QVERIFY2(at, "a scanned cell that nothing covers");
+    const Vec2 at_m = page.map().transform().toMap(*at);
+    const auto probe = mapping::probeHeight(page.robot(1)->tiles, cell_m, at_m);
+    QVERIFY(probe && probe->line.value > 0);
+    QTRY_VERIFY_WITH_TIMEOUT(views.messages->timeOf(page.robot(1)->connection, probe->line), soon_ms);
+    views.messages_dock->hide();
+    QTest::mouseClick(&page.map(), Qt::LeftButton, Qt::ControlModifier, *at);
+    QTRY_VERIFY_WITH_TIMEOUT(views.messages_dock->isVisible(), soon_ms);
+    const auto& list = *views.messages;
+    QVERIFY(list.view()->currentIndex().isValid());
+    const widgets::MessageRow& row = list.model().row(list.view()->currentIndex().row());
+    QCOMPARE(row.number, mapping::probeHeight(page.robot(1)->tiles, cell_m, at_m)->line.value);
+    QVERIFY2(row.type.starts_with("SEN"), row.type.c_str());
+
+    views.messages->clear();
+    QTest::mouseClick(&page.map(), Qt::LeftButton, Qt::ControlModifier, *at);
+    QVERIFY(!page.notified("the messages do not keep it any longer").isEmpty());
 }
 
 USAR_TEST(tst_WindowHeights)

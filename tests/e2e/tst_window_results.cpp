@@ -1,4 +1,7 @@
 // The end of a mission in the real window: a card tells it, and leads to the files and to the next flight.
+#include <QDir>
+#include <QLabel>
+#include <QLockFile>
 #include <QTest>
 
 #include "tests/e2e/gui_watchdog.h"
@@ -51,6 +54,27 @@ private slots:
         page.press("Fly again");
         QTRY_VERIFY_WITH_TIMEOUT(page.window().control().robot({1})->running(), soon_ms);
         QVERIFY(card->isHidden());
+    }
+
+    void aLongSaveIsSaidAndCanBeCancelled() {
+        WindowPage page;
+        QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+        QVERIFY(page.spawnAt("PlayerStart"));
+        QAction* const cancel = page.window().commands().action("file.cancel_saving");
+        QVERIFY(!cancel->isEnabled());
+        QVERIFY(QDir().mkpath(page.resultFolder()));
+        QLockFile other(QDir(page.resultFolder()).filePath(".usar_scan.lock")); // Another program saves there.
+        QVERIFY(other.lock());
+        page.pressKey(Qt::Key_E, Qt::ControlModifier);
+        auto* const strip = page.window().views().saving;
+        QTRY_VERIFY_WITH_TIMEOUT(strip->isVisible(), soon_ms);
+        QVERIFY(strip->findChild<QLabel*>()->text().contains("Saving what R1 has scanned"));
+        QVERIFY(cancel->isEnabled());
+        page.press("Cancel");
+        QTRY_VERIFY_WITH_TIMEOUT(!strip->isVisible(), soon_ms);
+        QVERIFY(!page.notified("cancelled").isEmpty());
+        QVERIFY(!cancel->isEnabled());
+        QVERIFY(QDir(page.resultFolder()).entryList({"USAR_Scan_*"}, QDir::Files).isEmpty());
     }
 };
 

@@ -49,8 +49,8 @@ struct Ground {
         QTest::mouseRelease(&widget, Qt::LeftButton, modifiers, at);
     }
     /// QTest moves the cursor of the screen instead, and a platform without a screen may say nothing of it.
-    void move(const QPoint& at) {
-        QMouseEvent event(QEvent::MouseMove, at, widget.mapToGlobal(at), Qt::NoButton, held, Qt::NoModifier);
+    void move(const QPoint& at, Qt::KeyboardModifiers modifiers = {}) {
+        QMouseEvent event(QEvent::MouseMove, at, widget.mapToGlobal(at), Qt::NoButton, held, modifiers);
         QCoreApplication::sendEvent(&widget, &event);
     }
     /// Presses and moves, and does not release.
@@ -95,6 +95,8 @@ private slots:
     void placingIsCanceledAndTakenAway();
     void placedRobotIsClicked();
     void lineIsMeasuredUntilTheToolIsLeft();
+    void aRectangleIsMeasuredWithShift();
+    void theWriterIsAskedForOnTheGroundOnly();
 };
 
 void tst_MapGestures::leftPressPansOnlyIfItMoves() {
@@ -424,6 +426,37 @@ void tst_MapGestures::lineIsMeasuredUntilTheToolIsLeft() {
     QVERIFY(ground.content.measured && ground.gestures.escape());
     QVERIFY(!ground.content.measured);
     QCOMPARE(ground.gestures.tool(), MapTool::Pan);
+}
+
+void tst_MapGestures::aRectangleIsMeasuredWithShift() {
+    Ground ground;
+    ground.gestures.setTool(MapTool::Measure);
+    ground.press(ground.screen(1.0, 2.0));
+    ground.move(ground.screen(3.0, 3.0));
+    QVERIFY(ground.content.measured && !ground.content.measured->spans_rectangle);
+    ground.move(ground.screen(4.0, 6.0), Qt::ShiftModifier);
+    ground.release(ground.screen(4.0, 6.0), Qt::ShiftModifier);
+    QVERIFY(ground.content.measured && ground.content.measured->spans_rectangle);
+    QVERIFY(std::abs(ground.content.measured->rectangle_in_map().area_m2() - 12.0) < 1.0);
+}
+
+void tst_MapGestures::theWriterIsAskedForOnTheGroundOnly() {
+    Ground ground;
+    std::vector<Vec2> asked;
+    connect(&ground.gestures, &MapGestures::writerAsked, this, [&](const Vec2& at_m) { asked.push_back(at_m); });
+    ground.press(ground.screen(3.0, -2.0));
+    ground.release(ground.screen(3.0, -2.0)); // Without Ctrl it is a click like any other.
+    QVERIFY(asked.empty());
+    ground.press(ground.screen(3.0, -2.0));
+    ground.release(ground.screen(3.0, -2.0), Qt::ControlModifier);
+    QCOMPARE(asked.size(), std::size_t(1));
+    QVERIFY((asked[0] - Vec2(3.0, -2.0)).norm() < 0.15);
+    ground.content.objects.objects = {crate("crate", {3.0, -2.0})};
+    QSignalSpy clicked(&ground.gestures, &MapGestures::objectClicked);
+    ground.press(ground.screen(3.0, -2.0));
+    ground.release(ground.screen(3.0, -2.0), Qt::ControlModifier);
+    QCOMPARE(asked.size(), std::size_t(1)); // The object is in the way.
+    QCOMPARE(clicked.size(), 1);
 }
 
 void tst_MapGestures::placingIsCanceledAndTakenAway() {

@@ -454,6 +454,8 @@ void tst_MapView::areasOfOtherRobotsAreShown() {
 void tst_MapView::theProbeTellsWhoScannedAPlace() {
     QVERIFY(probeText({1.0, 2.0}, mapping::HeightProbe{4.31f, 7}, {"R1", "R2"}).endsWith("by R1, R2"));
     QVERIFY(!probeText({1.0, 2.0}, mapping::HeightProbe{4.31f, 7}).contains("by"));
+    QVERIFY(!probeText({1.0, 2.0}, mapping::HeightProbe{4.31f, 7}).contains("ago"));
+    QVERIFY(probeText({1.0, 2.0}, mapping::HeightProbe{4.31f, 7}, {"R1"}, Seconds(12)).endsWith("12 s ago   by R1"));
     int asked = 0;
     view_->setScannedBy([&](const Vec2& point_m) {
         asked += (point_m - Vec2(10, -5)).norm() < 1.0;
@@ -466,6 +468,10 @@ void tst_MapView::theProbeTellsWhoScannedAPlace() {
     view_->setRobot({QStringLiteral("R2"), 2, {}});
     (void)view_->grab();
     QVERIFY(asked > 0);
+    int asked_for_age = 0;
+    view_->setAgeOf([&](const Vec2&) { return ++asked_for_age, std::optional(Seconds(3)); });
+    (void)view_->grab();
+    QVERIFY(asked_for_age > 0);
 }
 
 void tst_MapView::clearForgetsAllButTheLayers() {

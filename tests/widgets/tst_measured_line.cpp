@@ -28,6 +28,8 @@ private slots:
     void theRiseIsFromTheFirstToTheLastKnownHeight();
     void theTextSaysLengthHeightsAndRise_data();
     void theTextSaysLengthHeightsAndRise();
+    void aRectangleIsSpannedByItsDiagonal_data();
+    void aRectangleIsSpannedByItsDiagonal();
 };
 
 void tst_MeasuredLine::heightsAreLookedUpFromEndToEnd() {
@@ -74,6 +76,29 @@ void tst_MeasuredLine::theTextSaysLengthHeightsAndRise() {
     for (const double height_m : heights_m)
         profile.heights_m.push_back(height_m);
     QCOMPARE(profileText(profile), text);
+}
+
+void tst_MeasuredLine::aRectangleIsSpannedByItsDiagonal_data() {
+    QTest::addColumn<QPointF>("from_m");
+    QTest::addColumn<QPointF>("to_m");
+    QTest::addColumn<bool>("known");
+    QTest::addColumn<QString>("text");
+    QTest::newRow("up") << QPointF(1, 2) << QPointF(13, 10.5) << true
+                        << "12.0 × 8.5 m · 102.0 m² · heights 1.20 … 4.31 m";
+    QTest::newRow("down to the left") << QPointF(13, 10.5) << QPointF(1, 2) << true
+                                      << "12.0 × 8.5 m · 102.0 m² · heights 1.20 … 4.31 m";
+    QTest::newRow("unknown") << QPointF(0, 0) << QPointF(-2, 1) << false << "2.0 × 1.0 m · 2.0 m² · heights unknown";
+    QTest::newRow("flat") << QPointF(0, 0) << QPointF(3, 0) << false << "3.0 × 0.0 m · 0.0 m² · heights unknown";
+}
+
+void tst_MeasuredLine::aRectangleIsSpannedByItsDiagonal() {
+    QFETCH(QPointF, from_m);
+    QFETCH(QPointF, to_m);
+    QFETCH(bool, known);
+    QFETCH(QString, text);
+    const MeasuredLine diagonal{{from_m.x(), from_m.y()}, {to_m.x(), to_m.y()}, true};
+    QCOMPARE(rectangleText(diagonal.rectangle_in_map(), known ? std::optional(std::pair(1.2, 4.31)) : std::nullopt),
+             text);
 }
 
 USAR_TEST(tst_MeasuredLine)

@@ -62,6 +62,7 @@ private slots:
     void aCommandLeadsToItsCauseAndBack();
     void detailsShowFaultsUnderACaret();
     void linesOfAnotherRobotAreKeptApart();
+    void aLineIsFoundByItsNumberEvenWhileItWaits();
     void typesSeenAreOfferedAndTicked();
     void aWrongExpressionIsSaidAndFiltersNothing();
     void followingEndsWhereThePersonScrolls();
@@ -323,6 +324,22 @@ void tst_MessageList::linesOfAnotherRobotAreKeptApart() {
     list_->actions().all_robots->setChecked(false);
     list_->selectConnection({2});
     QCOMPARE(list_->model().rowCount(), 2);
+}
+
+void tst_MessageList::aLineIsFoundByItsNumberEvenWhileItWaits() {
+    list_->selectConnection({1});
+    list_->actions().pause->setChecked(true);
+    for (int i = 1; i <= 3; ++i)
+        list_->takeLine(reader_.read("STA {Time 1}"), Seconds(10.0 * i), {2});
+    QCOMPARE(list_->model().total(), 0);
+    QCOMPARE(list_->timeOf({2}, {2}), std::optional(Seconds(20)));
+    QVERIFY(!list_->timeOf({1}, {2}) && !list_->timeOf({2}, {4}) && !list_->timeOf({2}, {}));
+    QVERIFY(!list_->jumpToLine({2}, {4}));
+    QVERIFY(list_->jumpToLine({2}, {2}));
+    QCOMPARE(list_->model().row(list_->view()->currentIndex().row()).number, std::uint64_t(2));
+    QCOMPARE(list_->timeOf({2}, {2}), std::optional(Seconds(20)));
+    list_->clear();
+    QVERIFY(!list_->timeOf({2}, {2}) && !list_->jumpToLine({2}, {2}));
 }
 
 void tst_MessageList::typesSeenAreOfferedAndTicked() {

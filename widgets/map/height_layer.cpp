@@ -260,6 +260,10 @@ std::optional<mapping::HeightProbe> HeightLayer::probe(const Vec2& point_in_map_
     return mapping::probeHeight(tiles_, style_.cell_size_m, point_in_map_m);
 }
 
+std::optional<mapping::HeightRange> HeightLayer::rangeWithin(const Rectangle& area_in_map) const {
+    return mapping::rangeWithin(tiles_, style_.cell_size_m, area_in_map);
+}
+
 void HeightLayer::renderNext() {
     if (rendering_ || dirty_.empty() || !rangeKnown())
         return;

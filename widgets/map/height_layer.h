@@ -115,6 +115,7 @@ public:
     Rectangle bounds_in_map() const;
     /// Data of the cell at that point; nullopt if its height is unknown.
     std::optional<mapping::HeightProbe> probe(const Vec2& point_in_map_m) const;
+    std::optional<mapping::HeightRange> rangeWithin(const Rectangle& area_in_map) const; ///< as mapping::rangeWithin
     /// True while a worker renders or changes wait for it.
     bool busy() const { return rendering_ || !dirty_.empty(); }
 

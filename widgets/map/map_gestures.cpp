@@ -71,7 +71,7 @@ bool MapGestures::takeMouse(QEvent* event) {
     case QEvent::MouseButtonPress:
         return press(*static_cast<QMouseEvent*>(event)), true;
     case QEvent::MouseMove:
-        return move(static_cast<QMouseEvent*>(event)->position()), true;
+        return move(static_cast<QMouseEvent*>(event)->position(), static_cast<QMouseEvent*>(event)->modifiers()), true;
     case QEvent::MouseButtonRelease:
         return release(*static_cast<QMouseEvent*>(event)), true;
     case QEvent::MouseButtonDblClick:
@@ -120,7 +120,7 @@ void MapGestures::press(const QMouseEvent& event) {
     updateCursor();
 }
 
-void MapGestures::move(const QPointF& at_px) {
+void MapGestures::move(const QPointF& at_px, Qt::KeyboardModifiers modifiers) {
     cursor_px_ = at_px;
     const QPointF way = at_px - pressed_px_;
     if (gesture_ == Gesture::Pressed && std::hypot(way.x(), way.y()) >= QApplication::startDragDistance() / 2.0)
@@ -134,7 +134,7 @@ void MapGestures::move(const QPointF& at_px) {
     else if (gesture_ == Gesture::PlacingRobot)
         turnDraft(at_px);
     else if (gesture_ == Gesture::Measuring)
-        content_.measured = {pressed_m_, transform_.toMap(at_px)};
+        content_.measured = {pressed_m_, transform_.toMap(at_px), modifiers.testFlag(Qt::ShiftModifier)};
     else
         hover(at_px);
     updateCursor();
@@ -334,7 +334,9 @@ void MapGestures::click(const QPointF& at_px, Qt::KeyboardModifiers modifiers) {
     } else if (const auto pose = hits().startPoseAt(at_px)) {
         emit startPoseClicked(*pose);
     } else if (const QString object = hits().objectAt(at_px);
-               !object.isEmpty() || !content_.objects.selected.isEmpty()) {
+               object.isEmpty() && modifiers.testFlag(Qt::ControlModifier)) {
+        emit writerAsked(transform_.toMap(at_px));
+    } else if (!object.isEmpty() || !content_.objects.selected.isEmpty()) {
         clickObject(object);
     }
 }

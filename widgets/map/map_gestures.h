@@ -72,7 +72,10 @@ signals:
     void objectClicked(const QString& name);
     /// The object was dragged so that its center is here; the map shows it here until the next setObjects.
     void objectMoved(const QString& name, const usar::Vec2& center_in_map_m);
-    /// A line was drawn with the tool Measure; it stays until the tool is left or draws another one.
+    /// The user wants to know what wrote the map here (Ctrl+click on the ground).
+    void writerAsked(const usar::Vec2& point_in_map_m);
+    /// A line, or with Shift a rectangle, was drawn with the tool Measure; it stays until the tool is left or draws
+    /// another one.
     void lineMeasured(const usar::widgets::MeasuredLine& line);
     void toolChanged(usar::widgets::MapTool tool);
 
@@ -83,7 +86,7 @@ private:
     bool takeMouse(QEvent* event);
     bool takeDrag(QEvent* event);
     void press(const QMouseEvent& event);
-    void move(const QPointF& at_px);
+    void move(const QPointF& at_px, Qt::KeyboardModifiers modifiers);
     void release(const QMouseEvent& event);
     void doubleClick(const QMouseEvent& event);
     void leave();

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include <QCoreApplication>
+
 #include "widgets/map/map_painter.h"
 #include "widgets/models/figures.h"
 
@@ -119,13 +121,14 @@ void paintMarkLegend(QPainter& painter, const MapContent& content, const QRectF&
 } // namespace
 
 QString probeText(const Vec2& point_in_map_m, const std::optional<mapping::HeightProbe>& ground,
-                  const QStringList& scanned_by) {
+                  const QStringList& scanned_by, std::optional<Seconds> age) {
     const QString whose = scanned_by.isEmpty() ? QString() : QStringLiteral("   by ") + scanned_by.join(", ");
+    const QString when = age ? QCoreApplication::translate("MapOverlay", "   %1 ago").arg(ageText(*age)) : QString();
     return QStringLiteral("x %1   y %2   z %3 m   hits %4")
                .arg(figure(point_in_map_m.x(), 1, 6), figure(point_in_map_m.y(), 1, 6),
                     ground ? figure(double(ground->height_m), 2, 6) : figure(qQNaN(), 2, 6),
                     figure(ground ? double(ground->hits) : qQNaN(), 0, 3)) +
-           whose;
+           when + whose;
 }
 
 QRectF axesGlass_px(const MapTransform& transform) {

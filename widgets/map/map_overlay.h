@@ -1,8 +1,11 @@
 // Fixed overlay of the map that does not move with it: scale bar, axes, legends, probe, focus ring.
 #pragma once
 
+#include <optional>
+
 #include <QPainter>
 
+#include "core/base/clock.h"
 #include "widgets/map/height_layer.h"
 #include "widgets/map/map_content.h"
 
@@ -15,10 +18,11 @@ struct MapOverlay {
     bool focused = false; ///< the map has the keyboard focus
 };
 
-/// "x 31.2   y −8.0   z 4.31 m   hits 7   by R1, R2": the ground at a point, in meters of the map frame; nullopt:
-/// unknown height. `scanned_by` names the robots that know it; empty: not told.
+/// "x 31.2   y −8.0   z 4.31 m   hits 7   12 s ago   by R1, R2": the ground at a point, in meters of the map frame;
+/// nullopt: unknown height. `scanned_by` names the robots that know it, `age` is that of its newest scan on the
+/// protocol clock; empty and nullopt: not told.
 QString probeText(const Vec2& point_in_map_m, const std::optional<mapping::HeightProbe>& ground,
-                  const QStringList& scanned_by = {});
+                  const QStringList& scanned_by = {}, std::optional<Seconds> age = std::nullopt);
 
 /// Area around the axes that is dimmed, in pixels; labels stay out of it.
 QRectF axesGlass_px(const MapTransform& transform);

@@ -36,7 +36,7 @@ MapView::MapView(QWidget* parent) : QWidget(parent) {
     connect(&gestures_, &MapGestures::startPoseClicked, this, &MapView::askAbout);
     connect(&gestures_, &MapGestures::spawnRequested, this, &MapView::spawnRequested);
     connect(&gestures_, &MapGestures::lineMeasured, this, [this](const MeasuredLine& line) {
-        setAccessibleDescription(tr("Measured: %1").arg(profileText(profileOf(line, *heights_))));
+        setAccessibleDescription(tr("Measured: %1").arg(measuredText(line, *heights_)));
     });
     showContent();
 }
@@ -257,7 +257,8 @@ void MapView::paintEvent(QPaintEvent*) {
     if (const auto& cursor_px = gestures_.cursor_px()) {
         const Vec2 at = transform_.toMap(*cursor_px);
         const bool tell_whose = scanned_by_ && content_.robots.size() > 1;
-        overlay.probe = probeText(at, heights_->probe(at), tell_whose ? scanned_by_(at) : QStringList());
+        overlay.probe = probeText(at, heights_->probe(at), tell_whose ? scanned_by_(at) : QStringList(),
+                                  age_of_ ? age_of_(at) : std::nullopt);
     }
     paintOverlay(painter, overlay, content_, *heights_, transform_);
 }

@@ -37,6 +37,7 @@ public:
     HeightLayer& heights() { return *heights_; }
     /// `names` tells the probe who has scanned a point; asked in paintEvent if there are several robots.
     void setScannedBy(const std::function<QStringList(const Vec2& point_in_map_m)>& names) { scanned_by_ = names; }
+    void setAgeOf(const std::function<std::optional<Seconds>(const Vec2&)>& age) { age_of_ = age; } ///< of its height
 
     // The mission.
     void setArea(const std::optional<Rectangle>& area_in_map);
@@ -58,8 +59,7 @@ public:
     /// Area of its newest behavior, shown while another robot is selected; empty: none. As setGoal for unknown robots.
     void setRobotArea(const QString& robot, const Rectangle& area_in_map);
     void setRadioLinks(const std::vector<RadioLink>& links);
-    /// Draws the ring around that robot; an empty name selects nobody and ends following.
-    void selectRobot(const QString& name);
+    void selectRobot(const QString& name); ///< draws the ring around it; empty: selects nobody and ends following
 
     // Objects of the world.
     /// Replaces all objects; the last one is on top. Selection and drag end if their object is missing.
@@ -105,8 +105,7 @@ signals:
     void startPoseClicked(int start_pose, const QPoint& at); ///< or Space; `at` is global, beside the diamond
     void objectRemovalRequested(const QString& name);
     void followingChanged(bool following);
-    /// Escape has canceled a drag or left a tool.
-    void escapeUsed();
+    void escapeUsed(); ///< Escape has canceled a drag or left a tool
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -140,6 +139,7 @@ private:
     GroundPicture ground_;
     TraceLayer traces_;
     std::function<QStringList(const Vec2&)> scanned_by_;
+    std::function<std::optional<Seconds>(const Vec2&)> age_of_;
     QTimer soon_;
     EmptyState* empty_state_ = new EmptyState(this);
     QPushButton* way_back_ = new QPushButton(tr("Back to the map"), this);

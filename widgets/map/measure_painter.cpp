@@ -21,6 +21,14 @@ void paintLine(QPainter& painter, const QPointF& from, const QPointF& to) {
     }
 }
 
+void paintOutline(QPainter& painter, const QRectF& rectangle) {
+    painter.setBrush(Qt::NoBrush);
+    for (const QPen& pen : {QPen(tokens().background, 4.0), QPen(tokens().accent, 1.5)}) {
+        painter.setPen(pen);
+        painter.drawRect(rectangle);
+    }
+}
+
 /// Paints the curve into the box: lowest height at its bottom, highest at its top.
 void paintCurve(QPainter& painter, const QRectF& box, const LineProfile& profile) {
     const auto range = profile.range_m();
@@ -53,16 +61,28 @@ LineProfile profileOf(const MeasuredLine& line, const HeightLayer& heights) {
     });
 }
 
+QString measuredText(const MeasuredLine& line, const HeightLayer& heights) {
+    if (!line.spans_rectangle)
+        return profileText(profileOf(line, heights));
+    const Rectangle rectangle = line.rectangle_in_map();
+    const auto range = heights.rangeWithin(rectangle);
+    return rectangleText(rectangle, range ? std::optional(std::pair<double, double>(range->minimum_m, range->maximum_m))
+                                          : std::nullopt);
+}
+
 void paintMeasured(QPainter& painter, const MeasuredLine& line, const HeightLayer& heights,
                    const MapTransform& transform) {
-    const LineProfile profile = profileOf(line, heights);
+    const LineProfile profile = line.spans_rectangle ? LineProfile{} : profileOf(line, heights);
     const bool known = profile.range_m().has_value();
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
-    paintLine(painter, transform.toScreen(line.from_m), transform.toScreen(line.to_m));
+    if (line.spans_rectangle)
+        paintOutline(painter, transform.toScreen(line.rectangle_in_map()));
+    else
+        paintLine(painter, transform.toScreen(line.from_m), transform.toScreen(line.to_m));
     const Tokens& t = tokens();
     painter.setFont(themeFont());
-    const QString text = profileText(profile);
+    const QString text = measuredText(line, heights);
     const QFontMetricsF metrics(painter.font());
     const double width_px = std::max(metrics.horizontalAdvance(text), 240.0) + 2.0 * gap::small;
     const double height_px = metrics.height() + 2.0 * gap::tiny + (known ? plot_height_px + gap::small : 0.0);

@@ -1,6 +1,7 @@
 #include "widgets/messages/message_list.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <QHeaderView>
@@ -213,6 +214,32 @@ void MessageList::noteSelection() {
     selected_ = model_->serial(current.row());
     if (!detail_->isHidden())
         detail_->show(*model_, *selected_);
+}
+
+bool MessageList::jumpToLine(ConnectionId connection, LineNumber line) {
+    const auto stored = [&] { return model_->serialOf(connection, Direction::In, line.value); };
+    // Whoever asks for a line wants it at once, also while the list pauses.
+    if (timeOf(connection, line)) {
+        const QScopedValueRollback moving(moving_, true);
+        while (!stored() && !waiting_.empty() && !saver_->busy())
+            model_->append(takeBatch());
+    }
+    updateState();
+    const auto serial = stored();
+    if (serial)
+        jumpTo(*serial);
+    return serial.has_value();
+}
+
+std::optional<Seconds> MessageList::timeOf(ConnectionId connection, LineNumber line) const {
+    const auto is_it = [&](const MessageRow& row) {
+        return row.number == line.value && row.connection == connection && row.direction == Direction::In &&
+               row.not_shown == 0;
+    };
+    const auto waiting = std::find_if(waiting_.rbegin(), waiting_.rend(), is_it);
+    const auto stored = model_->serialOf(connection, Direction::In, line.value);
+    const MessageRow* const row = waiting != waiting_.rend() ? &*waiting : stored ? model_->find(*stored) : nullptr;
+    return row && std::isfinite(row->time.count()) ? std::optional(row->time) : std::nullopt;
 }
 
 void MessageList::jumpTo(std::uint64_t serial) {

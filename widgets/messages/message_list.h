@@ -68,6 +68,10 @@ public:
     void focusSearch() { bar_->focusSearch(); }
     /// Selects the row with that serial number of the model and shows its details; filters that hide it are removed.
     void jumpTo(std::uint64_t serial);
+    /// The same with the newest info line that has this number; false: the list does not have it, or no longer.
+    bool jumpToLine(ConnectionId connection, LineNumber line);
+    /// Protocol clock of that line, even if it is not inserted yet; nullopt: as above, or it was not known.
+    std::optional<Seconds> timeOf(ConnectionId connection, LineNumber line) const;
 
     const MessageModel& model() const { return *model_; }
     QTableView* view() const { return view_; }

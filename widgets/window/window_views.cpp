@@ -44,8 +44,10 @@ void makeCenter(QMainWindow& window, WindowViews& views) {
     auto* center = new QWidget;
     laidOut(new QVBoxLayout(center), {}, 0,
             {views.question = new QuestionStrip, views.hint = new HintStrip, views.progress = new ProgressStrip,
-             views.result = new ResultCard, views.replay = new ReplayBar, views.map = new MapView})
+             views.saving = new ProgressStrip, views.result = new ResultCard, views.replay = new ReplayBar,
+             views.map = new MapView})
         ->setStretchFactor(views.map, 1);
+    views.saving->setAccessibleName(QObject::tr("Saving"));
     views.replay->hide();
     views.map->setOrientation(MapOrientation::YUp); // As in exported pictures and in GIS.
     views.spawn_card = new SpawnCard(views.map);

@@ -57,6 +57,7 @@ struct WindowViews {
     HintStrip* hint = nullptr;         ///< the first steps
     ResultCard* result = nullptr;      ///< how a mission ended
     ProgressStrip* progress = nullptr; ///< visible while a world or snapshot is being opened
+    ProgressStrip* saving = nullptr;   ///< visible while results are being written
     ReplayBar* replay = nullptr;       ///< visible while a replay is selected
     MapView* map = nullptr;
     SpawnCard* spawn_card = nullptr; ///< a sheet in the map

@@ -136,6 +136,24 @@ void paintArea(QPainter& painter, const Rectangle& area, const View& view, doubl
     painter.drawRect(QRectF(top_left, bottom_right));
 }
 
+Legend legendOf(const ScanRecord& record, const View& view, mapping::ColorMap colors) {
+    Legend legend;
+    legend.range = record.raster.range();
+    legend.colors = colors;
+    legend.pixels_per_m = view.pixels_per_m;
+    legend.text_px = std::clamp(std::min(view.width_px, view.height_px) / 45.0, 13.0, 80.0);
+    legend.title = QString("%1  ·  %2  ·  %3")
+                       .arg(QString::fromStdString(record.level), QString::fromStdString(record.robot_name),
+                            QString::fromStdString(record.behavior_id));
+    return legend;
+}
+
+void addMetadata(QImage& image, const ScanRecord& record, const View& view) {
+    for (const auto& [key, value] : metadataOf(record))
+        image.setText(key, value);
+    image.setText("pixels_per_m", numberText(view.pixels_per_m));
+}
+
 } // namespace
 
 QImage mapPicture(const ScanRecord& record, mapping::ColorMap colors) {
@@ -143,14 +161,7 @@ QImage mapPicture(const ScanRecord& record, mapping::ColorMap colors) {
         return {};
     const View view(record);
     const double shorter_px = std::min(view.width_px, view.height_px);
-    Legend legend;
-    legend.range = record.raster.range();
-    legend.colors = colors;
-    legend.pixels_per_m = view.pixels_per_m;
-    legend.text_px = std::clamp(shorter_px / 45.0, 13.0, 80.0);
-    legend.title = QString("%1  ·  %2  ·  %3")
-                       .arg(QString::fromStdString(record.level), QString::fromStdString(record.robot_name),
-                            QString::fromStdString(record.behavior_id));
+    const Legend legend = legendOf(record, view, colors);
     const int strip_px = legend.heightFor(view.width_px);
     QImage image(view.width_px, view.height_px + strip_px, QImage::Format_RGB32);
     paintHeights(image, record.raster, view, colors);
@@ -165,9 +176,21 @@ QImage mapPicture(const ScanRecord& record, mapping::ColorMap colors) {
     painter.setClipping(false);
     legend.draw(painter, QRect(0, view.height_px, view.width_px, strip_px));
     painter.end();
-    for (const auto& [key, value] : metadataOf(record))
-        image.setText(key, value);
-    image.setText("pixels_per_m", numberText(view.pixels_per_m));
+    addMetadata(image, record, view);
+    return image;
+}
+
+QImage legendPicture(const ScanRecord& record, mapping::ColorMap colors) {
+    if (record.raster.empty())
+        return {};
+    const View view(record);
+    const Legend legend = legendOf(record, view, colors);
+    QImage image(view.width_px, legend.heightFor(view.width_px), QImage::Format_RGB32);
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    legend.draw(painter, image.rect());
+    painter.end();
+    addMetadata(image, record, view);
     return image;
 }
 

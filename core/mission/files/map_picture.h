@@ -16,6 +16,10 @@ namespace usar::mission {
 /// needs a QGuiApplication (without one the legend has no letters).
 QImage mapPicture(const ScanRecord& record, mapping::ColorMap colors = mapping::ColorMap::Color);
 
+/// The legend of mapPicture alone, as wide as that picture and with its metadata, for pages and slides that show the
+/// heights in another way. A null image for an empty raster.
+QImage legendPicture(const ScanRecord& record, mapping::ColorMap colors = mapping::ColorMap::Color);
+
 /// Format_Grayscale16; 0 is unknown, 1..65535 spans minimum..maximum: height = height_offset_m + pixel *
 /// height_scale_m. These two, cell size and origin are PNG text keys. A null image for an empty raster.
 QImage heightImage(const mapping::Raster& raster);

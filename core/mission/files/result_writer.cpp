@@ -1,8 +1,11 @@
 #include "core/mission/files/result_writer.h"
 
+#include <algorithm>
 #include <optional>
+#include <utility>
 
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <QImageWriter>
 #include <QJsonArray>
@@ -39,13 +42,44 @@ QString freeStem(const QDir& folder, const ScanRecord& record) {
     }
 }
 
-/// Writes the files of one scan; stops at the first failure.
+Error cancelledIn(const QString& folder) {
+    return {"saving was cancelled, and nothing of it is left in the folder", folder.toStdString(),
+            "The scan is still in memory: save it whenever you like"};
+}
+
+/// A file that takes nothing more once a stop is requested.
+class StoppableFile : public QSaveFile {
+public:
+    StoppableFile(const QString& path, std::stop_token stop) : QSaveFile(path), stop_(std::move(stop)) {}
+
+protected:
+    qint64 writeData(const char* data, qint64 size) override {
+        return stop_.stop_requested() ? -1 : QSaveFile::writeData(data, size);
+    }
+
+private:
+    std::stop_token stop_;
+};
+
+/// Writes the files of one scan; stops at the first failure, or when it is told to.
 class Writing {
 public:
-    Writing(QString folder, QString stem) : folder_(std::move(folder)), stem_(std::move(stem)) {}
+    Writing(QString folder, QString stem, std::stop_token stop)
+        : folder_(std::move(folder))
+        , stem_(std::move(stem))
+        , stop_(std::move(stop)) {}
 
     void bytes(const QString& ending, const char* data, qsizetype size) {
-        save(ending, [&](QSaveFile& file) { return file.write(data, size) == size; });
+        save(ending, [&](QSaveFile& file) {
+            qsizetype done = 0;
+            while (done < size) {
+                const qint64 part = file.write(data + done, std::min(size - done, part_size));
+                if (part <= 0)
+                    return false;
+                done += part;
+            }
+            return true;
+        });
     }
     void bytes(const QString& ending, const QByteArray& data) { bytes(ending, data.constData(), data.size()); }
 
@@ -60,27 +94,39 @@ public:
     QString pathOf(const QString& ending) const { return QDir(folder_).filePath(stem_ + ending); }
     const QStringList& files() const { return files_; }
     const std::optional<Error>& error() const { return error_; }
+    /// True after an error or a request to stop; what comes next need not even be prepared.
+    bool stopped() {
+        if (!error_ && stop_.stop_requested()) {
+            std::ranges::for_each(std::exchange(files_, {}), [](const QString& path) { QFile::remove(path); });
+            error_ = cancelledIn(folder_);
+        }
+        return error_.has_value();
+    }
 
 private:
     /// Quality on Qt's scale, which means zlib level 3; the default takes three times as long to save a tenth of the
     /// size.
     static constexpr int fast_compression = 66;
 
+    /// Bytes between two looks at whether to stop.
+    static constexpr qsizetype part_size = qsizetype(1) << 20;
+
     template <class Write>
     void save(const QString& ending, const Write& write) {
-        if (error_)
+        if (stopped())
             return;
         const QString path = pathOf(ending);
-        QSaveFile file(path);
+        StoppableFile file(path, stop_);
         if (file.open(QIODevice::WriteOnly) && write(file) && file.commit())
             files_ << path;
-        else
+        else if (!stopped())
             error_ = Error{"cannot write: " + file.errorString().toStdString(), path.toStdString(),
                            folder_mend.toStdString()};
     }
 
     QString folder_;
     QString stem_;
+    std::stop_token stop_;
     QStringList files_;
     std::optional<Error> error_;
 };
@@ -147,17 +193,38 @@ void writeText(Writing& writing, const mapping::Raster& raster) {
     writing.bytes(".xyz", QByteArray::fromStdString(mapping::xyzPoints(raster)));
 }
 
-void writeMap(Writing& writing, const ScanRecord& record, mapping::ColorMap colors) {
-    writeRaw(writing, {}, record.raster);
-    writeText(writing, record.raster);
-    for (std::size_t i = 0; i < record.far_rasters.size(); ++i)
-        writeRaw(writing, QString("_far%1").arg(i + 1), record.far_rasters[i]);
+void writeHeightImage(Writing& writing, const ScanRecord& record) {
     QImage height_image = heightImage(record.raster);
     for (const auto& [key, value] : metadataOf(record))
         height_image.setText(key, value);
     writing.image("_height.png", height_image);
     writing.bytes("_height.pgw", worldFile(record.raster));
+}
+
+void writePicture(Writing& writing, const ScanRecord& record, mapping::ColorMap colors) {
     writing.image(mapping::picture_ending, mapPicture(record, colors));
+    writing.image("_legend.png", legendPicture(record, colors));
+}
+
+void writeMap(Writing& writing, const ScanRecord& record, mapping::ColorMap colors) {
+    writeRaw(writing, {}, record.raster);
+    if (!writing.stopped())
+        writeText(writing, record.raster);
+    for (std::size_t i = 0; i < record.far_rasters.size() && !writing.stopped(); ++i)
+        writeRaw(writing, QString("_far%1").arg(i + 1), record.far_rasters[i]);
+    if (!writing.stopped())
+        writeHeightImage(writing, record);
+    if (!writing.stopped())
+        writePicture(writing, record, colors);
+}
+
+/// Waits up to a minute while others save into the same folder.
+bool waitFor(QLockFile& lock, const std::stop_token& stop) {
+    constexpr int longest_ms = 60'000, part_ms = 100;
+    for (int waited_ms = 0; waited_ms < longest_ms && !stop.stop_requested(); waited_ms += part_ms)
+        if (lock.tryLock(part_ms) || lock.error() != QLockFile::LockFailedError)
+            break;
+    return lock.isLocked();
 }
 
 } // namespace
@@ -168,18 +235,20 @@ QString defaultResultFolder() {
 }
 
 Result<QStringList> writeResults(const ScanRecord& record, const QJsonObject& summary, const QString& folder,
-                                 mapping::ColorMap colors) {
+                                 mapping::ColorMap colors, const std::stop_token& stop) {
     if (folder.isEmpty() || !QDir().mkpath(folder))
         return failure("cannot create the folder for the results", folder.toStdString(), folder_mend.toStdString());
     // Held until everything is written: two scans that end at the same time must not take the same free number.
     QLockFile lock(QDir(folder).filePath(".usar_scan.lock"));
     lock.setStaleLockTime(0);
-    if (!lock.tryLock(60'000))
+    if (!waitFor(lock, stop) && stop.stop_requested())
+        return tl::unexpected(cancelledIn(folder));
+    if (!lock.isLocked())
         return failure(lock.error() == QLockFile::LockFailedError ? "another program is still saving into the folder"
                                                                   : "cannot write into the folder",
                        folder.toStdString(), folder_mend.toStdString());
 
-    Writing writing(QDir(folder).absolutePath(), freeStem(QDir(folder), record));
+    Writing writing(QDir(folder).absolutePath(), freeStem(QDir(folder), record), stop);
     if (!record.raster.empty())
         writeMap(writing, record, colors);
     writing.bytes(".json", summaryBytes(record, summary, writing.files() + QStringList{writing.pathOf(".json")}));

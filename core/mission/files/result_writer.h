@@ -1,6 +1,7 @@
 // Writes the result files of a mission, and names new recordings.
 #pragma once
 
+#include <stop_token>
 #include <string>
 
 #include <QDateTime>
@@ -18,16 +19,17 @@ namespace usar::mission {
 QString defaultResultFolder();
 
 /// Writes <stem>.bil and .hdr (float32, NoData), .asc and .xyz (text, unless the map is huge), <stem>_height.png
-/// (16-bit, metadata inside) and its world file _height.pgw, <stem>_picture.png (with the marks of the thesis),
-/// <stem>.json (`summary`, and under "map" and "marks" what the files contain). The raw heights come first; each file
-/// is written under a temporary name and then renamed; older scans are never overwritten. The stem is
-/// USAR_Scan_<level>_<robot>_<number>, with the first free number. Parts of the map that are too far away to be in one
-/// raster with the rest are written as _far1.bil and .hdr, _far2 and so on. Returns the full paths of the files. To be
-/// called outside the GUI thread; concurrent calls, also from several programs, get numbers of their own. An unwritable
-/// folder is an error that names it. An empty map is an error, too, but its summary is still written.
-/// `colors` are those of the picture.
+/// (16-bit, metadata inside) and its world file _height.pgw, <stem>_picture.png (with the marks of the thesis)
+/// and its legend alone, <stem>_legend.png, <stem>.json (`summary`, and under "map" and "marks" what the files
+/// contain). The raw heights come first; each file is written under a temporary name and then renamed; older scans are
+/// never overwritten. The stem is USAR_Scan_<level>_<robot>_<number>, with the first free number. Parts of the map that
+/// are too far away to be in one raster with the rest are written as _far1.bil and .hdr, _far2 and so on. Returns the
+/// full paths of the files. To be called outside the GUI thread; concurrent calls, also from several programs, get
+/// numbers of their own. An unwritable folder is an error that names it. An empty map is an error, too, but its summary
+/// is still written. `colors` are those of the picture. When `stop` is requested, in any thread, it removes the files
+/// that it has written, and returns an error; a request after the last file comes too late.
 Result<QStringList> writeResults(const ScanRecord& record, const QJsonObject& summary, const QString& folder,
-                                 mapping::ColorMap colors = mapping::ColorMap::Color);
+                                 mapping::ColorMap colors = mapping::ColorMap::Color, const std::stop_token& stop = {});
 
 /// Sentences for the user about a map that does not fit into one raster; empty if it does.
 std::string farPartsNotice(const ScanRecord& record);

@@ -32,6 +32,12 @@ Fleet::Private::Private(Fleet& fleet, const QString& host_program)
         q.note(Severity::Error, "export", reason);
         emit q.exportFailed(id, reason);
     });
+    connect(&keeper, &ScanKeeper::cancelled, &q, [this](RobotId id, const QString& reason) {
+        patience.stop();
+        q.note(Severity::Note, "export", reason);
+        emit q.exportFailed(id, reason);
+    });
+    connect(&keeper, &ScanKeeper::writingChanged, &q, &Fleet::savingChanged);
 }
 
 Fleet::Fleet(const QString& behavior_host, QObject* parent)
@@ -337,6 +343,10 @@ bool Fleet::resultFolderChosen() const {
 void Fleet::exportResults(RobotId id) {
     if (Robot* robot = this->robot(id))
         d_->keeper.save(*robot);
+}
+
+void Fleet::cancelSaving() {
+    d_->keeper.cancel();
 }
 
 void Fleet::Private::finished(Robot* robot, bool success, const QString& reason) {

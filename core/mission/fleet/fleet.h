@@ -59,16 +59,14 @@ public:
     void setTruthMaker(std::function<Truth()> make); ///< SimulatorFacts::make_truth; forgotten likewise
 
     QString nextRobotName() const;
-    /// Returns the lowest free id; an error if there are too many robots or no link.
-    Result<RobotId> spawn(SpawnRequest request);
-    Robot* robot(RobotId id) const; ///< nullptr if there is none
+    Result<RobotId> spawn(SpawnRequest request); ///< the lowest free id; an error: too many robots, or no link
+    Robot* robot(RobotId id) const;              ///< nullptr if there is none
     std::vector<Robot*> robots() const;
     /// RobotView::connection of the robot, or of the spare connection if `id` is 0; 0 if there is none.
     ConnectionId connectionOf(RobotId id) const;
     Result<void> checkLine(ConnectionId connection) const; ///< an error says why no line can be sent there now
     Result<void> sendLine(ConnectionId connection, const QString& line, const by::Source& source); ///< unchanged
-    /// Stops the robot, closes its connection and saves its scan.
-    void remove(RobotId id);
+    void remove(RobotId id); ///< stops the robot, closes its connection and saves its scan
     /// Sends the original INIT again, for a robot that never appeared or was lost with its link.
     void spawnAgain(RobotId id);
     /// `plan_path`: the user's own POSH plan; empty: the robot's. `isolate`: run in a separate process.
@@ -93,6 +91,7 @@ public:
     void setPictureColors(mapping::ColorMap colors); ///< of exported pictures; the window's own
     bool anythingToSave() const;
     void exportResults(RobotId id);
+    void cancelSaving(); ///< of all scans that are being written; `exportFailed` follows for each
     /// Records each live robot, present or future, to its own file in the result folder. Initially on.
     void setRecording(bool on);
     bool recording() const;
@@ -132,6 +131,7 @@ signals:
     void behaviorBroke(usar::RobotId id, const QString& key, const QString& text);
     void resultsWritten(usar::RobotId id, const usar::mission::RunSummary& summary, const QString& robot_name);
     void exportFailed(usar::RobotId id, const QString& reason); ///< the scan is still in memory
+    void savingChanged(const QString& robot_name);              ///< whose scan is being written now; empty: none is
     /// `key` groups repeats and lets a cure clear them.
     void noticed(const QString& key, const usar::mission::Notice& notice);
     void cured(const QString& key);

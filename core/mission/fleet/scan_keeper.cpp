@@ -28,11 +28,12 @@ RunSummary summaryOf(const Robot& robot, const SimulatorFacts& facts) {
 
 /// Writes the record with its summary, which is returned complete.
 Result<RunSummary> saveRecord(const ScanRecord& record, RunSummary summary, const std::function<Truth()>& make_truth,
-                              const QString& folder, mapping::ColorMap colors) {
-    const std::optional<Truth> truth = make_truth ? std::optional(make_truth()) : std::nullopt;
+                              const QString& folder, mapping::ColorMap colors, const std::stop_token& stop) {
+    const std::optional<Truth> truth =
+        make_truth && !stop.stop_requested() ? std::optional(make_truth()) : std::nullopt;
     summary.duration = record.status.elapsed;
     addRecord(summary, record, truth ? &*truth : nullptr);
-    const Result<QStringList> files = writeResults(record, toJson(summary), folder, colors);
+    const Result<QStringList> files = writeResults(record, toJson(summary), folder, colors, stop);
     if (!files)
         return tl::unexpected(files.error());
     summary.files = *files;
@@ -90,25 +91,33 @@ void ScanKeeper::write(Robot& robot, const std::shared_ptr<const ScanRecord>& re
     const auto facts = facts_.find(&robot);
     const SimulatorFacts known = facts == facts_.end() ? SimulatorFacts{} : facts->second();
     ++writing_;
+    emit writingChanged(nameOf(robot));
     pool_.start(
-        HandedOver([this, who = Writing{robot.view().id, nameOf(robot), &robot}, record,
+        HandedOver([this, who = Writing{robot.view().id, nameOf(robot), &robot, stop_.get_token()}, record,
                     summary = summaryOf(robot, known), make_truth = known.make_truth, to = folder(), colors = colors_] {
-            const Result<RunSummary> whole = saveRecord(*record, summary, make_truth, to, colors);
+            const Result<RunSummary> whole = saveRecord(*record, summary, make_truth, to, colors, who.stop);
             link::post(this, [this, who, whole] { written(who, whole); });
         }));
 }
 
 void ScanKeeper::written(const Writing& writing, const Result<RunSummary>& summary) {
-    const auto& [id, robot_name, robot] = writing;
-    --writing_;
+    const auto& [id, robot_name, robot, stop] = writing;
+    if (--writing_ == 0)
+        emit writingChanged({});
     if (!summary && robot)
         robot->markUnsaved();
     if (summary && robot && !robot->view().unsaved)
         release(*robot);
     if (summary)
         emit saved(id, *summary, robot_name);
+    else if (stop.stop_requested())
+        emit cancelled(id, QString::fromStdString(summary.error().text()));
     else
         emit failed(id, QString::fromStdString(summary.error().text()));
+}
+
+void ScanKeeper::cancel() {
+    std::exchange(stop_, std::stop_source()).request_stop();
 }
 
 bool ScanKeeper::release(const Robot& robot) {

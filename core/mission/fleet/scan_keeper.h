@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <stop_token>
 #include <vector>
 
 #include <QObject>
@@ -41,6 +42,8 @@ public:
     void takeLeave(std::unique_ptr<Robot> robot);
     /// True while a record is requested or being written, or the scan of a robot that has left is not on disk.
     bool busy() const { return !awaited_.empty() || writing_ > 0 || !leaving_.empty(); }
+    /// Gives up writing; nothing of it stays on disk. `cancelled` follows for each record that is not yet complete.
+    void cancel();
     /// Retries saving the scans of robots that have left.
     void retry();
     /// Stops waiting for requested records, because their sessions hang.
@@ -52,6 +55,10 @@ signals:
     void saved(usar::RobotId id, const usar::mission::RunSummary& summary, const QString& robot_name);
     /// The scan is still in memory; `reason` names the folder and a remedy.
     void failed(usar::RobotId id, const QString& reason);
+    /// As `failed`, but because the user wanted it.
+    void cancelled(usar::RobotId id, const QString& reason);
+    /// The record of this robot is being written now; empty: none is.
+    void writingChanged(const QString& robot_name);
 
 private:
     /// Whose record is being written.
@@ -59,6 +66,7 @@ private:
         RobotId id;
         QString robot_name;
         QPointer<Robot> robot; ///< null once it is deleted
+        std::stop_token stop;
     };
 
     void write(Robot& robot, const std::shared_ptr<const ScanRecord>& record);
@@ -73,6 +81,7 @@ private:
     std::set<const Robot*> awaited_;              ///< robots whose record was requested and has not arrived
     std::vector<std::unique_ptr<Robot>> leaving_; ///< removed robots that are kept until they are saved
     int writing_ = 0;                             ///< number of records being written
+    std::stop_source stop_;                       ///< of what is being written
 };
 
 } // namespace usar::mission

@@ -1,5 +1,6 @@
 #include "core/mission/fleet/shown_heights.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace usar::mission {
@@ -125,14 +126,26 @@ void ShownHeights::remove(RobotId id) {
 }
 
 QStringList ShownHeights::knowing(const Vec2& point_in_map_m) const {
+    auto sources = sourcesAt(point_in_map_m);
+    std::ranges::sort(sources, {}, [](const auto& source) { return source.first.value; });
     QStringList known;
+    for (const auto& [id, probe] : sources)
+        known << nameOf(*fleet_.robot(id));
+    return known;
+}
+
+std::vector<std::pair<RobotId, mapping::HeightProbe>> ShownHeights::sourcesAt(const Vec2& point_in_map_m) const {
+    std::vector<std::pair<RobotId, mapping::HeightProbe>> sources;
     for (const Robot* const robot : fleet_.robots()) {
         const RobotView& view = robot->view();
         const bool shown = scope_ == HeightScope::AllRobots ? groupOf(view) == group_ : view.id == selected_;
-        if (shown && mapping::probeHeight(view.tiles, view.cell_size_m, point_in_map_m))
-            known << nameOf(*robot);
+        if (!shown)
+            continue;
+        if (const auto probe = mapping::probeHeight(view.tiles, view.cell_size_m, point_in_map_m))
+            sources.emplace_back(view.id, *probe);
     }
-    return known;
+    std::ranges::stable_partition(sources, [this](const auto& source) { return source.first == selected_; });
+    return sources;
 }
 
 } // namespace usar::mission

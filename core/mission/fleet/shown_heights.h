@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <QObject>
@@ -63,6 +64,8 @@ public:
     /// Names of the robots that know the height at this point of the map frame and belong to what is shown, in the
     /// order of their ids.
     QStringList knowing(const Vec2& point_in_map_m) const;
+    /// The same robots with what each knows there: the selected one first, the others in the order of their ids.
+    std::vector<std::pair<RobotId, mapping::HeightProbe>> sourcesAt(const Vec2& point_in_map_m) const;
 
 signals:
     /// Everything shown before is void; the following heights have cells of this size, in meters.

@@ -245,6 +245,29 @@ private slots:
         QCOMPARE(image.text("height_offset_m").toDouble() + image.text("height_scale_m").toDouble(), 1.0);
     }
 
+    void theLegendAloneIsThatBelowThePicture() {
+        const ScanRecord record = sampleScan(240);
+        const QImage picture = mapPicture(record), legend = legendPicture(record);
+        QCOMPARE(legend.width(), picture.width());
+        QVERIFY(legend.height() > 60 && legend.height() < picture.height() / 2);
+        const int top = picture.height() - legend.height();
+        int others = 0; // an edge may be smoothed in another way at another height
+        for (int y = 0; y < legend.height(); ++y)
+            for (int x = 0; x < legend.width(); ++x) {
+                const QColor here(legend.pixel(x, y)), there(picture.pixel(x, top + y));
+                others += std::abs(here.red() - there.red()) + std::abs(here.green() - there.green()) +
+                                      std::abs(here.blue() - there.blue()) >
+                                  12
+                              ? 1
+                              : 0;
+            }
+        QVERIFY2(others * 1000 < legend.width() * legend.height(), qPrintable(QString::number(others)));
+        for (const char* key : {"level", "robot", "cell_size_m", "pixels_per_m"})
+            QCOMPARE(legend.text(key), picture.text(key));
+        QVERIFY(count(legend, QColor(agent::styleOf(MarkKind::HighRisk).rgb), legend.height()) > 0);
+        QVERIFY(legendPicture(ScanRecord()).isNull());
+    }
+
     void drawsASampleToLookAt() {
         const QImage picture = mapPicture(sampleScan(240));
         QVERIFY(picture.save(USAR_BINARY_DIR "/sample_picture.png"));

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <future>
+#include <stop_token>
 #include <vector>
 
 #include <QDir>
@@ -10,6 +11,7 @@
 #include <QImageReader>
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <QLockFile>
 #include <QProcess>
 #include <QStandardPaths>
 #include <QTemporaryDir>
@@ -68,8 +70,9 @@ private slots:
             names << QFileInfo(file).fileName();
         names.sort();
         const QString stem = "USAR_Scan_tall-test_R1_001";
-        QStringList expected{stem + ".bil", stem + ".hdr",        stem + ".json",       stem + ".asc",
-                             stem + ".xyz", stem + "_height.pgw", stem + "_height.png", stem + "_picture.png"};
+        QStringList expected{stem + ".bil",        stem + ".hdr",        stem + ".json",
+                             stem + ".asc",        stem + ".xyz",        stem + "_height.pgw",
+                             stem + "_height.png", stem + "_legend.png", stem + "_picture.png"};
         expected.sort();
         QCOMPARE(names, expected);
         QStringList found =
@@ -163,6 +166,7 @@ private slots:
         QTest::addColumn<QStringList>("texts");
         QTest::newRow("picture") << "_picture.png"
                                  << QStringList{"level", "robot", "behavior", "cell_size_m", "axes", "units"};
+        QTest::newRow("legend") << "_legend.png" << QStringList{"level", "robot", "cell_size_m", "pixels_per_m"};
         QTest::newRow("heights") << "_height.png"
                                  << QStringList{"height_scale_m", "height_offset_m", "upper_left_center_x_m", "robot"};
     }
@@ -198,7 +202,8 @@ private slots:
         QCOMPARE(map["known_cells"].toInt(), 60 * 60 - 12 * 11);
         QCOMPARE(map["robot"].toString(), QString("R1"));
         QCOMPARE(map["area"].toObject()["width"].toDouble(), 30.0);
-        QCOMPARE(json["files"].toArray().size(), 8);
+        QCOMPARE(json["files"].toArray().size(), 9);
+        QVERIFY(json["files"].toArray().contains("USAR_Scan_tall-test_R1_001_legend.png"));
         QCOMPARE(json["marks"].toArray().size(), 21); // without the path's
         QCOMPARE(json["marks"].toArray()[0].toObject()["kind"].toString(), QString("diversion"));
     }
@@ -210,7 +215,7 @@ private slots:
         for (int i = 0; i < 3; ++i)
             all += writeResults(record, {}, folder.path()).value();
         all.removeDuplicates();
-        QCOMPARE(all.size(), 24);
+        QCOMPARE(all.size(), 27);
         // A lone leftover blocks its number, whatever kind of file it is.
         QFile other(folder.filePath("USAR_Scan_tall-test_R1_004_picture.png"));
         QVERIFY(other.open(QIODevice::WriteOnly));
@@ -229,7 +234,48 @@ private slots:
         for (auto& run : runs)
             all += run.get().value_or(QStringList{});
         all.removeDuplicates();
-        QCOMPARE(all.size(), 48);
+        QCOMPARE(all.size(), 54);
+    }
+
+    void aCancelledSaveLeavesNothing_data() {
+        QTest::addColumn<QString>("seen"); // the file whose appearance makes the user cancel
+        QTest::newRow("before it begins") << "";
+        QTest::newRow("with the raw heights written") << "*.hdr";
+        QTest::newRow("with the text written") << "*.xyz";
+        QTest::newRow("with the height image written") << "*_height.pgw";
+    }
+
+    void aCancelledSaveLeavesNothing() {
+        QFETCH(QString, seen);
+        QTemporaryDir folder;
+        const ScanRecord record = sampleScan(2000);
+        std::stop_source user;
+        if (seen.isEmpty())
+            user.request_stop();
+        auto saving = std::async(std::launch::async, [&] {
+            return writeResults(record, {}, folder.path(), mapping::ColorMap::Color, user.get_token());
+        });
+        const QDir files(folder.path());
+        QTRY_VERIFY_WITH_TIMEOUT(seen.isEmpty() || !files.entryList({seen}, QDir::Files).isEmpty(), 60'000);
+        user.request_stop();
+        const auto saved = saving.get();
+        QVERIFY(!saved.has_value());
+        QVERIFY2(saved.error().what.find("cancelled") != std::string::npos, saved.error().text().c_str());
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden), QStringList());
+        QVERIFY(writeResults(sampleScan(20), {}, folder.path()).value()[0].contains("_R1_001"));
+    }
+
+    void aSaveThatWaitsForAnotherProgramCanBeCancelled() {
+        QTemporaryDir folder;
+        QLockFile other(folder.filePath(".usar_scan.lock"));
+        QVERIFY(other.lock());
+        std::stop_source user;
+        auto saving = std::async(std::launch::async, [&] {
+            return writeResults(sampleScan(20), {}, folder.path(), mapping::ColorMap::Color, user.get_token());
+        });
+        user.request_stop();
+        QVERIFY(!saving.get().has_value());
+        QVERIFY(QDir(folder.path()).entryList(QDir::Files).isEmpty());
     }
 
     void namesBecomeFileNames_data() {

@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <cmath>
 
 #include <QDir>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <QLockFile>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -190,6 +192,32 @@ private slots:
         const double shown_pct = fleet_->robot({1})->coverage_pct().value();
         QVERIFY(shown_pct > 0.0);
         QCOMPARE(summary["coverage_pct"].toDouble(), std::round(shown_pct * 100.0) / 100.0);
+    }
+
+    void aCancelledSaveIsToldAndTheScanIsKept() {
+        server_->answers_init = true;
+        QVERIFY(connectNow());
+        QCOMPARE(spawnNow().value_or(RobotId{}).value, 1);
+        QTRY_VERIFY(fleet_->robot({1})->view().figures.spawned);
+        QLockFile other(folder_->filePath(".usar_scan.lock")); // Another program saves, so this takes long.
+        QVERIFY(other.lock());
+        QSignalSpy saving(fleet_.get(), &Fleet::savingChanged), written(fleet_.get(), &Fleet::resultsWritten);
+        QSignalSpy failed(fleet_.get(), &Fleet::exportFailed), noticed(fleet_.get(), &Fleet::noticed);
+        fleet_->exportResults({1});
+        QTRY_COMPARE(saving.size(), 1);
+        QCOMPARE(saving[0][0].toString(), QString("R1"));
+        fleet_->cancelSaving();
+        QTRY_COMPARE(failed.size(), 1);
+        QVERIFY2(failed[0][1].toString().contains("cancelled"), qPrintable(failed[0][1].toString()));
+        const auto said = std::ranges::find_if(noticed, [](const auto& told) { return told[0] == "export"; });
+        QVERIFY(said != noticed.end() && (*said)[1].value<Notice>().severity == Severity::Note);
+        QCOMPARE(saving.last()[0].toString(), QString());
+        QVERIFY(fleet_->robot({1})->view().unsaved);
+        QVERIFY(QDir(folder_->path()).entryList(QDir::Files).isEmpty());
+        QVERIFY(written.empty());
+        other.unlock();
+        fleet_->exportResults({1}); // The next save is not cancelled.
+        QTRY_VERIFY(!QDir(folder_->path()).entryList({"*.json"}).isEmpty());
     }
 
     void withNothingToSaveItClosesAtOnce() {

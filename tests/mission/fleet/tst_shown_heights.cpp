@@ -81,6 +81,7 @@ private slots:
     void aRemovedRobotTakesItsHeightsAlong();
     void liveRobotsAreNotMixedWithReplays();
     void tellsWhoKnowsAPlace();
+    void tellsWhichLinesWroteAPlace();
 
 private:
     /// Opens a recording with one scan from there, and waits until it was replayed.
@@ -179,6 +180,22 @@ void tst_ShownHeights::tellsWhoKnowsAPlace() {
     QVERIFY(shown_->heights.knowing({5.0, 0.1}).empty());
     shown_->heights.setScope(HeightScope::SelectedRobot);
     QCOMPARE(shown_->heights.knowing({0.1, 0.1}), (QStringList{"R1 replay"}));
+}
+
+void tst_ShownHeights::tellsWhichLinesWroteAPlace() {
+    QTRY_COMPARE(shown_->at(0.1, 0.1), std::optional(3.0f));
+    QCOMPARE(mapping::probeHeight(shown_->tiles, 0.25, {0.1, 0.1})->line, LineNumber{}); // The fused map cannot tell.
+    shown_->heights.select({2});
+    const auto sources = shown_->heights.sourcesAt({0.1, 0.1});
+    QCOMPARE(sources.size(), std::size_t(2));
+    QCOMPARE(sources[0].first, RobotId{2}); // The selected one comes first.
+    QCOMPARE(sources[1].first, RobotId{1});
+    QCOMPARE(sources[0].second.line, LineNumber{1});
+    QVERIFY(sources[0].second.height_m > sources[1].second.height_m);
+    QCOMPARE(shown_->heights.knowing({0.1, 0.1}), (QStringList{"R1 replay", "R1 replay 2"}));
+    shown_->heights.setScope(HeightScope::SelectedRobot);
+    QCOMPARE(shown_->heights.sourcesAt({0.1, 0.1}).size(), std::size_t(1));
+    QVERIFY(shown_->heights.sourcesAt({5.0, 0.1}).empty());
 }
 
 USAR_TEST(tst_ShownHeights)

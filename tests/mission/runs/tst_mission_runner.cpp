@@ -63,7 +63,7 @@ private slots:
         QCOMPARE(summary["duration_s"].toDouble(), 0.8); // five ticks from the first to the last
         QVERIFY(summary["lockstep"].toBool());
         const QStringList files = filesInResults();
-        QVERIFY2(files.size() == 8, qPrintable(files.join(' ')));
+        QVERIFY2(files.size() == 9, qPrintable(files.join(' ')));
         for (const QJsonValue file : summary["files"].toArray())
             QVERIFY2(QFile::exists(file.toString()), qPrintable(file.toString()));
         QTRY_VERIFY(!server_->hasClient());
@@ -89,7 +89,7 @@ private slots:
         mission.parameters["succeeds"] = false;
         QCOMPARE(run(mission), 1);
         QCOMPARE(runner_->summary()["success"].toBool(), false);
-        QCOMPARE(filesInResults().size(), 8);
+        QCOMPARE(filesInResults().size(), 9);
     }
 
     void aPluginThatThrowsFailsTheMission() {
@@ -251,7 +251,7 @@ private slots:
         };
         QCOMPARE(run(mission), 1);
         QVERIFY2(reason().contains("connection to the server was lost"), qPrintable(reason()));
-        QCOMPARE(filesInResults().size(), 8);
+        QCOMPARE(filesInResults().size(), 9);
     }
 
     void timeThatStandsStillFailsTheMission() {
@@ -267,7 +267,7 @@ private slots:
         mission.parameters["ticks"] = 1000000LL;
         QCOMPARE(run(mission), 1);
         QVERIFY2(reason().contains("longer than a mission is allowed to"), qPrintable(reason()));
-        QCOMPARE(filesInResults().size(), 8);
+        QCOMPARE(filesInResults().size(), 9);
     }
 
     void anInterruptKeepsWhatWasScanned() {
@@ -279,7 +279,7 @@ private slots:
         };
         QCOMPARE(run(mission), 1);
         QVERIFY2(reason().contains("Interrupted"), qPrintable(reason()));
-        QCOMPARE(filesInResults().size(), 8);
+        QCOMPARE(filesInResults().size(), 9);
         QTRY_VERIFY(!server_->hasClient());
         QVERIFY2(server_->heardOf("DRIVE").last().contains("{AltitudeVelocity 0}"), server_->heardOf("DRIVE").last());
     }

@@ -48,4 +48,13 @@ QString profileText(const LineProfile& profile) {
              figure(std::abs(rise_m), 2));
 }
 
+QString rectangleText(const Rectangle& rectangle, const std::optional<std::pair<double, double>>& range_m) {
+    const auto tr = [](const char* text) { return QCoreApplication::translate("MeasuredLine", text); };
+    const QString size =
+        tr("%1 × %2 m · %3 m²")
+            .arg(figure(rectangle.width_m(), 1), figure(rectangle.height_m(), 1), figure(rectangle.area_m2(), 1));
+    return range_m ? tr("%1 · heights %2 … %3 m").arg(size, figure(range_m->first, 2), figure(range_m->second, 2))
+                   : tr("%1 · heights unknown").arg(size);
+}
+
 } // namespace usar::widgets

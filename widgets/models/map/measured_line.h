@@ -1,4 +1,4 @@
-// A line that the user has drawn to measure the ground: its length, and the heights along it.
+// What the user has drawn to measure the ground: a line with the heights along it, or the rectangle that it spans.
 #pragma once
 
 #include <functional>
@@ -15,9 +15,11 @@ namespace usar::widgets {
 struct MeasuredLine {
     Vec2 from_m = Vec2::Zero();
     Vec2 to_m = Vec2::Zero();
+    bool spans_rectangle = false; ///< the line is the diagonal of the rectangle that is measured
     bool operator==(const MeasuredLine&) const = default;
 
     double length_m() const { return (to_m - from_m).norm(); }
+    Rectangle rectangle_in_map() const { return {from_m.cwiseMin(to_m), from_m.cwiseMax(to_m)}; }
 };
 
 /// Heights at evenly spaced points of the line, both ends included.
@@ -37,5 +39,7 @@ LineProfile profileOf(const MeasuredLine& line, double cell_size_m,
 
 /// "34.2 m · 1.20 … 4.31 m · rises 3.11 m"; the heights are left out where none is known.
 QString profileText(const LineProfile& profile);
+/// "12.0 × 8.5 m · 102.0 m² · heights 1.20 … 4.31 m"; `range_m`: lowest and highest height, nullopt: unknown.
+QString rectangleText(const Rectangle& rectangle, const std::optional<std::pair<double, double>>& range_m);
 
 } // namespace usar::widgets
