@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QHelpEvent>
 #include <QTest>
+#include <QToolTip>
 
 #include "tests/suite/suite.h"
 #include "widgets/panels/instruments.h"
@@ -91,6 +93,10 @@ private slots:
     void riskIsColorAndWord_data();
     void riskIsColorAndWord();
     void staleIsGrey();
+    void theHeadTellsTheRateWhereThereIsRoom_data();
+    void theHeadTellsTheRateWhereThereIsRoom();
+    void theRateRepaintsOnlyWhenItsTextChanges();
+    void theTooltipTellsRateAndAge();
     void profileIsBrokenWhereTheMapIs();
     void emptyViewsSayWhatWillAppear();
 };
@@ -348,6 +354,75 @@ void tst_Instruments::staleIsGrey() {
     terrain.setProfile({{{-1.0, 0.0f}, {0.0, 1.0f}, {1.0, 0.0f}}, 1.0, 6.0});
     terrain.setStale(true);
     QCOMPARE(pixelsNear(terrain, terrain.rect(), tokens().ok), 0);
+}
+
+void tst_Instruments::theHeadTellsTheRateWhereThereIsRoom_data() {
+    QTest::addColumn<int>("width");
+    QTest::addColumn<double>("period_s");
+    QTest::addColumn<bool>("stale");
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<bool>("painted");
+    QTest::newRow("five times a second") << 300 << 0.2 << false << "5.0 Hz" << true;
+    QTest::newRow("once in two seconds") << 300 << 2.0 << false << "0.5 Hz" << true;
+    QTest::newRow("one reading so far") << 300 << 0.0 << false << "" << false;
+    QTest::newRow("stale") << 300 << 0.2 << true << "" << false;
+    QTest::newRow("no room") << 60 << 0.2 << false << "5.0 Hz" << false;
+}
+
+/// Where it is not painted, everything looks as without a rate.
+void tst_Instruments::theHeadTellsTheRateWhereThereIsRoom() {
+    QFETCH(int, width);
+    QFETCH(double, period_s);
+    QFETCH(bool, stale);
+    QFETCH(bool, painted);
+    SonarColumnsView view;
+    view.resize(width, 160);
+    view.setZones(nineZones(agent::Risk::None));
+    view.setStale(stale, Seconds(0.1));
+    const QImage without = view.grab().toImage();
+    view.setStale(stale, Seconds(0.1), period_s > 0.0 ? std::optional(Seconds(period_s)) : std::nullopt);
+    QTEST(view.rateText(), "text");
+    QCOMPARE(view.grab().toImage() != without, painted);
+}
+
+void tst_Instruments::theRateRepaintsOnlyWhenItsTextChanges() {
+    struct Paints : QObject {
+        int count = 0;
+        bool eventFilter(QObject*, QEvent* event) override {
+            count += event->type() == QEvent::Paint ? 1 : 0;
+            return false;
+        }
+    } paints;
+    SonarColumnsView view;
+    view.setZones(nineZones(agent::Risk::None));
+    view.setStale(false, Seconds(0.0), Seconds(0.2));
+    view.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&view));
+    QCoreApplication::processEvents();
+    view.installEventFilter(&paints);
+    const auto tick = [&view](double age_s, double period_s) {
+        view.setStale(false, Seconds(age_s), Seconds(period_s));
+        QCoreApplication::processEvents();
+    };
+    for (int i = 0; i < 20; ++i)
+        tick(0.01 * i, 0.2 + 0.00005 * i);
+    QCOMPARE(paints.count, 0);
+    tick(0.0, 0.25);
+    QCOMPARE(paints.count, 1);
+}
+
+void tst_Instruments::theTooltipTellsRateAndAge() {
+    LaserFanView fan;
+    fan.setScan(flatGround(6.0));
+    QCOMPARE(fan.toolTipNow(), fan.toolTip());
+    fan.setStale(false, Seconds(0.12), Seconds(0.2));
+    QCOMPARE(fan.toolTipNow(), fan.toolTip() + QStringLiteral("\n5.0 Hz, newest 0.1 s old"));
+    QHelpEvent hover(QEvent::ToolTip, {5, 5}, fan.mapToGlobal(QPoint(5, 5)));
+    QCoreApplication::sendEvent(&fan, &hover);
+    QCOMPARE(QToolTip::text(), fan.toolTipNow());
+    QToolTip::hideText();
+    fan.setStale(true, Seconds(3.2), Seconds(0.2));
+    QCOMPARE(fan.toolTipNow(), fan.toolTip() + QStringLiteral("\nnewest 3.2 s old"));
 }
 
 void tst_Instruments::profileIsBrokenWhereTheMapIs() {

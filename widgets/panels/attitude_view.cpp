@@ -67,7 +67,7 @@ void AttitudeView::paintEvent(QPaintEvent*) {
     if (source_.isEmpty())
         return paintEmptySheet(painter, *this, tr("No attitude yet."));
     paintSheet(painter, *this);
-    paintSheetHead(painter, *this, headName(tr("attitude")), source_, stale());
+    paintHead(painter, tr("attitude"), source_);
     painter.setFont(themeFont(FontRole::Small));
     const double line = QFontMetricsF(painter.font()).height();
     const double top = sheetHead_px(*this) + gap::tiny;

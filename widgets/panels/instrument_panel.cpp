@@ -68,7 +68,7 @@ void InstrumentPanel::showAttitude(const RobotInstruments& robot, Seconds now, b
     if (!source)
         return;
     attitude_->setAttitude(source->roll_pitch_yaw_rad, QString::fromStdString(source->type));
-    attitude_->setStale(!linked || source->heard.stale(now), source->heard.age(now));
+    attitude_->setStale(!linked || source->heard.stale(now), source->heard.age(now), source->heard.period);
 }
 
 Readout* InstrumentPanel::readout(const InstrumentFigure& figure) {
@@ -99,7 +99,7 @@ void InstrumentPanel::showFigures(const RobotInstruments& robot, Seconds now, bo
         Readout* const one = readout(figure);
         one->setText(figure.value);
         one->setToolTip(figure.help);
-        one->setStale(!linked || figure.heard.stale(now), figure.heard.age(now));
+        one->setStale(!linked || figure.heard.stale(now), figure.heard.age(now), figure.heard.period);
     }
 }
 
@@ -111,7 +111,7 @@ void InstrumentPanel::showRanges(const RobotInstruments& robot, Seconds now, boo
         if (std::exchange(shown_scan_, newest) != newest)
             laser_->setScan(*robot.scan(), robot.scanMaximum_m(),
                             robot.scansGround() ? ScanPlane::Below : ScanPlane::Ahead);
-        laser_->setStale(!linked || robot.scanHeard().stale(now), robot.scanHeard().age(now));
+        laser_->setStale(!linked || robot.scanHeard().stale(now), robot.scanHeard().age(now), robot.scanHeard().period);
     }
     const agent::SonarZones zones = judged ? *judged : robot.sonars(now);
     const SonarRing ring = robot.ring(zones);
@@ -121,11 +121,11 @@ void InstrumentPanel::showRanges(const RobotInstruments& robot, Seconds now, boo
     ring_->setVisible(!ring.cones.empty());
     if (!zones.zones.empty()) {
         sonars_->setZones(zones);
-        sonars_->setStale(stale, heard.age(now));
+        sonars_->setStale(stale, heard.age(now), heard.period);
     }
     if (!ring.cones.empty()) {
         ring_->setRing(ring);
-        ring_->setStale(stale, heard.age(now));
+        ring_->setStale(stale, heard.age(now), heard.period);
     }
 }
 

@@ -92,7 +92,7 @@ void LaserFanView::paintRays(QPainter& painter, const QPointF& origin, double sc
 }
 
 void LaserFanView::paintWords(QPainter& painter, double scale) const {
-    paintSheetHead(painter, *this, headName(tr("laser")), clearanceText(5), stale());
+    paintHead(painter, tr("laser"), clearanceText(5));
     const double bar_m = roundStep(80.0 / scale);
     const double y = height() - 7.0;
     painter.setPen(QPen(tokens().text_muted, 1.5));
@@ -139,7 +139,7 @@ void TerrainProfileView::paintEvent(QPaintEvent*) {
     if (profile_.points.empty())
         return paintEmptySheet(painter, *this, tr("No terrain profile yet.\nIt appears here as the map grows."));
     paintSheet(painter, *this);
-    paintSheetHead(painter, *this, headName(tr("mapped terrain")), clearanceText(), stale());
+    paintHead(painter, tr("mapped terrain"), clearanceText());
     const Span heights = span();
     const QRectF plot =
         QRectF(rect()).adjusted(gap::small + scaleWidth_px(heights), sheetHead_px(*this), -gap::small, -gap::small);
@@ -198,7 +198,7 @@ void SonarColumnsView::paintEvent(QPaintEvent*) {
     if (columns_.empty())
         return paintEmptySheet(painter, *this, tr("No sonars yet.\nOne column each appears here once they report."));
     paintSheet(painter, *this);
-    paintSheetHead(painter, *this, headName(tr("sonar, m")), {}, stale());
+    paintHead(painter, tr("sonar, m"));
     const double top = sheetHead_px(*this);
     const double step = (width() - 2.0 * gap::tiny) / static_cast<double>(columns_.size());
     for (std::size_t i = 0; i < columns_.size(); ++i)

@@ -38,7 +38,7 @@ void ReadingListView::setList(const ReadingList& list, Seconds now, bool linked)
         words << (row.heard.stale(now) && !all_stale ? tr("%1, out of date").arg(row.text()) : row.text());
     if (std::exchange(words_, words) != words)
         showFresh(words.join(QStringLiteral(", ")));
-    setStale(all_stale, list.heard.age(now));
+    setStale(all_stale, list.heard.age(now), list.heard.period);
     if (taller)
         updateGeometry();
 }
@@ -46,7 +46,7 @@ void ReadingListView::setList(const ReadingList& list, Seconds now, bool linked)
 void ReadingListView::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     paintSheet(painter, *this);
-    paintSheetHead(painter, *this, headName(list_.title), {}, stale());
+    paintHead(painter, list_.title);
     double name_px = 0.0;
     for (const ReadingRow& row : list_.rows)
         name_px = std::max(name_px, fontMetrics().horizontalAdvance(row.name) + 1.0);

@@ -71,7 +71,7 @@ void SonarRingView::paintEvent(QPaintEvent*) {
     if (ring_.cones.empty())
         return paintEmptySheet(painter, *this, tr("The places of the sonars are not known yet."));
     paintSheet(painter, *this);
-    paintSheetHead(painter, *this, headName(tr("sonar, from above, m")), {}, stale());
+    paintHead(painter, tr("sonar, from above, m"));
     const QRectF room = QRectF(rect()).adjusted(gap::tiny, sheetHead_px(*this), -gap::tiny, -gap::tiny);
     const Frame frame = frameFor(room);
     paintArcs(painter, frame, room);

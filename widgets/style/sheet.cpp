@@ -5,6 +5,8 @@
 #include <utility>
 
 #include <QFontMetrics>
+#include <QHelpEvent>
+#include <QToolTip>
 
 #include "widgets/style/theme.h"
 
@@ -110,7 +112,13 @@ QPen dashedPen(const QColor& color, double width_px, const QList<qreal>& pattern
     return pen;
 }
 
-void Instrument::setStale(bool stale, Seconds age) {
+void Instrument::setStale(bool stale, Seconds age, std::optional<Seconds> period) {
+    age_ = age;
+    const QString rate_text = !stale && period && period->count() > 0.0
+                                  ? QString::number(1.0 / period->count(), 'f', 1) + QStringLiteral(" Hz")
+                                  : QString();
+    if (std::exchange(rate_text_, rate_text) != rate_text)
+        update();
     // Whole seconds, so that it is not painted anew in each frame.
     const QString age_text =
         stale && std::isfinite(age.count()) ? tr("%1 s").arg(std::llround(age.count())) : QString();
@@ -139,6 +147,36 @@ QString Instrument::headName(const QString& name) const {
     return !stale_               ? name
            : age_text_.isEmpty() ? tr("%1 (stale)").arg(name)
                                  : tr("%1 (stale, %2)").arg(name, age_text_);
+}
+
+void Instrument::paintHead(QPainter& painter, const QString& name, const QString& value) const {
+    paintSheetHead(painter, *this, headName(name), value, stale_);
+    const QFont small = themeFont(FontRole::Small);
+    const double left = gap::small + fontMetrics().horizontalAdvance(name) + gap::small;
+    const double value_px = value.isEmpty() ? 0.0 : fontMetrics().horizontalAdvance(value) + gap::small;
+    const double room = width() - gap::small - value_px - left;
+    if (rate_text_.isEmpty() || QFontMetricsF(small).horizontalAdvance(rate_text_) > room)
+        return;
+    painter.save();
+    painter.setFont(small);
+    painter.setPen(tokens().text_muted);
+    painter.drawText(QPointF(left, gap::tiny + fontMetrics().ascent()), rate_text_);
+    painter.restore();
+}
+
+QString Instrument::toolTipNow() const {
+    if (toolTip().isEmpty() || !std::isfinite(age_.count()))
+        return toolTip();
+    const QString age_text = tr("newest %1 s old").arg(age_.count(), 0, 'f', 1);
+    return toolTip() + QLatin1Char('\n') +
+           (rate_text_.isEmpty() ? age_text : rate_text_ + QStringLiteral(", ") + age_text);
+}
+
+bool Instrument::event(QEvent* event) {
+    if (event->type() != QEvent::ToolTip || toolTip().isEmpty())
+        return QWidget::event(event);
+    QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), toolTipNow(), this, {}, toolTipDuration());
+    return true;
 }
 
 QColor Instrument::ink(const QColor& fresh) const {

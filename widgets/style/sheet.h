@@ -51,23 +51,36 @@ class Instrument : public QWidget {
 public:
     using QWidget::QWidget;
     /// Draws the instrument gray, and texts struck through or with the word "stale", because its figures may be out of
-    /// date. `age` is that of the figures; infinite if it is not known.
-    void setStale(bool stale, Seconds age = Seconds(std::numeric_limits<double>::infinity()));
+    /// date. `age` is that of the figures; infinite if it is not known. `period`: how often they come; nullopt if that
+    /// is not known. Repaints only if what is shown of them changes.
+    void setStale(bool stale, Seconds age = Seconds(std::numeric_limits<double>::infinity()),
+                  std::optional<Seconds> period = {});
     bool stale() const { return stale_; }
+    /// How often the figures come: "5.0 Hz"; empty while they are stale, or if it is not known.
+    const QString& rateText() const { return rate_text_; }
+    /// The tooltip, with a line on rate and age of the figures if they are known.
+    QString toolTipNow() const;
 
 protected:
     /// Repaints with new figures, which are not stale; `description` says them to screen readers.
     void showFresh(const QString& description);
     /// Says the figures to screen readers, which also hear whether they are stale.
     void describe(const QString& words);
-    /// The name for the head of the sheet: "laser", or "laser (stale, 12 s)".
-    QString headName(const QString& name) const;
+    /// Paints the head of the sheet: the name, or "laser (stale, 12 s)"; the rate, if there is room for it; and the
+    /// newest figure.
+    void paintHead(QPainter& painter, const QString& name, const QString& value = {}) const;
     /// Returns `fresh`, or the color for stale figures.
     QColor ink(const QColor& fresh) const;
+    /// Shows toolTipNow() as the tooltip.
+    bool event(QEvent* event) override;
 
 private:
+    QString headName(const QString& name) const;
+
     QString description_;
     QString age_text_; ///< empty: not known, or not stale
+    QString rate_text_;
+    Seconds age_{std::numeric_limits<double>::infinity()};
     bool stale_ = false;
 };
 
