@@ -152,7 +152,7 @@ void RobotDesk::wireHeights() {
                 action("map.selected_heights")->setChecked(scope == mapping::HeightScope::SelectedRobot);
             });
     connect(views_.layers->heightControls(), &widgets::HeightControls::lookChanged, this,
-            [this](const widgets::HeightLook& look) { control_.setPictureColors(look.color_map); });
+            [this](const widgets::HeightLook& look) { control_.setPictureLook(look); });
     views_.map->setScannedBy([this](const Vec2& point_in_map_m) { return heights_.knowing(point_in_map_m); });
     views_.map->setAgeOf([this](const Vec2& point_in_map_m) { return ageAt(point_in_map_m); });
     // A new link may count its lines from the beginning.

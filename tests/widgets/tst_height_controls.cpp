@@ -26,9 +26,35 @@ class tst_HeightControls : public QObject {
     Q_OBJECT
 private slots:
     void heightsCanBeGrayAndKeepTheirRange();
+    void extremeHeightsAreLeftOutOrTheRangeIsFixed();
     void theScanOfOneRobotCanBeChosen();
     void aStateWithoutRobotsLeavesTheChoice();
 };
+
+void tst_HeightControls::extremeHeightsAreLeftOutOrTheRangeIsFixed() {
+    LayersPanel panel;
+    HeightControls& controls = *panel.heightControls();
+    QSignalSpy changed(&controls, &HeightControls::lookChanged);
+    QSignalSpy edited(&panel, &LayersPanel::edited);
+    auto* const trimmed = child<QCheckBox>(panel, QStringLiteral("Range without extreme heights"));
+    auto* const fixed = child<QCheckBox>(panel, QStringLiteral("Fixed range of heights"));
+    trimmed->click();
+    QCOMPARE(changed.last()[0].value<HeightLook>(), (HeightLook{mapping::ColorMap::Color, std::nullopt, true}));
+    QCOMPARE(edited.count(), 1);
+    LayersPanel after;
+    QVERIFY(after.restoreState(panel.saveState()));
+    QCOMPARE(after.heightControls()->look(), controls.look());
+    controls.setShownRange({0.0f, 5.0f});
+    fixed->click(); // Begins with what the map shows, and takes the place of the other choice.
+    const HeightLook typed{mapping::ColorMap::Color, mapping::HeightRange{0.0f, 5.0f}, false};
+    QCOMPARE(changed.last()[0].value<HeightLook>(), typed);
+    QVERIFY(after.restoreState(panel.saveState()));
+    QCOMPARE(after.heightControls()->look(), typed);
+    trimmed->click();
+    QCOMPARE(controls.look(), (HeightLook{mapping::ColorMap::Color, std::nullopt, true}));
+    trimmed->click();
+    QCOMPARE(controls.look(), HeightLook{});
+}
 
 void tst_HeightControls::theScanOfOneRobotCanBeChosen() {
     LayersPanel panel;

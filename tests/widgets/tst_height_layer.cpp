@@ -26,6 +26,16 @@ std::shared_ptr<const HeightTile> tileWith(GridIndex index, int column, int row,
     return tile;
 }
 
+/// Ground that rises from 0 to 6.3 m, with one cell of another height.
+std::shared_ptr<const HeightTile> slopeWith(GridIndex index, float outlier_m) {
+    auto tile = std::make_shared<HeightTile>();
+    tile->index = index;
+    for (std::size_t i = 0; i < HeightTile::cell_count; ++i)
+        tile->preview_m[i] = static_cast<float>(i % HeightTile::side) * 0.1f;
+    tile->preview_m[0] = outlier_m;
+    return tile;
+}
+
 void settle(HeightLayer& layer) {
     QSignalSpy changed(&layer, &HeightLayer::changed);
     while (layer.busy())
@@ -49,6 +59,8 @@ private slots:
     void newRangeRecolorsEverything();
     void unseenChangesOfTheRangeRecolorNothing();
     void grayAndAFixedRangeAreOneCallAway();
+    void oneTreeDoesNotTakeTheColors();
+    void theRangeWithoutTreesIsFoundAtMostOnceASecond();
     void contoursAreDrawnOnRequest();
     void lightComesFromTheUpperLeftOfTheScreen_data();
     void lightComesFromTheUpperLeftOfTheScreen();
@@ -214,6 +226,44 @@ void tst_HeightLayer::grayAndAFixedRangeAreOneCallAway() {
     layer.setLook({ColorMap::Gray, std::nullopt});
     settle(layer);
     QCOMPARE(layer.range(), (HeightRange{0.0f, 5.0f}));
+}
+
+void tst_HeightLayer::oneTreeDoesNotTakeTheColors() {
+    HeightLayer layer;
+    layer.setOrientation(MapOrientation::YUp);
+    layer.setLook({ColorMap::Gray, std::nullopt, true});
+    layer.take({slopeWith({0, 0}, 30.0f)}, HeightRange{0.0f, 30.0f});
+    settle(layer);
+    const HeightRange range = layer.range();
+    QVERIFY2(range.minimum_m >= 0.1f - 0.03f && range.minimum_m <= 0.13f, qPrintable(QString::number(range.minimum_m)));
+    QVERIFY2(range.maximum_m >= 6.1f && range.maximum_m <= 6.3f, qPrintable(QString::number(range.maximum_m)));
+    QCOMPARE(layer.style().range, range);
+    QCOMPARE(layer.pages().begin()->second.levels[0].pixel(32, 200), shade(3.2f, range, ColorMap::Gray));
+    layer.setLook({ColorMap::Gray, std::nullopt, false});
+    QCOMPARE(layer.range(), (HeightRange{0.0f, 30.0f}));
+    layer.setLook({ColorMap::Gray, std::nullopt, true});
+    QCOMPARE(layer.range(), range);
+    settle(layer);
+    layer.clear(0.25);
+    QCOMPARE(layer.range(), HeightRange{});
+}
+
+void tst_HeightLayer::theRangeWithoutTreesIsFoundAtMostOnceASecond() {
+    HeightLayer layer;
+    layer.setLook({ColorMap::Gray, std::nullopt, true});
+    layer.take({slopeWith({0, 0}, 30.0f)}, HeightRange{0.0f, 30.0f});
+    settle(layer);
+    const HeightRange first = layer.range();
+    auto hill = std::make_shared<HeightTile>();
+    hill->index = {1, 0};
+    hill->preview_m.fill(20.0f);
+    QSignalSpy changed(&layer, &HeightLayer::changed);
+    layer.take({hill}, HeightRange{0.0f, 30.0f});
+    QCOMPARE(layer.range(), first);
+    QTRY_VERIFY(layer.range().maximum_m >= 20.0f); // Nothing more has come; half of the ground is not an outlier.
+    QVERIFY(changed.count() > 0);
+    QCOMPARE(layer.style().range, layer.range());
+    settle(layer);
 }
 
 void tst_HeightLayer::contoursAreDrawnOnRequest() {

@@ -17,6 +17,7 @@ const QString all_robots = QStringLiteral("all");
 const QString selected_robot = QStringLiteral("selected");
 const QString gray_key = QStringLiteral("gray");
 const QString fixed_key = QStringLiteral("fixed");
+const QString trimmed_key = QStringLiteral("trimmed");
 const QString lowest_key = QStringLiteral("lowest_m");
 const QString highest_key = QStringLiteral("highest_m");
 
@@ -43,15 +44,21 @@ HeightControls::HeightControls(QWidget* parent) : QWidget(parent) {
                   tr("Shows heights in shades of gray without light; darker is lower"));
     fixed_ = named(new QCheckBox(tr("Fixed range"), this), tr("Fixed range of heights"),
                    tr("Keeps the heights that the colors stand for; otherwise they follow the scan"));
+    trimmed_ = named(new QCheckBox(tr("2–98 %"), this), tr("Range without extreme heights"),
+                     tr("The colors leave out the lowest 2 % and the highest 2 % of the cells, so that one tree does "
+                        "not take most of them; looked at once a second"));
     lowest_ = heightBox(this, tr("Lowest height"), tr("Height with the darkest color, in meters"));
     highest_ = heightBox(this, tr("Highest height"), tr("Height with the lightest color, in meters"));
     auto* const grid = gridOf(this, {}, gap::small, gap::tiny);
     grid->addWidget(scope_, 0, 0, 1, 2);
     grid->addWidget(gray_, 1, 0);
     grid->addWidget(fixed_, 1, 1);
-    grid->addWidget(lowest_, 2, 0);
-    grid->addWidget(highest_, 2, 1);
-    for (QCheckBox* const box : {gray_, fixed_}) {
+    grid->addWidget(trimmed_, 2, 0, 1, 2);
+    grid->addWidget(lowest_, 3, 0);
+    grid->addWidget(highest_, 3, 1);
+    connect(fixed_, &QCheckBox::clicked, this, [this] { trimmed_->setChecked(false); });
+    connect(trimmed_, &QCheckBox::clicked, this, [this] { fixed_->setChecked(false); });
+    for (QCheckBox* const box : {gray_, fixed_, trimmed_}) {
         box->setMinimumHeight(minimum_target);
         connect(box, &QCheckBox::clicked, this, &HeightControls::tell);
     }
@@ -74,6 +81,7 @@ HeightLook HeightControls::look() const {
         const auto [low_m, high_m] = std::minmax({lowest_->value(), highest_->value()});
         look.fixed_range = {static_cast<float>(low_m), static_cast<float>(high_m)};
     }
+    look.trimmed = trimmed_->isChecked();
     return look;
 }
 
@@ -82,6 +90,7 @@ void HeightControls::setLook(const HeightLook& look) {
     if (look.fixed_range)
         setShownRange(*look.fixed_range);
     fixed_->setChecked(look.fixed_range.has_value());
+    trimmed_->setChecked(look.trimmed && !look.fixed_range);
     for (QuantityBox* const box : {lowest_, highest_})
         box->setVisible(fixed_->isChecked());
 }
@@ -99,6 +108,7 @@ QJsonObject HeightControls::saveState() const {
     return {{scope_key, scope_->currentIndex() == 0 ? all_robots : selected_robot},
             {gray_key, gray_->isChecked()},
             {fixed_key, fixed_->isChecked()},
+            {trimmed_key, trimmed_->isChecked()},
             {lowest_key, lowest_->value()},
             {highest_key, highest_->value()}};
 }
@@ -113,6 +123,7 @@ void HeightControls::restoreState(const QJsonObject& state) {
     if (state[fixed_key].toBool(fixed_->isChecked()))
         saved.fixed_range = {static_cast<float>(state[lowest_key].toDouble(lowest_->value())),
                              static_cast<float>(state[highest_key].toDouble(highest_->value()))};
+    saved.trimmed = state[trimmed_key].toBool(trimmed_->isChecked());
     fixed_->setChecked(false); // The figures of an earlier range give way.
     setLook(saved);
     if (look() != before)

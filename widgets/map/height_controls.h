@@ -12,8 +12,8 @@
 
 namespace usar::widgets {
 
-/// All robots or the selected one; gray or color, and a range that follows the scan or is fixed, in meters. Starts with
-/// all robots, as a new height layer looks. GUI thread.
+/// All robots or the selected one; gray or color, and a range that follows the scan, with or without its extreme cells,
+/// or is fixed, in meters. Starts with all robots, as a new height layer looks. GUI thread.
 class HeightControls : public QWidget {
     Q_OBJECT
 public:
@@ -44,6 +44,7 @@ private:
     QComboBox* scope_ = nullptr;
     QCheckBox* gray_ = nullptr;
     QCheckBox* fixed_ = nullptr;
+    QCheckBox* trimmed_ = nullptr; ///< never checked together with `fixed_`
     QuantityBox* lowest_ = nullptr;
     QuantityBox* highest_ = nullptr;
 };

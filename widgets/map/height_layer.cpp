@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/hand_over.h"
+#include "core/mapping/height_histogram.h"
 
 namespace usar::widgets {
 namespace {
@@ -167,6 +168,17 @@ using mapping::HeightTile;
 
 HeightLayer::HeightLayer(QObject* parent) : QObject(parent) {
     pool_.setMaxThreadCount(1);
+    trim_pause_.setSingleShot(true);
+    trim_pause_.setInterval(1000);
+    connect(&trim_pause_, &QTimer::timeout, this, [this] {
+        const mapping::HeightRange before = range();
+        if (trim_due_)
+            trim();
+        applyRange();
+        renderNext();
+        if (range() != before)
+            emit changed();
+    });
 }
 
 HeightLayer::~HeightLayer() {
@@ -180,6 +192,9 @@ void HeightLayer::clear(double cell_size_m) {
     pages_.clear();
     dirty_.clear();
     scan_range_.reset();
+    trimmed_range_.reset();
+    trim_due_ = false;
+    trim_pause_.stop();
     ++generation_;
     emit changed();
 }
@@ -207,12 +222,15 @@ void HeightLayer::take(const std::vector<std::shared_ptr<const HeightTile>>& til
     }
     if (range)
         scan_range_ = range;
+    trim();
     applyRange();
     renderNext();
 }
 
 void HeightLayer::setLook(const HeightLook& look) {
     look_ = look;
+    trim_pause_.stop(); // A choice is answered at once.
+    trim();
     restyle(&HeightStyle::color_map, look.color_map);
     applyRange();
     renderNext();
@@ -226,7 +244,21 @@ void HeightLayer::setContours(bool drawn) {
 }
 
 mapping::HeightRange HeightLayer::range() const {
-    return look_.fixed_range.value_or(scan_range_.value_or(mapping::HeightRange{}));
+    if (look_.fixed_range)
+        return *look_.fixed_range;
+    return (look_.trimmed && trimmed_range_ ? trimmed_range_ : scan_range_).value_or(mapping::HeightRange{});
+}
+
+void HeightLayer::trim() {
+    trim_due_ = look_.trimmed && !look_.fixed_range && scan_range_;
+    if (!trim_due_ || trim_pause_.isActive())
+        return;
+    trim_due_ = false;
+    trim_pause_.start();
+    mapping::HeightHistogram histogram(*scan_range_);
+    for (const auto& [index, tile] : tiles_)
+        histogram.add(tile->preview_m);
+    trimmed_range_ = histogram.trimmed();
 }
 
 void HeightLayer::applyRange() {

@@ -12,19 +12,15 @@
 #include <QImage>
 #include <QObject>
 #include <QThreadPool>
+#include <QTimer>
 
+#include "core/mapping/height_look.h"
 #include "core/mapping/height_map.h"
-#include "core/mapping/shading.h"
 #include "widgets/models/map/map_transform.h"
 
 namespace usar::widgets {
 
-/// How the user wants to see the heights.
-struct HeightLook {
-    mapping::ColorMap color_map = mapping::ColorMap::Color;
-    std::optional<mapping::HeightRange> fixed_range; ///< nullopt: the range follows the scan
-    bool operator==(const HeightLook&) const = default;
-};
+using mapping::HeightLook;
 
 /// How heights are turned into pixels.
 struct HeightStyle {
@@ -129,6 +125,8 @@ private:
     void restyle(Value HeightStyle::*part, const Value& value);
     /// True if heights have a color: there is a scan or a fixed range.
     bool rangeKnown() const { return scan_range_ || look_.fixed_range; }
+    /// Finds the range without extreme cells if the look wants it, at once or a second after the last time.
+    void trim();
     /// Paints with the present range and its contours from now on, if that can be seen.
     void applyRange();
     /// Hands all dirty pages to the worker, unless it is busy or no range is known yet.
@@ -140,6 +138,9 @@ private:
     HeightLook look_;
     bool contours_ = false;
     std::optional<mapping::HeightRange> scan_range_; ///< nullopt until the first range arrives
+    std::optional<mapping::HeightRange> trimmed_range_;
+    bool trim_due_ = false;
+    QTimer trim_pause_; ///< runs for a second after each look at all cells
     mapping::HeightTiles tiles_;
     std::map<mapping::GridIndex, PageTiles> sources_;
     std::map<mapping::GridIndex, PagePicture> pages_;

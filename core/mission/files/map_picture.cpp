@@ -1,4 +1,5 @@
 #include "core/mission/files/map_picture.h"
+#include "core/mapping/height_histogram.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,9 +83,19 @@ std::vector<std::int64_t> cellsUnderPixels(int pixels, double pixels_per_cell, d
     return cells;
 }
 
-void paintHeights(QImage& image, const Raster& raster, const View& view, mapping::ColorMap colors) {
+/// What the ends of the color scale stand for.
+HeightRange colorRange(const Raster& raster, const mapping::HeightLook& look) {
+    const HeightRange whole = raster.range().value_or(HeightRange{});
+    if (look.fixed_range || !look.trimmed)
+        return look.fixed_range.value_or(whole);
+    mapping::HeightHistogram histogram(whole);
+    histogram.add(raster.heights_m);
+    return histogram.trimmed();
+}
+
+void paintHeights(QImage& image, const Raster& raster, const View& view, const HeightRange& range,
+                  mapping::ColorMap colors) {
     const Rectangle map = extentOf(raster);
-    const HeightRange range = raster.range().value_or(HeightRange{});
     const mapping::HeightGrid grid{raster.heights_m, raster.columns, raster.rows, raster.cell_size_m};
     const double per_cell = view.pixels_per_m * raster.cell_size_m;
     const auto columns =
@@ -136,10 +147,10 @@ void paintArea(QPainter& painter, const Rectangle& area, const View& view, doubl
     painter.drawRect(QRectF(top_left, bottom_right));
 }
 
-Legend legendOf(const ScanRecord& record, const View& view, mapping::ColorMap colors) {
+Legend legendOf(const ScanRecord& record, const View& view, const mapping::HeightLook& look) {
     Legend legend;
-    legend.range = record.raster.range();
-    legend.colors = colors;
+    legend.range = colorRange(record.raster, look);
+    legend.colors = look.color_map;
     legend.pixels_per_m = view.pixels_per_m;
     legend.text_px = std::clamp(std::min(view.width_px, view.height_px) / 45.0, 13.0, 80.0);
     legend.title = QString("%1  ·  %2  ·  %3")
@@ -156,15 +167,15 @@ void addMetadata(QImage& image, const ScanRecord& record, const View& view) {
 
 } // namespace
 
-QImage mapPicture(const ScanRecord& record, mapping::ColorMap colors) {
+QImage mapPicture(const ScanRecord& record, const mapping::HeightLook& look) {
     if (record.raster.empty())
         return {};
     const View view(record);
     const double shorter_px = std::min(view.width_px, view.height_px);
-    const Legend legend = legendOf(record, view, colors);
+    const Legend legend = legendOf(record, view, look);
     const int strip_px = legend.heightFor(view.width_px);
     QImage image(view.width_px, view.height_px + strip_px, QImage::Format_RGB32);
-    paintHeights(image, record.raster, view, colors);
+    paintHeights(image, record.raster, view, legend.range, look.color_map);
 
     QPainter painter(&image);
     painter.setRenderHint(QPainter::Antialiasing);
@@ -180,11 +191,11 @@ QImage mapPicture(const ScanRecord& record, mapping::ColorMap colors) {
     return image;
 }
 
-QImage legendPicture(const ScanRecord& record, mapping::ColorMap colors) {
+QImage legendPicture(const ScanRecord& record, const mapping::HeightLook& look) {
     if (record.raster.empty())
         return {};
     const View view(record);
-    const Legend legend = legendOf(record, view, colors);
+    const Legend legend = legendOf(record, view, look);
     QImage image(view.width_px, legend.heightFor(view.width_px), QImage::Format_RGB32);
     QPainter painter(&image);
     painter.setRenderHint(QPainter::Antialiasing);

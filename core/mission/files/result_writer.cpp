@@ -201,12 +201,12 @@ void writeHeightImage(Writing& writing, const ScanRecord& record) {
     writing.bytes("_height.pgw", worldFile(record.raster));
 }
 
-void writePicture(Writing& writing, const ScanRecord& record, mapping::ColorMap colors) {
-    writing.image(mapping::picture_ending, mapPicture(record, colors));
-    writing.image("_legend.png", legendPicture(record, colors));
+void writePicture(Writing& writing, const ScanRecord& record, const mapping::HeightLook& look) {
+    writing.image(mapping::picture_ending, mapPicture(record, look));
+    writing.image("_legend.png", legendPicture(record, look));
 }
 
-void writeMap(Writing& writing, const ScanRecord& record, mapping::ColorMap colors) {
+void writeMap(Writing& writing, const ScanRecord& record, const mapping::HeightLook& look) {
     writeRaw(writing, {}, record.raster);
     if (!writing.stopped())
         writeText(writing, record.raster);
@@ -215,7 +215,7 @@ void writeMap(Writing& writing, const ScanRecord& record, mapping::ColorMap colo
     if (!writing.stopped())
         writeHeightImage(writing, record);
     if (!writing.stopped())
-        writePicture(writing, record, colors);
+        writePicture(writing, record, look);
 }
 
 /// Waits up to a minute while others save into the same folder.
@@ -235,7 +235,7 @@ QString defaultResultFolder() {
 }
 
 Result<QStringList> writeResults(const ScanRecord& record, const QJsonObject& summary, const QString& folder,
-                                 mapping::ColorMap colors, const std::stop_token& stop) {
+                                 const mapping::HeightLook& look, const std::stop_token& stop) {
     if (folder.isEmpty() || !QDir().mkpath(folder))
         return failure("cannot create the folder for the results", folder.toStdString(), folder_mend.toStdString());
     // Held until everything is written: two scans that end at the same time must not take the same free number.
@@ -250,7 +250,7 @@ Result<QStringList> writeResults(const ScanRecord& record, const QJsonObject& su
 
     Writing writing(QDir(folder).absolutePath(), freeStem(QDir(folder), record), stop);
     if (!record.raster.empty())
-        writeMap(writing, record, colors);
+        writeMap(writing, record, look);
     writing.bytes(".json", summaryBytes(record, summary, writing.files() + QStringList{writing.pathOf(".json")}));
     if (writing.error())
         return tl::unexpected(*writing.error());

@@ -370,8 +370,8 @@ void Fleet::Private::closeWhenSaved() {
     emit q.readyToClose();
 }
 
-void Fleet::setPictureColors(mapping::ColorMap colors) {
-    d_->keeper.setPictureColors(colors);
+void Fleet::setPictureLook(const mapping::HeightLook& look) {
+    d_->keeper.setPictureLook(look);
 }
 
 bool Fleet::anythingToSave() const {

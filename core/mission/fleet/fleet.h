@@ -11,7 +11,7 @@
 #include <QString>
 
 #include "core/agent/plugins/plugin_loader.h"
-#include "core/mapping/shading.h"
+#include "core/mapping/height_look.h"
 #include "core/mission/files/mission_file.h"
 #include "core/mission/fleet/robot.h"
 #include "core/mission/runs/run_summary.h"
@@ -88,7 +88,7 @@ public:
     void setResultFolder(const QString& folder);
     QString resultFolder() const;
     bool resultFolderChosen() const;
-    void setPictureColors(mapping::ColorMap colors); ///< of exported pictures; the window's own
+    void setPictureLook(const mapping::HeightLook& look); ///< of exported pictures; the window's own
     bool anythingToSave() const;
     void exportResults(RobotId id);
     void cancelSaving(); ///< of all scans that are being written; `exportFailed` follows for each

@@ -13,7 +13,7 @@
 #include <QString>
 #include <QThreadPool>
 
-#include "core/mapping/shading.h"
+#include "core/mapping/height_look.h"
 #include "core/mission/fleet/robot.h"
 #include "core/mission/runs/run_summary.h"
 
@@ -30,8 +30,8 @@ public:
     /// Sets the result folder; empty means the default one. Retries scans of robots that have left at once.
     void setFolder(const QString& folder);
     QString folder() const;
-    /// Colors of the pictures that are written from now on; initially in color.
-    void setPictureColors(mapping::ColorMap colors) { colors_ = colors; }
+    /// Look of the pictures that are written from now on; initially in color over the whole range.
+    void setPictureLook(const mapping::HeightLook& look) { look_ = look; }
     bool folderChosen() const { return !folder_.isEmpty(); }
 
     /// Writes the robot's records from now on, whenever they arrive. `facts` is called for each of them.
@@ -76,7 +76,7 @@ private:
 
     QThreadPool pool_;
     QString folder_;
-    mapping::ColorMap colors_ = mapping::ColorMap::Color;
+    mapping::HeightLook look_;
     std::map<const Robot*, std::function<SimulatorFacts()>> facts_;
     std::set<const Robot*> awaited_;              ///< robots whose record was requested and has not arrived
     std::vector<std::unique_ptr<Robot>> leaving_; ///< removed robots that are kept until they are saved

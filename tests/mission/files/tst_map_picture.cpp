@@ -76,7 +76,7 @@ private slots:
         ScanRecord record = flatScan(40, 40);
         for (std::size_t cell = 0; cell < record.raster.heights_m.size(); ++cell)
             record.raster.heights_m[cell] = static_cast<float>(cell % 40); // A slope: color would be lit.
-        const QImage picture = mapPicture(record, mapping::ColorMap::Gray);
+        const QImage picture = mapPicture(record, {mapping::ColorMap::Gray});
         const mapping::HeightRange range = record.raster.range().value();
         for (int column = 0; column < 40; ++column)
             QCOMPARE(picture.pixel(15 * column + 7, 300),
@@ -98,6 +98,30 @@ private slots:
         };
         QVERIFY2(colored(mapPicture(record)) > 0, "the bar of the legend in color");
         QCOMPARE(colored(picture), 0);
+    }
+
+    void theColorsOfThePictureFollowTheRangeOfTheMap_data() {
+        QTest::addColumn<mapping::HeightLook>("look");
+        QTest::addColumn<mapping::HeightRange>("range");
+        const auto gray = mapping::ColorMap::Gray;
+        QTest::newRow("whole") << mapping::HeightLook{gray} << mapping::HeightRange{0.0f, 1024.0f};
+        QTest::newRow("without the tree") << mapping::HeightLook{gray, {}, true} << mapping::HeightRange{0.0f, 40.0f};
+        QTest::newRow("fixed") << mapping::HeightLook{gray, mapping::HeightRange{-10.0f, 50.0f}}
+                               << mapping::HeightRange{-10.0f, 50.0f};
+    }
+
+    /// One cell of 1600 is high; the others rise from 0 to 39 m.
+    void theColorsOfThePictureFollowTheRangeOfTheMap() {
+        QFETCH(mapping::HeightLook, look);
+        QFETCH(mapping::HeightRange, range);
+        ScanRecord record = flatScan(40, 40);
+        for (std::size_t cell = 0; cell < record.raster.heights_m.size(); ++cell)
+            record.raster.heights_m[cell] = static_cast<float>(cell % 40);
+        record.raster.heights_m[0] = 1024.0f; // So that a step is one meter.
+        const QImage picture = mapPicture(record, look);
+        for (int column = 0; column < 40; ++column)
+            QCOMPARE(picture.pixel(15 * column + 7, 300),
+                     mapping::shade(float(column), range, mapping::ColorMap::Gray));
     }
 
     void upIsUpAndRightIsRight() {
