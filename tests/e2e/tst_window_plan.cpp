@@ -33,6 +33,18 @@ public:
                 return true;
         return false;
     }
+    /// Presses Return on the first reason with these words. False where there is none.
+    bool enterReason(const QString& words) {
+        for (QListWidget* list : panel_->findChildren<QListWidget*>())
+            if (const auto rows = list->findItems(words, Qt::MatchContains);
+                list->accessibleName() == "Reasons" && !rows.isEmpty()) {
+                list->setCurrentItem(rows[0]);
+                QTest::keyClick(list, Qt::Key_Return);
+                return true;
+            }
+        return false;
+    }
+    const widgets::PlanTime& time() const { return panel_->timeBar().time(); }
 
 private:
     widgets::PlanPanel* panel_;
@@ -55,7 +67,7 @@ private slots:
 void tst_WindowPlan::aPlanIsSeenWhileItFlies() {
     const QTemporaryDir folder;
     WindowPage page({.mission_file = plannedMission(folder)});
-    const PlanDock dock(page);
+    PlanDock dock(page);
     QVERIFY(QTest::qWaitFor([&] { return page.hasStartPoses(); }, soon_ms));
     QVERIFY(page.spawnAt("PlayerStart"));
     page.pressKey(Qt::Key_F4, Qt::ControlModifier);
@@ -67,6 +79,10 @@ void tst_WindowPlan::aPlanIsSeenWhileItFlies() {
     page.chooseSpeed("max");
     QTRY_VERIFY_WITH_TIMEOUT(dock.says("FlyToGoal"), flight_ms);
     page.screenshot("plan");
+    QVERIFY(dock.time().live);
+    QVERIFY(dock.enterReason("RobotLaunch: LaunchReady = false – no"));
+    QVERIFY(!dock.time().live); // the moment when the launch was done
+    QVERIFY(dock.time().shown > dock.time().begin && dock.time().shown < dock.time().end);
     QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->finished, flight_ms);
     QVERIFY2(page.robot(1)->finished->success, page.robot(1)->finished->reason.c_str());
 }

@@ -5,6 +5,7 @@
 
 #include <QApplication>
 #include <QKeyEvent>
+#include <QMouseEvent>
 #include <QResizeEvent>
 #include <QScopedValueRollback>
 #include <QShortcut>
@@ -12,7 +13,6 @@
 
 #include "core/posh/language/plan_reader.h"
 #include "widgets/models/plan/plan_places.h"
-#include "widgets/models/plan/plan_reasons.h"
 #include "widgets/plan/plan_parts.h"
 #include "widgets/style/form_parts.h"
 #include "widgets/style/icons.h"
@@ -25,6 +25,7 @@ namespace {
 
 constexpr int narrow_panel_px = 640;
 constexpr int node_role = Qt::UserRole;
+constexpr int since_role = Qt::UserRole + 9;      // Time of a reason in seconds on the protocol clock; none: invalid.
 constexpr int lost_role = Qt::UserRole + 8;       // True for a breakpoint that has no place in the plan.
 constexpr int breakpoint_role = Qt::UserRole + 2; // On items of the breakpoint list: its id.
 
@@ -33,6 +34,7 @@ struct Row {
     PlanNodeId node{};
     QIcon icon{};
     int mark = 0; ///< rows with different marks differ even if their text is the same
+    std::optional<Seconds> since{};
 };
 
 /// Adds or removes items at the end; the others are reused, because one of them may be emitting a signal.
@@ -55,7 +57,14 @@ void fill(QListWidget& list, const std::vector<Row>& rows) {
             item->setIcon(row.icon);
         item->setData(node_role, row.node.value);
         item->setData(node_role + 1, row.mark);
+        item->setData(since_role, row.since ? QVariant(row.since->count()) : QVariant());
     }
+}
+
+/// Time at which the reason of a row began; nullopt if the row, or its reason, has none.
+std::optional<Seconds> sinceOf(const QListWidgetItem* item) {
+    const QVariant since_s = item ? item->data(since_role) : QVariant();
+    return since_s.isValid() ? std::optional(Seconds(since_s.toDouble())) : std::nullopt;
 }
 
 QIcon verdictIcon(PlanVerdict verdict) {
@@ -221,8 +230,11 @@ void PlanPanel::fillSide() {
     running_ = makeList(tr("Running now"), tr("What is running, from the root down; click to select"));
     side_->add(running_title_, running_, tr("Running"), 2);
     verdict_ = makeLabel(side_, "title");
-    reasons_ = makeList(tr("Reasons"), tr("What lets the selected part run, and what prevents it; click to select"));
+    reasons_ = makeList(tr("Reasons"), tr("What lets the selected part run, and what prevents it; without a selection, "
+                                          "what prevents the drives; click to select, double-click to go to the time "
+                                          "when it began"));
     reasons_->setWordWrap(true);
+    reasons_->viewport()->installEventFilter(this);
     side_->add(verdict_, reasons_, tr("Why?"), 3);
     side_->setTitleKept(reasons_, true); // It is the answer.
     board_ = makeList(tr("Blackboard"), {});
@@ -315,7 +327,7 @@ QListWidget* PlanPanel::makeList(const QString& name, const QString& help) {
     list->setMinimumHeight(24);
     list->setIconSize({14, 14});
     connect(list, &QListWidget::itemClicked, this, &PlanPanel::jumpTo);
-    connect(list, &QListWidget::itemActivated, this, &PlanPanel::jumpTo);
+    connect(list, &QListWidget::itemActivated, this, &PlanPanel::activate);
     return list;
 }
 
@@ -387,23 +399,60 @@ void PlanPanel::showRunning() {
 
 void PlanPanel::showReasons() {
     const PlanNodeId node = view_->selected();
-    if (!node.valid()) {
-        verdict_->setText(tr("Why?"));
-        fill(*reasons_,
-             {{view_->tree().empty() ? QString()
-                                     : tr("Select a part of the plan to see why it runs or does not run.")}});
-        return;
-    }
+    if (!node.valid())
+        return showDriveRefusals();
     verdict_->setText(planVerdict(view_->tree(), view_->states(), node));
+    showReasonRows(planReasons(view_->tree(), view_->states(), node));
+}
+
+void PlanPanel::showDriveRefusals() {
+    const auto refusals = driveRefusals(view_->tree(), view_->states());
+    verdict_->setText(refusals.empty() ? tr("Why?") : tr("What prevents the drives that do not run:"));
+    if (!refusals.empty())
+        return showReasonRows(refusals);
+    fill(*reasons_,
+         {{view_->tree().empty() ? QString() : tr("Select a part of the plan to see why it runs or does not run.")}});
+}
+
+void PlanPanel::showReasonRows(const std::vector<PlanReason>& reasons) {
     std::vector<Row> rows;
-    for (const PlanReason& reason : planReasons(view_->tree(), view_->states(), node))
-        rows.push_back({reason.text, reason.node, verdictIcon(reason.verdict), 1 + static_cast<int>(reason.verdict)});
+    for (const PlanReason& reason : reasons)
+        rows.push_back({reason.text, reason.node, verdictIcon(reason.verdict), 1 + static_cast<int>(reason.verdict),
+                        reason.since});
     fill(*reasons_, rows);
 }
 
 void PlanPanel::jumpTo(const QListWidgetItem* item) {
     if (const PlanNodeId node{item->data(node_role).toInt()}; node.valid())
         view_->select(node);
+}
+
+void PlanPanel::activate(const QListWidgetItem* item) {
+    const auto since = sinceOf(item); // The selection may change the rows.
+    jumpTo(item);
+    askForTime(since);
+}
+
+void PlanPanel::askForTime(const std::optional<Seconds>& time) {
+    if (time)
+        emit time_bar_->timeWanted(*time);
+}
+
+/// The first click of a double-click selects, which may put another reason under the mouse, or none. So the time is
+/// that of the reason that was there before.
+bool PlanPanel::eventFilter(QObject* watched, QEvent* event) {
+    const QEvent::Type type = event->type();
+    if (watched != reasons_->viewport())
+        return QWidget::eventFilter(watched, event);
+    if (type == QEvent::MouseButtonPress)
+        pressed_since_ = sinceOf(reasons_->itemAt(static_cast<QMouseEvent*>(event)->position().toPoint()));
+    else if (type == QEvent::MouseButtonRelease)
+        return std::exchange(double_clicked_, false);
+    if (type != QEvent::MouseButtonDblClick || static_cast<QMouseEvent*>(event)->button() != Qt::LeftButton)
+        return QWidget::eventFilter(watched, event);
+    double_clicked_ = true;
+    askForTime(pressed_since_);
+    return true;
 }
 
 /// Switches between the narrow and the wide layout.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include <QBoxLayout>
 #include <QLabel>
@@ -12,6 +13,7 @@
 
 #include "core/agent/published.h"
 #include "widgets/models/plan/breakpoint_list.h"
+#include "widgets/models/plan/plan_reasons.h"
 #include "widgets/plan/plan_text_edit.h"
 #include "widgets/plan/plan_time_bar.h"
 #include "widgets/plan/plan_view.h"
@@ -67,6 +69,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
     bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     QBoxLayout* makeSearchRow();
@@ -91,8 +94,14 @@ private:
     /// Tints the lines of running parts.
     void showRunningLines();
     void showFinding();
+    /// Lists what prevents the drives that do not run.
+    void showDriveRefusals();
+    void showReasonRows(const std::vector<PlanReason>& reasons);
     /// Selects the part that a list item refers to.
     void jumpTo(const QListWidgetItem* item);
+    /// The same, and asks for the time at which the item's reason began, if it has one.
+    void activate(const QListWidgetItem* item);
+    void askForTime(const std::optional<Seconds>& time);
 
     PlanView* view_;
     QLineEdit* search_;
@@ -109,6 +118,8 @@ private:
     QListWidget* running_;
     QLabel* verdict_;
     QListWidget* reasons_;
+    std::optional<Seconds> pressed_since_; ///< time of the reason that the mouse was pressed on
+    bool double_clicked_ = false;          ///< the release that ends a double-click is still to come
     QListWidget* board_;
     std::vector<BoardValue> board_values_;
     QStringList watched_keys_;

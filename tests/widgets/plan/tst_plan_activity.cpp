@@ -46,6 +46,8 @@ private slots:
     void runningCardsAreListedInOrder();
     void reasons_data();
     void reasons();
+    void aReasonKnowsSinceWhen();
+    void whatPreventsTheDrivesIsListedOnce();
     void answersSayVerdictValueAndAge();
     void countersAreWords();
 
@@ -194,6 +196,40 @@ void tst_PlanActivity::reasons() {
                                                     : QStringLiteral("open ")) +
                      said.text;
     QVERIFY2(reason.isEmpty() || found.contains(reason), qPrintable(found.join('\n')));
+}
+
+void tst_PlanActivity::aReasonKnowsSinceWhen() {
+    Scene scene;
+    scene[root + "/DE:1"].running = true;
+    scene.answer(root + "/DE:0/S:0", "false", false, 92.5);
+    states_.take(tree_, scene.snapshot());
+    const auto sinceOf = [this](const std::string& path, const std::string& of) {
+        for (const PlanReason& said : planReasons(tree_, states_, tree_.find(path)))
+            if (said.node == tree_.find(of))
+                return said.since;
+        return std::optional(Seconds(-1.0));
+    };
+    QCOMPARE(sinceOf(root + "/DE:0", root + "/DE:0/S:0"), std::optional(Seconds(92.5)));
+    QCOMPARE(sinceOf(root + "/DE:1", root + "/DE:1/S:0"), std::optional<Seconds>()); // not asked
+    QCOMPARE(sinceOf(root + "/DE:2", root + "/DE:1"), std::optional<Seconds>());     // no sense
+}
+
+void tst_PlanActivity::whatPreventsTheDrivesIsListedOnce() {
+    QVERIFY(driveRefusals(tree_, states_).empty()); // nothing is known
+    Scene scene;
+    scene[root + "/DE:1"].running = true;
+    scene.answer(root + "/DE:0/S:0", "false", false, 92.0);
+    scene.answer(root + "/DE:1/S:0", "0.1", false, 99.0); // it runs, so nothing prevents it
+    scene.answer(root + "/S:0", "true", true, 98.0);
+    states_.take(tree_, scene.snapshot());
+    QStringList found;
+    for (const PlanReason& said : driveRefusals(tree_, states_)) {
+        QCOMPARE(said.verdict, PlanVerdict::No);
+        found << said.text;
+    }
+    QCOMPARE(found, QStringList({QStringLiteral("courier, goal: Delivered – yes, it is true, for 2.0 s"),
+                                 QStringLiteral("safety: Bumped – no, it is false, for 8.0 s"),
+                                 QStringLiteral("work is running now and has priority over rest")}));
 }
 
 void tst_PlanActivity::answersSayVerdictValueAndAge() {

@@ -46,9 +46,14 @@ private slots:
     void runningListJumps();
     void reasonsNameSenseValueAndSince();
     void reasonsJumpToTheirSense();
+    void aReasonLeadsToItsTime_data();
+    void aReasonLeadsToItsTime();
+    void aDoubleClickIsMeantForTheRowThatWasThere();
+    void aReasonWithoutATimeLeadsToNone();
     void aChosenSenseIsExplainedOnce();
     void listsOfALowPanelStandBehindTabs();
-    void nothingSelectedSaysWhatToDo();
+    void nothingSelectedListsWhatPreventsTheDrives();
+    void nothingToListSaysWhatToDo();
     void searchCountsAndSteps();
     void returnStepsAndEscapeGoesBack();
     void itsKeysAreItsOwnInAWindowThatHasThemToo();
@@ -62,6 +67,8 @@ private slots:
 
 private:
     QListWidget* list(const char* name) const;
+    /// The place of the only reason with these words, in pixels of the list's viewport.
+    QPoint reasonAt(const char* words) const;
     QAbstractButton* button(const QString& part) const;
     std::unique_ptr<PlanPanel> panel_;
     std::unique_ptr<QSignalSpy> taken_; ///< one entry for each snapshot that was taken
@@ -89,6 +96,11 @@ QListWidget* tst_PlanPanel::list(const char* name) const {
         if (list->accessibleName() == QLatin1String(name))
             return list;
     return nullptr;
+}
+
+QPoint tst_PlanPanel::reasonAt(const char* words) const {
+    const auto rows = list("Reasons")->findItems(QLatin1String(words), Qt::MatchContains);
+    return rows.size() == 1 ? list("Reasons")->visualItemRect(rows[0]).center() : QPoint(-1, -1);
 }
 
 QAbstractButton* tst_PlanPanel::button(const QString& part) const {
@@ -123,6 +135,71 @@ void tst_PlanPanel::reasonsJumpToTheirSense() {
     QCOMPARE(rows.size(), 1);
     emit reasons->itemActivated(rows[0]);
     QCOMPARE(panel_->view().selected(), panel_->view().tree().find(root + "/DE:0/S:0"));
+}
+
+void tst_PlanPanel::aReasonLeadsToItsTime_data() {
+    QTest::addColumn<bool>("by_key");
+    QTest::addColumn<std::string>("selected");
+    QTest::newRow("double-click") << false << root + "/DE:0";
+    QTest::newRow("Return") << true << root + "/DE:0";
+    QTest::newRow("double-click with nothing selected") << false << std::string();
+    QTest::newRow("Return with nothing selected") << true << std::string();
+}
+
+void tst_PlanPanel::aReasonLeadsToItsTime() {
+    QFETCH(bool, by_key);
+    QFETCH(std::string, selected);
+    if (!selected.empty())
+        panel_->view().selectPath(selected);
+    QSignalSpy asked(&panel_->timeBar(), &PlanTimeBar::timeWanted);
+    QListWidget* reasons = list("Reasons");
+    const QPoint at = reasonAt("Bumped");
+    QTest::mouseClick(reasons->viewport(), Qt::LeftButton, {}, at);
+    QCOMPARE(panel_->view().selected(), panel_->view().tree().find(root + "/DE:0/S:0"));
+    QVERIFY(asked.isEmpty()); // one click only selects
+    if (by_key) {
+        reasons->setCurrentItem(reasons->itemAt(reasonAt("Bumped")));
+        QTest::keyClick(reasons, Qt::Key_Return);
+    } else {
+        QTest::mouseDClick(reasons->viewport(), Qt::LeftButton, {}, at);
+        QTest::mouseRelease(reasons->viewport(), Qt::LeftButton, {}, at);
+    }
+    QCOMPARE(asked.size(), 1);
+    QCOMPARE(asked[0][0].value<Seconds>(), Seconds(12.0));
+}
+
+void tst_PlanPanel::aDoubleClickIsMeantForTheRowThatWasThere() {
+    PlanSnapshot snapshot = working();
+    snapshot.activities.emplace_back().answer = SenseAnswer{QStringLiteral("true"), true, Seconds(15.0), Seconds(20.0)};
+    auto paths = *snapshot.paths;
+    paths.push_back(root + "/S:0"); // the goal, which stands first
+    snapshot.paths = std::make_shared<const std::vector<std::string>>(paths);
+    panel_->setSnapshot(snapshot);
+    QTRY_COMPARE(taken_->count(), 2);
+    QSignalSpy asked(&panel_->timeBar(), &PlanTimeBar::timeWanted);
+    QListWidget* reasons = list("Reasons");
+    const QPoint at = reasonAt("Bumped");
+    QTest::mouseClick(reasons->viewport(), Qt::LeftButton, {}, at);
+    const PlanNodeId bumped = panel_->view().selected();
+    panel_->view().selectPath(root); // as if the click had chosen a part with fewer reasons
+    QVERIFY(!reasons->itemAt(at));
+    QTest::mouseDClick(reasons->viewport(), Qt::LeftButton, {}, at);
+    QTest::mouseRelease(reasons->viewport(), Qt::LeftButton, {}, at);
+    QCOMPARE(asked.size(), 1);
+    QCOMPARE(asked[0][0].value<Seconds>(), Seconds(12.0));
+    QVERIFY(bumped.valid() && panel_->view().selected() == panel_->view().tree().find(root));
+}
+
+void tst_PlanPanel::aReasonWithoutATimeLeadsToNone() {
+    panel_->view().selectPath(root + "/DE:2");
+    QSignalSpy asked(&panel_->timeBar(), &PlanTimeBar::timeWanted);
+    QListWidget* reasons = list("Reasons");
+    const QPoint at = reasonAt("has priority over rest");
+    QTest::mouseClick(reasons->viewport(), Qt::LeftButton, {}, at);
+    QTest::mouseDClick(reasons->viewport(), Qt::LeftButton, {}, at);
+    QTest::mouseRelease(reasons->viewport(), Qt::LeftButton, {}, at);
+    QCOMPARE(panel_->view().selected(), panel_->view().tree().find(root + "/DE:1"));
+    QVERIFY(asked.isEmpty());
 }
 
 void tst_PlanPanel::aChosenSenseIsExplainedOnce() {
@@ -162,7 +239,19 @@ void tst_PlanPanel::listsOfALowPanelStandBehindTabs() {
     QVERIFY(!tabs->isVisible());
 }
 
-void tst_PlanPanel::nothingSelectedSaysWhatToDo() {
+void tst_PlanPanel::nothingSelectedListsWhatPreventsTheDrives() {
+    QListWidget* reasons = list("Reasons");
+    QStringList texts;
+    for (int i = 0; i < reasons->count(); ++i)
+        texts << reasons->item(i)->text();
+    QCOMPARE(texts, QStringList({QStringLiteral("safety: Bumped – no, it is false, for 8.0 s"),
+                                 QStringLiteral("work is running now and has priority over rest")}));
+    panel_->view().selectPath(root + "/DE:1"); // it runs
+    QVERIFY(reasons->findItems(QStringLiteral("safety"), Qt::MatchContains).isEmpty());
+}
+
+void tst_PlanPanel::nothingToListSaysWhatToDo() {
+    panel_->setPlan(planOf("((DC lookout (drives ((stay Hover)))))")); // nothing is known of it
     QVERIFY(list("Reasons")->item(0)->text().contains(QStringLiteral("Select a part")));
     QTest::mouseClick(list("Reasons")->viewport(), Qt::LeftButton, {}, QPoint(20, 10));
     QCOMPARE(panel_->view().selected(), PlanNodeId{});

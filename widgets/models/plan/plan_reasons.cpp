@@ -25,7 +25,9 @@ public:
     }
 
 private:
-    void say(PlanVerdict verdict, PlanNodeId node, const QString& text) { reasons_.push_back({verdict, text, node}); }
+    void say(PlanVerdict verdict, PlanNodeId node, const QString& text, std::optional<Seconds> since = {}) {
+        reasons_.push_back({verdict, text, node, since});
+    }
 
     void explain(PlanNodeId node) {
         if (!states_[node].running) {
@@ -78,7 +80,8 @@ private:
         say(verdict, sense,
             what.of_goal
                 ? QObject::tr("%1, goal: %2 – %3").arg(tree_[owner].name, call, answerText(state, states_.now()))
-                : QObject::tr("%1: %2 – %3").arg(tree_[owner].name, call, answerText(state, states_.now())));
+                : QObject::tr("%1: %2 – %3").arg(tree_[owner].name, call, answerText(state, states_.now())),
+            state.answer ? std::optional(state.answer->since) : std::nullopt);
     }
 
     const PlanTree& tree_;
@@ -90,6 +93,21 @@ private:
 
 std::vector<PlanReason> planReasons(const PlanTree& tree, const PlanStates& states, PlanNodeId node) {
     return ReasonCollector(tree, states).collect(node);
+}
+
+std::vector<PlanReason> driveRefusals(const PlanTree& tree, const PlanStates& states) {
+    std::vector<PlanReason> refusals;
+    const auto add = [&refusals](const PlanReason& reason) {
+        const auto same = [&reason](const PlanReason& one) {
+            return one.node == reason.node && one.text == reason.text;
+        };
+        if (reason.verdict == PlanVerdict::No && std::ranges::none_of(refusals, same))
+            refusals.push_back(reason);
+    };
+    for (const PlanNodeId node : tree.nodes())
+        if (tree[node].kind == PlanNodeKind::Drive && !states[node].running)
+            std::ranges::for_each(planReasons(tree, states, node), add);
+    return refusals;
 }
 
 QString planVerdict(const PlanTree& tree, const PlanStates& states, PlanNodeId node) {

@@ -2,6 +2,7 @@
 // which value, since when.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <QString>
@@ -18,14 +19,17 @@ enum class PlanVerdict { Yes, No, Open };
 /// One cause as a sentence; `node` is the part that it refers to, which may be another one than asked about.
 struct PlanReason {
     PlanVerdict verdict = PlanVerdict::Open;
-    QString text;
+    QString text{};
     PlanNodeId node{};
+    std::optional<Seconds> since{}; ///< time at which a sense's present verdict began; nullopt: no sense, or not asked
 };
 
 /// The verdict in one sentence: "avoid does not run, for one reason:".
 QString planVerdict(const PlanTree& tree, const PlanStates& states, PlanNodeId node);
 /// The causes, in order from the root to the node.
 std::vector<PlanReason> planReasons(const PlanTree& tree, const PlanStates& states, PlanNodeId node);
+/// What prevents the drives that do not run, in the order of the tree; a cause that several share is listed once.
+std::vector<PlanReason> driveRefusals(const PlanTree& tree, const PlanStates& states);
 
 /// "no, it is 0.12, for 8.0 s": the sense's newest answer, and how long this has been the verdict.
 QString answerText(const PlanActivity& state, Seconds now);
