@@ -41,6 +41,7 @@ void CameraDesk::registerCommands() {
         widgets::askWhereToSave(window_, tr("Save picture"), tr("camera.png"), tr("Pictures (*.png *.jpg)"),
                                 [this, picture](const QString& path) { savePicture(picture, path); });
     });
+    add("camera.overlay", [this](bool on) { view_.setOverlayShown(on); });
     add("camera.port", [this] { chooseImagePort(); });
 }
 
@@ -58,6 +59,16 @@ void CameraDesk::wire() {
     connect(&selection_, &Selection::changed, this, &CameraDesk::select);
     wireView();
     wireFeed();
+}
+
+void CameraDesk::restore(const QSettings& settings) {
+    const bool shown = settings.value("camera/overlay", true).toBool();
+    action("camera.overlay")->setChecked(shown);
+    view_.setOverlayShown(shown);
+}
+
+void CameraDesk::save(SettingsSheet& settings) const {
+    settings.setValue("camera/overlay", action("camera.overlay")->isChecked());
 }
 
 void CameraDesk::wireView() {

@@ -23,6 +23,8 @@ public:
 
     void registerCommands() override;
     void wire() override;
+    void restore(const QSettings& settings) override;
+    void save(SettingsSheet& settings) const override;
     /// Saves as PNG or JPEG, by the suffix of `path`; the result is a notice.
     void savePicture(const QImage& picture, const QString& path);
 

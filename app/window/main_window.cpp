@@ -167,15 +167,15 @@ void MainWindow::dropEvent(QDropEvent* event) {
 
 void MainWindow::restoreSettings() {
     const QSettings settings;
-    for (Desk* desk :
-         std::initializer_list<Desk*>{&view_, &messages_, &workshop_, &server_, &replay_, &plan_, &task_, &files_})
+    for (Desk* desk : std::initializer_list<Desk*>{&view_, &messages_, &workshop_, &server_, &replay_, &plan_, &task_,
+                                                   &camera_, &files_})
         desk->restore(settings);
 }
 
 void MainWindow::saveSettings() {
     SettingsSheet sheet;
     for (const Desk* desk : std::initializer_list<const Desk*>{&view_, &plugins_, &messages_, &workshop_, &server_,
-                                                               &replay_, &plan_, &task_, &files_})
+                                                               &replay_, &plan_, &task_, &camera_, &files_})
         desk->save(sheet);
     const QVariantMap changed = sheet.changedSince(saved_);
     saved_ = sheet;

@@ -56,6 +56,16 @@ double difference(const QImage& a, const QImage& b) {
     return sum / (a.width() * a.height());
 }
 
+/// True if a cross is painted on the picture.
+bool hasCross(WindowPage& page) {
+    QImage picture(320, 240, QImage::Format_RGB32);
+    picture.fill(Qt::green);
+    camera(page).setPicture(picture, 1.0);
+    auto* const canvas = camera(page).findChild<widgets::CameraCanvas*>();
+    const QPoint on_cross = canvas->pictureRect().center() + QPoint(9, 0);
+    return canvas->grab().toImage().pixelColor(on_cross) != QColor(Qt::green);
+}
+
 void trigger(WindowPage& page, const char* command) {
     QAction* const action = page.window().commands().action(command);
     QTRY_VERIFY_WITH_TIMEOUT(action->isEnabled(), soon_ms);
@@ -75,6 +85,7 @@ private slots:
     void aHiddenDockAsksForNothing();
     void emptyStatesSayWhatToDo();
     void thePictureIsSaved();
+    void theOverlayIsFoundAsItWasLeft();
 };
 
 void tst_WindowCamera::picturesOfTheSelectedRobotComeAndGoOn() {
@@ -182,6 +193,25 @@ void tst_WindowCamera::thePictureIsSaved() {
     QCOMPARE(QImage(folder.filePath("seen.png")).size(), QSize(8, 6));
     page.window().camera().savePicture(picture, folder.filePath("no/such/folder.png"));
     QVERIFY(page.notified("could not be saved").contains("Choose a folder"));
+}
+
+void tst_WindowCamera::theOverlayIsFoundAsItWasLeft() {
+    const QTemporaryDir settings;
+    const WindowSetup setup{.settings_folder = settings.path()};
+    {
+        WindowPage page(setup);
+        raiseCamera(page);
+        QVERIFY(page.window().commands().action("camera.overlay")->isChecked() && hasCross(page));
+        trigger(page, "camera.overlay");
+        QVERIFY(!hasCross(page));
+        page.window().quit();
+        QTRY_VERIFY_WITH_TIMEOUT(!page.window().isVisible(), soon_ms);
+    }
+    WindowPage page(setup);
+    raiseCamera(page);
+    QVERIFY(!page.window().commands().action("camera.overlay")->isChecked() && !hasCross(page));
+    trigger(page, "camera.overlay");
+    QVERIFY(hasCross(page));
 }
 
 USAR_TEST(tst_WindowCamera)

@@ -82,6 +82,69 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(shown.says("s old"), 4000); // nobody sends a second one
     }
 
+    void theOverlayMarksTheCenterAndACorner_data() {
+        QTest::addColumn<bool>("shown");
+        QTest::newRow("shown") << true;
+        QTest::newRow("hidden") << false;
+    }
+
+    void theOverlayMarksTheCenterAndACorner() {
+        QFETCH(bool, shown);
+        Shown view;
+        view.view.setSource("R1", {"Camera"}, "Camera");
+        view.view.setOverlayShown(shown);
+        const QImage original = picture();
+        view.view.setPicture(original, 10.0);
+        const QImage seen = view.canvas().grab().toImage();
+        const QRect place = view.canvas().pictureRect();
+        const auto colorAt = [&seen](const QPoint& at) { return seen.pixelColor(at).rgb(); };
+        const QRgb red = QColor(Qt::red).rgb();
+        QCOMPARE(colorAt(place.center()), red); // what is aimed at stays visible
+        QCOMPARE(colorAt(place.center() + QPoint(9, 0)), shown ? tokens().accent.rgb() : red);
+        QCOMPARE(colorAt(place.center() + QPoint(0, 9)), shown ? tokens().accent.rgb() : red);
+        QCOMPARE(colorAt(place.center() + QPoint(9, -1)), shown ? tokens().background.rgb() : red);
+        QCOMPARE(colorAt(place.bottomLeft() + QPoint(gap::small - 1, -gap::small)) != red, shown);
+        QCOMPARE(colorAt(place.topRight() + QPoint(-gap::small, gap::small)), red);
+        QCOMPARE(view.view.picture(), original); // this one is saved
+    }
+
+    void theOverlayIsShownAtFirst() {
+        Shown shown;
+        shown.view.setPicture(picture(), 10.0);
+        const QPoint on_cross = shown.canvas().pictureRect().center() + QPoint(9, 0);
+        QCOMPARE(shown.canvas().grab().toImage().pixelColor(on_cross).rgb(), tokens().accent.rgb());
+        shown.view.setOverlayShown(false);
+        QCOMPARE(shown.canvas().grab().toImage().pixelColor(on_cross).rgb(), QColor(Qt::red).rgb());
+    }
+
+    void theNoteTells_data() {
+        QTest::addColumn<QStringList>("cameras");
+        QTest::addColumn<QString>("shown");
+        QTest::addColumn<QString>("first_line");
+        QTest::newRow("one camera") << QStringList{"Camera"} << "Camera"
+                                    << "R1 · Camera";
+        QTest::newRow("one of two") << QStringList{"Front", "Rear"} << "Rear"
+                                    << "R1 · Rear";
+        QTest::newRow("a camera without a name") << QStringList{} << QString() << "R1";
+    }
+
+    void theNoteTells() {
+        QFETCH(QStringList, cameras);
+        QFETCH(QString, shown);
+        QFETCH(QString, first_line);
+        Shown seen;
+        seen.view.setPicture(picture(), 9.75);
+        seen.view.setSource("R1", cameras, shown);
+        seen.view.setZoom({1.0, 0.5, 2.0});
+        const QStringList lines = seen.canvas().note().split('\n');
+        QCOMPARE(lines.size(), 2);
+        QCOMPARE(lines[0], first_line);
+        QVERIFY2(lines[1].startsWith("9.8 frames/s · 0.") && lines[1].endsWith("s · 57°"), qPrintable(lines[1]));
+        seen.view.setZoom({0.5, 0.5, 2.0});
+        QVERIFY(seen.canvas().note().endsWith("s · 29°"));
+        QTRY_VERIFY_WITH_TIMEOUT(seen.canvas().note().endsWith("s old · 29°"), 4000); // nobody sends a second one
+    }
+
     void anEmptyStateSaysWhatToDoAndGoesWithThePicture() {
         Shown shown;
         QAction mend("Mend");

@@ -160,6 +160,7 @@ void tst_CommandTable::aNewcomersWordFindsACommand_data() {
         {"pan", "camera.left"},
         {"tilt", "camera.up"},
         {"lamp", "camera.light"},
+        {"crosshair", "camera.overlay"},
         {"center", "map.follow"},
         {"overview", "map.fit_world"},
         {"freeze", "time.pause"},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <QAction>
 #include <QKeyEvent>
@@ -25,6 +26,9 @@ constexpr double wheel_notch = 120.0;
 constexpr int slider_steps = 100;
 constexpr double notch_factor = 1.15;
 constexpr double old_s = 2.0;
+/// Reach of the cross from the center; inside the nearer one the picture stays free. In pixels.
+constexpr int cross_begin_px = 4;
+constexpr int cross_end_px = 14;
 
 } // namespace
 
@@ -46,6 +50,36 @@ QRect CameraCanvas::pictureRect() const {
     return place;
 }
 
+void CameraCanvas::setNote(const QString& note) {
+    if (std::exchange(note_, note) != note)
+        update();
+}
+
+void CameraCanvas::setOverlayShown(bool shown) {
+    if (std::exchange(overlay_shown_, shown) != shown)
+        update();
+}
+
+void CameraCanvas::paintOverlay(QPainter& painter) const {
+    const QRect place = pictureRect();
+    painter.save();
+    painter.setClipRect(place);
+    for (const QPen& pen : {QPen(tokens().background, 3.0, Qt::SolidLine, Qt::FlatCap),
+                            QPen(tokens().accent, 1.0, Qt::SolidLine, Qt::FlatCap)}) {
+        painter.setPen(pen);
+        for (const QPoint& way : {QPoint(1, 0), QPoint(-1, 0), QPoint(0, 1), QPoint(0, -1)})
+            painter.drawLine(place.center() + way * cross_begin_px, place.center() + way * cross_end_px);
+    }
+    const QFontMetricsF metrics(themeFont(FontRole::Small));
+    QPointF baseline(place.left() + gap::small, place.bottom() - gap::tiny - metrics.descent());
+    const QStringList lines = note_.split(u'\n', Qt::SkipEmptyParts);
+    for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
+        paintSheetNote(painter, baseline, metrics.elidedText(*line, Qt::ElideRight, place.width() - 2.0 * gap::small));
+        baseline.ry() -= metrics.height();
+    }
+    painter.restore();
+}
+
 void CameraCanvas::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.fillRect(rect(), picture_.isNull() ? tokens().surface : tokens().background);
@@ -55,6 +89,8 @@ void CameraCanvas::paintEvent(QPaintEvent*) {
     painter.setOpacity(stale() ? 0.35 : 1.0);
     painter.drawImage(pictureRect(), picture_);
     painter.setOpacity(1.0);
+    if (overlay_shown_)
+        paintOverlay(painter);
     if (hasFocus()) {
         painter.setPen(QPen(tokens().accent, 2.0));
         painter.drawRect(rect().adjusted(1, 1, -1, -1));
@@ -168,6 +204,7 @@ void CameraView::setSource(const QString& robot, const QStringList& cameras, con
     cameras_->addItems(cameras);
     cameras_->setCurrentText(shown);
     cameras_->setVisible(choice);
+    showNote();
 }
 
 void CameraView::setZoom(const CameraZoom& zoom) {
@@ -178,6 +215,7 @@ void CameraView::setZoom(const CameraZoom& zoom) {
     tellRange(slider_, tr("Angle of view: wide on the left, close on the right"), angle(zoom.largest_rad),
               angle(zoom.smallest_rad));
     angle_->setText(angle(zoom.now_rad));
+    showNote();
     if (fixed || slider_->isSliderDown())
         return;
     const QSignalBlocker quiet(slider_);
@@ -212,6 +250,13 @@ void CameraView::showAge() {
     canvas_->setStale(age_s > old_s);
     freshness_->setText(age_s > old_s ? tr("%1 s old").arg(figure(age_s, 0))
                                       : tr("%1 frames/s · %2 s").arg(figure(frames_per_s_, 1), figure(age_s, 1)));
+    showNote();
+}
+
+void CameraView::showNote() {
+    const bool choice = cameras_->count() > 1;
+    const QString source = choice ? tr("%1 · %2").arg(source_->text(), cameras_->currentText()) : source_->text();
+    canvas_->setNote(source + '\n' + tr("%1 · %2").arg(freshness_->text(), angle_->text()));
 }
 
 void CameraView::watchedOrNot() {

@@ -31,6 +31,10 @@ public:
     const QImage& picture() const { return picture_; }
     /// Rectangle of the picture in pixels of this widget; keeps the aspect ratio.
     QRect pictureRect() const;
+    /// Lines of text in a corner; with a cross at the center they are the overlay, which is no part of picture().
+    void setNote(const QString& note);
+    const QString& note() const { return note_; }
+    void setOverlayShown(bool shown);
     QSize sizeHint() const override { return {320, 240}; }
     QSize minimumSizeHint() const override { return {120, 90}; }
 
@@ -49,7 +53,11 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
+    void paintOverlay(QPainter& painter) const;
+
     QImage picture_;
+    QString note_;
+    bool overlay_shown_ = true;
     /// Place of the mouse at the last step of the drag, in pixels.
     QPoint grabbed_;
     bool grabbing_ = false;
@@ -87,6 +95,8 @@ public:
     bool isEmpty() const { return picture().isNull(); }
     /// Adds these actions as tool buttons to the row of controls, in this order.
     void setActions(const QList<QAction*>& actions);
+    /// Shows or hides the overlay of the picture; it is shown at first.
+    void setOverlayShown(bool shown) { canvas_->setOverlayShown(shown); }
     /// Set to false while another tab covers the dock: Qt sends no hide event then.
     void setUncovered(bool uncovered) {
         uncovered_ = uncovered;
@@ -114,6 +124,7 @@ private:
     void makeControls();
     /// Updates the age of the picture and fades it when it is old.
     void showAge();
+    void showNote();
     /// Runs the age timer only while the view can be seen, and emits wantsPicturesChanged.
     void watchedOrNot();
     /// Emits zoomRequested, clamped to the limits, if it differs from the current angle.
