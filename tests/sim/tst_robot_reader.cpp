@@ -188,7 +188,7 @@ private slots:
         for (const char* name : {"AirRobot", "USARBot.P2DX", "usarbot.submarine", "ERS", "P2AT", "Sedan"})
             QVERIFY2(findRobot(*doubles::shippedRobots(), name), name);
         QCOMPARE(findRobot(*doubles::shippedRobots(), "ERS")->drive.joints.size(), std::size_t(15));
-        QVERIFY(!findRobot(*doubles::shippedRobots(), "USARBot.Zerg"));
+        QVERIFY(!findRobot(*doubles::shippedRobots(), "USARBot.Fountain"));
     }
 
     /// In the frame of the base, which is neither that of the center of mass nor that of a link.
@@ -212,6 +212,8 @@ private slots:
                 for (const Vec2& corner_m : outline)
                     longest_m = std::max(longest_m, corner_m.norm());
             const double said_m = robot.dimensions_m.head<2>().norm() / 2.0;
+            if (robot.drive.kind == "none")
+                continue; // An arm on a floor stretches far beyond its foot.
             QVERIFY2(longest_m > 0.5 * said_m && longest_m < 1.5 * said_m, robot.class_name.c_str());
         }
     }

@@ -225,7 +225,7 @@ private slots:
         QTest::addColumn<RobotModel>("model");
         QTest::addColumn<QString>("what");
         QTest::addColumn<QString>("mend");
-        const QString kinds = "Known are rotors, skid, ackermann, nautic and legs";
+        const QString kinds = "Known are rotors, skid, ackermann, omni, nautic, legs and none";
         QTest::newRow("no kind") << modelWith("") << "there is no drive of the kind \"\"" << kinds;
         QTest::newRow("an unknown kind") << modelWith("wings") << "there is no drive of the kind \"wings\"" << kinds;
         QTest::newRow("a kind in another case")
