@@ -175,7 +175,7 @@ QImage mapPicture(const ScanRecord& record, const mapping::HeightLook& look) {
     const Legend legend = legendOf(record, view, look);
     const int strip_px = legend.heightFor(view.width_px);
     QImage image(view.width_px, view.height_px + strip_px, QImage::Format_RGB32);
-    paintHeights(image, record.raster, view, legend.range, look.color_map);
+    paintHeights(image, record.raster, view, *legend.range, look.color_map);
 
     QPainter painter(&image);
     painter.setRenderHint(QPainter::Antialiasing);
