@@ -106,6 +106,13 @@ void ViewDesk::wireHistory() {
                     mission::valueEdit<QByteArray>("layers/" + what, tr("change layer %1").arg(what), before, after,
                                                    [layers](const QByteArray& state) { layers->restoreState(state); }));
             });
+    auto* const plots = views_.plots;
+    connect(
+        plots, &widgets::PlotView::edited, this,
+        [history, plots](const QString& text, const QJsonArray& before, const QJsonArray& after) {
+            history->addStep(mission::valueEdit<QJsonArray>(
+                "plots", text, before, after, [plots](const QJsonArray& canvases) { plots->setCanvases(canvases); }));
+        });
     auto* const card = views_.spawn_card;
     connect(card, &widgets::SpawnCard::choiceEdited, this,
             [history, card](const widgets::SpawnChoice& before, const widgets::SpawnChoice& after) {

@@ -50,6 +50,8 @@ private slots:
     void theEditOfAnotherRobotIsShownWhereItIsUndone();
     void aParameterIsUndoneInItsForm();
     void aLayerIsUndone();
+    void aPlotIsUndone();
+    void plotsThatComeBackAfterTheNextStartAreNoEdit();
     void aLayoutIsUndone();
     void whatWasSentIsInTheListAndIsPassedOver();
     void aLayoutOfOnesOwnComesBackAfterTheNextStart();
@@ -120,6 +122,37 @@ void tst_WindowUndo::aLayerIsUndone() {
     page.window().commands().action("edit.undo")->trigger();
     QCOMPARE(page.map().layer(widgets::MapLayer::Grid).visible, before.visible);
     QCOMPARE(layers.layer(widgets::MapLayer::Grid).visible, before.visible);
+}
+
+void tst_WindowUndo::aPlotIsUndone() {
+    WindowPage page;
+    widgets::PlotView& plots = *page.window().views().plots;
+    plots.addSeries("SEN Sonar/F1/range", "m");
+    plots.addSeries("SEN Sonar/F2/range", "m");
+    QCOMPARE(plots.model().layout().canvases.front().size(), std::size_t(2));
+    QCOMPARE(textOf(page, "edit.undo"), QString("Undo plot SEN Sonar/F2/range"));
+    page.window().commands().action("edit.undo")->trigger();
+    QCOMPARE(plots.model().layout().canvases.front().size(), std::size_t(1));
+    QCOMPARE(textOf(page, "edit.undo"), QString("Undo plot SEN Sonar/F1/range"));
+    page.window().commands().action("edit.redo")->trigger();
+    QCOMPARE(plots.model().layout().canvases.front().size(), std::size_t(2));
+    plots.clear();
+    QVERIFY(plots.model().empty());
+    page.window().commands().action("edit.undo")->trigger();
+    QCOMPARE(plots.model().layout().canvases.front().size(), std::size_t(2));
+}
+
+void tst_WindowUndo::plotsThatComeBackAfterTheNextStartAreNoEdit() {
+    QTemporaryDir settings;
+    const WindowSetup setup{.settings_folder = settings.path()};
+    {
+        WindowPage page(setup);
+        page.window().views().plots->addSeries("SEN Sonar/F1/range", "m");
+        page.window().close();
+    }
+    WindowPage page(setup);
+    QVERIFY(!page.window().views().plots->model().empty());
+    QVERIFY(!page.window().commands().action("edit.undo")->isEnabled());
 }
 
 void tst_WindowUndo::aLayoutIsUndone() {

@@ -1,3 +1,4 @@
+#include <functional>
 #include <vector>
 
 #include <QComboBox>
@@ -72,6 +73,8 @@ private slots:
     void statisticsAreShownOnRequest();
     void aDropGoesToTheCanvasBelowTheMouse();
     void aLayoutIsRestored();
+    void editsAreToldAndTakenBack();
+    void whatAPersonDidNotDoIsNoEdit();
     void aReplayIsSentToTheCursor();
     void legendReadsTheCurveAtTheMouse();
     void pauseKeepsRecording();
@@ -381,6 +384,54 @@ void tst_PlotView::aLayoutIsRestored() {
     QCOMPARE(other.model().shown().size(), 2U);
     QVERIFY(!other.setPlotLayout({{QStringLiteral("canvases"), 5}}));
     QCOMPARE(other.plotLayout(), layout);
+}
+
+void tst_PlotView::editsAreToldAndTakenBack() {
+    QSignalSpy edited(view_.get(), &PlotView::edited);
+    const auto removeFirst = [this] {
+        legend()->topLevelItem(0)->child(0)->setSelected(true);
+        QTest::keyClick(legend(), Qt::Key_Delete);
+    };
+    const std::pair<QString, std::function<void()>> edits[] = {
+        {"plot " + f1, [this] { view_->addSeries(f1); }},
+        {"add plot", [this] { press(QStringLiteral("Add a plot")); }},
+        {"plot " + f2, [this] { view_->addSeries(f2); }},
+        {"remove " + f1 + " from plots", removeFirst},
+        {"remove plot", [this] { press(QStringLiteral("Remove the chosen plot")); }},
+        {"plot " + f2, [this] { view_->addSeries(f2); }},
+        {"remove all lines from plots", [this] { press(QStringLiteral("Remove all lines")); }}};
+    for (const auto& [text, run] : edits) {
+        const QJsonArray before = view_->plotLayout()["canvases"].toArray();
+        run();
+        const QJsonArray after = view_->plotLayout()["canvases"].toArray();
+        QVERIFY(after != before);
+        QCOMPARE(edited.count(), 1);
+        const QList<QVariant> told = edited.takeFirst();
+        QCOMPARE(told[0].toString(), text);
+        QCOMPARE(told[1].toJsonArray(), before);
+        QCOMPARE(told[2].toJsonArray(), after);
+        press(QStringLiteral("Statistics")); // An option that taking back must not change.
+        const bool statistics = view_->model().layout().statistics;
+        view_->setCanvases(before);
+        QCOMPARE(view_->plotLayout()["canvases"].toArray(), before);
+        QCOMPARE(view_->model().layout().statistics, statistics);
+        view_->setCanvases(after);
+        QCOMPARE(view_->plotLayout()["canvases"].toArray(), after);
+    }
+    QCOMPARE(edited.count(), 0);
+}
+
+void tst_PlotView::whatAPersonDidNotDoIsNoEdit() {
+    view_->addSeries(f1);
+    QSignalSpy edited(view_.get(), &PlotView::edited);
+    view_->addSeries(f1);  // It is there.
+    view_->removeCanvas(); // It is the only one.
+    view_->setRobot(QStringLiteral("R2"));
+    feed(0, 1);
+    const QJsonObject layout = view_->plotLayout();
+    QVERIFY(view_->setPlotLayout({}));
+    QVERIFY(view_->setPlotLayout(layout));
+    QCOMPARE(edited.count(), 0);
 }
 
 void tst_PlotView::aReplayIsSentToTheCursor() {

@@ -25,6 +25,7 @@ namespace {
 
 constexpr int frame_ms = 33;
 constexpr double large_step_px = 20.0;
+const QString canvases_key = QStringLiteral("canvases"); // As in plot_layout.h.
 
 bool isOwnKey(const QKeyEvent& event) {
     constexpr int keys[] = {Qt::Key_Space, Qt::Key_F, Qt::Key_Plus, Qt::Key_Equal,  Qt::Key_Minus,  Qt::Key_Left,
@@ -176,34 +177,66 @@ void PlotView::connectParts() {
 }
 
 void PlotView::removeSelected() {
-    for (const ShownSeries& row : legend_->selectedRows())
+    const QJsonArray before = canvases();
+    const auto rows = legend_->selectedRows();
+    for (const ShownSeries& row : rows)
         model_.remove(row.canvas, row.key);
-    listChanged();
+    endEdit(rows.size() == 1 ? tr("remove %1 from plots").arg(QString::fromStdString(rows.front().key.path))
+                             : tr("remove %1 lines from plots").arg(rows.size()),
+            before);
 }
 
 void PlotView::addSeries(const QString& path, const QString& unit) {
-    if (model_.add(canvas_->chosen(), path.toStdString(), unit.toStdString()))
-        listChanged();
+    addAll({path}, unit);
+}
+
+void PlotView::addAll(const QStringList& paths, const QString& unit) {
+    const QJsonArray before = canvases();
+    for (const QString& path : paths)
+        model_.add(canvas_->chosen(), path.toStdString(), unit.toStdString());
+    endEdit(paths.size() == 1 ? tr("plot %1").arg(paths.front()) : tr("plot %1 values").arg(paths.size()), before);
 }
 
 void PlotView::clear() {
+    const QJsonArray before = canvases();
     model_.clear();
-    listChanged();
+    endEdit(tr("remove all lines from plots"), before);
 }
 
 void PlotView::addCanvas() {
+    const QJsonArray before = canvases();
     if (!model_.addCanvas())
         return;
     canvas_->draw();
     canvas_->choose(model_.layout().canvases.size() - 1);
-    listChanged();
+    endEdit(tr("add plot"), before);
 }
 
 void PlotView::removeCanvas() {
+    const QJsonArray before = canvases();
     if (!model_.removeCanvas(canvas_->chosen()))
         return;
     canvas_->draw();
+    endEdit(tr("remove plot"), before);
+}
+
+QJsonArray PlotView::canvases() const {
+    return plotLayout()[canvases_key].toArray();
+}
+
+void PlotView::setCanvases(const QJsonArray& canvases) {
+    QJsonObject layout = plotLayout();
+    layout[canvases_key] = canvases;
+    [[maybe_unused]] const bool own = setPlotLayout(layout).has_value();
+    Q_ASSERT(own);
+}
+
+void PlotView::endEdit(const QString& text, const QJsonArray& before) {
+    const QJsonArray after = canvases();
+    if (after == before)
+        return;
     listChanged();
+    emit edited(text, before, after);
 }
 
 void PlotView::restart(const QString& robot) {
@@ -282,8 +315,7 @@ void PlotView::dragMoveEvent(QDragMoveEvent* event) {
 void PlotView::dropEvent(QDropEvent* event) {
     canvas_->choose(canvas_->canvasAt(canvas_->mapFrom(this, event->position().toPoint())));
     const QString paths = QString::fromUtf8(event->mimeData()->data(QLatin1String(field_mime_type)));
-    for (const QString& path : paths.split(u'\n', Qt::SkipEmptyParts))
-        addSeries(path);
+    addAll(paths.split(u'\n', Qt::SkipEmptyParts), {});
     event->acceptProposedAction();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QComboBox>
+#include <QJsonArray>
 #include <QSplitter>
 #include <QThreadPool>
 #include <QTimer>
@@ -53,6 +54,8 @@ public:
     QJsonObject plotLayout() const { return toJson(model_.layout()); }
     /// Restores what `plotLayout` returned. Samples of fields that stay are kept. An error changes nothing.
     Result<void> setPlotLayout(const QJsonObject& layout);
+    /// Restores canvases with their series as `edited` told them; the options stay as they are.
+    void setCanvases(const QJsonArray& canvases);
 
     bool paused() const { return pause_->isChecked(); }
     /// Writes what is plotted to a file of the kind that its suffix names: "pdf" or "png", all canvases with a legend;
@@ -71,6 +74,9 @@ signals:
     void saved(const QString& file);
     /// Saving failed; `text` is a sentence for a notification.
     void failed(const QString& text);
+    /// A person has added or removed lines or canvases; a layout that is restored is no edit. `text`: what was done,
+    /// "plot SEN Sonar/F1/range". The canvases are those of `plotLayout`.
+    void edited(const QString& text, const QJsonArray& before, const QJsonArray& after);
     /// The user wants the selected replay to go to this time.
     void momentRequested(usar::Seconds time);
 
@@ -94,6 +100,10 @@ private:
     bool runArrow(int direction, bool far);
     void askForFile(const QString& title, const QString& filter);
     void removeSelected();
+    void addAll(const QStringList& paths, const QString& unit);
+    QJsonArray canvases() const;
+    /// Shows the changed list and emits `edited`, if anything has changed since `before`.
+    void endEdit(const QString& text, const QJsonArray& before);
     /// Shows another layout or other series.
     void listChanged();
     void showTools();
