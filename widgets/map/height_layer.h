@@ -83,8 +83,7 @@ class HeightLayer : public QObject {
     Q_OBJECT
 public:
     explicit HeightLayer(QObject* parent = nullptr);
-    /// Waits for the worker.
-    ~HeightLayer() override;
+    ~HeightLayer() override; ///< waits for the worker
 
     /// Removes all tiles and pictures; later tiles have cells of this size, in meters.
     void clear(double cell_size_m);
@@ -97,23 +96,19 @@ public:
     void setLook(const HeightLook& look);
     void setContours(bool drawn);
 
-    /// Side of a cell in meters.
-    double cellSize_m() const { return style_.cell_size_m; }
+    double cellSize_m() const { return style_.cell_size_m; } ///< side of a cell in meters
     /// As the pages are painted; their range may differ from `range` by less than the colors can show.
     const HeightStyle& style() const { return style_; }
     /// What the ends of the color scale stand for; without extent until it is known.
     mapping::HeightRange range() const;
-    /// True until the first tile arrives, whether or not it has been rendered.
-    bool empty() const { return tiles_.empty(); }
+    bool empty() const { return tiles_.empty(); } ///< until the first tile arrives, rendered or not
     /// Finished pictures by page index.
     const std::map<mapping::GridIndex, PagePicture>& pages() const { return pages_; }
-    /// Extent of all tiles in meters of the map frame; empty without tiles.
-    Rectangle bounds_in_map() const;
+    Rectangle bounds_in_map() const; ///< of all tiles, in meters; empty without tiles
     /// Data of the cell at that point; nullopt if its height is unknown.
     std::optional<mapping::HeightProbe> probe(const Vec2& point_in_map_m) const;
     std::optional<mapping::HeightRange> rangeWithin(const Rectangle& area_in_map) const; ///< as mapping::rangeWithin
-    /// True while a worker renders or changes wait for it.
-    bool busy() const { return rendering_ || !dirty_.empty(); }
+    bool busy() const { return rendering_ || !dirty_.empty(); } ///< a worker renders, or changes wait for it
 
 signals:
     /// Finished pictures were swapped in, all were removed, or the look has changed.
