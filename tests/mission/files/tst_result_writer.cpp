@@ -253,7 +253,7 @@ private slots:
         if (seen.isEmpty())
             user.request_stop();
         auto saving = std::async(std::launch::async, [&] {
-            return writeResults(record, {}, folder.path(), mapping::ColorMap::Color, user.get_token());
+            return writeResults(record, {}, folder.path(), mapping::HeightLook{}, user.get_token());
         });
         const QDir files(folder.path());
         QTRY_VERIFY_WITH_TIMEOUT(seen.isEmpty() || !files.entryList({seen}, QDir::Files).isEmpty(), 60'000);
@@ -271,7 +271,7 @@ private slots:
         QVERIFY(other.lock());
         std::stop_source user;
         auto saving = std::async(std::launch::async, [&] {
-            return writeResults(sampleScan(20), {}, folder.path(), mapping::ColorMap::Color, user.get_token());
+            return writeResults(sampleScan(20), {}, folder.path(), mapping::HeightLook{}, user.get_token());
         });
         user.request_stop();
         QVERIFY(!saving.get().has_value());
