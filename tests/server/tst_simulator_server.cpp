@@ -343,7 +343,7 @@ private slots:
         Served served(Pace::Factor, 50.0);
         QSignalSpy log(&served.server, &SimulatorServer::logged);
         Client client(served.port);
-        client.say("INIT {ClassName USARBot.Zerg}\r\n");
+        client.say("INIT {ClassName USARBot.Fountain}\r\n");
         QTRY_VERIFY(std::any_of(log.begin(), log.end(), [](const QList<QVariant>& one) {
             return one.first().toString().contains("unknown robot class");
         }));
