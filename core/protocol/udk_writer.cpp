@@ -111,7 +111,7 @@ void writeInto(const Context& context, const PackageState& package) {
     }
 }
 
-/// What is mounted on a link of an actuator names both apart; UT2004 says "TeleMaxArm_Link3".
+/// Writes where an item is mounted. UDK names an actuator and its link apart; UT2004 says "TeleMaxArm_Link3".
 void writeMount(LineWriter& line, const MountedItem& item, const UdkRobot& robot) {
     constexpr std::string_view mark = "_Link";
     const std::string_view mount = item.mount;

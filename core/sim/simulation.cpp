@@ -18,7 +18,6 @@ constexpr double most_at_once = 50.0;
 constexpr double more_per_s = 5.0;
 constexpr std::uint64_t connection_streams = std::uint64_t(3) << 40; // Beyond the random streams of sensors and winds.
 constexpr std::size_t most_viewers = 64;
-constexpr double farthest_m = 1e5;
 
 /// With control bytes written as \\x1b, so that a client cannot steer the terminal that shows the log.
 std::string printable(std::string_view text) {
@@ -100,7 +99,7 @@ std::optional<std::string> Simulation::State::refusalOf(const Pose& start_in_map
     if (!extent.contains(at_m.head<2>()))
         return "it is beside the world, which reaches from " + onWire({extent.min_m.x(), extent.max_m.y()}) + " to " +
                onWire({extent.max_m.x(), extent.min_m.y()}) + " m";
-    if (caster.roofed() && caster.cast(at_m, Vec3::UnitZ(), farthest_m) >= farthest_m)
+    if (caster.onRoof(at_m))
         return "it is above the ceiling";
     return std::nullopt;
 }

@@ -94,13 +94,17 @@ private slots:
         QTest::addColumn<World>("world");
         QTest::addColumn<QString>("place");
         QTest::addColumn<QString>("said");
-        const QString not_numbers = "Location and Rotation take numbers that exist";
-        for (const char* const pose : {"{Location nan,0,-1}", "{Location 0, -inf ,0}", "{Location 0,0,1e400}",
-                                       "{Location 0,0,-1} {Rotation 0,0,-1.#IND}", "{Rotation nan,0,0}"})
+        const QString not_numbers = "Location and Rotation must be numbers";
+        for (const char* const pose :
+             {"{Location nan,0,-1}", "{Location 0, -inf ,0}", "{Location 0,0,1e400}",
+              "{Location 0,0,-1} {Rotation 0,0,-1.#IND}", "{Rotation nan,0,0}", "{Location nan 0 -1}",
+              "{Rotation 0 0 nan}", "{Start Nowhere} {Location inf,3,-1}"})
             QTest::newRow(pose) << flatWorld() << pose << not_numbers;
         QTest::newRow("beside the world")
             << flatWorld() << "{Location 40,0,-1}"
             << "refused the start of 'R1': it is beside the world, which reaches from -32.00,-32.00 to 32.00,32.00 m";
+        QTest::newRow("under the ceiling, where it has no room but above") << hall() << "{Location 0,0,-2.97}"
+                                                                           << "no room to spawn a robot there";
         QTest::newRow("over the ceiling") << hall() << "{Location 0,0,-5}"
                                           << "refused the start of 'R1': it is above the ceiling";
         QTest::newRow("under the ground") << flatWorld() << "{Location 0,0,3}"

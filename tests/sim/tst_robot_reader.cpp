@@ -214,6 +214,7 @@ private slots:
             const double said_m = robot.dimensions_m.head<2>().norm() / 2.0;
             if (robot.drive.kind == "none")
                 continue; // An arm on a floor stretches far beyond its foot.
+            // UDK's dimensions of the P3AT are the distances between its wheels, without tires and bumpers.
             QVERIFY2(longest_m > 0.5 * said_m && longest_m < 2.0 * said_m, robot.class_name.c_str());
         }
     }

@@ -71,7 +71,7 @@ private slots:
             const std::vector<std::string> heard = talker.hearText();
             for (const std::string& one : heard)
                 if (simulation->robots().empty())
-                    QVERIFY2(one.starts_with("RES "), line.place.c_str());
+                    QVERIFY2(one.starts_with("RES ") && one.ends_with("{Status Failed}"), line.place.c_str());
             QVERIFY2(!heard.empty() || simulation->robots().empty(), line.place.c_str());
         }
     }

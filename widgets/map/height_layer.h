@@ -99,7 +99,7 @@ public:
     double cellSize_m() const { return style_.cell_size_m; } ///< side of a cell in meters
     /// As the pages are painted; their range may differ from `range` by less than the colors can show.
     const HeightStyle& style() const { return style_; }
-    /// What the ends of the color scale stand for; without extent until it is known.
+    /// The heights at the two ends of the color scale; without extent until they are known.
     mapping::HeightRange range() const;
     bool empty() const { return tiles_.empty(); } ///< until the first tile arrives, rendered or not
     /// Finished pictures by page index.

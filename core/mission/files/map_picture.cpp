@@ -83,7 +83,7 @@ std::vector<std::int64_t> cellsUnderPixels(int pixels, double pixels_per_cell, d
     return cells;
 }
 
-/// What the ends of the color scale stand for.
+/// Returns the heights that have the colors at the two ends of the scale.
 HeightRange colorRange(const Raster& raster, const mapping::HeightLook& look) {
     const HeightRange whole = raster.range().value_or(HeightRange{});
     if (look.fixed_range || !look.trimmed)

@@ -88,10 +88,10 @@ public:
     void setResultFolder(const QString& folder);
     QString resultFolder() const;
     bool resultFolderChosen() const;
-    void setPictureLook(const mapping::HeightLook& look); ///< of exported pictures; the window's own
+    void setPictureLook(const mapping::HeightLook& look); ///< exported pictures get the look of the map
     bool anythingToSave() const;
     void exportResults(RobotId id);
-    void cancelSaving(); ///< of all scans that are being written; `exportFailed` follows for each
+    void cancelSaving(); ///< stops all saves that run; `exportFailed` follows for each
     /// Records each live robot, present or future, to its own file in the result folder. Initially on.
     void setRecording(bool on);
     bool recording() const;

@@ -31,7 +31,7 @@ QString nameOf(const agent::PluginRecord& record) {
 
 QStringList sensorsNeeded(const agent::PluginRecord& record, const agent::PluginLoader& plugins) {
     if (!record.plugin)
-        return {}; // What it claims may be another's.
+        return {}; // Another plugin may have the behaviors that its file names.
     QStringList sensors;
     for (const QString& behavior : listedIn(record, "behaviors"))
         if (const auto* const robot = plugins.robotOf(behavior.toStdString()))

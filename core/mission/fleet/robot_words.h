@@ -17,9 +17,9 @@ bool isStale(const RobotView& view);
 /// as one.
 QString stateText(const RobotView& view);
 
-/// What the running behavior has done, for a title: "42 % · scanning lane 4 of 9 · 37 % covered · 120 m traveled · 0:45
-/// elapsed · 1:03 left · 310 m range left", without what is not known; empty before its first status. Times are on the
-/// protocol clock. `coverage_pct`: see Robot.
+/// Tells in a title what the running behavior has done: "42 % · scanning lane 4 of 9 · 37 % covered · 120 m traveled ·
+/// 0:45 elapsed · 1:03 left · 310 m range left", without what is not known; empty before its first status. Times are on
+/// the protocol clock. `coverage_pct`: see Robot.
 QString titleText(const RobotView& view, std::optional<double> coverage_pct);
 
 /// "R1", "R1 and R2", "R1, R2 and R3", "4 robots"; empty without a robot.

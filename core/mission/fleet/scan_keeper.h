@@ -81,7 +81,7 @@ private:
     std::set<const Robot*> awaited_;              ///< robots whose record was requested and has not arrived
     std::vector<std::unique_ptr<Robot>> leaving_; ///< removed robots that are kept until they are saved
     int writing_ = 0;                             ///< number of records being written
-    std::stop_source stop_;                       ///< of what is being written
+    std::stop_source stop_;                       ///< stops the saves that run
 };
 
 } // namespace usar::mission

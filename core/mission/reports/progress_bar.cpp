@@ -42,7 +42,7 @@ std::optional<Seconds> wallTimeLeft(const Progress& progress, Seconds wall_elaps
 
 namespace {
 
-/// What is known, the most important first; each begins with the gap before it.
+/// Returns the figures that are known, the most important first; each begins with the gap before it.
 std::vector<std::string> figuresOf(const Progress& progress, Seconds wall_elapsed) {
     std::vector<std::string> figures;
     const auto add = [&](const std::string& text) { figures.push_back("  " + text); };

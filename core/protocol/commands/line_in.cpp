@@ -12,14 +12,14 @@ namespace usar::protocol {
 
 namespace {
 
-/// True if one of the numbers, which commas separate, is "nan", "inf" or beyond what a double holds.
-bool hasNotANumber(std::string_view numbers) {
-    while (!numbers.empty()) {
-        const std::size_t end = std::min(numbers.find(','), numbers.size());
-        if (std::isnan(readNumber(numbers.substr(0, end)).value_or(0.0)))
+/// True if the list contains "nan", "inf" or a number beyond what a double holds. Other words count as 0, as
+/// everywhere.
+bool hasNotANumber(std::string_view list) {
+    double value = 0.0;
+    bool clean = false;
+    while (takeNumber(list, value, clean))
+        if (clean && std::isnan(value))
             return true;
-        numbers.remove_prefix(std::min(end + 1, numbers.size()));
-    }
     return false;
 }
 
@@ -117,11 +117,10 @@ std::optional<Pose> LineIn::poseOnLine() {
 }
 
 void LineIn::start(const Key& key, std::variant<Pose, Token>& start, std::optional<Pose>* fallback) {
+    // Elsewhere such a number counts as 0. A robot at 0,0 instead of where its client meant it would mislead.
+    if (fallback && (hasNotANumber(segments().value(location_key)) || hasNotANumber(segments().value(rotation_key))))
+        return refuse(segments().line(), "Location and Rotation must be numbers, and neither nan nor infinite");
     if (segments().value(key).empty()) {
-        // Elsewhere such a number counts as 0. A robot at 0,0 instead of where its client meant it would mislead.
-        if (fallback &&
-            (hasNotANumber(segments().value(location_key)) || hasNotANumber(segments().value(rotation_key))))
-            return refuse(segments().line(), "Location and Rotation take numbers that exist");
         start = poseOnLine().value_or(Pose{});
         return;
     }

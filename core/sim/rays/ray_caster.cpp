@@ -177,6 +177,11 @@ bool RayCaster::roofed() const {
     return index_->roofed;
 }
 
+bool RayCaster::onRoof(const Vec3& point_m) const {
+    constexpr double farthest_m = 1e5;
+    return roofed() && cast(point_m, Vec3::UnitZ(), farthest_m) >= farthest_m;
+}
+
 double RayCaster::surface_m(const Vec2& point_m) const {
     const double ground_m = world_->terrain.empty() ? index_->bottom_m : world_->terrain.height_m(point_m);
     const Ray down{{point_m.x(), point_m.y(), index_->top_m}, -Vec3::UnitZ()};

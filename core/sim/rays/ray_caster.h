@@ -49,6 +49,8 @@ public:
     bool sendsEcho(const Vec3& origin_m, const Vec3& direction, const RayHit& hit) const;
     /// True if a box covers all the ground, as a room's ceiling does.
     bool roofed() const;
+    /// True if there is such a box and nothing is above this point, which then is on the box or beside it.
+    bool onRoof(const Vec3& point_m) const;
     /// Height of the first thing that a ray from straight above meets: the true surface (ground, crown or roof) at a
     /// point. A box that covers all the ground, such as the ceiling of a closed room, is ignored; the result is the
     /// surface below it.

@@ -9,8 +9,8 @@
 
 namespace usar::sim {
 
-/// What the tip of a package's last link is to reach, in the frame of the robot's base. Without an orientation only the
-/// position counts, so that three joints suffice.
+/// The pose that the tip of a package's last link has to reach, in the frame of the robot's base. Without an
+/// orientation only the position counts, so that three joints suffice.
 struct TipTarget {
     Vec3 position_in_base_m = Vec3::Zero();
     std::optional<Eigen::Quaterniond> rotation_in_base{};

@@ -37,7 +37,7 @@ private:
 
     GripperModel model_;
     RobotBody& body_;
-    std::vector<std::size_t> links_; ///< of the fingers
+    std::vector<std::size_t> links_; ///< the fingers
     bool closed_ = false;
 };
 

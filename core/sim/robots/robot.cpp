@@ -108,13 +108,13 @@ std::optional<Pose> beside(const RobotSurroundings& surroundings, const Probe& p
 
 /// Returns `wanted`, level and raised out of the ground by up to a meter. If another robot is there, the nearest place
 /// beside it instead, 2 to 4 m away, at the same height above the ground and under an equally open sky. Returns nullopt
-/// if there is no room.
+/// if there is no room, or only on a roof.
 std::optional<Pose> freePose(const RobotSurroundings& surroundings, const BodyDescription& body, const Pose& wanted) {
     const Pose level{wanted.position_m, 0.0, 0.0, wanted.yaw_rad};
     const Probe probe(surroundings.physics, body, level);
-    if (probe.roomAt_m(level.position_m) < same_place_m)
-        return beside(surroundings, probe, level);
-    return raised(probe, level, same_place_m);
+    const bool is_taken = probe.roomAt_m(level.position_m) < same_place_m;
+    const std::optional<Pose> free = is_taken ? beside(surroundings, probe, level) : raised(probe, level, same_place_m);
+    return free && surroundings.caster.onRoof(free->position_m) ? std::nullopt : free;
 }
 
 constexpr double asleep_m_s = 0.01;
