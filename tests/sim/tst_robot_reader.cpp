@@ -101,6 +101,34 @@ private slots:
         QCOMPARE(numberOr(robot->drive.numbers, "wheel_radius", 0.0), 0.1);
     }
 
+    void whatOtherSimulatorsUseDoesNotMatter_data() {
+        QTest::addColumn<QString>("version");
+        QTest::addColumn<QString>("in_link");
+        const QString visual = R"(<visual name="skin"><geometry><sphere><radius>1</radius></sphere></geometry>
+                                  <material><ambient>1 0 0 1</ambient></material></visual>)";
+        QTest::newRow("as we write it") << "1.9"
+                                        << "";
+        QTest::newRow("an older version") << "1.6" << visual;
+        QTest::newRow("a skin") << "1.9" << visual;
+        QTest::newRow("a light") << "1.9"
+                                 << R"(<light name="lamp" type="point"><diffuse>1 1 1 1</diffuse></light>)";
+        QTest::newRow("a surface") << "1.9"
+                                   << R"(<collision name="c"><geometry><sphere><radius>0.1</radius></sphere></geometry>
+                                         <surface><friction><ode><mu>1</mu></ode></friction></surface></collision>)";
+    }
+
+    void whatOtherSimulatorsUseDoesNotMatter() {
+        QFETCH(QString, version);
+        QFETCH(QString, in_link);
+        const auto robot = readText(sample()
+                                        .replace("version=\"1.9\"", "version=\"" + version + '"')
+                                        .replace("<link name=\"wheel\">", "<link name=\"wheel\">" + in_link));
+        QVERIFY2(robot, robot ? "" : robot.error().text().c_str());
+        QCOMPARE(robot->mass_kg(), 5.5);
+        QCOMPARE(robot->sensors.size(), std::size_t(2));
+        QCOMPARE(robot->links.size(), std::size_t(2));
+    }
+
     void refusesWhatCannotBeBuilt_data() {
         QTest::addColumn<QString>("from");
         QTest::addColumn<QString>("to");

@@ -107,8 +107,8 @@ void MapPainter::paintArea() {
         return;
     const Rectangle& area = *content_.area.area_in_map;
     const QRectF rect = transform_.toScreen(area);
-    const QRectF seen = rect & sight();
-    fillInStrips(painter_, seen, faded(tokens_.accent, content_.area.editing ? 0.12 : 0.06));
+    if (content_.area.editing) // At other times a tint would make the scan's colors differ from the legend's.
+        fillInStrips(painter_, rect & sight(), faded(tokens_.accent, 0.12));
     frameInStrips(painter_, rect.adjusted(-1.5, -1.5, 1.5, 1.5) & sight(), 3.0, tokens_.background);
     painter_.setBrush(Qt::NoBrush);
     painter_.setPen(dashedPen(tokens_.accent, 1.5, {5.0, 3.0}));

@@ -87,6 +87,8 @@ void RobotSession::Private::takeLine(std::string_view text) {
     } else if (const auto* poses = std::get_if<protocol::StartPoses>(&line.message)) {
         vigil.heardStartPoses();
         emit q.startPosesKnown(*poses, QString::fromStdString(book.record().level));
+    } else if (const auto* response = std::get_if<protocol::Response>(&line.message)) {
+        spawning.answered(*response);
     }
     spawning.passed(incoming.now());
     updates.addLine(line); // First, so that the frame of a finished behavior contains its last line.

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/base/result.h"
+#include "core/base/text.h"
 
 namespace usar::mission {
 
@@ -91,6 +92,14 @@ void SpawnLife::look(Seconds wall, Seconds limit) {
                                  " after INIT. Does the server know " + request_.class_name +
                                  ", is the start pose free and above the ground, and is the simulation running? "
                                  "Spawn again to try once more.");
+}
+
+void SpawnLife::answered(const protocol::Response& answer) {
+    if (state_ != SpawnState::Asked || answer.ok || !sameWord(answer.type, "Init"))
+        return;
+    fail(SpawnState::Failed, "The server refused to spawn " + robotName() + ". Does it know " + request_.class_name +
+                                 ", and is the start pose free and above the ground? Its log says what was wrong. "
+                                 "Choose another start pose, and spawn again.");
 }
 
 SpawnState SpawnLife::loseConnection() {

@@ -7,6 +7,7 @@
 #include "core/mission/session/notices.h"
 #include "core/mission/session/session_orders.h"
 #include "core/protocol/command.h"
+#include "core/protocol/info/answers.h"
 
 namespace usar::mission {
 
@@ -23,7 +24,8 @@ public:
 };
 
 /// Sends one INIT per connection, and assumes that the robot has spawned as soon as data arrives: no server confirms
-/// an INIT. Wall times are arguments and count from any moment. Belongs to one session and its thread.
+/// an INIT, and only ours refuses one in words. Wall times are arguments and count from any moment. Belongs to one
+/// session and its thread.
 class SpawnLife {
 public:
     /// Both must outlive this object.
@@ -47,6 +49,8 @@ public:
     void heard();
     /// Takes the protocol clock after each line; its first value after the spawn counts as the spawn time.
     void passed(Seconds now);
+    /// Fails the spawn if this is the server's refusal of the INIT, which the embedded simulator sends.
+    void answered(const protocol::Response& answer);
     /// Fails the spawn if the robot has been silent for longer than `limit` after INIT.
     void look(Seconds wall, Seconds limit);
     /// Returns the state of the spawn that was lost with the connection.

@@ -314,8 +314,7 @@ struct ReadRobot {
 
 } // namespace
 
-/// Keeps the robots it has read, because SDFormat takes some 70 ms per file and every start of a simulator needs all of
-/// them.
+/// Keeps the robots it has read, because every start of a simulator needs all of them.
 Result<RobotModel> readRobot(const std::filesystem::path& file) {
     static std::mutex one_at_a_time;
     static std::map<std::filesystem::path, ReadRobot> known;

@@ -84,10 +84,14 @@ tl::unexpected<Error> unreadable(const std::string& heard, const std::filesystem
     return failure("the XML is broken (" + word.substr(0, word.find(' ')) + ")", placeIn(file, number), fix_sdf);
 }
 
+std::string textIn(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
 /// Line of the start tag number `number` (from 0) with this name, not counting comments.
 std::optional<int> lineOfTag(const std::filesystem::path& file, const std::string& name, int number) {
-    std::ifstream in(file, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    const std::string text = textIn(file);
     const std::string tag = "<" + name;
     int line = 1;
     for (std::size_t at = 0; at < text.size(); ++at) {
@@ -116,16 +120,46 @@ std::optional<int> lineOf(const sdf::Element& element, const std::filesystem::pa
     return lineOfTag(file, element.GetName(), number);
 }
 
-/// An empty document with the description of all elements. The library reads that description from text, which takes
-/// longer than reading one of our files, so it is read once and copied.
-sdf::SDFPtr emptyDocument() {
-    static const sdf::SDFPtr described = [] {
+/// The description of all elements. The library reads it from text, which takes longer than reading one of our files.
+const sdf::ElementPtr& wholeDescription() {
+    static const sdf::ElementPtr described = [] {
         const auto made = std::make_shared<sdf::SDF>();
         sdf::init(made);
-        return made;
+        return made->Root();
     }();
+    return described;
+}
+
+/// The part of a description that a file with this text needs. The library copies the whole description of an element
+/// each time that the element occurs: 668 others for a link, of which a robot uses some fifty. What may be missing and
+/// is not mentioned in the file, not even in the type of a sensor, is left out.
+sdf::ElementPtr neededPart(const sdf::ElementPtr& whole, std::string_view text) {
+    if (whole->GetElementDescriptionCount() == 0 || whole->GetValue())
+        return whole->Clone();
+    auto part = std::make_shared<sdf::Element>();
+    part->SetName(whole->GetName());
+    part->SetRequired(whole->GetRequired());
+    part->SetDescription(whole->GetDescription());
+    part->SetCopyChildren(whole->GetCopyChildren());
+    part->SetReferenceSDF(whole->ReferenceSDF());
+    for (const sdf::ParamPtr& attribute : whole->GetAttributes())
+        part->AddAttribute(attribute->GetKey(), attribute->GetTypeName(), attribute->GetDefaultAsString(),
+                           attribute->GetRequired(), attribute->GetDescription());
+    for (unsigned int i = 0; i < whole->GetElementDescriptionCount(); ++i) {
+        const sdf::ElementPtr child = whole->GetElementDescription(i);
+        const bool may_miss = child->GetRequired() == "0" || child->GetRequired() == "*";
+        if (!may_miss || child->GetElementDescriptionCount() == 0 || text.find(child->GetName()) != text.npos)
+            part->AddElementDescription(neededPart(child, text));
+    }
+    return part;
+}
+
+/// An empty document for a file with this text. The library rewrites files of older versions, with other elements.
+sdf::SDFPtr emptyDocument(std::string_view text) {
+    const sdf::ElementPtr& whole = wholeDescription();
     const auto document = std::make_shared<sdf::SDF>();
-    document->Root(described->Root()->Clone());
+    const bool is_current = text.find("version=\"" + sdf::SDF::Version() + '"') != text.npos;
+    document->Root(is_current ? neededPart(whole, text) : whole->Clone());
     return document;
 }
 
@@ -139,7 +173,7 @@ Result<sdf::Root> loadSdf(const std::filesystem::path& file) {
     std::error_code trouble;
     sdf::Root root;
     sdf::Errors errors;
-    const sdf::SDFPtr document = emptyDocument();
+    const sdf::SDFPtr document = emptyDocument(textIn(file));
     if (!sdf::readFile(std::filesystem::absolute(file, trouble).string(), document, errors) && errors.empty())
         return unreadable(listener.heard(), file);
     if (errors.empty())

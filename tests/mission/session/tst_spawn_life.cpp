@@ -97,6 +97,21 @@ private slots:
                            "more."));
     }
 
+    void aRefusalIsAFailureAtOnce() {
+        Life life;
+        life.spawn.answered({.type = "Init", .name = "R1"}); // nothing was asked
+        life.ask("R1");
+        life.spawn.answered({.type = "Camera", .name = "R1"});
+        life.spawn.answered({.type = "Init", .name = "R1", .ok = true});
+        QCOMPARE(life.spawn.state(), SpawnState::Asked);
+        life.spawn.answered({.type = "Init", .name = "R1"});
+        QCOMPARE(life.spawn.state(), SpawnState::Failed);
+        QCOMPARE(life.topics(), Texts{"spawn"});
+        QVERIFY(life.saidWords("The server refused to spawn R1. Does it know USARBot.AirRobot, and is the start pose "
+                               "free and above the ground? Its log says what was wrong. Choose another start pose, and "
+                               "spawn again."));
+    }
+
     void aLateRobotEndsTheFailure() {
         Life life;
         life.ask("R1", Seconds{0.0});
