@@ -15,6 +15,8 @@ namespace {
 constexpr Seconds servo_time{0.02};
 constexpr double no_clamp = 1e30;
 constexpr double sleepy_joint = 0.05; // In rad/s or m/s.
+constexpr double joint_erp = 0.2;     // Share of a violation of a joint's limit that a step mends, as in Bullet.
+constexpr double limit_n_s = 100.0;   // Largest impulse of a joint's limit in a step, or N m s, as in Bullet.
 
 // A torque is commanded as a velocity motor of limited strength whose target is the largest speed.
 double speedTarget(const JointMotor& motor) {
@@ -39,6 +41,7 @@ BulletMultiBody::BulletMultiBody(btMultiBodyDynamicsWorld& world, const Articula
     , joints_(description.links.size())
     , velocities_(description.links.size() + 1)
     , rates_(description.links.size() + 1) {
+    body_.setUserPointer(static_cast<JointedBody*>(this));
     body_.setHasSelfCollision(false);
     body_.setLinearDamping(0.0);
     body_.setAngularDamping(0.0);
@@ -103,6 +106,8 @@ void BulletMultiBody::addConstraints(int index, const LinkDescription& link) {
         world_.addMultiBodyConstraint(joint.limits.get());
     }
     joint.damping = link.damping;
+    joint.lower = link.lower;
+    joint.upper = link.upper;
     if (link.damping > 0.0) {
         joint.damper = std::make_unique<btMultiBodyJointMotor>(&body_, index, 0.0, 0.0);
         world_.addMultiBodyConstraint(joint.damper.get());
@@ -211,6 +216,39 @@ void BulletMultiBody::drive(int index, Joint& joint, Seconds dt) {
         joint.motor->setMaxAppliedImpulse((strength - overcome) * dt.count());
         joint.motor->setErp(std::min(1.0, dt / servo_time));
     }
+}
+
+std::span<const JointRow> BulletMultiBody::jointRows(double dt_s) {
+    rows_.clear();
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+        Joint& joint = joints_[i];
+        const int link = static_cast<int>(i);
+        const int dof = 6 + body_.getLink(link).m_dofOffset;
+        const double position = body_.getJointPos(link);
+        const double damping = joint.damping * std::abs(body_.getJointVel(link));
+        const double strength = joint.motor ? strengthOf(joint.wanted) : 0.0;
+        const double overcome = joint.wanted.mode == JointMotor::Mode::Torque ? 0.0 : std::min(damping, strength);
+        if (joint.limits && (position <= joint.lower || position >= joint.upper)) {
+            const bool below = position <= joint.lower;
+            const double back = joint_erp * (below ? joint.lower - position : joint.upper - position) / dt_s;
+            rows_.push_back({dof, back, below ? 0.0 : -limit_n_s, below ? limit_n_s : 0.0, &joint.limit_n_s});
+        } else {
+            joint.limit_n_s = 0.0;
+        }
+        if (const double most = (damping - overcome) * dt_s; most > 0.0)
+            rows_.push_back({dof, 0.0, -most, most, &joint.damper_n_s});
+        if (const double most = (strength - overcome) * dt_s; most > 0.0)
+            rows_.push_back({dof, wantedSpeed(joint, position, dt_s), -most, most, &joint.motor_n_s});
+    }
+    return rows_;
+}
+
+double BulletMultiBody::wantedSpeed(const Joint& joint, double position, double dt_s) {
+    if (joint.wanted.mode != JointMotor::Mode::Position)
+        return speedTarget(joint.wanted);
+    const double share = std::min(1.0, dt_s / servo_time.count());
+    const double speed = share * (joint.wanted.target - position) / dt_s;
+    return std::clamp(speed, -joint.wanted.largest_speed, joint.wanted.largest_speed);
 }
 
 // Bullet gives the velocities of links in their own frames.

@@ -10,6 +10,7 @@
 #include "core/sim/physics/bullet_multi_body.h"
 #include "core/sim/physics/bullet_rigid_body.h"
 #include "core/sim/physics/bullet_world.h"
+#include "core/sim/physics/flat_ground.h"
 #include "core/sim/rays/body_index.h"
 
 namespace usar::sim {
@@ -264,7 +265,7 @@ private:
 
     const Terrain& terrain_;
     BulletGround ground_;
-    btDefaultCollisionConfiguration configuration_;
+    GroundConfiguration configuration_;
     btCollisionDispatcher dispatcher_{&configuration_};
     btDbvtBroadphase broadphase_;
     btSequentialImpulseConstraintSolver rigid_solver_;
