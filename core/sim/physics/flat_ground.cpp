@@ -9,12 +9,14 @@
 
 #include <BulletCollision/CollisionDispatch/btConvexConcaveCollisionAlgorithm.h>
 #include <BulletCollision/CollisionShapes/btHeightfieldTerrainShape.h>
+#include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 
 namespace usar::sim {
 
 namespace {
 
 constexpr double level = 1e-9; ///< Normals and heights that differ by less belong to one plane.
+constexpr double level_tread_m = 2e-4; ///< difference of the heights of a tread's edges
 constexpr int most_corners = 8;
 constexpr int most_contacts = 4; ///< what a manifold of Bullet holds
 
@@ -146,13 +148,9 @@ private:
 
     /// Replaces the contacts by those of the lowest corners. False if the part is not above the plane.
     bool touch(const btCollisionObjectWrapper& part, const btCollisionObjectWrapper& ground, const Plane& plane) {
-        const Corners corners = cornersOf(*part.getCollisionShape(), part.getWorldTransform(), plane.normal);
+        Corners corners = cornersOf(*part.getCollisionShape(), part.getWorldTransform(), plane.normal);
         if (corners.count == 0 || plane.normal.dot(part.getWorldTransform().getOrigin()) < plane.height_m)
             return false;
-        struct Low {
-            double gap_m;
-            int corner;
-        };
         std::array<Low, most_corners> low{};
         int count = 0;
         for (int i = 0; i < corners.count; ++i) {
@@ -167,6 +165,7 @@ private:
             });
             count = most_contacts;
         }
+        count = asTire(part, corners, std::span(low).first(static_cast<std::size_t>(count)));
         const Kept kept(*manifold_);
         manifold_->setBodies(part.getCollisionObject(), ground.getCollisionObject());
         manifold_->clearManifold();
@@ -177,6 +176,26 @@ private:
             addPoint(part, ground, plane.normal, touching_m, gap_m, corner, kept);
         }
         return true;
+    }
+
+    struct Low {
+        double gap_m = 0.0;
+        int corner = 0;
+    };
+
+    /// A wheel whose tread lies level touches at the middle of it, as a crowned tire does. With a point at each edge it
+    /// would pivot about either of them in a bend, and the track of the robot would change by the width of its tires.
+    /// Returns the number of contacts.
+    static int asTire(const btCollisionObjectWrapper& part, Corners& corners, std::span<Low> low) {
+        const auto count = static_cast<int>(low.size());
+        const btMultiBodyLinkCollider* const link = btMultiBodyLinkCollider::upcast(part.getCollisionObject());
+        const bool wheel = link && link->m_link >= 0 && part.getCollisionShape()->getShapeType() == CYLINDER_SHAPE_PROXYTYPE;
+        if (!wheel || count != 2 || std::abs(low[0].gap_m - low[1].gap_m) > level_tread_m)
+            return count;
+        btVector3& first = corners.at_m[static_cast<std::size_t>(low[0].corner)];
+        first = (first + corners.at_m[static_cast<std::size_t>(low[1].corner)]) / 2.0;
+        low[0].gap_m = (low[0].gap_m + low[1].gap_m) / 2.0;
+        return 1;
     }
 
     /// Copies of the contacts of the last step.

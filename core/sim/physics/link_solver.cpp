@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Core>
+
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 
 namespace usar::sim {
@@ -10,7 +12,7 @@ namespace usar::sim {
 namespace {
 
 constexpr int most_sweeps = 20;
-constexpr double settled = 1e-6; ///< m/s or rad/s: a sweep that changes less is the last one
+constexpr double settled = 1e-4; ///< m/s or rad/s: a sweep that changes less is the last one
 constexpr double least_mobility = 1e-12;
 
 const btMultiBodyLinkCollider* linkOf(const btCollisionObject& object) {
@@ -24,20 +26,15 @@ btVector3 surfaceVelocity(const btCollisionObject& object, const btVector3& poin
                  : btVector3(0.0, 0.0, 0.0);
 }
 
+using Numbers = Eigen::Map<Eigen::VectorXd>;
+using ConstNumbers = Eigen::Map<const Eigen::VectorXd>;
+
 double dot(const double* a, const double* b, int size) {
-    double even = 0.0;
-    double odd = 0.0;
-    int i = 0;
-    for (; i + 1 < size; i += 2) {
-        even += a[i] * b[i];
-        odd += a[i + 1] * b[i + 1];
-    }
-    return i < size ? even + odd + a[i] * b[i] : even + odd;
+    return ConstNumbers(a, size).dot(ConstNumbers(b, size));
 }
 
 void addTimes(double* sum, const double* what, double factor, int size) {
-    for (int i = 0; i < size; ++i)
-        sum[i] += factor * what[i];
+    Numbers(sum, size) += factor * ConstNumbers(what, size);
 }
 
 } // namespace
@@ -209,6 +206,7 @@ void LinkSolver::warmStart() {
             if (row.normal >= 0)
                 row.high = row.rubbing * normals_[static_cast<std::size_t>(row.normal)].impulse;
             row.low = row.normal >= 0 ? -row.high : row.low;
+            row.stiffness = row.mobility < least_mobility ? 0.0 : 1.0 / row.mobility;
             row.impulse = std::clamp(static_cast<double>(*row.kept), row.low, row.high);
             for (const Side& side : {row.a, row.b})
                 if (side.member >= 0) {
@@ -233,19 +231,19 @@ double LinkSolver::sweep(bool backward) {
 }
 
 double LinkSolver::resolve(Row& row) {
-    double missing = row.wanted;
+    if (row.high == row.low && row.impulse == row.low)
+        return 0.0; // Nothing presses, so nothing rubs.
     const Member* const a = row.a.member < 0 ? nullptr : &members_[static_cast<std::size_t>(row.a.member)];
     const Member* const b = row.b.member < 0 ? nullptr : &members_[static_cast<std::size_t>(row.b.member)];
+    double missing = row.wanted;
     if (row.dof >= 0)
         missing -= numbers_[a->change + static_cast<std::size_t>(row.dof)];
     else if (a)
         missing -= dot(&numbers_[row.a.jacobian], &numbers_[a->change], a->size);
     if (b)
         missing -= dot(&numbers_[row.b.jacobian], &numbers_[b->change], b->size);
-    if (row.mobility < least_mobility)
-        return 0.0;
     const double before = row.impulse;
-    row.impulse = std::clamp(before + missing / row.mobility, row.low, row.high);
+    row.impulse = std::clamp(before + missing * row.stiffness, row.low, row.high);
     const double added = row.impulse - before;
     if (added == 0.0)
         return 0.0;

@@ -65,6 +65,7 @@ private:
         Side b;
         double wanted = 0.0;      ///< change of the relative velocity, m/s or rad/s
         double mobility = 0.0;    ///< relative velocity that a unit impulse gives
+        double stiffness = 0.0;   ///< 1 / `mobility`, or 0 if there is none
         double low = 0.0;         ///< limits of the impulse, N s
         double high = 0.0;
         double impulse = 0.0;
