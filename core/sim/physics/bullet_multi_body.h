@@ -90,7 +90,7 @@ private:
     btMultiBody body_;
     std::vector<Piece> parts_; ///< the base first, as in the arrays below
     std::vector<Joint> joints_;
-    std::vector<JointRow> rows_; ///< see jointRows
+    std::vector<JointRow> rows_;        ///< see jointRows
     std::vector<btVector3> velocities_; ///< velocities of origins, map frame, after the last step
     std::vector<btVector3> rates_;      ///< angular velocities, likewise
 };

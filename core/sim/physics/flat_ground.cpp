@@ -15,13 +15,13 @@ namespace usar::sim {
 
 namespace {
 
-constexpr double level = 1e-9; ///< Normals and heights that differ by less belong to one plane.
+constexpr double same_plane = 1e-9;    ///< Normals and heights that differ by less belong to one plane.
 constexpr double level_tread_m = 2e-4; ///< difference of the heights of a tread's edges
 constexpr int most_corners = 8;
 constexpr int most_contacts = 4; ///< what a manifold of Bullet holds
 
 struct Plane {
-    btVector3 normal; ///< unit vector, upward
+    btVector3 normal;      ///< unit vector, upward
     double height_m = 0.0; ///< along the normal
 };
 
@@ -37,8 +37,8 @@ struct Flatness : btTriangleCallback {
         if (!plane)
             plane = {normal, height_m};
         else
-            flat = flat && (normal - plane->normal).length2() < level * level &&
-                   std::abs(height_m - plane->height_m) < level;
+            flat = flat && (normal - plane->normal).length2() < same_plane * same_plane &&
+                   std::abs(height_m - plane->height_m) < same_plane;
     }
 };
 
@@ -65,7 +65,7 @@ void addCylinder(Corners& corners, const btCylinderShape& rod, const btTransform
     const btVector3 along = part_in_map.getBasis().getColumn(2);
     btVector3 down = along * up.dot(along) - up;
     // A rod that stands has no lowest point on its rim.
-    down = down.length2() > level ? down.normalized() : part_in_map.getBasis().getColumn(0);
+    down = down.length2() > same_plane ? down.normalized() : part_in_map.getBasis().getColumn(0);
     const btVector3 aside = along.cross(down);
     for (const double end : {-1.0, 1.0})
         for (const btVector3& outward : {down, -down, aside, -aside})
@@ -160,9 +160,8 @@ private:
                 low[static_cast<std::size_t>(count++)] = {gap_m, i};
         }
         if (count > most_contacts) {
-            std::stable_sort(low.begin(), low.begin() + count, [](const Low& one, const Low& other) {
-                return one.gap_m < other.gap_m - level;
-            });
+            std::stable_sort(low.begin(), low.begin() + count,
+                             [](const Low& one, const Low& other) { return one.gap_m < other.gap_m - same_plane; });
             count = most_contacts;
         }
         count = asTire(part, corners, std::span(low).first(static_cast<std::size_t>(count)));
@@ -183,13 +182,14 @@ private:
         int corner = 0;
     };
 
-    /// A wheel whose tread lies level touches at the middle of it, as a crowned tire does. With a point at each edge it
-    /// would pivot about either of them in a bend, and the track of the robot would change by the width of its tires.
-    /// Returns the number of contacts.
+    /// A wheel whose tread lies level touches at the middle of it, as a crowned tire does. With a point at each
+    /// edge it would pivot about either of them in a bend, and the track of the robot would change by the width of its
+    /// tires. Returns the number of contacts.
     static int asTire(const btCollisionObjectWrapper& part, Corners& corners, std::span<Low> low) {
         const auto count = static_cast<int>(low.size());
         const btMultiBodyLinkCollider* const link = btMultiBodyLinkCollider::upcast(part.getCollisionObject());
-        const bool wheel = link && link->m_link >= 0 && part.getCollisionShape()->getShapeType() == CYLINDER_SHAPE_PROXYTYPE;
+        const bool wheel =
+            link && link->m_link >= 0 && part.getCollisionShape()->getShapeType() == CYLINDER_SHAPE_PROXYTYPE;
         if (!wheel || count != 2 || std::abs(low[0].gap_m - low[1].gap_m) > level_tread_m)
             return count;
         btVector3& first = corners.at_m[static_cast<std::size_t>(low[0].corner)];
@@ -208,9 +208,8 @@ private:
         int count = 0;
     };
 
-    void addPoint(const btCollisionObjectWrapper& part, const btCollisionObjectWrapper& ground,
-                  const btVector3& normal, const btVector3& touching_m, double gap_m, int corner,
-                  const Kept& kept) {
+    void addPoint(const btCollisionObjectWrapper& part, const btCollisionObjectWrapper& ground, const btVector3& normal,
+                  const btVector3& touching_m, double gap_m, int corner, const Kept& kept) {
         const btCollisionObject* const body = part.getCollisionObject();
         const btCollisionObject* const earth = ground.getCollisionObject();
         const btVector3 beneath_m = touching_m - normal * gap_m;
@@ -259,10 +258,9 @@ btDefaultCollisionConstructionInfo roomForOurs() {
 
 GroundConfiguration::GroundConfiguration() : btDefaultCollisionConfiguration(roomForOurs()) {}
 
-btCollisionAlgorithm*
-GroundConfiguration::Maker::CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
-                                                     const btCollisionObjectWrapper* a,
-                                                     const btCollisionObjectWrapper* b) {
+btCollisionAlgorithm* GroundConfiguration::Maker::CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
+                                                                           const btCollisionObjectWrapper* a,
+                                                                           const btCollisionObjectWrapper* b) {
     void* const room = info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(FlatGroundAlgorithm));
     return new (room) FlatGroundAlgorithm(info, a, b, m_swapped);
 }

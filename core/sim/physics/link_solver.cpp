@@ -26,15 +26,15 @@ btVector3 surfaceVelocity(const btCollisionObject& object, const btVector3& poin
                  : btVector3(0.0, 0.0, 0.0);
 }
 
-using Numbers = Eigen::Map<Eigen::VectorXd>;
-using ConstNumbers = Eigen::Map<const Eigen::VectorXd>;
+using Reals = Eigen::Map<Eigen::VectorXd>;
+using ConstReals = Eigen::Map<const Eigen::VectorXd>;
 
 double dot(const double* a, const double* b, int size) {
-    return ConstNumbers(a, size).dot(ConstNumbers(b, size));
+    return ConstReals(a, size).dot(ConstReals(b, size));
 }
 
 void addTimes(double* sum, const double* what, double factor, int size) {
-    Numbers(sum, size) += factor * ConstNumbers(what, size);
+    Reals(sum, size) += factor * ConstReals(what, size);
 }
 
 } // namespace

@@ -63,16 +63,16 @@ private:
     struct Row {
         Side a;
         Side b;
-        double wanted = 0.0;      ///< change of the relative velocity, m/s or rad/s
-        double mobility = 0.0;    ///< relative velocity that a unit impulse gives
-        double stiffness = 0.0;   ///< 1 / `mobility`, or 0 if there is none
-        double low = 0.0;         ///< limits of the impulse, N s
+        double wanted = 0.0;    ///< change of the relative velocity, m/s or rad/s
+        double mobility = 0.0;  ///< relative velocity that a unit impulse gives
+        double stiffness = 0.0; ///< 1 / `mobility`, or 0 if there is none
+        double low = 0.0;       ///< limits of the impulse, N s
         double high = 0.0;
         double impulse = 0.0;
-        double rubbing = 0.0;     ///< share of the impulse of `normal` that limits this row
-        int normal = -1;          ///< the row that presses; -1: the limits are fixed
-        int dof = -1;             ///< the joint that the row is about; -1: it is a contact
-        double* kept = nullptr;   ///< where the impulse is kept for the next step
+        double rubbing = 0.0;   ///< share of the impulse of `normal` that limits this row
+        int normal = -1;        ///< the row that presses; -1: the limits are fixed
+        int dof = -1;           ///< the joint that the row is about; -1: it is a contact
+        double* kept = nullptr; ///< where the impulse is kept for the next step
     };
     /// Direction and place at which a row acts on a body.
     struct Push {

@@ -89,14 +89,11 @@ public:
         if (!terrain_.empty() && terrain_.extent().contains(point_m) && position_m.z() < terrain_.height_m(point_m))
             return true;
         DeepestContact deepest;
-        for (const BulletPiece& piece : self.pieces()) {
-            for (const auto& object : ground_.objects())
-                dynamics_.contactPairTest(piece.object, object.get(), deepest);
-            for (const auto& [other, body] : bodies_)
-                for (const BulletPiece& theirs : body->pieces())
-                    if (other != id)
-                        dynamics_.contactPairTest(piece.object, theirs.object, deepest);
-        }
+        const std::vector<btCollisionObject*> near = objectsIn(spaceOf(self));
+        for (const BulletPiece& piece : self.pieces())
+            for (btCollisionObject* const other : near)
+                if (bodyOf(*other) != &self)
+                    dynamics_.contactPairTest(piece.object, other, deepest);
         return deepest.depth_m > stuck_depth_m;
     }
 
@@ -217,18 +214,22 @@ private:
         return space;
     }
 
-    // Sleeping bodies wake when they are touched, but not when the thing they lie on goes away. Bullet wakes what is
-    // piled on a body that wakes.
-    void wakeIn(const Space& space) {
-        struct Waker : btBroadphaseAabbCallback {
+    std::vector<btCollisionObject*> objectsIn(const Space& space) {
+        struct Finder : btBroadphaseAabbCallback {
             bool process(const btBroadphaseProxy* proxy) override {
                 found.push_back(static_cast<btCollisionObject*>(proxy->m_clientObject));
                 return true;
             }
             std::vector<btCollisionObject*> found{};
-        } waker;
-        broadphase_.aabbTest(space.low, space.high, waker);
-        for (const btCollisionObject* const object : waker.found)
+        } finder;
+        broadphase_.aabbTest(space.low, space.high, finder);
+        return finder.found;
+    }
+
+    // Sleeping bodies wake when they are touched, but not when the thing they lie on goes away. Bullet wakes what is
+    // piled on a body that wakes.
+    void wakeIn(const Space& space) {
+        for (const btCollisionObject* const object : objectsIn(space))
             if (BulletBody* const body = bodyOf(*object))
                 body->wake();
     }
