@@ -116,7 +116,8 @@ public:
         const btCollisionObjectWrapper& part = ground_first_ ? *b : *a;
         const btCollisionObjectWrapper& ground = ground_first_ ? *a : *b;
         // A test of two bodies for a callback does not use the manifold.
-        const bool usual = dispatch.m_dispatchFunc == btDispatcherInfo::DISPATCH_DISCRETE &&
+        const bool usual = btMultiBodyLinkCollider::upcast(part.getCollisionObject()) &&
+                           dispatch.m_dispatchFunc == btDispatcherInfo::DISPATCH_DISCRETE &&
                            result->m_closestPointDistanceThreshold == 0.0 && isPlain(*result);
         const std::optional<Plane> plane = usual ? planeUnder(part, ground) : std::nullopt;
         if (!plane || !touch(part, ground, *plane))
