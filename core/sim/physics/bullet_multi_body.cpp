@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <variant>
 
 #include "core/sim/physics/bullet_ground.h"
 
@@ -47,6 +48,9 @@ BulletMultiBody::BulletMultiBody(btMultiBodyDynamicsWorld& world, const Articula
     body_.setAngularDamping(0.0);
     // Bullet compares this with the sum of the squares of the base's speeds and of all joint speeds.
     body_.setSleepThreshold(sleepy_m_s * sleepy_m_s + sleepy_rad_s * sleepy_rad_s + sleepy_joint * sleepy_joint);
+    for (const LinkDescription& link : description.links)
+        for (const BodyPart& part : link.body.parts)
+            on_wheels_ |= std::holds_alternative<CylinderShape>(part.shape);
     for (std::size_t i = 0; i < description.links.size(); ++i)
         addLink(static_cast<int>(i), description.links[i]);
     body_.finalizeMultiDof();

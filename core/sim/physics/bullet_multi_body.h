@@ -43,6 +43,7 @@ public:
     void setMotor(std::size_t link, const JointMotor& motor) override;
     /// Acts on the base alone; the joints pass it on to the links.
     void apply(const Vec3& force_in_map_n, const Vec3& torque_in_map_n_m) override;
+    bool onWheels() const override { return on_wheels_; }
     std::span<const JointRow> jointRows(double dt_s) override;
     /// Sets the limits of all motors for a step of this length.
     void beforeStep(Seconds dt) override;
@@ -90,7 +91,8 @@ private:
     btMultiBody body_;
     std::vector<Piece> parts_; ///< the base first, as in the arrays below
     std::vector<Joint> joints_;
-    std::vector<JointRow> rows_;        ///< see jointRows
+    std::vector<JointRow> rows_; ///< see jointRows
+    bool on_wheels_ = false;
     std::vector<btVector3> velocities_; ///< velocities of origins, map frame, after the last step
     std::vector<btVector3> rates_;      ///< angular velocities, likewise
 };

@@ -72,7 +72,7 @@ void addCylinder(Corners& corners, const btCylinderShape& rod, const btTransform
             corners.add(part_in_map.getOrigin() + along * (end * half_m.z()) + outward * half_m.x());
 }
 
-/// Nothing for shapes that are neither of the four.
+/// Nothing for other shapes.
 Corners cornersOf(const btCollisionShape& shape, const btTransform& part_in_map, const btVector3& up) {
     Corners corners;
     switch (shape.getShapeType()) {
@@ -82,18 +82,6 @@ Corners cornersOf(const btCollisionShape& shape, const btTransform& part_in_map,
     case CYLINDER_SHAPE_PROXYTYPE:
         addCylinder(corners, static_cast<const btCylinderShape&>(shape), part_in_map, up);
         break;
-    case SPHERE_SHAPE_PROXYTYPE:
-        corners.margin_m = static_cast<const btSphereShape&>(shape).getRadius();
-        corners.add(part_in_map.getOrigin());
-        break;
-    case CAPSULE_SHAPE_PROXYTYPE: {
-        const auto& capsule = static_cast<const btCapsuleShape&>(shape);
-        corners.margin_m = capsule.getRadius();
-        const btVector3 half_m = part_in_map.getBasis().getColumn(capsule.getUpAxis()) * capsule.getHalfHeight();
-        corners.add(part_in_map.getOrigin() + half_m);
-        corners.add(part_in_map.getOrigin() - half_m);
-        break;
-    }
     default:
         break;
     }
@@ -244,8 +232,7 @@ private:
 };
 
 bool isPart(int type) {
-    return type == BOX_SHAPE_PROXYTYPE || type == CYLINDER_SHAPE_PROXYTYPE || type == SPHERE_SHAPE_PROXYTYPE ||
-           type == CAPSULE_SHAPE_PROXYTYPE;
+    return type == BOX_SHAPE_PROXYTYPE || type == CYLINDER_SHAPE_PROXYTYPE;
 }
 
 /// Bullet keeps its algorithms in a pool, whose places must be large enough for ours.

@@ -40,7 +40,10 @@ void addTimes(double* sum, const double* what, double factor, int size) {
 } // namespace
 
 bool LinkSolver::canSolve(std::span<btCollisionObject* const> bodies) {
-    return std::ranges::all_of(bodies, [](const btCollisionObject* body) { return linkOf(*body) != nullptr; });
+    return std::ranges::all_of(bodies, [](const btCollisionObject* body) {
+        const btMultiBodyLinkCollider* const link = linkOf(*body);
+        return link && static_cast<const JointedBody*>(link->m_multiBody->getUserPointer())->onWheels();
+    });
 }
 
 void LinkSolver::solve(std::span<btCollisionObject* const> bodies, std::span<btPersistentManifold* const> manifolds,
