@@ -12,7 +12,7 @@ namespace usar::sim {
 namespace {
 
 constexpr int most_sweeps = 20;
-constexpr double settled = 1e-6; ///< m/s or rad/s: a sweep that changes less is the last one
+constexpr double settled = 1e-4; ///< m/s or rad/s: a sweep that changes less is the last one
 constexpr double least_mobility = 1e-12;
 
 const btMultiBodyLinkCollider* linkOf(const btCollisionObject& object) {
