@@ -32,6 +32,12 @@ std::size_t at(int link) {
     return static_cast<std::size_t>(link + 1);
 }
 
+bool hasOnlyWheels(const ArticulatedDescription& description) {
+    const auto isWheel = [](const BodyPart& part) { return std::holds_alternative<CylinderShape>(part.shape); };
+    return std::ranges::all_of(
+        description.links, [&](const LinkDescription& link) { return std::ranges::all_of(link.body.parts, isWheel); });
+}
+
 } // namespace
 
 BulletMultiBody::BulletMultiBody(btMultiBodyDynamicsWorld& world, const ArticulatedDescription& description,
@@ -48,9 +54,7 @@ BulletMultiBody::BulletMultiBody(btMultiBodyDynamicsWorld& world, const Articula
     body_.setAngularDamping(0.0);
     // Bullet compares this with the sum of the squares of the base's speeds and of all joint speeds.
     body_.setSleepThreshold(sleepy_m_s * sleepy_m_s + sleepy_rad_s * sleepy_rad_s + sleepy_joint * sleepy_joint);
-    for (const LinkDescription& link : description.links)
-        for (const BodyPart& part : link.body.parts)
-            on_wheels_ |= std::holds_alternative<CylinderShape>(part.shape);
+    on_wheels_ = hasOnlyWheels(description);
     for (std::size_t i = 0; i < description.links.size(); ++i)
         addLink(static_cast<int>(i), description.links[i]);
     body_.finalizeMultiDof();

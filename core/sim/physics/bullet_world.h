@@ -16,7 +16,7 @@ namespace usar::sim {
 /// step.
 class BulletSolver : public btMultiBodyConstraintSolver {
 public:
-    /// Leaves groups of articulated bodies to a LinkSolver. Others get 20 iterations, whatever `info` says.
+    /// Leaves groups of robots on wheels to a LinkSolver. Others get 20 iterations, whatever `info` says.
     void solveMultiBodyGroup(btCollisionObject** bodies, int body_count, btPersistentManifold** manifolds,
                              int manifold_count, btTypedConstraint** constraints, int constraint_count,
                              btMultiBodyConstraint** joints, int joint_count, const btContactSolverInfo& info,

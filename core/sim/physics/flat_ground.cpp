@@ -11,6 +11,8 @@
 #include <BulletCollision/CollisionShapes/btHeightfieldTerrainShape.h>
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 
+#include "core/sim/physics/link_solver.h"
+
 namespace usar::sim {
 
 namespace {
@@ -104,7 +106,7 @@ public:
         const btCollisionObjectWrapper& part = ground_first_ ? *b : *a;
         const btCollisionObjectWrapper& ground = ground_first_ ? *a : *b;
         // A test of two bodies for a callback does not use the manifold.
-        const bool usual = btMultiBodyLinkCollider::upcast(part.getCollisionObject()) &&
+        const bool usual = isOnWheels(*part.getCollisionObject()) &&
                            dispatch.m_dispatchFunc == btDispatcherInfo::DISPATCH_DISCRETE &&
                            result->m_closestPointDistanceThreshold == 0.0 && isPlain(*result);
         const std::optional<Plane> plane = usual ? planeUnder(part, ground) : std::nullopt;

@@ -6,9 +6,9 @@
 
 namespace usar::sim {
 
-/// Bullet's usual choice of algorithms, except for boxes and cylinders of articulated bodies above a
-/// height field. Where all triangles under such a part lie in one plane, its lowest corners are known in closed form;
-/// each keeps its impulse from step to step. Elsewhere Bullet looks for the contacts, triangle by triangle.
+/// Bullet's usual choice of algorithms, except for boxes and cylinders of robots on wheels above a height field. Where
+/// all triangles under such a part lie in one plane, its lowest corners are known in closed form; each keeps its
+/// impulse from step to step. Elsewhere Bullet looks for the contacts, triangle by triangle.
 class GroundConfiguration : public btDefaultCollisionConfiguration {
 public:
     GroundConfiguration();

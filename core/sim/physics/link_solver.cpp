@@ -39,11 +39,13 @@ void addTimes(double* sum, const double* what, double factor, int size) {
 
 } // namespace
 
+bool isOnWheels(const btCollisionObject& object) {
+    const btMultiBodyLinkCollider* const link = linkOf(object);
+    return link && static_cast<const JointedBody*>(link->m_multiBody->getUserPointer())->onWheels();
+}
+
 bool LinkSolver::canSolve(std::span<btCollisionObject* const> bodies) {
-    return std::ranges::all_of(bodies, [](const btCollisionObject* body) {
-        const btMultiBodyLinkCollider* const link = linkOf(*body);
-        return link && static_cast<const JointedBody*>(link->m_multiBody->getUserPointer())->onWheels();
-    });
+    return std::ranges::all_of(bodies, [](const btCollisionObject* body) { return isOnWheels(*body); });
 }
 
 void LinkSolver::solve(std::span<btCollisionObject* const> bodies, std::span<btPersistentManifold* const> manifolds,

@@ -23,11 +23,14 @@ struct JointRow {
 class JointedBody {
 public:
     virtual ~JointedBody() = default;
-    /// True if one of its links is round like a wheel.
+    /// True if wheels are all that can touch something besides its base: no legs, flippers or fingers.
     virtual bool onWheels() const = 0;
     /// The rows for this step, valid until the next one.
     virtual std::span<const JointRow> jointRows(double dt_s) = 0;
 };
+
+/// True for a link or the base of a robot that is on wheels.
+bool isOnWheels(const btCollisionObject& object);
 
 /// The method is Bullet's, projected Gauss-Seidel on velocities with the same rows: each contact pushes apart and
 /// rubs in two directions. It takes a fraction of the time, because the inverse of each body's mass matrix is computed
@@ -35,8 +38,8 @@ public:
 /// ends when nothing changes any more.
 class LinkSolver {
 public:
-    /// True if all bodies are links of robots on wheels. Legs are left to Bullet: with this solver the ERS covers only
-    /// half of its way in `tst_leg_drive`.
+    /// True if all bodies are links of robots on wheels. Limbs are left to Bullet: with this solver the ERS covers only
+    /// half of its way in `tst_leg_drive`, and the Kenaf does not get its flippers over a step in `tst_tracked_robots`.
     static bool canSolve(std::span<btCollisionObject* const> bodies);
     /// Changes the bodies' velocities. The manifolds are those of the bodies; their points keep the impulses.
     void solve(std::span<btCollisionObject* const> bodies, std::span<btPersistentManifold* const> manifolds,
