@@ -213,6 +213,32 @@ private slots:
         QVERIFY(physics->state(body).position_m != asleep_m);
     }
 
+    void whatLiesWakesWhenItsPropGoesAndOnlyThen() {
+        const World world = flatWorld();
+        const auto physics = makePhysics(world);
+        const auto crateAt = [&](double x_m, double z_m) {
+            const BodyDescription crate{1.0, Vec3::Constant(0.01), 0.9, {{BoxShape{{0.2, 0.2, 0.2}}, Pose{}}}};
+            const BodyId body = physics->add(crate, at(x_m, 0.0, z_m));
+            physics->letSleep(body, true);
+            return body;
+        };
+        const BodyId prop = crateAt(0.0, 0.1);
+        const BodyId top = crateAt(0.0, 0.3);
+        const BodyId far = crateAt(5.0, 0.1);
+        run(*physics, Seconds{5.0});
+        for (const BodyId body : {prop, top, far})
+            QVERIFY(physics->isAsleep(body));
+        physics->remove(prop);
+        QVERIFY(!physics->isAsleep(top));
+        QVERIFY(physics->isAsleep(far));
+        run(*physics, Seconds{1.0});
+        QVERIFY(std::abs(physics->state(top).position_m.z() - 0.1) < 0.005);
+        run(*physics, Seconds{3.0});
+        physics->place(top, at(5.0, 0.0, 1.0)); // falls onto the other one
+        run(*physics, Seconds{1.0});
+        QVERIFY(std::abs(physics->state(top).position_m.z() - 0.3) < 0.005);
+    }
+
     void groundEndsAtTheEdgeWithoutHarm() {
         const World world = flatWorld();
         const auto physics = makePhysics(world);

@@ -59,6 +59,7 @@ public:
     virtual void letSleep(bool allowed) = 0;
     /// Wakes the body because what it leaned on may be gone.
     virtual void wake() = 0;
+    bool asleep() const { return pieces_.front().object->getActivationState() == ISLAND_SLEEPING; }
     virtual BodyState state(int link) const = 0;
     /// Rigid bodies have no joints and ignore motors; articulated ones have no running surface.
     virtual JointState joint(std::size_t /*link*/) const { return {}; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <variant>
 
 #include "core/sim/physics/bullet_ground.h"
 
@@ -15,6 +16,8 @@ namespace {
 constexpr Seconds servo_time{0.02};
 constexpr double no_clamp = 1e30;
 constexpr double sleepy_joint = 0.05; // In rad/s or m/s.
+constexpr double joint_erp = 0.2;     // Share of a violation of a joint's limit that a step mends, as in Bullet.
+constexpr double limit_n_s = 100.0;   // Largest impulse of a joint's limit in a step, or N m s, as in Bullet.
 
 // A torque is commanded as a velocity motor of limited strength whose target is the largest speed.
 double speedTarget(const JointMotor& motor) {
@@ -29,6 +32,12 @@ std::size_t at(int link) {
     return static_cast<std::size_t>(link + 1);
 }
 
+bool hasOnlyWheels(const ArticulatedDescription& description) {
+    const auto isWheel = [](const BodyPart& part) { return std::holds_alternative<CylinderShape>(part.shape); };
+    return std::ranges::all_of(
+        description.links, [&](const LinkDescription& link) { return std::ranges::all_of(link.body.parts, isWheel); });
+}
+
 } // namespace
 
 BulletMultiBody::BulletMultiBody(btMultiBodyDynamicsWorld& world, const ArticulatedDescription& description,
@@ -39,11 +48,13 @@ BulletMultiBody::BulletMultiBody(btMultiBodyDynamicsWorld& world, const Articula
     , joints_(description.links.size())
     , velocities_(description.links.size() + 1)
     , rates_(description.links.size() + 1) {
+    body_.setUserPointer(static_cast<JointedBody*>(this));
     body_.setHasSelfCollision(false);
     body_.setLinearDamping(0.0);
     body_.setAngularDamping(0.0);
     // Bullet compares this with the sum of the squares of the base's speeds and of all joint speeds.
     body_.setSleepThreshold(sleepy_m_s * sleepy_m_s + sleepy_rad_s * sleepy_rad_s + sleepy_joint * sleepy_joint);
+    on_wheels_ = hasOnlyWheels(description);
     for (std::size_t i = 0; i < description.links.size(); ++i)
         addLink(static_cast<int>(i), description.links[i]);
     body_.finalizeMultiDof();
@@ -103,6 +114,8 @@ void BulletMultiBody::addConstraints(int index, const LinkDescription& link) {
         world_.addMultiBodyConstraint(joint.limits.get());
     }
     joint.damping = link.damping;
+    joint.lower = link.lower;
+    joint.upper = link.upper;
     if (link.damping > 0.0) {
         joint.damper = std::make_unique<btMultiBodyJointMotor>(&body_, index, 0.0, 0.0);
         world_.addMultiBodyConstraint(joint.damper.get());
@@ -211,6 +224,39 @@ void BulletMultiBody::drive(int index, Joint& joint, Seconds dt) {
         joint.motor->setMaxAppliedImpulse((strength - overcome) * dt.count());
         joint.motor->setErp(std::min(1.0, dt / servo_time));
     }
+}
+
+std::span<const JointRow> BulletMultiBody::jointRows(double dt_s) {
+    rows_.clear();
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+        Joint& joint = joints_[i];
+        const int link = static_cast<int>(i);
+        const int dof = 6 + body_.getLink(link).m_dofOffset;
+        const double position = body_.getJointPos(link);
+        const double damping = joint.damping * std::abs(body_.getJointVel(link));
+        const double strength = joint.motor ? strengthOf(joint.wanted) : 0.0;
+        const double overcome = joint.wanted.mode == JointMotor::Mode::Torque ? 0.0 : std::min(damping, strength);
+        if (joint.limits && (position <= joint.lower || position >= joint.upper)) {
+            const bool below = position <= joint.lower;
+            const double back = joint_erp * (below ? joint.lower - position : joint.upper - position) / dt_s;
+            rows_.push_back({dof, back, below ? 0.0 : -limit_n_s, below ? limit_n_s : 0.0, &joint.limit_n_s});
+        } else {
+            joint.limit_n_s = 0.0;
+        }
+        if (const double most = (damping - overcome) * dt_s; most > 0.0)
+            rows_.push_back({dof, 0.0, -most, most, &joint.damper_n_s});
+        if (const double most = (strength - overcome) * dt_s; most > 0.0)
+            rows_.push_back({dof, wantedSpeed(joint, position, dt_s), -most, most, &joint.motor_n_s});
+    }
+    return rows_;
+}
+
+double BulletMultiBody::wantedSpeed(const Joint& joint, double position, double dt_s) {
+    if (joint.wanted.mode != JointMotor::Mode::Position)
+        return speedTarget(joint.wanted);
+    const double share = std::min(1.0, dt_s / servo_time.count());
+    const double speed = share * (joint.wanted.target - position) / dt_s;
+    return std::clamp(speed, -joint.wanted.largest_speed, joint.wanted.largest_speed);
 }
 
 // Bullet gives the velocities of links in their own frames.

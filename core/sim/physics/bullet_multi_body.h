@@ -11,13 +11,14 @@
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 
 #include "core/sim/physics/bullet_body.h"
+#include "core/sim/physics/link_solver.h"
 
 namespace usar::sim {
 
 /// Bullet limits joint motors by impulse, not by torque, so the limit is set again at each step. A joint's damping is a
 /// second motor that pulls toward standstill with no more than the damping torque, so that it never reverses a joint,
 /// however light it is.
-class BulletMultiBody : public BulletBody {
+class BulletMultiBody : public BulletBody, public JointedBody {
 public:
     /// `world` must outlive it.
     BulletMultiBody(btMultiBodyDynamicsWorld& world, const ArticulatedDescription& description, const Pose& base_in_map,
@@ -42,6 +43,8 @@ public:
     void setMotor(std::size_t link, const JointMotor& motor) override;
     /// Acts on the base alone; the joints pass it on to the links.
     void apply(const Vec3& force_in_map_n, const Vec3& torque_in_map_n_m) override;
+    bool onWheels() const override { return on_wheels_; }
+    std::span<const JointRow> jointRows(double dt_s) override;
     /// Sets the limits of all motors for a step of this length.
     void beforeStep(Seconds dt) override;
     void afterStep() override { refreshVelocities(); }
@@ -60,7 +63,12 @@ private:
         std::unique_ptr<btMultiBodyJointMotor> damper;
         std::unique_ptr<btMultiBodyJointMotor> motor; ///< exists unless the wanted mode is Off
         double damping = 0.0;                         ///< N m s/rad or N s/m
+        double lower = 1.0;                           ///< rad or m; above `upper` if there are no limits
+        double upper = -1.0;
         JointMotor wanted;
+        double motor_n_s = 0.0; ///< impulses of the last step, or N m s
+        double damper_n_s = 0.0;
+        double limit_n_s = 0.0;
     };
 
     /// Adds a link on a revolute or prismatic joint; its parent must have been added before.
@@ -69,6 +77,8 @@ private:
     void addPiece(int link, const BodyDescription& description, BodyId id);
     /// Adds limits if the lower one is not above the upper one, and a damper if the joint has damping.
     void addConstraints(int index, const LinkDescription& description);
+    /// The speed that a joint's motor aims at in a step from this position.
+    static double wantedSpeed(const Joint& joint, double position, double dt_s);
     /// Sets the impulse limits of a joint's motor and damper for the next step.
     void drive(int index, Joint& joint, Seconds dt);
     /// Moves the colliders to where the base and the joints put the links.
@@ -81,6 +91,8 @@ private:
     btMultiBody body_;
     std::vector<Piece> parts_; ///< the base first, as in the arrays below
     std::vector<Joint> joints_;
+    std::vector<JointRow> rows_; ///< see jointRows
+    bool on_wheels_ = false;
     std::vector<btVector3> velocities_; ///< velocities of origins, map frame, after the last step
     std::vector<btVector3> rates_;      ///< angular velocities, likewise
 };

@@ -6,6 +6,8 @@
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 #include <btBulletDynamicsCommon.h>
 
+#include "core/sim/physics/link_solver.h"
+
 namespace usar::sim {
 
 /// Solver for contacts and joints. One direction of friction suffices for rigid bodies: it halves the cost and lets a
@@ -14,11 +16,16 @@ namespace usar::sim {
 /// step.
 class BulletSolver : public btMultiBodyConstraintSolver {
 public:
-    /// Uses 20 iterations, whatever `info` says.
+    /// Leaves groups of robots on wheels to a LinkSolver. Others get 20 iterations, whatever `info` says.
     void solveMultiBodyGroup(btCollisionObject** bodies, int body_count, btPersistentManifold** manifolds,
                              int manifold_count, btTypedConstraint** constraints, int constraint_count,
                              btMultiBodyConstraint** joints, int joint_count, const btContactSolverInfo& info,
                              btIDebugDraw* drawer, btDispatcher* dispatcher) override {
+        const std::span members(bodies, static_cast<std::size_t>(body_count));
+        if (LinkSolver::canSolve(members)) {
+            links_.solve(members, {manifolds, static_cast<std::size_t>(manifold_count)}, info);
+            return;
+        }
         btContactSolverInfo thorough = info;
         thorough.m_numIterations = 20;
         btMultiBodyConstraintSolver::solveMultiBodyGroup(bodies, body_count, manifolds, manifold_count, constraints,
@@ -41,6 +48,8 @@ protected:
     }
 
 private:
+    LinkSolver links_;
+
     static bool isLink(const btCollisionObject* object) { return btMultiBodyLinkCollider::upcast(object) != nullptr; }
 };
 
@@ -54,6 +63,7 @@ public:
         : btMultiBodyDynamicsWorld(&dispatcher, &broadphase, &link_solver, &configuration) {
         btDiscreteDynamicsWorld::setConstraintSolver(&rigid_solver);
         getSolverInfo().m_solverMode &= ~SOLVER_USE_2_FRICTION_DIRECTIONS;
+        getSolverInfo().m_minimumSolverBatchSize = 1; // Each island is solved by itself.
         setForceUpdateAllAabbs(false);
     }
 

@@ -10,6 +10,7 @@
 #include "core/sim/physics/bullet_multi_body.h"
 #include "core/sim/physics/bullet_rigid_body.h"
 #include "core/sim/physics/bullet_world.h"
+#include "core/sim/physics/flat_ground.h"
 #include "core/sim/rays/body_index.h"
 
 namespace usar::sim {
@@ -17,6 +18,7 @@ namespace usar::sim {
 namespace {
 
 constexpr double stuck_depth_m = 0.01;
+constexpr double wake_margin_m = 0.1;
 constexpr double bouncing_m_s = 0.1; // Slower impacts do not bounce.
 
 struct DeepestContact : btCollisionWorld::ContactResultCallback {
@@ -59,19 +61,25 @@ public:
     }
 
     void remove(BodyId id) override {
+        const Space space = spaceOf(*bodies_.at(id));
         bodies_.erase(id);
         moved_ = true;
-        wakeAll();
+        wakeIn(space);
     }
 
     void place(BodyId id, const Pose& body_in_map) override {
-        bodies_.at(id)->place(body_in_map);
-        bodies_.at(id)->placed = true;
+        BulletBody& body = *bodies_.at(id);
+        const Space left = spaceOf(body);
+        body.place(body_in_map);
+        body.placed = true;
         moved_ = true;
-        wakeAll();
+        body.wake();
+        wakeIn(left);
+        wakeIn(spaceOf(body));
     }
 
     void letSleep(BodyId id, bool allowed) override { bodies_.at(id)->letSleep(allowed); }
+    bool isAsleep(BodyId id) const override { return bodies_.at(id)->asleep(); }
 
     bool isStuck(BodyId id) override {
         const BulletBody& self = *bodies_.at(id);
@@ -81,14 +89,11 @@ public:
         if (!terrain_.empty() && terrain_.extent().contains(point_m) && position_m.z() < terrain_.height_m(point_m))
             return true;
         DeepestContact deepest;
-        for (const BulletPiece& piece : self.pieces()) {
-            for (const auto& object : ground_.objects())
-                dynamics_.contactPairTest(piece.object, object.get(), deepest);
-            for (const auto& [other, body] : bodies_)
-                for (const BulletPiece& theirs : body->pieces())
-                    if (other != id)
-                        dynamics_.contactPairTest(piece.object, theirs.object, deepest);
-        }
+        const std::vector<btCollisionObject*> near = objectsIn(spaceOf(self));
+        for (const BulletPiece& piece : self.pieces())
+            for (btCollisionObject* const other : near)
+                if (bodyOf(*other) != &self)
+                    dynamics_.contactPairTest(piece.object, other, deepest);
         return deepest.depth_m > stuck_depth_m;
     }
 
@@ -102,20 +107,27 @@ public:
     }
     void runSurface(BodyId id, const Vec3& velocity_in_body_m_s) override {
         bodies_.at(id)->runSurface(velocity_in_body_m_s);
+        wakeIn(spaceOf(*bodies_.at(id)));
     }
     void apply(BodyId id, const Vec3& force_in_map_n, const Vec3& torque_in_map_n_m) override {
         bodies_.at(id)->apply(force_in_map_n, torque_in_map_n_m);
     }
 
     void step(Seconds dt) override {
-        moved_ = true;
+        awake_.clear();
         for (auto& [id, body] : bodies_) {
             body->contacts.clear();
-            body->beforeStep(dt);
+            if (!body->asleep())
+                awake_.push_back(body.get());
         }
+        if (awake_.empty())
+            return; // Nothing would move.
+        moved_ = true;
+        for (BulletBody* const body : awake_)
+            body->beforeStep(dt);
         dynamics_.stepSimulation(dt.count(), 0);
         collectContacts();
-        for (auto& [id, body] : bodies_) {
+        for (BulletBody* const body : awake_) {
             body->afterStep();
             keepAboveGround(*body);
         }
@@ -183,10 +195,43 @@ private:
         return bodies_.at(BodyId{static_cast<std::uint32_t>(object.getUserIndex2())}).get();
     }
 
-    // Sleeping bodies wake when they are touched, but not when the thing they lie on goes away.
-    void wakeAll() {
-        for (auto& [id, body] : bodies_)
-            body->wake();
+    /// A box around all pieces of a body.
+    struct Space {
+        btVector3 low{BT_LARGE_FLOAT, BT_LARGE_FLOAT, BT_LARGE_FLOAT};
+        btVector3 high{-BT_LARGE_FLOAT, -BT_LARGE_FLOAT, -BT_LARGE_FLOAT};
+    };
+
+    static Space spaceOf(const BulletBody& body) {
+        const btVector3 margin(wake_margin_m, wake_margin_m, wake_margin_m);
+        Space space;
+        for (const BulletPiece& piece : body.pieces()) {
+            btVector3 low;
+            btVector3 high;
+            piece.object->getCollisionShape()->getAabb(piece.object->getWorldTransform(), low, high);
+            space.low.setMin(low - margin);
+            space.high.setMax(high + margin);
+        }
+        return space;
+    }
+
+    std::vector<btCollisionObject*> objectsIn(const Space& space) {
+        struct Finder : btBroadphaseAabbCallback {
+            bool process(const btBroadphaseProxy* proxy) override {
+                found.push_back(static_cast<btCollisionObject*>(proxy->m_clientObject));
+                return true;
+            }
+            std::vector<btCollisionObject*> found{};
+        } finder;
+        broadphase_.aabbTest(space.low, space.high, finder);
+        return finder.found;
+    }
+
+    // Sleeping bodies wake when they are touched, but not when the thing they lie on goes away. Bullet wakes what is
+    // piled on a body that wakes.
+    void wakeIn(const Space& space) {
+        for (const btCollisionObject* const object : objectsIn(space))
+            if (BulletBody* const body = bodyOf(*object))
+                body->wake();
     }
 
     // To Bullet the height field is a thin sheet, but the ground is a solid block: a body that was pressed through it,
@@ -264,7 +309,7 @@ private:
 
     const Terrain& terrain_;
     BulletGround ground_;
-    btDefaultCollisionConfiguration configuration_;
+    GroundConfiguration configuration_;
     btCollisionDispatcher dispatcher_{&configuration_};
     btDbvtBroadphase broadphase_;
     btSequentialImpulseConstraintSolver rigid_solver_;
@@ -272,6 +317,7 @@ private:
     BulletWorld dynamics_{dispatcher_, broadphase_, rigid_solver_, link_solver_, configuration_};
     std::map<BodyId, std::unique_ptr<BulletBody>> bodies_;
     BodyId last_;
+    std::vector<BulletBody*> awake_; ///< bodies that the current step may move
     // Rebuilt when a ray asks for it, so that steps without rays cost nothing.
     mutable BodyIndex index_;
     mutable std::vector<btCollisionObject*> indexed_; ///< index: BodySphere::piece

@@ -55,6 +55,8 @@ public:
     /// A body that may sleep is frozen after two seconds at rest until something moves it; otherwise contacts let it
     /// creep by millimeters a minute. Forces on a sleeping body have no effect, so one that pushes must not sleep.
     virtual void letSleep(BodyId body, bool allowed) = 0;
+    /// True while the body is frozen where it is.
+    virtual bool isAsleep(BodyId body) const = 0;
     /// True while the body is inside fixed parts of the world or another body, or under the ground.
     virtual bool isStuck(BodyId body) = 0;
 

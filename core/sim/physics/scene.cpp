@@ -70,6 +70,7 @@ SceneObject& addObject(Scene& scene, Physics& physics, const WorldObject& object
                       .radius_m = bounds.min().cwiseAbs().cwiseMax(bounds.max().cwiseAbs()).norm()};
     if (object.belt)
         added.belt = physics.add(*object.belt, object.body_in_map);
+    physics.letSleep(added.body, true);
     return scene.objects.emplace_back(std::move(added));
 }
 
@@ -103,7 +104,8 @@ Scene makeScene(const World& world, Physics& physics) {
 
 void refresh(Scene& scene, const Physics& physics) {
     for (SceneObject& object : scene.objects)
-        object.body_in_map = physics.state(object.body).pose();
+        if (!physics.isAsleep(object.body))
+            object.body_in_map = physics.state(object.body).pose();
 }
 
 void carryObjects(Scene& scene, Physics& physics, Seconds dt) {

@@ -1,0 +1,115 @@
+// Solves the contacts and joints of articulated bodies that touch one another and the fixed world only. Internal to the
+// physics.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <BulletDynamics/Featherstone/btMultiBody.h>
+#include <btBulletDynamicsCommon.h>
+
+namespace usar::sim {
+
+/// What drives or brakes one joint during a step: it is brought to a speed with an impulse between two limits.
+struct JointRow {
+    int dof = 0;          ///< index of the joint in the body's velocities, from 6
+    double speed = 0.0;   ///< wanted, rad/s or m/s
+    double low_n_s = 0.0; ///< or N m s
+    double high_n_s = 0.0;
+    double* impulse = nullptr; ///< what it took in the last step, and then in this one
+};
+
+/// A body whose joints are driven. It is the user pointer of its btMultiBody.
+class JointedBody {
+public:
+    virtual ~JointedBody() = default;
+    /// True if wheels are all that can touch something besides its base: no legs, flippers or fingers.
+    virtual bool onWheels() const = 0;
+    /// The rows for this step, valid until the next one.
+    virtual std::span<const JointRow> jointRows(double dt_s) = 0;
+};
+
+/// True for a link or the base of a robot that is on wheels.
+bool isOnWheels(const btCollisionObject& object);
+
+/// The method is Bullet's, projected Gauss-Seidel on velocities with the same rows: each contact pushes apart and
+/// rubs in two directions. It takes a fraction of the time, because the inverse of each body's mass matrix is computed
+/// once a step instead of once for each row, because a step begins with the impulses of the last one, and because it
+/// ends when nothing changes any more.
+class LinkSolver {
+public:
+    /// True if all bodies are links of robots on wheels. Limbs are left to Bullet: with this solver the ERS covers only
+    /// half of its way in `tst_leg_drive`, and the Kenaf does not get its flippers over a step in `tst_tracked_robots`.
+    static bool canSolve(std::span<btCollisionObject* const> bodies);
+    /// Changes the bodies' velocities. The manifolds are those of the bodies; their points keep the impulses.
+    void solve(std::span<btCollisionObject* const> bodies, std::span<btPersistentManifold* const> manifolds,
+               const btContactSolverInfo& info);
+
+private:
+    /// A body with its inverse mass matrix, which is `size` x `size`, and the change of its velocities.
+    struct Member {
+        btMultiBody* body = nullptr;
+        int size = 0;
+        std::size_t inverse = 0; ///< offsets into `numbers_`
+        std::size_t change = 0;
+        std::size_t axes = 0; ///< first axis in `axes_`
+    };
+    /// A joint's axis in the map frame, and a point on it.
+    struct Axis {
+        btVector3 along;
+        btVector3 point_m;
+        bool slides = false;
+    };
+    /// How one body takes part in a row.
+    struct Side {
+        int member = -1;
+        std::size_t jacobian = 0; ///< offsets into `numbers_`
+        std::size_t response = 0; ///< change of velocities by a unit impulse
+    };
+    struct Row {
+        Side a;
+        Side b;
+        double wanted = 0.0;    ///< change of the relative velocity, m/s or rad/s
+        double mobility = 0.0;  ///< relative velocity that a unit impulse gives
+        double stiffness = 0.0; ///< 1 / `mobility`, or 0 if there is none
+        double low = 0.0;       ///< limits of the impulse, N s
+        double high = 0.0;
+        double impulse = 0.0;
+        double rubbing = 0.0;   ///< share of the impulse of `normal` that limits this row
+        int normal = -1;        ///< the row that presses; -1: the limits are fixed
+        int dof = -1;           ///< the joint that the row is about; -1: it is a contact
+        double* kept = nullptr; ///< where the impulse is kept for the next step
+    };
+    /// Direction and place at which a row acts on a body.
+    struct Push {
+        btVector3 point_m;
+        btVector3 force;  ///< unit vector, or zero
+        btVector3 torque; ///< unit vector, or zero
+    };
+
+    void addMember(btMultiBody& body);
+    void addJoints(int member, double dt_s);
+    void addContacts(btPersistentManifold& manifold, const btContactSolverInfo& info);
+    void addContact(const btPersistentManifold& manifold, btManifoldPoint& point, const btContactSolverInfo& info);
+    /// Adds a row between the two sides of a manifold, and sets the relative velocity.
+    Row& addRow(std::vector<Row>& rows, const btPersistentManifold& manifold, const btManifoldPoint& point,
+                const btVector3& force, const btVector3& torque, double& speed);
+    Side sideOf(const btCollisionObject& object, const Push& push, double& speed, double& mobility);
+    void fillJacobian(const Member& member, int link, const Push& push, double* jacobian) const;
+    /// One sweep over all rows; returns the largest change of a relative velocity.
+    double sweep(bool backward);
+    double resolve(Row& row);
+    void warmStart();
+
+    std::vector<Member> members_;
+    std::vector<Axis> axes_;
+    std::vector<Row> joints_;
+    std::vector<Row> normals_;
+    std::vector<Row> frictions_;
+    std::vector<double> numbers_;
+    std::vector<double> unit_;
+    btAlignedObjectArray<btScalar> scratch_;
+    btAlignedObjectArray<btVector3> scratch_vectors_;
+};
+
+} // namespace usar::sim
