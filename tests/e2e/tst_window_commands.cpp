@@ -5,6 +5,7 @@
 
 #include <QComboBox>
 #include <QDir>
+#include <QDockWidget>
 #include <QElapsedTimer>
 #include <QFile>
 #include <QMenuBar>
@@ -204,6 +205,9 @@ void tst_WindowCommands::thePaletteOffersRobotsPosesWorldsAndMissions() {
     QCOMPARE(first("world tall").data().toString(), QString("Open world Tall test"));
     QCOMPARE(first("mission quick").data().toString(), QString("Open mission quick scan"));
     QCOMPARE(first("camera show").data().toString(), QString("Show Camera"));
+    for (int i = 0; i < 2; ++i)
+        model.run(first("camera show"));
+    QVERIFY(page.window().findChild<QDockWidget*>("camera")->isVisible());
     QTRY_VERIFY_WITH_TIMEOUT(first("plot INS").isValid(), soon_ms);
     model.run(first("spawn FarCorner"));
     QTRY_VERIFY_WITH_TIMEOUT(page.robot(2), soon_ms);

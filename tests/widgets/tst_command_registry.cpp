@@ -241,11 +241,17 @@ void tst_CommandRegistry::paletteOffersWhatComesAndGoes() {
 }
 
 void tst_CommandRegistry::paletteSpeaksWithVerbs() {
-    registry_->add({.id = "view.dock.camera", .text = "Camera", .group = "View", .wish = "Show Camera"}, [](bool) {});
+    std::vector<bool> shown;
+    registry_->add(
+        {.id = "view.dock.camera", .text = "Camera", .group = "View", .checkable = true, .wish = "Show Camera"},
+        [&shown](bool on) { shown.push_back(on); });
     QCOMPARE(registry_->action("view.dock.camera")->text(), QString("Camera"));
     CommandListModel model(*registry_);
     model.setFilter("camera");
     QCOMPARE(model.index(0).data().toString(), QString("Show Camera"));
+    for (int i = 0; i < 2; ++i) // What is shown already stays.
+        model.run(model.index(0));
+    QCOMPARE(shown, (std::vector<bool>{true, true}));
 }
 
 void tst_CommandRegistry::allLabelsBeginAtOnePlace() {

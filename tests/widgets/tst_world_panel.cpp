@@ -144,6 +144,8 @@ private slots:
             QVERIFY2(button->toolButtonStyle() != Qt::ToolButtonIconOnly, qPrintable(button->text()));
             QVERIFY2(button->width() >= button->fontMetrics().horizontalAdvance(button->text()),
                      qPrintable(button->text()));
+            QVERIFY2(button->minimumHeight() == 0 || button->minimumHeight() >= button->sizeHint().height(),
+                     qPrintable(button->text())); // A low dock leaves the word.
         }
     }
 

@@ -103,8 +103,12 @@ void CommandListModel::run(const QModelIndex& index) {
     if (!index.isValid())
         return;
     const Row row = rows_[static_cast<std::size_t>(index.row())];
-    if (row.command)
-        return row.command->action->trigger();
+    if (row.command) {
+        QAction* const action = row.command->action;
+        if (!row.command->spec.wish.isEmpty() && action->isChecked())
+            return emit action->triggered(true); // "Show Camera" must not hide it.
+        return action->trigger();
+    }
     const auto run = row.offer->run; // A copy, because it may open the palette again.
     run();
 }

@@ -29,7 +29,8 @@ struct CommandSpec {
     QStringList words{}; ///< other words for it, by which the palette finds it
     QString button{};    ///< a shorter text below an icon; empty: the text
     bool sends = false;  ///< a robot or the world gets a command that cannot be taken back
-    QString wish{};      ///< the text with a verb, for the palette: "Show Camera"; empty: the text
+    QString
+        wish{}; ///< the text with a verb, for the palette, which never switches it off: "Show Camera"; empty: the text
 };
 
 /// Something that the palette offers beside the commands because it comes and goes: "Select R1".

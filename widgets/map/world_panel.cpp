@@ -54,6 +54,7 @@ QIcon colorIcon(protocol::TraceColor color) {
 QToolButton* worded(QToolButton* button) {
     button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
     button->setFont(themeFont(FontRole::Small));
+    button->setMinimumHeight(0); // Its own height is the least one, or a low dock would squeeze the word away.
     return button;
 }
 

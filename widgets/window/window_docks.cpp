@@ -45,8 +45,8 @@ void WindowDocks::addCommand(QDockWidget* dock) {
                            .help = tr("Shows this dock, or hides it if it is in front"),
                            .checkable = true,
                            .wish = tr("Show %1").arg(dock->windowTitle())};
-    QAction* const shown = commands_.add(spec, [dock](bool) {
-        if (!dock->isHidden() && !dock->visibleRegion().isEmpty()) // It may be behind another tab.
+    QAction* const shown = commands_.add(spec, [dock](bool on) {
+        if (!on && !dock->isHidden() && !dock->visibleRegion().isEmpty()) // It may be behind another tab.
             return dock->hide();
         dock->show();
         dock->raise();

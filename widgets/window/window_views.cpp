@@ -187,7 +187,7 @@ WindowViews makeViews(QMainWindow& window) {
     window.resizeDocks({views.docks[0], views.docks[1]}, {110, 500}, Qt::Vertical);
     window.resizeDocks({views.docks[2], views.docks[3]}, {450, 250}, Qt::Vertical);
     window.resizeDocks({views.docks[1], views.docks[2]}, {280, 350}, Qt::Horizontal);
-    window.resizeDocks({views.docks[4]}, {215}, Qt::Vertical);
+    window.resizeDocks({views.docks[4]}, {240}, Qt::Vertical);
     return views;
 }
 

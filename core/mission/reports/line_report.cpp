@@ -40,21 +40,14 @@ public:
     }
     /// A text in Latin-1, the encoding of the wire.
     void text(std::string_view latin1) {
-        out_ += '"';
-        for (const char c : latin1)
-            character(static_cast<unsigned char>(c));
-        out_ += '"';
-    }
-    void text(const QString& text) {
-        out_ += '"';
-        for (const char c : text.toStdString()) {
+        quoted(latin1, [this](char c) { // The two bytes of UTF-8.
             const auto byte = static_cast<unsigned char>(c);
-            if (byte < 0x80)
-                character(byte);
-            else
-                out_ += c;
-        }
-        out_ += '"';
+            out_ += static_cast<char>(0xc0 | (byte >> 6));
+            out_ += static_cast<char>(0x80 | (byte & 0x3f));
+        });
+    }
+    void utf8(std::string_view text) {
+        quoted(text, [this](char c) { out_ += c; });
     }
     void number(double value) {
         if (!std::isfinite(value))
@@ -73,19 +66,35 @@ public:
     }
 
 private:
-    void character(unsigned char c) {
-        constexpr std::string_view digits = "0123456789abcdef";
-        if (c == '"' || c == '\\') {
-            out_ += '\\';
-            out_ += static_cast<char>(c);
-        } else if (c < 0x20) {
-            out_.append({'\\', 'u', '0', '0', digits[c >> 4], digits[c & 15]});
-        } else if (c < 0x80) {
-            out_ += static_cast<char>(c);
-        } else { // The two bytes of UTF-8.
-            out_ += static_cast<char>(0xc0 | (c >> 6));
-            out_ += static_cast<char>(0x80 | (c & 0x3f));
+    /// Most texts are plain for their whole length, so that runs of plain characters are appended at once.
+    template <class NotAscii>
+    void quoted(std::string_view text, NotAscii not_ascii) {
+        out_ += '"';
+        while (!text.empty()) {
+            const auto special = std::ranges::find_if_not(text, isPlain);
+            const auto plain = static_cast<std::size_t>(special - text.begin());
+            out_.append(text.substr(0, plain));
+            text.remove_prefix(plain);
+            if (text.empty())
+                break;
+            if (static_cast<unsigned char>(text.front()) < 0x80)
+                escape(text.front());
+            else
+                not_ascii(text.front());
+            text.remove_prefix(1);
         }
+        out_ += '"';
+    }
+    static bool isPlain(char c) { return c >= 0x20 && c < 0x7f && c != '"' && c != '\\'; }
+    void escape(char c) {
+        constexpr std::string_view digits = "0123456789abcdef";
+        const auto byte = static_cast<unsigned char>(c);
+        if (c == '"' || c == '\\')
+            out_ += '\\';
+        if (byte >= 0x20)
+            out_ += c;
+        else
+            out_.append({'\\', 'u', '0', '0', digits[byte >> 4], digits[byte & 15]});
     }
 
     std::string& out_;
@@ -129,7 +138,7 @@ private:
         }
         if (!unit.empty()) {
             pen_.raw(",\"unit\":");
-            pen_.text(QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size())));
+            pen_.utf8(unit);
         }
     }
 
@@ -151,7 +160,7 @@ void writeDiagnostics(JsonPen& pen, const Diagnostics& diagnostics) {
         pen.raw(",\"column\":");
         pen.number(static_cast<std::uint64_t>(diagnostic.offset + 1));
         pen.raw(",\"message\":");
-        pen.text(QString::fromStdString(diagnostic.message));
+        pen.utf8(QString::fromStdString(diagnostic.message).toStdString()); // It may quote bytes of the line.
         pen.raw("}");
     }
     pen.raw("]");
