@@ -124,7 +124,8 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(question->openQuestion(), QString("recovery"), soon_ms);
         page.screenshot("fly_the_rest");
         page.press("Fly the rest");
-        QTRY_VERIFY_WITH_TIMEOUT(page.robot(1) && page.window().control().robot({1})->running(), soon_ms);
+        QTRY_VERIFY2_WITH_TIMEOUT(page.robot(1) && page.window().control().robot({1})->running(),
+                                  qPrintable(page.notified({})), soon_ms);
         const auto started = page.window().control().robot({1})->started();
         QVERIFY(started && started->continues);
         QVERIFY(whole.contains(started->area_in_map) && started->area_in_map.area_m2() < whole.area_m2());

@@ -34,9 +34,9 @@ LinkDescription wheel(double x_m, double y_m) {
 
 ArticulatedDescription cart() {
     ArticulatedDescription body;
-    body.base = {base_kg, Vec3(0.2, 0.4, 0.5), friction, {{BoxShape{{0.6, 0.3, 0.1}}, Pose{}}}};
-    for (const double x_m : {0.25, -0.25})
-        for (const double y_m : {0.2, -0.2})
+    body.base = {base_kg, Vec3(0.2, 0.4, 0.5), friction, {{BoxShape{{0.8, 0.5, 0.1}}, Pose{}}}};
+    for (const double x_m : {0.2, -0.2})
+        for (const double y_m : {0.3, -0.3})
             body.links.push_back(wheel(x_m, y_m));
     return body;
 }
@@ -172,13 +172,14 @@ private slots:
         QTest::newRow("on the spot") << -6.0 << 6.0 << 0.0;
     }
 
-    /// Turning slips, and where a tire touches is not the same for both, so that bends need not agree so well.
+    /// Bends need not agree so well: turning slips, and with Bullet's solver the cart also creeps aside.
     void aLimbMakesNoDifference() {
         QFETCH(double, left);
         QFETCH(double, right);
         QFETCH(double, slope_deg);
         const auto drive = [&](const ArticulatedDescription& description) {
             Drive run(slopeWorld(radians(slope_deg)), description, 0.3);
+            run.drive(JointMotor::Mode::Velocity, 0.0, 0.0, 1000.0);
             run.run(Seconds{1.0});
             run.drive(JointMotor::Mode::Velocity, left, right, 10.0);
             run.run(Seconds{4.0});
@@ -189,8 +190,8 @@ private slots:
         const double apart_m = (ours.position_m - bullets.position_m).norm();
         const double turned_rad = ours.rotation.angularDistance(bullets.rotation);
         const bool straight = left == right;
-        QVERIFY2(apart_m < (straight ? 0.01 : 0.15), qPrintable(QString::number(apart_m)));
-        QVERIFY2(turned_rad < (straight ? 0.01 : 0.3), qPrintable(QString::number(turned_rad)));
+        QVERIFY2(apart_m < (straight ? 0.01 : 0.1), qPrintable(QString::number(apart_m)));
+        QVERIFY2(turned_rad < (straight ? 0.01 : 0.1), qPrintable(QString::number(turned_rad)));
     }
 };
 

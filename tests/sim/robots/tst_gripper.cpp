@@ -109,7 +109,7 @@ private slots:
         QVERIFY(hand.crate_m() > lies_m + 0.25);
         const double held_m = hand.crate_m();
         steps(*hand.simulation, 50); // It does not slip in 10 s.
-        QVERIFY2(std::abs(hand.crate_m() - held_m) < 0.02, qPrintable(QString::number(hand.crate_m() - held_m)));
+        QVERIFY2(std::abs(hand.crate_m() - held_m) < 0.005, qPrintable(QString::number(hand.crate_m() - held_m)));
         hand.say(open.toStdString(), 15);
         QVERIFY2(hand.crate_m() < held_m - 0.15, qPrintable(QString::number(hand.crate_m())));
         QVERIFY2(!hand.log().contains("cannot reach"), "a pose was out of reach");
