@@ -72,6 +72,13 @@ void TaskDesk::wire() {
         takeTask(update);
         refreshRunState();
     });
+    connect(&control_, &MissionControl::restBegun, this, [this](RobotId id) {
+        begin(id);
+        if (robot() && robot()->view().id == id)
+            showStarted();
+        refreshRunState();
+        commands_.refresh();
+    });
     connect(&control_, &MissionControl::behaviorFinished, this, &TaskDesk::refreshRunState);
     connect(&control_, &MissionControl::behaviorBroke, this, &TaskDesk::offerToStartAgain);
     connect(&control_, &MissionControl::replayAdded, this, [this](RobotId id) {

@@ -1,6 +1,9 @@
 // What a killed window leaves, and what the next one makes of it.
+#include <algorithm>
+
 #include <QDir>
 #include <QFile>
+#include <QLabel>
 #include <QProcess>
 #include <QTest>
 
@@ -8,6 +11,7 @@
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/e2e/window_page.h"
 #include "tests/suite/suite.h"
+#include "widgets/bars/strips.h"
 #include "widgets/style/theme.h"
 
 namespace tst_window_crash {
@@ -128,6 +132,8 @@ private slots:
                                   qPrintable(page.notified({})), soon_ms);
         const auto started = page.window().control().robot({1})->started();
         QVERIFY(started && started->continues);
+        const auto isSaid = [](const QLabel* label) { return label->text().contains("On its way"); };
+        QTRY_VERIFY(std::ranges::any_of(page.window().views().hint->findChildren<QLabel*>(), isSaid));
         QVERIFY(whole.contains(started->area_in_map) && started->area_in_map.area_m2() < whole.area_m2());
         QCOMPARE(page.robot(1)->area_in_map, whole);
         const auto map_is_there = [&] {

@@ -304,8 +304,10 @@ void Fleet::Private::startRest(Robot& robot) {
     const auto rest = rests.take(robot.view(), site());
     if (!rest)
         return;
-    if (const Result<void> begun = *rest ? start(robot, **rest) : tl::unexpected(rest->error()); !begun)
-        q.note(Severity::Error, missionKey(robot.view().id), QString::fromStdString(begun.error().text()));
+    const Result<void> begun = *rest ? start(robot, **rest) : tl::unexpected(rest->error());
+    if (!begun)
+        return q.note(Severity::Error, missionKey(robot.view().id), QString::fromStdString(begun.error().text()));
+    emit q.restBegun(robot.view().id);
 }
 
 Result<std::map<std::string, agent::ParameterValue>> Fleet::prepareMission(const Mission& mission) const {

@@ -123,9 +123,9 @@ signals:
     /// `instead`: id to select if the removed robot was selected; 0 if none remain.
     void robotRemoved(usar::RobotId id, const QString& name, usar::RobotId instead);
     void robotLinkChanged(usar::RobotId id);
-    /// An update from the spare connection's session.
-    void linkUpdated(std::shared_ptr<const usar::mission::SessionUpdate> update);
+    void linkUpdated(std::shared_ptr<const usar::mission::SessionUpdate> update); ///< the spare connection's
     void robotUpdated(usar::RobotId id, std::shared_ptr<const usar::mission::SessionUpdate> update);
+    void restBegun(usar::RobotId id); ///< the behavior of `flyRest` was started
     void behaviorFinished(usar::RobotId id, bool success, const QString& reason);
     /// The behavior threw, hung or died, as `text` says; `startAgain` may help. Replaces `noticed`; same kind of `key`.
     void behaviorBroke(usar::RobotId id, const QString& key, const QString& text);
