@@ -46,6 +46,16 @@ std::string wantedBy(std::string_view init) {
     return std::string(wanted_class.empty() ? segments.value("Name") : wanted_class);
 }
 
+/// Sets the place of each camera in the game's window.
+void place(protocol::ConfigurationInfo& cameras, const ClientSession::Host& host) {
+    for (protocol::ConfiguredItem& camera : cameras.items) {
+        const auto [left_px, top_px] = host.place_of(camera.name);
+        for (protocol::Setting& setting : camera.settings)
+            if (setting.key.starts_with("TextureOffset"))
+                setting.value = std::to_string(setting.key.ends_with('X') ? left_px : top_px);
+    }
+}
+
 } // namespace
 
 ClientSession::ClientSession(const World& world, protocol::Dialect profile) : world_(world), profile_(profile) {
@@ -175,7 +185,7 @@ void ClientSession::obey(const protocol::Command& command, const Host& host) {
         return;
     else if (!robot_)
         host.log("ignored " + quoted(command) + ": there is no robot on this connection");
-    else if (attachCamera(command, host) || setViewports(command, host))
+    else if (attachCamera(command, host) || setViewports(command, host) || tellCameras(command, host))
         return;
     else if (std::holds_alternative<protocol::RawCommand>(command) || !obeyForRobot(command, host.now))
         obeyUnknown(command, host);
@@ -245,6 +255,19 @@ bool ClientSession::setViewports(const protocol::Command& command, const Host& h
     return true;
 }
 
+/// Answers the question about cameras in UDK's way, which tells where they are in the window. Returns true for this
+/// question in this dialect only.
+bool ClientSession::tellCameras(const protocol::Command& command, const Host& host) {
+    const auto* const asked = std::get_if<protocol::GetConfiguration>(&command);
+    if (!asked || !isUdk() || !sameWord(asked->type, "Camera"))
+        return false;
+    protocol::ConfigurationInfo cameras = robot_->configuration("Camera", asked->name);
+    place(cameras, host);
+    if (robot_->alive())
+        send(cameras, host.now);
+    return true;
+}
+
 void ClientSession::obeyUnknown(const protocol::Command& command, const Host& host) {
     const std::string line = protocol::write(command);
     const protocol::Segments segments = segmentsOf(line);
@@ -287,8 +310,9 @@ void ClientSession::init(const protocol::Init& wanted, const Host& host) {
     const bool is_station = protocol::isStation(bare_name);
     if (!controls_ && !is_station)
         robot_ = host.spawn(named, why);
-    if (robot_ && isUdk())
-        send(robot_->configuration("Camera", ""), host.now); // Sent unasked; nothing is written if there is no camera.
+    if (robot_ && isUdk()) // Sent unasked, a line for each.
+        for (const SeenFrom& camera : robot_->cameras())
+            tellCameras(protocol::GetConfiguration{"Camera", protocol::Name::mended(camera.camera)}, host);
     spawned_at_ = host.now;
     if (is_station)
         station_in_map_ = host.stationAt(named, why);

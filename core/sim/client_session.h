@@ -85,6 +85,8 @@ public:
         std::function<bool(const protocol::Command&)> attach;
         std::function<void(const Viewports&)> show; ///< sets the viewports; the robot has these cameras
         std::function<Viewports()> shown;           ///< the current viewports
+        /// Left and top edge of this robot's camera in the window that all cameras share, in pixels.
+        std::function<std::pair<int, int>(const std::string& camera)> place_of;
         Log log;
         Seconds now{0.0};
     };
@@ -103,6 +105,7 @@ private:
     bool attachCamera(const protocol::Command& command, const Host& host);
     bool setViewports(const protocol::Command& command, const Host& host);
     bool hasCamera(std::string_view name) const;
+    bool tellCameras(const protocol::Command& command, const Host& host);
     void obeyUnknown(const protocol::Command& command, const Host& host);
     void init(const protocol::Init& init, const Host& host);
     void refuse(const std::string& type, const std::string& name, const std::string& sentence, const Host& host);

@@ -200,6 +200,27 @@ Pose Simulation::State::startOf(ClientId client, const protocol::Init& init) {
     return init.fallback_in_map.value_or(Pose{});
 }
 
+std::pair<int, int> Simulation::State::placeInWindow(ClientId client, std::string_view camera) const {
+    constexpr int most_views = 4;
+    int count = 0;
+    int number = 0;
+    int width_px = 0;
+    int height_px = 0;
+    for (const auto& [id, session] : sessions) {
+        if (!session.robot())
+            continue;
+        for (const SeenFrom& one : session.robot()->cameras()) {
+            if (id == client && sameWord(one.camera, camera))
+                number = count;
+            if (count++ < most_views) {
+                width_px = std::max(width_px, one.width_px);
+                height_px = std::max(height_px, one.height_px);
+            }
+        }
+    }
+    return {number % 2 * width_px, number / 2 * height_px};
+}
+
 void Simulation::State::obeyAll() {
     for (auto& [id, session] : sessions) {
         const ClientId client = id;
@@ -211,6 +232,7 @@ void Simulation::State::obeyAll() {
                              [&](const protocol::Command& command) { return attachCamera(command); },
                              [&](const Viewports& wanted) { viewports = wanted; },
                              [&] { return viewports.value_or(Viewports{}); },
+                             [&](const std::string& camera) { return placeInWindow(client, camera); },
                              [&](const std::string& sentence) { log(client, sentence); }, now()});
     }
 }

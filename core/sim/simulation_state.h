@@ -60,6 +60,9 @@ struct Simulation::State {
     Pose startOf(ClientId client, const protocol::Init& init);
     /// Returns false if there is no such camera, or no such viewer to detach.
     bool attachCamera(const protocol::Command& command);
+    /// Left and top edge, in pixels, of a robot's camera in the window (windowPicture) while it shows all cameras: two
+    /// beside each other and two below them. Of more than four, the others are below the window.
+    std::pair<int, int> placeInWindow(ClientId client, std::string_view camera) const;
     std::string knownClasses() const;
     /// Obeys all clients' commands that are due, in the order of their connections.
     void obeyAll();

@@ -20,12 +20,12 @@ struct Udk {
     std::unique_ptr<Simulation> simulation;
     Talker talker;
 
-    explicit Udk(const std::string& class_name, double z_m = 0.3, double yaw_on_wire_rad = 0.0)
+    explicit Udk(const std::string& class_name, double z_m = 0.3, double yaw_on_wire_rad = 0.0, int ticks = 10)
         : simulation(simulationOf(world(), options()))
         , talker(*simulation) {
         talker.say("INIT {ClassName USARBot." + class_name + "} {Name R1} {Location 0,0," + std::to_string(-z_m) +
                    "} {Rotation 0,0," + std::to_string(yaw_on_wire_rad) + "}");
-        steps(10);
+        steps(ticks);
     }
     static World world() {
         World world = flatWorld();
@@ -56,7 +56,8 @@ struct Udk {
         steps(1);
         std::vector<std::string> lines = talker.hearText();
         std::erase_if(lines, [](const std::string& line) {
-            return line.starts_with("SEN") || line.starts_with("STA") || line.starts_with("ASTA");
+            return line.starts_with("SEN") || line.starts_with("STA") || line.starts_with("ASTA") ||
+                   line.starts_with("EFF");
         });
         return lines;
     }
@@ -84,6 +85,28 @@ private slots:
         Udk blind("AirRobot");
         for (const std::string& one : blind.talker.hearText())
             QVERIFY(!one.starts_with("CONF"));
+    }
+
+    void eachCameraHasALineAndAPlaceInTheWindow() {
+        Udk udk("StereoP2AT");
+        Talker second(*udk.simulation);
+        second.say("INIT {ClassName P2DX} {Name R2} {Location 5,0,-0.3}");
+        udk.steps(2);
+        const auto camerasIn = [](const std::vector<std::string>& lines) {
+            QStringList cameras;
+            static const QRegularExpression shape(
+                "^CONF \\{Type Camera\\} \\{Name (\\w+)\\}\\{TextureOffsetX (\\d+)\\}\\{TextureOffsetY (\\d+)\\}");
+            for (const std::string& line : lines)
+                if (const auto match = shape.match(QString::fromStdString(line)); match.hasMatch())
+                    cameras << match.captured(1) + ' ' + match.captured(2) + ' ' + match.captured(3);
+            return cameras;
+        };
+        QCOMPARE(camerasIn(udk.talker.hearText()), (QStringList{"CameraLeft 0 0", "CameraRight 320 0"}));
+        QCOMPARE(camerasIn(second.hearText()), (QStringList{"Camera 0 240"}));
+        const auto asked = udk.answers("GETCONF {Type Camera}");
+        QCOMPARE(asked.size(), std::size_t(1));
+        QVERIFY2(asked[0].find(" {Name CameraRight}{TextureOffsetX 320}{TextureOffsetY 0}") != std::string::npos,
+                 asked[0].c_str());
     }
 
     void eachSensorHasALineOfItsOwn() {
@@ -121,6 +144,13 @@ private slots:
         Udk udk("P2DX");
         QCOMPARE(static_cast<int>(udk.linesOf(kind.toStdString(), 20).size()), lines);
     }
+
+
+
+
+
+
+
 
     void aFlyingRobotHasNoTypeAndTheInsNoTime() {
         Udk udk("AirRobot", 5.0);
