@@ -145,7 +145,45 @@ private slots:
         QCOMPARE(static_cast<int>(udk.linesOf(kind.toStdString(), 20).size()), lines);
     }
 
+    /// The first ticks of the captured P3AT, with the sonars that it did not have.
+    void ticksBeginWithTheStateAndTimersRingAtTheEndOfTheirIntervals() {
+        Udk udk("P3AT", 0.3, 0.0, 0);
+        QStringList ticks;
+        for (int i = 0; i < 5; ++i) {
+            udk.steps(1);
+            QStringList kinds;
+            for (const std::string& kind : kindsOf(udk.talker.hearText()))
+                if (kinds.isEmpty() || kinds.back() != QString::fromStdString(kind).remove("SEN "))
+                    kinds << QString::fromStdString(kind).remove("SEN ");
+            ticks << kinds.join(' ');
+        }
+        const QString all = "STA GroundTruth Odometry INS Sonar RangeScanner Tachometer";
+        QCOMPARE(ticks, (QStringList{"NFO CONF STA GroundTruth Odometry", all, "STA GroundTruth Odometry", all,
+                                     "STA GroundTruth Odometry"}));
+    }
 
+    void aScanIntervalIsTheOneThatIsKept_data() {
+        QTest::addColumn<QString>("type");
+        QTest::addColumn<QString>("interval");
+        QTest::newRow("GroundTruth") << "GroundTruth"
+                                     << "0.1000";
+        QTest::newRow("Odometry") << "Odometry"
+                                  << "0.1000";
+        QTest::newRow("INS") << "INS"
+                             << "0.2000";
+        QTest::newRow("Tachometer") << "Tachometer"
+                                    << "0.2000";
+        QTest::newRow("GPS") << "GPS"
+                             << "0.5000";
+    }
+    void aScanIntervalIsTheOneThatIsKept() {
+        QFETCH(const QString, type);
+        QFETCH(const QString, interval);
+        Udk udk(type == "GPS" ? "P2DX" : "P3AT");
+        const auto answers = udk.answers("GETCONF {Type " + type.toStdString() + "}");
+        QCOMPARE(answers.size(), std::size_t(1));
+        QVERIFY2(QString::fromStdString(answers[0]).contains("{ScanInterval " + interval + "}"), answers[0].c_str());
+    }
 
 
 
@@ -191,11 +229,18 @@ private slots:
                  QString("NFO {StartPoses 1} {Start 1.5000,2.2500,-0.5000 0.0000,0.0000,-0.5000}"));
     }
 
+    void classesThatUdkDoesNotHaveAreNotThere_data() {
+        QTest::addColumn<QString>("type");
+        QTest::newRow("victims") << "VictSensor";
+        QTest::newRow("tags") << "RFID";
+    }
     void classesThatUdkDoesNotHaveAreNotThere() {
+        QFETCH(const QString, type);
+        const std::string in_braces = "{Type " + type.toStdString() + "}";
         Udk udk("P2DX");
-        QVERIFY(udk.linesOf("SEN VictSensor", 20).empty());
-        QVERIFY(udk.answers("GETCONF {Type VictSensor}").empty());
-        QVERIFY(udk.answers("GETGEO {Type VictSensor}").empty());
+        QVERIFY(udk.linesOf("SEN " + type.toStdString(), 20).empty());
+        QVERIFY(udk.answers("GETCONF " + in_braces).empty());
+        QVERIFY(udk.answers("GETGEO " + in_braces).empty());
     }
 
     void theScannerHasTwoDecimals() {

@@ -239,16 +239,20 @@ void Robot::switchOff() {
 
 void Robot::measure(Seconds now, bool first, std::vector<protocol::InfoMessage>& out) {
     watch();
+    const bool is_udk = profile_ == protocol::Dialect::Udk;
+    if (is_udk)
+        out.emplace_back(state(now)); // In UT2004 it comes last.
     if (alive()) {
         sensors_.measure({now, tick_, body_, rays_, world_, scene_}, first, out);
         for (const MissionPackage& package : packages_)
             out.emplace_back(package.state(now));
-        if (profile_ == protocol::Dialect::Udk) // UT2004's effecters send nothing by themselves.
+        if (is_udk) // UT2004's effecters send nothing by themselves.
             for (const Gripper& gripper : grippers_)
                 out.emplace_back(gripper.state(now));
     }
     body_.forgetTouches();
-    out.emplace_back(state(now));
+    if (!is_udk)
+        out.emplace_back(state(now));
 }
 
 void Robot::watch() {
