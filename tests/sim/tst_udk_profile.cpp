@@ -157,7 +157,7 @@ private slots:
                     kinds << QString::fromStdString(kind).remove("SEN ");
             ticks << kinds.join(' ');
         }
-        const QString all = "STA GroundTruth Odometry INS Sonar RangeScanner Tachometer";
+        const QString all = "STA GroundTruth Odometry INS Sonar RangeScanner Tachometer Encoder";
         QCOMPARE(ticks, (QStringList{"NFO CONF STA GroundTruth Odometry", all, "STA GroundTruth Odometry", all,
                                      "STA GroundTruth Odometry"}));
     }
@@ -185,7 +185,23 @@ private slots:
         QVERIFY2(QString::fromStdString(answers[0]).contains("{ScanInterval " + interval + "}"), answers[0].c_str());
     }
 
+    void theTachometerCountsWheelsLeftAndRight() {
+        Udk udk("P3AT");
+        udk.talker.say("DRIVE {Left 1} {Right -1}");
+        const std::string line = udk.linesOf("SEN Tachometer", 20).back();
+        static const QRegularExpression alternating("\\{Vel \\d\\.\\d+,-\\d\\.\\d+,\\d\\.\\d+,-\\d\\.\\d+\\}");
+        QVERIFY2(alternating.match(QString::fromStdString(line)).hasMatch(), line.c_str());
+    }
 
+    /// As captured: mounted 0.20 above the base, and begins at INIT's height.
+    void theInsBeginsAtItsMount() {
+        Udk udk("P3AT", 0.3, 0.0, 0);
+        const auto lines = udk.linesOf("SEN INS", 2);
+        QCOMPARE(lines.size(), std::size_t(1));
+        const std::string& line = lines.front();
+        QVERIFY2(line.find("{Location 0.00,0.00,-0.50} {Orientation 0.00,0.00,0.00}") != std::string::npos,
+                 line.c_str());
+    }
 
 
 
