@@ -378,8 +378,12 @@ void ClientSession::send(const protocol::InfoMessage& message, Seconds now) {
     const std::size_t before = output_.size();
     if (isUdk()) {
         const RobotModel* const model = robot_ ? &robot_->body().model() : nullptr;
-        const protocol::UdkRobot robot{model ? model->class_name : std::string(),
-                                       model && model->drive.kind == "ackermann"};
+        const auto steers = [model](std::string_view largest_angle) {
+            return model && model->drive.kind == "ackermann" &&
+                   numberOr(model->drive.numbers, largest_angle, 0.0) > 0.0;
+        };
+        const protocol::UdkRobot robot{model ? model->class_name : std::string(), steers("max_front_steer"),
+                                       steers("max_rear_steer")};
         protocol::writeUdk(message, now, robot, output_);
     } else {
         protocol::write(message, output_);

@@ -203,8 +203,71 @@ private slots:
                  line.c_str());
     }
 
+    void onlyGroundVehiclesTellOfTheirLights_data() {
+        QTest::addColumn<QString>("robot");
+        QTest::addColumn<bool>("lights");
+        QTest::newRow("a rover") << "P2AT" << true;
+        QTest::newRow("a car") << "Sedan" << true;
+        QTest::newRow("legs") << "ERS" << false;
+        QTest::newRow("in the air") << "AirRobot" << false;
+    }
+    void onlyGroundVehiclesTellOfTheirLights() {
+        QFETCH(const QString, robot);
+        QFETCH(const bool, lights);
+        Udk udk(robot.toStdString());
+        QCOMPARE(udk.linesOf("STA", 1).at(0).find("{Light") != std::string::npos, lights);
+    }
 
+    void packagesAreActuators_data() {
+        QTest::addColumn<QString>("robot");
+        QTest::addColumn<QString>("question");
+        QTest::addColumn<QRegularExpression>("answer");
+        const QString at = "-?[0-9]\\.[0-9]{2}";
+        const QString pose = QString("\\{Location %1,%1,%1\\} \\{Orientation %1,%1,%1\\}").arg(at);
+        const QString geometry = "\\{Name %2\\} %1 \\{Mount %3\\} \\{Link 1\\} \\{Parent 0\\} %1 "
+                                 "\\{Link 2\\} \\{Parent 1\\} %1";
+        const auto row = [](const char* name, const char* robot, const char* question, const QString& answer) {
+            QTest::newRow(name) << robot << question << QRegularExpression("^" + answer + "$");
+        };
+        row("places", "P2DX", "GETGEO {Type Actuator}",
+            "GEO \\{Type Actuator\\} " + geometry.arg(pose, "CameraPanTilt", "P2DX"));
+        row("places by the old word", "P2DX", "GETGEO {Type MisPkg} {Name CameraPanTilt}",
+            "GEO \\{Type MisPkg\\} " + geometry.arg(pose, "CameraPanTilt", "P2DX"));
+        row("an arm's tip", "TeleMax", "GETGEO {Type Actuator} {Name TeleMaxArm}",
+            QString("GEO \\{Type Actuator\\} ") + geometry.arg(pose, "TeleMaxArm", "TeleMax") +
+                QString(" \\{Link 3\\} \\{Parent 2\\} %1 \\{Tip %2,%2,%2\\}").arg(pose, at));
+        row("limits", "P2DX", "GETCONF {Type Actuator}",
+            "CONF \\{Type Actuator\\} \\{Name CameraPanTilt\\}( \\{Link [12]\\} \\{JointType Revolute\\} \\{MaxTorque "
+            "[0-9.]+\\} \\{MinValue [-0-9.]+\\} \\{MaxValue [-0-9.]+\\}){2}");
+        row("the old question, without packages", "P3AT", "GETCONF {Type MisPkg}", "CONF \\{Type MisPkg\\}");
+    }
+    void packagesAreActuators() {
+        QFETCH(const QString, robot);
+        QFETCH(const QString, question);
+        QFETCH(const QRegularExpression, answer);
+        Udk udk(robot.toStdString());
+        const auto answers = udk.answers(question.toStdString());
+        QCOMPARE(answers.size(), std::size_t(1));
+        QVERIFY2(answer.match(QString::fromStdString(answers[0])).hasMatch(), answers[0].c_str());
+    }
 
+    void theCapturedVehicleAnswersWordForWord() {
+        Udk udk("P3AT");
+        const auto first = [&](const char* question) { return QString::fromStdString(udk.answers(question).at(0)); };
+        QCOMPARE(first("GETCONF {Type Robot}").replace("{MaxTorque 60.0000}", "{MaxTorque 50000.0000}"),
+                 QString("CONF {Name P3AT} {Type GroundVehicle} {SteeringType SkidSteered} {Mass 11.9000} "
+                         "{MaxSpeed 1.2999} {MaxTorque 50000.0000} {MaxFrontSteer 0} {MaxRearSteer 0}"));
+        QVERIFY(first("GETCONF {Type RangeScanner}").endsWith("{Panning True} {Tilting False}"));
+        QCOMPARE(first("GETCONF {Type INS}"), QString("CONF {Type INS} {Name InsTest} {ScanInterval 0.2000}"));
+        QCOMPARE(first("GETGEO {Type RangeScanner}").replace("-0.00", "0.00"),
+                 QString("GEO {Type RangeScanner} {Name lms200} {Location 0.21,0.00,-0.20} {Orientation "
+                         "0.00,0.00,0.00} {Mount P3AT}"));
+        udk.linesOf("STA", 1);
+        const auto encoders = udk.linesOf("SEN Encoder", 2);
+        QCOMPARE(encoders.size(), std::size_t(2));
+        QVERIFY(encoders[0].ends_with("{Type Encoder} {Name W1} {Tick 0}") &&
+                encoders[1].ends_with("{Type Encoder} {Name W2} {Tick 0}"));
+    }
 
     void aFlyingRobotHasNoTypeAndTheInsNoTime() {
         Udk udk("AirRobot", 5.0);
@@ -223,7 +286,7 @@ private slots:
         row("ground truth turned left is negative", "P2DX", "SEN GroundTruth",
             "\\{Orientation -?0\\.0[0-9],-?0\\.0[0-9],-1\\.5[0-9]\\}");
         row("a skid robot's angles are whole", "P2DX", "STA", "\\{FrontSteer 0\\} \\{RearSteer 0\\}");
-        row("a car's angles are not", "Sedan", "STA", "\\{FrontSteer 0\\.[0-9]{4}\\}");
+        row("a car's angles are not, in front", "Sedan", "STA", "\\{FrontSteer 0\\.[0-9]{4}\\} \\{RearSteer 0\\}");
         row("no negative zero", "P2DX", "STA", "^(?!.*-0\\.0000)");
     }
     void linesHaveUdksNumbers() {
