@@ -15,16 +15,21 @@
 
 namespace usar::protocol {
 
+/// A zero whose sign is negative, as half a turn between the frames makes it: printed as 0.00 or as -0.00.
+enum class NegativeZero { Hidden, Shown };
+
 /// Appends to a text that the caller owns and that must outlive this object. Converts no frames or units.
 class LineWriter {
 public:
-    explicit LineWriter(std::string& out) : out_(out) {}
+    explicit LineWriter(std::string& out, NegativeZero zero = NegativeZero::Hidden)
+        : out_(out)
+        , shows_sign_(zero == NegativeZero::Shown) {}
 
-    /// A number without key and braces.
-    /// TwoRounded rounds to two decimals, FourCut cuts off after four.
+    /// A number without key and braces. TwoRounded rounds to two decimals, and what rounds to zero keeps its sign, as
+    /// Unreal prints it. FourCut cuts off after four.
     void number(double value, Decimals decimals) {
         if (decimals == Decimals::TwoRounded)
-            appendFixed(out_, value, 2);
+            appendFixed(out_, value == 0.0 && !shows_sign_ ? 0.0 : value, 2);
         else
             appendTruncated(out_, value <= 0.0 && value > -1e-4 ? 0.0 : value, 4); // never -0.0000
     }
@@ -118,6 +123,7 @@ public:
 
 private:
     std::string& out_;
+    bool shows_sign_;
 };
 
 } // namespace usar::protocol

@@ -1,6 +1,7 @@
 #include "core/protocol/writer.h"
 
 #include <type_traits>
+#include <utility>
 
 #include "core/base/text.h"
 #include "core/protocol/described_writer.h"
@@ -75,8 +76,16 @@ void writeInto(const Context& context, const RangeScan& scan) {
     writeScan(line, scan, Decimals::TwoRounded);
 }
 
-/// UDK sends time and battery first, no Type for a flying robot, and always the full light intensity. The angles of a
-/// robot that cannot steer are whole numbers.
+/// The angle of an axle that cannot steer is the constant 0, a whole number.
+void writeSteer(LineWriter& line, std::string_view key, const std::optional<double>& angle_rad, bool steers) {
+    if (angle_rad && (steers || *angle_rad != 0.0))
+        line.segment(key, acrossWire(*angle_rad), Decimals::FourCut);
+    else
+        line.whole(key, angle_rad);
+}
+
+/// UDK sends time and battery first, no Type for a flying robot, and always the full light intensity. Only ground
+/// vehicles tell of their lights.
 void writeInto(const Context& context, const RobotState& state) {
     LineWriter line(context.out);
     line.text("STA");
@@ -86,17 +95,12 @@ void writeInto(const Context& context, const RobotState& state) {
         line.segment("Type", "LeggedVehicle");
     else if (state.kind != VehicleKind::Unknown && state.kind != VehicleKind::Aerial)
         line.segment("Type", wordOf(state.kind));
-    if (state.light_on && state.kind != VehicleKind::Aerial) {
+    if (state.light_on && state.kind == VehicleKind::Ground) {
         line.boolean("LightToggle", *state.light_on);
         line.whole("LightIntensity", 100);
     }
-    if (context.robot.steers || state.front_steer_rad.value_or(0.0) != 0.0 ||
-        state.rear_steer_rad.value_or(0.0) != 0.0) {
-        writeSteering(line, state);
-    } else {
-        line.whole("FrontSteer", state.front_steer_rad);
-        line.whole("RearSteer", state.rear_steer_rad);
-    }
+    writeSteer(line, "FrontSteer", state.front_steer_rad, context.robot.steers_front);
+    writeSteer(line, "RearSteer", state.rear_steer_rad, context.robot.steers_rear);
     writeJoints(line, state);
 }
 
@@ -111,36 +115,86 @@ void writeInto(const Context& context, const PackageState& package) {
     }
 }
 
-/// Writes where an item is mounted. UDK names an actuator and its link apart; UT2004 says "TeleMaxArm_Link3".
-void writeMount(LineWriter& line, const MountedItem& item, const UdkRobot& robot) {
+/// The package and the number of a link: "TeleMaxArm" and "3" of "TeleMaxArm_Link3". The number is empty for what is
+/// no link.
+std::pair<std::string_view, std::string_view> linkNameOf(std::string_view name) {
     constexpr std::string_view mark = "_Link";
-    const std::string_view mount = item.mount;
-    const std::size_t at = mount.rfind(mark);
-    if (at == std::string_view::npos) {
-        line.segment("Mount", sameWord(mount, "HARD") ? std::string_view(robot.class_name) : mount);
-    } else {
-        line.segment("Mount", mount.substr(0, at));
-        line.segment("MountLink", mount.substr(at + mark.size()));
-    }
+    const std::size_t at = name.rfind(mark);
+    if (at == std::string_view::npos)
+        return {name, {}};
+    return {name.substr(0, at), name.substr(at + mark.size())};
+}
+
+/// Writes where an item is mounted. UDK names an actuator and its link apart; UT2004 says "TeleMaxArm_Link3".
+void writeMount(LineWriter& line, std::string_view mount, const UdkRobot& robot) {
+    const auto [part, link] = linkNameOf(mount);
+    line.segment("Mount", sameWord(part, "HARD") ? std::string_view(robot.class_name) : part);
+    line.segmentIfAny("MountLink", link);
+}
+
+void writeTip(LineWriter& line, const MountedItem& item) {
     if (item.tip_in_item_m)
         line.segment("Tip", acrossWire(*item.tip_in_item_m), Decimals::TwoRounded);
 }
 
+void writePose(LineWriter& line, const Pose& pose) {
+    const Pose on_wire = acrossWire(pose);
+    line.segment("Location", on_wire.position_m, Decimals::TwoRounded);
+    line.segment("Orientation", anglesOf(on_wire), Decimals::TwoRounded);
+}
+
+/// Writes actuators: each has a base, which is link 0 and has its place on the robot, and links that are numbered from
+/// 1. Our packages have no base of their own, so it is where their first link is.
+void writeActuators(LineWriter& line, const std::vector<MountedItem>& links, const UdkRobot& robot) {
+    for (const MountedItem& link : links) {
+        const auto [actuator, number] = linkNameOf(link.name);
+        const std::string_view parent = linkNameOf(link.mount).second;
+        if (parent.empty()) {
+            line.segment("Name", actuator);
+            writePose(line, link.item_in_mount);
+            writeMount(line, link.mount, robot);
+        }
+        line.segment("Link", number);
+        line.segment("Parent", parent.empty() ? "0" : parent);
+        writePose(line, parent.empty() ? Pose{} : link.item_in_mount);
+        writeTip(line, link);
+    }
+}
+
+/// Servers print zeros with either sign here, as they come.
 void writeInto(const Context& context, const GeometryInfo& geometry) {
     if (geometry.items.empty() && !geometry.dimensions_m)
         return;
     if (geometry.items.empty())
         return write(geometry, context.out); // a robot's geometry, which is the same in UT2004
-    LineWriter line(context.out);
+    LineWriter line(context.out, NegativeZero::Shown);
     line.text("GEO");
     line.segment("Type", geometry.type);
+    if (sameWord(geometry.type, "Actuator") || sameWord(geometry.type, "MisPkg"))
+        return writeActuators(line, geometry.items, context.robot);
     for (const MountedItem& item : geometry.items) {
-        const Pose on_wire = acrossWire(item.item_in_mount);
         line.segment("Name", item.name);
-        line.segment("Location", on_wire.position_m, Decimals::TwoRounded);
-        line.segment("Orientation", anglesOf(on_wire), Decimals::TwoRounded);
-        writeMount(line, item, context.robot);
+        writePose(line, item.item_in_mount);
+        writeMount(line, item.mount, context.robot);
+        writeTip(line, item);
     }
+}
+
+/// Writes a setting of UT2004 under UDK's name for it. The speed of an actuator is not told, and the steering angle of
+/// an axle that cannot steer is the constant 0, a whole number.
+void writeUdkSetting(LineWriter& line, std::string_view type, const Setting& setting) {
+    const bool of_actuator = sameWord(type, "Actuator");
+    const std::string_view key = setting.key;
+    if (of_actuator && key == "MaxSpeed")
+        return;
+    if (key.ends_with("Steer") && setting.number == 0.0)
+        return line.whole(key, 0);
+    const bool is_limit = of_actuator && (key == "MinRange" || key == "MaxRange");
+    writeSetting(line,
+                 is_limit          ? (key == "MinRange" ? "MinValue" : "MaxValue")
+                 : key == "Paning" ? "Panning"
+                                   : key,
+                 setting);
 }
 
 /// UDK's camera answers with no space between its name and its settings.
@@ -154,7 +208,8 @@ void writeCameraSettings(std::string& out, const ConfiguredItem& camera) {
 }
 
 void writeInto(const Context& context, const ConfigurationInfo& configuration) {
-    if (configuration.items.empty() || configuration.items.front().settings.empty())
+    const bool is_old_question = sameWord(configuration.type, "MisPkg"); // It is answered in any case.
+    if (configuration.items.empty() ? !is_old_question : configuration.items.front().settings.empty())
         return;
     const bool of_robot = vehicleKindOf(configuration.type) != VehicleKind::Unknown;
     LineWriter line(context.out);
@@ -170,7 +225,7 @@ void writeInto(const Context& context, const ConfigurationInfo& configuration) {
             continue;
         }
         for (const Setting& setting : item.settings)
-            writeSetting(line, setting.key == "Paning" ? "Panning" : std::string_view(setting.key), setting);
+            writeUdkSetting(line, configuration.type, setting);
     }
 }
 

@@ -17,8 +17,9 @@ void write(const InfoMessage& message, std::string& out);
 
 /// What UDK's lines tell of the robot that they come from.
 struct UdkRobot {
-    std::string class_name; ///< the chassis as a mount
-    bool steers = false;    ///< by angles of its wheels, as a car does
+    std::string class_name;    ///< the chassis as a mount
+    bool steers_front = false; ///< by angles of its wheels, as a car does
+    bool steers_rear = false;
 };
 
 /// Appends the lines for `message`, each with CR LF. Appends nothing if UDK sends nothing: for results of SET and for

@@ -33,10 +33,27 @@ protocol::Segments segmentsOf(std::string_view line) {
     return segments;
 }
 
-/// True for an INIT that its reader refused.
-bool isRefusedInit(const protocol::Command& command) {
+/// The line of a command with this word that its reader refused, and has told the log why; empty for all others.
+std::string_view refusedLine(const protocol::Command& command, std::string_view word) {
     const auto* const raw = std::get_if<protocol::RawCommand>(&command);
-    return raw && sameWord(std::string_view(raw->line).substr(0, 4), "INIT");
+    return raw && sameWord(std::string_view(raw->line).substr(0, word.size()), word) ? raw->line : std::string_view();
+}
+
+/// What a refused INIT wants to spawn: its class, or else its name; empty if it has neither.
+std::string wantedBy(std::string_view init) {
+    const protocol::Segments segments = segmentsOf(init);
+    const std::string_view wanted_class = segments.value("ClassName");
+    return std::string(wanted_class.empty() ? segments.value("Name") : wanted_class);
+}
+
+/// Sets the place of each camera in the game's window.
+void place(protocol::ConfigurationInfo& cameras, const ClientSession::Host& host) {
+    for (protocol::ConfiguredItem& camera : cameras.items) {
+        const auto [left_px, top_px] = host.place_of(camera.name);
+        for (protocol::Setting& setting : camera.settings)
+            if (setting.key.starts_with("TextureOffset"))
+                setting.value = std::to_string(setting.key.ends_with('X') ? left_px : top_px);
+    }
 }
 
 } // namespace
@@ -162,11 +179,13 @@ void ClientSession::obey(const protocol::Command& command, const Host& host) {
         init(*wanted, host);
     else if (WorldController::isControl(command))
         control(command, host);
-    else if (isRefusedInit(command))
-        refuse("Init", {}, {}, host); // The log has what its reader said.
+    else if (const std::string_view line = refusedLine(command, "INIT"); !line.empty())
+        refuse("Init", wantedBy(line), {}, host);
+    else if (controls_ && !refusedLine(command, "CONTROL").empty())
+        return;
     else if (!robot_)
         host.log("ignored " + quoted(command) + ": there is no robot on this connection");
-    else if (attachCamera(command, host) || setViewports(command, host))
+    else if (attachCamera(command, host) || setViewports(command, host) || tellCameras(command, host))
         return;
     else if (std::holds_alternative<protocol::RawCommand>(command) || !obeyForRobot(command, host.now))
         obeyUnknown(command, host);
@@ -236,6 +255,19 @@ bool ClientSession::setViewports(const protocol::Command& command, const Host& h
     return true;
 }
 
+/// Answers the question about cameras in UDK's way, which tells where they are in the window. Returns true for this
+/// question in this dialect only.
+bool ClientSession::tellCameras(const protocol::Command& command, const Host& host) {
+    const auto* const asked = std::get_if<protocol::GetConfiguration>(&command);
+    if (!asked || !isUdk() || !sameWord(asked->type, "Camera"))
+        return false;
+    protocol::ConfigurationInfo cameras = robot_->configuration("Camera", asked->name);
+    place(cameras, host);
+    if (robot_->alive())
+        send(cameras, host.now);
+    return true;
+}
+
 void ClientSession::obeyUnknown(const protocol::Command& command, const Host& host) {
     const std::string line = protocol::write(command);
     const protocol::Segments segments = segmentsOf(line);
@@ -268,21 +300,23 @@ bool ClientSession::obeyForRobot(const protocol::Command& command, Seconds now) 
 void ClientSession::init(const protocol::Init& wanted, const Host& host) {
     if (initialized_)
         return host.log("ignored a second INIT: a connection can have only one robot");
+    const auto [name, why] = host.nameOf(wanted);
     protocol::Init named = wanted;
-    named.robot_name = protocol::Name::mended(host.nameOf(wanted));
+    named.robot_name = protocol::Name::mended(name);
     robot_name_ = named.robot_name;
     const std::string_view bare_name = withoutPackage(wanted.class_name.text());
     controls_ = sameWord(bare_name, "WorldController");
     // A station has no sensors and does not move, so it sends no data.
     const bool is_station = protocol::isStation(bare_name);
     if (!controls_ && !is_station)
-        robot_ = host.spawn(named);
-    if (robot_ && isUdk())
-        send(robot_->configuration("Camera", ""), host.now); // Sent unasked; nothing is written if there is no camera.
+        robot_ = host.spawn(named, why);
+    if (robot_ && isUdk()) // Sent unasked, a line for each.
+        for (const SeenFrom& camera : robot_->cameras())
+            tellCameras(protocol::GetConfiguration{"Camera", protocol::Name::mended(camera.camera)}, host);
     spawned_at_ = host.now;
     if (is_station)
-        station_in_map_ = host.startOf(wanted);
-    initialized_ = robot_ || controls_ || is_station; // After a refused INIT the client may try again.
+        station_in_map_ = host.stationAt(named, why);
+    initialized_ = robot_ || controls_ || station_in_map_; // After a refused INIT the client may try again.
     if (!initialized_)
         refuse("Init", named.class_name.text(), {}, host); // The log has the reason already.
 }
@@ -344,8 +378,12 @@ void ClientSession::send(const protocol::InfoMessage& message, Seconds now) {
     const std::size_t before = output_.size();
     if (isUdk()) {
         const RobotModel* const model = robot_ ? &robot_->body().model() : nullptr;
-        const protocol::UdkRobot robot{model ? model->class_name : std::string(),
-                                       model && model->drive.kind == "ackermann"};
+        const auto steers = [model](std::string_view largest_angle) {
+            return model && model->drive.kind == "ackermann" &&
+                   numberOr(model->drive.numbers, largest_angle, 0.0) > 0.0;
+        };
+        const protocol::UdkRobot robot{model ? model->class_name : std::string(), steers("max_front_steer"),
+                                       steers("max_rear_steer")};
         protocol::writeUdk(message, now, robot, output_);
     } else {
         protocol::write(message, output_);

@@ -58,8 +58,7 @@ public:
     void loseRobot() { robot_.reset(); }
     /// True if more waits because of a fault than a network would buffer.
     bool overfull() const { return wire_ && wire_->overfull(); }
-    /// Simulated time at which its INIT was obeyed.
-    Seconds spawnedAt() const { return spawned_at_; }
+    Seconds spawnedAt() const { return spawned_at_; } ///< simulated time at which its INIT was obeyed
     /// To be called when the client has gone; the robot then waits for another one that sends INIT with its name.
     void orphan();
     bool isOrphan() const { return orphan_; }
@@ -67,28 +66,27 @@ public:
     std::string wantedName() const;
     /// Gives this session's robot to the client of `fresh`, whose INIT thereby counts as obeyed.
     void takeOver(ClientSession& fresh);
-    /// Digest of all output bytes ever written.
-    std::uint64_t saidDigest() const { return said_digest_; }
+    std::uint64_t saidDigest() const { return said_digest_; } ///< of all output bytes ever written
     /// True until the new robot has been told of the active faults.
     bool isNew() const { return robot_ && new_; }
 
     /// Callbacks through which a session acts on its simulation.
     struct Host {
-        /// Spawns a robot with the name that the INIT has; returns nullptr if that is refused.
-        std::function<std::unique_ptr<Robot>(const protocol::Init&)> spawn;
-        /// The name that the robot of an INIT gets: the wanted one, unless it is empty or another robot has it.
-        std::function<std::string(const protocol::Init&)> nameOf;
-        /// Start pose of a base station.
-        std::function<Pose(const protocol::Init&)> startOf;
+        /// Spawns a robot with the name that the INIT has, or returns nullptr; the log tells that and `why` the name.
+        std::function<std::unique_ptr<Robot>(const protocol::Init&, const std::string& why)> spawn;
+        /// The name that an INIT's robot or station gets: the wanted one, or another one and the reason for it.
+        std::function<std::pair<std::string, std::string>(const protocol::Init&)> nameOf;
+        /// Pose of a base station; nullopt if it is refused. It logs as `spawn` does.
+        std::function<std::optional<Pose>(const protocol::Init&, const std::string& why)> stationAt;
         /// Obeys a CONTROL. Returns a sentence if that is impossible.
         std::function<std::optional<std::string>(const protocol::Command&)> control;
         std::function<protocol::WorldObjects(const protocol::GetObjectStates&)> objectStates;
         /// Obeys AttachCamera and DetachCamera. Returns false if there is no such camera or viewer.
         std::function<bool(const protocol::Command&)> attach;
-        /// Sets the viewports; the session has already checked that the robot has the cameras.
-        std::function<void(const Viewports&)> show;
-        /// Returns the current viewports.
-        std::function<Viewports()> shown;
+        std::function<void(const Viewports&)> show; ///< sets the viewports; the robot has these cameras
+        std::function<Viewports()> shown;           ///< the current viewports
+        /// Left and top edge of this robot's camera in the window that all cameras share, in pixels.
+        std::function<std::pair<int, int>(const std::string& camera)> place_of;
         Log log;
         Seconds now{0.0};
     };
@@ -107,6 +105,7 @@ private:
     bool attachCamera(const protocol::Command& command, const Host& host);
     bool setViewports(const protocol::Command& command, const Host& host);
     bool hasCamera(std::string_view name) const;
+    bool tellCameras(const protocol::Command& command, const Host& host);
     void obeyUnknown(const protocol::Command& command, const Host& host);
     void init(const protocol::Init& init, const Host& host);
     void refuse(const std::string& type, const std::string& name, const std::string& sentence, const Host& host);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/base/numbers.h"
@@ -72,23 +73,39 @@ std::optional<std::string> Simulation::State::control(ClientId client, const pro
     return std::nullopt;
 }
 
-std::string Simulation::State::nameOf(ClientId client, const protocol::Init& init) {
+std::pair<std::string, std::string> Simulation::State::nameOf(ClientId client, const protocol::Init& init) const {
     const auto taken = [&](std::string_view name) {
         return std::ranges::any_of(sessions, [&](const auto& one) {
-            return one.first != client && one.second.robot() && sameWord(one.second.robotName(), name);
+            const bool is_named = one.second.robot() || one.second.stationInMap();
+            return one.first != client && is_named && sameWord(one.second.robotName(), name);
         });
     };
     std::string name = init.robot_name;
     if (!name.empty() && !taken(name))
-        return name;
+        return {name, {}};
     const std::string stem = name.empty() ? std::string(withoutPackage(init.class_name.text())) : name;
     int number = name.empty() ? 0 : 1;
     do {
         name = stem + "_" + std::to_string(++number);
     } while (taken(name));
-    log(client, init.robot_name.empty() ? "INIT has no Name; the robot is called '" + name + "'"
-                                        : "there is a robot '" + stem + "' already; this one is called '" + name + "'");
-    return name;
+    return {name, init.robot_name.empty() ? "INIT has no Name" : "there is a '" + stem + "' already"};
+}
+
+std::string Simulation::State::nearestThing(ClientId client, const Vec3& point_in_map_m) const {
+    std::string nearest = "something";
+    double nearest_m = std::numeric_limits<double>::infinity();
+    const auto consider = [&](const std::string& what, const Vec3& at_m) {
+        const double away_m = (at_m - point_in_map_m).norm();
+        if (away_m < nearest_m)
+            nearest = what;
+        nearest_m = std::min(nearest_m, away_m);
+    };
+    for (const auto& [id, session] : sessions)
+        if (session.robot() && id != client)
+            consider("robot '" + session.robotName() + "'", session.robot()->figures().base_in_map.position_m);
+    for (const SceneObject& object : scene.objects)
+        consider("'" + object.name + "'", object.body_in_map.position_m);
+    return nearest;
 }
 
 std::optional<std::string> Simulation::State::refusalOf(const Pose& start_in_map) const {
@@ -101,10 +118,23 @@ std::optional<std::string> Simulation::State::refusalOf(const Pose& start_in_map
                onWire({extent.max_m.x(), extent.min_m.y()}) + " m";
     if (caster.onRoof(at_m))
         return "it is above the ceiling";
+    if (!isNear(world, at_m))
+        return "it is more than 1 km above or below the world";
     return std::nullopt;
 }
 
-std::unique_ptr<Robot> Simulation::State::spawn(ClientId client, const protocol::Init& init) {
+std::optional<Pose> Simulation::State::stationAt(ClientId client, const protocol::Init& init, const std::string& why) {
+    const Pose station_in_map = startOf(client, init);
+    if (!isNear(world, station_in_map.position_m)) {
+        log(client, "refused the place of '" + init.robot_name.text() + "': it is more than 1 km outside the world");
+        return std::nullopt;
+    }
+    if (!why.empty())
+        log(client, "this station is called '" + init.robot_name.text() + "': " + why);
+    return station_in_map;
+}
+
+std::unique_ptr<Robot> Simulation::State::spawn(ClientId client, const protocol::Init& init, const std::string& why) {
     const RobotOptions robot{.base_in_map = startOf(client, init),
                              .seed = options.seed,
                              .number = spawned,
@@ -128,11 +158,13 @@ std::unique_ptr<Robot> Simulation::State::spawn(ClientId client, const protocol:
     }
     ++spawned;
     const Vec3 at_m = (*spawned_robot)->figures().base_in_map.position_m;
-    const bool beside = (at_m - robot.base_in_map.position_m).head<2>().norm() > 0.5;
+    const Vec3& wanted_m = robot.base_in_map.position_m;
+    const bool beside = (at_m - wanted_m).head<2>().norm() > 0.5;
     const bool stands_in = !sameWord(withoutPackage(init.class_name.text()), model->class_name);
     log(client, "spawned " + init.class_name.text() + " '" + init.robot_name.text() +
-                    (beside ? "' beside the wanted place, where another robot is" : "'") +
-                    (stands_in ? "; it has the body of a " + model->class_name : ""));
+                    (beside ? "' beside the wanted place, where " + nearestThing(client, wanted_m) + " is" : "'") +
+                    (stands_in ? "; it has the body of a " + model->class_name : "") +
+                    (why.empty() ? "" : "; it is called so because " + why));
     return std::move(*spawned_robot);
 }
 
@@ -168,17 +200,39 @@ Pose Simulation::State::startOf(ClientId client, const protocol::Init& init) {
     return init.fallback_in_map.value_or(Pose{});
 }
 
+std::pair<int, int> Simulation::State::placeInWindow(ClientId client, std::string_view camera) const {
+    constexpr int most_views = 4;
+    int count = 0;
+    int number = 0;
+    int width_px = 0;
+    int height_px = 0;
+    for (const auto& [id, session] : sessions) {
+        if (!session.robot())
+            continue;
+        for (const SeenFrom& one : session.robot()->cameras()) {
+            if (id == client && sameWord(one.camera, camera))
+                number = count;
+            if (count++ < most_views) {
+                width_px = std::max(width_px, one.width_px);
+                height_px = std::max(height_px, one.height_px);
+            }
+        }
+    }
+    return {number % 2 * width_px, number / 2 * height_px};
+}
+
 void Simulation::State::obeyAll() {
     for (auto& [id, session] : sessions) {
         const ClientId client = id;
-        session.obeyWaiting({[&](const protocol::Init& init) { return spawn(client, init); },
+        session.obeyWaiting({[&](const protocol::Init& init, const auto& why) { return spawn(client, init, why); },
                              [&](const protocol::Init& init) { return nameOf(client, init); },
-                             [&](const protocol::Init& init) { return startOf(client, init); },
+                             [&](const protocol::Init& init, const auto& why) { return stationAt(client, init, why); },
                              [&](const protocol::Command& command) { return control(client, command); },
                              [&](const protocol::GetObjectStates& asked) { return controller.states(asked); },
                              [&](const protocol::Command& command) { return attachCamera(command); },
                              [&](const Viewports& wanted) { viewports = wanted; },
                              [&] { return viewports.value_or(Viewports{}); },
+                             [&](const std::string& camera) { return placeInWindow(client, camera); },
                              [&](const std::string& sentence) { log(client, sentence); }, now()});
     }
 }

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/sim/camera/scene_capture.h"
@@ -43,17 +44,25 @@ struct Simulation::State {
     /// Obeys a CONTROL. Returns what to log if that is impossible; a refused creation is kept for takeRefused()
     /// instead.
     std::optional<std::string> control(ClientId client, const protocol::Command& command);
-    /// Returns nullptr if the robot cannot be spawned; the log says why.
-    std::unique_ptr<Robot> spawn(ClientId client, const protocol::Init& init);
-    /// The wanted name, or a new one if there is none or if another robot has it, as the game's engine does with the
-    /// names of its bots (UnrealEngine 2, DeathMatch.ChangeName); the log says so.
-    std::string nameOf(ClientId client, const protocol::Init& init);
+    /// Returns nullptr if the robot cannot be spawned. One sentence in the log says so or says where it is, and `why`
+    /// it has its name, if that is not the wanted one.
+    std::unique_ptr<Robot> spawn(ClientId client, const protocol::Init& init, const std::string& why);
+    /// The same for a base station.
+    std::optional<Pose> stationAt(ClientId client, const protocol::Init& init, const std::string& why);
+    /// The wanted name, or a new one and the reason for it if there is none or if another robot or station has it, as
+    /// the game's engine does with the names of its bots (UnrealEngine 2, DeathMatch.ChangeName).
+    std::pair<std::string, std::string> nameOf(ClientId client, const protocol::Init& init) const;
+    /// The robot or thing whose middle is nearest to the point, but for the robot of `client`: "robot 'R1'".
+    std::string nearestThing(ClientId client, const Vec3& point_in_map_m) const;
     /// Why no robot can start there; nullopt if it may be tried.
     std::optional<std::string> refusalOf(const Pose& start_in_map) const;
     /// The start that INIT asks for. An unknown name is logged and gives the command's fallback or the map's origin.
     Pose startOf(ClientId client, const protocol::Init& init);
     /// Returns false if there is no such camera, or no such viewer to detach.
     bool attachCamera(const protocol::Command& command);
+    /// Left and top edge, in pixels, of a robot's camera in the window (windowPicture) while it shows all cameras: two
+    /// beside each other and two below them. Of more than four, the others are below the window.
+    std::pair<int, int> placeInWindow(ClientId client, std::string_view camera) const;
     std::string knownClasses() const;
     /// Obeys all clients' commands that are due, in the order of their connections.
     void obeyAll();

@@ -9,6 +9,12 @@
 
 namespace usar::sim {
 
+namespace {
+
+constexpr const char* too_far = "its place is more than 1 km outside the world";
+
+} // namespace
+
 bool WorldController::isControl(const protocol::Command& command) {
     using namespace protocol;
     using Controls = std::variant<CreateObject, KillObject, KillAllObjects, PlaceObject, ShiftObject, SpinObject,
@@ -88,7 +94,7 @@ WorldController::Answer WorldController::describe(const protocol::CreateObject& 
 WorldController::Answer WorldController::startOf(const protocol::CreateObject& wanted, Pose& start_in_map) const {
     if (const auto* const pose = std::get_if<Pose>(&wanted.start)) {
         start_in_map = *pose;
-        return {};
+        return isNear(world_, pose->position_m) ? Answer() : too_far;
     }
     const auto& name = std::get<protocol::Token>(wanted.start);
     const Pose* const start = findStart(world_, name);
@@ -131,6 +137,8 @@ bool WorldController::makeRoom(SceneObject& object) {
 }
 
 WorldController::Answer WorldController::move(SceneObject& object, const Pose& body_in_map) {
+    if (!isNear(world_, body_in_map.position_m))
+        return too_far;
     placeObject(object, physics_, body_in_map);
     makeRoom(object); // Without room it stays where it was told to be.
     return {};

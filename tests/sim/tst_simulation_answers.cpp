@@ -59,7 +59,7 @@ private slots:
         QTest::newRow("scanner's configuration")
             << "GETCONF {Type RangeScanner} {Name Scanner1}"
             << "CONF {Type RangeScanner} {Name Scanner1} {MaxRange 20.0000} {MinRange 0.1000} {Resolution 0.0174} {Fov "
-               "3.1415} {Paning False} {Tilting False}";
+               "3.1415} {Paning True} {Tilting False}";
         QTest::newRow("one sonar, any case") << "GETCONF {Type sonar} {Name r4}"
                                              << "CONF {Type Sonar} {Name R4} {MaxRange 5.0000} {MinRange 0.1000} "
                                                 "{BeamAngle 0.2617}";

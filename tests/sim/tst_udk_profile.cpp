@@ -20,12 +20,12 @@ struct Udk {
     std::unique_ptr<Simulation> simulation;
     Talker talker;
 
-    explicit Udk(const std::string& class_name, double z_m = 0.3, double yaw_on_wire_rad = 0.0)
+    explicit Udk(const std::string& class_name, double z_m = 0.3, double yaw_on_wire_rad = 0.0, int ticks = 10)
         : simulation(simulationOf(world(), options()))
         , talker(*simulation) {
         talker.say("INIT {ClassName USARBot." + class_name + "} {Name R1} {Location 0,0," + std::to_string(-z_m) +
                    "} {Rotation 0,0," + std::to_string(yaw_on_wire_rad) + "}");
-        steps(10);
+        steps(ticks);
     }
     static World world() {
         World world = flatWorld();
@@ -56,7 +56,8 @@ struct Udk {
         steps(1);
         std::vector<std::string> lines = talker.hearText();
         std::erase_if(lines, [](const std::string& line) {
-            return line.starts_with("SEN") || line.starts_with("STA") || line.starts_with("ASTA");
+            return line.starts_with("SEN") || line.starts_with("STA") || line.starts_with("ASTA") ||
+                   line.starts_with("EFF");
         });
         return lines;
     }
@@ -84,6 +85,28 @@ private slots:
         Udk blind("AirRobot");
         for (const std::string& one : blind.talker.hearText())
             QVERIFY(!one.starts_with("CONF"));
+    }
+
+    void eachCameraHasALineAndAPlaceInTheWindow() {
+        Udk udk("StereoP2AT");
+        Talker second(*udk.simulation);
+        second.say("INIT {ClassName P2DX} {Name R2} {Location 5,0,-0.3}");
+        udk.steps(2);
+        const auto camerasIn = [](const std::vector<std::string>& lines) {
+            QStringList cameras;
+            static const QRegularExpression shape(
+                "^CONF \\{Type Camera\\} \\{Name (\\w+)\\}\\{TextureOffsetX (\\d+)\\}\\{TextureOffsetY (\\d+)\\}");
+            for (const std::string& line : lines)
+                if (const auto match = shape.match(QString::fromStdString(line)); match.hasMatch())
+                    cameras << match.captured(1) + ' ' + match.captured(2) + ' ' + match.captured(3);
+            return cameras;
+        };
+        QCOMPARE(camerasIn(udk.talker.hearText()), (QStringList{"CameraLeft 0 0", "CameraRight 320 0"}));
+        QCOMPARE(camerasIn(second.hearText()), (QStringList{"Camera 0 240"}));
+        const auto asked = udk.answers("GETCONF {Type Camera}");
+        QCOMPARE(asked.size(), std::size_t(1));
+        QVERIFY2(asked[0].find(" {Name CameraRight}{TextureOffsetX 320}{TextureOffsetY 0}") != std::string::npos,
+                 asked[0].c_str());
     }
 
     void eachSensorHasALineOfItsOwn() {
@@ -122,6 +145,130 @@ private slots:
         QCOMPARE(static_cast<int>(udk.linesOf(kind.toStdString(), 20).size()), lines);
     }
 
+    /// The first ticks of the captured P3AT, with the sonars that it did not have.
+    void ticksBeginWithTheStateAndTimersRingAtTheEndOfTheirIntervals() {
+        Udk udk("P3AT", 0.3, 0.0, 0);
+        QStringList ticks;
+        for (int i = 0; i < 5; ++i) {
+            udk.steps(1);
+            QStringList kinds;
+            for (const std::string& kind : kindsOf(udk.talker.hearText()))
+                if (kinds.isEmpty() || kinds.back() != QString::fromStdString(kind).remove("SEN "))
+                    kinds << QString::fromStdString(kind).remove("SEN ");
+            ticks << kinds.join(' ');
+        }
+        const QString all = "STA GroundTruth Odometry INS Sonar RangeScanner Tachometer Encoder";
+        QCOMPARE(ticks, (QStringList{"NFO CONF STA GroundTruth Odometry", all, "STA GroundTruth Odometry", all,
+                                     "STA GroundTruth Odometry"}));
+    }
+
+    void aScanIntervalIsTheOneThatIsKept_data() {
+        QTest::addColumn<QString>("type");
+        QTest::addColumn<QString>("interval");
+        QTest::newRow("GroundTruth") << "GroundTruth"
+                                     << "0.1000";
+        QTest::newRow("Odometry") << "Odometry"
+                                  << "0.1000";
+        QTest::newRow("INS") << "INS"
+                             << "0.2000";
+        QTest::newRow("Tachometer") << "Tachometer"
+                                    << "0.2000";
+        QTest::newRow("GPS") << "GPS"
+                             << "0.5000";
+    }
+    void aScanIntervalIsTheOneThatIsKept() {
+        QFETCH(const QString, type);
+        QFETCH(const QString, interval);
+        Udk udk(type == "GPS" ? "P2DX" : "P3AT");
+        const auto answers = udk.answers("GETCONF {Type " + type.toStdString() + "}");
+        QCOMPARE(answers.size(), std::size_t(1));
+        QVERIFY2(QString::fromStdString(answers[0]).contains("{ScanInterval " + interval + "}"), answers[0].c_str());
+    }
+
+    void theTachometerCountsWheelsLeftAndRight() {
+        Udk udk("P3AT");
+        udk.talker.say("DRIVE {Left 1} {Right -1}");
+        const std::string line = udk.linesOf("SEN Tachometer", 20).back();
+        static const QRegularExpression alternating("\\{Vel \\d\\.\\d+,-\\d\\.\\d+,\\d\\.\\d+,-\\d\\.\\d+\\}");
+        QVERIFY2(alternating.match(QString::fromStdString(line)).hasMatch(), line.c_str());
+    }
+
+    /// As captured: mounted 0.20 above the base, and begins at INIT's height.
+    void theInsBeginsAtItsMount() {
+        Udk udk("P3AT", 0.3, 0.0, 0);
+        const auto lines = udk.linesOf("SEN INS", 2);
+        QCOMPARE(lines.size(), std::size_t(1));
+        const std::string& line = lines.front();
+        QVERIFY2(line.find("{Location 0.00,0.00,-0.50} {Orientation 0.00,0.00,0.00}") != std::string::npos,
+                 line.c_str());
+    }
+
+    void onlyGroundVehiclesTellOfTheirLights_data() {
+        QTest::addColumn<QString>("robot");
+        QTest::addColumn<bool>("lights");
+        QTest::newRow("a rover") << "P2AT" << true;
+        QTest::newRow("a car") << "Sedan" << true;
+        QTest::newRow("legs") << "ERS" << false;
+        QTest::newRow("in the air") << "AirRobot" << false;
+    }
+    void onlyGroundVehiclesTellOfTheirLights() {
+        QFETCH(const QString, robot);
+        QFETCH(const bool, lights);
+        Udk udk(robot.toStdString());
+        QCOMPARE(udk.linesOf("STA", 1).at(0).find("{Light") != std::string::npos, lights);
+    }
+
+    void packagesAreActuators_data() {
+        QTest::addColumn<QString>("robot");
+        QTest::addColumn<QString>("question");
+        QTest::addColumn<QRegularExpression>("answer");
+        const QString at = "-?[0-9]\\.[0-9]{2}";
+        const QString pose = QString("\\{Location %1,%1,%1\\} \\{Orientation %1,%1,%1\\}").arg(at);
+        const QString geometry = "\\{Name %2\\} %1 \\{Mount %3\\} \\{Link 1\\} \\{Parent 0\\} %1 "
+                                 "\\{Link 2\\} \\{Parent 1\\} %1";
+        const auto row = [](const char* name, const char* robot, const char* question, const QString& answer) {
+            QTest::newRow(name) << robot << question << QRegularExpression("^" + answer + "$");
+        };
+        row("places", "P2DX", "GETGEO {Type Actuator}",
+            "GEO \\{Type Actuator\\} " + geometry.arg(pose, "CameraPanTilt", "P2DX"));
+        row("places by the old word", "P2DX", "GETGEO {Type MisPkg} {Name CameraPanTilt}",
+            "GEO \\{Type MisPkg\\} " + geometry.arg(pose, "CameraPanTilt", "P2DX"));
+        row("an arm's tip", "TeleMax", "GETGEO {Type Actuator} {Name TeleMaxArm}",
+            QString("GEO \\{Type Actuator\\} ") + geometry.arg(pose, "TeleMaxArm", "TeleMax") +
+                QString(" \\{Link 3\\} \\{Parent 2\\} %1 \\{Tip %2,%2,%2\\}").arg(pose, at));
+        row("limits", "P2DX", "GETCONF {Type Actuator}",
+            "CONF \\{Type Actuator\\} \\{Name CameraPanTilt\\}( \\{Link [12]\\} \\{JointType Revolute\\} \\{MaxTorque "
+            "[0-9.]+\\} \\{MinValue [-0-9.]+\\} \\{MaxValue [-0-9.]+\\}){2}");
+        row("the old question, without packages", "P3AT", "GETCONF {Type MisPkg}", "CONF \\{Type MisPkg\\}");
+    }
+    void packagesAreActuators() {
+        QFETCH(const QString, robot);
+        QFETCH(const QString, question);
+        QFETCH(const QRegularExpression, answer);
+        Udk udk(robot.toStdString());
+        const auto answers = udk.answers(question.toStdString());
+        QCOMPARE(answers.size(), std::size_t(1));
+        QVERIFY2(answer.match(QString::fromStdString(answers[0])).hasMatch(), answers[0].c_str());
+    }
+
+    void theCapturedVehicleAnswersWordForWord() {
+        Udk udk("P3AT");
+        const auto first = [&](const char* question) { return QString::fromStdString(udk.answers(question).at(0)); };
+        QCOMPARE(first("GETCONF {Type Robot}").replace("{MaxTorque 60.0000}", "{MaxTorque 50000.0000}"),
+                 QString("CONF {Name P3AT} {Type GroundVehicle} {SteeringType SkidSteered} {Mass 11.9000} "
+                         "{MaxSpeed 1.2999} {MaxTorque 50000.0000} {MaxFrontSteer 0} {MaxRearSteer 0}"));
+        QVERIFY(first("GETCONF {Type RangeScanner}").endsWith("{Panning True} {Tilting False}"));
+        QCOMPARE(first("GETCONF {Type INS}"), QString("CONF {Type INS} {Name InsTest} {ScanInterval 0.2000}"));
+        QCOMPARE(first("GETGEO {Type RangeScanner}").replace("-0.00", "0.00"),
+                 QString("GEO {Type RangeScanner} {Name lms200} {Location 0.21,0.00,-0.20} {Orientation "
+                         "0.00,0.00,0.00} {Mount P3AT}"));
+        udk.linesOf("STA", 1);
+        const auto encoders = udk.linesOf("SEN Encoder", 2);
+        QCOMPARE(encoders.size(), std::size_t(2));
+        QVERIFY(encoders[0].ends_with("{Type Encoder} {Name W1} {Tick 0}") &&
+                encoders[1].ends_with("{Type Encoder} {Name W2} {Tick 0}"));
+    }
+
     void aFlyingRobotHasNoTypeAndTheInsNoTime() {
         Udk udk("AirRobot", 5.0);
         QVERIFY(udk.linesOf("STA", 1).at(0).find("{Type") == std::string::npos);
@@ -139,7 +286,7 @@ private slots:
         row("ground truth turned left is negative", "P2DX", "SEN GroundTruth",
             "\\{Orientation -?0\\.0[0-9],-?0\\.0[0-9],-1\\.5[0-9]\\}");
         row("a skid robot's angles are whole", "P2DX", "STA", "\\{FrontSteer 0\\} \\{RearSteer 0\\}");
-        row("a car's angles are not", "Sedan", "STA", "\\{FrontSteer 0\\.[0-9]{4}\\}");
+        row("a car's angles are not, in front", "Sedan", "STA", "\\{FrontSteer 0\\.[0-9]{4}\\} \\{RearSteer 0\\}");
         row("no negative zero", "P2DX", "STA", "^(?!.*-0\\.0000)");
     }
     void linesHaveUdksNumbers() {
@@ -161,11 +308,18 @@ private slots:
                  QString("NFO {StartPoses 1} {Start 1.5000,2.2500,-0.5000 0.0000,0.0000,-0.5000}"));
     }
 
+    void classesThatUdkDoesNotHaveAreNotThere_data() {
+        QTest::addColumn<QString>("type");
+        QTest::newRow("victims") << "VictSensor";
+        QTest::newRow("tags") << "RFID";
+    }
     void classesThatUdkDoesNotHaveAreNotThere() {
+        QFETCH(const QString, type);
+        const std::string in_braces = "{Type " + type.toStdString() + "}";
         Udk udk("P2DX");
-        QVERIFY(udk.linesOf("SEN VictSensor", 20).empty());
-        QVERIFY(udk.answers("GETCONF {Type VictSensor}").empty());
-        QVERIFY(udk.answers("GETGEO {Type VictSensor}").empty());
+        QVERIFY(udk.linesOf("SEN " + type.toStdString(), 20).empty());
+        QVERIFY(udk.answers("GETCONF " + in_braces).empty());
+        QVERIFY(udk.answers("GETGEO " + in_braces).empty());
     }
 
     void theScannerHasTwoDecimals() {

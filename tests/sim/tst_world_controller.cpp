@@ -271,6 +271,47 @@ private slots:
         QVERIFY(world.states().empty());
     }
 
+    void placesThatCannotBeAreRefusedInOneLine_data() {
+        QTest::addColumn<QString>("line");
+        QTest::addColumn<QString>("words");
+        const auto row = [](const char* name, const char* type, const char* segments, const char* words) {
+            QTest::newRow(name) << QString("CONTROL {Type %1} {ClassName Box} {Name B} %2").arg(type, segments)
+                                << words;
+        };
+        const char* const no_numbers = "Location and Rotation must be numbers";
+        const char* const too_far = "more than 1 km outside the world";
+        row("made nowhere", "Create", "{Location nan,0,-1}", no_numbers);
+        row("made beyond any number", "Create", "{Location 0,0,-1e300}", no_numbers);
+        row("made far away", "Create", "{Location 0,0,-5000}", too_far);
+        row("moved nowhere", "AbsMove", "{Location 0,inf,-1}", no_numbers);
+        row("turned nowhere", "AbsMove", "{Location 0,0,-1} {Rotation 0,0,nan}", no_numbers);
+        row("moved far away", "AbsMove", "{Location 1e9,0,-1}", too_far);
+        row("shifted nowhere", "RelMove", "{Location nan,0,0}", no_numbers);
+        row("shifted far away", "RelMove", "{Location 0,-4000,0}", too_far);
+    }
+    void placesThatCannotBeAreRefusedInOneLine() {
+        QFETCH(const QString, line);
+        QFETCH(const QString, words);
+        Controlled world;
+        if (!line.contains("Create"))
+            world.talker.say("CONTROL {Type Create} {ClassName Box} {Name B} {Location 2,0,-0.25}");
+        world.steps(10);
+        world.simulation->takeLog();
+        world.talker.say(line.toStdString());
+        world.steps(1);
+        QStringList said;
+        for (const std::string& sentence : world.simulation->takeLog())
+            said << QString::fromStdString(sentence);
+        for (const RefusedObject& refused : world.simulation->takeRefused())
+            said << QString::fromStdString(refused.reason);
+        QCOMPARE(said.size(), 1);
+        QVERIFY2(said[0].contains(words), qPrintable(said[0]));
+        const auto states = world.states();
+        QCOMPARE(states.size(), std::size_t(line.contains("Create") ? 0 : 1));
+        for (const protocol::WorldObject& box : states)
+            QVERIFY((box.object_in_map.position_m.head<2>() - Vec2(2.0, 0.0)).norm() < 0.01);
+    }
+
     void onlyAControllerControls() {
         auto simulation = simulationOf(flatWorld());
         Talker robot(*simulation);

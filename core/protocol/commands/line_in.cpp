@@ -12,13 +12,13 @@ namespace usar::protocol {
 
 namespace {
 
-/// True if the list contains "nan", "inf" or a number beyond what a double holds. Other words count as 0, as
+/// True if the list contains "nan", "inf" or a number larger than anything sensed. Other words count as 0, as
 /// everywhere.
 bool hasNotANumber(std::string_view list) {
     double value = 0.0;
     bool clean = false;
     while (takeNumber(list, value, clean))
-        if (clean && std::isnan(value))
+        if (clean && !isPlausible(value))
             return true;
     return false;
 }
@@ -106,6 +106,11 @@ void LineIn::position(const Key& key, std::optional<Vec3>& value) {
 }
 
 std::optional<Pose> LineIn::poseOnLine() {
+    // Elsewhere such a number counts as 0. What is at 0,0 instead of where its client meant it would mislead.
+    if (hasNotANumber(segments().value(location_key)) || hasNotANumber(segments().value(rotation_key))) {
+        refuse(segments().line(), "Location and Rotation must be numbers, and neither nan, infinite nor beyond 1e15");
+        return std::nullopt;
+    }
     std::optional<Vec3> position_m;
     std::optional<Vec3> angles_rad;
     vector(location_key, position_m);
@@ -117,9 +122,6 @@ std::optional<Pose> LineIn::poseOnLine() {
 }
 
 void LineIn::start(const Key& key, std::variant<Pose, Token>& start, std::optional<Pose>* fallback) {
-    // Elsewhere such a number counts as 0. A robot at 0,0 instead of where its client meant it would mislead.
-    if (fallback && (hasNotANumber(segments().value(location_key)) || hasNotANumber(segments().value(rotation_key))))
-        return refuse(segments().line(), "Location and Rotation must be numbers, and neither nan nor infinite");
     if (segments().value(key).empty()) {
         start = poseOnLine().value_or(Pose{});
         return;

@@ -109,6 +109,9 @@ std::vector<protocol::MountedItem> MissionPackage::geometry() const {
         std::string name = model_.name + "_Link" + std::to_string(i + 1);
         items.push_back({name, pivot_in_holder, mount, {}});
         mount = std::move(name);
+        if (i + 1 == links_.size() && model_.tip_in_last_link_m)
+            items.back().tip_in_item_m =
+                *model_.tip_in_last_link_m - link.pivot_in_link_m - this->link(i).center_of_mass_in_link_m;
     }
     return items;
 }

@@ -122,6 +122,13 @@ constexpr double asleep_rad_s = 0.01;
 constexpr double raised_to_turn_m = 0.3;
 constexpr int rotors = 4;
 
+/// The word for mission packages if `type` means them, as in UDK the word for its actuators does; otherwise empty.
+std::string_view packageWord(std::string_view type, protocol::Dialect profile) {
+    if (profile == protocol::Dialect::Udk && sameWord(type, "Actuator"))
+        return "Actuator";
+    return sameWord(type, "MisPkg") ? "MisPkg" : "";
+}
+
 const protocol::DriveSwitches* switchesOf(const protocol::Command& command) {
     return std::visit(
         [](const auto& one) -> const protocol::DriveSwitches* {
@@ -239,16 +246,20 @@ void Robot::switchOff() {
 
 void Robot::measure(Seconds now, bool first, std::vector<protocol::InfoMessage>& out) {
     watch();
+    const bool is_udk = profile_ == protocol::Dialect::Udk;
+    if (is_udk)
+        out.emplace_back(state(now)); // In UT2004 it comes last.
     if (alive()) {
         sensors_.measure({now, tick_, body_, rays_, world_, scene_}, first, out);
         for (const MissionPackage& package : packages_)
             out.emplace_back(package.state(now));
-        if (profile_ == protocol::Dialect::Udk) // UT2004's effecters send nothing by themselves.
+        if (is_udk) // UT2004's effecters send nothing by themselves.
             for (const Gripper& gripper : grippers_)
                 out.emplace_back(gripper.state(now));
     }
     body_.forgetTouches();
-    out.emplace_back(state(now));
+    if (!is_udk)
+        out.emplace_back(state(now));
 }
 
 void Robot::watch() {
@@ -283,8 +294,8 @@ protocol::GeometryInfo Robot::geometry(const std::string& type, const std::strin
         info.dimensions_m = model.dimensions_m;
         info.center_of_gravity_m = model.center_of_gravity_m;
         drive_->addGeometry(info);
-    } else if (sameWord(type, "MisPkg")) {
-        info.type = "MisPkg";
+    } else if (const std::string_view packages = packageWord(type, profile_); !packages.empty()) {
+        info.type = packages;
         for (const MissionPackage& package : packages_)
             if (name.empty() || sameWord(package.name(), name))
                 std::ranges::move(package.geometry(), std::back_inserter(info.items));
@@ -315,9 +326,10 @@ protocol::ConfigurationInfo Robot::configuration(const std::string& type, const 
         return {std::string(protocol::wordOf(model.kind)), {std::move(item)}};
     }
     const bool of_gripper = sameWord(type, "Gripper");
-    if (!sameWord(type, "MisPkg") && !of_gripper)
+    const std::string_view packages = packageWord(type, profile_);
+    if (packages.empty() && !of_gripper)
         return sensors_.configuration(type, name);
-    protocol::ConfigurationInfo info{of_gripper ? "Gripper" : "MisPkg", {}};
+    protocol::ConfigurationInfo info{of_gripper ? "Gripper" : std::string(packages), {}};
     const auto add = [&](const auto& parts) {
         for (const auto& part : parts)
             if (name.empty() || sameWord(part.name(), name))

@@ -51,8 +51,8 @@ Seconds udkInterval(std::string_view type) {
 
 /// UDK has no classes for these (protocol.md 4.5).
 bool isUnknownToUdk(std::string_view type) {
-    constexpr std::array<std::string_view, 6> unknown{"VictSensor", "HumanMotion", "Sound",
-                                                      "CO2Sensor",  "INU",         "GroundTruthPlayers"};
+    constexpr std::array<std::string_view, 8> unknown{"VictSensor", "RFID",   "HumanMotion", "Sound",
+                                                      "CO2Sensor",  "Helper", "INU",         "GroundTruthPlayers"};
     return std::ranges::any_of(unknown, [&](std::string_view one) { return sameWord(one, type); });
 }
 
@@ -182,22 +182,31 @@ Result<SensorSuite> SensorSuite::make(const RobotModel& robot, const RobotOption
         if (options.profile == protocol::Dialect::Udk && isUnknownToUdk(robot.sensors[i].type))
             continue;
         Random random = seeded(options.seed, options.number * streams_per_robot + i);
-        auto sensor = makeSensor(robot.sensors[i], {robot, options.base_in_map, options.scan_interval, options.noise,
-                                                    random, options.profile});
+        const std::uint64_t every = everyOf(robot.sensors[i], options);
+        auto sensor = makeSensor(robot.sensors[i],
+                                 {robot, options.base_in_map, static_cast<double>(every) * options.scan_interval,
+                                  options.noise, random, options.profile});
         if (!sensor)
             return tl::unexpected(sensor.error());
         suite.sensors_.push_back({.sensor = std::move(*sensor),
-                                  .every = everyOf(robot.sensors[i], options),
+                                  .every = every,
                                   .chance_stream = chance_streams + options.number * streams_per_robot + i});
     }
-    std::ranges::stable_sort(suite.sensors_, {},
-                             [](const Place& place) { return orderOf(place.sensor->model().type); });
+    std::ranges::stable_sort(suite.sensors_, {}, [&options](const Place& place) {
+        return orderOf(place.sensor->model().type, options.profile);
+    });
     return suite;
+}
+
+bool SensorSuite::isDue(const Place& place, bool first) const {
+    if (profile_ == protocol::Dialect::Udk)
+        return (ticks_ + 1) % place.every == 0;
+    return ticks_ % place.every == 0 && !(first && place.sensor->needsHistory());
 }
 
 void SensorSuite::measure(const SensorView& view, bool first, std::vector<protocol::InfoMessage>& out) {
     for (Place& place : sensors_) {
-        if ((first && place.sensor->needsHistory()) || ticks_ % place.every != 0)
+        if (!isDue(place, first))
             continue;
         if (place.faults.empty())
             place.sensor->measure(view, out);

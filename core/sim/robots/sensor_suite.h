@@ -33,7 +33,8 @@ public:
     /// Fails for a sensor that cannot be built. `robot` must outlive the suite.
     static Result<SensorSuite> make(const RobotModel& robot, const RobotOptions& options);
 
-    /// Measures one tick. The `first` one brings only sensors that need no history.
+    /// Measures one tick. The `first` one of UT2004 brings only sensors that need no history. UDK's sensors have
+    /// timers, which ring for the first time when an interval has passed (protocol.md 2.4).
     void measure(const SensorView& view, bool first, std::vector<protocol::InfoMessage>& out);
     /// The cameras with their current poses.
     std::vector<SeenFrom> cameras(const RobotBody& body) const;
@@ -62,6 +63,7 @@ private:
         std::uint64_t chance_stream = 0;
         std::optional<Random> chance{}; ///< decides which readings drop out; exists since the first such fault
     };
+    bool isDue(const Place& place, bool first) const;
     /// Measures as without faults, then alters the lines or leaves them out.
     void measureFaulty(Place& place, const SensorView& view, std::vector<protocol::InfoMessage>& out);
     std::vector<Place> sensors_;

@@ -28,7 +28,8 @@ constexpr double satellite_m = 300.0;  ///< a satellite is hidden by anything wi
 
 InsSensor::InsSensor(const SensorModel& model, const SensorBirth& birth)
     : Sensor(model, birth)
-    , estimate_(birth.base_in_map) {
+    , reports_itself_(birth.profile == protocol::Dialect::Udk && model.link < 0 && model.sensor_in_link != Pose{})
+    , estimate_(reported(birth.base_in_map)) {
     if (error("drifting", 1.0) == 0.0)
         return;
     const double precision = number("precision", 1000.0);
@@ -38,6 +39,10 @@ InsSensor::InsSensor(const SensorModel& model, const SensorBirth& birth)
         bias = uniform(random_, -position_limit, position_limit);
     for (double& bias : rotation_bias_)
         bias = uniform(random_, -rotation_limit, rotation_limit);
+}
+
+Pose InsSensor::reported(const Pose& base_in_map) const {
+    return reports_itself_ ? base_in_map * model().sensor_in_link : base_in_map;
 }
 
 const Pose& InsSensor::estimate(const Pose& base_in_map) {
@@ -75,7 +80,7 @@ bool InsSensor::setEstimate(const Pose& base_in_map, bool at_rest) {
 }
 
 void InsSensor::measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) {
-    out.emplace_back(protocol::InsReading{{}, model().name, estimate(view.body.base_in_map())});
+    out.emplace_back(protocol::InsReading{{}, model().name, estimate(reported(view.body.base_in_map()))});
 }
 
 std::optional<protocol::Response> InsSensor::set(const protocol::Command& command, bool at_rest) {
@@ -124,8 +129,14 @@ void EncoderSensor::measure(const SensorView& view, std::vector<protocol::InfoMe
 }
 
 TachometerSensor::TachometerSensor(const SensorModel& model, const SensorBirth& birth) : Sensor(model, birth) {
-    for (const std::string& joint : birth.robot.drive.joints)
+    const DriveModel& drive = birth.robot.drive;
+    for (const std::string& joint : drive.joints)
         links_.push_back(birth.robot.linkOnJoint(joint).value_or(0));
+    if (drive.kind != "skid")
+        return;
+    const std::vector<int> sides = links_; // First all the left wheels, then all the right ones.
+    for (std::size_t i = 0; i < sides.size(); ++i)
+        links_[i] = sides[i / 2 + (i % 2) * (sides.size() / 2)];
 }
 
 void TachometerSensor::measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) {
@@ -141,7 +152,9 @@ void TachometerSensor::measure(const SensorView& view, std::vector<protocol::Inf
 void AccelerationSensor::measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) {
     const Vec3 velocity_m_s = view.body.velocity_in_map_m_s();
     const Vec3 before_m_s = std::exchange(last_velocity_m_s_, velocity_m_s).value_or(velocity_m_s);
-    Vec3 felt_m_s2 = (velocity_m_s - before_m_s) / view.tick.count();
+    const Seconds before = std::exchange(last_at_, view.now);
+    const Seconds passed = view.now > before ? view.now - before : view.tick;
+    Vec3 felt_m_s2 = (velocity_m_s - before_m_s) / passed.count();
     if (proper_)
         felt_m_s2.z() += gravity_m_s2;
     felt_m_s2 = sensor_in_map(view).linear().transpose() * felt_m_s2;

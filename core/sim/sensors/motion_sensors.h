@@ -9,7 +9,8 @@ namespace usar::sim {
 /// 4.4). It adds the true increments of each scan: angles times 1 + N(bias, sigma), positions plus the step's length
 /// times N(bias, sigma), independently for x, y and z. It reports the spawn pose until two scans in a row have seen no
 /// rotation. Settings: sigma (0.05), the relative standard deviation of each increment; precision (1000), which bounds
-/// the biases: position +-0.5 / precision, rotation +-0.5 / precision^2; drifting (1; 0: both biases are 0).
+/// the biases: position +-0.5 / precision, rotation +-0.5 / precision^2; drifting (1; 0: both biases are 0). The pose
+/// is that of the base; in UDK it is that of the sensor itself, if that is on the chassis (protocol.md 4.5).
 class InsSensor : public Sensor {
 public:
     InsSensor(const SensorModel& model, const SensorBirth& birth);
@@ -24,9 +25,12 @@ public:
 private:
     /// Adds the increment since the last scan, with its errors, to the estimate.
     void integrate(const Pose& base_in_map);
+    /// What it estimates, at this pose of the base.
+    Pose reported(const Pose& base_in_map) const;
 
     double sigma_ = error("sigma", 0.05);
-    /// Pose of the base in the map frame; begins at the spawn pose.
+    bool reports_itself_; ///< instead of the base
+    /// In the map frame; begins at the spawn pose.
     Pose estimate_;
     std::optional<Pose> last_; ///< the true pose at the last scan; nullopt before it
     /// Relative error of each increment, without a unit; so is `rotation_bias_`.
@@ -94,7 +98,8 @@ private:
     double counted_rad_ = 0.0;
 };
 
-/// Reports speeds and angles of the drive's joints, in their order.
+/// Reports speeds and angles of the drive's joints: of a skid drive left, right, left, right from the front
+/// (protocol.md 4.5), of other drives in their order.
 class TachometerSensor : public Sensor {
 public:
     TachometerSensor(const SensorModel& model, const SensorBirth& birth);
@@ -104,7 +109,8 @@ private:
     std::vector<int> links_; ///< on the joints
 };
 
-/// Accel reports the acceleration without gravity, AcceleroMeter with it: the mean over a tick, in the sensor's frame.
+/// Accel reports the acceleration without gravity, AcceleroMeter with it: the mean since the last measurement, in the
+/// sensor's frame.
 /// Settings: sigma (m/s2).
 class AccelerationSensor : public Sensor {
 public:
@@ -118,6 +124,7 @@ private:
     bool proper_;
     double sigma_m_s2_ = error("sigma", 0.02);
     std::optional<Vec3> last_velocity_m_s_; ///< at the last measurement; nullopt before it
+    Seconds last_at_{0.0};
 };
 
 /// Reports whether the link that carries it was touched since the last tick. Settings: diameter (m).

@@ -99,7 +99,7 @@ void ScannerSensor::measure(const SensorView& view, std::vector<protocol::InfoMe
 
 std::vector<protocol::Setting> ScannerSensor::settings() const {
     return {setting("MaxRange", maximum_m_), setting("MinRange", minimum_m_), setting("Resolution", resolution_rad_),
-            setting("Fov", fov_rad_),        {"Paning", "False", {}},         {"Tilting", "False", {}}};
+            setting("Fov", fov_rad_),        {"Paning", "True", {}},          {"Tilting", "False", {}}};
 }
 
 std::optional<protocol::Response> ScannerSensor::set(const protocol::Command& command, bool) {

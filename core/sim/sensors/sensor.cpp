@@ -73,8 +73,16 @@ Result<std::unique_ptr<Sensor>> makeSensor(const SensorModel& model, const Senso
     return row->make(model, birth);
 }
 
-int orderOf(std::string_view type) {
-    return static_cast<int>(rowOf(type) - rows.begin());
+int orderOf(std::string_view type, protocol::Dialect profile) {
+    // In the order of the captured ticks; those that no capture has follow the sensor that they are most like.
+    constexpr std::array<std::string_view, 13> udk{"GroundTruth", "Odometry",  "INS",          "Sonar",  "IR",
+                                                   "Range",       "IRScanner", "RangeScanner", "Camera", "Tachometer",
+                                                   "Encoder",     "Touch",     "GPS"};
+    const auto at = std::ranges::find_if(udk, [type](std::string_view one) { return sameWord(one, type); });
+    if (profile == protocol::Dialect::Udk && at != udk.end())
+        return static_cast<int>(at - udk.begin());
+    const int otherwise = static_cast<int>(rowOf(type) - rows.begin());
+    return profile == protocol::Dialect::Udk ? static_cast<int>(udk.size()) + otherwise : otherwise;
 }
 
 } // namespace usar::sim

@@ -32,7 +32,7 @@ struct SensorView {
 struct SensorBirth {
     const RobotModel& robot;
     Pose base_in_map;           ///< at the spawn
-    Seconds scan_interval{0.2}; ///< the message tick
+    Seconds scan_interval{0.2}; ///< from one of its measurements to the next
     bool noise = true;
     Random random; ///< a stream of its own: sensors added later change nobody's noise
     protocol::Dialect profile = protocol::Dialect::Ut2004;
@@ -104,8 +104,8 @@ std::optional<int> linkNamedBy(std::string_view word, const SensorModel& model, 
 /// the robot does not have.
 Result<std::unique_ptr<Sensor>> makeSensor(const SensorModel& model, const SensorBirth& birth);
 
-/// The position of a type in the order of a tick (protocol.md 9.1). Types that are not named there come between
-/// GPS and the packages.
-int orderOf(std::string_view type);
+/// The position of a type in the order of a tick, which is another one in each profile (protocol.md 1.8). Types that
+/// are not named there come between GPS and the packages.
+int orderOf(std::string_view type, protocol::Dialect profile);
 
 } // namespace usar::sim

@@ -30,6 +30,17 @@ Rectangle extentOf(const World& world) {
     return extent;
 }
 
+bool isNear(const World& world, const Vec3& point_in_map_m) {
+    constexpr double margin_m = 1000.0;
+    const Rectangle extent = extentOf(world);
+    Eigen::AlignedBox3d box(Vec3(extent.min_m.x(), extent.min_m.y(), world.terrain.minimum_m()),
+                            Vec3(extent.max_m.x(), extent.max_m.y(), world.terrain.maximum_m()));
+    for (const Box& solid : world.boxes)
+        box.extend(solid.center_in_map.position_m - reach_m(solid))
+            .extend(solid.center_in_map.position_m + reach_m(solid));
+    return point_in_map_m.allFinite() && box.exteriorDistance(point_in_map_m) <= margin_m;
+}
+
 const Pose* findStart(const World& world, std::string_view name) {
     const auto found =
         std::ranges::find_if(world.start_poses, [&](const NamedPose& start) { return sameWord(start.name, name); });

@@ -132,6 +132,9 @@ struct World {
 /// Bounds of the terrain, or of all boxes if there is no terrain; empty if there is neither.
 Rectangle extentOf(const World& world);
 
+/// True for a point in the world or at most 1 km outside it on any side; nothing can be meant to be farther away.
+bool isNear(const World& world, const Vec3& point_in_map_m);
+
 /// The start pose with this name, in any case; nullptr if there is none.
 const Pose* findStart(const World& world, std::string_view name);
 

@@ -185,7 +185,7 @@ private slots:
                          "0.0000,0.0000,0.0000} {WheelRadius 0.0980} {WheelSeparation 0.3600} {WheelBase 0.2480}"));
         QVERIFY(robot.answer("GETCONF {Type Robot}", "CONF")
                     .startsWith("CONF {Name P3AT} {Type GroundVehicle} {SteeringType SkidSteered} {Mass 11.9000} "
-                                "{MaxSpeed 1.3000}"));
+                                "{MaxSpeed 1.2999}"));
         QVERIFY(robot.answer("GETGEO {Type RangeScanner}", "GEO")
                     .startsWith("GEO {Type RangeScanner} {Name lms200} {Location 0.21,-0.00,-0.20}"));
         for (const char* const type : {"InsTest", "TachTest", "GndTruth", "Odometer"}) {

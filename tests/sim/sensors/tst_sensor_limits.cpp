@@ -275,14 +275,25 @@ private slots:
         QCOMPARE(QString::fromStdString(sensor.error().text()), text);
     }
 
+    void typesReportInTheOrderOfATick_data() {
+        QTest::addColumn<protocol::Dialect>("profile");
+        QTest::addColumn<QStringList>("order");
+        QTest::newRow("UT2004") << protocol::Dialect::Ut2004
+                                << QStringList{"Sonar",      "IR",          "Range",   "RangeScanner", "IRScanner",
+                                               "INS",        "Odometry",    "Encoder", "Touch",        "RFID",
+                                               "VictSensor", "GroundTruth", "GPS"};
+        QTest::newRow("UDK") << protocol::Dialect::Udk
+                             << QStringList{"GroundTruth", "Odometry",   "INS",     "RangeScanner",
+                                            "Camera",      "Tachometer", "Encoder", "Accel"};
+    }
     void typesReportInTheOrderOfATick() {
-        const std::vector<const char*> order{"Sonar",      "IR",          "Range",   "RangeScanner", "IRScanner",
-                                             "INS",        "Odometry",    "Encoder", "Touch",        "RFID",
-                                             "VictSensor", "GroundTruth", "GPS"};
-        for (std::size_t i = 1; i < order.size(); ++i)
-            QVERIFY2(orderOf(order[i - 1]) < orderOf(order[i]), order[i]);
-        QCOMPARE(orderOf("rangescanner"), orderOf("RangeScanner"));
-        QVERIFY(orderOf("no such type") > orderOf("Camera"));
+        QFETCH(const protocol::Dialect, profile);
+        QFETCH(const QStringList, order);
+        const auto at = [profile](const QString& type) { return orderOf(type.toStdString(), profile); };
+        for (qsizetype i = 1; i < order.size(); ++i)
+            QVERIFY2(at(order[i - 1]) < at(order[i]), qPrintable(order[i]));
+        QCOMPARE(at("rangescanner"), at("RangeScanner"));
+        QVERIFY(at("no such type") > at("Camera"));
     }
 };
 
