@@ -4,6 +4,7 @@
 #include <QTest>
 
 #include "core/protocol/dialect_detector.h"
+#include "tests/doubles/shipped_robots.h"
 #include "tests/sim/talker.h"
 #include "tests/sim/tiny_worlds.h"
 #include "tests/suite/suite.h"
@@ -191,6 +192,23 @@ private slots:
         const std::string line = udk.linesOf("SEN Tachometer", 20).back();
         static const QRegularExpression alternating("\\{Vel \\d\\.\\d+,-\\d\\.\\d+,\\d\\.\\d+,-\\d\\.\\d+\\}");
         QVERIFY2(alternating.match(QString::fromStdString(line)).hasMatch(), line.c_str());
+    }
+
+    void anAccelerometerFeelsTheMeanSinceItsLastReading() {
+        SimulationOptions options = Udk::options();
+        options.noise = false;
+        auto robots = std::make_shared<RobotCatalog>(*doubles::shippedRobots());
+        for (RobotModel& robot : *robots)
+            robot.sensors.push_back({"Accel", "A", -1, {}, "HARD", {}, {}});
+        options.robots = robots;
+        const auto simulation = simulationOf(flatWorld(), options);
+        Talker talker(*simulation);
+        talker.say("INIT {ClassName P2DX} {Name R1} {Location 0,0,-10}");
+        steps(*simulation, 8);
+        const auto falling = talker.hearLast<protocol::AccelerationReading>();
+        QVERIFY(falling);
+        QVERIFY2(std::abs(falling->acceleration_m_s2.z() + 9.81) < 0.2,
+                 qPrintable(QString::number(falling->acceleration_m_s2.z())));
     }
 
     /// As captured: mounted 0.20 above the base, and begins at INIT's height.
