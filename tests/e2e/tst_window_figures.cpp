@@ -185,7 +185,8 @@ void tst_WindowFigures::heightsAreColoredAndGrayIsOneClickAway() {
     page_->map().setFocus();
     page_->pressKey(Qt::Key_F);
     QTRY_VERIFY(!page_->map().heights().busy());
-    QTRY_VERIFY2(colored_pct() > 50, qPrintable(QString::number(colored_pct())));
+    // The middle of cividis is nearly gray.
+    QTRY_VERIFY2(colored_pct() > 40, qPrintable(QString::number(colored_pct())));
     const int before = colored_pct();
     page_->window().commands().action("view.dock.layers")->trigger();
     QCheckBox* gray = nullptr;

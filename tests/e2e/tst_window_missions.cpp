@@ -114,7 +114,7 @@ void tst_WindowMissions::aMissionForAnotherRobotWaitsForOne() {
     QVERIFY(page.spawnAt("PlayerStart"));
     QCOMPARE(page.robot(1)->spawn.class_name, "USARBot.AirRobot");
     page.window().mission().openMission(shipped("p2dx_meadow"));
-    QTRY_VERIFY2_WITH_TIMEOUT(page.notified("is ready").contains("spawn a P2DX"), qPrintable(page.notified({})),
+    QTRY_VERIFY2_WITH_TIMEOUT(page.notified("is ready").contains("spawn the robot (P2DX)"), qPrintable(page.notified({})),
                               soon_ms);
     QCOMPARE(page.window().selectedRobot(), RobotId{0});
     const auto mission = mission::readMissionFile(shipped("p2dx_meadow"));

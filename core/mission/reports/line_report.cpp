@@ -5,7 +5,11 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <deque>
+#include <future>
 #include <set>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include <QString>
@@ -25,7 +29,7 @@ namespace usar::mission {
 namespace {
 
 constexpr qint64 block_bytes = 1 << 20;
-constexpr std::size_t written_at_once_bytes = 1 << 20;
+constexpr std::size_t batch_bytes = 1 << 20;
 
 /// Appends JSON to a text. A QJsonDocument for each line would take ten times as long as reading the line.
 class JsonPen {
@@ -350,6 +354,46 @@ private:
     std::uint64_t number_ = 0;
 };
 
+/// Lines that are reported on together, on one core.
+struct Batch {
+    struct Line {
+        std::uint64_t number = 0;
+        std::size_t size = 0; ///< of its part of `text`
+        bool too_long = false;
+    };
+    std::string text;
+    std::vector<Line> lines;
+};
+
+struct Report {
+    std::string json;
+    LineCounts counts;
+    std::uint64_t last_number = 0;
+};
+
+Report reportBatch(const Batch& batch) {
+    protocol::Reader reader; // It carries nothing over from line to line but their number, which is not reported.
+    Report report;
+    std::string_view rest = batch.text;
+    for (const Batch::Line& line : batch.lines) {
+        ++report.counts.lines;
+        report.last_number = line.number;
+        if (line.too_long) {
+            JsonPen pen(report.json);
+            open(pen, line.number, "in", "", "");
+            pen.raw(",\"fields\":[]");
+            writeDiagnostics(pen, {{Severity::Error, 0, "the line is longer than 4 MiB"}});
+            pen.raw("}\n");
+            ++report.counts.with_diagnostics;
+            continue;
+        }
+        report.counts.with_diagnostics +=
+            reportLine(reader, rest.substr(0, line.size), line.number, report.json) ? 1 : 0;
+        rest.remove_prefix(line.size);
+    }
+    return report;
+}
+
 } // namespace
 
 bool reportLine(protocol::Reader& reader, std::string_view text, std::uint64_t line, std::string& out) {
@@ -363,34 +407,40 @@ bool reportLine(protocol::Reader& reader, std::string_view text, std::uint64_t l
 }
 
 Result<LineCounts> reportLines(QIODevice& input, QIODevice& output) {
-    protocol::Reader reader;
     LineCounts counts;
-    std::string out;
-    std::uint64_t last_number = 0;
     bool written = true;
-    const auto flush = [&] {
-        written = output.write(out.data(), static_cast<qint64>(out.size())) == static_cast<qint64>(out.size());
-        out.clear();
-        return written;
+    std::uint64_t last_number = 0;
+    std::deque<std::future<Report>> reports; // in the order of the lines
+    const auto writeFirst = [&] {
+        const Report report = reports.front().get();
+        reports.pop_front();
+        counts.lines += report.counts.lines;
+        counts.with_diagnostics += report.counts.with_diagnostics;
+        last_number = report.last_number;
+        const auto size = static_cast<qint64>(report.json.size());
+        written = written && output.write(report.json.data(), size) == size;
+    };
+    const std::size_t most_reports = std::max(1U, std::thread::hardware_concurrency());
+    Batch batch;
+    const auto hand = [&] {
+        if (reports.size() == most_reports)
+            writeFirst();
+        reports.push_back(std::async(std::launch::async, reportBatch, std::exchange(batch, {})));
     };
     LogLines(input).each([&](std::string_view text, std::uint64_t number, bool too_long) {
-        last_number = number;
         if (text.empty() || text.starts_with('#'))
             return true;
-        ++counts.lines;
-        if (too_long) {
-            JsonPen pen(out);
-            open(pen, number, "in", "", "");
-            pen.raw(",\"fields\":[]");
-            writeDiagnostics(pen, {{Severity::Error, 0, "the line is longer than 4 MiB"}});
-            pen.raw("}\n");
-            ++counts.with_diagnostics;
-        } else {
-            counts.with_diagnostics += reportLine(reader, text, number, out) ? 1 : 0;
-        }
-        return out.size() < written_at_once_bytes || flush();
+        batch.lines.push_back({number, too_long ? 0 : text.size(), too_long});
+        if (!too_long)
+            batch.text.append(text);
+        if (batch.text.size() >= batch_bytes)
+            hand();
+        return written;
     });
-    if (!written || !flush())
+    hand();
+    while (!reports.empty())
+        writeFirst();
+    if (!written)
         return failure("the output cannot be written: " + output.errorString().toStdString(),
                        "line " + std::to_string(last_number), "Make room, or write elsewhere");
     return counts;

@@ -29,9 +29,9 @@ struct LineCounts {
     std::uint64_t with_diagnostics = 0;
 };
 
-/// Prints one JSON object per line of `input`, whatever its line ends; skips empty lines and those that begin with #. A
-/// line longer than the reader's cap is reported with a diagnostic and without fields. Fails if `output` accepts no
-/// more.
+/// Prints one JSON object per line of `input`, in order, whatever its line ends; skips empty lines and those that begin
+/// with #. A line longer than the reader's cap is reported with a diagnostic and without fields. Uses all cores. Fails
+/// if `output` accepts no more.
 Result<LineCounts> reportLines(QIODevice& input, QIODevice& output);
 
 } // namespace usar::mission

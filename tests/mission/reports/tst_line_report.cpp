@@ -134,6 +134,30 @@ private slots:
         QCOMPARE(numbers, (QList<qint64>{3, 4, 5}));
     }
 
+    void aLogOfManyBlocksKeepsItsOrder() {
+        constexpr int lines = 200'000; // 5 MB, which all cores share
+        QByteArray log;
+        for (int i = 1; i <= lines; ++i)
+            log += "STA {Time " + QByteArray::number(i) + "} {Battery 7}\n";
+        QBuffer input(&log);
+        QVERIFY(input.open(QIODevice::ReadOnly));
+        QByteArray printed;
+        QBuffer output(&printed);
+        QVERIFY(output.open(QIODevice::WriteOnly));
+        const auto counts = reportLines(input, output);
+        QVERIFY(counts);
+        QCOMPARE(counts->lines, quint64{lines});
+        QCOMPARE(counts->with_diagnostics, 0u);
+        int number = 0;
+        for (const QByteArray& json : printed.trimmed().split('\n')) {
+            ++number;
+            QVERIFY2(json.startsWith("{\"line\":" + QByteArray::number(number) + ",") &&
+                         json.contains("\"time\":" + QByteArray::number(number) + ","),
+                     json);
+        }
+        QCOMPARE(number, lines);
+    }
+
     void anEndlessLineIsLeftOutAndSaidOnce() {
         QByteArray log = "SEN {Range " + QByteArray(9 << 20, '1') + "}\nSTA {Time 1}\n";
         QBuffer input(&log);
