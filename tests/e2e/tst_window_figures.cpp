@@ -196,7 +196,7 @@ void tst_WindowFigures::heightsAreColoredAndGrayIsOneClickAway() {
     QVERIFY(gray && gray->isVisible());
     QTest::mouseClick(gray, Qt::LeftButton, {}, QPoint(8, gray->height() / 2));
     QVERIFY(gray->isChecked());
-    QTRY_VERIFY2(colored_pct() < before - 30, qPrintable(QString::number(colored_pct()))); // Lanes and path are.
+    QTRY_VERIFY2(colored_pct() < before - 20, qPrintable(QString::number(colored_pct()))); // Lanes and path are.
     QTest::mouseClick(gray, Qt::LeftButton, {}, QPoint(8, gray->height() / 2));
     QTRY_VERIFY2(colored_pct() > before - 5, qPrintable(QString::number(colored_pct())));
 }

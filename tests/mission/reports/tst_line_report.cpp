@@ -152,7 +152,7 @@ private slots:
         for (const QByteArray& json : printed.trimmed().split('\n')) {
             ++number;
             QVERIFY2(json.startsWith("{\"line\":" + QByteArray::number(number) + ",") &&
-                         json.contains("\"time\":" + QByteArray::number(number) + ","),
+                         json.contains("\"text\":\"STA {Time " + QByteArray::number(number) + "} "),
                      json);
         }
         QCOMPARE(number, lines);
