@@ -110,4 +110,69 @@ void realTimeFactor(benchmark::State& state) {
 }
 BENCHMARK(realTimeFactor)->Arg(1)->Arg(10)->Arg(50)->Arg(200)->Unit(benchmark::kMicrosecond);
 
+World vmacRoom() {
+    auto world = readWorld(USAR_BINARY_DIR "/share/worlds/vmac_room");
+    return world ? std::move(*world) : World{};
+}
+
+/// The same for robots that drive in circles in a hall, each by the command of its kind; the ERS stands.
+void groundRealTimeFactor(benchmark::State& state, const std::string& class_name, const std::string& command) {
+    SimulationOptions options;
+    options.battery_life = Seconds{1e6};
+    options.robots = doubles::shippedRobots();
+    auto simulation = std::move(*Simulation::make(vmacRoom(), options));
+    std::vector<ClientId> clients;
+    for (int i = 0; i < state.range(0); ++i) {
+        clients.push_back(simulation->connect());
+        const double x_m = 2.0 * (i % 10) - 9.0;
+        const double y_m = 2.0 * (i / 10) - 4.0;
+        simulation->receive(clients.back(), "INIT {ClassName " + class_name + "} {Location " + std::to_string(x_m) +
+                                                "," + std::to_string(y_m) + ",-0.5}\r\n" + command + "\r\n");
+    }
+    for (auto _ : state) {
+        simulation->step();
+        for (const ClientId client : clients)
+            benchmark::DoNotOptimize(simulation->takeOutput(client).size());
+    }
+    if (simulation->robots().size() != clients.size())
+        return state.SkipWithError("not every robot was spawned");
+    state.counters["real_time_factor"] = benchmark::Counter(simulation->now().count(), benchmark::Counter::kIsRate);
+}
+BENCHMARK_CAPTURE(groundRealTimeFactor, P2DX, "P2DX", "DRIVE {Left 3} {Right 4}")
+    ->Arg(1)
+    ->Arg(50)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(groundRealTimeFactor, P2AT, "P2AT", "DRIVE {Left 2} {Right 4}")
+    ->Arg(1)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(groundRealTimeFactor, Sedan, "Sedan", "DRIVE {Speed 2} {FrontSteer 0.4}")
+    ->Arg(1)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(groundRealTimeFactor, ERS, "ERS", "")->Arg(1)->Unit(benchmark::kMicrosecond);
+
+/// A tick of a world whose crates lie still; 0 is the world without them.
+void cratesAtRest(benchmark::State& state) {
+    World world = tallTest();
+    world.boxes.clear();
+    world.plants.clear();
+    world.objects.clear();
+    for (int i = 0; i < state.range(0); ++i) {
+        const Vec2 at_m(2.0 * (i % 50) - 49.0, 2.0 * (i / 50) - 39.0);
+        const double height_m = world.terrain.height_m(at_m) + 0.3;
+        world.objects.push_back({.name = "Crate" + std::to_string(i),
+                                 .class_name = {},
+                                 .body = {1.0, Vec3::Constant(0.01), 0.9, {{BoxShape{{0.2, 0.2, 0.2}}, Pose{}}}},
+                                 .body_in_map = Pose{{at_m.x(), at_m.y(), height_m}}});
+    }
+    auto simulation = std::move(*Simulation::make(std::move(world), SimulationOptions{}));
+    for (int i = 0; i < 300; ++i) // They fall, and lie still after a minute.
+        simulation->step();
+    const double began_s = simulation->now().count();
+    for (auto _ : state)
+        simulation->step();
+    state.counters["real_time_factor"] =
+        benchmark::Counter(simulation->now().count() - began_s, benchmark::Counter::kIsRate);
+}
+BENCHMARK(cratesAtRest)->Arg(0)->Arg(2000)->Unit(benchmark::kMicrosecond);
+
 } // namespace

@@ -97,6 +97,65 @@ private slots:
         QVERIFY2(worst_tilt_rad < 0.4, qPrintable(QString::number(worst_tilt_rad)));
     }
 
+    void staysOnItsPawsAtObstacles_data() {
+        QTest::addColumn<World>("world");
+        QTest::addColumn<double>("largest_deg");
+        QTest::addColumn<double>("gets_to_m");
+        QTest::addColumn<double>("gets_no_further_m");
+        const auto box = [](const Vec3& center_m, const Vec3& size_m) {
+            World world = flatWorld();
+            world.boxes.push_back({.center_in_map = {.position_m = center_m}, .size_m = size_m});
+            return world;
+        };
+        const World ramp =
+            groundOf([](const Vec2& at) { return std::max(0.0, at.x() - 0.5) * std::tan(radians(30.0)); });
+        QTest::newRow("wall") << box({0.75, 0.0, 0.5}, {0.5, 4.0, 1.0}) << 15.0 << 0.2 << 0.5;
+        QTest::newRow("step of 5 cm: too high") << box({2.5, 0.0, 0.025}, {4.0, 4.0, 0.05}) << 20.0 << 0.2 << 0.6;
+        QTest::newRow("ramp of 30 degrees") << ramp << 25.0 << 0.2 << 1.5;
+        QTest::newRow("drop of 20 cm: it falls on its nose")
+            << box({-1.5, 0.0, 0.1}, {4.0, 4.0, 0.2}) << 180.0 << 0.3 << 1.5;
+    }
+
+    void staysOnItsPawsAtObstacles() {
+        QFETCH(const World, world);
+        QFETCH(const double, largest_deg);
+        QFETCH(const double, gets_to_m);
+        QFETCH(const double, gets_no_further_m);
+        DrivenRobot dog(world, robots, "ERS", 0.1, 0.13);
+        if (!world.boxes.empty() && world.boxes.front().center_in_map.position_m.x() < 0.0)
+            dog.physics->place(dog.body.id(), Pose{dog.position_m() + Vec3(0.0, 0.0, 0.2)});
+        stand(dog);
+        double tilt_rad = 0.0;
+        for (int tick = 0; tick < 150; ++tick) {
+            dog.drive->obey(trot(tick, 0.05));
+            dog.run(Seconds{0.2}, [&] {
+                const Vec3 up = dog.pose().rotation() * Vec3::UnitZ();
+                tilt_rad = std::max(tilt_rad, std::acos(std::clamp(up.z(), -1.0, 1.0)));
+            });
+        }
+        const Vec3 end_m = dog.position_m();
+        qInfo("largest tilt %.0f degrees, x %.2f m, height %.2f m", degrees(tilt_rad), end_m.x(), end_m.z());
+        QVERIFY(degrees(tilt_rad) <= largest_deg);
+        QVERIFY(end_m.x() > gets_to_m && end_m.x() < gets_no_further_m);
+        QVERIFY(end_m.z() > 0.02 && end_m.z() < 1.0);
+    }
+
+    void pushesAnotherOfItsKind() {
+        DrivenRobot dog(flatWorld(), robots, "ERS", 0.1, 0.13);
+        RobotBody other(*dog.physics, dog.model, Pose{{0.6, 0.13, 0.2}});
+        stand(dog);
+        double tilt_rad = 0.0;
+        for (int tick = 0; tick < 150; ++tick) {
+            dog.drive->obey(trot(tick, 0.05));
+            dog.run(Seconds{0.2}, [&] {
+                const Vec3 up = dog.pose().rotation() * Vec3::UnitZ();
+                tilt_rad = std::max(tilt_rad, std::acos(std::clamp(up.z(), -1.0, 1.0)));
+            });
+        }
+        qInfo("largest tilt %.0f degrees, x %.2f m", degrees(tilt_rad), dog.position_m().x());
+        QVERIFY(degrees(tilt_rad) < 15.0 && dog.position_m().x() > 1.0);
+    }
+
     void servosGoWhereTheyAreToldWithinTheirLimits_data() {
         QTest::addColumn<double>("wanted_rad");
         QTest::addColumn<double>("reached_rad");

@@ -20,7 +20,10 @@ bool isSeparator(char c) {
 
 std::string quoted(std::string_view text) {
     constexpr std::size_t longest = 40;
-    return "'" + std::string(text.substr(0, longest)) + (text.size() > longest ? "…'" : "'");
+    std::string words = "'";
+    words += text.substr(0, longest);
+    words += text.size() > longest ? "…'" : "'";
+    return words;
 }
 
 /// Reads an element that is not a plain decimal, up to its comma.
