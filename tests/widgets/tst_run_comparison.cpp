@@ -170,7 +170,7 @@ private slots:
         QCOMPARE(table->item(2, 0)->text(), QStringLiteral("✓ 99.7 %"));
         QCOMPARE(table->item(2, 1)->text(), QStringLiteral("80.0 %  (−19.7 %)"));
         QVERIFY(table->item(2, 0)->data(Qt::AccessibleTextRole).toString().contains("better"));
-        QVERIFY(says(*dialog, "S_001 has no picture"));
+        QTRY_VERIFY(says(*dialog, "S_001 has no picture")); // New labels are shown a moment later.
         const auto labels = dialog->findChildren<QLabel*>();
         QVERIFY(std::ranges::any_of(labels,
                                     [](const QLabel* label) { return !label->pixmap(Qt::ReturnByValue).isNull(); }));

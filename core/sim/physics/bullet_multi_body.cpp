@@ -32,6 +32,21 @@ std::size_t at(int link) {
     return static_cast<std::size_t>(link + 1);
 }
 
+/// True if a link is the same however its joint is turned, and carries nothing.
+bool isRoundWheel(const ArticulatedDescription& description, std::size_t index) {
+    constexpr double same = 1e-9;
+    const LinkDescription& link = description.links[index];
+    const Vec3& axis = link.axis_in_link;
+    const Vec3& inertia_kg_m2 = link.body.inertia_kg_m2;
+    int along = 0;
+    axis.cwiseAbs().maxCoeff(&along);
+    const bool balanced = (link.pivot_in_link_m - link.pivot_in_link_m.dot(axis) * axis).norm() < same;
+    const bool round = std::abs(inertia_kg_m2[(along + 1) % 3] - inertia_kg_m2[(along + 2) % 3]) < same;
+    return link.kind == JointKind::Revolute && std::abs(std::abs(axis[along]) - 1.0) < same && balanced && round &&
+           std::ranges::none_of(description.links,
+                                [&](const LinkDescription& other) { return other.parent == static_cast<int>(index); });
+}
+
 bool hasOnlyWheels(const ArticulatedDescription& description) {
     const auto isWheel = [](const BodyPart& part) { return std::holds_alternative<CylinderShape>(part.shape); };
     return std::ranges::all_of(
@@ -55,6 +70,8 @@ BulletMultiBody::BulletMultiBody(btMultiBodyDynamicsWorld& world, const Articula
     // Bullet compares this with the sum of the squares of the base's speeds and of all joint speeds.
     body_.setSleepThreshold(sleepy_m_s * sleepy_m_s + sleepy_rad_s * sleepy_rad_s + sleepy_joint * sleepy_joint);
     on_wheels_ = hasOnlyWheels(description);
+    for (std::size_t i = 0; i < joints_.size(); ++i)
+        joints_[i].moves_mass = !isRoundWheel(description, i);
     for (std::size_t i = 0; i < description.links.size(); ++i)
         addLink(static_cast<int>(i), description.links[i]);
     body_.finalizeMultiDof();

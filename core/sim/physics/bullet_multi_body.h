@@ -45,6 +45,8 @@ public:
     void apply(const Vec3& force_in_map_n, const Vec3& torque_in_map_n_m) override;
     bool onWheels() const override { return on_wheels_; }
     std::span<const JointRow> jointRows(double dt_s) override;
+    bool movesMass(int link) const override { return joints_[static_cast<std::size_t>(link)].moves_mass; }
+    KeptInverse& keptInverse() override { return kept_inverse_; }
     /// Sets the limits of all motors for a step of this length.
     void beforeStep(Seconds dt) override;
     void afterStep() override { refreshVelocities(); }
@@ -65,6 +67,7 @@ private:
         double damping = 0.0;                         ///< N m s/rad or N s/m
         double lower = 1.0;                           ///< rad or m; above `upper` if there are no limits
         double upper = -1.0;
+        bool moves_mass = true; ///< see JointedBody
         JointMotor wanted;
         double motor_n_s = 0.0; ///< impulses of the last step, or N m s
         double damper_n_s = 0.0;
@@ -92,6 +95,7 @@ private:
     std::vector<Piece> parts_; ///< the base first, as in the arrays below
     std::vector<Joint> joints_;
     std::vector<JointRow> rows_; ///< see jointRows
+    KeptInverse kept_inverse_;
     bool on_wheels_ = false;
     std::vector<btVector3> velocities_; ///< velocities of origins, map frame, after the last step
     std::vector<btVector3> rates_;      ///< angular velocities, likewise

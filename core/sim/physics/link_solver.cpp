@@ -14,6 +14,8 @@ namespace {
 constexpr int most_sweeps = 20;
 constexpr double settled = 1e-4; ///< m/s or rad/s: a sweep that changes less is the last one
 constexpr double least_mobility = 1e-12;
+constexpr double same_joint = 1e-5; ///< rad or m
+constexpr int most_turned = 64;     ///< size of the largest matrix that is kept
 
 const btMultiBodyLinkCollider* linkOf(const btCollisionObject& object) {
     return btMultiBodyLinkCollider::upcast(&object);
@@ -35,6 +37,29 @@ double dot(const double* a, const double* b, int size) {
 
 void addTimes(double* sum, const double* what, double factor, int size) {
     Reals(sum, size) += factor * ConstReals(what, size);
+}
+
+/// True if a joint that moves masses is not where it was.
+bool hasMoved(const btMultiBody& body, const JointedBody& jointed, std::span<const double> joints) {
+    for (int i = 0; i < body.getNumLinks(); ++i)
+        if (jointed.movesMass(i) && std::abs(body.getJointPos(i) - joints[static_cast<std::size_t>(i)]) > same_joint)
+            return true;
+    return false;
+}
+
+/// Turns the base's rows and columns of a matrix, first those of its rotation, then those of its motion.
+void turn(double* matrix, int size, const btMatrix3x3& rotation) {
+    using Rows = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, most_turned>;
+    const Eigen::Matrix3d by{{rotation[0][0], rotation[0][1], rotation[0][2]},
+                             {rotation[1][0], rotation[1][1], rotation[1][2]},
+                             {rotation[2][0], rotation[2][1], rotation[2][2]}};
+    Eigen::Map<Eigen::MatrixXd> whole(matrix, size, size);
+    for (const int first : {0, 3}) {
+        const Rows rows = by * whole.middleRows<3>(first);
+        whole.middleRows<3>(first) = rows;
+        const Rows columns = by * whole.middleCols<3>(first).transpose();
+        whole.middleCols<3>(first) = columns.transpose();
+    }
 }
 
 } // namespace
@@ -80,14 +105,7 @@ void LinkSolver::addMember(btMultiBody& body) {
     const auto count = static_cast<std::size_t>(size);
     Member member{&body, size, numbers_.size(), numbers_.size() + count * count, axes_.size()};
     numbers_.resize(numbers_.size() + count * count + count, 0.0);
-    std::vector<double>& unit = unit_;
-    unit.assign(count, 0.0);
-    for (std::size_t i = 0; i < count; ++i) {
-        unit[i] = 1.0;
-        body.calcAccelerationDeltasMultiDof(unit.data(), &numbers_[member.inverse + i * count], scratch_,
-                                            scratch_vectors_);
-        unit[i] = 0.0;
-    }
+    invert(member);
     for (int i = 0; i < body.getNumLinks(); ++i) {
         const btMultibodyLink& link = body.getLink(i);
         const btMatrix3x3& link_in_map = link.m_cachedWorldTransform.getBasis();
@@ -97,6 +115,32 @@ void LinkSolver::addMember(btMultiBody& body) {
     }
     body.setCompanionId(static_cast<int>(members_.size()));
     members_.push_back(member);
+}
+
+void LinkSolver::invert(const Member& member) {
+    btMultiBody& body = *member.body;
+    auto* const jointed = static_cast<JointedBody*>(body.getUserPointer());
+    KeptInverse& kept = jointed->keptInverse();
+    const auto count = static_cast<std::size_t>(member.size);
+    double* const inverse = &numbers_[member.inverse];
+    const btMatrix3x3 base_in_map = btMatrix3x3(body.getWorldToBaseRot()).transpose();
+    if (!kept.in_base.empty() && !hasMoved(body, *jointed, kept.joints)) {
+        std::ranges::copy(kept.in_base, inverse);
+        return turn(inverse, member.size, base_in_map);
+    }
+    unit_.assign(count, 0.0);
+    for (std::size_t i = 0; i < count; ++i) {
+        unit_[i] = 1.0;
+        body.calcAccelerationDeltasMultiDof(unit_.data(), inverse + i * count, scratch_, scratch_vectors_);
+        unit_[i] = 0.0;
+    }
+    if (member.size > most_turned)
+        return;
+    kept.in_base.assign(inverse, inverse + count * count);
+    turn(kept.in_base.data(), member.size, base_in_map.transpose());
+    kept.joints.clear();
+    for (int i = 0; i < body.getNumLinks(); ++i)
+        kept.joints.push_back(body.getJointPos(i));
 }
 
 void LinkSolver::addJoints(int index, double dt_s) {

@@ -19,6 +19,13 @@ struct JointRow {
     double* impulse = nullptr; ///< what it took in the last step, and then in this one
 };
 
+/// The inverse mass matrix that was computed last, for the base's axes, and the joints' positions then. It turns with
+/// the body, so that it holds until a joint moves.
+struct KeptInverse {
+    std::vector<double> in_base; ///< empty: none yet
+    std::vector<double> joints;
+};
+
 /// A body whose joints are driven. It is the user pointer of its btMultiBody.
 class JointedBody {
 public:
@@ -27,6 +34,9 @@ public:
     virtual bool onWheels() const = 0;
     /// The rows for this step, valid until the next one.
     virtual std::span<const JointRow> jointRows(double dt_s) = 0;
+    /// False for the joint of a round wheel, whose turning moves no mass elsewhere.
+    virtual bool movesMass(int link) const = 0;
+    virtual KeptInverse& keptInverse() = 0;
 };
 
 /// True for a link or the base of a robot that is on wheels.
@@ -34,8 +44,8 @@ bool isOnWheels(const btCollisionObject& object);
 
 /// The method is Bullet's, projected Gauss-Seidel on velocities with the same rows: each contact pushes apart and
 /// rubs in two directions. It takes a fraction of the time, because the inverse of each body's mass matrix is computed
-/// once a step instead of once for each row, because a step begins with the impulses of the last one, and because it
-/// ends when nothing changes any more.
+/// when a joint has moved instead of once for each row, because a step begins with the impulses of the last one, and
+/// because it ends when nothing changes any more.
 class LinkSolver {
 public:
     /// True if all bodies are links of robots on wheels. Limbs are left to Bullet: with this solver the ERS covers only
@@ -88,6 +98,8 @@ private:
     };
 
     void addMember(btMultiBody& body);
+    /// Fills in the inverse mass matrix for the map's axes.
+    void invert(const Member& member);
     void addJoints(int member, double dt_s);
     void addContacts(btPersistentManifold& manifold, const btContactSolverInfo& info);
     void addContact(const btPersistentManifold& manifold, btManifoldPoint& point, const btContactSolverInfo& info);

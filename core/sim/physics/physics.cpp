@@ -246,9 +246,15 @@ private:
             body.lift(under_m);
     }
 
+    static bool moves(const btCollisionObject& object) {
+        return !object.isStaticOrKinematicObject() && object.isActive();
+    }
+
     void collectContacts() {
         for (int i = 0; i < dispatcher_.getNumManifolds(); ++i) {
             const btPersistentManifold& manifold = *dispatcher_.getManifoldByIndexInternal(i);
+            if (!moves(*manifold.getBody0()) && !moves(*manifold.getBody1()))
+                continue; // What sleeps was not pressed in this step.
             for (int k = 0; k < manifold.getNumContacts(); ++k)
                 if (manifold.getContactPoint(k).getAppliedImpulse() > 0.0)
                     record(manifold, manifold.getContactPoint(k));
