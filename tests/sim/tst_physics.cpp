@@ -243,7 +243,8 @@ private slots:
         const World world =
             groundOf([](const Vec2& at) { return 2.0 * std::sin(at.x() / 6.0) * std::cos(at.y() / 6.0); });
         const auto physics = makePhysics(world);
-        const BodyDescription crate{1.0, Vec3::Constant(0.0067), 0.9, {{BoxShape{{0.2, 0.2, 0.2}}, Pose{}}}};
+        BodyDescription crate{1.0, Vec3::Constant(0.0067), 0.9, {{BoxShape{{0.2, 0.2, 0.2}}, Pose{}}}};
+        crate.rest_rad_s = 0.2;
         std::vector<BodyId> crates;
         for (int i = 0; i < 100; ++i) {
             const Vec2 at_m(2.0 * (i % 10) - 9.0, 2.0 * (i / 10) - 9.0);

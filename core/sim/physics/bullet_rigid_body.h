@@ -17,7 +17,8 @@ public:
     /// `world` must outlive it.
     BulletRigidBody(btDynamicsWorld& world, const BodyDescription& description, const Pose& body_in_map, BodyId id)
         : world_(world)
-        , shape_(description) {
+        , shape_(description)
+        , rest_rad_s_(description.rest_rad_s) {
         const double mass_kg = description.still ? 0.0 : description.mass_kg;
         const Vec3 inertia_kg_m2 = description.still ? Vec3(Vec3::Zero()) : description.inertia_kg_m2;
         const btRigidBody::btRigidBodyConstructionInfo info(mass_kg, nullptr, shape_.compound(),
@@ -55,11 +56,9 @@ public:
         rigid_->setLinearVelocity(velocity);
         world_.updateSingleAabb(rigid_.get());
     }
-    /// Begins to count the time at rest from 0. A crate on uneven ground goes on rocking by 0.1 rad/s, because the
-    /// engine finds other points of contact in each step; one that tips over moves its center, too.
+    /// Begins to count the time at rest from 0.
     void letSleep(bool allowed) override {
-        constexpr double rocking_rad_s = 0.2;
-        rigid_->setSleepingThresholds(sleepy_m_s, rocking_rad_s);
+        rigid_->setSleepingThresholds(sleepy_m_s, rest_rad_s_);
         rigid_->setDeactivationTime(0.0);
         rigid_->forceActivationState(allowed ? ACTIVE_TAG : DISABLE_DEACTIVATION);
     }
@@ -97,6 +96,7 @@ private:
     /// Bullet's world refers to the body, so the destructor takes it out of there first.
     btDynamicsWorld& world_;
     BulletShape shape_;
+    double rest_rad_s_;
     std::unique_ptr<btRigidBody> rigid_;
     btVector3 velocity_{0.0, 0.0, 0.0}; ///< before the step, like `rate_`
     btVector3 rate_{0.0, 0.0, 0.0};

@@ -52,6 +52,7 @@ struct BodyDescription {
     double restitution = 0.0;        ///< share of the closing speed that a bounce gives back, 0 to 1
     double rolling_friction_m = 0.0; ///< rolling resistance torque divided by normal force
     bool still = false;              ///< stays where it is placed, whatever pushes it
+    double rest_rad_s = 0.02;        ///< a rigid body that turns more slowly may count as at rest (Physics::letSleep)
     bool operator==(const BodyDescription&) const = default;
 };
 
