@@ -110,12 +110,13 @@ void MissionDesk::setUp(const mission::Mission& mission) {
     task_.setUp(mission, *prepared);
     notices_.cure("mission");
     const QString name = QString::fromStdString(mission.name);
-    notices_.say(Severity::Note, "mission-ready",
-                 !selection_.id().valid()
-                     ? tr("Mission %1 is ready. Double-click the start pose %2 to spawn the robot (%3), then press Start.")
-                           .arg(name, QString::fromStdString(mission.start),
-                                QString::fromStdString(mission.robot_class).section('.', -1))
-                     : tr("Mission %1 is ready. Press Start.").arg(name));
+    notices_.say(
+        Severity::Note, "mission-ready",
+        !selection_.id().valid()
+            ? tr("Mission %1 is ready. Double-click the start pose %2 to spawn the robot (%3), then press Start.")
+                  .arg(name, QString::fromStdString(mission.start),
+                       QString::fromStdString(mission.robot_class).section('.', -1))
+            : tr("Mission %1 is ready. Press Start.").arg(name));
 }
 
 void MissionDesk::selectRobotFor(const std::string& robot_class) {

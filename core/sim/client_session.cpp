@@ -39,7 +39,7 @@ std::string_view refusedLine(const protocol::Command& command, std::string_view 
     return raw && sameWord(std::string_view(raw->line).substr(0, word.size()), word) ? raw->line : std::string_view();
 }
 
-/// What a refused INIT wants to spawn: its class, or else its name; empty if it has neither.
+/// Returns the class that a refused INIT names, or else its robot's name, or an empty text if it has neither.
 std::string wantedBy(std::string_view init) {
     const protocol::Segments segments = segmentsOf(init);
     const std::string_view wanted_class = segments.value("ClassName");

@@ -52,7 +52,7 @@ struct Simulation::State {
     /// The wanted name, or a new one and the reason for it if there is none or if another robot or station has it, as
     /// the game's engine does with the names of its bots (UnrealEngine 2, DeathMatch.ChangeName).
     std::pair<std::string, std::string> nameOf(ClientId client, const protocol::Init& init) const;
-    /// The robot or thing whose middle is nearest to the point, but for the robot of `client`: "robot 'R1'".
+    /// Names the robot or thing whose middle is nearest to the point, "robot 'R1'"; leaves out the robot of `client`.
     std::string nearestThing(ClientId client, const Vec3& point_in_map_m) const;
     /// Why no robot can start there; nullopt if it may be tried.
     std::optional<std::string> refusalOf(const Pose& start_in_map) const;

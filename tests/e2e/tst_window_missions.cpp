@@ -114,8 +114,8 @@ void tst_WindowMissions::aMissionForAnotherRobotWaitsForOne() {
     QVERIFY(page.spawnAt("PlayerStart"));
     QCOMPARE(page.robot(1)->spawn.class_name, "USARBot.AirRobot");
     page.window().mission().openMission(shipped("p2dx_meadow"));
-    QTRY_VERIFY2_WITH_TIMEOUT(page.notified("is ready").contains("spawn the robot (P2DX)"), qPrintable(page.notified({})),
-                              soon_ms);
+    QTRY_VERIFY2_WITH_TIMEOUT(page.notified("is ready").contains("spawn the robot (P2DX)"),
+                              qPrintable(page.notified({})), soon_ms);
     QCOMPARE(page.window().selectedRobot(), RobotId{0});
     const auto mission = mission::readMissionFile(shipped("p2dx_meadow"));
     QVERIFY(page.spawnAt(mission->start));

@@ -41,7 +41,7 @@ GenericMessage genericOf(const std::string& line) {
     return message;
 }
 
-/// What rounds to zero keeps its sign when it is written, but the zero that is read from it has none.
+/// A small negative number is written as -0.00, but it is read as a zero without a sign.
 QByteArray withoutSignsOfZeros(const std::string& line) {
     QByteArray text = QByteArray::fromStdString(line);
     for (const char* const zero : {"-0.00,", "-0.00}", "-0.00 "})

@@ -60,6 +60,19 @@ protocol::MultiDrive trot(int tick, double step_m) {
     return drive;
 }
 
+/// Returns the largest tilt of the body's z axis from the vertical.
+double trotFor30s(DrivenRobot& dog) {
+    double tilt_rad = 0.0;
+    for (int tick = 0; tick < 150; ++tick) {
+        dog.drive->obey(trot(tick, 0.05));
+        dog.run(Seconds{0.2}, [&] {
+            const Vec3 up = dog.pose().rotation() * Vec3::UnitZ();
+            tilt_rad = std::max(tilt_rad, std::acos(std::clamp(up.z(), -1.0, 1.0)));
+        });
+    }
+    return tilt_rad;
+}
+
 } // namespace
 
 class tst_LegDrive : public QObject {
@@ -125,14 +138,7 @@ private slots:
         if (!world.boxes.empty() && world.boxes.front().center_in_map.position_m.x() < 0.0)
             dog.physics->place(dog.body.id(), Pose{dog.position_m() + Vec3(0.0, 0.0, 0.2)});
         stand(dog);
-        double tilt_rad = 0.0;
-        for (int tick = 0; tick < 150; ++tick) {
-            dog.drive->obey(trot(tick, 0.05));
-            dog.run(Seconds{0.2}, [&] {
-                const Vec3 up = dog.pose().rotation() * Vec3::UnitZ();
-                tilt_rad = std::max(tilt_rad, std::acos(std::clamp(up.z(), -1.0, 1.0)));
-            });
-        }
+        const double tilt_rad = trotFor30s(dog);
         const Vec3 end_m = dog.position_m();
         qInfo("largest tilt %.0f degrees, x %.2f m, height %.2f m", degrees(tilt_rad), end_m.x(), end_m.z());
         QVERIFY(degrees(tilt_rad) <= largest_deg);
@@ -144,14 +150,7 @@ private slots:
         DrivenRobot dog(flatWorld(), robots, "ERS", 0.1, 0.13);
         RobotBody other(*dog.physics, dog.model, Pose{{0.6, 0.13, 0.2}});
         stand(dog);
-        double tilt_rad = 0.0;
-        for (int tick = 0; tick < 150; ++tick) {
-            dog.drive->obey(trot(tick, 0.05));
-            dog.run(Seconds{0.2}, [&] {
-                const Vec3 up = dog.pose().rotation() * Vec3::UnitZ();
-                tilt_rad = std::max(tilt_rad, std::acos(std::clamp(up.z(), -1.0, 1.0)));
-            });
-        }
+        const double tilt_rad = trotFor30s(dog);
         qInfo("largest tilt %.0f degrees, x %.2f m", degrees(tilt_rad), dog.position_m().x());
         QVERIFY(degrees(tilt_rad) < 15.0 && dog.position_m().x() > 1.0);
     }

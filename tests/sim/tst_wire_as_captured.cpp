@@ -150,7 +150,7 @@ Wire captured(const std::string& dialect) {
         const bool is_conf = line.text.starts_with("CONF");
         const bool three_decimals = isSaidIn(line, "3-decimal") && !is_conf;
         const bool in_format = line.captured || isSaidIn(line, "(constructed");
-        // Of UT2004's answers only MOAST's comments are left. In those the ScanInterval has two decimals or four.
+        // No capture has UT2004's answers. MOAST's comments quote some, with two or four decimals of ScanInterval.
         const bool quoted = dialect == "UT2004" && isSaidIn(line, "MOAST") &&
                             line.text.find("ScanInterval") == std::string::npos &&
                             (is_conf || line.text.starts_with("GEO"));

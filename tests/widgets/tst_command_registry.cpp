@@ -249,7 +249,7 @@ void tst_CommandRegistry::paletteSpeaksWithVerbs() {
     CommandListModel model(*registry_);
     model.setFilter("camera");
     QCOMPARE(model.index(0).data().toString(), QString("Show Camera"));
-    for (int i = 0; i < 2; ++i) // What is shown already stays.
+    for (int i = 0; i < 2; ++i) // The second time it is shown already, and it stays so.
         model.run(model.index(0));
     QCOMPARE(shown, (std::vector<bool>{true, true}));
 }

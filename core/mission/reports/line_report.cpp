@@ -358,7 +358,7 @@ private:
 struct Batch {
     struct Line {
         std::uint64_t number = 0;
-        std::size_t size = 0; ///< of its part of `text`
+        std::size_t size = 0; ///< `text` has this many bytes of the line
         bool too_long = false;
     };
     std::string text;

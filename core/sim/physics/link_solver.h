@@ -10,7 +10,8 @@
 
 namespace usar::sim {
 
-/// What drives or brakes one joint during a step: it is brought to a speed with an impulse between two limits.
+/// One joint is brought to a speed during a step, by an impulse between two limits: this is a motor, a brake or an end
+/// stop.
 struct JointRow {
     int dof = 0;          ///< index of the joint in the body's velocities, from 6
     double speed = 0.0;   ///< wanted, rad/s or m/s

@@ -254,7 +254,7 @@ private:
         for (int i = 0; i < dispatcher_.getNumManifolds(); ++i) {
             const btPersistentManifold& manifold = *dispatcher_.getManifoldByIndexInternal(i);
             if (!moves(*manifold.getBody0()) && !moves(*manifold.getBody1()))
-                continue; // What sleeps was not pressed in this step.
+                continue; // Nothing pressed on sleeping bodies in this step.
             for (int k = 0; k < manifold.getNumContacts(); ++k)
                 if (manifold.getContactPoint(k).getAppliedImpulse() > 0.0)
                     record(manifold, manifold.getContactPoint(k));

@@ -25,7 +25,7 @@ public:
 private:
     /// Adds the increment since the last scan, with its errors, to the estimate.
     void integrate(const Pose& base_in_map);
-    /// What it estimates, at this pose of the base.
+    /// Returns the pose that is reported when the base is at this one.
     Pose reported(const Pose& base_in_map) const;
 
     double sigma_ = error("sigma", 0.05);

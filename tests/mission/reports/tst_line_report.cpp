@@ -23,6 +23,14 @@ QJsonObject reportOf(const QByteArray& line) {
     return report;
 }
 
+Result<LineCounts> reported(QByteArray log, QByteArray& printed) {
+    QBuffer input(&log);
+    QBuffer output(&printed);
+    if (!input.open(QIODevice::ReadOnly) || !output.open(QIODevice::WriteOnly))
+        return failure("a buffer cannot be opened", "", "");
+    return reportLines(input, output);
+}
+
 } // namespace
 
 class tst_LineReport : public QObject {
@@ -119,12 +127,8 @@ private slots:
 
     void numbersTheLinesOfALog() {
         QByteArray log = "# a comment\r\n\r\nSTA {Time 1}\nDRIVE {Left 1}\r\nSEN {Type Sonar} {Name A Range x}";
-        QBuffer input(&log);
-        QVERIFY(input.open(QIODevice::ReadOnly));
         QByteArray printed;
-        QBuffer output(&printed);
-        QVERIFY(output.open(QIODevice::WriteOnly));
-        const auto counts = reportLines(input, output);
+        const auto counts = reported(log, printed);
         QVERIFY(counts);
         QCOMPARE(counts->lines, 3u);
         QCOMPARE(counts->with_diagnostics, 1u);
@@ -139,12 +143,8 @@ private slots:
         QByteArray log;
         for (int i = 1; i <= lines; ++i)
             log += "STA {Time " + QByteArray::number(i) + "} {Battery 7}\n";
-        QBuffer input(&log);
-        QVERIFY(input.open(QIODevice::ReadOnly));
         QByteArray printed;
-        QBuffer output(&printed);
-        QVERIFY(output.open(QIODevice::WriteOnly));
-        const auto counts = reportLines(input, output);
+        const auto counts = reported(log, printed);
         QVERIFY(counts);
         QCOMPARE(counts->lines, quint64{lines});
         QCOMPARE(counts->with_diagnostics, 0u);
@@ -160,12 +160,8 @@ private slots:
 
     void anEndlessLineIsLeftOutAndSaidOnce() {
         QByteArray log = "SEN {Range " + QByteArray(9 << 20, '1') + "}\nSTA {Time 1}\n";
-        QBuffer input(&log);
-        QVERIFY(input.open(QIODevice::ReadOnly));
         QByteArray printed;
-        QBuffer output(&printed);
-        QVERIFY(output.open(QIODevice::WriteOnly));
-        const auto counts = reportLines(input, output);
+        const auto counts = reported(log, printed);
         QVERIFY(counts);
         QCOMPARE(counts->lines, 2u);
         QCOMPARE(counts->with_diagnostics, 1u);
