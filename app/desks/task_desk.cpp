@@ -6,6 +6,7 @@
 
 #include <QScopedValueRollback>
 
+#include "core/mission/fleet/robot_words.h"
 #include "core/server/embedded/simulator_files.h"
 #include "widgets/models/figures.h"
 

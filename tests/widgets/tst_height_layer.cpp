@@ -130,13 +130,16 @@ void tst_HeightLayer::aPartRenderedAgainIsThatOfTheWholePage() {
         page.tiles[i] = hill();
     PagePicture picture = renderPage(page, style);
     for (int change = 0; change < 40; ++change) {
-        PageTiles::Which changed;
+        QRect changed_px;
         for (std::size_t i = 0; i <= upTo(2); ++i) {
-            const std::size_t tile = upTo(PageTiles::count - 1);
-            page.tiles[tile] = hill();
-            changed.set(tile);
+            const std::size_t place = upTo(PageTiles::count - 1);
+            const auto before = page.tiles[place];
+            const auto after = before && upTo(3) > 0 ? std::make_shared<HeightTile>(*before) : hill();
+            after->preview_m[upTo(HeightTile::cell_count - 1)] = 5.0f;
+            page.tiles[place] = after;
+            changed_px |= changedPixels(place, before.get(), *after, orientation);
         }
-        picture = renderAgain(page, style, picture, changed);
+        picture = renderAgain(page, style, picture, changed_px);
         const PagePicture whole = renderPage(page, style);
         QVERIFY(picture.levels == whole.levels);
         QVERIFY(picture.contours == whole.contours);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include <QEvent>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>

@@ -169,24 +169,32 @@ std::vector<QRectF> OverlayPlaces::all() const {
     return places;
 }
 
+QRectF probePlace(const QString& probe, const OverlayPlaces& places, const MapTransform& transform) {
+    double bottom = transform.viewport.height() - edge;
+    for (const QRectF& legend : {places.heights, places.marks})
+        if (!legend.isEmpty())
+            bottom = legend.top() - gap::small;
+    const QSizeF size = chipSize(probe);
+    return {QPointF(transform.viewport.width() - edge - size.width(), bottom - size.height()), size};
+}
+
 void paintOverlay(QPainter& painter, const MapOverlay& overlay, const MapContent& content, const HeightLayer& heights,
-                  const MapTransform& transform) {
+                  const MapTransform& transform, const QRectF& part_px) {
     painter.setRenderHint(QPainter::Antialiasing);
     const OverlayPlaces places(legendsOf(content, heights), transform);
-    paintScaleBar(painter, transform);
-    paintAxes(painter, transform);
-    double top = transform.viewport.height() - edge;
-    if (!places.heights.isEmpty()) {
+    const auto touched = [&](const QRectF& place) {
+        return !place.isEmpty() && place.adjusted(-edge, -edge, edge, edge).intersects(part_px);
+    };
+    if (touched(places.scale_bar))
+        paintScaleBar(painter, transform);
+    if (touched(places.axes))
+        paintAxes(painter, transform);
+    if (touched(places.heights))
         paintHeightLegend(painter, heights, content.layer(MapLayer::Contours).visible, places.heights);
-        top = places.heights.top() - gap::small;
-    }
-    if (!places.marks.isEmpty()) {
+    if (touched(places.marks))
         paintMarkLegend(painter, content, places.marks);
-        top = places.marks.top() - gap::small;
-    }
     if (!overlay.probe.isEmpty())
-        paintChip(painter, QPointF(transform.viewport.width() - edge, top), overlay.probe,
-                  Qt::AlignRight | Qt::AlignBottom);
+        paintChip(painter, probePlace(overlay.probe, places, transform).topLeft(), overlay.probe, {});
     if (!overlay.following.isEmpty())
         paintChip(painter, QPointF(transform.viewport.width() / 2.0, edge),
                   QStringLiteral("Following %1 — drag the map to stop").arg(overlay.following), Qt::AlignHCenter);

@@ -31,6 +31,7 @@ QRectF axesGlass_px(const MapTransform& transform);
 struct Legends {
     bool heights = false;
     std::size_t mark_kinds = 0; ///< number of rows
+    bool operator==(const Legends&) const = default;
 };
 Legends legendsOf(const MapContent& content, const HeightLayer& heights);
 /// What a mission that begins will bring, as far as its layers are shown.
@@ -48,8 +49,11 @@ struct OverlayPlaces {
     std::vector<QRectF> all() const;
 };
 
-/// Paints over all layers, once per frame; leaves antialiasing on. GUI thread.
+/// Where the chip with the probe is painted, in pixels.
+QRectF probePlace(const QString& probe, const OverlayPlaces& places, const MapTransform& transform);
+
+/// Paints what of the overlay lies in this part of the view, over all layers; leaves antialiasing on. GUI thread.
 void paintOverlay(QPainter& painter, const MapOverlay& overlay, const MapContent& content, const HeightLayer& heights,
-                  const MapTransform& transform);
+                  const MapTransform& transform, const QRectF& part_px);
 
 } // namespace usar::widgets

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "widgets/map/map_overlay.h"
 #include "widgets/models/figures.h"
@@ -20,14 +21,16 @@ Vec2 flat(const Vec3& point) {
 } // namespace
 
 MapPainter::MapPainter(QPainter& painter, const MapContent& content, const HeightLayer& heights,
-                       const TraceLayer& traces, const MapTransform& transform)
+                       const TraceLayer& traces, const MapTransform& transform, const MapLabels& labels,
+                       const QRectF& part_px)
     : painter_(painter)
     , content_(content)
     , heights_(heights)
     , traces_(traces)
     , transform_(transform)
     , tokens_(tokens())
-    , labels_(placeMapLabels(content, transform, OverlayPlaces(legendsOf(content, heights), transform).all())) {}
+    , labels_(labels)
+    , part_px_(part_px) {}
 
 void MapPainter::paintLayers() {
     struct LayerPainter {
@@ -71,10 +74,9 @@ void MapPainter::paintContours() {
 
 void MapPainter::paintPages(const QImage& (PagePicture::*pictureFor)(double) const) {
     const double cell_m = heights_.cellSize_m();
-    const QRectF viewport(QPointF(), transform_.viewport);
     for (const auto& [index, picture] : heights_.pages()) {
         const QRectF on_screen = transform_.toScreen(pageRectangle(index, cell_m));
-        if (!on_screen.intersects(viewport))
+        if (!on_screen.intersects(sight()))
             continue;
         // Edges are on whole pixels and shared by neighbors, so that no seams are visible.
         const QRect target(QPoint(qRound(on_screen.left()), qRound(on_screen.top())),
@@ -115,7 +117,7 @@ void MapPainter::paintArea() {
     painter_.drawRect(rect);
     if (content_.area.editing)
         paintAreaHandles(area);
-    if (!labels_.area.isEmpty())
+    if (labels_.area.intersects(sight()))
         paintChip(painter_, labels_.area.topLeft(), labels_.area_text, Qt::AlignLeft | Qt::AlignTop);
 }
 
@@ -190,11 +192,15 @@ void MapPainter::paintMarks() {
 void MapPainter::paintMarksOf(const std::vector<agent::MapMark>& marks) {
     const QRectF in_sight = sight();
     QVector<QPointF> path;
+    std::optional<QPointF> last; // Also out of sight, so that each part of the view shows the same marks.
     for (const agent::MapMark& mark : marks) {
-        const QPointF at = transform_.toScreen(flat(mark.position_in_map_m));
-        if (!in_sight.contains(at) || mark.kind != agent::MarkKind::Path)
+        if (mark.kind != agent::MarkKind::Path)
             continue;
-        if (path.empty() || (at - path.back()).manhattanLength() >= 3.0)
+        const QPointF at = transform_.toScreen(flat(mark.position_in_map_m));
+        if (last && (at - *last).manhattanLength() < 3.0)
+            continue;
+        last = at;
+        if (in_sight.contains(at))
             path << at;
     }
     painter_.setPen(QPen(markColor(agent::MarkKind::Path), 3.0, Qt::SolidLine, Qt::SquareCap));
@@ -206,13 +212,17 @@ void MapPainter::paintMarksOf(const std::vector<agent::MapMark>& marks) {
 }
 
 void MapPainter::paintStartPoses() {
+    constexpr double reach = symbol::diamond_px + symbol::arrow_px;
+    const QRectF near = sight().adjusted(-reach, -reach, reach, reach);
     for (std::size_t i = 0; i < content_.start_poses.size(); ++i) {
         const protocol::StartPose& pose = content_.start_poses[i];
         const bool hot = content_.hot_start_pose == i;
-        painter_.save();
-        painter_.translate(transform_.toScreen(flat(pose.pose_in_map.position_m)));
-        paintStartPoseSymbol(painter_, transform_.screenRotation_rad(pose.pose_in_map.yaw_rad), hot);
-        painter_.restore();
+        if (const QPointF at = transform_.toScreen(flat(pose.pose_in_map.position_m)); near.contains(at)) {
+            painter_.save();
+            painter_.translate(at);
+            paintStartPoseSymbol(painter_, transform_.screenRotation_rad(pose.pose_in_map.yaw_rad), hot);
+            painter_.restore();
+        }
         if (const auto& box = labels_.start_poses[i])
             paintLabel(*box, QString::fromStdString(pose.name), hot);
     }
@@ -287,6 +297,8 @@ void MapPainter::paintRobots() {
 }
 
 void MapPainter::paintLabel(const QRectF& box, const QString& text, bool bold) {
+    if (!box.intersects(sight()))
+        return;
     painter_.setFont(themeFont(FontRole::Small, bold ? QFont::DemiBold : QFont::Normal));
     painter_.setPen(Qt::NoPen);
     painter_.setBrush(faded(tokens_.background, 0.72));
@@ -329,7 +341,7 @@ void MapPainter::paintObjects() {
 void MapPainter::paintObject(const MapObject& object, bool selected) {
     const QPolygonF outline = outlineOnScreen(object, transform_);
     const QRectF bounds = outline.boundingRect();
-    if (!bounds.adjusted(-80.0, -8.0, 80.0, 24.0).intersects(QRectF(QPointF(), transform_.viewport)))
+    if (!bounds.adjusted(-80.0, -8.0, 80.0, 24.0).intersects(sight()))
         return;
     paintObjectSymbol(painter_, outline, selected);
     const QPointF center = bounds.center();

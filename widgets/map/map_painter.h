@@ -1,4 +1,4 @@
-// Draws the layers of the map. One object per frame; it only holds references.
+// Draws the layers of the map, or a part of them. One object for each part; it only holds references.
 #pragma once
 
 #include <QPainter>
@@ -16,8 +16,9 @@ namespace usar::widgets {
 /// section 6). GUI thread; everything passed to the constructor must outlive the painter.
 class MapPainter {
 public:
+    /// `part_px` is the part of the view that is painted; `labels` are those of the whole view.
     MapPainter(QPainter& painter, const MapContent& content, const HeightLayer& heights, const TraceLayer& traces,
-               const MapTransform& transform);
+               const MapTransform& transform, const MapLabels& labels, const QRectF& part_px);
 
     /// Paints all visible layers above the ground (GroundPicture), lowest first.
     void paintLayers();
@@ -59,7 +60,7 @@ private:
     /// point of NaN interrupts them.
     void paintSegments(const std::vector<Vec2>& points_m);
     /// The part of the screen that is painted, in pixels, with a margin for what is wider than its place.
-    QRectF sight() const { return QRectF(QPointF(), transform_.viewport).adjusted(-10.0, -10.0, 10.0, 10.0); }
+    QRectF sight() const { return part_px_.adjusted(-10.0, -10.0, 10.0, 10.0); }
     /// Paints text on a background of its own, so that it is readable everywhere.
     void paintLabel(const QRectF& box_px, const QString& text, bool bold);
 
@@ -69,7 +70,8 @@ private:
     const TraceLayer& traces_;
     const MapTransform& transform_;
     const Tokens& tokens_;
-    const MapLabels labels_;
+    const MapLabels& labels_;
+    const QRectF part_px_;
 };
 
 /// Paints the symbol of a mark, for the map and its legend; shapes differ, so that color is never the only distinction.

@@ -1,5 +1,8 @@
 #include "widgets/map/map_view.h"
 
+#include <cmath>
+#include <utility>
+
 #include "widgets/map/map_accessible.h"
 #include "widgets/map/map_overlay.h"
 #include "widgets/map/map_painter.h"
@@ -24,7 +27,9 @@ MapView::MapView(QWidget* parent) : QWidget(parent) {
                           tr("The world, its start poses and the height map appear here once a server answers."));
     soon_.setSingleShot(true);
     soon_.setInterval(one_cycle_ms);
-    connect(&soon_, &QTimer::timeout, this, qOverload<>(&QWidget::update));
+    connect(&soon_, &QTimer::timeout, this, &MapView::paintChanges);
+    connect(heights_, &HeightLayer::groundChanged, this,
+            [this](const Rectangle& ground_in_map) { changes_.touch(ground_in_map); });
     connect(heights_, &HeightLayer::changed, this, &MapView::paintSoon);
     way_back_->setToolTip(tr("Nothing of the world is in sight here; shows all of it again"));
     way_back_->hide();
@@ -61,6 +66,7 @@ void MapView::setStartPoses(const std::vector<protocol::StartPose>& poses) {
     content_.hot_start_pose.reset();
     if (!content_.world_in_map && !view_touched_)
         fitWorld();
+    update();
     showContent();
 }
 
@@ -91,6 +97,7 @@ void MapView::removeRobot(const QString& name) {
     content_.marks.erase(name);
     if (content_.selected_robot == name)
         selectRobot({});
+    update();
     showContent();
 }
 
@@ -140,13 +147,15 @@ void MapView::selectRobot(const QString& name) {
 }
 
 void MapView::setObjects(const std::vector<MapObject>& objects) {
+    if (content_.objects.objects == objects)
+        return;
     content_.setObjects(objects);
-    paintSoon();
+    update();
 }
 
 void MapView::addTraceMark(const Vec2& point_in_map_m, const QColor& color) {
     traces_.add(point_in_map_m, color);
-    paintSoon();
+    update();
 }
 
 void MapView::clearTraceMarks() {
@@ -242,14 +251,18 @@ void MapView::paintSoon() {
         soon_.start();
 }
 
-void MapView::paintEvent(QPaintEvent*) {
-    QPainter painter(this);
-    if (!empty_state_->isHidden())
-        return painter.fillRect(rect(), tokens().background);
-    ground_.paint(painter, content_, transform_);
-    MapPainter(painter, content_, *heights_, traces_, transform_).paintLayers();
-    if (content_.measured)
-        paintMeasured(painter, *content_.measured, *heights_, transform_);
+void MapView::paintChanges() {
+    const std::optional<QRegion> changed_px = changes_.take(content_, *heights_, overlay(), transform_);
+    const QRegion late_px = std::exchange(late_px_, {});
+    // With a fractional scale of the screen, the edges of a part lie between its pixels.
+    const bool parts_are_sharp = devicePixelRatioF() == std::floor(devicePixelRatioF());
+    if (changed_px && parts_are_sharp && empty_state_->isHidden())
+        update(*changed_px | late_px);
+    else
+        update();
+}
+
+MapOverlay MapView::overlay() const {
     MapOverlay overlay;
     overlay.focused = hasFocus() && focusWidget() == this;
     if (following_)
@@ -260,7 +273,34 @@ void MapView::paintEvent(QPaintEvent*) {
         overlay.probe = probeText(at, heights_->probe(at), tell_whose ? scanned_by_(at) : QStringList(),
                                   age_of_ ? age_of_(at) : std::nullopt);
     }
-    paintOverlay(painter, overlay, content_, *heights_, transform_);
+    return overlay;
+}
+
+void MapView::paintEvent(QPaintEvent* event) {
+    QPainter painter(this);
+    if (!empty_state_->isHidden())
+        return painter.fillRect(rect(), tokens().background);
+    const MapOverlay shown = overlay();
+    const QRegion elsewhere = QRegion(rect()) - event->region();
+    const std::optional<QRegion> changed_px = changes_.take(content_, *heights_, shown, transform_);
+    // The content may have changed since this part was asked for, elsewhere too.
+    if (const QRegion late_px = changed_px ? *changed_px & elsewhere : elsewhere; !late_px.isEmpty()) {
+        late_px_ |= late_px;
+        paintSoon();
+    }
+    for (const QRect& part_px : apart(event->region()))
+        paintPart(painter, part_px, shown);
+}
+
+void MapView::paintPart(QPainter& painter, const QRect& part_px, const MapOverlay& overlay) {
+    painter.save();
+    painter.setClipRect(part_px);
+    ground_.paint(painter, content_, transform_);
+    MapPainter(painter, content_, *heights_, traces_, transform_, changes_.labels(), part_px).paintLayers();
+    if (content_.measured)
+        paintMeasured(painter, *content_.measured, *heights_, transform_);
+    paintOverlay(painter, overlay, content_, *heights_, transform_, part_px);
+    painter.restore();
 }
 
 void MapView::resizeEvent(QResizeEvent* event) {

@@ -8,6 +8,7 @@
 
 #include "widgets/map/ground_picture.h"
 #include "widgets/map/height_layer.h"
+#include "widgets/map/map_changes.h"
 #include "widgets/map/map_gestures.h"
 #include "widgets/map/trace_layer.h"
 #include "widgets/models/pan_zoom.h"
@@ -16,7 +17,7 @@
 namespace usar::widgets {
 
 /// State comes in by setters, gestures go out by signals; it knows no session. What one cycle of a robot changes, scan
-/// included, is painted once.
+/// included, is painted once, and only where it looks different.
 /// Keys when focused: arrows pan (with Shift farther), + and - zoom, N and Shift+N step through the start poses, Return
 /// spawns there, Space asks first, Escape cancels a drag or leaves a tool, Delete asks to remove the selected object.
 /// Lengths are in meters of the map frame. GUI thread.
@@ -129,14 +130,19 @@ private:
     void askAbout(std::size_t start_pose); ///< emits startPoseClicked
     void showContent();                    ///< paints soon, and shows the sheet if there is nothing
     void paintSoon();                      ///< with what comes within the next moment
-    void moved();                          ///< repaints after the view moved
-    void showWayBack();                    ///< a button, if nothing of the world is in sight
+    void paintChanges();
+    void paintPart(QPainter& painter, const QRect& part_px, const MapOverlay& overlay);
+    MapOverlay overlay() const;
+    void moved();       ///< repaints after the view moved
+    void showWayBack(); ///< a button, if nothing of the world is in sight
 
     MapContent content_;
     MapTransform transform_;
     MapGestures gestures_{*this, content_, transform_};
     HeightLayer* heights_ = new HeightLayer(this);
     GroundPicture ground_;
+    MapChanges changes_;
+    QRegion late_px_; ///< changed while a part was about to be painted
     TraceLayer traces_;
     std::function<QStringList(const Vec2&)> scanned_by_;
     std::function<std::optional<Seconds>(const Vec2&)> age_of_;
