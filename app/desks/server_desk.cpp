@@ -123,6 +123,7 @@ void ServerDesk::connectTo(widgets::ServerChoice choice, const QString& host, qu
     }
     cancelLoading();
     views_.map->clear();
+    views_.spawn_card->hide(); // Its start pose is one of the server that is gone.
     emit leavingWorld(target.embedded);
     control_.connectTo(target);
     if (selection_.robot()) // A replay remains, but the map was cleared.

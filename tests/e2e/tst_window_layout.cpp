@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
+#include <QScrollArea>
 #include <QScrollBar>
 #include <QTest>
 #include <QToolBar>
@@ -103,6 +104,7 @@ class tst_WindowLayout : public QObject {
 private slots:
     void everyDockFitsTheScreen_data();
     void everyDockFitsTheScreen();
+    void messagesAreReadWithoutScrollingSideways();
     void openingLayersKeepsTheWindowsHeight();
     void startIsReachableAtTwiceTheScale();
     void atAFirstStartTheMapHasTheWindow_data();
@@ -138,6 +140,20 @@ void tst_WindowLayout::everyDockFitsTheScreen() {
     for (const QToolBar* bar : page.window().findChildren<QToolBar*>())
         QVERIFY2(screen.width() < 1024 || cutWords(bar).isEmpty(), qPrintable(cutWords(bar).join(u'\n')));
     page.screenshot(QStringLiteral("layout_%1x%2").arg(screen.width()).arg(screen.height()));
+}
+
+void tst_WindowLayout::messagesAreReadWithoutScrollingSideways() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    page.window().resize(QSize(1024, 768) - frame);
+    QVERIFY(page.spawnAt("PlayerStart")); // Its instruments take room, too.
+    const widgets::WindowViews& views = page.window().views();
+    openInFront(page, views.messages_dock);
+    QTRY_VERIFY(!views.messages_dock->visibleRegion().isEmpty());
+    QTRY_VERIFY(views.traffic->text().contains("in"));
+    const auto* const scrolled = qobject_cast<const QScrollArea*>(views.messages_dock->widget());
+    QVERIFY(scrolled);
+    QTRY_COMPARE(scrolled->horizontalScrollBar()->maximum(), 0);
 }
 
 void tst_WindowLayout::openingLayersKeepsTheWindowsHeight() {

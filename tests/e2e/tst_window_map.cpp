@@ -36,6 +36,7 @@ private slots:
     void robotOfAnotherServerHasTheSizeThatItTells();
     void ballIsSeenWhereItIs();
     void treesAreALayer();
+    void theSpawnCardEndsWithItsServer();
     void robotIsPlacedByADragAndUndoTakesItAway();
     void whatWasStartedIsInSight();
 };
@@ -145,6 +146,17 @@ void tst_WindowMap::treesAreALayer() {
     QVERIFY(color() != with);
     eye->click();
     QCOMPARE(color(), with);
+}
+
+/// The start poses of the next server are others.
+void tst_WindowMap::theSpawnCardEndsWithItsServer() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    auto* const card = page.window().views().spawn_card;
+    page.clickStartPose("PlayerStart");
+    QTRY_VERIFY(card->isVisible());
+    page.connectToServer("127.0.0.1", 9);
+    QTRY_VERIFY(!card->isVisible());
 }
 
 void tst_WindowMap::robotIsPlacedByADragAndUndoTakesItAway() {

@@ -1,5 +1,6 @@
 // The map paints only what has changed, and then looks as if all of it were painted.
 #include <algorithm>
+#include <cstdlib>
 #include <random>
 #include <utility>
 
@@ -33,13 +34,22 @@ protected:
     }
 };
 
+MapObject crateAt(const Vec3& place_in_map_m) {
+    MapObject crate;
+    crate.name = QStringLiteral("Crate");
+    crate.size_m = {2.0, 1.0, 1.0};
+    crate.body_in_map.position_m = place_in_map_m;
+    return crate;
+}
+
 /// What a person and robots do to a map, in any order.
 class Happenings {
 public:
-    Happenings(CountedMap& map, unsigned seed) : map_(map), random_(seed) {}
+    /// Robots and all else stay within `reach_m` of the origin, in x and y.
+    Happenings(CountedMap& map, unsigned seed, double reach_m) : map_(map), reach_m_(reach_m), random_(seed) {}
 
     void next() {
-        switch (upTo(9)) {
+        switch (upTo(10)) {
         case 0:
         case 1:
         case 2:
@@ -49,14 +59,17 @@ public:
         case 4:
             return map_.setLaserHits(someRobot(), std::vector<Vec3>(upTo(30), somewhere()));
         case 5:
-            return map_.addMarks(someRobot(), {{upTo(3) == 0 ? agent::MarkKind::Landing : agent::MarkKind::Path,
-                                                somewhere(), Seconds(1), {1}}});
+            return map_.addMarks(
+                someRobot(),
+                {{upTo(3) == 0 ? agent::MarkKind::Landing : agent::MarkKind::Path, somewhere(), Seconds(1), {1}}});
         case 6:
             return scan();
         case 7:
             return QTest::mouseMove(&map_, map_.transform().toScreen(Vec2(somewhere().head<2>())).toPoint());
         case 8:
             return map_.setRadioLinks({{QStringLiteral("R1"), QStringLiteral("R2"), -20.0 - double(upTo(70))}});
+        case 9:
+            return map_.update(QRect(int(upTo(500)), int(upTo(400)), 150, 150)); // As if another window had covered it.
         default:
             return select();
         }
@@ -65,20 +78,21 @@ public:
 private:
     unsigned upTo(unsigned most) { return static_cast<unsigned>(random_() % (most + 1)); }
     QString someRobot() { return QStringLiteral("R%1").arg(1 + upTo(2)); }
-    Vec3 somewhere() { return {double(upTo(90)) - 45.0, double(upTo(90)) - 45.0, 0.0}; }
+    double somePart() { return double(upTo(200)) / 100.0 - 1.0; }
+    Vec3 somewhere() { return {reach_m_ * somePart(), reach_m_ * somePart(), 0.0}; }
 
     void move() {
         const QString name = someRobot();
         const auto known = map_.content().robots.find(name);
         Vec3 at = somewhere();
         if (known != map_.content().robots.end() && upTo(5) > 0)
-            at = known->second.robot.base_in_map.position_m + 0.05 * somewhere();
+            at = known->second.robot.base_in_map.position_m + 0.2 * somewhere();
         map_.setRobot({name, name.back().digitValue(), {at, 0, 0, 0.1 * double(upTo(60))}, upTo(9) == 0});
     }
 
     void select() {
         map_.selectRobot(someRobot());
-        map_.setObjects({{QStringLiteral("Crate"), {}, {somewhere(), 0, 0, 0}, {2.0, 1.0, 1.0}}});
+        map_.setObjects({crateAt(somewhere())});
     }
 
     void scan() {
@@ -90,17 +104,34 @@ private:
     }
 
     CountedMap& map_;
+    double reach_m_;
     std::mt19937 random_;
     mapping::HeightTile tile_;
 };
 
+/// How many pixels look different. Slanted lines of a pixel's width come out a little otherwise where a part cuts them.
+int differentPixels(const QImage& a, const QImage& b) {
+    constexpr int shade = 25;
+    int different = 0;
+    for (int y = 0; y < a.height(); ++y)
+        for (int x = 0; x < a.width(); ++x) {
+            const QRgb one = a.pixel(x, y);
+            const QRgb other = b.pixel(x, y);
+            different += std::abs(qRed(one) - qRed(other)) > shade || std::abs(qGreen(one) - qGreen(other)) > shade ||
+                         std::abs(qBlue(one) - qBlue(other)) > shade;
+        }
+    return different;
+}
+
 /// Until nothing more is to be painted.
 void settle(CountedMap& map) {
     constexpr int longer_than_a_cycle_ms = 45;
+    bool busy = false;
     do {
         map.painted_px = 0;
+        busy = map.heights().busy();
         QTest::qWait(longer_than_a_cycle_ms);
-    } while (map.painted_px > 0 || map.heights().busy());
+    } while (map.painted_px > 0 || busy || map.heights().busy());
 }
 
 } // namespace
@@ -157,9 +188,9 @@ void tst_MapChanges::partsLookLikeTheWhole() {
     map_->setLayer(MapLayer::Radio, {});
     map_->setLayer(MapLayer::Contours, {});
     map_->setArea(Rectangle{Vec2(-20, -15), Vec2(10, 20)});
-    Happenings happenings(*map_, seed);
+    Happenings happenings(*map_, seed, 200.0 / pixels_per_m);
     std::mt19937 random(seed);
-    for (int step = 0; step < 25; ++step) {
+    for (int step = 0; step < 15; ++step) {
         for (auto changes = random() % 4 + 1; changes > 0; --changes) {
             happenings.next();
             if (random() % 2 == 0) // The next change comes before a part is painted, or while it is waiting.
@@ -169,11 +200,13 @@ void tst_MapChanges::partsLookLikeTheWhole() {
         const QImage on_screen =
             map_->screen()->grabWindow(map_->winId()).toImage().convertToFormat(QImage::Format_RGB32);
         const QImage whole = map_->grab().toImage().convertToFormat(QImage::Format_RGB32);
-        if (on_screen != whole) {
+        QCOMPARE(on_screen.size(), whole.size());
+        const int different = on_screen == whole ? 0 : differentPixels(on_screen, whole);
+        if (different > 0) {
             on_screen.save(QStringLiteral("screenshots/map_changes_screen.png"));
             whole.save(QStringLiteral("screenshots/map_changes_whole.png"));
         }
-        QVERIFY2(on_screen == whole, qPrintable(QStringLiteral("after step %1").arg(step)));
+        QVERIFY2(different == 0, qPrintable(QStringLiteral("%1 pixels after step %2").arg(different).arg(step)));
     }
 }
 
@@ -200,11 +233,10 @@ void tst_MapChanges::aScannedStripRepaintsItsGround() {
 
 void tst_MapChanges::whatStaysIsNotPainted() {
     const MapRobot robot{QStringLiteral("R1"), 1, {{10, 10, 0}, 0, 0, 0}};
-    const std::vector<MapObject> objects{{QStringLiteral("Crate"), {}, {{3, 3, 0}, 0, 0, 0}, {2.0, 1.0, 1.0}}};
     for (const bool again : {false, true}) {
         map_->setRobot(robot);
         map_->setLaserHits(robot.name, {Vec3(1, 2, 3)});
-        map_->setObjects(objects);
+        map_->setObjects({crateAt({3, 3, 0})});
         if (!again)
             settle(*map_);
     }

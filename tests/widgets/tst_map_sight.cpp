@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <QPushButton>
 #include <QTest>
 
@@ -31,6 +33,7 @@ private slots:
     void cleanup();
     void aStartedMissionIsSeenWhole_data();
     void aStartedMissionIsSeenWhole();
+    void aMissionStaysInSightWhenTheViewIsResized();
     void labelsLieBesideEachOtherAndTheLegends_data();
     void labelsLieBesideEachOtherAndTheLegends();
     void namesOfStartPosesKeepClear_data();
@@ -85,6 +88,30 @@ void tst_MapSight::aStartedMissionIsSeenWhole() {
     for (const QRectF& legend : OverlayPlaces(legendsOfAMission(view_->content()), transform).all())
         QVERIFY2(!legend.intersects(needed), "a legend lies over the mission");
     QVERIFY2(std::max(needed.width(), needed.height()) > 100.0, "the mission is large enough to be read");
+}
+
+/// A dock that opens takes room from the map.
+void tst_MapSight::aMissionStaysInSightWhenTheViewIsResized() {
+    const Rectangle area{Vec2(-40, 10), Vec2(-10, 40)};
+    view_->setArea(area);
+    view_->fit();
+    const auto resizeTo = [&](const QSize& size) {
+        view_->resize(size);
+        QTRY_COMPARE(view_->size(), size);
+    };
+    for (const QSize size : {QSize(800, 380), QSize(420, 380), QSize(900, 600)}) {
+        resizeTo(size);
+        const QRectF seen = view_->transform().toScreen(area);
+        QVERIFY(QRectF(view_->rect()).contains(seen));
+        QVERIFY(std::max(seen.width() / view_->width(), seen.height() / view_->height()) > 0.3);
+    }
+    view_->zoomIn(); // A view of the user's own stays as it is.
+    const double chosen_scale = view_->transform().pixels_per_m;
+    resizeTo(QSize(800, 380));
+    QCOMPARE(view_->transform().pixels_per_m, chosen_scale);
+    view_->fitWorld();
+    resizeTo(QSize(500, 500));
+    QVERIFY(QRectF(view_->rect()).contains(view_->transform().toScreen(world)));
 }
 
 void tst_MapSight::labelsLieBesideEachOtherAndTheLegends_data() {

@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QStyleOptionComboBox>
 #include <QTest>
 
 #include "tests/suite/suite.h"
@@ -19,8 +20,10 @@ std::vector<agent::RobotDescription> robots() {
     agent::RobotDescription air{"USARBot.AirRobot", "AirRobot", {}, {}};
     air.behaviors.push_back({"airrobot/cpp", "Terrain survey (C++)", "Scans.", true, {}});
     air.behaviors.push_back({"airrobot/posh", "Terrain survey (POSH)", "Scans.", true, {}});
-    agent::RobotDescription ground{"USARBot.P2DX", "P2DX", {}, {}};
-    return {air, ground};
+    const agent::RobotDescription ground{"USARBot.P2DX", "P2DX", {}, {}};
+    agent::RobotDescription diver{"USARBot.Submarine", "Submarine", {}, {}};
+    diver.behaviors.push_back({"diver/cpp", "Dives along the bottom of the sea (C++)", "Dives.", true, {}});
+    return {air, ground, diver};
 }
 
 } // namespace
@@ -42,6 +45,7 @@ private slots:
     void closingGivesTheFocusToTheMap();
     void staysWithinTheMap();
     void neverCoversThePose();
+    void namesOfBehaviorsAreWhole();
     void remembersTheLastChoice();
 
 private:
@@ -170,6 +174,25 @@ void tst_Spawning::neverCoversThePose() {
 void tst_Spawning::staysWithinTheMap() {
     card_->openFor(0, QStringLiteral("Edge"), QStringLiteral("R1"), map_->mapToGlobal(QPoint(595, 395)));
     QVERIFY(map_->rect().contains(card_->geometry()));
+}
+
+/// Also those of a class that is chosen after the card was opened, at the edge of the map.
+void tst_Spawning::namesOfBehaviorsAreWhole() {
+    card_->openFor(1, QStringLiteral("HillTop"), QStringLiteral("R3"), map_->mapToGlobal(QPoint(380, 100)));
+    const QComboBox* const behavior = card_->findChildren<QComboBox*>()[1];
+    for (const char* const class_name : {"USARBot.AirRobot", "USARBot.Submarine", "USARBot.P2DX"}) {
+        card_->chooseClass(class_name);
+        const int text_px = behavior->fontMetrics().horizontalAdvance(behavior->currentText());
+        const auto width_px = [&] {
+            QStyleOptionComboBox option;
+            option.initFrom(behavior);
+            return behavior->style()
+                ->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, behavior)
+                .width();
+        };
+        QTRY_VERIFY2(width_px() >= text_px, qPrintable(QString("%1 has %2 of %3 px").arg(behavior->currentText()).arg(width_px()).arg(text_px)));
+        QVERIFY(map_->rect().contains(card_->geometry()));
+    }
 }
 
 void tst_Spawning::remembersTheLastChoice() {

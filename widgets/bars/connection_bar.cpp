@@ -53,9 +53,18 @@ StateShape shape(const ConnectionStatus& status) {
 } // namespace
 
 QString trafficSummary(const protocol::TrafficCounts& counts) {
-    return LinkPanel::tr("%1 in · %2 out · %3 unknown · %4 malformed · %5 dropped")
-        .arg(counted(counts.lines_in), counted(counts.lines_out), counted(counts.unknown), counted(counts.malformed),
-             counted(counts.dropped));
+    QStringList words{LinkPanel::tr("%1 in").arg(counted(counts.lines_in)),
+                      LinkPanel::tr("%1 out").arg(counted(counts.lines_out))};
+    const qsizetype without_errors = words.size();
+    if (counts.unknown > 0)
+        words << LinkPanel::tr("%1 unknown").arg(counted(counts.unknown));
+    if (counts.malformed > 0)
+        words << LinkPanel::tr("%1 malformed").arg(counted(counts.malformed));
+    if (counts.dropped > 0)
+        words << LinkPanel::tr("%1 dropped").arg(counted(counts.dropped));
+    if (words.size() == without_errors)
+        words << LinkPanel::tr("no errors");
+    return words.join(QStringLiteral(" · "));
 }
 
 QString roundTripText(std::optional<Seconds> round_trip) {

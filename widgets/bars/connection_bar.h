@@ -29,7 +29,7 @@ struct LinkFigures {
     std::optional<Seconds> round_trip; ///< to the server and back; absent: unknown
 };
 
-/// "1,234 in · 56 out · 2 unknown · 1 malformed · 0 dropped": a line below a list.
+/// "1,234 in · 56 out · 2 unknown · 1 malformed", or "1,234 in · 56 out · no errors": a line below a list.
 QString trafficSummary(const protocol::TrafficCounts& counts);
 /// "0.04 ms", "3.2 ms", "140 ms"; a dash for an unknown time.
 QString roundTripText(std::optional<Seconds> round_trip);

@@ -93,11 +93,8 @@ void MapPainter::paintOtherAreas() {
             continue;
         const QRectF rect = transform_.toScreen(robot.area_in_map);
         painter_.setOpacity(opacity * other_robots);
-        painter_.setBrush(Qt::NoBrush);
-        painter_.setPen(QPen(tokens_.background, 3.0));
-        painter_.drawRect(rect);
-        painter_.setPen(dashedPen(robotColor(robot.robot.number), 1.5, {5.0, 3.0}));
-        painter_.drawRect(rect);
+        frameInStrips(painter_, rect.adjusted(-1.5, -1.5, 1.5, 1.5) & sight(), 3.0, tokens_.background);
+        dashFrame(painter_, rect, sight(), robotColor(robot.robot.number));
         painter_.setOpacity(opacity);
         paintLabel(QRectF(rect.topLeft() + QPointF(gap::tiny, gap::tiny), chipSize(name)), name, false);
     }
@@ -112,9 +109,7 @@ void MapPainter::paintArea() {
     if (content_.area.editing) // At other times a tint would make the scan's colors differ from the legend's.
         fillInStrips(painter_, rect & sight(), faded(tokens_.accent, 0.12));
     frameInStrips(painter_, rect.adjusted(-1.5, -1.5, 1.5, 1.5) & sight(), 3.0, tokens_.background);
-    painter_.setBrush(Qt::NoBrush);
-    painter_.setPen(dashedPen(tokens_.accent, 1.5, {5.0, 3.0}));
-    painter_.drawRect(rect);
+    dashFrame(painter_, rect, sight(), tokens_.accent);
     if (content_.area.editing)
         paintAreaHandles(area);
     if (labels_.area.intersects(sight()))

@@ -50,7 +50,6 @@ void MapView::setWorld(const Rectangle& extent_in_map, const QString& name, cons
     content_.world_in_map = extent_in_map;
     content_.world_name = name;
     content_.scenery = scenery;
-    view_touched_ = false;
     fitWorld();
     showContent();
 }
@@ -64,7 +63,7 @@ void MapView::setBackground(const QImage& image, const Rectangle& image_in_map) 
 void MapView::setStartPoses(const std::vector<protocol::StartPose>& poses) {
     content_.start_poses = poses;
     content_.hot_start_pose.reset();
-    if (!content_.world_in_map && !view_touched_)
+    if (!content_.world_in_map && shown_ == Shown::World)
         fitWorld();
     update();
     showContent();
@@ -75,7 +74,7 @@ void MapView::clear() {
     gestures_.forget();
     heights_->clear(heights_->cellSize_m());
     traces_.clear();
-    view_touched_ = false;
+    shown_ = Shown::World;
     setFollowing(false);
     showContent();
 }
@@ -178,7 +177,7 @@ void MapView::setOrientation(MapOrientation orientation) {
 void MapView::setTransform(const MapTransform& transform) {
     transform_.center_m = transform.center_m;
     transform_.pixels_per_m = transform.pixels_per_m;
-    view_touched_ = true;
+    shown_ = Shown::Chosen;
     moved();
 }
 
@@ -189,24 +188,26 @@ void MapView::fit(const std::optional<Vec2>& wanted_in_map_m) {
     if (wanted_in_map_m)
         mission = {mission.min_m.cwiseMin(*wanted_in_map_m), mission.max_m.cwiseMax(*wanted_in_map_m)};
     transform_.fitClearOf(mission, OverlayPlaces(legendsOfAMission(content_), transform_).all(), 48.0);
-    view_touched_ = true;
+    shown_ = Shown::Mission;
+    wanted_m_ = wanted_in_map_m;
     moved();
 }
 
 void MapView::fitWorld() {
     transform_.fit(content_.groundInMap());
+    shown_ = Shown::World;
     moved();
 }
 
 void MapView::zoomAt(const QPointF& at_px, double factor) {
     transform_.zoomAt(at_px, factor);
-    view_touched_ = true;
+    shown_ = Shown::Chosen;
     moved();
 }
 
 void MapView::panBy(const QPointF& by_px) {
     transform_.pan(by_px);
-    view_touched_ = true;
+    shown_ = Shown::Chosen;
     setFollowing(false);
 }
 
@@ -231,8 +232,10 @@ void MapView::showWayBack() {
 void MapView::setFollowing(bool following) {
     const MapRobot* const robot = content_.selectedRobot();
     following = following && robot;
-    if (following)
+    if (following) {
+        shown_ = Shown::Chosen;
         transform_.center_m = robot->base_in_map.position_m.head<2>();
+    }
     if (following != following_) {
         following_ = following;
         emit followingChanged(following);
@@ -288,26 +291,29 @@ void MapView::paintEvent(QPaintEvent* event) {
         late_px_ |= late_px;
         paintSoon();
     }
-    for (const QRect& part_px : apart(event->region()))
-        paintPart(painter, part_px, shown);
-}
-
-void MapView::paintPart(QPainter& painter, const QRect& part_px, const MapOverlay& overlay) {
-    painter.save();
-    painter.setClipRect(part_px);
-    ground_.paint(painter, content_, transform_);
-    MapPainter(painter, content_, *heights_, traces_, transform_, changes_.labels(), part_px).paintLayers();
-    if (content_.measured)
-        paintMeasured(painter, *content_.measured, *heights_, transform_);
-    paintOverlay(painter, overlay, content_, *heights_, transform_, part_px);
-    painter.restore();
+    for (const QRect& part_px : apart(event->region())) {
+        painter.setClipRect(part_px);
+        ground_.paint(painter, content_, transform_);
+        MapPainter(painter, content_, *heights_, traces_, transform_, changes_.labels(), part_px).paintLayers();
+        if (content_.measured)
+            paintMeasured(painter, *content_.measured, *heights_, transform_);
+        paintOverlay(painter, shown, content_, *heights_, transform_, part_px);
+    }
 }
 
 void MapView::resizeEvent(QResizeEvent* event) {
     transform_.viewport = QSizeF(size());
-    if (!view_touched_)
+    switch (shown_) {
+    case Shown::World:
         fitWorld();
-    moved();
+        break;
+    case Shown::Mission:
+        fit(wanted_m_);
+        break;
+    case Shown::Chosen:
+        moved();
+        break;
+    }
     QWidget::resizeEvent(event);
 }
 

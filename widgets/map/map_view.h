@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <utility>
 
 #include <QTimer>
 #include <QWidget>
@@ -29,9 +30,8 @@ public:
     // The world and its height map.
     /// Sets the extent and name of the world and what stands in it, and shows all of it.
     void setWorld(const Rectangle& extent_in_map, const QString& name, const SceneryPtr& scenery = {});
-    /// Sets a picture of the world (row 0 = highest y), drawn directly above the ground.
-    void setBackground(const QImage& image, const Rectangle& image_in_map);
-    void setStartPoses(const std::vector<protocol::StartPose>& poses); ///< signals refer to them by index
+    void setBackground(const QImage& image, const Rectangle& image_in_map); ///< above the ground; row 0 = highest y
+    void setStartPoses(const std::vector<protocol::StartPose>& poses);      ///< signals refer to them by index
     /// Removes everything but layers and tool, because the server has changed. A gesture in progress ends.
     void clear();
     EmptyState* emptyState() const { return empty_state_; } ///< shown while there is no world, start pose or robot
@@ -75,16 +75,13 @@ public:
     // The view.
     void setLayer(MapLayer layer, const LayerState& state);
     const LayerState& layer(MapLayer layer) const { return content_.layer(layer); }
-    /// Report what the user does on the map with the mouse.
-    MapGestures& gestures() { return gestures_; }
+    MapGestures& gestures() { return gestures_; } ///< report what the user does on the map with the mouse
     /// Cancels a drag in progress; the gestures emit toolChanged if the tool changed.
     void setTool(MapTool tool) { gestures_.setTool(tool); }
     MapTool tool() const { return gestures_.tool(); }
-    /// Rotates the picture by a quarter turn and fits it again.
-    void setOrientation(MapOrientation orientation);
+    void setOrientation(MapOrientation orientation); ///< rotates the picture by a quarter turn and fits it again
     const MapTransform& transform() const { return transform_; }
-    /// Takes center and scale only; viewport and orientation are the view's own.
-    void setTransform(const MapTransform& transform);
+    void setTransform(const MapTransform& transform); ///< center and scale only; the rest is the view's own
     const MapContent& content() const { return content_; }
     bool following() const { return following_; }
     QSize sizeHint() const override { return {800, 600}; }
@@ -101,8 +98,7 @@ public slots:
     void setFollowing(bool following);
 
 signals:
-    /// Double-click or Return on a start pose; its index.
-    void spawnRequested(int start_pose);
+    void spawnRequested(int start_pose);                     ///< double-click or Return on a start pose; its index
     void startPoseClicked(int start_pose, const QPoint& at); ///< or Space; `at` is global, beside the diamond
     void objectRemovalRequested(const QString& name);
     void followingChanged(bool following);
@@ -118,10 +114,8 @@ protected:
 private:
     template <class Part, class Value>
     void put(Part& part, const Value& value) { // Repaints if this changes the content.
-        if (part == value)
-            return;
-        part = value;
-        update();
+        if (std::exchange(part, value) != value)
+            update();
     }
     void panBy(const QPointF& by_px);
     void zoomAt(const QPointF& at_px, double factor);
@@ -131,7 +125,6 @@ private:
     void showContent();                    ///< paints soon, and shows the sheet if there is nothing
     void paintSoon();                      ///< with what comes within the next moment
     void paintChanges();
-    void paintPart(QPainter& painter, const QRect& part_px, const MapOverlay& overlay);
     MapOverlay overlay() const;
     void moved();       ///< repaints after the view moved
     void showWayBack(); ///< a button, if nothing of the world is in sight
@@ -150,7 +143,8 @@ private:
     EmptyState* empty_state_ = new EmptyState(this);
     QPushButton* way_back_ = new QPushButton(tr("Back to the map"), this);
     bool following_ = false;
-    bool view_touched_ = false; ///< by the user; until then resizing fits again
+    enum class Shown { World, Mission, Chosen } shown_ = Shown::World; ///< a resized view shows it, or else its center
+    std::optional<Vec2> wanted_m_;                                     ///< the place that is shown with the mission
 };
 
 } // namespace usar::widgets

@@ -30,6 +30,8 @@ SpawnCard::SpawnCard(QWidget* over) : QFrame(over) {
     name_->setValidator(
         new QRegularExpressionValidator(QRegularExpression(QStringLiteral("[A-Za-z0-9_-]{1,32}")), name_));
     named(behavior_, tr("Behavior"), tr("What will drive the robot; you can change it until it starts"));
+    for (QComboBox* box : {class_, behavior_})
+        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     spawn_->setProperty("role", "primary");
     room_ = mutedLabel({}, this);
     for (QWidget* control : std::initializer_list<QWidget*>{class_, name_, behavior_})
@@ -94,6 +96,20 @@ void SpawnCard::listBehaviors() {
         }
     behavior_->addItem(tr("None"), QString());
     preferBehavior(preferred_behavior_);
+    if (isVisible()) { // Longer names need a wider card.
+        takeNeededSize();
+        place(pos());
+    }
+}
+
+void SpawnCard::takeNeededSize() {
+    layout()->activate(); // Else it knows the old names only.
+    adjustSize();
+}
+
+void SpawnCard::place(const QPoint& corner) {
+    const QSize room = parentWidget()->size() - size();
+    move(std::clamp(corner.x(), 0, std::max(0, room.width())), std::clamp(corner.y(), 0, std::max(0, room.height())));
 }
 
 void SpawnCard::chooseClass(const QString& class_name) {
@@ -111,14 +127,13 @@ void SpawnCard::openFor(int start_pose, const QString& pose_name, const QString&
     start_pose_ = start_pose;
     title_->setText(tr("Spawn at %1").arg(pose_name));
     name_->setText(robot_name);
-    adjustSize();
+    takeNeededSize();
     QPoint corner = parentWidget()->mapFromGlobal(at);
-    const QSize room = parentWidget()->size() - size();
     // Opens on the other side instead of covering the pose, where the second click of a double-click must arrive.
-    if (corner.x() > room.width())
+    if (corner.x() > parentWidget()->width() - width())
         corner.rx() -= width() + 2 * pose_gap_px;
     told_ = choice();
-    move(std::clamp(corner.x(), 0, std::max(0, room.width())), std::clamp(corner.y(), 0, std::max(0, room.height())));
+    place(corner);
     show();
     raise();
     if (full_)

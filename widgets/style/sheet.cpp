@@ -92,6 +92,22 @@ void frameInStrips(QPainter& painter, const QRectF& rectangle, double width_px, 
     fillInStrips(painter, QRectF(inner.topRight(), QPointF(rectangle.right(), inner.bottom())), color);
 }
 
+void dashFrame(QPainter& painter, const QRectF& rectangle, const QRectF& sight, const QColor& color) {
+    constexpr int width = 2;
+    constexpr int dash = 8;
+    constexpr int period = 12;
+    const QRect edge(QPoint(qRound(rectangle.left()) - 1, qRound(rectangle.top()) - 1),
+                     QPoint(qRound(rectangle.right()), qRound(rectangle.bottom())));
+    const QRect seen = sight.toAlignedRect() & edge;
+    const auto firstDash = [](int from, int seen_from) { return from + (seen_from - from) / period * period; };
+    for (int x = firstDash(edge.left(), seen.left()); x <= seen.right(); x += period)
+        for (const int y : {edge.top(), edge.bottom() + 1 - width})
+            painter.fillRect(QRect(x, y, std::min(dash, edge.right() + 1 - x), width), color);
+    for (int y = firstDash(edge.top(), seen.top()); y <= seen.bottom(); y += period)
+        for (const int x : {edge.left(), edge.right() + 1 - width})
+            painter.fillRect(QRect(x, y, width, std::min(dash, edge.bottom() + 1 - y)), color);
+}
+
 void paintRowGround(QPainter& painter, const QStyleOptionViewItem& option) {
     if (option.state & QStyle::State_Selected)
         painter.fillRect(option.rect, tokens().raised);

@@ -39,6 +39,10 @@ void fillInStrips(QPainter& painter, const QRectF& rectangle, const QColor& colo
 
 /// The outline of a rectangle, inside of it, filled like that.
 void frameInStrips(QPainter& painter, const QRectF& rectangle, double width_px, const QColor& color);
+
+/// Dashes of 2 pixels' width along the edges of a rectangle, as far as they are in `sight`. Those of a dashed pen would
+/// move by a pixel with what else is painted at the same time.
+void dashFrame(QPainter& painter, const QRectF& rectangle, const QRectF& sight, const QColor& color);
 /// Paints the background of a list's row: raised if it is selected, with a frame if it has the focus.
 void paintRowGround(QPainter& painter, const QStyleOptionViewItem& option);
 /// Paints a line of text at the left of `box`, elided with "…" if there is no room.

@@ -71,11 +71,12 @@ QWidget* makeInspector(WindowViews& views) {
     column->setStretchFactor(views.messages, 1);
     auto* row = new QHBoxLayout;
     row->setContentsMargins(gap::small, 0, gap::tiny, gap::tiny);
-    row->addWidget(views.message_count = mutedLabel());
-    row->addStretch(1);
+    row->addWidget(views.message_count = new ElidedLabel, 1); // It gives way in a narrow dock.
     row->addWidget(views.traffic = new QToolButton);
     column->addLayout(row);
     views.message_count->setFont(themeFont(FontRole::Small));
+    setRole(views.message_count, "muted");
+    views.message_count->setToolTip(QObject::tr("Lines in the list above"));
     views.traffic->setAutoRaise(true);
     views.traffic->setFont(themeFont(FontRole::Small));
     views.traffic->setFocusPolicy(Qt::StrongFocus);
