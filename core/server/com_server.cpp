@@ -35,7 +35,7 @@ std::optional<Vec3> readPoint(std::string_view text) {
 }
 
 std::string writePoint(const Vec3& point_in_map_m) {
-    const Vec3 point = protocol::acrossWire(point_in_map_m);
+    const Vec3 point = protocol::acrossWire(point_in_map_m).array() + 0.0; // Makes no 0.00 of the map a -0.00.
     return fixed(point.x(), 2) + "," + fixed(point.y(), 2) + "," + fixed(point.z(), 2);
 }
 

@@ -66,7 +66,7 @@ public:
     std::string wantedName() const;
     /// Gives this session's robot to the client of `fresh`, whose INIT thereby counts as obeyed.
     void takeOver(ClientSession& fresh);
-    std::uint64_t saidDigest() const { return said_digest_; } ///< of all output bytes ever written
+    std::uint64_t saidDigest() const { return said_digest_; } ///< covers all output bytes ever written
     /// True until the new robot has been told of the active faults.
     bool isNew() const { return robot_ && new_; }
 

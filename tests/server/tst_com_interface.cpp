@@ -34,7 +34,7 @@ private slots:
         row("to one who is not there", "GETOBS {From R1} {To R9}", "NUMOBS {From R1} {To R9} {ObstCount -1}");
         row("to nowhere", "GETOBS {From 1,2} {To nan,0,0}", "NUMOBS {From 1,2} {To nan,0,0} {ObstCount -1}");
         row("positions", "GETPOS",
-            "POSITIONS {Robots 2} {Name R1 Location -30.00,-0.00,-0.70 BatteryEmpty False} "
+            "POSITIONS {Robots 2} {Name R1 Location -30.00,0.00,-0.70 BatteryEmpty False} "
             "{Name R2 Location 20.00,-5.00,-0.70 BatteryEmpty False}");
         row("what is unknown has no answer, and nothing breaks", "HELLO\r\nGETOBS {From 0,50,-1} {To 1,50,-1}",
             "NUMOBS {From 0,50,-1} {To 1,50,-1} {ObstCount 0}");

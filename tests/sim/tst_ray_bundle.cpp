@@ -106,16 +106,24 @@ private slots:
             const double maximum_m = i % 20 == 0 ? 60.0 : uniform(random, 0.2, 6.0);
             double alone_m = maximum_m;
             double still_m = maximum_m;
-            std::vector<double> each_m{maximum_m};
+            double echo_m = maximum_m;
+            std::vector<double> each_m;
             for (const Vec3& direction : directions) {
                 each_m.push_back(rays.cast(origin_m, direction, maximum_m));
-                alone_m = std::min(alone_m, rays.cast(origin_m, direction, maximum_m));
+                alone_m = std::min(alone_m, each_m.back());
+                const RayHit hit = still.look(origin_m, direction, echo_m);
+                const double body_m =
+                    physics->castAtBodies(origin_m, direction, maximum_m, hit.distance_m, bodies.front());
+                if (body_m < hit.distance_m || still.sendsEcho(origin_m, direction, hit))
+                    echo_m = std::min(body_m, hit.distance_m);
                 still_m = std::min(still_m, still.cast(origin_m, direction, maximum_m));
             }
             QVERIFY(still.castNearest({origin_m, directions}, maximum_m) == still_m);
             QVERIFY(rays.castNearest(origin_m, directions, maximum_m) == alone_m);
-            const double echo_m = rays.nearestEcho(origin_m, directions, maximum_m);
-            QVERIFY(std::ranges::find(each_m, echo_m) != each_m.end()); // not less than `alone_m`, then
+            QVERIFY(rays.nearestEcho(origin_m, directions, maximum_m) == echo_m);
+            std::vector<double> together_m{1.0};
+            rays.castEach(origin_m, directions, maximum_m, together_m);
+            QVERIFY(together_m == each_m);
             ++(alone_m == maximum_m ? misses : hits);
             bodies_heard += alone_m < still_m ? 1 : 0;
         }

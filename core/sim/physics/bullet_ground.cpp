@@ -68,7 +68,7 @@ void BulletGround::addTerrain(const Terrain& terrain) {
     field->setLocalScaling({terrain.step_m(), terrain.step_m(), 1.0});
     field->buildAccelerator(16);
     const Vec2 center_m = terrain.extent().center_m();
-    addObject(field, {center_m.x(), center_m.y(), (low_m + high_m) / 2.0}, Surface::Ground);
+    addObject(field, at({center_m.x(), center_m.y(), (low_m + high_m) / 2.0}), Surface::Ground);
 }
 
 void BulletGround::addPlants(const std::vector<Plant>& plants) {
@@ -90,20 +90,19 @@ void BulletGround::addPlants(const std::vector<Plant>& plants) {
             all->addChildShape(at(top_m), cone);
         }
     }
-    addObject(all, {0.0, 0.0, 0.0}, Surface::Plant);
+    addObject(all, btTransform::getIdentity(), Surface::Plant);
 }
 
 void BulletGround::addBoxes(const std::vector<Box>& boxes) {
-    auto* const all = keep<btCompoundShape>(true, static_cast<int>(boxes.size()));
+    // Each by itself: all of them as one compound would be searched for every part of every robot in each step.
     for (const Box& box : boxes)
-        all->addChildShape(toBullet(box.center_in_map), keep<btBoxShape>(toBullet(Vec3(box.size_m / 2.0))));
-    addObject(all, {0.0, 0.0, 0.0}, Surface::Building);
+        addObject(keep<btBoxShape>(toBullet(Vec3(box.size_m / 2.0))), toBullet(box.center_in_map), Surface::Building);
 }
 
-void BulletGround::addObject(btCollisionShape* shape, const btVector3& origin, Surface surface) {
+void BulletGround::addObject(btCollisionShape* shape, const btTransform& place, Surface surface) {
     auto object = std::make_unique<btCollisionObject>();
     object->setCollisionShape(shape);
-    object->setWorldTransform(btTransform(btQuaternion::getIdentity(), origin));
+    object->setWorldTransform(place);
     object->setFriction(1.0);
     object->setRestitution(1.0); // Bullet multiplies both, so the body decides.
     // Otherwise a sleeping robot's contacts are searched for at every step.

@@ -37,7 +37,7 @@ private:
     void addTerrain(const Terrain& terrain);
     void addPlants(const std::vector<Plant>& plants);
     void addBoxes(const std::vector<Box>& boxes);
-    void addObject(btCollisionShape* shape, const btVector3& origin, Surface surface);
+    void addObject(btCollisionShape* shape, const btTransform& place, Surface surface);
     template <class Shape, class... Arguments>
     Shape* keep(Arguments&&... arguments);
 

@@ -89,7 +89,7 @@ BulletMultiBody::~BulletMultiBody() {
         const std::array<btMultiBodyConstraint*, 3> all{joint.limits.get(), joint.damper.get(), joint.motor.get()};
         for (btMultiBodyConstraint* const one : all)
             if (one)
-                world_.removeMultiBodyConstraint(one);
+                leave(one);
     }
     for (const Piece& part : parts_)
         world_.removeCollisionObject(part.collider.get());
@@ -128,15 +128,29 @@ void BulletMultiBody::addConstraints(int index, const LinkDescription& link) {
     Joint& joint = joints_[static_cast<std::size_t>(index)];
     if (link.lower <= link.upper) {
         joint.limits = std::make_unique<btMultiBodyJointLimitConstraint>(&body_, index, link.lower, link.upper);
-        world_.addMultiBodyConstraint(joint.limits.get());
+        enter(joint.limits.get());
     }
     joint.damping = link.damping;
     joint.lower = link.lower;
     joint.upper = link.upper;
     if (link.damping > 0.0) {
         joint.damper = std::make_unique<btMultiBodyJointMotor>(&body_, index, 0.0, 0.0);
-        world_.addMultiBodyConstraint(joint.damper.get());
+        enter(joint.damper.get());
     }
+}
+
+void BulletMultiBody::enter(btMultiBodyConstraint* constraint) {
+    if (on_wheels_)
+        own_constraints_.push_back(constraint);
+    else
+        world_.addMultiBodyConstraint(constraint);
+}
+
+void BulletMultiBody::leave(btMultiBodyConstraint* constraint) {
+    if (on_wheels_)
+        std::erase(own_constraints_, constraint);
+    else
+        world_.removeMultiBodyConstraint(constraint);
 }
 
 void BulletMultiBody::place(const Pose& base_in_map) {
@@ -204,14 +218,14 @@ void BulletMultiBody::setMotor(std::size_t link, const JointMotor& motor) {
     joint.wanted = motor;
     const bool off = motor.mode == JointMotor::Mode::Off;
     if (off && joint.motor) {
-        world_.removeMultiBodyConstraint(joint.motor.get());
+        leave(joint.motor.get());
         joint.motor.reset();
     }
     if (off)
         return;
     if (!joint.motor) {
         joint.motor = std::make_unique<btMultiBodyJointMotor>(&body_, static_cast<int>(link), 0.0, 0.0);
-        world_.addMultiBodyConstraint(joint.motor.get());
+        enter(joint.motor.get());
     }
     const bool position = motor.mode == JointMotor::Mode::Position;
     joint.motor->setPositionTarget(position ? motor.target : 0.0, position ? 1.0 : 0.0);

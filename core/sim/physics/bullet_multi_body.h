@@ -47,6 +47,7 @@ public:
     std::span<const JointRow> jointRows(double dt_s) override;
     bool movesMass(int link) const override { return joints_[static_cast<std::size_t>(link)].moves_mass; }
     KeptInverse& keptInverse() override { return kept_inverse_; }
+    std::span<btMultiBodyConstraint* const> ownConstraints() const override { return own_constraints_; }
     /// Sets the limits of all motors for a step of this length.
     void beforeStep(Seconds dt) override;
     void afterStep() override { refreshVelocities(); }
@@ -80,6 +81,9 @@ private:
     void addPiece(int link, const BodyDescription& description, BodyId id);
     /// Adds limits if the lower one is not above the upper one, and a damper if the joint has damping.
     void addConstraints(int index, const LinkDescription& description);
+    /// Makes a constraint act, in the world or as one of ownConstraints(), and ends that.
+    void enter(btMultiBodyConstraint* constraint);
+    void leave(btMultiBodyConstraint* constraint);
     /// The speed that a joint's motor aims at in a step from this position.
     static double wantedSpeed(const Joint& joint, double position, double dt_s);
     /// Sets the impulse limits of a joint's motor and damper for the next step.
@@ -96,6 +100,7 @@ private:
     std::vector<Joint> joints_;
     std::vector<JointRow> rows_; ///< see jointRows
     KeptInverse kept_inverse_;
+    std::vector<btMultiBodyConstraint*> own_constraints_;
     bool on_wheels_ = false;
     std::vector<btVector3> velocities_; ///< velocities of origins, map frame, after the last step
     std::vector<btVector3> rates_;      ///< angular velocities, likewise

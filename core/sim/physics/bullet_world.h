@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <span>
+#include <vector>
 
 #include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
@@ -30,11 +31,15 @@ public:
             links_.solve(members, {manifolds, static_cast<std::size_t>(manifold_count)}, info);
             return;
         }
+        joints_.assign(joints, joints + joint_count);
+        for (const btCollisionObject* const body : members)
+            if (const JointedBody* const jointed = jointedBodyOf(*body))
+                joints_.insert(joints_.end(), jointed->ownConstraints().begin(), jointed->ownConstraints().end());
         btContactSolverInfo thorough = info;
         thorough.m_numIterations = std::ranges::all_of(members, &BulletSolver::isLink) ? 20 : 60;
-        btMultiBodyConstraintSolver::solveMultiBodyGroup(bodies, body_count, manifolds, manifold_count, constraints,
-                                                         constraint_count, joints, joint_count, thorough, drawer,
-                                                         dispatcher);
+        btMultiBodyConstraintSolver::solveMultiBodyGroup(
+            bodies, body_count, manifolds, manifold_count, constraints, constraint_count, joints_.data(),
+            static_cast<int>(joints_.size()), thorough, drawer, dispatcher);
     }
 
 protected:
@@ -53,6 +58,7 @@ protected:
 
 private:
     LinkSolver links_;
+    std::vector<btMultiBodyConstraint*> joints_; ///< of the group that is solved; kept to reuse its memory
 
     static bool isLink(const btCollisionObject* object) { return btMultiBodyLinkCollider::upcast(object) != nullptr; }
 };
@@ -67,7 +73,7 @@ public:
         : btMultiBodyDynamicsWorld(&dispatcher, &broadphase, &link_solver, &configuration) {
         btDiscreteDynamicsWorld::setConstraintSolver(&rigid_solver);
         getSolverInfo().m_solverMode &= ~SOLVER_USE_2_FRICTION_DIRECTIONS;
-        getSolverInfo().m_minimumSolverBatchSize = 1; // Each island is solved by itself.
+        getSolverInfo().m_minimumSolverBatchSize = -1; // Each island is solved by itself, also one without contacts.
         setForceUpdateAllAabbs(false);
     }
 

@@ -19,6 +19,7 @@ namespace {
 
 constexpr double same_plane = 1e-9;    ///< Normals and heights that differ by less belong to one plane.
 constexpr double level_tread_m = 2e-4; ///< difference of the heights of a tread's edges
+constexpr double around_m = 0.3;       ///< how far the ground beside a part is looked at
 constexpr int most_corners = 8;
 constexpr int most_contacts = 4; ///< what a manifold of Bullet holds
 
@@ -115,9 +116,9 @@ public:
     }
 
 private:
-    /// The plane that all ground under the part lies in; nullopt if there is none.
-    static std::optional<Plane> planeUnder(const btCollisionObjectWrapper& part,
-                                           const btCollisionObjectWrapper& ground) {
+    /// The plane that all ground under the part lies in; nullopt if there is none. The ground around is looked at
+    /// first, since the part will be there in the next steps.
+    std::optional<Plane> planeUnder(const btCollisionObjectWrapper& part, const btCollisionObjectWrapper& ground) {
         const auto& field = static_cast<const btHeightfieldTerrainShape&>(*ground.getCollisionShape());
         const btVector3 at_m = ground.getWorldTransform().getOrigin(); // It is never turned.
         btVector3 low_m;
@@ -126,15 +127,32 @@ private:
         btVector3 field_high_m;
         part.getCollisionShape()->getAabb(part.getWorldTransform(), low_m, high_m);
         field.getAabb(ground.getWorldTransform(), field_low_m, field_high_m);
-        for (int axis : {0, 1})
-            if (low_m[axis] <= field_low_m[axis] || high_m[axis] >= field_high_m[axis])
-                return std::nullopt;
-        Flatness flatness;
-        field.processAllTriangles(&flatness, low_m - at_m, high_m - at_m);
-        if (!flatness.flat || !flatness.plane)
+        if (!within(low_m, high_m, field_low_m, field_high_m))
             return std::nullopt;
-        flatness.plane->height_m += flatness.plane->normal.dot(at_m);
-        return flatness.plane;
+        const auto planeOf = [&](const btVector3& from_m, const btVector3& to_m) -> std::optional<Plane> {
+            Flatness flatness;
+            field.processAllTriangles(&flatness, from_m - at_m, to_m - at_m);
+            if (!flatness.flat || !flatness.plane)
+                return std::nullopt;
+            flatness.plane->height_m += flatness.plane->normal.dot(at_m);
+            return flatness.plane;
+        };
+        if (!within(low_m, high_m, around_low_m_, around_high_m_)) {
+            const btVector3 more_m(around_m, around_m, 0.0);
+            around_low_m_ = low_m - more_m;
+            around_high_m_ = high_m + more_m;
+            around_ = within(around_low_m_, around_high_m_, field_low_m, field_high_m)
+                          ? planeOf(around_low_m_, around_high_m_)
+                          : std::nullopt;
+        }
+        return around_ ? around_ : planeOf(low_m, high_m);
+    }
+
+    /// Seen from above.
+    static bool within(const btVector3& low_m, const btVector3& high_m, const btVector3& outer_low_m,
+                       const btVector3& outer_high_m) {
+        return low_m.x() > outer_low_m.x() && low_m.y() > outer_low_m.y() && high_m.x() < outer_high_m.x() &&
+               high_m.y() < outer_high_m.y();
     }
 
     /// Replaces the contacts by those of the lowest corners. False if the part is not above the plane.
@@ -231,6 +249,9 @@ private:
 
     bool ground_first_;
     btPersistentManifold* manifold_ = nullptr;
+    btVector3 around_low_m_{0.0, 0.0, 0.0}; ///< the ground that was looked at; at first none
+    btVector3 around_high_m_{0.0, 0.0, 0.0};
+    std::optional<Plane> around_; ///< all of it lies there, if it is flat
 };
 
 bool isPart(int type) {

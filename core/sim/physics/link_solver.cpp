@@ -64,6 +64,11 @@ void turn(double* matrix, int size, const btMatrix3x3& rotation) {
 
 } // namespace
 
+const JointedBody* jointedBodyOf(const btCollisionObject& object) {
+    const btMultiBodyLinkCollider* const link = linkOf(object);
+    return link && link->m_link < 0 ? static_cast<const JointedBody*>(link->m_multiBody->getUserPointer()) : nullptr;
+}
+
 bool isOnWheels(const btCollisionObject& object) {
     const btMultiBodyLinkCollider* const link = linkOf(object);
     return link && static_cast<const JointedBody*>(link->m_multiBody->getUserPointer())->onWheels();

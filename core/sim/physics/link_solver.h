@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <BulletDynamics/Featherstone/btMultiBody.h>
+#include <BulletDynamics/Featherstone/btMultiBodyConstraint.h>
 #include <btBulletDynamicsCommon.h>
 
 namespace usar::sim {
@@ -38,8 +39,13 @@ public:
     /// False for the joint of a round wheel, whose turning moves no mass elsewhere.
     virtual bool movesMass(int link) const = 0;
     virtual KeptInverse& keptInverse() = 0;
+    /// Its motors and stops for Bullet's solver, if it is on wheels. Bullet's world would look through those of all
+    /// robots for each group of bodies, and they are needed only where such a robot touches something else.
+    virtual std::span<btMultiBodyConstraint* const> ownConstraints() const = 0;
 };
 
+/// The jointed body that this is the base of; nullptr for links and for rigid bodies.
+const JointedBody* jointedBodyOf(const btCollisionObject& object);
 /// True for a link or the base of a robot that is on wheels.
 bool isOnWheels(const btCollisionObject& object);
 

@@ -140,16 +140,26 @@ public:
         if (isAlone(except))
             return nearest_m;
         indexBodies();
+        const auto found = bodies_.find(except);
+        const BulletBody* const passed = found == bodies_.end() ? nullptr : found->second.get();
         const btTransform start(btQuaternion::getIdentity(), toBullet(origin_m));
         const btTransform end(btQuaternion::getIdentity(), toBullet(origin_m + maximum_m * direction));
         btCollisionWorld::ClosestRayResultCallback met(start.getOrigin(), end.getOrigin());
         return index_.along({origin_m, direction}, nearest_m, [&](const BodySphere& sphere, double so_far_m) {
-            btCollisionObject* const object = indexed_[sphere.piece];
-            if (object->getUserIndex2() == static_cast<int>(except.value))
+            const BulletBody& body = *indexed_[sphere.piece];
+            if (&body == passed)
                 return so_far_m;
-            btCollisionWorld::rayTestSingle(start, end, object, object->getCollisionShape(),
-                                            object->getWorldTransform(), met);
-            return met.hasHit() ? std::min(so_far_m, maximum_m * met.m_closestHitFraction) : so_far_m;
+            for (const BulletPiece& piece : body.pieces()) {
+                const Vec3 toward_m = fromBullet(piece.object->getWorldTransform().getOrigin()) - origin_m;
+                const double closest_m = std::clamp(toward_m.dot(direction), 0.0, so_far_m);
+                if ((toward_m - closest_m * direction).squaredNorm() > piece.radius_m * piece.radius_m)
+                    continue;
+                btCollisionWorld::rayTestSingle(start, end, piece.object, piece.object->getCollisionShape(),
+                                                piece.object->getWorldTransform(), met);
+                if (met.hasHit())
+                    so_far_m = std::min(so_far_m, maximum_m * met.m_closestHitFraction);
+            }
+            return so_far_m;
         });
     }
 
@@ -157,8 +167,14 @@ public:
         if (isAlone(except))
             return false;
         indexBodies();
+        const auto found = bodies_.find(except);
+        const BulletBody* const passed = found == bodies_.end() ? nullptr : found->second.get();
         return index_.anyIn(box_in_map_m, [&](const BodySphere& sphere) {
-            return indexed_[sphere.piece]->getUserIndex2() != static_cast<int>(except.value);
+            const BulletBody& body = *indexed_[sphere.piece];
+            return &body != passed && std::ranges::any_of(body.pieces(), [&](const BulletPiece& piece) {
+                return box_in_map_m.squaredExteriorDistance(fromBullet(
+                           piece.object->getWorldTransform().getOrigin())) <= piece.radius_m * piece.radius_m;
+            });
         });
     }
 
@@ -180,12 +196,16 @@ private:
             return;
         std::vector<BodySphere> spheres;
         indexed_.clear();
-        for (const auto& [id, body] : bodies_)
+        for (const auto& [id, body] : bodies_) {
+            const Vec3 base_m = fromBullet(body->position());
+            double reach_m = 0.0;
             for (const BulletPiece& piece : body->pieces()) {
-                const Vec3 center_m = fromBullet(piece.object->getWorldTransform().getOrigin());
-                spheres.push_back({center_m, piece.radius_m, static_cast<std::uint32_t>(indexed_.size())});
-                indexed_.push_back(piece.object);
+                const Vec3 piece_m = fromBullet(piece.object->getWorldTransform().getOrigin());
+                reach_m = std::max(reach_m, (piece_m - base_m).norm() + piece.radius_m);
             }
+            spheres.push_back({base_m, reach_m, static_cast<std::uint32_t>(indexed_.size())});
+            indexed_.push_back(body.get());
+        }
         index_.build(std::move(spheres));
     }
 
@@ -326,7 +346,7 @@ private:
     std::vector<BulletBody*> awake_; ///< bodies that the current step may move
     // Rebuilt when a ray asks for it, so that steps without rays cost nothing.
     mutable BodyIndex index_;
-    mutable std::vector<btCollisionObject*> indexed_; ///< index: BodySphere::piece
+    mutable std::vector<const BulletBody*> indexed_; ///< index: BodySphere::piece
     mutable bool moved_ = true;
 };
 

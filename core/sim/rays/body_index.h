@@ -10,7 +10,7 @@
 
 namespace usar::sim {
 
-/// A sphere around one rigid piece of a body, map frame.
+/// A sphere around a body or one rigid piece of it, map frame.
 struct BodySphere {
     Vec3 center_m = Vec3::Zero();
     double radius_m = 0.0;

@@ -1,6 +1,7 @@
 #include "core/sim/rays/ray_caster.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "core/sim/rays/plant_index.h"
 #include "core/sim/rays/terrain_rays.h"
@@ -67,6 +68,8 @@ struct RayCaster::Index {
             boxes.push_back({box.center_in_map.position_m, half_size_m, box.center_in_map.rotation().toRotationMatrix(),
                              half_size_m.norm()});
         }
+        all_boxes.resize(boxes.size());
+        std::iota(all_boxes.begin(), all_boxes.end(), 0u);
         findTopAndBottom(world);
     }
 
@@ -89,34 +92,38 @@ struct RayCaster::Index {
         }
     }
 
-    double castAtThings(const Ray& ray, double maximum_m) const {
+    double castAtThings(const Ray& ray, double maximum_m, std::span<const std::uint32_t> near) const {
         double nearest_m = plants.cast(ray, maximum_m);
-        for (const PlacedBox& box : boxes)
-            nearest_m = nearer(box, ray, nearest_m);
+        for (const std::uint32_t number : near)
+            nearest_m = nearer(boxes[number], ray, nearest_m);
         return nearest_m;
+    }
+
+    /// True if a ray of the bundle, whose box is `reach`, may meet the box within this length.
+    static bool mayMeet(const RayBundle& bundle, const Eigen::AlignedBox3d& reach, const PlacedBox& box,
+                        double length_m) {
+        return reach.squaredExteriorDistance(box.center_m) <= box.radius_m * box.radius_m + 1e-9 &&
+               bundle.mayMeetColumn(box.center_m.head<2>(), box.radius_m, length_m);
     }
 
     double nearestBox(const RayBundle& bundle, double maximum_m) const {
         const Eigen::AlignedBox3d reach = bundle.box(maximum_m);
         double nearest_m = maximum_m;
-        for (const PlacedBox& box : boxes) {
-            if (reach.squaredExteriorDistance(box.center_m) > box.radius_m * box.radius_m + 1e-9 ||
-                !bundle.mayMeetColumn(box.center_m.head<2>(), box.radius_m, nearest_m))
-                continue;
-            for (const Vec3& direction : bundle.directions())
-                nearest_m = nearer(box, {bundle.origin_m(), direction}, nearest_m);
-        }
+        for (const PlacedBox& box : boxes)
+            if (mayMeet(bundle, reach, box, nearest_m))
+                for (const Vec3& direction : bundle.directions())
+                    nearest_m = nearer(box, {bundle.origin_m(), direction}, nearest_m);
         return nearest_m;
     }
 
-    RayHit lookAtThings(const Ray& ray, double maximum_m) const {
+    RayHit lookAtThings(const Ray& ray, double maximum_m, std::span<const std::uint32_t> near) const {
         const Plant* plant = nullptr;
         const PlacedBox* met_box = nullptr;
         double nearest_m = plants.look(ray, maximum_m, plant);
-        for (const PlacedBox& box : boxes)
-            if (const double hit_m = nearer(box, ray, nearest_m); hit_m < nearest_m) {
+        for (const std::uint32_t number : near)
+            if (const double hit_m = nearer(boxes[number], ray, nearest_m); hit_m < nearest_m) {
                 nearest_m = hit_m;
-                met_box = &box;
+                met_box = &boxes[number];
             }
         if (met_box)
             return {nearest_m, Met::Box,
@@ -131,8 +138,9 @@ struct RayCaster::Index {
     PlantIndex plants;
     TerrainRays ground;
     std::vector<PlacedBox> boxes;
-    double top_m = 0.0;    ///< above everything, but below a ceiling if there is one
-    double bottom_m = 0.0; ///< below everything
+    std::vector<std::uint32_t> all_boxes; ///< their numbers
+    double top_m = 0.0;                   ///< above everything, but below a ceiling if there is one
+    double bottom_m = 0.0;                ///< below everything
     bool roofed = false;
 };
 
@@ -141,9 +149,14 @@ RayCaster::RayCaster(const World& world) : world_(&world), index_(std::make_uniq
 RayCaster::~RayCaster() = default;
 
 double RayCaster::cast(const Vec3& origin_m, const Vec3& direction, double maximum_m) const {
+    return cast(origin_m, direction, maximum_m, index_->all_boxes);
+}
+
+double RayCaster::cast(const Vec3& origin_m, const Vec3& direction, double maximum_m,
+                       std::span<const std::uint32_t> boxes) const {
     const Ray ray{origin_m, direction};
     // Things first: their hits shorten the walk over the ground, which costs more.
-    return index_->ground.cast(ray, index_->castAtThings(ray, maximum_m));
+    return index_->ground.cast(ray, index_->castAtThings(ray, maximum_m, boxes));
 }
 
 double RayCaster::castNearest(const RayBundle& bundle, double maximum_m) const {
@@ -152,11 +165,25 @@ double RayCaster::castNearest(const RayBundle& bundle, double maximum_m) const {
 }
 
 RayHit RayCaster::look(const Vec3& origin_m, const Vec3& direction, double maximum_m) const {
+    return look(origin_m, direction, maximum_m, index_->all_boxes);
+}
+
+std::vector<std::uint32_t> RayCaster::boxesNear(const RayBundle& bundle, double length_m) const {
+    const Eigen::AlignedBox3d reach = bundle.box(length_m);
+    std::vector<std::uint32_t> near;
+    for (const std::uint32_t number : index_->all_boxes)
+        if (Index::mayMeet(bundle, reach, index_->boxes[number], length_m))
+            near.push_back(number);
+    return near;
+}
+
+RayHit RayCaster::look(const Vec3& origin_m, const Vec3& direction, double maximum_m,
+                       std::span<const std::uint32_t> boxes) const {
     const Ray ray{origin_m, direction};
     // The range is long. Downward, the ground soon ends the ray; upward, the plants limit how far to look for ground.
     const bool down = direction.z() < 0.0;
     double ground_m = down ? index_->ground.cast(ray, maximum_m) : maximum_m;
-    RayHit hit = index_->lookAtThings(ray, ground_m);
+    RayHit hit = index_->lookAtThings(ray, ground_m, boxes);
     if (!down)
         ground_m = index_->ground.cast(ray, hit.distance_m);
     if (ground_m < hit.distance_m || (hit.met == Met::Nothing && ground_m < maximum_m))
@@ -185,7 +212,7 @@ bool RayCaster::onRoof(const Vec3& point_m) const {
 double RayCaster::surface_m(const Vec2& point_m) const {
     const double ground_m = world_->terrain.empty() ? index_->bottom_m : world_->terrain.height_m(point_m);
     const Ray down{{point_m.x(), point_m.y(), index_->top_m}, -Vec3::UnitZ()};
-    return index_->top_m - index_->castAtThings(down, index_->top_m - ground_m);
+    return index_->top_m - index_->castAtThings(down, index_->top_m - ground_m, index_->all_boxes);
 }
 
 } // namespace usar::sim

@@ -2,8 +2,11 @@
 // analytically.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "core/base/geometry.h"
 #include "core/sim/rays/ray_bundle.h"
@@ -40,6 +43,14 @@ public:
     /// Like `cast`, but also tells what was hit and how its surface lies, for cameras; somewhat slower. On a miss,
     /// `met` is Nothing at `maximum_m`.
     RayHit look(const Vec3& origin_m, const Vec3& direction, double maximum_m) const;
+    /// The boxes, by their numbers in the world, that a ray of the bundle may meet within this length.
+    std::vector<std::uint32_t> boxesNear(const RayBundle& bundle, double length_m) const;
+    /// Like `cast` and `look`, for a ray that can meet only these boxes: many rays of a sensor have few boxes before
+    /// them.
+    double cast(const Vec3& origin_m, const Vec3& direction, double maximum_m,
+                std::span<const std::uint32_t> boxes) const;
+    RayHit look(const Vec3& origin_m, const Vec3& direction, double maximum_m,
+                std::span<const std::uint32_t> boxes) const;
     /// True if a sonar's sound comes back from what a ray of this direction has hit. A surface that is even for the
     /// wave reflects it away like a mirror if it is met flatly; a rough one scatters it, and so do plants. By
     /// Rayleigh's criterion a surface is even if its unevenness is below wavelength / (8 cos(angle of incidence)). The

@@ -83,9 +83,12 @@ ScannerSensor::ScannerSensor(const SensorModel& model, const SensorBirth& birth)
 protocol::RangeScan ScannerSensor::scan(const Eigen::Isometry3d& link_in_map, const Rays& rays) {
     const Vec3 origin_m = link_in_map * model().sensor_in_link.position_m;
     protocol::RangeScan scan{{}, model().name, resolution_rad_, fov_rad_, {}, model().type};
-    scan.ranges_m.reserve(directions_in_link_.size());
+    directions_in_map_.clear();
     for (const Vec3& direction : directions_in_link_)
-        scan.ranges_m.push_back(noisy(rays.cast(origin_m, link_in_map.linear() * direction, maximum_m_)));
+        directions_in_map_.emplace_back(link_in_map.linear() * direction);
+    rays.castEach(origin_m, directions_in_map_, maximum_m_, scan.ranges_m);
+    for (double& range_m : scan.ranges_m)
+        range_m = noisy(range_m);
     return scan;
 }
 

@@ -71,6 +71,7 @@ private:
     double resolution_rad_ = number("resolution", pi / 180.0);
     double fov_rad_ = number("fov", pi);
     std::vector<Vec3> directions_in_link_;
+    std::vector<Vec3> directions_in_map_;         ///< those of the last scan; kept to reuse their memory
     bool by_itself_ = number("auto", 1.0) != 0.0; ///< measures at each tick, without SCAN
     bool wanted_ = false;                         ///< a SCAN waits for the next tick
 };
