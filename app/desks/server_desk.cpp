@@ -138,8 +138,9 @@ void ServerDesk::disconnectFromServer() {
 /// The bar has the same states as a link, in the same order.
 void ServerDesk::showLink(const link::LinkStatus& status) {
     link_state_ = status.state;
-    views_.connection->setStatus(
-        {static_cast<widgets::ConnectionState>(status.state), control_.level(), status.trouble, status.retry_in});
+    const QString open_to = control_.simulator().running() ? server_.simulator.access.networks() : QString();
+    views_.connection->setStatus({static_cast<widgets::ConnectionState>(status.state), control_.level(), status.trouble,
+                                  status.retry_in, open_to});
     if (status.state != link::LinkState::Connected)
         views_.connection->setRate(std::nullopt);
 }

@@ -85,6 +85,9 @@ void tst_Bars::saysTheStateInWords_data() {
                                 << StateShape::Busy;
     QTest::newRow("connected") << ConnectionStatus{Connected, QStringLiteral("tall_test"), {}, {}}
                                << QStringLiteral("Connected · tall_test") << StateShape::Good;
+    QTest::newRow("open to other machines")
+        << ConnectionStatus{Connected, QStringLiteral("tall_test"), {}, {}, QStringLiteral("10.1.0.0/16")}
+        << QStringLiteral("Connected · tall_test · open to 10.1.0.0/16") << StateShape::Good;
     QTest::newRow("waiting") << ConnectionStatus{Waiting, {}, refused, Seconds(4.0)}
                              << refused + QStringLiteral(" Retrying in 4 s.") << StateShape::Waiting;
 }

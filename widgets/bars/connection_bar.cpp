@@ -36,9 +36,12 @@ QString retryWords(const ConnectionStatus& status, Seconds retry_in) {
 QString words(const ConnectionStatus& status) {
     if (status.state == ConnectionState::Connecting)
         return ConnectionBar::tr("Connecting…");
-    if (status.state == ConnectionState::Connected)
-        return status.where.isEmpty() ? ConnectionBar::tr("Connected")
-                                      : ConnectionBar::tr("Connected · %1").arg(status.where);
+    if (status.state == ConnectionState::Connected) {
+        const QString open = status.open_to.isEmpty() ? QString() : ConnectionBar::tr("open to %1").arg(status.open_to);
+        QStringList parts{ConnectionBar::tr("Connected"), status.where, open};
+        parts.removeAll(QString());
+        return parts.join(QStringLiteral(" · "));
+    }
     const bool off = status.state == ConnectionState::Disconnected && status.reason.isEmpty();
     return off ? ConnectionBar::tr("Not connected") : status.reason;
 }
@@ -229,9 +232,11 @@ void ConnectionBar::countDown() {
 
 void ConnectionBar::showWords() {
     status_text_->setText(words(status_));
-    // A reason has all the room there is; other words always ask for the same, so that their neighbors do not move.
+    // A reason, and who else may connect, have all the room there is; other words always ask for the same, so that
+    // their neighbors do not move.
     const bool reasoned = status_text_->text() == status_.reason && !status_.reason.isEmpty();
-    status_text_->setRoomFor(reasoned ? status_.reason : QStringLiteral("Connected · point_lookout"));
+    status_text_->setRoomFor(reasoned || !status_.open_to.isEmpty() ? status_text_->text()
+                                                                    : QStringLiteral("Connected · point_lookout"));
     retry_->setText(retryWords(status_, retry_in_));
     retry_->setVisible(!retry_->text().isEmpty());
     const QString address =

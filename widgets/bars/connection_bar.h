@@ -74,6 +74,7 @@ struct ConnectionStatus {
     QString where;         ///< name of the world or server, shown when connected
     QString reason;        ///< without the time to the next try, which the bar appends
     Seconds retry_in{0.0}; ///< while Waiting: wall time to the next try
+    QString open_to{};     ///< networks whose programs may connect, too; empty: only this machine's may
     bool operator==(const ConnectionStatus&) const = default;
 };
 
