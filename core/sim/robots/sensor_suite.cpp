@@ -207,8 +207,8 @@ bool SensorSuite::isDue(const Place& place, bool first) const {
 void SensorSuite::measure(const SensorView& view, bool first, std::vector<protocol::InfoMessage>& out) {
     for (Place& place : sensors_) {
         if (!isDue(place, first))
-            continue;
-        if (place.faults.empty())
+            place.sensor->passOver(view);
+        else if (place.faults.empty())
             place.sensor->measure(view, out);
         else
             measureFaulty(place, view, out);

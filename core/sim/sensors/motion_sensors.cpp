@@ -168,7 +168,8 @@ void AccelerationSensor::measure(const SensorView& view, std::vector<protocol::I
 }
 
 void TouchSensor::measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) {
-    lineIn<protocol::TouchReadings>(out).touches.push_back({model().name, view.body.touched(model().link)});
+    passOver(view);
+    lineIn<protocol::TouchReadings>(out).touches.push_back({model().name, std::exchange(touched_, false)});
 }
 
 /// Spreads the satellites over the sky above 10 degrees by the golden angle.

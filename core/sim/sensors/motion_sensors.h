@@ -127,12 +127,16 @@ private:
     Seconds last_at_{0.0};
 };
 
-/// Reports whether the link that carries it was touched since the last tick. Settings: diameter (m).
+/// Reports whether the link that carries it was touched since its last report. Settings: diameter (m).
 class TouchSensor : public Sensor {
 public:
     using Sensor::Sensor;
     void measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) override;
+    void passOver(const SensorView& view) override { touched_ |= view.body.touched(model().link); }
     std::vector<protocol::Setting> settings() const override { return {setting("Diameter", number("diameter", 0.01))}; }
+
+private:
+    bool touched_ = false; ///< at a tick that was passed over
 };
 
 /// Model (robots-and-worlds.md 4.8): twelve satellites above the horizon, each received if the sky toward it is open.

@@ -53,6 +53,8 @@ public:
     /// Appends its line to `out`, or adds its part to the last line there if that is of its type (UT2004 puts all
     /// sensors of a simple type into one line). Adds nothing if there is nothing to report.
     virtual void measure(const SensorView& view, std::vector<protocol::InfoMessage>& out) = 0;
+    /// Called instead of `measure` at a tick at which the sensor is not due.
+    virtual void passOver(const SensorView& /*view*/) {}
     /// False for sensors that already report at the first tick after INIT (protocol.md 2.4).
     virtual bool needsHistory() const { return true; }
     /// Its settings as CONF reports them: unless a sensor has others, its scan interval in s.

@@ -1,4 +1,5 @@
 // Sensors at the ends of what they can measure and of what can be set, and models that no sensor can be made of.
+#include <algorithm>
 #include <cmath>
 
 #include <QObject>
@@ -8,6 +9,7 @@
 #include "core/sim/sensors/camera_sensor.h"
 #include "core/sim/sensors/motion_sensors.h"
 #include "core/sim/sensors/range_sensors.h"
+#include "tests/sim/driven_robot.h"
 #include "tests/sim/tiny_worlds.h"
 #include "tests/suite/suite.h"
 
@@ -200,6 +202,30 @@ private slots:
         const CameraSensor camera(modelOf("Camera", {{"width", wanted}, {"height", wanted}}), birthOn(robot));
         QCOMPARE(settingOf(camera.udkSettings(), "TextureResolutionX"), pixels);
         QCOMPARE(settingOf(camera.udkSettings(), "TextureResolutionY"), pixels);
+    }
+
+    /// In UDK a touch sensor reports at every second tick.
+    void aTouchBetweenTwoReportsIsTold() {
+        DrivenRobot dog(flatWorld(), USAR_SOURCE_DIR "/resources/robots", "ERS", 0.0, 0.0);
+        dog.run(Seconds{1.0}); // It stands on its paws.
+        const auto paw = std::ranges::find_if(dog.model.sensors, [&](const SensorModel& sensor) {
+            return sensor.type == "Touch" && dog.body.touched(sensor.link);
+        });
+        QVERIFY(paw != dog.model.sensors.end());
+        const auto sensor = std::move(*makeSensor(*paw, birthOn(dog.model)));
+        const RayCaster caster(dog.world);
+        const WorldRays rays(caster, *dog.physics, dog.body.id());
+        Scene scene;
+        const SensorView view{Seconds{1.0}, Seconds{0.1}, dog.body, rays, dog.world, scene};
+        const auto told = [&] {
+            std::vector<protocol::InfoMessage> lines;
+            sensor->measure(view, lines);
+            return std::get<protocol::TouchReadings>(lines.at(0)).touches.at(0).touched;
+        };
+        sensor->passOver(view);
+        dog.body.forgetTouches();
+        QVERIFY(told());
+        QVERIFY(!told());
     }
 
     void onlyOwnCommandsAreAnswered_data() {
