@@ -23,8 +23,9 @@ MapView::MapView(QWidget* parent) : QWidget(parent) {
     setAttribute(Qt::WA_OpaquePaintEvent);
     setAccessibleName(tr("Map"));
     setAccessibleDescription(tr("Arrow keys pan, plus and minus zoom, N walks over the start poses, Return spawns."));
-    empty_state_->setText(tr("No world yet"),
-                          tr("The world, its start poses and the height map appear here once a server answers."));
+    empty_state_->setText(
+        tr("No world yet"),
+        tr("The world, its start poses and the height map appear here once a server answers or a replay plays."));
     soon_.setSingleShot(true);
     soon_.setInterval(one_cycle_ms);
     connect(&soon_, &QTimer::timeout, this, &MapView::paintChanges);
