@@ -4,6 +4,7 @@
 #include <QAbstractSpinBox>
 #include <QComboBox>
 #include <QLabel>
+#include <QLayout>
 #include <QLineEdit>
 #include <QListView>
 #include <QScrollArea>
@@ -154,6 +155,14 @@ void tst_WindowLayout::messagesAreReadWithoutScrollingSideways() {
     const auto* const scrolled = qobject_cast<const QScrollArea*>(views.messages_dock->widget());
     QVERIFY(scrolled);
     QTRY_COMPARE(scrolled->horizontalScrollBar()->maximum(), 0);
+    protocol::TrafficCounts hours;
+    hours.lines_in = 1'042'123;
+    hours.lines_out = 322'000;
+    views.traffic->setText(widgets::trafficSummary(hours));
+    scrolled->widget()->layout()->activate(); // Before the next lines bring the true numbers back.
+    const int needed_px = scrolled->widget()->minimumSizeHint().width();
+    QVERIFY2(needed_px <= scrolled->viewport()->width(),
+             qPrintable(QString("%1 of %2 px").arg(needed_px).arg(scrolled->viewport()->width())));
 }
 
 void tst_WindowLayout::openingLayersKeepsTheWindowsHeight() {
