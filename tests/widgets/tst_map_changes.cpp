@@ -42,7 +42,7 @@ MapObject crateAt(const Vec3& place_in_map_m) {
     return crate;
 }
 
-/// What a person and robots do to a map, in any order.
+/// Does to a map what a person and robots do, in any order.
 class Happenings {
 public:
     /// Robots and all else stay within `reach_m` of the origin, in x and y.

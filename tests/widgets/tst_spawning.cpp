@@ -190,7 +190,9 @@ void tst_Spawning::namesOfBehaviorsAreWhole() {
                 ->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, behavior)
                 .width();
         };
-        QTRY_VERIFY2(width_px() >= text_px, qPrintable(QString("%1 has %2 of %3 px").arg(behavior->currentText()).arg(width_px()).arg(text_px)));
+        QTRY_VERIFY2(
+            width_px() >= text_px,
+            qPrintable(QString("%1 has %2 of %3 px").arg(behavior->currentText()).arg(width_px()).arg(text_px)));
         QVERIFY(map_->rect().contains(card_->geometry()));
     }
 }

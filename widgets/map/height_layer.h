@@ -71,8 +71,8 @@ private:
     /// The worker's result.
     struct Finished {
         std::vector<std::pair<mapping::GridIndex, PagePicture>> pages;
-        Rectangle ground_in_map; ///< that looks different
-        int generation;          ///< of the tiles
+        Rectangle ground_in_map; ///< looks different from now on
+        int generation;          ///< counts how often the tiles were cleared before
     };
     /// Takes a result; one from before the last clear() is dropped.
     void swapIn(Finished finished);

@@ -20,8 +20,8 @@ class MapChanges {
 public:
     /// A part of the ground looks different, in meters of the map frame.
     void touch(const Rectangle& ground_in_map) { touched_in_map_.push_back(ground_in_map); }
-    /// Takes the content as painted. Returns the pixels that look different since the last call; nullopt: perhaps all
-    /// of them.
+    /// Takes the content as painted. Returns the pixels that look different since the last call, or
+    /// nullopt where all may.
     std::optional<QRegion> take(const MapContent& content, const HeightLayer& heights, const MapOverlay& overlay,
                                 const MapTransform& transform);
     /// Where the names of the content that was taken last are painted.

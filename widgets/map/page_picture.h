@@ -41,7 +41,7 @@ struct PagePicture {
     static constexpr std::size_t level_count = 4;
     using Levels = std::array<QImage, level_count>;
     Levels levels;
-    Levels contours; ///< transparent but for the lines; null images if no contours are drawn
+    Levels contours; ///< are transparent but for the lines; null images if no contours are drawn
 
     /// Returns the coarsest level that still has at least one pixel for every screen pixel.
     const QImage& levelFor(double screen_pixels_per_cell) const { return levels[indexFor(screen_pixels_per_cell)]; }
@@ -64,7 +64,8 @@ PagePicture renderPage(const PageTiles& page, const HeightStyle& style);
 PagePicture renderAgain(const PageTiles& page, const HeightStyle& style, const PagePicture& before,
                         const QRect& changed_px);
 /// The smallest rectangle of pixels of a page's finest picture in which two versions of its tile at `place` (an index
-/// of PageTiles::tiles) look different; `before` may be nullptr, for a tile that is new. Empty if they look alike.
+/// of PageTiles::tiles) look different; `before` may be nullptr, for a tile that is new. The result is empty if they
+/// look alike.
 QRect changedPixels(std::size_t place, const mapping::HeightTile* before, const mapping::HeightTile& after,
                     MapOrientation orientation);
 /// The part of a page that is rendered again where these pixels changed: light and contours depend on the next cell.

@@ -56,7 +56,7 @@ protected:
 private:
     /// Offers the behaviors of the chosen class, and "None" as the last entry.
     void listBehaviors();
-    void takeNeededSize(); ///< that all words are whole in
+    void takeNeededSize(); ///< makes all words whole
     /// Moves the upper left corner there, or as near as the map allows.
     void place(const QPoint& corner);
     /// True if a robot can be spawned: the name is valid, and there is room for one more.

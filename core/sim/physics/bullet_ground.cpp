@@ -94,7 +94,8 @@ void BulletGround::addPlants(const std::vector<Plant>& plants) {
 }
 
 void BulletGround::addBoxes(const std::vector<Box>& boxes) {
-    // Each by itself: all of them as one compound would be searched for every part of every robot in each step.
+    // Each box stands by itself: one compound of all of them would be searched for every part of every robot in each
+    // step.
     for (const Box& box : boxes)
         addObject(keep<btBoxShape>(toBullet(Vec3(box.size_m / 2.0))), toBullet(box.center_in_map), Surface::Building);
 }

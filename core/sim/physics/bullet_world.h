@@ -58,7 +58,7 @@ protected:
 
 private:
     LinkSolver links_;
-    std::vector<btMultiBodyConstraint*> joints_; ///< of the group that is solved; kept to reuse its memory
+    std::vector<btMultiBodyConstraint*> joints_; ///< belong to the group that is solved; kept to reuse memory
 
     static bool isLink(const btCollisionObject* object) { return btMultiBodyLinkCollider::upcast(object) != nullptr; }
 };

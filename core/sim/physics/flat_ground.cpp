@@ -148,7 +148,7 @@ private:
         return around_ ? around_ : planeOf(low_m, high_m);
     }
 
-    /// Seen from above.
+    /// True if the first box lies in the outer one, seen from above.
     static bool within(const btVector3& low_m, const btVector3& high_m, const btVector3& outer_low_m,
                        const btVector3& outer_high_m) {
         return low_m.x() > outer_low_m.x() && low_m.y() > outer_low_m.y() && high_m.x() < outer_high_m.x() &&

@@ -29,15 +29,13 @@ private:
     Pose reported(const Pose& base_in_map) const;
 
     double sigma_ = error("sigma", 0.05);
-    bool reports_itself_; ///< instead of the base
-    /// In the map frame; begins at the spawn pose.
-    Pose estimate_;
+    bool reports_itself_;      ///< instead of the base
+    Pose estimate_;            ///< in the map frame; begins at the spawn pose
     std::optional<Pose> last_; ///< the true pose at the last scan; nullopt before it
     /// Relative error of each increment, without a unit; so is `rotation_bias_`.
     Vec3 position_bias_ = Vec3::Zero();
     Vec3 rotation_bias_ = Vec3::Zero();
-    /// Scans in a row without rotation.
-    int still_scans_ = 0;
+    int still_scans_ = 0;  ///< scans in a row without rotation
     bool started_ = false; ///< two scans without rotation have been seen
 };
 
@@ -94,8 +92,7 @@ private:
     double sign_ = number("sign", 1.0) < 0.0 ? -1.0 : 1.0;
     double sigma_ = error("sigma", 0.0025);
     double last_rad_ = 0.0;
-    /// Sum of the increments, before it is cut to whole steps.
-    double counted_rad_ = 0.0;
+    double counted_rad_ = 0.0; ///< sum of the increments, before it is cut to whole steps
 };
 
 /// Reports speeds and angles of the drive's joints: of a skid drive left, right, left, right from the front
@@ -110,8 +107,7 @@ private:
 };
 
 /// Accel reports the acceleration without gravity, AcceleroMeter with it: the mean since the last measurement, in the
-/// sensor's frame.
-/// Settings: sigma (m/s2).
+/// sensor's frame. Settings: sigma (m/s2).
 class AccelerationSensor : public Sensor {
 public:
     /// `proper` includes gravity.
