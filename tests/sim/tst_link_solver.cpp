@@ -3,6 +3,7 @@
 #include <QString>
 #include <QTest>
 
+#include "core/sim/worlds/made_worlds.h"
 #include "tests/sim/tiny_worlds.h"
 #include "tests/suite/suite.h"
 
@@ -68,6 +69,18 @@ struct Drive {
             physics->setMotor(body, i, {mode, i % 2 == 0 ? left : right, limit});
     }
     Vec3 position_m() const { return physics->state(body).position_m; }
+    /// How far from the ground's surface the farthest of the points lies at which the ground presses.
+    double farthestPress_m() const {
+        double farthest_m = 0.0;
+        for (const Contact& contact : physics->contacts(body)) {
+            const BodyState touched =
+                contact.link < 0 ? physics->state(body) : physics->state(body, static_cast<std::size_t>(contact.link));
+            const Vec3 at_m = touched.position_m + touched.rotation * contact.point_in_body_m;
+            if (contact.surface == Surface::Ground)
+                farthest_m = std::max(farthest_m, std::abs(at_m.z() - world.terrain.height_m(at_m.head<2>())));
+        }
+        return farthest_m;
+    }
     double speed_m_s() const { return physics->state(body).velocity_m_s.norm(); }
 
     World world;
@@ -160,6 +173,29 @@ private slots:
         one.run(Seconds{0.2});
         const double after = one.physics->state(one.body).velocity_m_s.x() + one.physics->state(other).velocity_m_s.x();
         QVERIFY2(before > 0.9 && near(after, before, 0.05), words(after, before));
+    }
+
+    // Ground beside a part may be as high as its belly while the ground beneath lies deeper. It was once taken for all
+    // the ground around, and the robot hung in the air.
+    void nothingPressesButTheGround() {
+        const World meadow = makeTallTest(1);
+        ArticulatedDescription low = cart();
+        low.base.parts = {{BoxShape{{0.5, 0.28, 0.1}}, Pose{{0.0, 0.0, -0.09}, 0.0, 0.0, 0.0}}};
+        std::size_t presses = 0;
+        for (double side_rad = 0.0; side_rad < 2.0 * pi; side_rad += pi / 6.0) {
+            const Vec2 start_m = 8.0 * Vec2(std::cos(side_rad), std::sin(side_rad));
+            const double z_m = meadow.terrain.height_m(start_m) + 0.4;
+            Drive drive(meadow, low);
+            drive.physics->place(drive.body, Pose{{start_m.x(), start_m.y(), z_m}, 0.0, 0.0, side_rad + pi});
+            drive.run(Seconds{1.0});
+            drive.drive(JointMotor::Mode::Velocity, 8.0, 8.0, 10.0);
+            for (int i = 0; i < 4000; ++i) {
+                drive.run(physics_dt);
+                presses += drive.physics->contacts(drive.body).size();
+                QVERIFY2(drive.farthestPress_m() < 0.02, words(drive.farthestPress_m(), 0.0));
+            }
+        }
+        QVERIFY(presses > 100000);
     }
 
     void aLimbMakesNoDifference_data() {

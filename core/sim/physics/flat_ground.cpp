@@ -129,8 +129,11 @@ private:
         field.getAabb(ground.getWorldTransform(), field_low_m, field_high_m);
         if (!within(low_m, high_m, field_low_m, field_high_m))
             return std::nullopt;
-        const auto planeOf = [&](const btVector3& from_m, const btVector3& to_m) -> std::optional<Plane> {
+        // At all heights: the ground that drops away beneath one side of the part is not flat, either.
+        const auto planeOf = [&](btVector3 from_m, btVector3 to_m) -> std::optional<Plane> {
             Flatness flatness;
+            from_m.setZ(field_low_m.z());
+            to_m.setZ(field_high_m.z());
             field.processAllTriangles(&flatness, from_m - at_m, to_m - at_m);
             if (!flatness.flat || !flatness.plane)
                 return std::nullopt;
