@@ -49,6 +49,7 @@ std::string unescaped(const std::string& text) {
 std::vector<Line> infoLines() {
     std::vector<Line> lines;
     append(ownFolder() / "info_lines.txt", lines);
+    append(ownFolder() / "captured_lines.txt", lines);
     append(otherFolder() / "info-messages.txt", lines);
     return lines;
 }
@@ -62,6 +63,7 @@ std::vector<Line> commandLines() {
 
 std::vector<std::string> recordedChunks() {
     std::vector<Line> lines;
+    append(ownFolder() / "recorded_chunks.txt", lines);
     append(otherFolder() / "chunks-ut2004-p2dx.txt", lines);
     std::vector<std::string> chunks;
     for (const Line& line : lines)

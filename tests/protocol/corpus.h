@@ -15,12 +15,12 @@ struct Line {
     std::string place;
 };
 
-/// Lines of tests/data/protocol/NAME, and of the same kind of file in the folder that the environment variable
+/// Lines of tests/data/protocol, and of the same kind of file in the folder that the environment variable
 /// USAR_PROTOCOL_CORPUS or, without it, shared/corpus beside the checkout holds. `# source: …` lines are headers.
 std::vector<Line> infoLines();
 std::vector<Line> commandLines();
 
-/// Pieces as successive recv calls gave them, escapes undone; empty where there is no such collection.
+/// Pieces as successive recv calls gave them, escapes undone.
 std::vector<std::string> recordedChunks();
 
 } // namespace corpus

