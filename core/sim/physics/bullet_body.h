@@ -68,7 +68,7 @@ public:
     /// Acts at the base's center of mass during the next step; adds up.
     virtual void apply(const Vec3& force_in_map_n, const Vec3& torque_in_map_n_m) = 0;
     /// Called right before and right after each step of the dynamics world.
-    virtual void beforeStep(Seconds dt) = 0;
+    virtual void beforeStep(Seconds /*dt*/) {}
     virtual void afterStep() = 0;
     /// Velocity that a point of a link had before the step; point and velocity in the map frame.
     virtual btVector3 velocityBefore(int link, const btVector3& point) const = 0;

@@ -1,7 +1,6 @@
 #include "core/sim/physics/bullet_multi_body.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <variant>
 
@@ -85,12 +84,6 @@ BulletMultiBody::BulletMultiBody(btMultiBodyDynamicsWorld& world, const Articula
 }
 
 BulletMultiBody::~BulletMultiBody() {
-    for (Joint& joint : joints_) {
-        const std::array<btMultiBodyConstraint*, 3> all{joint.limits.get(), joint.damper.get(), joint.motor.get()};
-        for (btMultiBodyConstraint* const one : all)
-            if (one)
-                leave(one);
-    }
     for (const Piece& part : parts_)
         world_.removeCollisionObject(part.collider.get());
     world_.removeMultiBody(&body_);
@@ -128,29 +121,15 @@ void BulletMultiBody::addConstraints(int index, const LinkDescription& link) {
     Joint& joint = joints_[static_cast<std::size_t>(index)];
     if (link.lower <= link.upper) {
         joint.limits = std::make_unique<btMultiBodyJointLimitConstraint>(&body_, index, link.lower, link.upper);
-        enter(joint.limits.get());
+        own_constraints_.push_back(joint.limits.get());
     }
     joint.damping = link.damping;
     joint.lower = link.lower;
     joint.upper = link.upper;
     if (link.damping > 0.0) {
         joint.damper = std::make_unique<btMultiBodyJointMotor>(&body_, index, 0.0, 0.0);
-        enter(joint.damper.get());
+        own_constraints_.push_back(joint.damper.get());
     }
-}
-
-void BulletMultiBody::enter(btMultiBodyConstraint* constraint) {
-    if (on_wheels_)
-        own_constraints_.push_back(constraint);
-    else
-        world_.addMultiBodyConstraint(constraint);
-}
-
-void BulletMultiBody::leave(btMultiBodyConstraint* constraint) {
-    if (on_wheels_)
-        std::erase(own_constraints_, constraint);
-    else
-        world_.removeMultiBodyConstraint(constraint);
 }
 
 void BulletMultiBody::place(const Pose& base_in_map) {
@@ -218,14 +197,14 @@ void BulletMultiBody::setMotor(std::size_t link, const JointMotor& motor) {
     joint.wanted = motor;
     const bool off = motor.mode == JointMotor::Mode::Off;
     if (off && joint.motor) {
-        leave(joint.motor.get());
+        std::erase(own_constraints_, joint.motor.get());
         joint.motor.reset();
     }
     if (off)
         return;
     if (!joint.motor) {
         joint.motor = std::make_unique<btMultiBodyJointMotor>(&body_, static_cast<int>(link), 0.0, 0.0);
-        enter(joint.motor.get());
+        own_constraints_.push_back(joint.motor.get());
     }
     const bool position = motor.mode == JointMotor::Mode::Position;
     joint.motor->setPositionTarget(position ? motor.target : 0.0, position ? 1.0 : 0.0);
@@ -238,9 +217,10 @@ void BulletMultiBody::apply(const Vec3& force_in_map_n, const Vec3& torque_in_ma
     body_.addBaseTorque(toBullet(torque_in_map_n_m));
 }
 
-void BulletMultiBody::beforeStep(Seconds dt) {
+std::span<btMultiBodyConstraint* const> BulletMultiBody::ownConstraints(double dt_s) {
     for (std::size_t i = 0; i < joints_.size(); ++i)
-        drive(static_cast<int>(i), joints_[i], dt);
+        drive(static_cast<int>(i), joints_[i], Seconds{dt_s});
+    return own_constraints_;
 }
 
 void BulletMultiBody::drive(int index, Joint& joint, Seconds dt) {

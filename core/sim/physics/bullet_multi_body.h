@@ -47,9 +47,7 @@ public:
     std::span<const JointRow> jointRows(double dt_s) override;
     bool movesMass(int link) const override { return joints_[static_cast<std::size_t>(link)].moves_mass; }
     KeptInverse& keptInverse() override { return kept_inverse_; }
-    std::span<btMultiBodyConstraint* const> ownConstraints() const override { return own_constraints_; }
-    /// Sets the limits of all motors for a step of this length.
-    void beforeStep(Seconds dt) override;
+    std::span<btMultiBodyConstraint* const> ownConstraints(double dt_s) override;
     void afterStep() override { refreshVelocities(); }
     /// Velocity in m/s, before the step, of the link's point that is at `point` in the map frame.
     btVector3 velocityBefore(int link, const btVector3& point) const override;
@@ -81,9 +79,6 @@ private:
     void addPiece(int link, const BodyDescription& description, BodyId id);
     /// Adds limits if the lower one is not above the upper one, and a damper if the joint has damping.
     void addConstraints(int index, const LinkDescription& description);
-    /// Makes a constraint act, in the world or as one of ownConstraints(), and ends that.
-    void enter(btMultiBodyConstraint* constraint);
-    void leave(btMultiBodyConstraint* constraint);
     /// The speed that a joint's motor aims at in a step from this position.
     static double wantedSpeed(const Joint& joint, double position, double dt_s);
     /// Sets the impulse limits of a joint's motor and damper for the next step.

@@ -20,8 +20,8 @@ namespace usar::sim {
 /// step.
 class BulletSolver : public btMultiBodyConstraintSolver {
 public:
-    /// Leaves groups of robots on wheels to a LinkSolver. Others get 20 iterations, whatever `info` says, or 60 where a
-    /// robot touches a thing: with 20, a crate slips out of a gripper by 2 to 3 mm/s (`tst_gripper`).
+    /// Leaves groups of robots to a LinkSolver. Where a robot touches a thing, there are 60 iterations, whatever `info`
+    /// says: with 20, a crate slips out of a gripper by 2 to 3 mm/s (`tst_gripper`).
     void solveMultiBodyGroup(btCollisionObject** bodies, int body_count, btPersistentManifold** manifolds,
                              int manifold_count, btTypedConstraint** constraints, int constraint_count,
                              btMultiBodyConstraint** joints, int joint_count, const btContactSolverInfo& info,
@@ -33,10 +33,12 @@ public:
         }
         joints_.assign(joints, joints + joint_count);
         for (const btCollisionObject* const body : members)
-            if (const JointedBody* const jointed = jointedBodyOf(*body))
-                joints_.insert(joints_.end(), jointed->ownConstraints().begin(), jointed->ownConstraints().end());
+            if (JointedBody* const jointed = jointedBodyOf(*body)) {
+                const auto own = jointed->ownConstraints(info.m_timeStep);
+                joints_.insert(joints_.end(), own.begin(), own.end());
+            }
         btContactSolverInfo thorough = info;
-        thorough.m_numIterations = std::ranges::all_of(members, &BulletSolver::isLink) ? 20 : 60;
+        thorough.m_numIterations = 60;
         btMultiBodyConstraintSolver::solveMultiBodyGroup(
             bodies, body_count, manifolds, manifold_count, constraints, constraint_count, joints_.data(),
             static_cast<int>(joints_.size()), thorough, drawer, dispatcher);

@@ -64,9 +64,9 @@ void turn(double* matrix, int size, const btMatrix3x3& rotation) {
 
 } // namespace
 
-const JointedBody* jointedBodyOf(const btCollisionObject& object) {
+JointedBody* jointedBodyOf(const btCollisionObject& object) {
     const btMultiBodyLinkCollider* const link = linkOf(object);
-    return link && link->m_link < 0 ? static_cast<const JointedBody*>(link->m_multiBody->getUserPointer()) : nullptr;
+    return link && link->m_link < 0 ? static_cast<JointedBody*>(link->m_multiBody->getUserPointer()) : nullptr;
 }
 
 bool isOnWheels(const btCollisionObject& object) {
@@ -75,7 +75,7 @@ bool isOnWheels(const btCollisionObject& object) {
 }
 
 bool LinkSolver::canSolve(std::span<btCollisionObject* const> bodies) {
-    return std::ranges::all_of(bodies, [](const btCollisionObject* body) { return isOnWheels(*body); });
+    return std::ranges::all_of(bodies, [](const btCollisionObject* body) { return linkOf(*body); });
 }
 
 void LinkSolver::solve(std::span<btCollisionObject* const> bodies, std::span<btPersistentManifold* const> manifolds,
@@ -93,7 +93,7 @@ void LinkSolver::solve(std::span<btCollisionObject* const> bodies, std::span<btP
         addJoints(static_cast<int>(i), info.m_timeStep);
     for (btPersistentManifold* const manifold : manifolds)
         addContacts(*manifold, info);
-    warmStart();
+    begin(std::ranges::all_of(bodies, [](const btCollisionObject* body) { return isOnWheels(*body); }));
     for (int i = 0; i < most_sweeps && sweep(i % 2 == 0) > settled; ++i) {
     }
     for (const std::vector<Row>* const rows : {&joints_, &normals_, &frictions_})
@@ -254,14 +254,16 @@ void LinkSolver::fillJacobian(const Member& member, int link, const Push& push, 
     }
 }
 
-void LinkSolver::warmStart() {
+void LinkSolver::begin(bool warm) {
     for (std::vector<Row>* const rows : {&joints_, &normals_, &frictions_})
         for (Row& row : *rows) {
             if (row.normal >= 0)
                 row.high = row.rubbing * normals_[static_cast<std::size_t>(row.normal)].impulse;
             row.low = row.normal >= 0 ? -row.high : row.low;
             row.stiffness = row.mobility < least_mobility ? 0.0 : 1.0 / row.mobility;
-            row.impulse = std::clamp(static_cast<double>(*row.kept), row.low, row.high);
+            row.impulse = warm ? std::clamp(static_cast<double>(*row.kept), row.low, row.high) : 0.0;
+            if (row.impulse == 0.0)
+                continue;
             for (const Side& side : {row.a, row.b})
                 if (side.member >= 0) {
                     const Member& member = members_[static_cast<std::size_t>(side.member)];

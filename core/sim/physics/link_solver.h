@@ -39,24 +39,25 @@ public:
     /// False for the joint of a round wheel, whose turning moves no mass elsewhere.
     virtual bool movesMass(int link) const = 0;
     virtual KeptInverse& keptInverse() = 0;
-    /// Its motors and stops for Bullet's solver, if it is on wheels. Bullet's world would look through those of all
-    /// robots for each group of bodies, and they are needed only where such a robot touches something else.
-    virtual std::span<btMultiBodyConstraint* const> ownConstraints() const = 0;
+    /// Its motors and stops for Bullet's solver, with their limits for this step. Bullet's world would look through
+    /// those of all robots for each group of bodies, and they are needed only where a robot touches a thing that moves.
+    virtual std::span<btMultiBodyConstraint* const> ownConstraints(double dt_s) = 0;
 };
 
 /// The jointed body that this is the base of; nullptr for links and for rigid bodies.
-const JointedBody* jointedBodyOf(const btCollisionObject& object);
+JointedBody* jointedBodyOf(const btCollisionObject& object);
 /// True for a link or the base of a robot that is on wheels.
 bool isOnWheels(const btCollisionObject& object);
 
 /// The method is Bullet's, projected Gauss-Seidel on velocities with the same rows: each contact pushes apart and
 /// rubs in two directions. It takes a fraction of the time, because the inverse of each body's mass matrix is computed
-/// when a joint has moved instead of once for each row, because a step begins with the impulses of the last one, and
-/// because it ends when nothing changes any more.
+/// when a joint has moved instead of once for each row, and because it ends when nothing changes any more. A step
+/// begins with the impulses of the last one if all robots are on wheels. With limbs it begins at zero: otherwise the
+/// ERS turns this way and that as it walks, and the Kenaf does not get its flippers over a step in
+/// `tst_tracked_robots`.
 class LinkSolver {
 public:
-    /// True if all bodies are links of robots on wheels. Limbs are left to Bullet: with this solver the ERS covers only
-    /// half of its way in `tst_leg_drive`, and the Kenaf does not get its flippers over a step in `tst_tracked_robots`.
+    /// True if all bodies are links of robots.
     static bool canSolve(std::span<btCollisionObject* const> bodies);
     /// Changes the bodies' velocities. The manifolds are those of the bodies; their points keep the impulses.
     void solve(std::span<btCollisionObject* const> bodies, std::span<btPersistentManifold* const> manifolds,
@@ -118,7 +119,8 @@ private:
     /// One sweep over all rows; returns the largest change of a relative velocity.
     double sweep(bool backward);
     double resolve(Row& row);
-    void warmStart();
+    /// Sets the first impulses: those of the last step if `warm`, otherwise zero.
+    void begin(bool warm);
 
     std::vector<Member> members_;
     std::vector<Axis> axes_;
