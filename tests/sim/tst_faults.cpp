@@ -326,6 +326,26 @@ private slots:
         QVERIFY(held_m.x() < -0.01 && held_m.x() > -3.0);
     }
 
+    // It once stood asleep while its drag added up, and left at once with the speed of the wind.
+    void aRobotThatStoodInTheWindRisesFromItsPlace() {
+        const auto simulation = faultySimulation({"wind speed=3.5"});
+        Talker talker(*simulation);
+        talker.say("INIT {ClassName USARBot.AirRobot} {Name R1} {Location 0,0,-0.3}");
+        const auto place_m = [&] { return simulation->robots().front().base_in_map.position_m; };
+        steps(*simulation, 25); // It lands by itself.
+        const Vec3 landed_m = place_m();
+        steps(*simulation, 35);
+        const Vec3 stood_m = place_m();
+        QVERIFY2((stood_m - landed_m).norm() < 0.02, qPrintable(QString::number((stood_m - landed_m).norm())));
+        talker.say("DRIVE {AltitudeVelocity 0.5} {LinearVelocity 0} {LateralVelocity 0} {RotationalVelocity 0}");
+        steps(*simulation, 15);
+        const RobotTruth robot = simulation->robots().front();
+        QVERIFY(!robot.broken);
+        QVERIFY(robot.base_in_map.position_m.z() > 0.5);
+        const double drifted_m = (robot.base_in_map.position_m - stood_m).head<2>().norm();
+        QVERIFY2(drifted_m < 1.5, qPrintable(QString::number(drifted_m)));
+    }
+
     void gustsHaveTheirStatistics() {
         Wind wind({Vec3(4.0, 0.0, 0.0), 1.5}, seeded(1, 2));
         constexpr int count = 200'000;

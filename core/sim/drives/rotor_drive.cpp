@@ -14,6 +14,7 @@ constexpr Seconds spooling_time{0.8};
 constexpr double settling_share = 0.2;
 constexpr double spooling_share = 0.3;
 constexpr Seconds ground_lost{0.3};
+constexpr double calm_air_m_s = 0.1;
 
 } // namespace
 
@@ -136,10 +137,22 @@ void RotorDrive::leaveGround() {
         motors_ = MotorState::Flying; // The controller keeps what it has learned on the way up.
 }
 
+void RotorDrive::feelWind(const Vec3& wind_in_map_m_s) {
+    wind_m_s_ = wind_in_map_m_s;
+    if (const bool calm = wind_m_s_.norm() < calm_air_m_s; calm != calm_) {
+        calm_ = calm;
+        mayRest();
+    }
+}
+
+void RotorDrive::mayRest() {
+    physics_.letSleep(id_, (motors_ == MotorState::Idle || ended()) && calm_);
+}
+
 void RotorDrive::enter(MotorState motors) {
     motors_ = motors;
     in_state_ = Seconds{0.0};
-    physics_.letSleep(id_, motors == MotorState::Idle || ended());
+    mayRest();
     landing_itself_ = landing_itself_ && motors != MotorState::Idle;
     controller_.reset(state());
 }

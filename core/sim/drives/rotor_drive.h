@@ -24,7 +24,7 @@ public:
     bool obey(const protocol::Command& command) override;
     void beforeStep(Seconds dt) override;
     void afterStep(Seconds dt) override;
-    void feelWind(const Vec3& wind_in_map_m_s) override { wind_m_s_ = wind_in_map_m_s; }
+    void feelWind(const Vec3& wind_in_map_m_s) override;
     void weakenRotor(int rotor, double share) override;
     /// The motors stop at the end of the next step.
     void switchOff() override { off_ = true; }
@@ -44,6 +44,8 @@ private:
     void touchDown();
     void leaveGround();
     void enter(MotorState motors);
+    /// Lets the body sleep while nothing pushes it.
+    void mayRest();
     bool ended() const { return motors_ == MotorState::Broken || motors_ == MotorState::Dead; }
 
     Physics& physics_;
@@ -53,6 +55,7 @@ private:
     FlightController controller_;
     VelocityCommand command_;
     Vec3 wind_m_s_ = Vec3::Zero();
+    bool calm_ = true; ///< no wind to speak of
     MotorState motors_ = MotorState::Flying;
     bool landing_itself_;     ///< sinks without a command, until it gets one
     Seconds in_state_{0.0};   ///< time since `motors_` last changed

@@ -110,7 +110,9 @@ public:
         wakeIn(spaceOf(*bodies_.at(id)));
     }
     void apply(BodyId id, const Vec3& force_in_map_n, const Vec3& torque_in_map_n_m) override {
-        bodies_.at(id)->apply(force_in_map_n, torque_in_map_n_m);
+        BulletBody& body = *bodies_.at(id);
+        if (!body.asleep()) // Bullet would add it up until the body wakes.
+            body.apply(force_in_map_n, torque_in_map_n_m);
     }
 
     void step(Seconds dt) override {

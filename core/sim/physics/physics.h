@@ -70,7 +70,8 @@ public:
     /// Makes the surface of a still body move: what lies on it is carried along, as on a belt and as far as friction
     /// can; the body itself stays.
     virtual void runSurface(BodyId body, const Vec3& velocity_in_body_m_s) = 0;
-    /// Applies force and torque at the center of mass during the next step only; several calls add up.
+    /// Applies force and torque at the center of mass during the next step only; several calls add up. A sleeping body
+    /// is not pushed: where the force may move it, it must not be allowed to sleep.
     virtual void apply(BodyId body, const Vec3& force_in_map_n, const Vec3& torque_in_map_n_m) = 0;
     /// Simulates one fixed step under gravity (9.81 m/s2).
     virtual void step(Seconds dt) = 0;
