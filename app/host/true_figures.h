@@ -32,8 +32,8 @@ inline mission::TrueFigures trueFiguresOf(const sim::RobotTruth& robot) {
     std::optional<mission::HeightOverGround> height;
     if (robot.height)
         height = {robot.height->least_m, robot.height->mean_m, robot.height->spread_m};
-    return {
-        robot.collisions, robot.distance_m, robot.longest_stay, robot.falls, robot.touches, robot.first_touch, height};
+    return {robot.collisions,  robot.distance_m, robot.longest_stay, robot.falls, robot.touches,
+            robot.first_touch, height,           robot.broken};
 }
 
 /// The same for the first robot of the simulator; nullopt if there is none now. Waits for the simulator's thread.

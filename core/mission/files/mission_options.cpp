@@ -1,5 +1,6 @@
 #include "core/mission/files/mission_options.h"
 
+#include <cstring>
 #include <utility>
 
 #include <QFileInfo>
@@ -24,8 +25,25 @@ QList<QCommandLineOption> runOptions() {
             {"fault", {}, "TEXT"},
             {"plugins", {}, "FOLDER"},
             {"battery", {}, "S"},
+            {"limit", {}, "TIME"},
             QCommandLineOption("isolate"),
             QCommandLineOption(QStringList{"h", "help"})};
+}
+
+/// "90s", "30min" or "20h"; seconds without a unit. Nothing unless it is above 0.
+std::optional<Seconds> readTime(const QString& text) {
+    struct Unit {
+        const char* word;
+        double seconds;
+    };
+    for (const Unit& unit : {Unit{"min", 60.0}, Unit{"h", 3600.0}, Unit{"s", 1.0}, Unit{"", 1.0}}) {
+        if (!text.endsWith(QLatin1String(unit.word)))
+            continue;
+        const QString digits = text.chopped(static_cast<qsizetype>(std::strlen(unit.word)));
+        const auto count = readNumber(digits.toStdString());
+        return count && *count > 0.0 ? std::optional(Seconds{*count * unit.seconds}) : std::nullopt;
+    }
+    return std::nullopt;
 }
 
 /// The options whose values can be wrong.
@@ -50,6 +68,12 @@ Result<void> readValues(const QCommandLineParser& parser, MissionOptions& option
         if (!options.battery_life_s || !(*options.battery_life_s >= 1.0))
             return failure("the life of the battery is no number of seconds from 1 up", asWritten(parser, "battery"),
                            "For example --battery 1200");
+    }
+    if (parser.isSet("limit")) {
+        options.limit = readTime(parser.value("limit"));
+        if (!options.limit)
+            return failure("the limit is no time above 0", asWritten(parser, "limit"),
+                           "A number with s, min or h, for example --limit 20h");
     }
     if (parser.isSet("connect")) {
         auto server = readServerAddress(parser.value("connect"));
@@ -148,6 +172,7 @@ QString missionHelp() {
                "  --seed N             noise and drift of the embedded simulator (1)\n"
                "  --speed N|max        simulated seconds per second (max)\n"
                "  --battery S          life of the robots' batteries in the embedded simulator, in seconds (a day)\n"
+               "  --limit TIME         give the mission up after this simulated time, such as 90min or 20h (never)\n"
                "  --connect HOST:PORT  a USARSim server instead of the embedded simulator\n"
                "  --out DIR            where the results go (USAR_Scan on the Desktop)\n"
                "  --record FILE        every byte in and out, for replay (a new file, usually NAME.usarrec)\n"

@@ -8,6 +8,7 @@
 #include <QDir>
 
 #include "core/agent/behavior_start.h"
+#include "core/base/numbers.h"
 #include "core/mission/files/result_writer.h"
 
 namespace usar::mission {
@@ -141,7 +142,10 @@ void MissionRunner::look() {
         conclude(false, "The simulation's clock has stood still too long. Is it paused, or has the server hung?",
                  MissionFailed);
     } else if (phase_ == Phase::Flying && flightTime() > options_.limits.flight) {
-        conclude(false, "The mission took longer than a mission is allowed to. Make the area smaller.", MissionFailed);
+        conclude(false,
+                 "The mission took longer than its limit of " + fixed(options_.limits.flight.count() / 3600.0, 2) +
+                     " h. Raise --limit, or make the area smaller.",
+                 MissionFailed);
     }
     if (phase_ != Phase::Over)
         emit progressed(progress());
@@ -189,6 +193,11 @@ void MissionRunner::conclude(bool success, const std::string& reason, int exit_c
     RunSummary figures = figuresOf(record);
     figures.success = success;
     figures.reason = reason;
+    if (success && figures.truth && figures.truth->broken) {
+        figures.success = false;
+        figures.reason += " But the robot is broken.";
+        exit_code = std::max<int>(exit_code, MissionFailed);
+    }
     session_.close();
     if (auto files = save(record, figures)) {
         figures.files = *std::move(files);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,13 +26,14 @@
 
 namespace usar::mission {
 
-/// Time limits after which a run is given up. Wall time, except for the last one.
+/// Time limits after which a run is given up. Wall time, except for the last one, which is none unless the user sets
+/// it.
 struct RunLimits {
     SessionLimits session;
-    Seconds connect{8.0};     ///< no connection, or no start poses from the server
-    Seconds spawn{20.0};      ///< no robot, and the session gave no reason
-    Seconds stall{30.0};      ///< the protocol clock stands still
-    Seconds flight{6 * 3600}; ///< protocol clock: no mission takes that long
+    Seconds connect{8.0};                                    ///< no connection, or no start poses from the server
+    Seconds spawn{20.0};                                     ///< no robot, and the session gave no reason
+    Seconds stall{30.0};                                     ///< the protocol clock stands still
+    Seconds flight{std::numeric_limits<double>::infinity()}; ///< protocol clock
 };
 
 /// Options of one run.

@@ -33,6 +33,7 @@ struct TrueFigures {
     int touches = 0;                          ///< contacts with things that can be pushed
     std::optional<Seconds> first_touch{};     ///< since the spawn; key first_touch_s
     std::optional<HeightOverGround> height{}; ///< absent for a robot that has not dived
+    bool broken = false; ///< damaged so badly that it can no longer move; no key: it is a reason of failure
 };
 
 /// Figures of a run, with or without a window. The JSON keys are the field names unless noted. All of them are

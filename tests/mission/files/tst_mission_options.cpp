@@ -59,6 +59,12 @@ private slots:
         QTest::newRow("the rest of a mission") << QStringList{"run", "--continue", "r.usarrec"} << rest;
         MissionOptions short_lived = plain;
         short_lived.battery_life_s = 90.5;
+        for (const auto& [text, limit_s] :
+             {std::pair("20h", 72000.0), {"90min", 5400.0}, {"1.5s", 1.5}, {"30", 30.0}}) {
+            MissionOptions limited = plain;
+            limited.limit = Seconds{limit_s};
+            QTest::addRow("a limit of %s", text) << QStringList{"run", "a.json", "--limit", text} << limited;
+        }
         QTest::newRow("the battery's life") << QStringList{"run", "a.json", "--battery", "90.5"} << short_lived;
         MissionOptions help;
         help.help = true;
@@ -103,6 +109,9 @@ private slots:
         QTest::newRow("no host") << QStringList{"run", "a.json", "--connect", ":3000"} << "the host is missing";
         QTest::newRow("IPv6 without brackets")
             << QStringList{"run", "a.json", "--connect", "::1:3000"} << "an IPv6 address needs brackets";
+        for (const char* text : {"0h", "-1h", "h", "soon", "5 days"})
+            QTest::addRow("limit %s", text) << QStringList{"run", "a.json", "--limit", text}
+                                            << QString("--limit %1: the limit is no time").arg(text);
         QTest::newRow("battery") << QStringList{"run", "a.json", "--battery", "0"} << "--battery 0: the life of";
     }
 

@@ -266,7 +266,7 @@ private slots:
         Mission mission = hop();
         mission.parameters["ticks"] = 1000000LL;
         QCOMPARE(run(mission), 1);
-        QVERIFY2(reason().contains("longer than a mission is allowed to"), qPrintable(reason()));
+        QVERIFY2(reason().contains("longer than its limit of 0.00 h"), qPrintable(reason()));
         QCOMPARE(filesInResults().size(), 9);
     }
 
@@ -289,6 +289,13 @@ private slots:
         server_->on_connect = [&] { runner_->interrupt(); };
         QCOMPARE(run(hop()), 1);
         QVERIFY(filesInResults().isEmpty());
+    }
+
+    void aBrokenRobotIsNoSuccess() {
+        options_.true_figures = [] { return std::optional(TrueFigures{.collisions = 1, .broken = true}); };
+        QCOMPARE(run(hop()), 1);
+        QVERIFY2(reason().endsWith("But the robot is broken."), qPrintable(reason()));
+        QVERIFY(!runner_->summary()["success"].toBool());
     }
 
     void scoresAgainstTheTruthAndAsksForCollisions() {
