@@ -4,12 +4,16 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/numbers.h"
+
 namespace usar::airrobot {
 
 namespace {
 
 constexpr double over_base_m = 0.8;
 constexpr Seconds lost_after{15.0};
+constexpr Seconds longest_take_off{90.0};
+constexpr double off_the_ground_m = 1.0;
 /// A robot between these distances from its start pose was spawned there because the start pose was occupied; a robot
 /// farther away was flown there.
 constexpr double beside_start_m = 1.0;
@@ -23,6 +27,10 @@ std::string silentSonars(const Senses& senses) {
     for (const std::string& name : senses.silent_sonars)
         names += (names.empty() ? " " : ", ") + name;
     return (senses.silent_sonars.size() == 1 ? "sonar" : "sonars") + names;
+}
+
+std::string placeWords(const Vec2& at_m) {
+    return "x " + fixed(at_m.x(), 1) + " m, y " + fixed(at_m.y(), 1) + " m";
 }
 
 Seconds longestSilence(const Senses& senses) {
@@ -90,6 +98,11 @@ void SurveyFlight::perceive(const agent::Tick& tick, agent::CommandPort& port) {
     if (!started_)
         started_ = tick.now;
     craft_.perceive(tick, checklist_.layout(), inTheAir(), port);
+    noteCeiling(port);
+    if (inTheAir() && craft_.crash())
+        finish(false,
+               "The robot has crashed at " + placeWords(craft_.senses.position2_m()) + ": " + craft_.crash() + ".",
+               port);
     goal_distance_m_.reset();
     if (phase_ != Phase::Launch)
         noteSilence(port);
@@ -102,6 +115,16 @@ void SurveyFlight::perceive(const agent::Tick& tick, agent::CommandPort& port) {
                craft_.settings);
     if (planned() && !finished())
         time_.update(tick.now, survey_, missionState(), craft_.settings);
+}
+
+void SurveyFlight::noteCeiling(agent::CommandPort& port) {
+    const auto& found = craft_.overhead.found();
+    if (!inTheAir() || !found)
+        return;
+    const double above_m = found->z_m - base_in_map_.position_m.z();
+    port.publish(agent::BehaviorEvent{found->touched ? Severity::Warning : Severity::Note,
+                                      std::string("A ceiling was ") + (found->touched ? "touched " : "seen ") +
+                                          fixed(above_m, 1) + " m above the base; the robot stays below it."});
 }
 
 void SurveyFlight::noteSilence(agent::CommandPort& port) {
@@ -164,12 +187,27 @@ void SurveyFlight::setOut() {
 bool SurveyFlight::climb(double altitude_m, agent::CommandPort& port) {
     if (!take_off_m_) {
         take_off_m_ = craft_.senses.position_m(); // Not earlier, because the INS was set only a tick ago
+        took_off_ = craft_.senses.now;
         const double aside_m = (*take_off_m_ - task_.start_in_map.position_m).norm();
         if (errand_ == Errand::Start && aside_m > beside_start_m && aside_m < away_from_start_m)
             base_in_map_ = craft_.senses.base_in_map;
     }
     const double goal_z_m = std::max(take_off_m_->z() + altitude_m, craft_.settings.floor_level_m);
-    return craft_.rise(goal_z_m, take_off_m_->head<2>(), port);
+    if (craft_.rise(goal_z_m, take_off_m_->head<2>(), port))
+        return true;
+    if (craft_.senses.now - took_off_ < longest_take_off)
+        return false;
+    const double risen_m = craft_.senses.position_m().z() - take_off_m_->z();
+    if (risen_m > off_the_ground_m) {
+        port.publish(agent::BehaviorEvent{Severity::Warning, "The robot does not get higher than " + fixed(risen_m, 1) +
+                                                                 " m above its start and flies on at this height."});
+        return true;
+    }
+    finish(false,
+           "The robot does not leave the ground: it was told to climb for " + fixed(longest_take_off.count(), 0) +
+               " s. Is something on it, or is its battery empty?",
+           port);
+    return false;
 }
 
 void SurveyFlight::beginWork() {
@@ -346,7 +384,9 @@ MissionState SurveyFlight::missionState() const {
     const Settings& settings = craft_.settings;
     const Vec3 place_m = craft_.senses.position_m();
     const double height_m = std::max(0.0, place_m.z() - base_in_map_.position_m.z());
-    const auto climb = [&](double by_m) { return Seconds(std::max(0.0, by_m) / settings.climb_speed_m_s); };
+    const double rate_m_s =
+        errand_ == Errand::Start ? std::min(settings.climb_speed_m_s, Overhead::careful_m_s) : settings.climb_speed_m_s;
+    const auto climb = [&](double by_m) { return Seconds(std::max(0.0, by_m) / rate_m_s); };
     MissionState state{place_m.head<2>(), base_in_map_.position_m.head<2>(),
                        craft_.battery.used_pct(settings) / 100.0 * settings.battery_range_m};
     state.lanes_left = errand_ != Errand::Done && errand_ != Errand::GivenUp;

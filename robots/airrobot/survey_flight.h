@@ -28,8 +28,7 @@ public:
 
     Phase phase() const { return phase_; }
     bool finished() const { return ending_.has_value(); }
-    /// How the survey ended; nullopt while it runs.
-    const std::optional<agent::BehaviorFinished>& ending() const { return ending_; }
+    const std::optional<agent::BehaviorFinished>& ending() const { return ending_; } ///< nullopt while it runs
     bool paused() const { return paused_; }
     bool inTheAir() const;
     /// Whether a sensor that the flight needs has been silent for longer than the timeout.
@@ -81,7 +80,6 @@ public:
     void perform(Maneuver maneuver, agent::CommandPort& port) { craft_.perform(maneuver, takeLeg(), port); }
     /// Looks, decides and performs in the usual order.
     FlightState fly(agent::CommandPort& port) { return craft_.fly(takeLeg(), port); }
-    /// Waits where the robot was when it was paused.
     void holdPlace(agent::CommandPort& port) { craft_.hover(hold_m_, port, "paused"); }
     /// Sends a zero DRIVE; ends the flight if the sensors stay silent.
     void awaitSensors(agent::CommandPort& port);
@@ -115,6 +113,7 @@ private:
     Leg leg() const;
     Leg takeLeg();
     void noteSilence(agent::CommandPort& port);
+    void noteCeiling(agent::CommandPort& port);
     void afterGoal(SurveyEvent event, agent::CommandPort& port);
     void goHome(Errand errand, const std::string& why, agent::CommandPort& port);
     void landAt(const Vec2& near_m);
@@ -143,6 +142,7 @@ private:
     std::optional<Vec2> landing_m_;  ///< nullopt unless the robot is landing or on the ground after it
     std::optional<Vec3> take_off_m_; ///< place of the last take-off
     std::optional<Seconds> started_; ///< time of the first tick
+    Seconds took_off_{0.0};          ///< time of the last take-off
     Seconds landed_{0.0};            ///< time of the last landing
     std::optional<double> goal_distance_m_;
 };

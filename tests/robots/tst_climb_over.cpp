@@ -21,7 +21,7 @@ class tst_ClimbOver : public QObject {
                    const std::vector<Obstacle>& obstacles) const {
         setSonars(senses, ranges);
         senses.now += Seconds(0.2);
-        return climb.step(senses, judgeThreats(senses, settings), obstacles, goal_m, settings);
+        return climb.step(senses, judgeThreats(senses, settings), obstacles, goal_m, 1e9, settings);
     }
 
 private slots:

@@ -85,15 +85,37 @@ private slots:
             motion.velocity_in_map_m_s = velocity_m_s;
             pilot.fly(motion, senses, port, "test", settings);
             senses.now += Seconds(tick_s);
-            return pilot.commandedInBase_m_s().x();
+            return pilot.wantedInBase_m_s().x();
         };
         const double first_m_s = flyTick({2.0, 0.0});
         QVERIFY(std::abs(first_m_s - 0.2 * settings.acceleration_m_s2) < 1e-9);
         QVERIFY(std::abs(flyTick({2.0, 0.0}) - first_m_s - tick_s * settings.acceleration_m_s2) < 1e-9);
         for (int i = 0; i < 100; ++i)
             flyTick({2.0, 0.0});
-        QVERIFY(std::abs(pilot.commandedInBase_m_s().x() - 2.0) < 1e-9);
+        QVERIFY(std::abs(pilot.wantedInBase_m_s().x() - 2.0) < 1e-9);
         QVERIFY(std::abs(flyTick({0.0, 0.0}) - (2.0 - 2.0 * tick_s)) < 1e-9);
+    }
+
+    /// The robot moves over ground as it is told through the air, and with the wind.
+    void holdsItsPlaceInTheWind() {
+        Pilot pilot;
+        agent::CommandPort port;
+        Senses senses = sensesAt({0, 0, 6}, 0.7);
+        const Vec2 wind_m_s(1.1, -0.4);
+        Vec2 through_air_m_s = Vec2::Zero();
+        for (int tick = 0; tick < 200; ++tick) {
+            senses.velocity_in_map_m_s.head<2>() = through_air_m_s + wind_m_s;
+            senses.base_in_map.position_m.head<2>() += 0.2 * senses.velocity_in_map_m_s.head<2>();
+            senses.now += Seconds(0.2);
+            pilot.fly(holding(senses, {0, 0}), senses, port, "test", settings);
+            for (const agent::CausedCommand& caused : port.takeCommands()) {
+                const auto& drive = std::get<protocol::AerialDrive>(caused.command);
+                through_air_m_s = Eigen::Rotation2Dd(0.7) * Vec2(*drive.forward_m_s, *drive.left_m_s);
+            }
+        }
+        QVERIFY2(senses.position2_m().norm() < 0.5, qPrintable(QString::number(senses.position2_m().norm())));
+        QVERIFY(senses.velocity_in_map_m_s.norm() < 0.15);
+        QVERIFY(pilot.wantedInBase_m_s().norm() < 0.3); // The heading is compared with what was wanted over ground.
     }
 
     void aGapInTheMessagesIsNoTimeToGatherSpeed() {
@@ -103,9 +125,9 @@ private slots:
         motion.velocity_in_map_m_s = {5.0, 0.0};
         pilot.fly(motion, sensesAt({0, 0, 6}, 0.0, 100.0), port, "test", settings);
         pilot.fly(motion, sensesAt({0, 0, 6}, 0.0, 130.0), port, "test", settings);
-        QVERIFY(std::abs(pilot.commandedInBase_m_s().x() - 0.6 * settings.acceleration_m_s2) < 1e-9);
+        QVERIFY(std::abs(pilot.wantedInBase_m_s().x() - 0.6 * settings.acceleration_m_s2) < 1e-9);
         pilot.fly(motion, sensesAt({0, 0, 6}, 0.0, 3.0), port, "test", settings); // the server was restarted
-        QVERIFY(std::abs(pilot.commandedInBase_m_s().x() - 0.8 * settings.acceleration_m_s2) < 1e-9);
+        QVERIFY(std::abs(pilot.wantedInBase_m_s().x() - 0.8 * settings.acceleration_m_s2) < 1e-9);
     }
 
     void obeysASuddenMotionAtOnce() {

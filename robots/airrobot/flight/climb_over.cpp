@@ -19,6 +19,7 @@ constexpr double front_rad = radians(45.0);
 constexpr double facing_rad = 0.3;
 /// How far the robot continues to climb after the way is free, so that its belly clears the top.
 constexpr double extra_m = 1.5;
+constexpr double below_m = 0.3; ///< distance from the greatest height at which the climb fails
 
 } // namespace
 
@@ -62,7 +63,7 @@ bool ClimbOver::wayIsFree(const Senses& senses, const ThreatPicture& picture, st
 }
 
 ClimbStep ClimbOver::step(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles,
-                          const Vec2& goal_m, const Settings& settings) {
+                          const Vec2& goal_m, double highest_m, const Settings& settings) {
     if (state_ == ClimbState::Backing) {
         const bool there = (senses.position2_m() - place_m_).norm() < arrived_m;
         if (there || senses.now - since_ > backing_time) {
@@ -80,7 +81,7 @@ ClimbStep ClimbOver::step(const Senses& senses, const ThreatPicture& picture, st
         free_since_z_m_ = z_m;
     else if (z_m - *free_since_z_m_ > extra_m)
         state_ = ClimbState::Over;
-    if (senses.heightOverGround_m(settings.maximum_height_m) >= settings.maximum_height_m)
+    if (senses.heightOverGround_m(settings.maximum_height_m) >= settings.maximum_height_m || z_m > highest_m - below_m)
         state_ = ClimbState::Failed;
     return {state_, place_m_, settings.climb_speed_m_s / 2.0};
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace usar::airrobot {
 
@@ -17,8 +18,9 @@ constexpr double bearable_deficit_m = 1.5;
 constexpr double path_half_width_m = 0.75;
 /// The robot keeps its height for this distance from the place of a climb.
 constexpr double over_way_m = 12.0;
-constexpr double rise_tolerance_m = 0.3;
+constexpr double least_climb_m = 1.0; ///< A climb over an obstacle needs this much room below a ceiling.
 constexpr double hold_still_m = 0.5;
+constexpr double in_column_m = 0.7; ///< A robot so near to its landing place comes straight down.
 
 /// Limits speeds to what the robot can do, because the course filter and the stopping distance rely on the command.
 Settings withinLimits(Settings settings, const SensorLayout& layout) {
@@ -34,12 +36,17 @@ Settings withinLimits(Settings settings, const SensorLayout& layout) {
 
 void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool airborne, agent::CommandPort& port) {
     settings = withinLimits(settings, layout);
+    fastest_m_s_ = layout.maximum_speed_m_s;
+    pilot_.limitSpeed(layout.maximum_speed_m_s);
     if (settings.correct_heading)
-        reader_.tellCommand(pilot_.commandedInBase_m_s());
+        reader_.tellCommand(pilot_.wantedInBase_m_s());
     senses = reader_.read(tick.now, tick.line, tick.robot, layout, Seconds(settings.sensor_timeout_s));
+    crash_ = nullptr;
     if (airborne) {
+        crash_ = crash_watch_.update(senses, {pilot_.wantedInBase_m_s().norm(), commanded_climb_m_s_});
         memory.take(senses, {Seconds(settings.scan_memory_s), Seconds(settings.sonar_memory_s)});
         battery.moveTo(senses.position_m());
+        overhead.observe(senses, {commanded_climb_m_s_, std::exchange(ascending_, false)});
     }
     obstacles_ = memory.near(senses.position2_m(), look_around_m, senses.position_m().z() - level_margin_m);
     threats = judgeThreats(senses, settings);
@@ -81,12 +88,20 @@ FlightState Craft::perform(Maneuver maneuver, const Leg& leg, agent::CommandPort
                                                       : cruise(leg, state);
     const bool hindered = state != FlightState::Flying;
     stuck_.update(senses.now, senses.position2_m(), leg.goal_m, hindered);
-    if (hindered && settings.climb_over && !climb_over_.active() &&
+    const double room_m = overhead.limit_m(senses.position2_m()) - senses.position_m().z();
+    if (hindered && settings.climb_over && !climb_over_.active() && room_m > least_climb_m &&
         stuck_.hindered() > Seconds(settings.climb_over_after_s))
         climb_over_.start(senses, obstacles_, settings);
     makeSafe(motion);
-    pilot_.fly(motion, senses, port, leg.source, settings);
+    const bool unseen = climb_over_.active() && senses.position_m().z() > overhead.freeTo_m();
+    motion.climb_m_s = overhead.allowed_m_s(senses, motion.climb_m_s, unseen);
+    command(motion, port, leg.source);
     return state;
+}
+
+void Craft::command(const Motion& motion, agent::CommandPort& port, const std::string& source) {
+    commanded_climb_m_s_ = motion.climb_m_s;
+    pilot_.fly(motion, senses, port, source, settings);
 }
 
 Motion Craft::evade(const EvasionDecision& decision, const Leg& leg, FlightState& state) {
@@ -129,7 +144,8 @@ Motion Craft::cruise(const Leg& leg, FlightState& state) {
 
 Motion Craft::climbOver(const Leg& leg, FlightState& state) {
     state = FlightState::ClimbingOver;
-    const ClimbStep step = climb_over_.step(senses, threats, obstacles_, leg.aim_m, settings);
+    const ClimbStep step =
+        climb_over_.step(senses, threats, obstacles_, leg.aim_m, overhead.limit_m(senses.position2_m()), settings);
     Motion motion = holding(senses, step.place_m);
     if (step.state == ClimbState::Over) {
         climbed_at_ = senses.position_m();
@@ -148,7 +164,8 @@ std::optional<double> Craft::heldHeight_m() {
 }
 
 double Craft::climbRate(double way_bearing_rad, double speed_m_s) {
-    const double goal_m = altitudeGoal_m(senses, memory, way_bearing_rad, speed_m_s, heldHeight_m(), settings);
+    const double wanted_m = altitudeGoal_m(senses, memory, way_bearing_rad, speed_m_s, heldHeight_m(), settings);
+    const double goal_m = std::min(wanted_m, overhead.limit_m(senses.position2_m()));
     const double rate_m_s = altitude_.climbRate_m_s(senses, memory, goal_m, way_bearing_rad, speed_m_s, settings);
     const bool overhang = rate_m_s > 0.0 && besideOverhang();
     climb_forbidden_ = overhang && goal_m - senses.position_m().z() > bearable_deficit_m;
@@ -175,17 +192,29 @@ void Craft::makeSafe(Motion& motion) const {
 }
 
 bool Craft::rise(double goal_z_m, const Vec2& over_m, agent::CommandPort& port) {
-    const double error_m = goal_z_m - senses.position_m().z();
+    ascending_ = true;
+    const AscentStep step = ascent_.step(senses, {over_m.x(), over_m.y(), goal_z_m}, overhead, settings);
     Motion motion = holding(senses, over_m);
-    motion.climb_m_s = std::clamp(error_m, -settings.descent_speed_m_s, settings.climb_speed_m_s);
-    pilot_.fly(motion, senses, port, "taking off", settings);
-    return std::abs(error_m) < rise_tolerance_m;
+    motion.climb_m_s = step.climb_m_s;
+    motion.sudden = step.returns;
+    if (step.left_m_s != 0.0) {
+        const double yaw_rad = senses.base_in_map.yaw_rad;
+        const double left_m_s = std::clamp(step.left_m_s, -fastest_m_s_, fastest_m_s_);
+        motion.velocity_in_map_m_s = left_m_s * Vec2(-std::sin(yaw_rad), std::cos(yaw_rad));
+        motion.sudden = true;
+    }
+    command(motion, port, step.left_m_s != 0.0 ? "looking up" : "taking off");
+    return step.reached;
 }
 
 bool Craft::descend(const Vec2& place_m, agent::CommandPort& port) {
     Motion motion = holding(senses, place_m);
     motion.climb_m_s = -touchdown.sinkRate_m_s(senses, settings);
-    pilot_.fly(motion, senses, port, "landing", settings);
+    const double z_m = senses.position_m().z();
+    const bool straight = (place_m - senses.position2_m()).norm() < in_column_m;
+    column_top_m_ = straight ? std::max(column_top_m_, z_m) : z_m;
+    come_down_m_ = column_top_m_ - z_m;
+    command(motion, port, "landing");
     return touchdown.touched(senses);
 }
 
@@ -193,16 +222,21 @@ void Craft::hover(const Vec2& place_m, agent::CommandPort& port, const std::stri
     Motion motion = holding(senses, place_m);
     makeSafe(motion);
     stuck_.wait(senses.now);
-    pilot_.fly(motion, senses, port, source, settings);
+    command(motion, port, source);
 }
 
 void Craft::rest(agent::CommandPort& port, const std::string& source) {
     stuck_.wait(senses.now);
+    commanded_climb_m_s_ = 0.0;
     pilot_.stop(port, source);
 }
 
 void Craft::forgetPlaces() {
     memory.clear();
+    overhead.forgetPlaces();
+    column_top_m_ = -1e9;
+    ascent_ = Ascent(std::exchange(come_down_m_, 0.0));
+    crash_watch_ = {};
     reader_.forgetMotion();
     battery.forgetPosition();
     log.forgetPath();

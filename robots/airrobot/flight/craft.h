@@ -6,12 +6,15 @@
 
 #include "core/agent/behavior.h"
 #include "robots/airrobot/flight/altitude_hold.h"
+#include "robots/airrobot/flight/ascent.h"
 #include "robots/airrobot/flight/battery_model.h"
 #include "robots/airrobot/flight/climb_over.h"
+#include "robots/airrobot/flight/crash_watch.h"
 #include "robots/airrobot/flight/evasion.h"
 #include "robots/airrobot/flight/flight_log.h"
 #include "robots/airrobot/flight/landing.h"
 #include "robots/airrobot/flight/obstacle_memory.h"
+#include "robots/airrobot/flight/overhead.h"
 #include "robots/airrobot/flight/pilot.h"
 #include "robots/airrobot/flight/steering.h"
 #include "robots/airrobot/flight/stuck_watch.h"
@@ -57,6 +60,8 @@ public:
     bool avoiding() const { return threatMatters() || evasion_.mode() != EvasionMode::None || climbingOver(); }
     /// Whether the robot has made no progress toward the goal for longer than the settings allow.
     bool stuck() const { return stuck_.withoutProgress() > Seconds(settings.give_up_after_s); }
+    /// What has become of the robot, as the end of a sentence about it; nullptr if it flies, or is not in the air.
+    const char* crash() const { return crash_; }
     /// Time spent avoiding obstacles since the last progress toward the goal.
     Seconds hindered() const { return stuck_.hindered(); }
 
@@ -68,7 +73,8 @@ public:
     /// Looks, decides and performs in the usual order. Returns Unreachable if the robot is stuck and should give the
     /// goal up.
     FlightState fly(const Leg& leg, agent::CommandPort& port);
-    /// Climbs or sinks to `goal_z_m` (map z) over the place `over_m`; returns true when the height is reached.
+    /// Climbs or sinks to `goal_z_m` (map z) over the place `over_m`, with looks at what is above; returns true when
+    /// the height is reached, or as much of it as a ceiling leaves.
     bool rise(double goal_z_m, const Vec2& over_m, agent::CommandPort& port);
     /// Sinks onto `place_m`; returns true when the robot touches the ground.
     bool descend(const Vec2& place_m, agent::CommandPort& port);
@@ -89,8 +95,10 @@ public:
     BatteryModel battery;
     FlightLog log;
     Touchdown touchdown;
+    Overhead overhead;
 
 private:
+    void command(const Motion& motion, agent::CommandPort& port, const std::string& source);
     Motion evade(const EvasionDecision& decision, const Leg& leg, FlightState& state);
     Motion cruise(const Leg& leg, FlightState& state);
     Motion climbOver(const Leg& leg, FlightState& state);
@@ -109,6 +117,14 @@ private:
     Steering steering_;
     AltitudeHold altitude_;
     ClimbOver climb_over_;
+    Ascent ascent_;
+    double column_top_m_ = -1e9; ///< where the straight way down began, map z
+    double come_down_m_ = 0.0;   ///< how far it has come down straight
+    CrashWatch crash_watch_;
+    const char* crash_ = nullptr;
+    double commanded_climb_m_s_ = 0.0;
+    bool ascending_ = false;   ///< the last command was one of `rise`
+    double fastest_m_s_ = 0.0; ///< level speed that the robot is capable of
     StuckWatch stuck_;
     Pilot pilot_;
     std::vector<Obstacle> obstacles_; ///< nearby obstacles that reach the present height

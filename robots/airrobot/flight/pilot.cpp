@@ -15,6 +15,8 @@ constexpr double firm_braking_m_s2 = 2.0;
 constexpr double hold_gain_per_s = 0.6;
 constexpr double hold_speed_m_s = 0.5;
 constexpr double hold_tolerance_m = 0.15;
+constexpr double drift_gain_per_s = 0.35;
+constexpr double largest_drift_m_s = 1.5;
 
 Vec2 limited(const Vec2& vector, double length) {
     const double norm = vector.norm();
@@ -55,26 +57,32 @@ void Pilot::fly(const Motion& motion, const Senses& senses, agent::CommandPort& 
     const bool slower = motion.velocity_in_map_m_s.norm() < commanded_m_s_.norm();
     const double rate_m_s2 = slower ? firm_braking_m_s2 : settings.acceleration_m_s2;
     const double ramp_s = rampTime(senses.now).count();
+    if (!motion.sudden) // A sudden motion takes its time, which is not the wind's doing.
+        learnDrift(senses, ramp_s);
     commanded_m_s_ =
         motion.sudden ? motion.velocity_in_map_m_s : commanded_m_s_ + limited(change_m_s, rate_m_s2 * ramp_s);
     const double cosine = std::cos(senses.base_in_map.yaw_rad);
     const double sine = std::sin(senses.base_in_map.yaw_rad);
+    const Vec2 through_air_m_s = limited(commanded_m_s_ - drift_m_s_, fastest_m_s_);
     const protocol::AerialDrive drive{.climb_m_s = motion.climb_m_s,
-                                      .forward_m_s = cosine * commanded_m_s_.x() + sine * commanded_m_s_.y(),
-                                      .left_m_s = -sine * commanded_m_s_.x() + cosine * commanded_m_s_.y(),
+                                      .forward_m_s = cosine * through_air_m_s.x() + sine * through_air_m_s.y(),
+                                      .left_m_s = -sine * through_air_m_s.x() + cosine * through_air_m_s.y(),
                                       .yaw_rate_rad_s = motion.yaw_rate_rad_s};
+    wanted_in_base_m_s_ = {cosine * commanded_m_s_.x() + sine * commanded_m_s_.y(),
+                           -sine * commanded_m_s_.x() + cosine * commanded_m_s_.y()};
     if (last_ == drive)
         return;
     last_ = drive;
     port.send(drive, source);
 }
 
-Vec2 Pilot::commandedInBase_m_s() const {
-    return last_ ? Vec2(last_->forward_m_s.value_or(0.0), last_->left_m_s.value_or(0.0)) : Vec2(Vec2::Zero());
+void Pilot::learnDrift(const Senses& senses, double dt_s) {
+    const Vec2 error_m_s = senses.velocity_in_map_m_s.head<2>() - commanded_m_s_;
+    drift_m_s_ = limited(drift_m_s_ + drift_gain_per_s * dt_s * error_m_s, largest_drift_m_s);
 }
 
 void Pilot::stop(agent::CommandPort& port, const std::string& source) {
-    commanded_m_s_ = Vec2::Zero();
+    commanded_m_s_ = drift_m_s_ = wanted_in_base_m_s_ = Vec2::Zero();
     last_at_.reset();
     const protocol::AerialDrive zero{0.0, 0.0, 0.0, 0.0};
     if (last_ == zero)

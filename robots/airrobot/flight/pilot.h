@@ -26,8 +26,9 @@ Motion toward(const Senses& senses, double bearing_rad, double speed_m_s, const 
 /// Returns a motion that holds the place (map frame) and flies back to it if necessary.
 Motion holding(const Senses& senses, const Vec2& place_m);
 
-/// Increases speeds gently, because tilt blinds the sonars, and decreases them firmly. Sends a DRIVE only if it differs
-/// from the last one. Owned by one robot.
+/// Increases speeds gently, because tilt blinds the sonars, and decreases them firmly. Steers against the wind, which
+/// shows as a difference between the velocity over ground and the commanded one. Sends a DRIVE only if it differs from
+/// the last one. Owned by one robot.
 class Pilot {
 public:
     /// Commands a motion. `source` is named as the cause of the command.
@@ -35,14 +36,22 @@ public:
              const Settings& settings);
     /// Commands zero speed without a ramp.
     void stop(agent::CommandPort& port, const std::string& source);
-    /// The horizontal velocity of the last command, in the robot's frame.
-    Vec2 commandedInBase_m_s() const;
+    /// The horizontal velocity over ground that was wanted last, in the robot's frame.
+    Vec2 wantedInBase_m_s() const { return wanted_in_base_m_s_; }
+    /// Never commands a greater level speed.
+    void limitSpeed(double fastest_m_s) { fastest_m_s_ = fastest_m_s; }
 
 private:
     /// Returns the time that the ramp may use, which is the time since the last command up to a limit.
     Seconds rampTime(Seconds now);
 
-    Vec2 commanded_m_s_ = Vec2::Zero(); ///< map frame
+    /// Learns the wind's share of the velocity over ground.
+    void learnDrift(const Senses& senses, double dt_s);
+
+    Vec2 commanded_m_s_ = Vec2::Zero(); ///< wanted over ground, map frame
+    Vec2 drift_m_s_ = Vec2::Zero();     ///< what the robot moves too much, map frame
+    Vec2 wanted_in_base_m_s_ = Vec2::Zero();
+    double fastest_m_s_ = 2.0;
     std::optional<Seconds> last_at_;
     std::optional<protocol::AerialDrive> last_;
 };

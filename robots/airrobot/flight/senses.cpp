@@ -27,18 +27,21 @@ SonarEcho echoOf(const SonarMount& mount, double range_m, const Pose& base_in_ma
     return echo;
 }
 
-std::vector<Vec3> hitsOf(const protocol::RangeScan& scan, const Pose& scanner_in_map, double maximum_m) {
-    const Eigen::Isometry3d transform = scanner_in_map.isometry();
-    std::vector<Vec3> hits;
-    hits.reserve(scan.ranges_m.size());
+/// Fills in where the beams end.
+void placeBeams(const protocol::RangeScan& scan, double maximum_m, PlacedScan& placed) {
+    const Eigen::Isometry3d scanner_in_map = placed.scanner_in_map.isometry();
+    placed.hits_in_map_m.reserve(scan.ranges_m.size());
     for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
         const double range_m = scan.ranges_m[i];
-        if (!(range_m > 0.0 && mapping::isHit(range_m, maximum_m)))
-            continue;
         const double angle_rad = scan.beamAngle_rad(i);
-        hits.push_back(transform * Vec3(range_m * std::cos(angle_rad), range_m * std::sin(angle_rad), 0.0));
+        const Vec3 along(std::cos(angle_rad), std::sin(angle_rad), 0.0);
+        if (!(range_m > 0.0))
+            continue;
+        const Vec3 end_m = scanner_in_map * (std::min(range_m, maximum_m) * along);
+        placed.highest_m = std::max(placed.highest_m, end_m.z());
+        if (mapping::isHit(range_m, maximum_m))
+            placed.hits_in_map_m.push_back(end_m);
     }
-    return hits;
 }
 
 /// Returns the mean height of the hits nearest to straight below; nullopt if there are fewer than three. When the robot
@@ -117,7 +120,7 @@ void SenseReader::readScan(Senses& senses, const modules::RobotModules& robot, c
         const auto& taken_at = scan->value.time;
         const Pose base_in_map = taken_at ? history_.at(*taken_at).value_or(senses.base_in_map) : senses.base_in_map;
         PlacedScan placed{scan->line, base_in_map * layout.scanner_in_base, base_in_map, {}};
-        placed.hits_in_map_m = hitsOf(scan->value, placed.scanner_in_map, layout.scanner_maximum_m);
+        placeBeams(scan->value, layout.scanner_maximum_m, placed);
         ground_m_ = groundBelow(placed.hits_in_map_m, base_in_map.position_m);
         senses.scan = std::move(placed);
     }

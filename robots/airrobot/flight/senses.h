@@ -42,6 +42,8 @@ struct PlacedScan {
     Pose scanner_in_map;
     Pose base_in_map;
     std::vector<Vec3> hits_in_map_m; ///< in beam order, without beams that hit nothing
+    /// Map z of the highest point that a beam reached, be it that it hit something there or that its range ended.
+    double highest_m = -1e9;
 };
 
 /// All perceptions of one tick, in SI units; places and heights are in the map frame, ages on the protocol clock.

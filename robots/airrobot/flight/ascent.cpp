@@ -1,0 +1,64 @@
+#include "robots/airrobot/flight/ascent.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace usar::airrobot {
+
+namespace {
+
+constexpr double first_look_m = 2.0; ///< above the place of the take-off
+constexpr double look_again_m = 1.5;
+/// The largest speed sideways makes the autopilot roll as far as it may; it never gets that fast in this time.
+constexpr double set_off_m_s = 2.0;
+constexpr Seconds setting_off{0.5};
+constexpr Seconds longest_return{5.0};
+constexpr double returned_m = 0.3;
+constexpr double slow_m_s = 0.25;
+/// It needs this much room on both sides.
+constexpr double room_m = 2.5;
+constexpr double level_m = 1.5; ///< above or below the robot
+constexpr double tolerance_m = 0.3;
+constexpr double early_m = 0.3; ///< A look begins so much below the height up to which the air is known.
+
+bool hasRoom(const Senses& senses) {
+    const Vec3 here_m = senses.position_m();
+    return !senses.scan || std::ranges::none_of(senses.scan->hits_in_map_m, [&](const Vec3& hit) {
+        return std::abs(hit.z() - here_m.z()) < level_m && (hit - here_m).head<2>().norm() < room_m;
+    });
+}
+
+} // namespace
+
+AscentStep Ascent::step(const Senses& senses, const Vec3& goal_m, const Overhead& overhead, const Settings& settings) {
+    const double z_m = senses.position_m().z();
+    if (!from_z_m_) {
+        from_z_m_ = z_m;
+        next_look_m_ = z_m + first_look_m;
+    }
+    const double goal_z_m = std::min(goal_m.z(), overhead.limit_m(senses.position2_m()));
+    const double error_m = goal_z_m - z_m;
+    if (looking_since_) {
+        const Seconds looked = senses.now - *looking_since_;
+        if (looked < setting_off)
+            return {.left_m_s = set_off_m_s};
+        const bool back = (senses.position2_m() - goal_m.head<2>()).norm() < returned_m &&
+                          senses.velocity_in_map_m_s.head<2>().norm() < slow_m_s;
+        if (looked < longest_return && !back)
+            return {.returns = true};
+        looking_since_.reset();
+        next_look_m_ = z_m + look_again_m;
+    }
+    if (std::abs(error_m) < tolerance_m)
+        return {.reached = true};
+    const double known_to_m = *from_z_m_ + std::max(first_look_m, known_m_ - Overhead::margin_m);
+    const double free_to_m = std::max(overhead.freeTo_m(), known_to_m);
+    if (z_m >= next_look_m_ && goal_z_m > free_to_m && z_m > free_to_m - early_m && hasRoom(senses)) {
+        looking_since_ = senses.now;
+        return {.left_m_s = set_off_m_s};
+    }
+    const double wanted_m_s = std::clamp(error_m, -settings.descent_speed_m_s, settings.climb_speed_m_s);
+    return {.climb_m_s = overhead.allowed_m_s(senses, wanted_m_s, z_m > known_to_m)};
+}
+
+} // namespace usar::airrobot

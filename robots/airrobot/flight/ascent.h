@@ -1,0 +1,39 @@
+// The climb after a take-off, with looks at what is above.
+#pragma once
+
+#include <optional>
+
+#include "robots/airrobot/flight/overhead.h"
+#include "robots/airrobot/settings.h"
+
+namespace usar::airrobot {
+
+struct AscentStep {
+    double climb_m_s = 0.0;
+    double left_m_s = 0.0; ///< not 0: the robot rolls to look up
+    bool returns = false;  ///< to its place after that, at once
+    bool reached = false;
+};
+
+/// The belly scanner looks sideways as far as the horizon, so it looks up on one side while the robot rolls. The robot
+/// rolls as it sets off to the side and comes back, once it is clear of the ground, and again where it has not seen
+/// farther up. As far as it has come down before, it climbs fast; beyond, slowly enough to bear a touch, because crowns
+/// and beams ahead and behind are not seen.
+/// Owned by one robot; make a new one for each take-off.
+class Ascent {
+public:
+    /// The robot came straight down to this place from `known_m` above it.
+    explicit Ascent(double known_m = 0.0) : known_m_(known_m) {}
+
+    /// Call it once per tick. The caller holds the robot over the goal. The height counts as reached below a ceiling,
+    /// too.
+    AscentStep step(const Senses& senses, const Vec3& goal_m, const Overhead& overhead, const Settings& settings);
+
+private:
+    double known_m_;
+    std::optional<double> from_z_m_;
+    std::optional<Seconds> looking_since_;
+    double next_look_m_ = 0.0; ///< height of the next look
+};
+
+} // namespace usar::airrobot

@@ -1,0 +1,125 @@
+#include "robots/airrobot/flight/overhead.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+namespace usar::airrobot {
+
+namespace {
+
+/// Hits of one ceiling agree within this height, and lie farther apart than those of a wall or of one crown.
+constexpr double flat_m = 0.12;
+constexpr double wide_m = 1.2;
+constexpr std::size_t least_hits = 4;
+constexpr double above_m = 0.3;
+/// Where something higher than the robot stands within this distance, something may be above the robot, too: among
+/// trees, crowns are ahead and behind as well, where the scanner does not look.
+constexpr double crowded_m = 20.0;
+/// A ceiling is taken to reach this far.
+constexpr double ceiling_reach_m = 60.0;
+/// Finds nearer to one another than this are one.
+constexpr double same_place_m = 5.0;
+constexpr double least_push_m_s = 0.2;
+/// A climb that gains less than this share of the way in this time has met something.
+constexpr Seconds push_time{1.4};
+constexpr double pushed_share = 0.25;
+
+/// The height of a ceiling that the first of these hits, in the order of the beams, lie on. Their beams turn evenly, so
+/// hits on a level plane move steadily outward or inward.
+std::optional<double> ceilingFrom(std::span<const Vec3> hits, const Vec3& from_m) {
+    double low_m = hits.front().z();
+    double high_m = low_m;
+    std::size_t count = 0;
+    double last_m = 0.0;
+    int direction = 0;
+    for (; count < hits.size(); ++count) {
+        const Vec3& hit = hits[count];
+        if (hit.z() < from_m.z() + above_m || std::max(high_m, hit.z()) - std::min(low_m, hit.z()) > flat_m)
+            break;
+        const double away_m = (hit - from_m).head<2>().norm();
+        const int outward = away_m > last_m ? 1 : -1;
+        if (count > 1 && outward != direction)
+            break;
+        direction = count > 0 ? outward : 0;
+        last_m = away_m;
+        low_m = std::min(low_m, hit.z());
+        high_m = std::max(high_m, hit.z());
+    }
+    if (count < least_hits || (hits[count - 1] - hits.front()).head<2>().norm() < wide_m)
+        return std::nullopt;
+    return low_m;
+}
+
+} // namespace
+
+void Overhead::observe(const Senses& senses, const Doing& doing) {
+    found_.reset();
+    if (senses.scan)
+        lookUp(*senses.scan, doing.ascending);
+    feelAbove(senses, doing.climb_m_s);
+}
+
+void Overhead::lookUp(const PlacedScan& scan, bool ascending) {
+    const Vec3 from_m = scan.base_in_map.position_m;
+    const bool crowded = std::ranges::any_of(scan.hits_in_map_m, [&](const Vec3& hit) {
+        return hit.z() > from_m.z() + above_m && (hit - from_m).head<2>().norm() < crowded_m;
+    });
+    if (!crowded)
+        free_to_m_ = std::max(free_to_m_, scan.highest_m);
+    const std::span<const Vec3> hits(scan.hits_in_map_m);
+    for (std::size_t first = 0; ascending && first < hits.size(); ++first)
+        if (const auto ceiling = ceilingFrom(hits.subspan(first), from_m))
+            return add(from_m.head<2>(), *ceiling, false);
+}
+
+void Overhead::feelAbove(const Senses& senses, double commanded_climb_m_s) {
+    const double z_m = senses.position_m().z();
+    if (commanded_climb_m_s < least_push_m_s) {
+        pushing_since_.reset();
+        return;
+    }
+    if (!pushing_since_ || z_m - pushed_from_m_ > pushed_share * commanded_climb_m_s * push_time.count()) {
+        pushing_since_ = senses.now;
+        pushed_from_m_ = z_m;
+    } else if (senses.now - *pushing_since_ >= push_time) {
+        pushing_since_.reset();
+        add(senses.position2_m(), z_m, true);
+    }
+}
+
+void Overhead::add(const Vec2& at_m, double z_m, bool touched) {
+    const auto known =
+        std::ranges::find_if(ceilings_, [&](const Ceiling& one) { return (one.at_m - at_m).norm() < same_place_m; });
+    if (known == ceilings_.end()) {
+        ceilings_.push_back({at_m, z_m});
+        found_ = {z_m, touched};
+        return;
+    }
+    if (z_m < known->z_m - flat_m)
+        found_ = {z_m, touched};
+    known->z_m = std::min(known->z_m, z_m);
+}
+
+std::optional<double> Overhead::ceiling_m(const Vec2& at_m) const {
+    std::optional<double> lowest_m;
+    for (const Ceiling& one : ceilings_)
+        if ((one.at_m - at_m).norm() < ceiling_reach_m)
+            lowest_m = std::min(lowest_m.value_or(one.z_m), one.z_m);
+    return lowest_m;
+}
+
+double Overhead::limit_m(const Vec2& at_m) const {
+    const auto ceiling = ceiling_m(at_m);
+    return ceiling ? *ceiling - margin_m : std::numeric_limits<double>::infinity();
+}
+
+double Overhead::allowed_m_s(const Senses& senses, double climb_m_s, bool careful) const {
+    if (climb_m_s <= 0.0)
+        return climb_m_s;
+    const double room_m = limit_m(senses.position2_m()) - senses.position_m().z();
+    return std::min({climb_m_s, std::max(0.0, room_m), careful ? careful_m_s : climb_m_s});
+}
+
+} // namespace usar::airrobot

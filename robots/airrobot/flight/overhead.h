@@ -1,0 +1,65 @@
+// What is above the robot, which has no sensor that looks up: what it learns when it rolls, and when it cannot climb.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "robots/airrobot/flight/senses.h"
+
+namespace usar::airrobot {
+
+/// Remembers ceilings and how far up the air was seen to be free. Heights are in the map frame of the robot's own
+/// estimate. Call `observe` once per tick in the air. Owned by one robot.
+class Overhead {
+public:
+    /// How far a climb ends below a ceiling, from the robot's origin.
+    static constexpr double margin_m = 0.8;
+    /// A robot that meets something above at this speed or slower does not break: 1 kg at 0.42 m/s is 0.42 N s of the
+    /// 0.5 N s that it withstands (robots-and-worlds.md 3.1).
+    static constexpr double careful_m_s = 0.42;
+
+    /// What the robot does while it is observed.
+    struct Doing {
+        double climb_m_s = 0.0; ///< commanded in the last tick
+        bool ascending =
+            false; ///< a take-off; only then are ceilings seen, because among trees a crown can look like one
+    };
+    void observe(const Senses& senses, const Doing& doing);
+
+    /// The height up to which a fast climb is safe: a margin below the highest point that a beam has reached. A ceiling
+    /// that is wide enough would have met that beam.
+    double freeTo_m() const { return free_to_m_ - margin_m; }
+    /// The lowest ceiling near a place; nullopt if none is known.
+    std::optional<double> ceiling_m(const Vec2& at_m) const;
+    /// The greatest height to fly at there; infinite if no ceiling is known.
+    double limit_m(const Vec2& at_m) const;
+    /// The climb rate for a wanted one: none at a ceiling, and slow where it must be careful.
+    double allowed_m_s(const Senses& senses, double climb_m_s, bool careful) const;
+    /// The ceiling that was found in this tick, and how; nullopt in most ticks.
+    struct Find {
+        double z_m = 0.0;
+        bool touched = false; ///< otherwise seen
+    };
+    const std::optional<Find>& found() const { return found_; }
+
+    /// Forgets everything, because the position estimate has jumped.
+    void forgetPlaces() { *this = {}; }
+
+private:
+    struct Ceiling {
+        Vec2 at_m = Vec2::Zero();
+        double z_m = 0.0;
+    };
+
+    void lookUp(const PlacedScan& scan, bool ascending);
+    void feelAbove(const Senses& senses, double commanded_climb_m_s);
+    void add(const Vec2& at_m, double z_m, bool touched);
+
+    std::vector<Ceiling> ceilings_;
+    std::optional<Find> found_;
+    std::optional<Seconds> pushing_since_; ///< a climb is commanded since then
+    double pushed_from_m_ = 0.0;           ///< height at that time
+    double free_to_m_ = -1e9;              ///< map z
+};
+
+} // namespace usar::airrobot

@@ -1,0 +1,54 @@
+// Surveys that nobody chose: world, start, area and weather are drawn from a number, so that a change to the AirRobot
+// can be tried where it was not made.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "core/agent/behavior.h"
+#include "core/base/geometry.h"
+#include "core/sim/world/world.h"
+
+namespace usar::test {
+
+/// A mission, complete: the same one flies the same way each time.
+struct RandomSurvey {
+    int number = 0;
+    std::string world; ///< as makeWorld takes it
+    std::uint64_t world_seed = 1;
+    std::uint64_t noise_seed = 1;
+    std::string behavior; ///< "airrobot/cpp" or "airrobot/posh"
+    Pose start_in_map;
+    Rectangle area_in_map;
+    double wind_m_s = 0.0;
+    double wind_toward_rad = 0.0; ///< counterclockwise from the map's x axis
+
+    /// One line for a log.
+    std::string text() const;
+};
+
+/// How it went.
+struct SurveyOutcome {
+    bool ended = false; ///< by itself, within ten hours of simulated time
+    bool success = false;
+    bool broken = false;
+    int collisions = 0;
+    double elapsed_s = 0.0;
+    double coverage_pct = 0.0;
+    double height_m = 0.0; ///< of the base over what is below, in the end
+    std::string reason;
+
+    std::string text() const;
+};
+
+/// Draws a mission. Equal numbers give equal missions.
+RandomSurvey drawSurvey(int number);
+
+SurveyOutcome fly(const RandomSurvey& survey);
+
+/// Rows of a Qt test with the column `number`, from `first` to before `last`.
+void surveyRows(int first, int last);
+/// Flies it, says how it went, and demands that the mission ended by itself and that the robot is whole.
+void tryRandomSurvey(int number);
+
+} // namespace usar::test

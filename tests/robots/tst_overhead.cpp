@@ -1,0 +1,201 @@
+#include <cmath>
+
+#include <QObject>
+#include <QTest>
+
+#include "robots/airrobot/flight/ascent.h"
+#include "robots/airrobot/flight/crash_watch.h"
+#include "tests/robots/robot_samples.h"
+#include "tests/suite/suite.h"
+
+namespace tst_overhead {
+
+using namespace usar;
+using namespace usar::airrobot;
+using namespace usar::test;
+
+namespace {
+
+constexpr double reach_m = 20.0;
+
+/// What the belly scanner sees to its left, rolled by `roll_rad`: a level ceiling, and a wall at `wall_m`.
+PlacedScan scanBelow(double ceiling_m, double wall_m, double roll_rad, const Vec3& from_m) {
+    PlacedScan scan;
+    scan.base_in_map = {from_m, roll_rad, 0.0, 0.0};
+    for (double up_rad = roll_rad; up_rad > 0.0; up_rad -= radians(1.0)) {
+        const double range_m =
+            std::min({reach_m, wall_m / std::cos(up_rad), (ceiling_m - from_m.z()) / std::sin(up_rad)});
+        const Vec3 end_m = from_m + range_m * Vec3(0.0, std::cos(up_rad), std::sin(up_rad));
+        scan.highest_m = std::max(scan.highest_m, end_m.z());
+        if (range_m < reach_m)
+            scan.hits_in_map_m.push_back(end_m);
+    }
+    return scan;
+}
+
+Senses sensesWith(const PlacedScan& scan) {
+    Senses senses = sensesAt(scan.base_in_map.position_m);
+    senses.scan = scan;
+    return senses;
+}
+
+} // namespace
+
+class tst_Overhead : public QObject {
+    Q_OBJECT
+
+    const Settings settings;
+
+private slots:
+    void seesACeilingAndNothingElse_data() {
+        QTest::addColumn<double>("ceiling_m");
+        QTest::addColumn<double>("wall_m");
+        QTest::addColumn<bool>("seen");
+        QTest::newRow("a hall") << 6.0 << 12.0 << true;
+        QTest::newRow("a low hall") << 5.0 << 8.0 << true;
+        QTest::newRow("a wall under the sky") << 100.0 << 6.0 << false;
+        QTest::newRow("the sky") << 100.0 << 100.0 << false;
+    }
+    void seesACeilingAndNothingElse() {
+        QFETCH(double, ceiling_m);
+        QFETCH(double, wall_m);
+        QFETCH(bool, seen);
+        Overhead overhead;
+        const Senses senses = sensesWith(scanBelow(ceiling_m, wall_m, radians(14.0), {0.0, 0.0, 4.3}));
+        overhead.observe(senses, {.climb_m_s = 0.0, .ascending = true});
+        QCOMPARE(overhead.found().has_value(), seen);
+        QCOMPARE(overhead.ceiling_m({3.0, 0.0}).has_value(), seen);
+        if (seen) {
+            QVERIFY(std::abs(*overhead.ceiling_m({3.0, 0.0}) - ceiling_m) < 0.13);
+            QVERIFY(!overhead.found()->touched);
+            QCOMPARE(overhead.limit_m({0.0, 0.0}), *overhead.ceiling_m({0.0, 0.0}) - Overhead::margin_m);
+        }
+        overhead.observe(senses, {.climb_m_s = 0.0, .ascending = true});
+        QVERIFY(!overhead.found()); // It is told once.
+    }
+
+    void aCrownBesideARobotUnderWayIsNoCeiling() {
+        Overhead overhead;
+        overhead.observe(sensesWith(scanBelow(6.0, 12.0, radians(14.0), {0.0, 0.0, 4.3})), {});
+        QVERIFY(!overhead.ceiling_m({0.0, 0.0}));
+    }
+
+    void aClimbThatDoesNotClimbHasMetSomething() {
+        Overhead overhead;
+        Senses senses = sensesAt({1.0, 2.0, 3.0});
+        for (int tick = 0; tick < 20; ++tick) { // Free: it climbs as it is told.
+            overhead.observe(senses, {.climb_m_s = 0.4});
+            QVERIFY(!overhead.found());
+            senses.now += Seconds(0.2);
+            senses.base_in_map.position_m.z() += 0.08;
+        }
+        bool found = false;
+        for (int tick = 0; tick < 10 && !found; ++tick) {
+            overhead.observe(senses, {.climb_m_s = 0.4});
+            found = overhead.found().has_value();
+            senses.now += Seconds(0.2);
+        }
+        QVERIFY(found && overhead.found()->touched);
+        QVERIFY(std::abs(*overhead.ceiling_m({1.0, 2.0}) - senses.position_m().z()) < 0.01);
+        QCOMPARE(overhead.allowed_m_s(senses, 1.0, false), 0.0);
+        QCOMPARE(overhead.allowed_m_s(senses, -0.5, false), -0.5);
+    }
+
+    void knowsHowFarUpTheAirIsFree() {
+        Overhead overhead;
+        const Senses senses = sensesAt({0.0, 0.0, 1.5});
+        QCOMPARE(overhead.allowed_m_s(senses, 1.0, true), Overhead::careful_m_s);
+        QCOMPARE(overhead.allowed_m_s(senses, 1.0, false), 1.0);
+        overhead.observe(sensesWith(scanBelow(100.0, 15.0, radians(14.0), {0.0, 0.0, 1.5})), {});
+        QVERIFY(overhead.freeTo_m() < 0.0); // Something stands there, and may stand elsewhere.
+        overhead.observe(sensesWith(scanBelow(100.0, 100.0, radians(14.0), {0.0, 0.0, 1.5})), {});
+        QVERIFY(std::abs(overhead.freeTo_m() - (1.5 + reach_m * std::sin(radians(14.0)) - Overhead::margin_m)) < 0.1);
+    }
+
+    void climbsFastWhereItHasComeDown() {
+        Overhead overhead;
+        Ascent first;
+        Ascent again(5.0);
+        Senses senses = sensesAt({0.0, 0.0, 0.3});
+        first.step(senses, {0.0, 0.0, 6.3}, overhead, settings);
+        again.step(senses, {0.0, 0.0, 6.3}, overhead, settings);
+        senses.base_in_map.position_m.z() = 3.0;
+        overhead.observe(sensesWith(scanBelow(100.0, 100.0, radians(14.0), {0.0, 0.0, 3.0})), {});
+        QVERIFY(first.step(senses, {0.0, 0.0, 6.3}, overhead, settings).climb_m_s <= Overhead::careful_m_s);
+        QCOMPARE(again.step(senses, {0.0, 0.0, 6.3}, overhead, settings).climb_m_s, settings.climb_speed_m_s);
+        senses.base_in_map.position_m.z() = 4.8;
+        QVERIFY(again.step(senses, {0.0, 0.0, 6.3}, overhead, settings).climb_m_s <= Overhead::careful_m_s);
+    }
+
+    /// A robot that goes where it is told and rolls as it sets off, in a hall with this ceiling.
+    void endsItsAscentBelowTheCeiling_data() {
+        QTest::addColumn<double>("ceiling_m");
+        QTest::addColumn<double>("reached_m");
+        QTest::newRow("a hall of 6 m") << 6.0 << 6.0 - Overhead::margin_m;
+        QTest::newRow("outdoors") << 1000.0 << 6.3;
+    }
+    void endsItsAscentBelowTheCeiling() {
+        QFETCH(double, ceiling_m);
+        QFETCH(double, reached_m);
+        Overhead overhead;
+        Ascent ascent;
+        Vec3 at_m(0.0, 0.0, 0.3);
+        double climb_m_s = 0.0;
+        double roll_rad = 0.0;
+        for (int tick = 0; tick < 300; ++tick) {
+            Senses senses = sensesWith(scanBelow(ceiling_m, 30.0, roll_rad, at_m));
+            senses.now = Seconds(0.2 * tick);
+            overhead.observe(senses, {climb_m_s, true});
+            const AscentStep step = ascent.step(senses, {0.0, 0.0, 6.3}, overhead, settings);
+            if (step.reached) {
+                QVERIFY2(std::abs(at_m.z() - reached_m) <= 0.35, qPrintable(QString::number(at_m.z())));
+                return;
+            }
+            climb_m_s = step.climb_m_s;
+            roll_rad = step.left_m_s != 0.0 ? radians(14.0) : 0.0;
+            at_m.z() += 0.2 * climb_m_s;
+            QVERIFY2(at_m.z() < ceiling_m - 0.3, qPrintable(QString::number(at_m.z())));
+        }
+        QFAIL("It never arrives.");
+    }
+
+    void knowsWhenItHasCrashed_data() {
+        QTest::addColumn<double>("roll_rad");
+        QTest::addColumn<double>("sinks_m_s");
+        QTest::addColumn<double>("height_m");
+        QTest::addColumn<double>("asked_m_s");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("flies") << 0.2 << 0.0 << 6.0 << 1.0 << "";
+        QTest::newRow("sinks") << 0.0 << 0.6 << 6.0 << 0.0 << "";
+        QTest::newRow("waits low") << 0.0 << 0.0 << 0.3 << 0.0 << "";
+        QTest::newRow("is stuck in the air") << 0.0 << 0.0 << 4.0 << 1.0 << "";
+        QTest::newRow("is on its side") << 1.3 << 0.0 << 0.3 << 0.0 << "it has turned over";
+        QTest::newRow("falls") << 0.3 << 4.0 << 6.0 << 1.0 << "it falls";
+        QTest::newRow("lies there") << 0.1 << 0.0 << 0.2 << 1.0 << "it lies on the ground and does not answer";
+    }
+    void knowsWhenItHasCrashed() {
+        QFETCH(double, roll_rad);
+        QFETCH(double, sinks_m_s);
+        QFETCH(double, height_m);
+        QFETCH(double, asked_m_s);
+        QFETCH(QString, words);
+        CrashWatch watch;
+        Senses senses = sensesAt({0.0, 0.0, height_m});
+        senses.base_in_map.roll_rad = roll_rad;
+        senses.velocity_in_map_m_s.z() = -sinks_m_s;
+        senses.ground_m = 0.0;
+        QString said;
+        for (int tick = 0; tick < 50; ++tick) {
+            const char* const crash = watch.update(senses, {.speed_m_s = asked_m_s});
+            said = crash ? crash : "";
+            senses.now += Seconds(0.2);
+        }
+        QCOMPARE(said, words);
+    }
+};
+
+USAR_TEST(tst_Overhead)
+
+} // namespace tst_overhead
+
+#include "tst_overhead.moc"

@@ -1,0 +1,25 @@
+#include <QTest>
+
+#include "tests/robots/random_survey.h"
+#include "tests/suite/suite.h"
+
+namespace tst_random_surveys {
+
+using namespace usar;
+
+class tst_RandomSurveys : public QObject {
+    Q_OBJECT
+
+private slots:
+    void endsByItselfAndWhole_data() { test::surveyRows(0, 20); }
+    void endsByItselfAndWhole() {
+        QFETCH(int, number);
+        test::tryRandomSurvey(number);
+    }
+};
+
+USAR_TEST(tst_RandomSurveys)
+
+} // namespace tst_random_surveys
+
+#include "tst_random_surveys.moc"
