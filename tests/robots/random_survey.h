@@ -35,7 +35,7 @@ struct SurveyOutcome {
     int collisions = 0;
     double elapsed_s = 0.0;
     double coverage_pct = 0.0;
-    double height_m = 0.0; ///< of the base over what is below, in the end
+    double height_m = 0.0; ///< the base is so far above what lies under it when the flight is over
     std::string reason;
 
     std::string text() const;

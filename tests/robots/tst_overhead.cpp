@@ -18,7 +18,7 @@ namespace {
 
 constexpr double reach_m = 20.0;
 
-/// What the belly scanner sees to its left, rolled by `roll_rad`: a level ceiling, and a wall at `wall_m`.
+/// Returns the scan to the left of a robot that rolls by `roll_rad` under a level ceiling, with a wall at `wall_m`.
 PlacedScan scanBelow(double ceiling_m, double wall_m, double roll_rad, const Vec3& from_m) {
     PlacedScan scan;
     scan.base_in_map = {from_m, roll_rad, 0.0, 0.0};
@@ -101,6 +101,17 @@ private slots:
         QCOMPARE(overhead.allowed_m_s(senses, -0.5, false), -0.5);
     }
 
+    void aRobotThatDoesNotLiftOffHasMetNoCeiling() {
+        Overhead overhead;
+        Senses senses = sensesAt({0.0, 0.0, 0.2});
+        senses.ground_m = 0.0;
+        for (int tick = 0; tick < 20; ++tick) {
+            overhead.observe(senses, {.climb_m_s = 0.4, .ascending = true});
+            QVERIFY(!overhead.found());
+            senses.now += Seconds(0.2);
+        }
+    }
+
     void knowsHowFarUpTheAirIsFree() {
         Overhead overhead;
         const Senses senses = sensesAt({0.0, 0.0, 1.5});
@@ -159,6 +170,16 @@ private slots:
         QFAIL("It never arrives.");
     }
 
+    void whatNeverFlewHasNotCrashed() {
+        CrashWatch watch;
+        Senses senses = sensesAt({0.0, 0.0, 0.2});
+        senses.ground_m = 0.0;
+        for (int tick = 0; tick < 100; ++tick) {
+            QVERIFY(!watch.update(senses, {.speed_m_s = 0.0, .climb_m_s = 0.4}));
+            senses.now += Seconds(0.2);
+        }
+    }
+
     void knowsWhenItHasCrashed_data() {
         QTest::addColumn<double>("roll_rad");
         QTest::addColumn<double>("sinks_m_s");
@@ -180,6 +201,8 @@ private slots:
         QFETCH(double, asked_m_s);
         QFETCH(QString, words);
         CrashWatch watch;
+        Senses in_the_air = sensesAt({0.0, 0.0, 6.0}, 0.0, 99.0);
+        watch.update(in_the_air, {});
         Senses senses = sensesAt({0.0, 0.0, height_m});
         senses.base_in_map.roll_rad = roll_rad;
         senses.velocity_in_map_m_s.z() = -sinks_m_s;

@@ -32,7 +32,7 @@ struct MissionOptions {
     std::optional<double> speed_x;        ///< simulated per real seconds; absent: as fast as possible
     std::optional<ServerAddress> server;  ///< absent: the embedded simulator
     std::optional<double> battery_life_s; ///< of the embedded simulator's robots; absent: a day
-    std::optional<Seconds> limit;         ///< of the protocol clock, after which the run is given up; absent: none
+    std::optional<Seconds> limit;         ///< the run is given up after this simulated time; absent: never
     QString result_folder;                ///< empty: the default folder
     QString recording;                    ///< file to record to; empty: none
     QStringList faults;                   ///< in addition to the mission's

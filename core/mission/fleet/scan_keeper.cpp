@@ -23,6 +23,7 @@ RunSummary summaryOf(const Robot& robot, const SimulatorFacts& facts) {
     summary.truth = facts.truth;
     summary.wall = robot.wallTime();
     addSession(summary, view.figures);
+    judgeDamage(summary);
     return summary;
 }
 

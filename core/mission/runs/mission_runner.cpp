@@ -193,11 +193,9 @@ void MissionRunner::conclude(bool success, const std::string& reason, int exit_c
     RunSummary figures = figuresOf(record);
     figures.success = success;
     figures.reason = reason;
-    if (success && figures.truth && figures.truth->broken) {
-        figures.success = false;
-        figures.reason += " But the robot is broken.";
+    judgeDamage(figures);
+    if (success && !figures.success)
         exit_code = std::max<int>(exit_code, MissionFailed);
-    }
     session_.close();
     if (auto files = save(record, figures)) {
         figures.files = *std::move(files);

@@ -61,6 +61,13 @@ void addTruth(QJsonObject& json, const std::optional<TrueFigures>& truth) {
 
 } // namespace
 
+void judgeDamage(RunSummary& summary) {
+    if (!summary.success || !summary.truth || !summary.truth->broken)
+        return;
+    summary.success = false;
+    summary.reason += " But the robot is broken.";
+}
+
 void addSession(RunSummary& summary, const SessionFigures& figures) {
     summary.lines_received = figures.lines_received;
     summary.lines_malformed = figures.lines_malformed;

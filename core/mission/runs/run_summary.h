@@ -74,6 +74,9 @@ struct SimulatorFacts {
 
 /// Adds the line counts and whether the server runs in lockstep.
 void addSession(RunSummary& summary, const SessionFigures& figures);
+/// Takes the success away from a run whose robot is known to be broken, whatever its behavior says, and adds to the
+/// reason.
+void judgeDamage(RunSummary& summary);
 /// Adds distance, charges, faults and cells, and scores the map (null `truth`: coverage only). Looks at every cell, so
 /// do not call it in the GUI thread.
 void addRecord(RunSummary& summary, const ScanRecord& record, const Truth* truth);

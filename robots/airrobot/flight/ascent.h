@@ -17,9 +17,8 @@ struct AscentStep {
 
 /// The belly scanner looks sideways as far as the horizon, so it looks up on one side while the robot rolls. The robot
 /// rolls as it sets off to the side and comes back, once it is clear of the ground, and again where it has not seen
-/// farther up. As far as it has come down before, it climbs fast; beyond, slowly enough to bear a touch, because crowns
-/// and beams ahead and behind are not seen.
-/// Owned by one robot; make a new one for each take-off.
+/// farther up. It climbs fast as far as it has come down before, and beyond that slowly enough to bear a touch: it does
+/// not see crowns ahead or behind. Owned by one robot; make a new one for each take-off.
 class Ascent {
 public:
     /// The robot came straight down to this place from `known_m` above it.

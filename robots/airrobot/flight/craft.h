@@ -60,7 +60,7 @@ public:
     bool avoiding() const { return threatMatters() || evasion_.mode() != EvasionMode::None || climbingOver(); }
     /// Whether the robot has made no progress toward the goal for longer than the settings allow.
     bool stuck() const { return stuck_.withoutProgress() > Seconds(settings.give_up_after_s); }
-    /// What has become of the robot, as the end of a sentence about it; nullptr if it flies, or is not in the air.
+    /// Says what has become of a robot that has crashed, such as "it falls"; nullptr while it flies or stands.
     const char* crash() const { return crash_; }
     /// Time spent avoiding obstacles since the last progress toward the goal.
     Seconds hindered() const { return stuck_.hindered(); }
@@ -119,7 +119,7 @@ private:
     ClimbOver climb_over_;
     Ascent ascent_;
     double column_top_m_ = -1e9; ///< where the straight way down began, map z
-    double come_down_m_ = 0.0;   ///< how far it has come down straight
+    double come_down_m_ = 0.0;   ///< height that it has lost since then
     CrashWatch crash_watch_;
     const char* crash_ = nullptr;
     double commanded_climb_m_s_ = 0.0;

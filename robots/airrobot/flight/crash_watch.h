@@ -11,7 +11,7 @@ namespace usar::airrobot {
 /// Call `update` once per tick in the air. Owned by one robot; make a new one for each flight.
 class CrashWatch {
 public:
-    /// What the pilot asked for in the last tick.
+    /// The command of the last tick.
     struct Asked {
         double speed_m_s = 0.0; ///< level
         double climb_m_s = 0.0; ///< positive upward
@@ -22,7 +22,9 @@ public:
         const Pose& pose = senses.base_in_map;
         const bool over = std::cos(pose.roll_rad) * std::cos(pose.pitch_rad) < std::cos(turned_over_rad);
         const bool falls = senses.velocity_in_map_m_s.z() < -falling_m_s;
-        const bool lies = senses.velocity_in_map_m_s.norm() < resting_m_s && senses.heightOverGround_m(1e9) < lying_m &&
+        const double height_m = senses.heightOverGround_m(1e9);
+        has_flown_ = has_flown_ || height_m > 2.0 * lying_m;
+        const bool lies = has_flown_ && senses.velocity_in_map_m_s.norm() < resting_m_s && height_m < lying_m &&
                           (asked.speed_m_s > asked_m_s || asked.climb_m_s > asked_m_s);
         if (lasts(over, over_since_, senses.now, short_time))
             return "it has turned over";
@@ -50,6 +52,7 @@ private:
         return since && now - *since >= long_enough;
     }
 
+    bool has_flown_ = false; ///< A robot that never left the ground has not crashed.
     std::optional<Seconds> over_since_;
     std::optional<Seconds> falls_since_;
     std::optional<Seconds> lies_since_;

@@ -25,6 +25,7 @@ constexpr double least_push_m_s = 0.2;
 /// A climb that gains less than this share of the way in this time has met something.
 constexpr Seconds push_time{1.4};
 constexpr double pushed_share = 0.25;
+constexpr double lifted_m = 0.6; ///< A lower robot may not have left the ground yet.
 
 /// The height of a ceiling that the first of these hits, in the order of the beams, lie on. Their beams turn evenly, so
 /// hits on a level plane move steadily outward or inward.
@@ -76,7 +77,8 @@ void Overhead::lookUp(const PlacedScan& scan, bool ascending) {
 
 void Overhead::feelAbove(const Senses& senses, double commanded_climb_m_s) {
     const double z_m = senses.position_m().z();
-    if (commanded_climb_m_s < least_push_m_s) {
+    const bool on_ground = senses.heightOverGround_m(lifted_m) < lifted_m;
+    if (commanded_climb_m_s < least_push_m_s || on_ground) {
         pushing_since_.reset();
         return;
     }

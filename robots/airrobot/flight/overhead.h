@@ -1,4 +1,5 @@
-// What is above the robot, which has no sensor that looks up: what it learns when it rolls, and when it cannot climb.
+// Finds out what is above the robot, which has no sensor that looks up: it learns that when it rolls, and when it
+// cannot climb.
 #pragma once
 
 #include <optional>
@@ -14,15 +15,15 @@ class Overhead {
 public:
     /// How far a climb ends below a ceiling, from the robot's origin.
     static constexpr double margin_m = 0.8;
-    /// A robot that meets something above at this speed or slower does not break: 1 kg at 0.42 m/s is 0.42 N s of the
-    /// 0.5 N s that it withstands (robots-and-worlds.md 3.1).
+    /// A robot whose ring meets a ceiling at this speed or slower does not break: 1 kg at 0.42 m/s is 0.42 N s of the
+    /// 0.5 N s that it withstands (robots-and-worlds.md 3.1). A twig in the disc of a rotor breaks it at any speed.
     static constexpr double careful_m_s = 0.42;
 
-    /// What the robot does while it is observed.
+    /// The part of the last command that matters here.
     struct Doing {
         double climb_m_s = 0.0; ///< commanded in the last tick
-        bool ascending =
-            false; ///< a take-off; only then are ceilings seen, because among trees a crown can look like one
+        /// True in a take-off. Ceilings are looked for only then, because among trees a crown can look like one.
+        bool ascending = false;
     };
     void observe(const Senses& senses, const Doing& doing);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "robots/airrobot/flight/battery_model.h"
+#include "robots/airrobot/flight/overhead.h"
 
 namespace usar::airrobot {
 
@@ -205,7 +206,8 @@ agent::Forecast TimeEstimate::forecast(const Survey& survey, const MissionState&
 }
 
 Seconds TimeEstimate::whole(const Survey& survey, const Vec2& base_m, const Settings& settings) const {
-    const Seconds take_off(settings.rest_time_s + start_up_s + settings.scan_altitude_m / settings.climb_speed_m_s);
+    const double climb_m_s = std::min(settings.climb_speed_m_s, Overhead::careful_m_s); // Nobody has been up there yet.
+    const Seconds take_off(settings.rest_time_s + start_up_s + settings.scan_altitude_m / climb_m_s);
     return Seconds(forecast(survey, {.position_m = base_m, .base_m = base_m, .waiting = take_off}, settings).mean);
 }
 
