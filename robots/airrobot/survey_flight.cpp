@@ -12,7 +12,8 @@ namespace {
 
 constexpr double over_base_m = 0.8;
 constexpr Seconds lost_after{15.0};
-constexpr Seconds longest_take_off{90.0};
+/// A take-off may take this long, and in addition twice the time of a careful climb, because of the looks on its way.
+constexpr Seconds spare_for_take_off{60.0};
 constexpr double off_the_ground_m = 1.0;
 /// A robot between these distances from its start pose was spawned there because the start pose was occupied; a robot
 /// farther away was flown there.
@@ -27,6 +28,10 @@ std::string silentSonars(const Senses& senses) {
     for (const std::string& name : senses.silent_sonars)
         names += (names.empty() ? " " : ", ") + name;
     return (senses.silent_sonars.size() == 1 ? "sonar" : "sonars") + names;
+}
+
+double carefulClimb_m_s(const Settings& settings) {
+    return std::min(settings.climb_speed_m_s, Overhead::careful_m_s);
 }
 
 std::string placeWords(const Vec2& at_m) {
@@ -195,7 +200,8 @@ bool SurveyFlight::climb(double altitude_m, agent::CommandPort& port) {
     const double goal_z_m = std::max(take_off_m_->z() + altitude_m, craft_.settings.floor_level_m);
     if (craft_.rise(goal_z_m, take_off_m_->head<2>(), port))
         return true;
-    if (craft_.senses.now - took_off_ < longest_take_off)
+    const Seconds longest = spare_for_take_off + Seconds(2.0 * altitude_m / carefulClimb_m_s(craft_.settings));
+    if (craft_.senses.now - took_off_ < longest)
         return false;
     const double risen_m = craft_.senses.position_m().z() - take_off_m_->z();
     if (risen_m > off_the_ground_m) {
@@ -204,7 +210,7 @@ bool SurveyFlight::climb(double altitude_m, agent::CommandPort& port) {
         return true;
     }
     finish(false,
-           "The robot does not leave the ground: it was told to climb for " + fixed(longest_take_off.count(), 0) +
+           "The robot does not leave the ground: it was told to climb for " + fixed(longest.count(), 0) +
                " s. Is something on it, or is its battery empty?",
            port);
     return false;
@@ -384,8 +390,7 @@ MissionState SurveyFlight::missionState() const {
     const Settings& settings = craft_.settings;
     const Vec3 place_m = craft_.senses.position_m();
     const double height_m = std::max(0.0, place_m.z() - base_in_map_.position_m.z());
-    const double rate_m_s =
-        errand_ == Errand::Start ? std::min(settings.climb_speed_m_s, Overhead::careful_m_s) : settings.climb_speed_m_s;
+    const double rate_m_s = errand_ == Errand::Start ? carefulClimb_m_s(craft_.settings) : settings.climb_speed_m_s;
     const auto climb = [&](double by_m) { return Seconds(std::max(0.0, by_m) / rate_m_s); };
     MissionState state{place_m.head<2>(), base_in_map_.position_m.head<2>(),
                        craft_.battery.used_pct(settings) / 100.0 * settings.battery_range_m};

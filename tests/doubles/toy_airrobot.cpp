@@ -78,6 +78,10 @@ void ToyAirRobot::move(double dt_s) {
     base_.pitch_rad = on_ground_ ? 0.0 : level_m_s2.x() / gravity_m_s2;
     base_.roll_rad = on_ground_ ? 0.0 : -level_m_s2.y() / gravity_m_s2;
     base_.position_m += velocity_m_s_ * dt_s;
+    if (faults_.lid_z_m && base_.position_m.z() > *faults_.lid_z_m) {
+        base_.position_m.z() = *faults_.lid_z_m;
+        velocity_m_s_.z() = std::min(velocity_m_s_.z(), 0.0);
+    }
     const double floor_m = world_.ground_m(base_.position_m.head<2>()) + leg_m;
     on_ground_ = base_.position_m.z() <= floor_m && wanted.z() <= 0.0;
     if (base_.position_m.z() <= floor_m) {

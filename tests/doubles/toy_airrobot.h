@@ -21,6 +21,7 @@ struct ToyFaults {
     std::optional<double> sonars_silent_after_s{};
     std::optional<double> ins_silent_after_s{};
     std::string only_silent_sonar{}; ///< of the sonars only this one falls silent
+    std::optional<double> lid_z_m{}; ///< its base gets no higher, and it sees no reason
 };
 
 /// First-order velocities, tilt from acceleration, sensors at 5 Hz. The INS starts after two scans at rest.

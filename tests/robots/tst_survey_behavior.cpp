@@ -123,6 +123,24 @@ private slots:
         QVERIFY(toy.robot().position_m().head<2>().norm() < 0.5);
     }
 
+    void saysThatItDoesNotLeaveTheGround() {
+        ToyFlight toy = flight({}, field_task, {}, {.lid_z_m = 0.3});
+        toy.run(Seconds(300));
+        QVERIFY(toy.ending() && !toy.ending()->success);
+        QVERIFY2(contains({toy.ending()->reason}, "does not leave the ground"), toy.ending()->reason.c_str());
+        QVERIFY(!contains(toy.events(), "ceiling"));
+    }
+
+    void fliesBelowWhatItMeets() {
+        ToyFlight toy = flight({}, field_task, {}, {.lid_z_m = 4.0});
+        runInto(toy, "scanning lane 1 of 4", Seconds(5));
+        QVERIFY(contains(toy.events(), "A ceiling was touched 4.0 m above the base"));
+        QVERIFY2(toy.robot().position_m().z() < 3.5, qPrintable(QString::number(toy.robot().position_m().z())));
+        toy.run(Seconds(1500));
+        QVERIFY(toy.ending() && toy.ending()->success);
+        QCOMPARE(std::ranges::count_if(toy.events(), [](const auto& text) { return contains({text}, "ceiling"); }), 1);
+    }
+
     void fliesWholeAreaAtScanAltitudeOverHills() {
         const ToyWorld world = hills();
         ToyFlight toy = flight(world);

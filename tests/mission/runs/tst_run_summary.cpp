@@ -13,6 +13,21 @@ using namespace usar::mission;
 class tst_RunSummary : public QObject {
     Q_OBJECT
 private slots:
+    void damageIsNoSuccess() {
+        RunSummary summary;
+        summary.success = true;
+        summary.reason = "Done.";
+        judgeDamage(summary); // Nothing is known.
+        QVERIFY(summary.success);
+        summary.truth = TrueFigures{.collisions = 2};
+        judgeDamage(summary);
+        QVERIFY(summary.success);
+        summary.truth->broken = true;
+        judgeDamage(summary);
+        QVERIFY(!summary.success);
+        QCOMPARE(summary.reason, "Done. But the robot is broken.");
+    }
+
     void allKeysArePresentAndWhatNobodyKnowsIsNull() {
         const QJsonObject refused = toJson(RunSummary{});
         RunSummary flown;
