@@ -184,6 +184,6 @@ void cratesAtRest(benchmark::State& state) {
     state.counters["real_time_factor"] =
         benchmark::Counter(simulation->now().count() - began_s, benchmark::Counter::kIsRate);
 }
-BENCHMARK(cratesAtRest)->Arg(0)->Arg(200)->Unit(benchmark::kMicrosecond);
+BENCHMARK(cratesAtRest)->Arg(0)->Arg(200)->Arg(2000)->Unit(benchmark::kMicrosecond);
 
 } // namespace

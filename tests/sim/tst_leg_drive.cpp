@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <vector>
+
 #include <QObject>
 #include <QString>
 #include <QTest>
@@ -139,16 +142,24 @@ private slots:
         QFETCH(const double, largest_deg);
         QFETCH(const double, gets_to_m);
         QFETCH(const double, gets_no_further_m);
-        DrivenRobot dog(world, robots, "ERS", 0.1, 0.13);
-        if (!world.boxes.empty() && world.boxes.front().center_in_map.position_m.x() < 0.0)
-            dog.physics->place(dog.body.id(), Pose{dog.position_m() + Vec3(0.0, 0.0, 0.2)});
-        stand(dog);
-        const auto [tilt_rad, farthest_m] = trotFor30s(dog);
-        const double height_m = dog.position_m().z();
-        qInfo("largest tilt %.0f degrees, x %.2f m, height %.2f m", degrees(tilt_rad), farthest_m, height_m);
-        QVERIFY(degrees(tilt_rad) <= largest_deg);
-        QVERIFY(farthest_m > gets_to_m && farthest_m < gets_no_further_m);
-        QVERIFY(height_m > 0.02 && height_m < 1.0);
+        // Whether a paw slips is a matter of millimeters, so the middle of five starts counts.
+        std::vector<double> tilts_deg;
+        std::vector<double> farthest_m;
+        for (int start = 0; start < 5; ++start) {
+            DrivenRobot dog(world, robots, "ERS", 0.1, 0.13);
+            const bool on_box = !world.boxes.empty() && world.boxes.front().center_in_map.position_m.x() < 0.0;
+            dog.physics->place(dog.body.id(), Pose{dog.position_m() + Vec3(-0.001 * start, 0.0, on_box ? 0.2 : 0.0)});
+            stand(dog);
+            const auto [tilt_rad, way_m] = trotFor30s(dog);
+            tilts_deg.push_back(degrees(tilt_rad));
+            farthest_m.push_back(way_m);
+            qInfo("largest tilt %.0f degrees, x %.2f m, height %.2f m", degrees(tilt_rad), way_m, dog.position_m().z());
+            QVERIFY(dog.position_m().z() > 0.02 && dog.position_m().z() < 1.0);
+        }
+        std::ranges::sort(tilts_deg);
+        std::ranges::sort(farthest_m);
+        QVERIFY(tilts_deg[2] <= largest_deg);
+        QVERIFY(farthest_m[2] > gets_to_m && farthest_m[2] < gets_no_further_m);
     }
 
     // Whether it pushes the other or passes it is a matter of chance.

@@ -62,7 +62,11 @@ public:
         rigid_->setDeactivationTime(0.0);
         rigid_->forceActivationState(allowed ? ACTIVE_TAG : DISABLE_DEACTIVATION);
     }
-    void wake() override { rigid_->activate(); }
+    /// Begins to count the time at rest from 0, like letSleep().
+    void wake() override {
+        rigid_->activate();
+        in_place_ = Seconds{0.0};
+    }
     /// A rigid body has no links, so the number is ignored.
     BodyState state(int /*link*/) const override {
         return bodyState(rigid_->getWorldTransform(), rigid_->getLinearVelocity(), rigid_->getAngularVelocity());
@@ -84,21 +88,47 @@ public:
         }
         velocity_ = rigid_->getLinearVelocity();
         rate_ = rigid_->getAngularVelocity();
+        in_place_ += dt;
     }
-    /// Has nothing to do, because Bullet moves the body itself.
-    void afterStep() override {}
+    /// Bullet moves the body itself. But contacts at the edges of triangles keep some bodies trembling, and Bullet does
+    /// not let what trembles sleep. Here a body that may sleep does so once it has stayed in its place for long enough.
+    void afterStep() override {
+        if (rigid_->isStaticOrKinematicObject())
+            return;
+        const int state = rigid_->getActivationState();
+        const btTransform& now = rigid_->getWorldTransform();
+        if (state == DISABLE_DEACTIVATION || state == ISLAND_SLEEPING || hasMoved(now)) {
+            place_ = now;
+            in_place_ = Seconds{0.0};
+        } else if (in_place_ >= rest_time) {
+            rigid_->setActivationState(WANTS_DEACTIVATION);
+        }
+    }
     /// Velocity in m/s of the point of the body that is at `point` in the map frame, before the step.
     btVector3 velocityBefore(int /*link*/, const btVector3& point) const override {
         return velocity_ + rate_.cross(point - rigid_->getWorldTransform().getOrigin());
     }
 
 private:
+    static constexpr Seconds rest_time{2.0}; ///< Bullet's own figure, too
+    static constexpr double rest_m = 0.002;
+    static constexpr double rest_rad = 0.01;
+
+    bool hasMoved(const btTransform& now) const {
+        const btVector3 along_x = now.getBasis().getColumn(0) - place_.getBasis().getColumn(0);
+        const btVector3 along_y = now.getBasis().getColumn(1) - place_.getBasis().getColumn(1);
+        return now.getOrigin().distance2(place_.getOrigin()) > rest_m * rest_m ||
+               std::max(along_x.length2(), along_y.length2()) > rest_rad * rest_rad;
+    }
+
     /// Bullet's world refers to the body, so the destructor takes it out of there first.
     btDynamicsWorld& world_;
     BulletShape shape_;
     double rest_rad_s_;
     std::unique_ptr<btRigidBody> rigid_;
-    btVector3 velocity_{0.0, 0.0, 0.0}; ///< before the step, like `rate_`
+    btTransform place_ = btTransform::getIdentity(); ///< where it was when it moved last
+    Seconds in_place_{0.0};                          ///< since then
+    btVector3 velocity_{0.0, 0.0, 0.0};              ///< before the step, like `rate_`
     btVector3 rate_{0.0, 0.0, 0.0};
     btVector3 surface_{0.0, 0.0, 0.0}; ///< velocity of a still body's surface, in its frame
 };

@@ -108,16 +108,10 @@ void LinkSolver::solve(std::span<btCollisionObject* const> bodies, std::span<btP
 void LinkSolver::addMember(btMultiBody& body) {
     const int size = body.getNumDofs() + 6;
     const auto count = static_cast<std::size_t>(size);
-    Member member{&body, size, numbers_.size(), numbers_.size() + count * count, axes_.size()};
+    const Member member{&body, size, numbers_.size(), numbers_.size() + count * count, axes_.size()};
+    addJointAxes(body, axes_);
     numbers_.resize(numbers_.size() + count * count + count, 0.0);
     invert(member);
-    for (int i = 0; i < body.getNumLinks(); ++i) {
-        const btMultibodyLink& link = body.getLink(i);
-        const btMatrix3x3& link_in_map = link.m_cachedWorldTransform.getBasis();
-        const bool slides = link.m_jointType == btMultibodyLink::ePrismatic;
-        axes_.push_back({link_in_map * (slides ? link.getAxisBottom(0) : link.getAxisTop(0)),
-                         link.m_cachedWorldTransform.getOrigin() - link_in_map * link.m_dVector, slides});
-    }
     body.setCompanionId(static_cast<int>(members_.size()));
     members_.push_back(member);
 }
@@ -133,12 +127,8 @@ void LinkSolver::invert(const Member& member) {
         std::ranges::copy(kept.in_base, inverse);
         return turn(inverse, member.size, base_in_map);
     }
-    unit_.assign(count, 0.0);
-    for (std::size_t i = 0; i < count; ++i) {
-        unit_[i] = 1.0;
-        body.calcAccelerationDeltasMultiDof(unit_.data(), inverse + i * count, scratch_, scratch_vectors_);
-        unit_[i] = 0.0;
-    }
+    Eigen::Map<Eigen::MatrixXd>(inverse, member.size, member.size) =
+        inverseMassMatrix(body, std::span(axes_).subspan(member.axes));
     if (member.size > most_turned)
         return;
     kept.in_base.assign(inverse, inverse + count * count);
@@ -149,7 +139,7 @@ void LinkSolver::invert(const Member& member) {
 }
 
 void LinkSolver::addJoints(int index, double dt_s) {
-    const Member member = members_[static_cast<std::size_t>(index)];
+    const Member& member = members_[static_cast<std::size_t>(index)];
     auto* const jointed = static_cast<JointedBody*>(member.body->getUserPointer());
     for (const JointRow& wanted : jointed->jointRows(dt_s)) {
         Row row;
@@ -223,7 +213,7 @@ LinkSolver::Side LinkSolver::sideOf(const btCollisionObject& object, const Push&
         return {};
     }
     Side side{.member = link->m_multiBody->getCompanionId()};
-    const Member member = members_[static_cast<std::size_t>(side.member)];
+    const Member& member = members_[static_cast<std::size_t>(side.member)];
     const auto count = static_cast<std::size_t>(member.size);
     side.jacobian = numbers_.size();
     side.response = numbers_.size() + count;
@@ -247,7 +237,7 @@ void LinkSolver::fillJacobian(const Member& member, int link, const Push& push, 
         jacobian[3 + i] = push.force[i];
     }
     for (; link >= 0; link = member.body->getParent(link)) {
-        const Axis& axis = axes_[member.axes + static_cast<std::size_t>(link)];
+        const JointAxis& axis = axes_[member.axes + static_cast<std::size_t>(link)];
         const btVector3 moved =
             axis.slides ? push.force : (push.point_m - axis.point_m).cross(push.force) + push.torque;
         jacobian[6 + member.body->getLink(link).m_dofOffset] = axis.along.dot(moved);

@@ -9,6 +9,8 @@
 #include <BulletDynamics/Featherstone/btMultiBodyConstraint.h>
 #include <btBulletDynamicsCommon.h>
 
+#include "core/sim/physics/mass_matrix.h"
+
 namespace usar::sim {
 
 /// One joint is brought to a speed during a step, by an impulse between two limits: this is a motor, a brake or an end
@@ -72,12 +74,6 @@ private:
         std::size_t change = 0;
         std::size_t axes = 0; ///< first axis in `axes_`
     };
-    /// A joint's axis in the map frame, and a point on it.
-    struct Axis {
-        btVector3 along;
-        btVector3 point_m;
-        bool slides = false;
-    };
     /// How one body takes part in a row.
     struct Side {
         int member = -1;
@@ -123,14 +119,11 @@ private:
     void begin(bool warm);
 
     std::vector<Member> members_;
-    std::vector<Axis> axes_;
+    std::vector<JointAxis> axes_;
     std::vector<Row> joints_;
     std::vector<Row> normals_;
     std::vector<Row> frictions_;
     std::vector<double> numbers_;
-    std::vector<double> unit_;
-    btAlignedObjectArray<btScalar> scratch_;
-    btAlignedObjectArray<btVector3> scratch_vectors_;
 };
 
 } // namespace usar::sim

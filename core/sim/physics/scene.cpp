@@ -55,13 +55,6 @@ void go(SceneObject& object, double dt_s) {
     }
 }
 
-/// A crate on uneven ground goes on rocking by 0.1 rad/s, because the engine finds other points of contact in each
-/// step. One that tips over moves its center faster than what counts as rest.
-BodyDescription restful(BodyDescription body) {
-    body.rest_rad_s = 0.2;
-    return body;
-}
-
 } // namespace
 
 SceneObject& addObject(Scene& scene, Physics& physics, const WorldObject& object) {
@@ -70,7 +63,7 @@ SceneObject& addObject(Scene& scene, Physics& physics, const WorldObject& object
         bounds.extend(boundsOf(*object.belt));
     SceneObject added{.name = object.name,
                       .class_name = object.class_name,
-                      .body = physics.add(restful(object.body), object.body_in_map),
+                      .body = physics.add(object.body, object.body_in_map),
                       .body_in_map = object.body_in_map,
                       .parts = object.body.parts,
                       .size_m = bounds.sizes(),
