@@ -88,6 +88,7 @@ serverFor(const mission::MissionOptions& options, const mission::Mission& plan, 
     run_options.port = (*simulator)->port();
     run_options.truth = app::truthOf(**simulator);
     run_options.world_extent = (*simulator)->extent();
+    run_options.dry_above_m = (*simulator)->dryAbove_m();
     run_options.true_figures = [one = simulator->get()] { return app::trueFiguresOf(*one); };
     return simulator;
 }

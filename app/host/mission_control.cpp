@@ -56,6 +56,7 @@ void MissionControl::enter(quint16 port, const server::WorldPicture& world,
     waiting_ = waiting;
     world_ = world;
     setWorldExtent(world.extent_in_map);
+    setDryAbove(world.dry_above_m);
     setTruthMaker(truthMakerOf(world.world));
     emit worldKnown(world);
     emit classesChanged();

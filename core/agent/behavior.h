@@ -18,6 +18,8 @@ struct Task {
     std::string robot_name;
     Pose start_in_map;     ///< pose at which the robot was spawned
     Rectangle area_in_map; ///< mission area; empty for behaviors that need none
+    /// Map z above which all ground is dry, which sensors cannot tell; nullopt if nobody who knows the world has said.
+    std::optional<double> dry_above_m{};
     bool operator==(const Task&) const = default;
 };
 

@@ -13,7 +13,9 @@ constexpr agent::ParameterRow<Settings> rows[]{
      "Height that the robot keeps above the ground."},
     {&S::floor_level_m, "floor_level_m", "Floor level", "Flight", "m", -500, 5000,
      "The robot never sinks below this map height except to land. This keeps it out of ravines and water, which the "
-     "scanner cannot see."},
+     "scanner cannot see. -500: the robot stays above water by the clearance, or above its start where nobody knows "
+     "the "
+     "water."},
     {&S::clearance_m, "clearance_m", "Clearance", "Flight", "m", 0.5, 6,
      "Height that the robot keeps above the highest known object below and ahead of it."},
     {&S::footprint_radius_m, "footprint_radius_m", "Footprint radius", "Flight", "m", 0.8, 5,
@@ -47,7 +49,7 @@ constexpr agent::ParameterRow<Settings> rows[]{
     {&S::most_left_out_pct, "most_left_out_pct", "Left out at most", "Survey", "%", 0, 100,
      "A survey still succeeds if at most this share of its lanes is given up."},
     {&S::maximum_scan_tilt_rad, "maximum_scan_tilt_rad", "Largest tilt for the map", "Survey", "rad", 0.02, 0.8,
-     "Scans taken at a greater tilt are not added to the map."},
+     "Scans taken at a greater tilt are not added to the map. A steady lean against the wind does not count."},
     {&S::maximum_scan_turn_rad_s, "maximum_scan_turn_rad_s", "Largest turn rate for the map", "Survey", "rad/s", 0.02,
      2, "Scans taken during a faster turn are not added to the map."},
     {&S::low_risk_0_m, "low_risk_0_m", "Low risk, M0", "Threat zones", "m", 0.2, 5,

@@ -10,9 +10,13 @@ namespace usar::airrobot {
 /// later client built on it; the others were tuned in the world tall_test. Copied by value: new parameters take effect
 /// at the next tick.
 struct Settings {
+    /// As a floor level: the robot chooses it (SurveyFlight::putFloor).
+    static constexpr double chosen_floor_m = -500.0;
+
     // Flight. Heights without another word are over the ground; speeds are limited to what the robot can do.
-    double scan_altitude_m = 6.0;    ///< [T] height over the ground below
-    double floor_level_m = -25.0;    ///< [T] map z below which the robot never sinks, except to land
+    double scan_altitude_m = 6.0; ///< [T] height over the ground below
+    /// Map z below which the robot never sinks, except to land. [T] has such a level, for water and ravines.
+    double floor_level_m = chosen_floor_m;
     double clearance_m = 2.5;        ///< height over the highest known object below and ahead
     double footprint_radius_m = 1.8; ///< radius within which objects count as below the robot
     double maximum_height_m = 19.0;  ///< greatest height over ground; at most the scanner's reach

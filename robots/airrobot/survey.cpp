@@ -10,6 +10,9 @@ namespace {
 constexpr double passing_m = 8.0;
 constexpr double end_passing_m = 3.0;
 constexpr double resume_back_m = 1.0;
+/// A lane is looked at in such steps for what of it can be reached.
+constexpr double look_every_m = 1.0;
+constexpr double worth_a_flight_m = 3.0;
 } // namespace
 
 Result<Survey> Survey::make(const agent::Task& task, const Settings& settings) {
@@ -32,6 +35,8 @@ Vec2 Survey::pointAt_m(double along_m) const {
 }
 
 double Survey::pieceEnd_m(const Settings& settings) const {
+    if (short_end_m_)
+        return *short_end_m_;
     const double end_m = piece_start_m_ + settings.goal_distance_m;
     const double length = length_m();
     return length - end_m < settings.goal_distance_m / 2.0 ? length : end_m;
@@ -82,6 +87,7 @@ SurveyEvent Survey::next(const Settings& settings) {
 
 SurveyEvent Survey::endPiece(const Settings& settings) {
     piece_start_m_ = pieceEnd_m(settings);
+    short_end_m_.reset();
     return piece_start_m_ < length_m() ? SurveyEvent::GoalReached : nextLane();
 }
 
@@ -91,6 +97,7 @@ SurveyEvent Survey::nextLane() {
     ++lane_;
     on_lane_ = false;
     entry_along_m_ = piece_start_m_ = reached_m_ = 0.0;
+    short_end_m_.reset();
     if (done())
         return SurveyEvent::AllDone;
     return plan_.lanes[lane_].quadrant != quadrant ? SurveyEvent::QuadrantDone : SurveyEvent::LaneDone;
@@ -108,6 +115,32 @@ SurveyEvent Survey::giveUp(const Settings& settings) {
     given_up_m_ += pieceEnd_m(settings) - entry_along_m_;
     entry_along_m_ = pieceEnd_m(settings);
     return entry_along_m_ < length_m() ? SurveyEvent::GoalReached : nextLane();
+}
+
+SurveyEvent Survey::cutOff(const Settings& settings, const std::function<bool(const Vec2&)>& can_reach) {
+    if (done())
+        return SurveyEvent::AllDone;
+    const double here_m = on_lane_ ? std::max(piece_start_m_, reached_m_) : entry_along_m_;
+    if (on_lane_) {
+        const double end_m = pieceEnd_m(settings);
+        double along_m = end_m - look_every_m;
+        while (along_m > here_m + worth_a_flight_m && !can_reach(pointAt_m(along_m)))
+            along_m -= look_every_m;
+        if (along_m > here_m + worth_a_flight_m) {
+            short_end_m_ = along_m;
+            return SurveyEvent::GoalReached;
+        }
+    }
+    short_end_m_.reset();
+    double along_m = here_m + look_every_m;
+    while (along_m < length_m() && !can_reach(pointAt_m(along_m)))
+        along_m += look_every_m;
+    cut_off_m_ += std::min(along_m, length_m()) - here_m;
+    if (along_m > length_m() - worth_a_flight_m)
+        return nextLane();
+    on_lane_ = false;
+    entry_along_m_ = piece_start_m_ = reached_m_ = along_m;
+    return SurveyEvent::GoalReached;
 }
 
 void Survey::interrupt() {

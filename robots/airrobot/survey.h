@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "core/agent/behavior.h"
@@ -30,9 +32,15 @@ public:
     std::size_t laneIndex() const { return lane_; }
     std::size_t laneCount() const { return plan_.lanes.size(); }
     const mapping::CoveragePlan& plan() const { return plan_; }
+    /// Goals that were not reached though no wall is known to close all ways to them, and the length of the lanes that
+    /// was left out with them, as a share of what can be reached of all lanes.
     int goalsGivenUp() const { return goals_given_up_; }
-    /// The length of the lanes that was left out by giving up goals, as a share of the length of all lanes.
-    double givenUp_pct() const { return totalLength_m() > 0.0 ? 100.0 * given_up_m_ / totalLength_m() : 0.0; }
+    double givenUp_pct() const {
+        const double within_reach_m = totalLength_m() - cut_off_m_;
+        return within_reach_m > 0.0 ? 100.0 * given_up_m_ / within_reach_m : 0.0;
+    }
+    /// The length of the lanes to which no way leads.
+    double cutOff_m() const { return cut_off_m_; }
 
     /// The point to reach next: where the lane is entered, or the end of its present piece. The survey must not be
     /// done.
@@ -47,8 +55,11 @@ public:
     bool goalReached(const Vec2& position_m, const Settings& settings) const;
     /// Moves on to the next goal after the present one was reached.
     SurveyEvent next(const Settings& settings);
-    /// Moves on to the next goal because the present one cannot be reached.
+    /// Moves on to the next goal because the present one was not reached in time.
     SurveyEvent giveUp(const Settings& settings);
+    /// Moves on to the farthest point of the present piece to which a way leads, or to where a way leads to the lane,
+    /// or to the next lane.
+    SurveyEvent cutOff(const Settings& settings, const std::function<bool(const Vec2&)>& can_reach);
     /// Records that the robot leaves the lane (for the battery). The lane will be entered again at this point.
     void interrupt();
 
@@ -77,11 +88,13 @@ private:
     std::size_t lane_ = 0;
     double finished_lanes_m_ = 0.0;
     bool on_lane_ = false;
-    double entry_along_m_ = 0.0; ///< entry point; this and the next two are distances along the lane
-    double piece_start_m_ = 0.0; ///< everything before it was flown or given up
-    double reached_m_ = 0.0;     ///< farthest point that was flown
+    double entry_along_m_ = 0.0;        ///< entry point; this and the next two are distances along the lane
+    double piece_start_m_ = 0.0;        ///< everything before it was flown or given up
+    double reached_m_ = 0.0;            ///< farthest point that was flown
+    std::optional<double> short_end_m_; ///< end of a piece whose rest is cut off
     int goals_given_up_ = 0;
     double given_up_m_ = 0.0;
+    double cut_off_m_ = 0.0;
 };
 
 } // namespace usar::airrobot

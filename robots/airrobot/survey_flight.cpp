@@ -15,6 +15,7 @@ constexpr Seconds lost_after{15.0};
 /// A take-off may take this long, and in addition twice the time of a careful climb, because of the looks on its way.
 constexpr Seconds spare_for_take_off{60.0};
 constexpr double off_the_ground_m = 1.0;
+constexpr double most_cut_off = 0.99; ///< share of the lanes
 /// A robot between these distances from its start pose was spawned there because the start pose was occupied; a robot
 /// farther away was flown there.
 constexpr double beside_start_m = 1.0;
@@ -66,12 +67,20 @@ Stage stageOf(Phase phase, bool first) {
 
 SurveyFlight::SurveyFlight(agent::BehaviorContext context)
     : task_(std::move(context.task))
-    , base_in_map_(task_.start_in_map) {
-    craft_.settings = Settings::parameters.settings(context.parameters);
+    , base_in_map_(task_.start_in_map)
+    , start_z_m_(task_.start_in_map.position_m.z()) {
+    setParameters(context.parameters);
 }
 
 void SurveyFlight::setParameters(const agent::ParameterSet& parameters) {
     craft_.settings = Settings::parameters.settings(parameters);
+    chooses_floor_ = craft_.settings.floor_level_m == Settings::chosen_floor_m;
+    putFloor();
+}
+
+void SurveyFlight::putFloor() {
+    if (chooses_floor_)
+        craft_.settings.floor_level_m = task_.dry_above_m.value_or(start_z_m_) + craft_.settings.clearance_m;
 }
 
 bool SurveyFlight::inTheAir() const {
@@ -83,7 +92,7 @@ bool SurveyFlight::returning() const {
 }
 
 bool SurveyFlight::atBase() const {
-    return landing() || (base_in_map_.position_m.head<2>() - craft_.senses.position2_m()).norm() < over_base_m;
+    return landing() || (home_m() - craft_.senses.position2_m()).norm() < over_base_m;
 }
 
 double SurveyFlight::batteryMargin() const {
@@ -186,6 +195,8 @@ void SurveyFlight::setOut() {
     phase_ = Phase::TakeOff;
     launched_ = true;
     landing_m_.reset();
+    refuge_m_.reset();
+    looked_again_ = false;
     take_off_m_.reset();
 }
 
@@ -196,10 +207,15 @@ bool SurveyFlight::climb(double altitude_m, agent::CommandPort& port) {
         const double aside_m = (*take_off_m_ - task_.start_in_map.position_m).norm();
         if (errand_ == Errand::Start && aside_m > beside_start_m && aside_m < away_from_start_m)
             base_in_map_ = craft_.senses.base_in_map;
+        if (errand_ == Errand::Start)
+            chooseFloor(port);
     }
     const double goal_z_m = std::max(take_off_m_->z() + altitude_m, craft_.settings.floor_level_m);
-    if (craft_.rise(goal_z_m, take_off_m_->head<2>(), port))
+    if (craft_.rise(goal_z_m, take_off_m_->head<2>(), port)) {
+        if (craft_.column_m())
+            base_in_map_.position_m.head<2>() = *craft_.column_m();
         return true;
+    }
     const Seconds longest = spare_for_take_off + Seconds(2.0 * altitude_m / carefulClimb_m_s(craft_.settings));
     if (craft_.senses.now - took_off_ < longest)
         return false;
@@ -216,6 +232,19 @@ bool SurveyFlight::climb(double altitude_m, agent::CommandPort& port) {
     return false;
 }
 
+void SurveyFlight::chooseFloor(agent::CommandPort& port) {
+    start_z_m_ = take_off_m_->z();
+    putFloor();
+    if (!chooses_floor_)
+        return;
+    const Settings& settings = craft_.settings;
+    std::string words = "No floor level is set, so the robot stays above " + fixed(settings.floor_level_m, 1) +
+                        " m, which is " + fixed(settings.clearance_m, 1) + " m above ";
+    words += task_.dry_above_m ? "the level that the world's water does not exceed."
+                               : "its start. Set one if there is dry ground farther down.";
+    port.publish(agent::BehaviorEvent{Severity::Note, words});
+}
+
 void SurveyFlight::beginWork() {
     phase_ = Phase::ToLane;
     at_work_ = true;
@@ -225,8 +254,7 @@ void SurveyFlight::beginWork() {
 Leg SurveyFlight::leg() const {
     const Settings& settings = craft_.settings;
     if (returning()) {
-        const Vec2 base_m = base_in_map_.position_m.head<2>();
-        return {base_m, base_m, settings.transit_speed_m_s, words()};
+        return {home_m(), home_m(), settings.transit_speed_m_s, words(), Width::Least};
     }
     if (survey_.done())
         return {craft_.senses.position2_m(), craft_.senses.position2_m(), settings.transit_speed_m_s, words()};
@@ -245,10 +273,19 @@ Leg SurveyFlight::takeLeg() {
 }
 
 void SurveyFlight::skipGoal(agent::CommandPort& port) {
+    const bool cut_off = craft_.walledOff();
     craft_.log.mark(agent::MarkKind::GoalGivenUp, leg().goal_m, craft_.senses, port);
-    port.publish(agent::BehaviorEvent{Severity::Warning, "A goal could not be reached in time and is left out."});
+    if (!cut_off)
+        port.publish(agent::BehaviorEvent{Severity::Warning, "A goal could not be reached in time and is left out."});
+    else if (survey_.cutOff_m() == 0.0)
+        port.publish(agent::BehaviorEvent{Severity::Warning,
+                                          "No way leads to a goal. It is left out, like all goals to "
+                                          "which no way leads."});
+    const Reach reach = cut_off ? craft_.reach() : Reach();
     craft_.startAnew();
-    afterGoal(survey_.giveUp(craft_.settings), port);
+    afterGoal(cut_off ? survey_.cutOff(craft_.settings, [&](const Vec2& at_m) { return reach.contains(at_m); })
+                      : survey_.giveUp(craft_.settings),
+              port);
 }
 
 void SurveyFlight::afterGoal(SurveyEvent event, agent::CommandPort& port) {
@@ -299,11 +336,35 @@ void SurveyFlight::landAt(const Vec2& near_m) {
 }
 
 void SurveyFlight::landHere(agent::CommandPort& port) {
-    port.publish(agent::BehaviorEvent{Severity::Error, "The way home is blocked; the robot lands where it is."});
+    if (!std::exchange(looked_again_, true)) { // What stood in the way may be gone, or was never there.
+        craft_.forgetWays();
+        return craft_.startAnew();
+    }
     end_reason_ = "The way home was blocked.";
     errand_ = Errand::GivenUp;
+    const bool blocked_again = refuge_m_.has_value();
     craft_.startAnew();
-    landAt(craft_.senses.position2_m());
+    if (!blocked_again && landNearby(craft_.dry_m(), port))
+        return port.publish(agent::BehaviorEvent{Severity::Error,
+                                                 "The way home is blocked; the robot lands on the nearest "
+                                                 "ground that it has seen to be fit for it."});
+    finish(false,
+           "The way home is blocked, and no ground that is fit for landing can be reached. The robot hovers at " +
+               placeWords(craft_.senses.position2_m()) + "; take over by hand.",
+           port);
+}
+
+bool SurveyFlight::landNearby(double dry_m, agent::CommandPort& port) {
+    const auto place_m = craft_.refuge.place_m(craft_.senses, craft_.memory, dry_m);
+    if (!place_m)
+        return false;
+    if ((*place_m - craft_.senses.position2_m()).norm() <= craft_.settings.landing_radius_m) {
+        landAt(*place_m);
+        return true;
+    }
+    refuge_m_ = place_m;
+    goHome(Errand::GivenUp, "", port);
+    return true;
 }
 
 bool SurveyFlight::land(agent::CommandPort& port) {
@@ -326,14 +387,21 @@ void SurveyFlight::recharge() {
 void SurveyFlight::conclude(agent::CommandPort& port) {
     if (errand_ != Errand::Done)
         return finish(false, end_reason_, port);
+    const double cut_off_m = survey_.cutOff_m();
+    if (cut_off_m > most_cut_off * survey_.totalLength_m())
+        return finish(false, "No way leads into the area.", port);
+    const std::string scanned = cut_off_m == 0.0 ? "The area is scanned"
+                                                 : "The area is scanned as far as a way leads; none leads to " +
+                                                       fixed(cut_off_m, 0) + " m of the lanes (" +
+                                                       fixed(100.0 * cut_off_m / survey_.totalLength_m(), 0) + " %)";
     if (survey_.goalsGivenUp() == 0)
-        return finish(true, "The area is scanned.", port);
+        return finish(true, scanned + ".", port);
     const double share_pct = survey_.givenUp_pct();
     const double most_pct = craft_.settings.most_left_out_pct;
     const std::string goals = "goals left out: " + std::to_string(survey_.goalsGivenUp()) + ", " +
                               std::to_string(std::lround(share_pct)) + " % of the lanes";
     if (share_pct <= most_pct)
-        return finish(true, "The area is scanned; " + goals + ".", port);
+        return finish(true, scanned + "; " + goals + ".", port);
     finish(false,
            "The area is not scanned; " + goals + ", and at most " + std::to_string(std::lround(most_pct)) +
                " % may be. Raise the time until a goal is given up, or choose an area with room to fly.",
@@ -351,8 +419,9 @@ void SurveyFlight::order(agent::Order order, agent::CommandPort& port) {
     if (!inTheAir())
         return finish(false, end_reason_, port);
     errand_ = Errand::GivenUp;
-    if (phase_ != Phase::Landing)
-        landAt(craft_.senses.position2_m());
+    // A person sees whether the ground is dry.
+    if (phase_ != Phase::Landing && !landNearby(-1e9, port))
+        goHome(Errand::GivenUp, "No ground below has been seen to be fit for landing; the robot goes home.", port);
 }
 
 void SurveyFlight::finish(bool success, const std::string& reason, agent::CommandPort& port) {

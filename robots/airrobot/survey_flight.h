@@ -96,7 +96,7 @@ public:
 
     // Down.
     void beginLanding() { landAt(base_in_map_.position_m.head<2>()); }
-    /// Ends the survey because the way home is blocked; lands at the present place.
+    /// Ends the survey because the way home is blocked; lands on the nearest ground that is fit for it.
     void landHere(agent::CommandPort& port);
     /// Sinks; returns true once the robot is on the ground with its rotors at rest.
     bool land(agent::CommandPort& port);
@@ -110,6 +110,10 @@ private:
     /// The reason why the robot is on the ground or on its way there; it determines what follows.
     enum class Errand { Start, Recharge, Quadrant, Done, GivenUp };
 
+    /// Chooses the floor level if nobody has set one. No water is higher than a dry start, and the scanner looks
+    /// through water, so nothing lower than the start is safe unless somebody knows where the water is.
+    void putFloor();
+    void chooseFloor(agent::CommandPort& port);
     Leg leg() const;
     Leg takeLeg();
     void noteSilence(agent::CommandPort& port);
@@ -117,6 +121,9 @@ private:
     void afterGoal(SurveyEvent event, agent::CommandPort& port);
     void goHome(Errand errand, const std::string& why, agent::CommandPort& port);
     void landAt(const Vec2& near_m);
+    /// Lands at the nearest place that is fit for it, after a flight there if it is not here; false if none is known.
+    bool landNearby(double dry_m, agent::CommandPort& port);
+    Vec2 home_m() const { return refuge_m_.value_or(base_in_map_.position_m.head<2>()); }
     void endPause(const std::string& why, agent::CommandPort& port);
     double beelineHome_m() const { return (craft_.senses.position_m() - base_in_map_.position_m).norm(); }
     std::string words() const;
@@ -140,7 +147,11 @@ private:
     Pose base_in_map_; ///< place of the first take-off: the start pose, or beside it if another robot was there
     Vec2 hold_m_ = Vec2::Zero();     ///< place to hold while paused
     std::optional<Vec2> landing_m_;  ///< nullopt unless the robot is landing or on the ground after it
+    bool looked_again_ = false;      ///< for a way home, after there was none
+    std::optional<Vec2> refuge_m_;   ///< goal on the way home if it is not the base
     std::optional<Vec3> take_off_m_; ///< place of the last take-off
+    bool chooses_floor_ = false;     ///< nobody has set a floor level
+    double start_z_m_ = 0.0;         ///< map z of the first take-off; before it, of the start pose
     std::optional<Seconds> started_; ///< time of the first tick
     Seconds took_off_{0.0};          ///< time of the last take-off
     Seconds landed_{0.0};            ///< time of the last landing

@@ -144,8 +144,8 @@ SurveyOutcome fly(const RandomSurvey& survey) {
         return {.reason = simulation.error().text()};
     const agent::RobotDescription description = airrobot::AirRobot().description();
     const auto parameters = agent::ParameterSet::make(description.behaviors[0].parameters);
-    auto behavior = airrobot::AirRobot().createBehavior(survey.behavior,
-                                                        {{"R1", survey.start_in_map, survey.area_in_map}, *parameters});
+    auto behavior = airrobot::AirRobot().createBehavior(
+        survey.behavior, {{"R1", survey.start_in_map, survey.area_in_map, sim::dryAbove_m(world)}, *parameters});
     if (!behavior)
         return {.reason = behavior.error().text()};
     SimulatedFlight flight(std::move(*simulation), std::move(*behavior), survey.start_in_map);

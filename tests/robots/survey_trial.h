@@ -28,8 +28,8 @@ inline void trySurvey(std::uint64_t seed, const Rectangle& area_in_map, Seconds 
     auto simulation = sim::Simulation::make(world, options);
     QVERIFY(simulation);
     const auto parameters = agent::ParameterSet::make(airrobot::AirRobot().description().behaviors[0].parameters);
-    auto behavior =
-        airrobot::AirRobot().createBehavior("airrobot/cpp", {{"R1", start_in_map, area_in_map}, *parameters});
+    auto behavior = airrobot::AirRobot().createBehavior(
+        "airrobot/cpp", {{"R1", start_in_map, area_in_map, sim::dryAbove_m(world)}, *parameters});
     QVERIFY(behavior);
     SimulatedFlight flight(std::move(*simulation), std::move(*behavior), start_in_map);
     std::vector<agent::BehaviorStatus> told;

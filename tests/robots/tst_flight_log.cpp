@@ -50,14 +50,14 @@ private slots:
         senses.yaw_rate_rad_s = radians(turn_deg_s);
         senses.ground_m = 6.0 - height_m;
         setFlatScan(senses, {0, 0}, 1.0, 0.0);
-        QCOMPARE(goodForMap(senses, airborne, settings), good);
+        QCOMPARE(goodForMap(senses, airborne, Lean(), settings), good);
         FlightLog log;
         CommandPort port;
         log.tick(senses, airborne, settings, port);
         QCOMPARE(all<ScanPlacement>(port).size(), std::size_t(good ? 1 : 0));
     }
 
-    void hasNothingToPlaceWithoutAScan() { QVERIFY(!goodForMap(sensesAt({0, 0, 6}), true, settings)); }
+    void hasNothingToPlaceWithoutAScan() { QVERIFY(!goodForMap(sensesAt({0, 0, 6}), true, Lean(), settings)); }
 
     void namesTheScansLineAndPose() {
         Senses senses = sensesAt({1, 2, 6});

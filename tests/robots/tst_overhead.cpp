@@ -153,11 +153,17 @@ private slots:
         Vec3 at_m(0.0, 0.0, 0.3);
         double climb_m_s = 0.0;
         double roll_rad = 0.0;
+        double yaw_rad = 0.0;
+        bool looked_around = false;
         for (int tick = 0; tick < 300; ++tick) {
             Senses senses = sensesWith(scanBelow(ceiling_m, 30.0, roll_rad, at_m));
             senses.now = Seconds(0.2 * tick);
+            senses.base_in_map.yaw_rad = yaw_rad;
             overhead.observe(senses, {climb_m_s, true});
             const AscentStep step = ascent.step(senses, {0.0, 0.0, 6.3}, overhead, settings);
+            yaw_rad = normalizedAngle(yaw_rad + (step.turns ? 0.1 : 0.0));
+            looked_around = looked_around || step.looked_around;
+            QVERIFY2(looked_around || at_m.z() < 3.2, qPrintable(QString::number(at_m.z())));
             if (step.reached) {
                 QVERIFY2(std::abs(at_m.z() - reached_m) <= 0.35, qPrintable(QString::number(at_m.z())));
                 return;

@@ -80,8 +80,10 @@ std::vector<agent::BehaviorStatus> fly(const Mission& mission) {
     if (!simulation || !parameters || start == world->start_poses.end())
         return {};
     const Vec2 at_m = start->pose_in_map.position_m.head<2>();
-    const agent::Task task{
-        "R1", start->pose_in_map, {mission.area_in_map.min_m + at_m, mission.area_in_map.max_m + at_m}};
+    const agent::Task task{"R1",
+                           start->pose_in_map,
+                           {mission.area_in_map.min_m + at_m, mission.area_in_map.max_m + at_m},
+                           sim::dryAbove_m(*world)};
     auto behavior = robot.createBehavior(mission.decider.toStdString(), {task, *parameters});
     if (!behavior)
         return {};

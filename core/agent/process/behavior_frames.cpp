@@ -31,7 +31,9 @@ struct FieldLists {
     }
     static void pass(auto& io, Field<Rectangle> auto& area) { io(area.min_m, area.max_m); }
     static void pass(auto& io, Field<PlanText> auto& plan) { io(plan.name, plan.text); }
-    static void pass(auto& io, Field<Task> auto& task) { io(task.robot_name, task.start_in_map, task.area_in_map); }
+    static void pass(auto& io, Field<Task> auto& task) {
+        io(task.robot_name, task.start_in_map, task.area_in_map, task.dry_above_m);
+    }
     static void pass(auto& io, Field<ReplacePlan> auto& asked) { io(asked.plan); }
     static void pass(auto& io, Field<posh::Breakpoint> auto& one) {
         io(one.path, one.names, one.on, one.result, one.key, one.condition, one.skip, one.once, one.enabled);

@@ -88,6 +88,10 @@ const std::vector<protocol::StartPose>& Fleet::startPoses() const {
     return d_->start_poses;
 }
 
+void Fleet::setDryAbove(std::optional<double> z_m) {
+    d_->place.dry_above_m = z_m;
+}
+
 void Fleet::setWorldExtent(const Rectangle& extent_in_map) {
     d_->place.extent_in_map = extent_in_map;
 }
@@ -284,7 +288,7 @@ Result<void> Fleet::Private::start(Robot& robot, const StartedBehavior& start) {
     const auto parameters = checkStart(start, plugins, place);
     if (!parameters)
         return tl::unexpected(parameters.error());
-    return robot.startBehavior(plugins, start, *parameters, behavior_host,
+    return robot.startBehavior(plugins, start, {*parameters, place.dry_above_m}, behavior_host,
                                missionNote(robot.view(), start, seed, site()));
 }
 

@@ -47,6 +47,7 @@ public:
     const QString& level() const;
     /// Poses at which robots can be spawned; empty until the server has sent them.
     const std::vector<protocol::StartPose>& startPoses() const;
+    void setDryAbove(std::optional<double> z_m);         ///< see agent::Task; forgotten by `disconnectFromServer`
     void setWorldExtent(const Rectangle& extent_in_map); ///< meters; empty: unknown, as after `disconnectFromServer`
     /// Call with true when the server's time is stopped on purpose, with false when it runs again. Holds for later
     /// connections, too.

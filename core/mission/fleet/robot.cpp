@@ -67,9 +67,10 @@ void Robot::spawn(RobotId id, const SpawnRequest& request) {
 }
 
 Result<void> Robot::startBehavior(const agent::PluginLoader& plugins, const StartedBehavior& start,
-                                  const agent::ParameterSet& parameters, const QString& host_program,
+                                  const CheckedStart& checked, const QString& host_program,
                                   const std::string& mission_note) {
-    const agent::Task task{view_.spawn.robot_name, view_.spawn.start_in_map, start.area_in_map};
+    const agent::ParameterSet& parameters = checked.parameters;
+    const agent::Task task{view_.spawn.robot_name, view_.spawn.start_in_map, start.area_in_map, checked.dry_above_m};
     const auto behavior = agent::startBehavior(plugins, start.id, {task, parameters, start.plan},
                                                start.isolated ? std::optional(host_program) : std::nullopt);
     if (!behavior)

@@ -15,6 +15,12 @@
 
 namespace usar::mission {
 
+/// What a behavior is given besides the wishes of the person who starts it.
+struct CheckedStart {
+    agent::ParameterSet parameters;
+    std::optional<double> dry_above_m; ///< see agent::Task
+};
+
 /// Belongs to the GUI thread, while its RobotSession runs in a thread of its own: calls are queued to that thread and
 /// never wait, so their effect shows in a later update. Calls that are not described here do what the session's
 /// function of the same name does.
@@ -46,10 +52,10 @@ public:
     void open(const QString& host, quint16 port, bool lockstep) { call(&RobotSession::open, host, port, lockstep); }
     void close() { call(&RobotSession::close); }
     void spawn(RobotId id, const SpawnRequest& request);
-    /// `parameters`: those of `start`, checked. `host_program`: runs a behavior that is isolated. Plugins are
+    /// `checked`: what the check of `start` found. `host_program`: runs a behavior that is isolated. Plugins are
     /// third-party code: if one throws or refuses, this returns an error. `mission_note`: see RobotSession.
     Result<void> startBehavior(const agent::PluginLoader& plugins, const StartedBehavior& start,
-                               const agent::ParameterSet& parameters, const QString& host_program,
+                               const CheckedStart& checked, const QString& host_program,
                                const std::string& mission_note = {});
     /// The newest started behavior; nullopt before the first.
     const std::optional<StartedBehavior>& started() const { return started_; }

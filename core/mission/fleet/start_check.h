@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 
 #include <QString>
@@ -14,8 +15,9 @@ namespace usar::mission {
 
 /// The world in which a behavior is to run.
 struct StartPlace {
-    QString level;           ///< name of the server's level; empty: unknown
-    Rectangle extent_in_map; ///< the world's extent in meters; empty: unknown
+    QString level;                       ///< name of the server's level; empty: unknown
+    Rectangle extent_in_map;             ///< the world's extent in meters; empty: unknown
+    std::optional<double> dry_above_m{}; ///< see agent::Task
 };
 
 /// Returns the checked parameters. An error for an unknown behavior, or for a parameter that is not allowed.

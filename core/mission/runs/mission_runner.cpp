@@ -114,7 +114,8 @@ void MissionRunner::takeRobot() {
     if (phase_ != Phase::Spawning)
         return;
     const agent::Task task{robot_name, start_in_map_,
-                           options_.earlier ? options_.earlier->rest_in_map : mission_.area_in_map};
+                           options_.earlier ? options_.earlier->rest_in_map : mission_.area_in_map,
+                           options_.dry_above_m};
     const auto made = agent::startBehavior(plugins_, mission_.behavior, {task, behavior_->parameters, behavior_->plan},
                                            mission_.isolate ? std::optional(options_.behavior_host) : std::nullopt);
     if (!made)

@@ -53,6 +53,7 @@ struct RunOptions {
     // Known only to the creator of an embedded simulator; absent on a real server.
     std::optional<Truth> truth;
     std::optional<Rectangle> world_extent; ///< meters, map frame
+    std::optional<double> dry_above_m;     ///< see agent::Task
     /// True figures of our robot so far; called once, before the connection closes.
     std::function<std::optional<TrueFigures>()> true_figures;
 };

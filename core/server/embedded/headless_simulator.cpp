@@ -56,6 +56,10 @@ Rectangle HeadlessSimulator::extent() const {
     return sim::extentOf(simulation_->world());
 }
 
+double HeadlessSimulator::dryAbove_m() const {
+    return sim::dryAbove_m(simulation_->world());
+}
+
 std::optional<sim::RobotTruth> HeadlessSimulator::firstRobot() const {
     std::vector<sim::RobotTruth> robots;
     const auto look = [this, &robots] { robots = simulation_->robots(); };

@@ -41,6 +41,7 @@ public:
     quint16 port() const { return port_; }
     /// Extent of the world in meters, map frame.
     Rectangle extent() const;
+    double dryAbove_m() const; ///< see sim::dryAbove_m
     /// True height in meters, z up, at a point of the map frame: of what is seen from above (ground, crown or roof),
     /// and of the bare terrain.
     double surface_m(const Vec2& point_in_map_m) const { return rays_->surface_m(point_in_map_m); }

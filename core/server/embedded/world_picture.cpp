@@ -95,6 +95,7 @@ WorldPicture pictureOf(const sim::World& world) {
     WorldPicture picture;
     picture.name = QString::fromStdString(world.name);
     picture.extent_in_map = sim::extentOf(world);
+    picture.dry_above_m = sim::dryAbove_m(world);
     picture.world = std::make_shared<const sim::World>(world);
     picture.ground = {picture.world, &picture.world->terrain};
     for (const sim::WorldObject& object : world.objects)

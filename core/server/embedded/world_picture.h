@@ -22,6 +22,7 @@ namespace usar::server {
 struct WorldPicture {
     QString name;
     Rectangle extent_in_map;    ///< meters; empty: unknown
+    double dry_above_m = 0.0;   ///< map z, see sim::dryAbove_m
     QImage relief;              ///< ground, water and buildings from above; row 0 = highest y
     QStringList robot_classes;  ///< classes that can be spawned there, without package
     QStringList camera_classes; ///< those of them that have a camera

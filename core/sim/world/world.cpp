@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 
 #include "core/base/text.h"
 
@@ -28,6 +30,15 @@ Rectangle extentOf(const World& world) {
         extent.max_m = extent.max_m.cwiseMax(center_m + reach_m(box).head<2>());
     }
     return extent;
+}
+
+double dryAbove_m(const World& world) {
+    if (world.water)
+        return world.water->surface_z_m;
+    double lowest_m = world.terrain.empty() ? std::numeric_limits<double>::infinity() : world.terrain.minimum_m();
+    for (const Box& box : world.boxes)
+        lowest_m = std::min(lowest_m, box.center_in_map.position_m.z() - reach_m(box).z());
+    return std::isfinite(lowest_m) ? lowest_m : 0.0;
 }
 
 bool isNear(const World& world, const Vec3& point_in_map_m) {

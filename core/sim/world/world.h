@@ -132,6 +132,9 @@ struct World {
 /// Bounds of the terrain, or of all boxes if there is no terrain; empty if there is neither.
 Rectangle extentOf(const World& world);
 
+/// Map z above which all ground is dry: that of the water, or the world's lowest point if it has none.
+double dryAbove_m(const World& world);
+
 /// True for a point in the world or at most 1 km outside it on any side; nothing can be meant to be farther away.
 bool isNear(const World& world, const Vec3& point_in_map_m);
 

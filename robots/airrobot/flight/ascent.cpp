@@ -8,6 +8,9 @@ namespace usar::airrobot {
 namespace {
 
 constexpr double first_look_m = 2.0; ///< above the place of the take-off
+constexpr double turn_above_m = 1.0;
+constexpr double turn_below_m = 2.8;
+constexpr double half_turn_rad = pi; ///< The scanner sees both sides.
 constexpr double look_again_m = 1.5;
 /// The largest speed sideways makes the autopilot roll as far as it may; it never gets that fast in this time.
 constexpr double set_off_m_s = 2.0;
@@ -49,7 +52,9 @@ AscentStep Ascent::step(const Senses& senses, const Vec3& goal_m, const Overhead
         looking_since_.reset();
         next_look_m_ = z_m + look_again_m;
     }
-    if (std::abs(error_m) < tolerance_m)
+    AscentStep step;
+    const bool around = lookAround(senses, step);
+    if (std::abs(error_m) < tolerance_m && around)
         return {.reached = true};
     const double known_to_m = *from_z_m_ + std::max(first_look_m, known_m_ - Overhead::margin_m);
     const double free_to_m = std::max(overhead.freeTo_m(), known_to_m);
@@ -58,7 +63,22 @@ AscentStep Ascent::step(const Senses& senses, const Vec3& goal_m, const Overhead
         return {.left_m_s = set_off_m_s};
     }
     const double wanted_m_s = std::clamp(error_m, -settings.descent_speed_m_s, settings.climb_speed_m_s);
-    return {.climb_m_s = overhead.allowed_m_s(senses, wanted_m_s, z_m > known_to_m)};
+    step.climb_m_s = overhead.allowed_m_s(senses, wanted_m_s, z_m > known_to_m);
+    if (!around)
+        step.climb_m_s = std::min(step.climb_m_s, std::max(0.0, *from_z_m_ + turn_below_m - z_m));
+    return step;
+}
+
+/// Returns true if it knows what is around.
+bool Ascent::lookAround(const Senses& senses, AscentStep& step) {
+    if (known_m_ > 0.0 || turned_rad_ >= half_turn_rad || senses.position_m().z() < *from_z_m_ + turn_above_m)
+        return known_m_ > 0.0 || turned_rad_ >= half_turn_rad;
+    const double yaw_rad = senses.base_in_map.yaw_rad;
+    turned_rad_ += std::abs(normalizedAngle(yaw_rad - last_yaw_rad_.value_or(yaw_rad)));
+    last_yaw_rad_ = yaw_rad;
+    step.looked_around = turned_rad_ >= half_turn_rad;
+    step.turns = !step.looked_around;
+    return step.looked_around;
 }
 
 } // namespace usar::airrobot

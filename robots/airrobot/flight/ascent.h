@@ -10,15 +10,19 @@ namespace usar::airrobot {
 
 struct AscentStep {
     double climb_m_s = 0.0;
-    double left_m_s = 0.0; ///< not 0: the robot rolls to look up
-    bool returns = false;  ///< to its place after that, at once
+    double left_m_s = 0.0;      ///< not 0: the robot rolls to look up
+    bool returns = false;       ///< to its place after that, at once
+    bool turns = false;         ///< to look around
+    bool looked_around = false; ///< true in one tick: now it knows what stands near it
     bool reached = false;
 };
 
 /// The belly scanner looks sideways as far as the horizon, so it looks up on one side while the robot rolls. The robot
 /// rolls as it sets off to the side and comes back, once it is clear of the ground, and again where it has not seen
 /// farther up. It climbs fast as far as it has come down before, and beyond that slowly enough to bear a touch: it does
-/// not see crowns ahead or behind. Owned by one robot; make a new one for each take-off.
+/// not see crowns ahead or behind. Where it has not come down, it first turns around near the ground, so that the
+/// scanner sees all trunks nearby: the crowns of trees are above them. Owned by one robot; make a new one for each
+/// take-off.
 class Ascent {
 public:
     /// The robot came straight down to this place from `known_m` above it.
@@ -29,10 +33,14 @@ public:
     AscentStep step(const Senses& senses, const Vec3& goal_m, const Overhead& overhead, const Settings& settings);
 
 private:
+    bool lookAround(const Senses& senses, AscentStep& step);
+
     double known_m_;
     std::optional<double> from_z_m_;
     std::optional<Seconds> looking_since_;
     double next_look_m_ = 0.0; ///< height of the next look
+    double turned_rad_ = 0.0;
+    std::optional<double> last_yaw_rad_;
 };
 
 } // namespace usar::airrobot

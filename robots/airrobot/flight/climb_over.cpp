@@ -81,7 +81,9 @@ ClimbStep ClimbOver::step(const Senses& senses, const ThreatPicture& picture, st
         free_since_z_m_ = z_m;
     else if (z_m - *free_since_z_m_ > extra_m)
         state_ = ClimbState::Over;
-    if (senses.heightOverGround_m(settings.maximum_height_m) >= settings.maximum_height_m || z_m > highest_m - below_m)
+    // Where no ground is within the scanner's reach, the floor level stands in for it.
+    const double height_m = senses.heightOverGround_m(z_m - settings.floor_level_m);
+    if (height_m >= settings.maximum_height_m || z_m > highest_m - below_m)
         state_ = ClimbState::Failed;
     return {state_, place_m_, settings.climb_speed_m_s / 2.0};
 }

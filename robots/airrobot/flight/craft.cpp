@@ -19,7 +19,17 @@ constexpr double path_half_width_m = 0.75;
 /// The robot keeps its height for this distance from the place of a climb.
 constexpr double over_way_m = 12.0;
 constexpr double least_climb_m = 1.0; ///< A climb over an obstacle needs this much room below a ceiling.
+constexpr double crown_m = 4.5;       ///< Crowns reach so far from their trunks.
 constexpr double hold_still_m = 0.5;
+/// A robot that is hindered for so long looks for a detour, and again after the same time. Where it may climb, it waits
+/// longer, because it climbs faster than it finds its way through a wood.
+constexpr Seconds patience{6.0};
+constexpr Seconds patience_below_sky{20.0};
+constexpr double detour_m_s = 1.0;
+constexpr double below_ceiling_m = 0.5; ///< Scanner hits higher than this are on the ceiling.
+constexpr double sure_of_walls_m = 2.5; ///< Lower down, sonars hear the ground.
+/// Ground may be so much lower than the start and still be dry; the rest is the drift of the height.
+constexpr double slightly_lower_m = 0.5;
 constexpr double in_column_m = 0.7; ///< A robot so near to its landing place comes straight down.
 
 /// Limits speeds to what the robot can do, because the course filter and the stopping distance rely on the command.
@@ -44,9 +54,17 @@ void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool a
     crash_ = nullptr;
     if (airborne) {
         crash_ = crash_watch_.update(senses, {pilot_.wantedInBase_m_s().norm(), commanded_climb_m_s_});
-        memory.take(senses, {Seconds(settings.scan_memory_s), Seconds(settings.sonar_memory_s)});
-        battery.moveTo(senses.position_m());
         overhead.observe(senses, {commanded_climb_m_s_, std::exchange(ascending_, false)});
+        if (overhead.found()) { // What was seen of this ceiling before was taken for walls.
+            memory.clear();
+            routes_.clear();
+        }
+        const double below_m = overhead.ceiling_m(senses.position2_m()).value_or(1e9) - below_ceiling_m;
+        memory.take(senses, {Seconds(settings.scan_memory_s), Seconds(settings.sonar_memory_s), below_m});
+        if (senses.heightOverGround_m(1e9) > sure_of_walls_m)
+            routes_.take(senses, below_m);
+        refuge.note(senses, memory, dry_m());
+        battery.moveTo(senses.position_m());
     }
     obstacles_ = memory.near(senses.position2_m(), look_around_m, senses.position_m().z() - level_margin_m);
     threats = judgeThreats(senses, settings);
@@ -54,8 +72,14 @@ void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool a
     log.tick(senses, airborne, settings, port);
 }
 
+double Craft::dry_m() const {
+    return settings.floor_level_m - settings.clearance_m - slightly_lower_m;
+}
+
 void Craft::look(const Leg& leg) {
-    evasion_.observe(senses, threats, leg.aim_m, settings);
+    noteGoal(leg);
+    detour_aim_m_ = detour_.active() ? detour_.aim_m(routes_, senses) : leg.aim_m;
+    evasion_.observe(senses, threats, detour_aim_m_, settings);
     decision_.reset();
 }
 
@@ -74,26 +98,57 @@ FlightState Craft::fly(const Leg& leg, agent::CommandPort& port) {
     if (mode != EvasionMode::Flee && climbingOver())
         maneuver = Maneuver::ClimbOver;
     const FlightState state = perform(maneuver, leg, port);
-    if (!stuck())
-        return state;
-    startAnew();
-    return FlightState::Unreachable;
+    return stuck() ? FlightState::Unreachable : state;
 }
 
-FlightState Craft::perform(Maneuver maneuver, const Leg& leg, agent::CommandPort& port) {
+void Craft::noteGoal(const Leg& leg) {
+    const Vec2& goal_m = leg.goal_m;
+    if (goal_m_ && (*goal_m_ - goal_m).norm() < 0.5)
+        return;
+    if (std::exchange(goal_m_, goal_m))
+        no_way_before_ = false; // The last goal was reached.
+    no_way_ = false;
+    detour_.end();
+    if (no_way_before_ && !routes_.isStraightWayFree(senses.position2_m(), goal_m, senses.position_m().z()))
+        no_way_ = !detour_.start(routes_, senses, goal_m, leg.width) && !mayClimb();
+}
+
+bool Craft::mayClimb() const {
+    const double room_m = overhead.limit_m(senses.position2_m()) - senses.position_m().z();
+    return settings.climb_over && room_m > least_climb_m;
+}
+
+void Craft::findWay(const Leg& leg) {
+    if (mayClimb() && stuck_.hindered() > Seconds(settings.climb_over_after_s))
+        climb_over_.start(senses, obstacles_, settings);
+    const Seconds before_detour = mayClimb() ? patience_below_sky : patience;
+    if (climb_over_.active() || stuck_.hindered() < before_detour || senses.now - looked_for_way_ < patience)
+        return;
+    looked_for_way_ = senses.now;
+    no_way_ = !detour_.start(routes_, senses, leg.goal_m, leg.width) && !mayClimb();
+}
+
+FlightState Craft::perform(Maneuver maneuver, const Leg& asked, agent::CommandPort& port) {
     FlightState state = FlightState::Flying;
+    Leg leg = asked;
+    if (detour_.active()) {
+        leg.aim_m = detour_aim_m_;
+        leg.speed_m_s = std::min(leg.speed_m_s, detour_m_s);
+    }
     log.goal(Vec3(leg.goal_m.x(), leg.goal_m.y(), senses.position_m().z()), port);
     Motion motion = maneuver == Maneuver::Avoid       ? evade(decide(port), leg, state)
                     : maneuver == Maneuver::ClimbOver ? climbOver(leg, state)
                                                       : cruise(leg, state);
     const bool hindered = state != FlightState::Flying;
-    stuck_.update(senses.now, senses.position2_m(), leg.goal_m, hindered);
-    const double room_m = overhead.limit_m(senses.position2_m()) - senses.position_m().z();
-    if (hindered && settings.climb_over && !climb_over_.active() && room_m > least_climb_m &&
-        stuck_.hindered() > Seconds(settings.climb_over_after_s))
-        climb_over_.start(senses, obstacles_, settings);
+    if (detour_.active())
+        stuck_.wait(senses.now); // A detour has a time limit of its own.
+    else
+        stuck_.update(senses.now, senses.position2_m(), leg.goal_m, hindered);
+    if (hindered && !climb_over_.active() && !detour_.active())
+        findWay(leg);
     makeSafe(motion);
-    const bool unseen = climb_over_.active() && senses.position_m().z() > overhead.freeTo_m();
+    const bool unseen =
+        (climb_over_.active() || overhead.hasCeiling()) && senses.position_m().z() > overhead.freeTo_m();
     motion.climb_m_s = overhead.allowed_m_s(senses, motion.climb_m_s, unseen);
     command(motion, port, leg.source);
     return state;
@@ -191,11 +246,25 @@ void Craft::makeSafe(Motion& motion) const {
         motion.velocity_in_map_m_s *= safe_m_s / speed_m_s;
 }
 
+/// The place nearby that is farthest from all trunks, which reach up to this height.
+Vec2 Craft::awayFromTrunks_m(const Vec2& at_m) const {
+    std::vector<Obstacle> trunks = memory.near(at_m, look_around_m, senses.position_m().z() - trunk_margin_m);
+    std::erase_if(trunks, [](const Obstacle& one) { return !one.top_known; }); // So low, sonars hear the ground.
+    return climbPlace_m(trunks, at_m, crown_m);
+}
+
 bool Craft::rise(double goal_z_m, const Vec2& over_m, agent::CommandPort& port) {
     ascending_ = true;
-    const AscentStep step = ascent_.step(senses, {over_m.x(), over_m.y(), goal_z_m}, overhead, settings);
-    Motion motion = holding(senses, over_m);
-    motion.climb_m_s = step.climb_m_s;
+    const Vec2 column_m = column_m_.value_or(over_m);
+    const AscentStep step = ascent_.step(senses, {column_m.x(), column_m.y(), goal_z_m}, overhead, settings);
+    if (step.looked_around)
+        column_m_ = awayFromTrunks_m(over_m);
+    Motion motion = holding(senses, column_m);
+    makeSafe(motion);
+    const bool there = (senses.position2_m() - column_m).norm() < in_column_m;
+    motion.climb_m_s = there ? step.climb_m_s : std::min(step.climb_m_s, 0.0);
+    if (step.turns)
+        motion.yaw_rate_rad_s = settings.turn_rate_rad_s;
     motion.sudden = step.returns;
     if (step.left_m_s != 0.0) {
         const double yaw_rad = senses.base_in_map.yaw_rad;
@@ -233,8 +302,11 @@ void Craft::rest(agent::CommandPort& port, const std::string& source) {
 
 void Craft::forgetPlaces() {
     memory.clear();
+    routes_.clear();
+    refuge = {};
     overhead.forgetPlaces();
     column_top_m_ = -1e9;
+    column_m_.reset();
     ascent_ = Ascent(std::exchange(come_down_m_, 0.0));
     crash_watch_ = {};
     reader_.forgetMotion();
@@ -249,6 +321,9 @@ void Craft::startAnew() {
     stuck_.reset();
     climb_over_.reset();
     climbed_at_.reset();
+    detour_.end();
+    no_way_before_ = std::exchange(no_way_, false) || no_way_before_;
+    goal_m_.reset();
 }
 
 } // namespace usar::airrobot

@@ -10,6 +10,7 @@
 #include "robots/airrobot/flight/battery_model.h"
 #include "robots/airrobot/flight/climb_over.h"
 #include "robots/airrobot/flight/crash_watch.h"
+#include "robots/airrobot/flight/detour.h"
 #include "robots/airrobot/flight/evasion.h"
 #include "robots/airrobot/flight/flight_log.h"
 #include "robots/airrobot/flight/landing.h"
@@ -26,7 +27,8 @@ struct Leg {
     Vec2 goal_m = Vec2::Zero(); ///< point to reach
     Vec2 aim_m = Vec2::Zero();  ///< point to steer at on the way there
     double speed_m_s = 1.0;
-    std::string source; ///< named as the cause of the commands
+    std::string source;         ///< named as the cause of the commands
+    Width width = Width::Usual; ///< of the ways that may be taken
 };
 
 /// The result of one tick of flight. Unreachable: the goal should be given up.
@@ -58,8 +60,17 @@ public:
     bool diversionSet() const { return evasion_.mode() == EvasionMode::Divert; }
     /// Whether something is in the way or was a moment ago.
     bool avoiding() const { return threatMatters() || evasion_.mode() != EvasionMode::None || climbingOver(); }
-    /// Whether the robot has made no progress toward the goal for longer than the settings allow.
-    bool stuck() const { return stuck_.withoutProgress() > Seconds(settings.give_up_after_s); }
+    /// Whether no way leads to the goal, or the robot has made no progress toward it for longer than the settings
+    /// allow.
+    bool stuck() const {
+        return no_way_ || detour_.late(senses.now) || stuck_.withoutProgress() > Seconds(settings.give_up_after_s);
+    }
+    /// Whether what the robot has seen closes all ways to the goal. It never does where the robot may climb.
+    bool walledOff() const { return no_way_; }
+    /// All places to which ways lead from here at this height.
+    Reach reach() const { return routes_.reach(senses.position2_m(), senses.position_m().z()); }
+    /// Ground lower than this (map z) may be the bed of water, so that the robot must not land on it in need.
+    double dry_m() const;
     /// Says what has become of a robot that has crashed, such as "it falls"; nullptr while it flies or stands.
     const char* crash() const { return crash_; }
     /// Time spent avoiding obstacles since the last progress toward the goal.
@@ -76,6 +87,9 @@ public:
     /// Climbs or sinks to `goal_z_m` (map z) over the place `over_m`, with looks at what is above; returns true when
     /// the height is reached, or as much of it as a ceiling leaves.
     bool rise(double goal_z_m, const Vec2& over_m, agent::CommandPort& port);
+    /// Where the last `rise` went straight up, if that was not where it was told to; nothing has been above the robot
+    /// there.
+    const std::optional<Vec2>& column_m() const { return column_m_; }
     /// Sinks onto `place_m`; returns true when the robot touches the ground.
     bool descend(const Vec2& place_m, agent::CommandPort& port);
     /// Waits over a place. This time does not count toward `stuck`.
@@ -85,7 +99,10 @@ public:
 
     /// Forgets everything that depends on the old position estimate; call it after an INS reset.
     void forgetPlaces();
-    /// Forgets evasion, steering and progress; call it before a goal of another kind (home, a new lane).
+    /// Forgets what it has learned about ways, so that it looks for one anew.
+    void forgetWays() { routes_.clear(); }
+    /// Forgets evasion, steering and progress; call it before a goal of another kind (home, a new lane) and when a goal
+    /// is given up.
     void startAnew();
 
     Settings settings;
@@ -96,12 +113,19 @@ public:
     FlightLog log;
     Touchdown touchdown;
     Overhead overhead;
+    Refuge refuge;
 
 private:
     void command(const Motion& motion, agent::CommandPort& port, const std::string& source);
     Motion evade(const EvasionDecision& decision, const Leg& leg, FlightState& state);
     Motion cruise(const Leg& leg, FlightState& state);
     Motion climbOver(const Leg& leg, FlightState& state);
+    /// Looks whether there is a way to a new goal, if there was none to the last one.
+    void noteGoal(const Leg& leg);
+    bool mayClimb() const;
+    Vec2 awayFromTrunks_m(const Vec2& at_m) const;
+    /// Starts a climb over what is in the way, or a detour around it.
+    void findWay(const Leg& leg);
     double climbRate(double way_bearing_rad, double speed_m_s);
     /// Returns whether a nearby obstacle reaches the robot's height and may be wider above, like a trunk under its
     /// crown.
@@ -118,14 +142,22 @@ private:
     AltitudeHold altitude_;
     ClimbOver climb_over_;
     Ascent ascent_;
-    double column_top_m_ = -1e9; ///< where the straight way down began, map z
-    double come_down_m_ = 0.0;   ///< height that it has lost since then
+    std::optional<Vec2> column_m_; ///< place of the climb if it is not that of the take-off
+    double column_top_m_ = -1e9;   ///< where the straight way down began, map z
+    double come_down_m_ = 0.0;     ///< height that it has lost since then
     CrashWatch crash_watch_;
     const char* crash_ = nullptr;
     double commanded_climb_m_s_ = 0.0;
     bool ascending_ = false;   ///< the last command was one of `rise`
     double fastest_m_s_ = 0.0; ///< level speed that the robot is capable of
     StuckWatch stuck_;
+    RouteMap routes_;
+    Detour detour_;
+    Vec2 detour_aim_m_ = Vec2::Zero();
+    std::optional<Vec2> goal_m_; ///< of the last tick; nullopt after startAnew()
+    bool no_way_ = false;        ///< to this goal
+    bool no_way_before_ = false; ///< to the last one
+    Seconds looked_for_way_{0.0};
     Pilot pilot_;
     std::vector<Obstacle> obstacles_; ///< nearby obstacles that reach the present height
     bool climb_forbidden_ = false;    ///< the robot must climb a lot but cannot do so safely here

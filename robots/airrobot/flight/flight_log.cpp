@@ -9,14 +9,26 @@ namespace {
 constexpr double path_step_m = 1.0;
 constexpr double goal_step_m = 0.5;
 constexpr double lowest_scan_m = 2.0;
+constexpr Seconds mean_over{4.0};
 constexpr double reach_m = 20.0; ///< height to assume if nothing below is within the scanner's reach
 } // namespace
 
-bool goodForMap(const Senses& senses, bool airborne, const Settings& settings) {
+void Lean::note(const Senses& senses) {
+    const Pose& pose = senses.base_in_map;
+    const double gain = noted_ ? 1.0 - std::exp(-(senses.now - *noted_) / mean_over) : 0.0;
+    noted_ = senses.now;
+    roll_rad_ += gain * (pose.roll_rad - roll_rad_);
+    pitch_rad_ += gain * (pose.pitch_rad - pitch_rad_);
+}
+
+double Lean::tiltFrom_rad(const Pose& pose) const {
+    return std::max(std::abs(pose.roll_rad - roll_rad_), std::abs(pose.pitch_rad - pitch_rad_));
+}
+
+bool goodForMap(const Senses& senses, bool airborne, const Lean& lean, const Settings& settings) {
     if (!airborne || !senses.scan || senses.heightOverGround_m(reach_m) < lowest_scan_m)
         return false;
-    const Pose& pose = senses.scan->base_in_map;
-    return std::max(std::abs(pose.roll_rad), std::abs(pose.pitch_rad)) <= settings.maximum_scan_tilt_rad &&
+    return lean.tiltFrom_rad(senses.scan->base_in_map) <= settings.maximum_scan_tilt_rad &&
            std::abs(senses.yaw_rate_rad_s) <= settings.maximum_scan_turn_rad_s;
 }
 
@@ -27,7 +39,9 @@ void FlightLog::mark(agent::MarkKind kind, const Vec2& place_m, const Senses& se
 
 void FlightLog::tick(const Senses& senses, bool airborne, const Settings& settings, agent::CommandPort& port) {
     port.publish(agent::PoseEstimate{senses.now, senses.base_in_map});
-    if (goodForMap(senses, airborne, settings))
+    if (airborne)
+        lean_.note(senses);
+    if (goodForMap(senses, airborne, lean_, settings))
         port.publish(agent::ScanPlacement{senses.scan->line, senses.scan->scanner_in_map});
     if (airborne && (!last_path_m_ || (senses.position_m() - *last_path_m_).norm() >= path_step_m)) {
         last_path_m_ = senses.position_m();

@@ -10,10 +10,24 @@
 
 namespace usar::airrobot {
 
-/// Returns whether the scan may be written into the map: the robot must be level, not turn quickly, and be high enough
-/// that the rays are not nearly horizontal. Scans in transit are as good as those on a lane; scans on the ground are
-/// not used.
-bool goodForMap(const Senses& senses, bool airborne, const Settings& settings);
+/// How the robot leans on average, as a robot does that flies against the wind.
+class Lean {
+public:
+    /// Call it once per tick in the air.
+    void note(const Senses& senses);
+    /// The larger one of the differences of roll and pitch to their means.
+    double tiltFrom_rad(const Pose& pose) const;
+
+private:
+    std::optional<Seconds> noted_;
+    double roll_rad_ = 0.0;
+    double pitch_rad_ = 0.0;
+};
+
+/// Returns whether the scan may be written into the map: the robot must be as level as the wind allows, not turn
+/// quickly, and be high enough that the rays are not nearly horizontal. Scans in transit are as good as those on a
+/// lane; scans on the ground are not used.
+bool goodForMap(const Senses& senses, bool airborne, const Lean& lean, const Settings& settings);
 
 /// Publishes only what changed. Owned by one robot.
 class FlightLog {
@@ -30,6 +44,7 @@ public:
     void forgetPath() { last_path_m_.reset(); }
 
 private:
+    Lean lean_;
     std::optional<Vec3> last_path_m_;
     std::optional<Vec3> last_goal_m_;
 };

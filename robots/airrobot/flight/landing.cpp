@@ -2,24 +2,43 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
+
+#include <Eigen/QR>
 
 namespace usar::airrobot {
 
 namespace {
 
 constexpr double body_radius_m = 1.2;
-constexpr double even_m = 0.5;
+constexpr double even_m = 0.15;
+constexpr double steepest_rad = radians(20.0); ///< steeper, it may slide
 constexpr double ring_step_m = 1.0;
 constexpr int spots = 12;
+constexpr double seen_share = 0.8;  ///< of the ground below the body
+constexpr double in_sight_m = 20.0; ///< as far as the scanner reaches
+constexpr Seconds look_every{1.0};
 constexpr double still_m_s = 0.06;
 /// Slightly less than a second, because printed times are rounded.
 constexpr Seconds still_needed{0.95};
 constexpr double near_ground_m = 1.5;
 
+/// How far what is below the body departs from a plane, and more if that plane is steep; infinite where too little is
+/// known.
 double unevenness_m(const ObstacleMemory& memory, const Vec2& place_m) {
-    const auto high_m = memory.highest_m(place_m, body_radius_m);
-    const auto low_m = memory.lowest_m(place_m, body_radius_m);
-    return high_m && low_m ? *high_m - *low_m : std::numeric_limits<double>::infinity();
+    const std::vector<Vec3> tops_m = memory.tops_m(place_m, body_radius_m);
+    if (tops_m.size() < 3 || memory.knownWithin(place_m, body_radius_m) < seen_share)
+        return std::numeric_limits<double>::infinity();
+    Eigen::MatrixX3d at(tops_m.size(), 3);
+    Eigen::VectorXd height_m(tops_m.size());
+    for (std::size_t i = 0; i < tops_m.size(); ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        at.row(row) << tops_m[i].x() - place_m.x(), tops_m[i].y() - place_m.y(), 1.0;
+        height_m[row] = tops_m[i].z();
+    }
+    const Eigen::Vector3d plane = at.colPivHouseholderQr().solve(height_m);
+    const double steep = std::max(0.0, plane.head<2>().norm() - std::tan(steepest_rad));
+    return (at * plane - height_m).cwiseAbs().maxCoeff() + steep;
 }
 
 } // namespace
@@ -39,6 +58,35 @@ Vec2 landingPlace_m(const ObstacleMemory& memory, const Vec2& wanted_m, double r
         }
     }
     return best_m;
+}
+
+bool canLand(const ObstacleMemory& memory, const Vec2& place_m, double dry_m) {
+    const auto low_m = memory.lowest_m(place_m, body_radius_m);
+    return low_m && *low_m >= dry_m && unevenness_m(memory, place_m) <= even_m;
+}
+
+void Refuge::note(const Senses& senses, const ObstacleMemory& memory, double dry_m) {
+    if (noted_ && senses.now - *noted_ < look_every)
+        return;
+    noted_ = senses.now;
+    if (canLand(memory, senses.position2_m(), dry_m))
+        last_m_ = senses.position2_m();
+}
+
+std::optional<Vec2> Refuge::place_m(const Senses& senses, const ObstacleMemory& memory, double dry_m) const {
+    const Vec2 here_m = senses.position2_m();
+    if (canLand(memory, here_m, dry_m))
+        return here_m;
+    for (double ring_m = ring_step_m; ring_m <= in_sight_m; ring_m += ring_step_m) {
+        const int places = spots + static_cast<int>(2.0 * ring_m);
+        for (int i = 0; i < places; ++i) {
+            const double bearing_rad = 2.0 * pi * i / places;
+            const Vec2 place_m = here_m + ring_m * Vec2(std::cos(bearing_rad), std::sin(bearing_rad));
+            if (canLand(memory, place_m, dry_m))
+                return place_m;
+        }
+    }
+    return last_m_;
 }
 
 double Touchdown::sinkRate_m_s(const Senses& senses, const Settings& settings) const {

@@ -13,6 +13,25 @@ namespace usar::airrobot {
 /// `wanted_m` itself if it is even enough or no better place is known.
 Vec2 landingPlace_m(const ObstacleMemory& memory, const Vec2& wanted_m, double radius_m);
 
+/// Where to land in need. Owned by one robot; its places belong to one estimate of the pose, so make a new one after
+/// the INS was set.
+class Refuge {
+public:
+    /// Remembers the place of the robot if it could land there. Ground lower than `dry_m` (map z) may be the bed of
+    /// water, which the scanner looks through. Call it once per tick in the air.
+    void note(const Senses& senses, const ObstacleMemory& memory, double dry_m);
+    /// The nearest place in sight where the robot could land, or else the last one that it flew over; nullopt if there
+    /// is none.
+    std::optional<Vec2> place_m(const Senses& senses, const ObstacleMemory& memory, double dry_m) const;
+
+private:
+    std::optional<Seconds> noted_; ///< time of the last look at the ground
+    std::optional<Vec2> last_m_;
+};
+
+/// True if the scanner has seen the ground there, and it is even, wide enough to stand on, and not lower than `dry_m`.
+bool canLand(const ObstacleMemory& memory, const Vec2& place_m, double dry_m);
+
 /// Sinks fast at first and slowly near the ground. The robot has landed if it was commanded to sink and has not sunk
 /// for about a second. Owned by one robot.
 class Touchdown {

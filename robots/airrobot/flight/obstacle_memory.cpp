@@ -7,20 +7,6 @@ namespace usar::airrobot {
 
 namespace {
 
-int cellOf(double coordinate_m) {
-    return static_cast<int>(std::floor(coordinate_m / ObstacleMemory::cell_m));
-}
-
-Vec2 centerOf(int column, int row) {
-    return Vec2(column + 0.5, row + 0.5) * ObstacleMemory::cell_m;
-}
-
-std::size_t slotOf(int column, int row) {
-    static_assert((ObstacleMemory::side & (ObstacleMemory::side - 1)) == 0, "wrapping needs a power of two");
-    constexpr int mask = ObstacleMemory::side - 1;
-    return static_cast<std::size_t>(row & mask) * ObstacleMemory::side + static_cast<std::size_t>(column & mask);
-}
-
 Vec2 unit(double bearing_rad) {
     return {std::cos(bearing_rad), std::sin(bearing_rad)};
 }
@@ -52,12 +38,14 @@ void ObstacleMemory::take(const Senses& senses, const MemorySpans& spans) {
 
 void ObstacleMemory::takeScan(std::span<const Vec3> hits_m) {
     for (const Vec3& hit : hits_m) {
+        if (hit.z() >= spans_.below_m)
+            continue;
         const int column = cellOf(hit.x());
         const int row = cellOf(hit.y());
         const float top_m = static_cast<float>(hit.z());
         const Cell* old = known(column, row);
         if (!old || top_m >= old->top_m)
-            cells_[slotOf(column, row)] = {column, row, top_m, static_cast<float>(now_.count())};
+            cells_[slotOf<side>(column, row)] = {column, row, top_m, static_cast<float>(now_.count())};
     }
 }
 
@@ -78,7 +66,7 @@ void ObstacleMemory::takeEcho(const SonarEcho& echo) {
 }
 
 const ObstacleMemory::Cell* ObstacleMemory::known(int column, int row) const {
-    const Cell& cell = cells_[slotOf(column, row)];
+    const Cell& cell = cells_[slotOf<side>(column, row)];
     const bool valid = cell.column == column && cell.row == row && now_.count() - cell.time_s <= spans_.scan.count();
     return valid ? &cell : nullptr;
 }
@@ -117,6 +105,25 @@ std::optional<double> ObstacleMemory::highest_m(const Vec2& at_m, double radius_
         if ((echo.at_m.head<2>() - at_m).norm() <= radius_m)
             raise(echo.at_m.z());
     return highest;
+}
+
+std::vector<Vec3> ObstacleMemory::tops_m(const Vec2& at_m, double radius_m) const {
+    std::vector<Vec3> tops;
+    visitDisc(at_m, radius_m, [&](const Vec2& center_m, const Cell* cell) {
+        if (cell)
+            tops.emplace_back(center_m.x(), center_m.y(), cell->top_m);
+    });
+    return tops;
+}
+
+double ObstacleMemory::knownWithin(const Vec2& at_m, double radius_m) const {
+    int total = 0;
+    int seen = 0;
+    visitDisc(at_m, radius_m, [&](const Vec2&, const Cell* cell) {
+        ++total;
+        seen += cell ? 1 : 0;
+    });
+    return total == 0 ? 0.0 : static_cast<double>(seen) / total;
 }
 
 std::optional<double> ObstacleMemory::lowest_m(const Vec2& at_m, double radius_m) const {

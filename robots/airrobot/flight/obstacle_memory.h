@@ -8,6 +8,7 @@
 
 #include "core/base/clock.h"
 #include "core/base/geometry.h"
+#include "robots/airrobot/flight/moving_grid.h"
 #include "robots/airrobot/flight/senses.h"
 
 namespace usar::airrobot {
@@ -23,6 +24,7 @@ struct Obstacle {
 struct MemorySpans {
     Seconds scan{600.0};
     Seconds sonar{20.0};
+    double below_m = 1e9; ///< map z; higher hits are on a ceiling
 };
 
 /// Prevents the two ways in which the thesis's robot crashed (4.6): flying backward without seeing, and sinking onto
@@ -31,8 +33,8 @@ struct MemorySpans {
 /// so it must be cleared when the INS is reset. Owned by one robot.
 class ObstacleMemory {
 public:
-    static constexpr double cell_m = 0.5; ///< size of a cell
-    static constexpr int side = 256;      ///< cells per side of the grid, which is 128 m
+    static constexpr double cell_m = grid_cell_m; ///< size of a cell
+    static constexpr int side = 256;              ///< cells per side of the grid, which is 128 m
 
     ObstacleMemory();
 
@@ -50,6 +52,10 @@ public:
     /// The bearing is in the map frame.
     std::optional<double> highestAlong_m(const Vec2& from_m, double bearing_rad, double half_width_m,
                                          double length_m) const;
+    /// Returns the middles of the cells in the disc that the scanner has seen, as high as their tops.
+    std::vector<Vec3> tops_m(const Vec2& at_m, double radius_m) const;
+    /// Returns the share of the disc's cells that the scanner has seen, 0 to 1.
+    double knownWithin(const Vec2& at_m, double radius_m) const;
     /// Returns the lowest cell in the disc that the scanner has seen; nullopt if none is known.
     std::optional<double> lowest_m(const Vec2& at_m, double radius_m) const;
     /// Returns the share of the corridor's cells that the scanner has seen, 0 to 1.

@@ -21,6 +21,9 @@ constexpr double crowded_m = 20.0;
 constexpr double ceiling_reach_m = 60.0;
 /// Finds nearer to one another than this are one.
 constexpr double same_place_m = 5.0;
+/// A beam that gets so far above a ceiling nearby shows that it was a crown, or wind that pressed the robot down. The
+/// attitude is not known well enough for less.
+constexpr double surely_above_m = 0.8;
 constexpr double least_push_m_s = 0.2;
 /// A climb that gains less than this share of the way in this time has met something.
 constexpr Seconds push_time{1.4};
@@ -67,12 +70,13 @@ void Overhead::lookUp(const PlacedScan& scan, bool ascending) {
     const bool crowded = std::ranges::any_of(scan.hits_in_map_m, [&](const Vec3& hit) {
         return hit.z() > from_m.z() + above_m && (hit - from_m).head<2>().norm() < crowded_m;
     });
+    std::erase_if(ceilings_, [&](const Ceiling& one) { return scan.highest_near_m > one.z_m + surely_above_m; });
     if (!crowded)
         free_to_m_ = std::max(free_to_m_, scan.highest_m);
     const std::span<const Vec3> hits(scan.hits_in_map_m);
     for (std::size_t first = 0; ascending && first < hits.size(); ++first)
         if (const auto ceiling = ceilingFrom(hits.subspan(first), from_m))
-            return add(from_m.head<2>(), *ceiling, false);
+            return add({from_m.head<2>(), *ceiling}, false);
 }
 
 void Overhead::feelAbove(const Senses& senses, double commanded_climb_m_s) {
@@ -87,21 +91,21 @@ void Overhead::feelAbove(const Senses& senses, double commanded_climb_m_s) {
         pushed_from_m_ = z_m;
     } else if (senses.now - *pushing_since_ >= push_time) {
         pushing_since_.reset();
-        add(senses.position2_m(), z_m, true);
+        add({senses.position2_m(), z_m}, true);
     }
 }
 
-void Overhead::add(const Vec2& at_m, double z_m, bool touched) {
-    const auto known =
-        std::ranges::find_if(ceilings_, [&](const Ceiling& one) { return (one.at_m - at_m).norm() < same_place_m; });
+void Overhead::add(const Ceiling& ceiling, bool touched) {
+    const auto known = std::ranges::find_if(
+        ceilings_, [&](const Ceiling& one) { return (one.at_m - ceiling.at_m).norm() < same_place_m; });
     if (known == ceilings_.end()) {
-        ceilings_.push_back({at_m, z_m});
-        found_ = {z_m, touched};
+        ceilings_.push_back(ceiling);
+        found_ = {ceiling.z_m, touched};
         return;
     }
-    if (z_m < known->z_m - flat_m)
-        found_ = {z_m, touched};
-    known->z_m = std::min(known->z_m, z_m);
+    if (ceiling.z_m < known->z_m - flat_m)
+        found_ = {ceiling.z_m, touched};
+    known->z_m = std::min(known->z_m, ceiling.z_m);
 }
 
 std::optional<double> Overhead::ceiling_m(const Vec2& at_m) const {

@@ -30,6 +30,8 @@ public:
     /// The height up to which a fast climb is safe: a margin below the highest point that a beam has reached. A ceiling
     /// that is wide enough would have met that beam.
     double freeTo_m() const { return free_to_m_ - margin_m; }
+    /// True if there is a ceiling anywhere. Then there may be more of them.
+    bool hasCeiling() const { return !ceilings_.empty(); }
     /// The lowest ceiling near a place; nullopt if none is known.
     std::optional<double> ceiling_m(const Vec2& at_m) const;
     /// The greatest height to fly at there; infinite if no ceiling is known.
@@ -54,7 +56,7 @@ private:
 
     void lookUp(const PlacedScan& scan, bool ascending);
     void feelAbove(const Senses& senses, double commanded_climb_m_s);
-    void add(const Vec2& at_m, double z_m, bool touched);
+    void add(const Ceiling& ceiling, bool touched);
 
     std::vector<Ceiling> ceilings_;
     std::optional<Find> found_;

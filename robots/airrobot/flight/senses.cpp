@@ -10,6 +10,7 @@ namespace {
 
 constexpr Seconds never{1e9};
 constexpr std::size_t middle_rays = 10;
+constexpr double near_m = 10.0;
 
 SonarEcho echoOf(const SonarMount& mount, double range_m, const Pose& base_in_map) {
     const Pose sonar_in_map = base_in_map * mount.sonar_in_base;
@@ -39,6 +40,10 @@ void placeBeams(const protocol::RangeScan& scan, double maximum_m, PlacedScan& p
             continue;
         const Vec3 end_m = scanner_in_map * (std::min(range_m, maximum_m) * along);
         placed.highest_m = std::max(placed.highest_m, end_m.z());
+        const Vec3 from_m = placed.scanner_in_map.position_m;
+        const double away_m = (end_m - from_m).head<2>().norm();
+        const double share = away_m > near_m ? near_m / away_m : 1.0;
+        placed.highest_near_m = std::max(placed.highest_near_m, from_m.z() + share * (end_m.z() - from_m.z()));
         if (mapping::isHit(range_m, maximum_m))
             placed.hits_in_map_m.push_back(end_m);
     }

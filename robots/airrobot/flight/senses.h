@@ -44,6 +44,8 @@ struct PlacedScan {
     std::vector<Vec3> hits_in_map_m; ///< in beam order, without beams that hit nothing
     /// Map z of the highest point that a beam reached, be it that it hit something there or that its range ended.
     double highest_m = -1e9;
+    /// The same within 10 m of the robot, measured level.
+    double highest_near_m = -1e9;
 };
 
 /// All perceptions of one tick, in SI units; places and heights are in the map frame, ages on the protocol clock.

@@ -1,0 +1,247 @@
+#include "robots/airrobot/flight/route_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+#include <utility>
+
+namespace usar::airrobot {
+
+namespace {
+
+/// What ends farther than this below the robot's base passes below it.
+constexpr double level_margin_m = 1.2;
+constexpr double clear_m = 1.5; ///< free space on each side of a way
+constexpr double least_clear_m = 1.0;
+/// With less space than this, sonars report risks, so such a way costs more.
+constexpr double safe_m = 1.75;
+constexpr double comfortable_m = 2.75;
+constexpr double unsafe_cost = 8.0; ///< factors
+constexpr double narrow_cost = 3.0;
+constexpr double surest_echo_m = 4.0; ///< a sonar does not say from where in its cone a farther echo came
+constexpr double passed_m = 0.7;
+/// So near to its place, the robot may pass over what ends below its belly, because it is above it already.
+constexpr double near_start_m = 3.0;
+constexpr double belly_m = 0.4;
+
+constexpr int reach_cells = static_cast<int>(comfortable_m / grid_cell_m);
+constexpr double no_way = std::numeric_limits<double>::infinity();
+
+/// How dear a place is: `no_way` where the robot does not fit, 1 where nothing is near. `blocked` is asked about cells.
+template <class Blocked>
+double costAt(const Blocked& blocked, int column, int row, double needed_m = clear_m) {
+    double cost = 1.0;
+    for (int dy = -reach_cells; dy <= reach_cells; ++dy)
+        for (int dx = -reach_cells; dx <= reach_cells; ++dx) {
+            const double away_m = std::hypot(dx, dy) * grid_cell_m;
+            if (away_m > comfortable_m || !blocked(column + dx, row + dy))
+                continue;
+            if (away_m < needed_m)
+                return no_way;
+            cost = std::max(cost, away_m < safe_m ? unsafe_cost : narrow_cost);
+        }
+    return cost;
+}
+
+/// A* over the cells of a square around the start. Cells are counted from its corner.
+template <class Blocked>
+class Search {
+public:
+    Search(const Blocked& blocked, const Vec2& from_m, const Vec2& goal_m, double within_m, double needed_m = clear_m)
+        : blocked_(blocked)
+        , needed_m_(needed_m)
+        , corner_column_(cellOf(from_m.x()) - half)
+        , corner_row_(cellOf(from_m.y()) - half)
+        , from_m_(from_m)
+        , goal_m_(goal_m)
+        , within_m_(within_m)
+        , visits_(std::size_t(RouteMap::side) * RouteMap::side) {}
+
+    /// nullopt if there is no way.
+    std::optional<std::vector<Vec2>> run() {
+        const std::uint32_t start = numberOf(half, half);
+        visits_[start].cost = 0.0;
+        open_.push({beeline(half, half), start});
+        while (!open_.empty()) {
+            const std::uint32_t number = open_.top().number;
+            open_.pop();
+            if (std::exchange(visits_[number].closed, true))
+                continue;
+            const int column = columnOf(number);
+            const int row = rowOf(number);
+            if (beeline(column, row) * grid_cell_m <= within_m_)
+                return wayTo(number, start);
+            for (int dy = -1; dy <= 1; ++dy)
+                for (int dx = -1; dx <= 1; ++dx)
+                    if (isInside(column + dx) && isInside(row + dy))
+                        visit(number, column + dx, row + dy, std::hypot(dx, dy));
+        }
+        return std::nullopt;
+    }
+    /// Where it has been; everywhere that a way leads to, if run() has found none to the goal.
+    Reach reach() const {
+        std::vector<bool> inside(visits_.size());
+        for (std::size_t i = 0; i < visits_.size(); ++i)
+            inside[i] = visits_[i].cost < no_way;
+        return {corner_column_, corner_row_, std::move(inside)};
+    }
+
+private:
+    static constexpr int half = RouteMap::side / 2;
+
+    struct Open {
+        double estimate = 0.0; ///< cost so far and the beeline
+        std::uint32_t number = 0;
+        bool operator<(const Open& other) const { return estimate > other.estimate; }
+    };
+    struct Visit {
+        double cost = no_way; ///< of the best way there
+        double here = -1.0;   ///< costAt(), negative before it was asked for
+        std::uint32_t from = 0;
+        bool closed = false;
+    };
+
+    static std::uint32_t numberOf(int column, int row) {
+        return static_cast<std::uint32_t>(row) * RouteMap::side + static_cast<std::uint32_t>(column);
+    }
+    static int columnOf(std::uint32_t number) { return static_cast<int>(number) % RouteMap::side; }
+    static int rowOf(std::uint32_t number) { return static_cast<int>(number) / RouteMap::side; }
+    static bool isInside(int at) { return at >= 0 && at < RouteMap::side; }
+    Vec2 placeOf_m(int column, int row) const { return centerOf(corner_column_ + column, corner_row_ + row); }
+    double beeline(int column, int row) const { return (placeOf_m(column, row) - goal_m_).norm() / grid_cell_m; }
+
+    double costOf(int column, int row) const {
+        const double cost = costAt(blocked_, corner_column_ + column, corner_row_ + row, needed_m_);
+        const bool leaves = (placeOf_m(column, row) - from_m_).norm() < near_start_m;
+        return leaves && !blocked_(corner_column_ + column, corner_row_ + row, belly_m) ? std::min(cost, narrow_cost)
+                                                                                        : cost;
+    }
+
+    void visit(std::uint32_t from, int column, int row, double length) {
+        const std::uint32_t number = numberOf(column, row);
+        Visit& next = visits_[number];
+        if (next.closed)
+            return;
+        if (next.here < 0.0)
+            next.here = costOf(column, row);
+        const double cost = visits_[from].cost + next.here * length;
+        if (cost >= next.cost)
+            return;
+        next.cost = cost;
+        next.from = from;
+        open_.push({cost + beeline(column, row), number});
+    }
+
+    std::vector<Vec2> wayTo(std::uint32_t end, std::uint32_t start) const {
+        std::vector<Vec2> way;
+        for (std::uint32_t number = end; number != start; number = visits_[number].from)
+            way.push_back(placeOf_m(columnOf(number), rowOf(number)));
+        std::ranges::reverse(way);
+        return way;
+    }
+
+    const Blocked& blocked_;
+    double needed_m_; ///< free space on each side
+    int corner_column_;
+    int corner_row_;
+    Vec2 from_m_;
+    Vec2 goal_m_;
+    double within_m_;
+    std::vector<Visit> visits_;
+    std::priority_queue<Open> open_;
+};
+
+} // namespace
+
+bool Reach::contains(const Vec2& at_m) const {
+    const int column = cellOf(at_m.x()) - column_;
+    const int row = cellOf(at_m.y()) - row_;
+    const bool known = column >= 0 && row >= 0 && column < RouteMap::side && row < RouteMap::side;
+    return inside_.empty() || !known ||
+           inside_[static_cast<std::size_t>(row) * RouteMap::side + static_cast<std::size_t>(column)];
+}
+
+RouteMap::RouteMap() : cells_(std::size_t(side) * side) {}
+
+void RouteMap::clear() {
+    std::ranges::fill(cells_, Cell{});
+}
+
+RouteMap::Cell& RouteMap::at(int column, int row) {
+    Cell& cell = cells_[slotOf<side>(column, row)];
+    if (cell.column != column || cell.row != row)
+        cell = {static_cast<std::int16_t>(column), static_cast<std::int16_t>(row)};
+    return cell;
+}
+
+auto RouteMap::blockedAt(double z_m) const {
+    return [this, z_m](int column, int row, double below_m = level_margin_m) {
+        return blocked(column, row, z_m - below_m);
+    };
+}
+
+bool RouteMap::blocked(int column, int row, double level_m) const {
+    const Cell& cell = cells_[slotOf<side>(column, row)];
+    return cell.column == column && cell.row == row && std::max(cell.top_m, cell.echo_m) > level_m;
+}
+
+void RouteMap::take(const Senses& senses, double below_m) {
+    if (senses.scan)
+        for (const Vec3& hit : senses.scan->hits_in_map_m)
+            if (hit.z() < below_m) {
+                float& top_m = at(cellOf(hit.x()), cellOf(hit.y())).top_m;
+                top_m = std::max(top_m, static_cast<float>(hit.z()));
+            }
+    for (const SonarEcho& echo : senses.sonars)
+        takeEcho(echo);
+}
+
+void RouteMap::takeEcho(const SonarEcho& echo) {
+    const Vec2 from_m = echo.origin_in_map_m.head<2>();
+    const Vec2 ray_m = echo.center_in_map_m.head<2>() - from_m;
+    const double range_m = std::max(0.01, ray_m.norm());
+    if (!echo.hit)
+        return; // A smooth wall that is met at a flat angle gives no echo, so this says nothing.
+    for (double along_m = 0.5; along_m < range_m - passed_m; along_m += grid_cell_m / 2.0) {
+        const Vec2 passed = from_m + ray_m * (along_m / range_m);
+        at(cellOf(passed.x()), cellOf(passed.y())).echo_m = -1e9f;
+    }
+    const Vec3& center_m = echo.center_in_map_m;
+    if (range_m < surest_echo_m)
+        at(cellOf(center_m.x()), cellOf(center_m.y())).echo_m = static_cast<float>(center_m.z());
+}
+
+void RouteMap::block(const Vec2& at_m, double z_m) {
+    at(cellOf(at_m.x()), cellOf(at_m.y())).top_m = static_cast<float>(z_m);
+}
+
+bool RouteMap::isStraightWayFree(const Vec2& from_m, const Vec2& to_m, double z_m) const {
+    const auto is_blocked = blockedAt(z_m);
+    const Vec2 way_m = to_m - from_m;
+    const double length_m = way_m.norm();
+    for (double along_m = std::min(near_start_m, length_m); along_m <= length_m; along_m += grid_cell_m) {
+        const Vec2 at_m = from_m + way_m * (length_m > 0.0 ? along_m / length_m : 0.0);
+        if (std::isinf(costAt(is_blocked, cellOf(at_m.x()), cellOf(at_m.y()))))
+            return false;
+    }
+    return true;
+}
+
+std::optional<std::vector<Vec2>> RouteMap::route(const Vec2& from_m, const Vec2& to_m, double z_m, double within_m,
+                                                 Width width) const {
+    const auto is_blocked = blockedAt(z_m);
+    const Vec2 reach_m = Vec2::Constant((side / 2 - reach_cells - 2) * grid_cell_m);
+    const Vec2 goal_m = to_m.cwiseMax(from_m - reach_m).cwiseMin(from_m + reach_m);
+    const double needed_m = width == Width::Least ? least_clear_m : clear_m;
+    return Search(is_blocked, from_m, goal_m, std::max(within_m, grid_cell_m), needed_m).run();
+}
+
+Reach RouteMap::reach(const Vec2& from_m, double z_m) const {
+    const auto is_blocked = blockedAt(z_m);
+    Search search(is_blocked, from_m, from_m, -1.0); // No place is so near to the goal, so it goes everywhere.
+    search.run();
+    return search.reach();
+}
+
+} // namespace usar::airrobot

@@ -1,0 +1,76 @@
+// What stands in the way at flying height, kept for a whole sortie, and ways around it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/base/geometry.h"
+#include "robots/airrobot/flight/moving_grid.h"
+#include "robots/airrobot/flight/senses.h"
+
+namespace usar::airrobot {
+
+/// The places to which ways lead.
+class Reach {
+public:
+    Reach() = default;
+    /// `inside`: by row and column, from the cell with the lowest ones, in a square.
+    Reach(int column, int row, std::vector<bool> inside) : column_(column), row_(row), inside_(std::move(inside)) {}
+    /// True also beyond the square, of which nothing is known.
+    bool contains(const Vec2& at_m) const;
+
+private:
+    int column_ = 0;
+    int row_ = 0;
+    std::vector<bool> inside_;
+};
+
+/// The space that a way needs. A robot that must get home goes through narrower places than one that could as well
+/// leave out a goal.
+enum class Width { Usual, Least };
+
+/// The steering sees a few meters and knows no dead ends. This map is for them: it finds the way around a wall, or that
+/// there is none. What nobody has seen counts as free, so a way that leads there is an invitation to look. A grid that
+/// moves along with the robot, in the map frame of its own estimate: clear it when the INS was set. Owned by one robot.
+class RouteMap {
+public:
+    static constexpr int side = 512; ///< cells per side of the grid, which is 256 m
+
+    RouteMap();
+
+    /// Adds what the sensors saw in this tick below `below_m` (map z), where the ceiling begins.
+    void take(const Senses& senses, double below_m);
+    /// Adds an obstacle that reaches the height `z_m` (map z), because the robot does not get past that place.
+    void block(const Vec2& at_m, double z_m);
+    void clear();
+
+    /// The way from one place to another at the height `z_m` (map z), as points half a meter apart. It ends within
+    /// `within_m` of the goal, or where the map ends on the way there. nullopt: there is no way.
+    std::optional<std::vector<Vec2>> route(const Vec2& from_m, const Vec2& to_m, double z_m, double within_m,
+                                           Width width = Width::Usual) const;
+    /// All places to which ways lead at this height.
+    Reach reach(const Vec2& from_m, double z_m) const;
+    /// True if nothing known stands within the robot's half width of the straight line, but for its first meters: the
+    /// robot may be near something.
+    bool isStraightWayFree(const Vec2& from_m, const Vec2& to_m, double z_m) const;
+
+private:
+    struct Cell {
+        std::int16_t column = 0;
+        std::int16_t row = 0;
+        float top_m = -1e9f;  ///< highest scanner hit, map z
+        float echo_m = -1e9f; ///< height of the last sonar echo; what beams have passed through since is removed
+    };
+
+    Cell& at(int column, int row);
+    bool blocked(int column, int row, double level_m) const;
+    /// A question about cells: does something stand there that ends less than some way below `z_m` (map z)?
+    auto blockedAt(double z_m) const;
+    void takeEcho(const SonarEcho& echo);
+
+    std::vector<Cell> cells_;
+};
+
+} // namespace usar::airrobot
