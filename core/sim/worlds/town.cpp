@@ -18,7 +18,8 @@ constexpr std::size_t posts = 481;
 constexpr double roadway_half_m = 3.0;
 constexpr double mast_off_m = 4.2;    ///< from the middle of a street to the masts on its sidewalk
 constexpr double street_half_m = 5.0; ///< sidewalks included
-constexpr double curb_m = 0.15;
+constexpr double curb_m = 0.12;
+constexpr double curb_run_m = 0.7;    ///< so flat that wheels climb it
 constexpr double border_m = 58.0;     ///< no block goes beyond
 constexpr double lot_m = 8.2;         ///< least width of a lot
 constexpr double open_radius_m = 8.0; ///< without masts and wires, around a start place
@@ -49,8 +50,8 @@ public:
     }
 
     double height_m(const Vec2& at_m) const {
-        double height_m =
-            hills_.at(at_m) - curb_m * (1.0 - smoothStep(roadway_half_m, roadway_half_m + 0.4, roadDistance_m(at_m)));
+        double height_m = hills_.at(at_m) - curb_m * (1.0 - smoothStep(roadway_half_m, roadway_half_m + curb_run_m,
+                                                                       roadDistance_m(at_m)));
         for (std::size_t i = 0; i < starts_.size(); ++i) {
             const double level = 1.0 - smoothStep(2.5, 10.0, (at_m - starts_[i].at_m).norm());
             const double above_m = height_m - hills_.at(at_m) - (starts_[i].name == "Square" ? 0.0 : -curb_m);

@@ -99,7 +99,7 @@ void buildMezzanine(World& world) {
         world.boxes.push_back(
             block({x + (1.0 - share) * run_m - 0.1, -half_width_m, 0.0},
                   {x + (1.0 - share) * run_m + 0.1, -half_width_m + ramp_width_m, share * z - 1.1 * ramp_m}));
-    const double side_y_m = -half_width_m + ramp_width_m + 0.03;
+    const double side_y_m = -half_width_m + ramp_width_m - 0.03;
     buildRailing(world, {x + 0.85 * run_m, side_y_m, 0.15 * z}, {x, side_y_m, z});
     buildRailing(world, {x - 0.03, side_y_m, z}, {x - 0.03, half_width_m, z});
     // An office in the corner.
@@ -229,7 +229,7 @@ World makeWarehouse(std::uint64_t seed) {
     addStarts(world, {{"PlayerStart", {13.2, 0.5}, pi / 2.0},
                       {"MainLane", {8.4, 0.0}, pi / 2.0},
                       {"Aisle", {-5.0, 2.25}, 0.0},
-                      {"RampFoot", {8.4, -13.2}, pi}});
+                      {"RampFoot", {8.4, -13.5}, pi}});
     world.start_poses.push_back(startOver({"Mezzanine", {-16.0, 3.0}, -pi / 2.0}, mezzanine_m));
     return world;
 }
