@@ -52,13 +52,15 @@ public:
 
     double height_m(const Vec2& at_m) const {
         const double reach_m = bentDistance_m(at_m);
+        const double turn = turned(at_m);
         const double calm = calmAt(at_m);
-        const double on_road = 1.0 - smoothStep(road_half_m, road_reach_m, roadDistance_m(at_m));
         const double rim_m = foot_m_[faces - 1] + 9.0;
-        const double ground_m = std::lerp(terrace_m(reach_m), roadHeight_m(turned(at_m)), on_road);
-        return ground_m + calm * roughness_.at(at_m + shift_m_) +
-               calm * hills_.at(at_m + shift_m_) * smoothStep(rim_m, rim_m + 12.0, reach_m) -
-               pond_depth_m * bell((at_m - pond_m_).norm() / pond_width_m);
+        const double on_road = 1.0 - smoothStep(road_half_m, road_reach_m, std::abs(reach_m - roadReach_m(turn)));
+        double height_m = std::lerp(terrace_m(reach_m), roadHeight_m(turn), on_road);
+        height_m += calm * roughness_.at(at_m + shift_m_);
+        if (reach_m > rim_m)
+            height_m += calm * hills_.at(at_m + shift_m_) * smoothStep(rim_m, rim_m + 12.0, reach_m);
+        return height_m - pond_depth_m * bell((at_m - pond_m_).norm() / pond_width_m);
     }
 
     /// Distance to the middle of the road; accurate only near it.
@@ -70,7 +72,6 @@ public:
     /// Distance from the origin, bent by noise: faces are where it equals `foot_m`.
     double bentDistance_m(const Vec2& at_m) const { return at_m.norm() + wobble_.at(at_m + shift_m_); }
     double foot_m(std::size_t face) const { return foot_m_[face]; }
-    double rise_m(std::size_t face) const { return rise_m_[face]; }
     /// Height of the bench above a face.
     double bench_z_m(std::size_t face) const { return terrace_m(foot_m_[face] + face_run_m); }
 
