@@ -138,7 +138,7 @@ private:
                    {"Rim", rim_m, yawToward(rim_m, Vec2::Zero())},
                    {"PitFloor", pit_m, yawToward(pit_m, pond_m_)}};
         for (StartPlace& start : starts_)
-            start.at_m = {wholeMillimetres(start.at_m.x()), wholeMillimetres(start.at_m.y())};
+            start.at_m = start.at_m.unaryExpr(&wholeMillimetres);
     }
 
     FractalNoise wobble_;

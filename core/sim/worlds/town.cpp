@@ -45,8 +45,10 @@ public:
                    {"NorthStreet", {50.0, streets_y_m_[1]}, pi},
                    {"WestStreet", {streets_x_m_[1], 50.0}, -pi / 2.0},
                    {"SouthLane", {(streets_x_m_[0] + streets_x_m_[1]) / 2.0, streets_y_m_[0]}, 0.0}};
-        for (const StartPlace& start : starts_)
+        for (StartPlace& start : starts_) {
+            start.at_m = start.at_m.unaryExpr(&wholeMillimetres);
             start_heights_m_.push_back(hills_.at(start.at_m) - (start.name == "Square" ? 0.0 : curb_m));
+        }
     }
 
     double height_m(const Vec2& at_m) const {

@@ -15,6 +15,7 @@
 #include "core/base/random.h"
 #include "core/sim/physics/physics.h"
 #include "core/sim/rays/ray_caster.h"
+#include "core/sim/sensors/rays.h"
 #include "core/sim/world/world_generator.h"
 #include "core/sim/worlds/made_worlds.h"
 #include "tests/sim/talker.h"
@@ -134,12 +135,10 @@ public:
         while (!border.empty()) {
             const Eigen::Vector2i cell = border.front();
             border.pop();
-            const double here_m = world.terrain.height_m(pointAt(cell));
             for (const Eigen::Vector2i& way : {Eigen::Vector2i(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
                 const Vec2 next_m = pointAt(cell + way);
-                const double ground_m = world.terrain.height_m(next_m);
-                if (extent_.contains(next_m) && std::abs(ground_m - here_m) < step_m * std::tan(steepest_rad) &&
-                    !contains(next_m) && caster.surface_m(next_m) - ground_m < 1e-6) {
+                if (extent_.contains(next_m) && !contains(next_m) && isGentle(world.terrain, pointAt(cell), next_m) &&
+                    caster.surface_m(next_m) - world.terrain.height_m(next_m) < 1e-6) {
                     cells_.emplace(cellOf(next_m).x(), cellOf(next_m).y());
                     border.push(cell + way);
                 }
@@ -151,6 +150,17 @@ public:
 
 private:
     static constexpr double step_m = 0.5;
+
+    /// Looks at tenths of a meter, so that it does not step over a curb.
+    static bool isGentle(const Terrain& terrain, const Vec2& from_m, const Vec2& to_m) {
+        for (int part = 0; part < 5; ++part) {
+            const Vec2 a_m = from_m + 0.2 * part * (to_m - from_m);
+            const Vec2 b_m = a_m + 0.2 * (to_m - from_m);
+            if (std::abs(terrain.height_m(b_m) - terrain.height_m(a_m)) > (b_m - a_m).norm() * std::tan(steepest_rad))
+                return false;
+        }
+        return true;
+    }
 
     Eigen::Vector2i cellOf(const Vec2& point_m) const {
         return ((point_m - extent_.min_m) / step_m).array().floor().cast<int>();
@@ -397,6 +407,40 @@ private slots:
             for (const Vec3& off_m : {Vec3(0.0, 0.0, 0.3), Vec3(0.0, 0.0, -0.3), Vec3(0.0, 0.0, 0.0)})
                 QVERIFY(caster.cast(from_m + off_m, way_m.normalized(), way_m.norm()) == way_m.norm());
         }
+    }
+
+    void aSonarMeetsAWireOnlyByChance_data() {
+        QTest::addColumn<double>("distance_m");
+        QTest::addColumn<double>("met_share"); // as robots-and-worlds.md, section 5, says
+        QTest::newRow("1 m") << 1.0 << 1.0;
+        QTest::newRow("2 m") << 2.0 << 0.68;
+        QTest::newRow("3 m") << 3.0 << 0.53;
+        QTest::newRow("4 m") << 4.0 << 0.41;
+        QTest::newRow("4.9 m") << 4.9 << 0.35;
+    }
+    void aSonarMeetsAWireOnlyByChance() {
+        QFETCH(const double, distance_m);
+        QFETCH(const double, met_share);
+        World world;
+        world.boxes = {{{.position_m = {distance_m, 0.0, 0.0}}, {wire_m, 20.0, wire_m}}};
+        const RayCaster caster(world);
+        const auto physics = makePhysics(world);
+        const BodyId eye = physics->add(BodyDescription{}, Pose{.position_m = {-5.0, 0.0, 0.0}});
+        const WorldRays rays(caster, *physics, eye);
+        const double half_rad = radians(7.5);
+        std::vector<Vec3> directions{Vec3::UnitX()}; // as SonarSensor does
+        for (const double off_axis_rad : {half_rad / 2.0, half_rad})
+            for (int ray = 0; ray < 16; ++ray)
+                directions.push_back(Eigen::AngleAxisd(pi * ray / 8.0, Vec3::UnitX()) *
+                                     Vec3(std::cos(off_axis_rad), std::sin(off_axis_rad), 0.0));
+        const double reach_m = distance_m * std::tan(half_rad);
+        constexpr int places = 4000;
+        int met = 0;
+        for (int i = 0; i < places; ++i) {
+            const double z_m = reach_m * (2.0 * (i + 0.5) / places - 1.0);
+            met += rays.nearestEcho({0.0, 0.0, z_m}, directions, 5.0) < 5.0 ? 1 : 0;
+        }
+        QVERIFY2(std::abs(met / double{places} - met_share) < 0.005, std::to_string(met / double{places}).c_str());
     }
 
     void housesAreSolidUpToTheRidge_data() { addSeeds(); }
