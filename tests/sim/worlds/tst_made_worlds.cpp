@@ -196,9 +196,19 @@ private slots:
                 direction.z() = std::abs(direction.z());
                 QVERIFY2(caster.cast(at_m, direction, 1.0) == 1.0, start.name.c_str());
             }
-            for (double x = -1.0; x <= 1.0; x += 0.1)
-                for (double y = -1.0; y <= 1.0; y += 0.1)
-                    QVERIFY2(caster.cast(at_m + Vec3(x, y, 0.0), Vec3::UnitZ(), 3.0) == 3.0, start.name.c_str());
+            const bool upstairs = at_m.z() - world.terrain.height_m(at_m.head<2>()) > 1.0;
+            const double roof_m = name == "warehouse" ? 9.0 - (upstairs ? mezzanine_m : 0.0) - 0.01 : 100.0;
+            const double open_m = name == "warehouse" ? 1.4 : name == "town" ? 3.5 : 5.0;
+            for (int i = 0; i < 3000; ++i) { // so many that a wire does not pass between them
+                const Vec2 off_m{uniform(random, -open_m, open_m), uniform(random, -open_m, open_m)};
+                if (off_m.norm() > open_m)
+                    continue;
+                const Vec2 near_m = at_m.head<2>() + off_m;
+                const double ground_m = upstairs ? mezzanine_m : world.terrain.height_m(near_m);
+                QVERIFY2(std::abs(caster.surface_m(near_m) - ground_m) < 1e-9, start.name.c_str());
+                const double up_m = caster.cast({near_m.x(), near_m.y(), ground_m + 0.01}, Vec3::UnitZ(), 100.0);
+                QVERIFY2(std::abs(up_m - roof_m) < 1e-6, start.name.c_str());
+            }
         }
     }
 
