@@ -174,7 +174,7 @@ private:
         }
     }
 
-    /// A church with a tower along the north-west side of the square, and a fountain in front of it.
+    /// A church with a tower along the west side of the square, and a fountain in front of it.
     void buildSquare() {
         const Vec2 middle_m = ground_.square().center_m();
         const Vec2 nave_m = middle_m + Vec2(-1.5, 8.5);
