@@ -53,7 +53,8 @@ Vec3 anyDirection(usar::Random& random) {
 
 /// How far from a start pose nothing may stand.
 double openAround_m(const std::string& world) {
-    const std::map<std::string, double> open_m{{"vmac_room", 2.5}, {"spqr_soccer", 0.65}};
+    const std::map<std::string, double> open_m{
+        {"vmac_room", 2.5}, {"spqr_soccer", 0.65}, {"warehouse", 1.4}, {"town", 3.5}, {"quarry", 5.0}};
     return open_m.contains(world) ? open_m.at(world) : 10.0;
 }
 
@@ -74,6 +75,11 @@ private slots:
         for (std::size_t i = 0; i < world.boxes.size(); ++i) {
             QVERIFY(read->boxes[i].center_in_map.isometry().isApprox(world.boxes[i].center_in_map.isometry(), 1e-12));
             read->boxes[i].center_in_map = world.boxes[i].center_in_map;
+        }
+        QCOMPARE(read->objects.size(), world.objects.size());
+        for (std::size_t i = 0; i < world.objects.size(); ++i) {
+            QVERIFY(read->objects[i].body_in_map.isometry().isApprox(world.objects[i].body_in_map.isometry(), 1e-12));
+            read->objects[i].body_in_map = world.objects[i].body_in_map;
         }
         QVERIFY(*read == world);
     }
@@ -96,7 +102,7 @@ private slots:
 
     void otherSeedsGiveOtherWorlds_data() {
         QTest::addColumn<QString>("name");
-        for (const char* name : {"vmac_room", "point_lookout", "volcano"})
+        for (const char* name : {"vmac_room", "point_lookout", "volcano", "warehouse", "town", "quarry"})
             QTest::newRow(name) << QString(name);
     }
     void otherSeedsGiveOtherWorlds() {
@@ -119,18 +125,21 @@ private slots:
             physics->place(body, start.pose_in_map);
             QVERIFY2(!physics->isStuck(body), start.name.c_str());
             const bool at_sea = world.water && world.terrain.height_m(at_m.head<2>()) < world.water->surface_z_m;
+            const bool upstairs = name == "warehouse" && start.name == "Mezzanine";
+            const auto ground_m = [&](const Vec2& point_m) {
+                return upstairs ? usar::sim::mezzanine_m : world.terrain.height_m(point_m);
+            };
             for (double bearing_rad = 0.0; bearing_rad < 6.2; bearing_rad += 0.1) {
                 const Vec3 away(std::cos(bearing_rad), std::sin(bearing_rad), 0.0);
                 for (const double radius_m : {0.5, 1.0, 2.0}) {
                     const Vec3 near_m = at_m + radius_m * away;
-                    const double height_m = near_m.z() - world.terrain.height_m(near_m.head<2>());
+                    const double height_m = near_m.z() - ground_m(near_m.head<2>());
                     QVERIFY2(at_sea || std::abs(height_m - 0.35) < 0.05 * radius_m, start.name.c_str());
                 }
                 const double open_m = openAround_m(name.toStdString());
                 for (double radius_m = 0.05; radius_m <= open_m; radius_m += 0.1) {
                     const Vec2 near_m = at_m.head<2>() + radius_m * away.head<2>();
-                    QVERIFY2(std::abs(caster.surface_m(near_m) - world.terrain.height_m(near_m)) < 1e-9,
-                             start.name.c_str());
+                    QVERIFY2(std::abs(caster.surface_m(near_m) - ground_m(near_m)) < 1e-9, start.name.c_str());
                 }
             }
             QVERIFY(caster.cast(at_m, Vec3::UnitZ(), 4.0) == 4.0);

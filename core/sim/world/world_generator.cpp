@@ -32,7 +32,11 @@ struct Generator {
 constexpr std::array generators{Generator{"tall_test", fromSeed<makeTallTest>},
                                 Generator{"vmac_room", fromSeed<makeVmacRoom>},
                                 Generator{"point_lookout", fromSeed<makePointLookout>},
-                                Generator{"spqr_soccer", fromSeed<makeSpqrSoccer>}, Generator{"volcano", volcanoFrom}};
+                                Generator{"spqr_soccer", fromSeed<makeSpqrSoccer>},
+                                Generator{"volcano", volcanoFrom},
+                                Generator{"warehouse", fromSeed<makeWarehouse>},
+                                Generator{"town", fromSeed<makeTown>},
+                                Generator{"quarry", fromSeed<makeQuarry>}};
 
 } // namespace
 

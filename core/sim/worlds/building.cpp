@@ -63,6 +63,18 @@ double lowestGround_m(const Terrain& terrain, const Vec2& at_m, double radius_m)
     return std::floor(lowest_m * 1000.0) / 1000.0;
 }
 
+GroundRange groundUnder(const Terrain& terrain, const Vec2& center_m, const Vec2& size_m, double yaw_rad) {
+    GroundRange range{terrain.height_m(center_m), terrain.height_m(center_m)};
+    for (const double side : {-0.5, 0.0, 0.5})
+        for (const double end : {-0.5, 0.0, 0.5}) {
+            const Vec2 point_m = Eigen::Rotation2Dd(yaw_rad) * Vec2{side * size_m.x(), end * size_m.y()};
+            const double z_m = terrain.height_m(center_m + point_m);
+            range.lowest_m = std::min(range.lowest_m, z_m);
+            range.highest_m = std::max(range.highest_m, z_m);
+        }
+    return range;
+}
+
 Plant makeTree(Random& random, const Terrain& terrain, const Vec2& at_m) {
     Plant tree;
     tree.trunk_radius_m = between(random, 0.12, 0.32);
@@ -95,6 +107,20 @@ std::array<Vec2, 8> ringAround(const Vec2& center_m, double radius_m) {
 
 Box block(const Vec3& low_m, const Vec3& high_m) {
     return {{.position_m = (low_m + high_m) / 2.0}, high_m - low_m};
+}
+
+Box beam(const Vec3& from_m, const Vec3& to_m, double width_m, double thickness_m) {
+    const Vec3 along_m = to_m - from_m;
+    return {{.position_m = (from_m + to_m) / 2.0,
+             .pitch_rad = -std::atan2(along_m.z(), along_m.head<2>().norm()),
+             .yaw_rad = std::atan2(along_m.y(), along_m.x())},
+            {wholeMillimetres(along_m.norm()), width_m, thickness_m}};
+}
+
+Box slab(const Vec3& from_m, const Vec3& to_m, double width_m, double thickness_m) {
+    Box box = beam(from_m, to_m, width_m, thickness_m);
+    box.center_in_map.position_m -= box.center_in_map.rotation() * Vec3(0.0, 0.0, thickness_m / 2.0);
+    return box;
 }
 
 NamedPose startOver(const StartPlace& place, double ground_z_m) {

@@ -51,6 +51,14 @@ Terrain terrainOf(const PostGrid& grid, const std::function<double(const Vec2&)>
 /// The lowest ground at the center of a circle and on the circle, rounded down to whole millimeters.
 double lowestGround_m(const Terrain& terrain, const Vec2& at_m, double radius_m);
 
+/// The lowest and the highest ground at nine points of a rectangle: its corners, its center, and between them.
+struct GroundRange {
+    double lowest_m = 0.0;
+    double highest_m = 0.0;
+};
+/// The ground under a rectangle of this size, which is turned by the yaw about its center.
+GroundRange groundUnder(const Terrain& terrain, const Vec2& center_m, const Vec2& size_m, double yaw_rad);
+
 /// A tree of random size, rooted so deep that no slope leaves a gap under the trunk's lower side. Trees are tall enough
 /// for an AirRobot to find crowns when it scans 6 m above ground.
 Plant makeTree(Random& random, const Terrain& terrain, const Vec2& at_m);
@@ -65,6 +73,12 @@ std::array<Vec2, 8> ringAround(const Vec2& center_m, double radius_m);
 
 /// The upright box between its lowest and its highest corner.
 Box block(const Vec3& low_m, const Vec3& high_m);
+
+/// A straight bar from one point to another, whose axis is the line between them. Its width is measured on the level,
+/// its thickness across the line and the width. The line must not be vertical.
+Box beam(const Vec3& from_m, const Vec3& to_m, double width_m, double thickness_m);
+/// A ramp, a roof or a ledge: like `beam`, but the line runs in its upper face.
+Box slab(const Vec3& from_m, const Vec3& to_m, double width_m, double thickness_m);
 
 /// A place where robots appear; the ground around it is level and open.
 struct StartPlace {

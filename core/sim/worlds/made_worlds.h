@@ -59,4 +59,24 @@ inline constexpr double volcano_post_m = 10.0; ///< distance between the source'
 /// run to the north, which is x, and its columns to the west, which is y; heights are above sea level. 300 trees.
 World makeVolcano(const ElevationTable& source, std::uint64_t seed);
 
+/// Height of the upper floor of `warehouse`.
+inline constexpr double mezzanine_m = 3.5;
+
+/// `warehouse`: a closed hall of 40 m x 30 m x 9 m with six rows of racks, a mezzanine, a ramp of 10 degrees up to it,
+/// and a second room with a dock behind two doorways. All but the loose crates, boxes and barrels are boxes. The seed
+/// determines where the cross aisle and the doorways are, how high the racks are and what stands on them.
+World makeWarehouse(std::uint64_t seed);
+
+inline constexpr double wire_m = 0.03; ///< thickness of the wires in `town`
+
+/// `town`: 120 m x 120 m of rolling ground with three streets each way, some fifty houses, and a square with a church.
+/// Masts, which are trunks without crowns, stand on the sidewalks; wires hang between their tops, across streets and
+/// along one, in four straight pieces each. The seed determines the streets, the houses, the trees and the wires.
+World makeTown(std::uint64_t seed);
+
+/// `quarry`: a pit of 150 m x 150 m with four faces of 4.5 m to 7.5 m, benches between them, and a pond at its bottom.
+/// A road leads down in one turn. Ledges of rock jut out over benches, and boulders lie about; both are boxes, and the
+/// ledges are those that lie level. Trees stand around the pit. 601 x 601 posts 0.25 m apart.
+World makeQuarry(std::uint64_t seed);
+
 } // namespace usar::sim

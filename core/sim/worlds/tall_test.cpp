@@ -191,15 +191,7 @@ private:
         const double reach_m = size_m.norm() / 2.0;
         if (!isFree(at_m, reach_m) || isMeadow(at_m) || ground_.ravineDistance_m(at_m) < 20.0)
             return std::nullopt;
-        double lowest_m = world_.terrain.height_m(at_m);
-        double highest_m = lowest_m;
-        for (const double side : {-0.5, 0.0, 0.5})
-            for (const double end : {-0.5, 0.0, 0.5}) {
-                const Vec2 corner_m = Eigen::Rotation2Dd(yaw_rad) * Vec2{side * size_m.x(), end * size_m.y()};
-                const double z_m = world_.terrain.height_m(at_m + corner_m);
-                lowest_m = std::min(lowest_m, z_m);
-                highest_m = std::max(highest_m, z_m);
-            }
+        const auto [lowest_m, highest_m] = groundUnder(world_.terrain, at_m, size_m, yaw_rad);
         if (highest_m - lowest_m > 3.0)
             return std::nullopt;
         const double floor_m = wholeMillimetres(lowest_m - 0.5);

@@ -76,6 +76,37 @@ private slots:
         }
     }
 
+    void theGroundUnderARectangleIsItsLowestAndHighest() {
+        const Terrain ground = terrainOf({.columns = 41, .rows = 41, .step_m = 0.5},
+                                         [](const Vec2& at_m) { return 0.5 * at_m.x() + 0.25 * at_m.y(); });
+        const GroundRange level = groundUnder(ground, {1.0, 2.0}, {4.0, 2.0}, 0.0);
+        QVERIFY(std::abs(level.lowest_m - (1.0 - 1.0 - 0.25)) < 1e-6);
+        QVERIFY(std::abs(level.highest_m - (1.0 + 1.0 + 0.25)) < 1e-6);
+        const GroundRange turned = groundUnder(ground, {1.0, 2.0}, {4.0, 2.0}, pi / 2.0);
+        QVERIFY(std::abs(turned.lowest_m - (1.0 - 0.5 - 0.5)) < 1e-6);
+        QVERIFY(std::abs(turned.highest_m - (1.0 + 0.5 + 0.5)) < 1e-6);
+    }
+
+    void beamsAndSlabsRunFromPointToPoint() {
+        Random random = seeded(36, 1);
+        for (int i = 0; i < 300; ++i) {
+            const Vec3 from_m{between(random, -9.0, 9.0), between(random, -9.0, 9.0), between(random, -4.0, 4.0)};
+            const Vec3 to_m{between(random, -9.0, 9.0), between(random, -9.0, 9.0), between(random, -4.0, 4.0)};
+            const auto end = [](const Box& box, double x, double z) -> Vec3 {
+                return box.center_in_map * Vec3(x * box.size_m.x() / 2.0, 0.0, z * box.size_m.z() / 2.0);
+            };
+            const Box bar = beam(from_m, to_m, 0.5, 0.2);
+            QVERIFY((end(bar, -1.0, 0.0) - from_m).norm() < 1e-3 && (end(bar, 1.0, 0.0) - to_m).norm() < 1e-3);
+            const Box ramp = slab(from_m, to_m, 0.5, 0.2);
+            QVERIFY((end(ramp, -1.0, 1.0) - from_m).norm() < 1e-3 && (end(ramp, 1.0, 1.0) - to_m).norm() < 1e-3);
+            QVERIFY(ramp.center_in_map.position_m.z() < bar.center_in_map.position_m.z());
+            for (const Box& box : {bar, ramp}) {
+                QVERIFY(box.size_m.y() == 0.5 && box.size_m.z() == 0.2);
+                QVERIFY(std::abs((box.center_in_map.rotation() * Vec3::UnitY()).z()) < 1e-12); // its width lies level
+            }
+        }
+    }
+
     void ringsAreEvenlySpaced() {
         const auto ring_m = ringAround({1.0, -2.0}, 3.0);
         QVERIFY((ring_m[0] - Vec2(4.0, -2.0)).norm() < 1e-12);
