@@ -144,7 +144,7 @@ void MissionRunner::look() {
     } else if (phase_ == Phase::Flying && flightTime() > options_.limits.flight) {
         conclude(false,
                  "The mission took longer than its limit of " + fixed(options_.limits.flight.count() / 3600.0, 2) +
-                     " h. Raise --limit, or make the area smaller.",
+                     " h. Raise it with --limit or \"limit_h\", or make the area smaller.",
                  MissionFailed);
     }
     if (phase_ != Phase::Over)
