@@ -150,8 +150,8 @@ void tst_UsarMission::rejectsTheRestAndSaysWhere_data() {
                                               R"({ "name": "x", "area": { "x": 0, "y": 0, "width": 0, "height": 5 } })")
                                        << QStringList{} << "area";
     QTest::newRow("area outside the world")
-        << QByteArray(R"({ "name": "x", "area": { "x": 90, "y": 0, "width": 500, "height": 5 } })") << QStringList{}
-        << "mission.json:1:24: area: the mission area (x 90.0..590.0 m, y 0.0..5.0 m) reaches outside the world";
+        << QByteArray(R"({ "name": "x", "area": { "x": 190, "y": 0, "width": 400, "height": 5 } })") << QStringList{}
+        << "mission.json:1:24: area: the mission area (x 190.0..590.0 m, y 0.0..5.0 m) is entirely outside the world";
     QTest::newRow("unknown world")
         << QByteArray(R"({ "name": "x", "world": "moon", "area": { "x": 0, "y": 0, "width": 5, "height": 5 } })")
         << QStringList{} << "mission.json:1:25: world moon: there is no such world. Known in ";

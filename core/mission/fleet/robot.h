@@ -48,9 +48,10 @@ public:
     void spawn(RobotId id, const SpawnRequest& request);
     /// `parameters`: those of `start`, checked. `host_program`: runs a behavior that is isolated. Plugins are
     /// third-party code: if one throws or refuses, this returns an error. `mission_note`: see RobotSession.
+    /// `world_in_map`: the robot is sent only to the part of its area that is inside; empty: to all of it.
     Result<void> startBehavior(const agent::PluginLoader& plugins, const StartedBehavior& start,
                                const agent::ParameterSet& parameters, const QString& host_program,
-                               const std::string& mission_note = {});
+                               const std::string& mission_note = {}, const Rectangle& world_in_map = {});
     /// The newest started behavior; nullopt before the first.
     const std::optional<StartedBehavior>& started() const { return started_; }
     /// Returns true if this changes the cells. A map that has heights keeps its cell size, and a notice says so.

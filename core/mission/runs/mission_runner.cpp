@@ -64,7 +64,7 @@ void MissionRunner::start() {
 void MissionRunner::continueEarlier() {
     const RecordedScan& earlier = *options_.earlier;
     session_.continueScan({options_.earlier, &earlier.scan});
-    if (earlier.rest_in_map.empty())
+    if (areaWithin(earlier.rest_in_map, options_.world_extent.value_or(Rectangle{})).empty())
         conclude(true, "Nothing was left to fly: the recording has scanned the whole area.", Done);
 }
 
@@ -85,9 +85,11 @@ Result<void> MissionRunner::prepare() {
     if (!prepared)
         return tl::unexpected(prepared.error());
     behavior_ = *std::move(prepared);
-    if (options_.world_extent)
-        if (auto inside = checkAreaInside(mission_, *options_.world_extent); !inside)
-            return inside;
+    const Rectangle world_in_map = options_.world_extent.value_or(Rectangle{});
+    if (auto inside = checkAreaInWorld(mission_, world_in_map); !inside)
+        return inside;
+    if (const std::string notice = beyondWorldNotice(mission_.area_in_map, world_in_map); !notice.empty())
+        emit noticed({Severity::Warning, notice});
     if (auto writable = checkFolderIsWritable(options_.result_folder); !writable || options_.recording.isEmpty())
         return writable;
     const QSignalBlocker quiet(session_); // The error is reported once, as the reason.
@@ -115,7 +117,9 @@ void MissionRunner::takeRobot() {
         return;
     const agent::Task task{robot_name, start_in_map_,
                            options_.earlier ? options_.earlier->rest_in_map : mission_.area_in_map};
-    const auto made = agent::startBehavior(plugins_, mission_.behavior, {task, behavior_->parameters, behavior_->plan},
+    agent::Task flown = task; // The record keeps the whole area, of which the coverage is counted.
+    flown.area_in_map = areaWithin(task.area_in_map, options_.world_extent.value_or(Rectangle{}));
+    const auto made = agent::startBehavior(plugins_, mission_.behavior, {flown, behavior_->parameters, behavior_->plan},
                                            mission_.isolate ? std::optional(options_.behavior_host) : std::nullopt);
     if (!made)
         return conclude(false, made.error().text(), BadInput);
