@@ -124,7 +124,9 @@ SimulatorFacts Fleet::Private::factsOf(const Robot& robot) const {
     if (robot.isReplay())
         return {};
     const auto truth = truths.find(robot.view().id);
-    return {truth == truths.end() ? std::nullopt : std::optional(truth->second), seed, make_truth};
+    return {truth == truths.end() ? std::nullopt : std::optional(truth->second), seed, make_truth,
+            robot.started() ? flightLimitsOf(robot.view().spawn.start_in_map, robot.started()->parameters)
+                            : std::nullopt};
 }
 
 void Fleet::Private::openNext() {

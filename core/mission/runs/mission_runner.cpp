@@ -198,6 +198,8 @@ void MissionRunner::conclude(bool success, const std::string& reason, int exit_c
     figures.success = success;
     figures.reason = reason;
     judgeDamage(figures);
+    for (const QString& warning : figures.warnings)
+        emit noticed({Severity::Warning, warning.toStdString()});
     if (success && !figures.success)
         exit_code = std::max<int>(exit_code, MissionFailed);
     session_.close();
@@ -224,7 +226,8 @@ RunSummary MissionRunner::figuresOf(const ScanRecord& record) {
     figures.wall = elapsedOn(since_flight_);
     figures.truth = flew && options_.true_figures ? options_.true_figures() : std::nullopt;
     addSession(figures, session_.figures());
-    addRecord(figures, record, options_.truth ? &*options_.truth : nullptr);
+    const auto flight = behavior_ ? flightLimitsOf(start_in_map_, behavior_->parameters.values()) : std::nullopt;
+    addRecord(figures, record, options_.truth ? &*options_.truth : nullptr, flight);
     return figures;
 }
 
