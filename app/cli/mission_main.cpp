@@ -118,8 +118,10 @@ int run(const mission::MissionOptions& options, mission::Mission plan,
     QObject::connect(&runner, &mission::MissionRunner::noticed,
                      [&](const auto& notice) { tell(bar.say(notice.text)); });
     QObject::connect(&runner, &mission::MissionRunner::finished, qApp, [](int code) { QCoreApplication::exit(code); });
-    if (*simulator)
+    if (*simulator) {
         (*simulator)->onFault(&runner, [&](const QString& sentence) { runner.noteFault(sentence); });
+        (*simulator)->onVanished(&runner, [&](const QString& name) { runner.robotVanished(name); });
+    }
     server::QuitSignals signals_;
     QObject::connect(&signals_, &server::QuitSignals::quit, &runner, &mission::MissionRunner::interrupt);
     runner.start();

@@ -23,6 +23,7 @@ private slots:
     void fliesAMissionToItsEnd();
     void equalSeedsGiveEqualMaps();
     void faultsComeWithTheMissionAndAreToldInItsResults();
+    void aVanishedRobotIsToldAtOnce();
     void rejectsTheRestAndSaysWhere_data();
     void rejectsTheRestAndSaysWhere();
     void aRefusalTellsWhatIsKnown_data();
@@ -139,6 +140,16 @@ void tst_UsarMission::faultsComeWithTheMissionAndAreToldInItsResults() {
     const Ended cut = run({"run", missionFile(small), "--fault", "link_cut from=5", "--out", folder_->filePath("cut")});
     QVERIFY2(cut.exit_code == 1, cut.out + cut.err);
     QCOMPARE(cut.summary["faults"].toArray().at(0).toString(), "5.0 s: fault begins: link_cut from=5");
+}
+
+void tst_UsarMission::aVanishedRobotIsToldAtOnce() {
+    const Ended ended =
+        run({"run", missionFile(small), "--fault", "vanish robot=R1 after=40", "--out", folder_->filePath("results")});
+    QVERIFY2(ended.exit_code == 1, ended.out + ended.err);
+    QVERIFY2(ended.summary["reason"].toString().startsWith("The simulator has removed the robot R1"), ended.out);
+    const double duration_s = ended.summary["duration_s"].toDouble();
+    QVERIFY2(duration_s > 35.0 && duration_s < 41.0, ended.out);
+    QVERIFY(!ended.summary["files"].toArray().empty()); // what was scanned is kept
 }
 
 void tst_UsarMission::rejectsTheRestAndSaysWhere_data() {

@@ -22,6 +22,11 @@ Seconds elapsedOn(const QElapsedTimer& timer) {
     return Seconds(timer.isValid() ? static_cast<double>(timer.nsecsElapsed()) * 1e-9 : 0.0);
 }
 
+/// "90 s" or "1.50 h".
+std::string limitText(Seconds limit) {
+    return limit < Seconds{3600.0} ? fixed(limit.count(), 0) + " s" : fixed(limit.count() / 3600.0, 2) + " h";
+}
+
 } // namespace
 
 MissionRunner::MissionRunner(Mission mission, const agent::PluginLoader& plugins, RunOptions options)
@@ -78,6 +83,13 @@ std::string MissionRunner::missionNote() const {
 void MissionRunner::interrupt() {
     if (phase_ != Phase::Over)
         conclude(false, "Interrupted; what was scanned until then is kept.", MissionFailed);
+}
+
+void MissionRunner::robotVanished(const QString& name) {
+    if (phase_ != Phase::Over && name == robot_name)
+        conclude(false,
+                 "The simulator has removed the robot " + name.toStdString() + "; what was scanned until then is kept.",
+                 MissionFailed);
 }
 
 Result<void> MissionRunner::prepare() {
@@ -147,8 +159,8 @@ void MissionRunner::look() {
                  MissionFailed);
     } else if (phase_ == Phase::Flying && flightTime() > options_.limits.flight) {
         conclude(false,
-                 "The mission took longer than its limit of " + fixed(options_.limits.flight.count() / 3600.0, 2) +
-                     " h. Raise it with --limit or \"limit_h\", or make the area smaller.",
+                 "The mission took longer than its limit of " + limitText(options_.limits.flight) +
+                     ". Raise it with --limit or \"limit_h\", or make the area smaller.",
                  MissionFailed);
     }
     if (phase_ != Phase::Over)

@@ -92,6 +92,8 @@ public:
     void interrupt();
     /// Notes a fault as RobotSession::noteFault does; it also appears in the summary.
     void noteFault(const QString& sentence) { session_.noteFault(sentence.toStdString()); }
+    /// Ends the run if this is its robot: it is gone from the simulator, which tells nothing on the connection.
+    void robotVanished(const QString& name);
     /// The JSON summary; headless.md lists its keys. Valid after `finished`.
     const QJsonObject& summary() const { return summary_; }
 

@@ -52,6 +52,8 @@ public:
     }
     /// `tell` is called in the thread of `context` with a sentence when a fault begins or ends.
     void onFault(QObject* context, const std::function<void(const QString&)>& tell);
+    /// `tell` is called in the thread of `context` with the name of a robot that a fault has removed.
+    void onVanished(QObject* context, const std::function<void(const QString&)>& tell);
     /// Truth about the first robot; nullopt if there is none now. Waits for the simulator's thread.
     std::optional<sim::RobotTruth> firstRobot() const;
 

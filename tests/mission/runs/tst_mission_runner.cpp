@@ -182,6 +182,30 @@ private slots:
         QVERIFY(runner_->summary()["coverage_pct"].toDouble() < 1.0); // of the whole area
     }
 
+    void aRobotThatVanishesEndsTheRun_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<bool>("ends");
+        QTest::newRow("ours") << "R1" << true;
+        QTest::newRow("another one") << "R2" << false;
+    }
+
+    void aRobotThatVanishesEndsTheRun() {
+        QFETCH(QString, name);
+        QFETCH(bool, ends);
+        Mission mission = hop();
+        mission.parameters["ticks"] = 60LL;
+        server_->on_command = [&](const QByteArray& line) {
+            if (line == "STEP" && server_->tickCount() == 20)
+                QMetaObject::invokeMethod(
+                    runner_.get(), [this, name] { runner_->robotVanished(name); }, Qt::QueuedConnection);
+        };
+        QCOMPARE(run(mission), ends ? 1 : 0);
+        QCOMPARE(runner_->summary()["success"].toBool(), !ends);
+        QCOMPARE(reason(), ends
+                               ? QString("The simulator has removed the robot R1; what was scanned until then is kept.")
+                               : QString("Hopped enough."));
+    }
+
     void refusesAFolderThatCannotBeWritten() {
         QFile file(folder_->filePath("a_file"));
         QVERIFY(file.open(QIODevice::WriteOnly));
@@ -282,7 +306,7 @@ private slots:
         Mission mission = hop();
         mission.parameters["ticks"] = 1000000LL;
         QCOMPARE(run(mission), 1);
-        QVERIFY2(reason().contains("longer than its limit of 0.00 h"), qPrintable(reason()));
+        QVERIFY2(reason().contains("longer than its limit of 10 s"), qPrintable(reason()));
         QCOMPARE(filesInResults().size(), 9);
     }
 
