@@ -102,7 +102,7 @@ int run(const mission::MissionOptions& options, mission::Mission plan,
     run_options.seed = options.seed;
     run_options.result_folder = options.result_folder;
     run_options.recording = options.recording;
-    run_options.limits.flight = mission::limitOf(options, plan);
+    run_options.limits.session.flight = mission::limitOf(options, plan);
     run_options.earlier = std::move(earlier);
     run_options.behavior_host = server::behaviorHostProgram();
     const auto simulator = serverFor(options, plan, run_options);

@@ -22,11 +22,6 @@ Seconds elapsedOn(const QElapsedTimer& timer) {
     return Seconds(timer.isValid() ? static_cast<double>(timer.nsecsElapsed()) * 1e-9 : 0.0);
 }
 
-/// "90 s" or "1.50 h".
-std::string limitText(Seconds limit) {
-    return limit < Seconds{3600.0} ? fixed(limit.count(), 0) + " s" : fixed(limit.count() / 3600.0, 2) + " h";
-}
-
 } // namespace
 
 MissionRunner::MissionRunner(Mission mission, const agent::PluginLoader& plugins, RunOptions options)
@@ -156,11 +151,6 @@ void MissionRunner::look() {
                  MissionFailed);
     } else if (phase_ == Phase::Flying && elapsedOn(since_time_moved_) > options_.limits.stall) {
         conclude(false, "The simulation's clock has stood still too long. Is it paused, or has the server hung?",
-                 MissionFailed);
-    } else if (phase_ == Phase::Flying && flightTime() > options_.limits.flight) {
-        conclude(false,
-                 "The mission took longer than its limit of " + limitText(options_.limits.flight) +
-                     ". Raise it with --limit or \"limit_h\", or make the area smaller.",
                  MissionFailed);
     }
     if (phase_ != Phase::Over)

@@ -302,11 +302,13 @@ private slots:
     }
 
     void aMissionThatNeverEndsIsEnded() {
-        options_.limits.flight = Seconds{10.0};
+        options_.limits.session.flight = Seconds{10.0};
         Mission mission = hop();
         mission.parameters["ticks"] = 1000000LL;
         QCOMPARE(run(mission), 1);
         QVERIFY2(reason().contains("longer than its limit of 10 s"), qPrintable(reason()));
+        const double duration_s = runner_->summary()["duration_s"].toDouble();
+        QVERIFY2(duration_s > 10.0 && duration_s < 10.5, qPrintable(QString::number(duration_s))); // the next tick
         QCOMPARE(filesInResults().size(), 9);
     }
 
