@@ -20,7 +20,7 @@ struct FlightLimits {
 enum class Reach {
     Scanned,      ///< it can fly there, or close enough to see the place
     OutsideWorld, ///< the world has ended
-    OverWater,    ///< it can fly there, but water sends no echo
+    OverWater,    ///< it can fly there, but the water is deeper than its scan altitude
     ShutOff       ///< something solid is in the way
 };
 

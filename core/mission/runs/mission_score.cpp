@@ -148,7 +148,7 @@ std::string unreachableNotice(const AreaReach& reach) {
     bool first = true;
     for (const auto& [part_m2, place] : {std::pair(reach.outside_m2, " m² are outside the world"),
                                          {reach.shut_off_m2, " m² are inside or behind walls, or under roofs"},
-                                         {reach.water_m2, " m² are water, which sends no echo"}}) {
+                                         {reach.water_m2, " m² are water too deep to be scanned"}}) {
         if (!(part_m2 > 0.0))
             continue;
         text += (std::exchange(first, false) ? "" : ", ") + fixed(part_m2, 1) + place;

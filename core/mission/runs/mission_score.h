@@ -56,7 +56,7 @@ struct AreaReach {
     double coverage_pct = 0.0; ///< known cells as a percentage of those that could be scanned
     double area_m2 = 0.0;      ///< of the whole area
     double outside_m2 = 0.0;   ///< beyond the world's edge
-    double water_m2 = 0.0;     ///< over water
+    double water_m2 = 0.0;     ///< over water too deep to be scanned
     double shut_off_m2 = 0.0;  ///< behind walls, under roofs
     double unreachable_m2() const { return outside_m2 + water_m2 + shut_off_m2; }
 };

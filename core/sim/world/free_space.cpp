@@ -34,14 +34,13 @@ struct Columns {
         return {part_m.min_m, step_m, static_cast<std::int32_t>(std::ceil(part_m.width_m() / step_m)),
                 static_cast<std::int32_t>(std::ceil(part_m.height_m() / step_m))};
     }
-    std::size_t count() const { return static_cast<std::size_t>(across) * static_cast<std::size_t>(along); }
+    std::uint32_t count() const { return static_cast<std::uint32_t>(across * along); }
     std::int32_t indexOn(int axis, double at_m) const {
         return std::clamp(static_cast<std::int32_t>(std::floor((at_m - low_m[axis]) / step_m)), 0,
                           (axis == 0 ? across : along) - 1);
     }
-    std::size_t columnAt(const Vec2& point_m) const {
-        return static_cast<std::size_t>(indexOn(1, point_m.y())) * static_cast<std::size_t>(across) +
-               static_cast<std::size_t>(indexOn(0, point_m.x()));
+    std::uint32_t columnAt(const Vec2& point_m) const {
+        return static_cast<std::uint32_t>(indexOn(1, point_m.y()) * across + indexOn(0, point_m.x()));
     }
     Vec2 center_m(std::int32_t x, std::int32_t y) const { return low_m + step_m * Vec2(x + 0.5, y + 0.5); }
 };
@@ -77,7 +76,7 @@ std::optional<Span> crossing(const Eigen::Matrix3d& map_in_box, const Vec3& half
 
 /// A range of heights of one column that a box takes.
 struct Taken {
-    std::size_t column = 0;
+    std::uint32_t column = 0;
     Span span;
 };
 
@@ -117,6 +116,9 @@ struct Air {
         std::ranges::sort(taken, [](const Taken& a, const Taken& b) {
             return a.column != b.column ? a.column < b.column : a.span.low_m < b.span.low_m;
         });
+        first.reserve(whole.size() + 1);
+        spans.reserve(whole.size());
+        open.reserve(whole.size());
         auto next = taken.begin();
         for (std::size_t column = 0; column < whole.size(); ++column) {
             first.push_back(static_cast<std::uint32_t>(spans.size()));
@@ -140,7 +142,7 @@ struct Air {
 
 /// A span, and its column.
 struct Place {
-    std::size_t column = 0;
+    std::uint32_t column = 0;
     std::uint32_t span = 0;
 };
 
@@ -151,7 +153,7 @@ std::vector<bool> flood(const Air& air, const Columns& columns, std::vector<Plac
     for (const Place& seed : seeds)
         reached[seed.span] = true;
     std::vector<Place> next;
-    const auto spread = [&](const Place& from, std::size_t to) {
+    const auto spread = [&](const Place& from, std::uint32_t to) {
         for (std::uint32_t span = air.first[to]; span < air.first[to + 1]; ++span)
             if (!reached[span] &&
                 ((air.open[from.column] && air.open[to]) || air.spans[span].meets(air.spans[from.span]))) {
@@ -159,11 +161,11 @@ std::vector<bool> flood(const Air& air, const Columns& columns, std::vector<Plac
                 next.push_back({to, span});
             }
     };
-    const auto across = static_cast<std::size_t>(columns.across);
+    const auto across = static_cast<std::uint32_t>(columns.across);
     for (; !seeds.empty() && steps > 0; --steps) {
         next.clear();
         for (const Place& place : seeds) {
-            const std::size_t x = place.column % across;
+            const std::uint32_t x = place.column % across;
             if (x > 0)
                 spread(place, place.column - 1);
             if (x + 1 < across)
@@ -192,7 +194,7 @@ std::vector<Place> startIn(const Air& air, const Columns& columns, const FlightL
         for (std::int32_t x = columns.indexOn(0, start_m.x() - beside_m);
              x <= columns.indexOn(0, start_m.x() + beside_m); ++x) {
             const Vec2 at_m = columns.center_m(x, y);
-            const std::size_t column = columns.columnAt(at_m);
+            const std::uint32_t column = columns.columnAt(at_m);
             std::uint32_t span = air.first[column];
             while (span < air.first[column + 1] && air.spans[span].high_m < start_z_m)
                 ++span;
@@ -218,20 +220,20 @@ Rectangle surroundings(const World& world, const FlightLimits& flight, const Rec
 struct Filled {
     Rectangle extent;
     Columns columns;
-    std::vector<bool> water;   ///< the ground is under water
+    std::vector<bool> water;   ///< the ground is so deep under water that a flight at the scan altitude would get wet
     std::vector<bool> reached; ///< empty: all are
 
     Reach at(const Vec2& point_m) const {
         if (!extent.contains(point_m))
             return Reach::OutsideWorld;
-        const std::size_t column = columns.columnAt(point_m);
+        const std::uint32_t column = columns.columnAt(point_m);
         if (!reached.empty() && !reached[column])
             return Reach::ShutOff;
         return water[column] ? Reach::OverWater : Reach::Scanned;
     }
 };
 
-/// The heights of the flight in each column, and which ones have water.
+/// The heights of the flight in each column, and which ones have deep water.
 std::vector<Span> heightsOfFlight(const World& world, const FlightLimits& flight, const Columns& columns,
                                   std::vector<bool>& water) {
     const double level_m = world.water ? world.water->surface_z_m : -endless_m;
@@ -243,7 +245,7 @@ std::vector<Span> heightsOfFlight(const World& world, const FlightLimits& flight
         for (std::int32_t x = 0; x < columns.across; ++x) {
             const double ground_m = world.terrain.empty() ? floor_m : world.terrain.height_m(columns.center_m(x, y));
             const double low_m = std::max(ground_m, level_m);
-            water.push_back(ground_m < level_m);
+            water.push_back(level_m + lowest_m > ground_m + flight.scan_altitude_m);
             whole.push_back(
                 {static_cast<float>(low_m + lowest_m),
                  static_cast<float>(low_m + std::max({flight.maximum_height_m, flight.scan_altitude_m, lowest_m}))});
@@ -255,7 +257,7 @@ std::vector<Span> heightsOfFlight(const World& world, const FlightLimits& flight
 std::vector<bool> grow(const Air& from, const std::vector<bool>& marked, const Air& to, const Columns& columns,
                        int steps) {
     std::vector<Place> seeds;
-    for (std::size_t column = 0; column < columns.count(); ++column)
+    for (std::uint32_t column = 0; column < columns.count(); ++column)
         for (std::uint32_t span = to.first[column]; span < to.first[column + 1]; ++span)
             for (std::uint32_t other = from.first[column]; other < from.first[column + 1]; ++other)
                 if (marked[other] && to.spans[span].meets(from.spans[other])) {
@@ -274,21 +276,23 @@ std::vector<bool> reachedColumns(const World& world, const FlightLimits& flight,
             take(box, columns, wider_m, taller_m, taken);
         return Air(whole, std::move(taken));
     };
-    const Air for_body = airFor(flight.body_radius_m, half_height_m);
-    std::vector<Place> start = startIn(for_body, columns, flight, whole);
+    Air air = airFor(flight.body_radius_m, half_height_m); // At most two at a time, because they are large.
+    std::vector<Place> start = startIn(air, columns, flight, whole);
     if (start.empty())
         return {};
-    const std::vector<bool> flown = flood(for_body, columns, std::move(start), std::numeric_limits<int>::max());
+    std::vector<bool> known = flood(air, columns, std::move(start), std::numeric_limits<int>::max());
+    const auto growInto = [&](Air wider, int steps) {
+        known = grow(air, known, wider, columns, steps);
+        air = std::move(wider);
+    };
     // The sight must not pass through thin walls, so they are widened until they take a closed row of columns, also
     // where they run diagonally. A last step takes in the columns that only this widening took.
-    const Air for_sight = airFor(0.75 * columns.step_m, 0.0);
     const int into_corners = static_cast<int>(std::ceil(2.0 * flight.body_radius_m / columns.step_m)) + 1;
-    const std::vector<bool> seen = grow(for_body, flown, for_sight, columns, into_corners);
-    const Air exact = airFor(0.0, 0.0);
-    const std::vector<bool> known = grow(for_sight, seen, exact, columns, 1);
+    growInto(airFor(0.75 * columns.step_m, 0.0), into_corners);
+    growInto(airFor(0.0, 0.0), 1);
     std::vector<bool> reached(columns.count());
-    for (std::size_t column = 0; column < columns.count(); ++column)
-        for (std::uint32_t span = exact.first[column]; span < exact.first[column + 1]; ++span)
+    for (std::uint32_t column = 0; column < columns.count(); ++column)
+        for (std::uint32_t span = air.first[column]; span < air.first[column + 1]; ++span)
             reached[column] = reached[column] || known[span];
     return reached;
 }

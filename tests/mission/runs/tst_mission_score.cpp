@@ -121,8 +121,8 @@ private slots:
         QCOMPARE(reach->water_m2, 50.0);
         QCOMPARE(unreachableNotice(*reach),
                  std::string("75 % of the mission area (150.0 m²) cannot be reached: 50.0 m² are outside the world, "
-                             "50.0 m² are inside or behind walls, or under roofs, 50.0 m² are water, which sends no "
-                             "echo."));
+                             "50.0 m² are inside or behind walls, or under roofs, 50.0 m² are water too deep to "
+                             "be scanned."));
     }
 
     void whereAllCanBeReachedCoverageIsTheSame() {

@@ -193,13 +193,23 @@ private slots:
         QCOMPARE(reachFrom(world, from(0, 0), {{-20, -20}, {20, 20}})({15, 0}), Reach::Scanned);
     }
 
-    void waterIsFlownOverButNotScanned() {
-        World world = groundOf([](const Vec2& at_m) { return at_m.x() > 5.0 && at_m.x() < 15.0 ? -3.0 : 1.0; });
+    void deepWaterIsFlownOverButNotScanned_data() {
+        QTest::addColumn<double>("depth_m");
+        QTest::addColumn<Reach>("reach");
+        QTest::newRow("a pond, whose bottom is seen") << 4.5 << Reach::Scanned;
+        QTest::newRow("deeper than the scan altitude") << 5.5 << Reach::OverWater;
+        QTest::newRow("the sea") << 30.0 << Reach::OverWater;
+    }
+
+    void deepWaterIsFlownOverButNotScanned() {
+        QFETCH(double, depth_m);
+        QFETCH(Reach, reach);
+        World world = groundOf([&](const Vec2& at_m) { return at_m.x() > 5.0 && at_m.x() < 15.0 ? -depth_m : 1.0; });
         world.water = Water{};
-        const ReachMap reach = reachFrom(world, from(0, 0), {{-20, -20}, {20, 20}});
-        QCOMPARE(reach({10, 0}), Reach::OverWater);
-        QCOMPARE(reach({0, 0}), Reach::Scanned);
-        QCOMPARE(reach({20, 0}), Reach::Scanned); // behind it
+        const ReachMap map = reachFrom(world, from(0, 0), {{-20, -20}, {20, 20}});
+        QCOMPARE(map({10, 0}), reach);
+        QCOMPARE(map({0, 0}), Reach::Scanned);
+        QCOMPARE(map({20, 0}), Reach::Scanned); // behind it
     }
 
     void aStartWithoutAirTellsNothing() {
