@@ -86,7 +86,8 @@ private slots:
     }
 
     void aCliffIsNoWall() {
-        const World world = groundOf([](const Vec2& at_m) { return at_m.x() > 5.0 ? 25.0 : 0.0; });
+        World world = groundOf([](const Vec2& at_m) { return at_m.x() > 5.0 ? 80.0 : 0.0; });
+        world.boxes = {block({-30, -30, 0}, {-29, -29, 1})}; // Without any box nothing is filled.
         QCOMPARE(
             share_pct(reachFrom(world, from(0, 0), {{-20, -20}, {20, 20}}), {{-20, -20}, {20, 20}}, Reach::Scanned),
             100.0);
