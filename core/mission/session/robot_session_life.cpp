@@ -105,8 +105,9 @@ void RobotSession::Private::endAtLimit() {
         return;
     const double limit_s = limits.flight.count();
     const std::string limit = limit_s < 3600.0 ? fixed(limit_s, 0) + " s" : fixed(limit_s / 3600.0, 2) + " h";
-    helm.stopBehavior(by::Session{"time limit"}, "The mission took longer than its limit of " + limit +
-                                                     ". Raise it with --limit or \"limit_h\", or make the area smaller.");
+    helm.stopBehavior(by::Session{"time limit"},
+                      "The mission took longer than its limit of " + limit +
+                          ". Raise it with --limit or \"limit_h\", or make the area smaller.");
 }
 
 void RobotSession::Private::watch() {

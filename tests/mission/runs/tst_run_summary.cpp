@@ -35,9 +35,9 @@ private slots:
         flown.seed = 7;
         QCOMPARE(toJson(flown).keys(), refused.keys());
         QCOMPARE(refused.size(), 33);
-        for (const char* key : {"mission", "behavior", "plan", "seed", "speed_x", "rmse_m", "rmse_surface_m",
-                                "collisions", "true_distance_m", "least_height_m", "first_touch_s",
-                                "reachable_coverage_pct", "unreachable_m2"})
+        for (const char* key :
+             {"mission", "behavior", "plan", "seed", "speed_x", "rmse_m", "rmse_surface_m", "collisions",
+              "true_distance_m", "least_height_m", "first_touch_s", "reachable_coverage_pct", "unreachable_m2"})
             QVERIFY2(refused[key].isNull(), key);
         QCOMPARE(toJson(flown)["seed"].toInt(), 7);
     }
