@@ -103,7 +103,7 @@ int run(const mission::MissionOptions& options, mission::Mission plan,
     run_options.seed = options.seed;
     run_options.result_folder = options.result_folder;
     run_options.recording = options.recording;
-    run_options.limits.flight = options.limit.value_or(run_options.limits.flight);
+    run_options.limits.session.flight = mission::limitOf(options, plan);
     run_options.earlier = std::move(earlier);
     run_options.behavior_host = server::behaviorHostProgram();
     const auto simulator = serverFor(options, plan, run_options);
@@ -119,8 +119,10 @@ int run(const mission::MissionOptions& options, mission::Mission plan,
     QObject::connect(&runner, &mission::MissionRunner::noticed,
                      [&](const auto& notice) { tell(bar.say(notice.text)); });
     QObject::connect(&runner, &mission::MissionRunner::finished, qApp, [](int code) { QCoreApplication::exit(code); });
-    if (*simulator)
+    if (*simulator) {
         (*simulator)->onFault(&runner, [&](const QString& sentence) { runner.noteFault(sentence); });
+        (*simulator)->onVanished(&runner, [&](const QString& name) { runner.robotVanished(name); });
+    }
     server::QuitSignals signals_;
     QObject::connect(&signals_, &server::QuitSignals::quit, &runner, &mission::MissionRunner::interrupt);
     runner.start();

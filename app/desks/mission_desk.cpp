@@ -4,6 +4,7 @@
 
 #include <QFileInfo>
 
+#include "core/mission/files/mission_check.h"
 #include "core/mission/files/mission_file.h"
 #include "core/mission/fleet/roster.h"
 #include "core/server/embedded/simulator_files.h"
@@ -109,6 +110,9 @@ void MissionDesk::setUp(const mission::Mission& mission) {
                                          "Name the robot that " + mission.behavior + " is for"}));
     task_.setUp(mission, *prepared);
     notices_.cure("mission");
+    if (const std::string beyond = mission::beyondWorldNotice(mission.area_in_map, control_.world().extent_in_map);
+        !beyond.empty())
+        notices_.say(Severity::Warning, "mission-area", QString::fromStdString(beyond));
     const QString name = QString::fromStdString(mission.name);
     notices_.say(
         Severity::Note, "mission-ready",

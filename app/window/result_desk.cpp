@@ -20,6 +20,10 @@ widgets::MissionOutcome outcomeOf(const Robot& robot) {
 void addFiles(widgets::MissionOutcome& outcome, const mission::RunSummary& summary) {
     if (outcome.coverage_pct)
         outcome.coverage_pct = summary.score.coverage_pct;
+    if (summary.reach && !summary.warnings.empty()) {
+        outcome.reachable_pct = summary.reach->coverage_pct;
+        outcome.unreachable = summary.warnings.join(u' ');
+    }
     outcome.error_m = summary.score.rmse_m;
     if (summary.heights)
         outcome.heights_m = {double(summary.heights->minimum_m), double(summary.heights->maximum_m)};

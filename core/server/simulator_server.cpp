@@ -185,6 +185,8 @@ void SimulatorServer::tick() {
     publishLog();
     publishFaults();
     flush();
+    for (const std::string& name : simulation_->takeVanished())
+        emit robotVanished(QString::fromStdString(name));
     for (const sim::ClientId client : simulation_->takeCut())
         if (const auto found = sockets_.find(client); found != sockets_.end())
             found->second->abort(); // A fault; to the client it looks like a server that has died.

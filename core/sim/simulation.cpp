@@ -137,6 +137,7 @@ void Simulation::State::followFaults() {
         };
         if (session.robot() && std::ranges::any_of(faults.activeOn(session.robotName()), removes)) {
             log(client, "'" + session.robotName() + "' has vanished");
+            vanished.push_back(session.robotName());
             session.loseRobot();
         }
     }
@@ -374,6 +375,10 @@ void Simulation::learn(RobotModel model) {
 
 std::size_t Simulation::clientCount() const {
     return state_->sessions.size();
+}
+
+std::vector<std::string> Simulation::takeVanished() {
+    return std::exchange(state_->vanished, {});
 }
 
 std::vector<RefusedObject> Simulation::takeRefused() {

@@ -118,6 +118,7 @@ public:
     /// The marks after the first `made` ones, as far as they are still kept.
     std::vector<TraceMark> traceMarksSince(std::uint64_t made) const;
     std::size_t clientCount() const;
+    std::vector<std::string> takeVanished();  ///< names of robots that a fault removed since the last call
     std::vector<RefusedObject> takeRefused(); ///< since the last call, at most 1000; they are not in the log
     std::vector<std::string> takeLog();       ///< sentences for the server's log since the last call, at most 1000
     /// Logs how many sentences about each client were left out, for a server that ends while they are connected.

@@ -31,9 +31,13 @@ private:
 /// Records an input. Successive bytes of one client within one tick become one entry, because it does not matter how
 /// they were split into chunks.
 void Simulation::State::keep(JournalEntry::Kind kind, std::uint32_t client, std::string_view bytes) {
+    if (!options.keeps_journal)
+        return;
     journal_bytes += bytes.size() + sizeof(JournalEntry);
-    if (journal_bytes > most_journal_bytes)
-        return journal.clear(); // A run of weeks; its snapshots are refused.
+    if (journal_bytes > most_journal_bytes) {
+        journal = {}; // A run of weeks; its snapshots are refused.
+        return;
+    }
     JournalEntry* const last = journal.empty() ? nullptr : &journal.back();
     if (kind == JournalEntry::Kind::Receive && last && last->kind == kind && last->client == client &&
         last->tick == ticks)
@@ -74,6 +78,9 @@ bool Simulation::State::adopt(ClientId client, ClientSession& session) {
 }
 
 Result<Snapshot> Simulation::snapshot() const {
+    if (!state_->options.keeps_journal)
+        return failure("this run keeps no record of its input, which a snapshot needs", "snapshot",
+                       "Run it in usar-sim or in the window");
     if (state_->journal_bytes > most_journal_bytes)
         return failure("this run has received too much input to be saved", "snapshot", "Restart the simulator");
     Snapshot snapshot{state_->options, state_->ticks, state_->digest(), state_->journal};
@@ -144,6 +151,7 @@ Result<std::unique_ptr<Simulation>> Simulation::resume(World world, std::shared_
     simulation.takeRefused();
     simulation.takeFaultNews();
     simulation.takeCut();
+    simulation.takeVanished();
     return made;
 }
 

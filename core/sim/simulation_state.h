@@ -112,6 +112,7 @@ struct Simulation::State {
         std::size_t left_out = 0;
     };
     std::map<ClientId, Chatter> chatters;
+    std::vector<std::string> vanished;  ///< for takeVanished()
     std::vector<RefusedObject> refused; ///< for takeRefused()
 
     Seconds now() const { return static_cast<double>(ticks) * options.tick; }

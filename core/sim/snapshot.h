@@ -30,6 +30,8 @@ struct SimulationOptions {
     std::vector<Fault> faults{};                  ///< scheduled from the start
     std::string world_source{};                   ///< name or folder that the world was loaded from, for snapshots
     RadioParameters radio{};
+    /// Every input is kept in memory, about 3 MB for an hour of one robot, so that a snapshot can be made.
+    bool keeps_journal = true;
     bool operator==(const SimulationOptions&) const = default;
 };
 

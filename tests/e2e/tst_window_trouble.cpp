@@ -64,6 +64,7 @@ private slots:
     void aNotificationLeadsToItsRobotAndDock();
     void anAreaThatCannotBeFlownIsRefused_data();
     void anAreaThatCannotBeFlownIsRefused();
+    void anAreaThatIsPartlyOutsideIsFlownWithAWarning();
     void aWrongMissionFileIsRefusedWithItsPlace_data();
     void aWrongMissionFileIsRefusedWithItsPlace();
     void aMissingPluginIsNamed();
@@ -231,7 +232,7 @@ void tst_WindowTrouble::anAreaThatCannotBeFlownIsRefused_data() {
     QTest::addColumn<Rectangle>("area");
     QTest::addColumn<QString>("words");
     QTest::newRow("no size") << Rectangle{{5, 5}, {5, 9}} << "needs a mission area";
-    QTest::newRow("outside the world") << Rectangle{{80, 80}, {200, 90}} << "outside the world";
+    QTest::newRow("outside the world") << Rectangle{{180, 80}, {200, 90}} << "entirely outside the world";
 }
 
 void tst_WindowTrouble::anAreaThatCannotBeFlownIsRefused() {
@@ -246,6 +247,16 @@ void tst_WindowTrouble::anAreaThatCannotBeFlownIsRefused() {
     QVERIFY(!page.robot(1)->figures.behavior_running);
 }
 
+void tst_WindowTrouble::anAreaThatIsPartlyOutsideIsFlownWithAWarning() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(page.spawnAt("PlayerStart"));
+    page.typeArea({{120, 80}, {136, 90}});
+    page.press("Start");
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->figures.behavior_running, soon_ms);
+    QVERIFY(!page.notified("50 % of the mission area").isEmpty());
+}
+
 void tst_WindowTrouble::aWrongMissionFileIsRefusedWithItsPlace_data() {
     QTest::addColumn<QString>("json");
     QTest::addColumn<QString>("words");
@@ -254,8 +265,8 @@ void tst_WindowTrouble::aWrongMissionFileIsRefusedWithItsPlace_data() {
     QTest::newRow("unknown key") << "{\n  \"name\": \"x\",\n  \"aera\": {}\n}"
                                  << "mission.json:3:";
     QTest::newRow("outside the world")
-        << "{\n  \"name\": \"x\",\n  \"area\": {\"x\": 0, \"y\": 0, \"width\": 900, \"height\": 20}\n}"
-        << "outside the world";
+        << "{\n  \"name\": \"x\",\n  \"area\": {\"x\": 500, \"y\": 0, \"width\": 900, \"height\": 20}\n}"
+        << "entirely outside the world";
     QTest::newRow("unknown parameter")
         << "{\n \"name\": \"x\",\n \"area\": {\"x\": 0, \"y\": 0, \"width\": 9, \"height\": 9},\n"
            " \"parameters\": {\"scan_altitude\": 6}\n}"

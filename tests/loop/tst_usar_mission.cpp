@@ -23,6 +23,7 @@ private slots:
     void fliesAMissionToItsEnd();
     void equalSeedsGiveEqualMaps();
     void faultsComeWithTheMissionAndAreToldInItsResults();
+    void aVanishedRobotIsToldAtOnce();
     void rejectsTheRestAndSaysWhere_data();
     void rejectsTheRestAndSaysWhere();
     void aRefusalTellsWhatIsKnown_data();
@@ -141,6 +142,16 @@ void tst_UsarMission::faultsComeWithTheMissionAndAreToldInItsResults() {
     QCOMPARE(cut.summary["faults"].toArray().at(0).toString(), "5.0 s: fault begins: link_cut from=5");
 }
 
+void tst_UsarMission::aVanishedRobotIsToldAtOnce() {
+    const Ended ended =
+        run({"run", missionFile(small), "--fault", "vanish robot=R1 after=40", "--out", folder_->filePath("results")});
+    QVERIFY2(ended.exit_code == 1, ended.out + ended.err);
+    QVERIFY2(ended.summary["reason"].toString().startsWith("The simulator has removed the robot R1"), ended.out);
+    const double duration_s = ended.summary["duration_s"].toDouble();
+    QVERIFY2(duration_s > 35.0 && duration_s < 41.0, ended.out);
+    QVERIFY(!ended.summary["files"].toArray().empty()); // what was scanned is kept
+}
+
 void tst_UsarMission::rejectsTheRestAndSaysWhere_data() {
     QTest::addColumn<QByteArray>("mission");
     QTest::addColumn<QStringList>("options");
@@ -150,8 +161,8 @@ void tst_UsarMission::rejectsTheRestAndSaysWhere_data() {
                                               R"({ "name": "x", "area": { "x": 0, "y": 0, "width": 0, "height": 5 } })")
                                        << QStringList{} << "area";
     QTest::newRow("area outside the world")
-        << QByteArray(R"({ "name": "x", "area": { "x": 90, "y": 0, "width": 500, "height": 5 } })") << QStringList{}
-        << "mission.json:1:24: area: the mission area (x 90.0..590.0 m, y 0.0..5.0 m) reaches outside the world";
+        << QByteArray(R"({ "name": "x", "area": { "x": 190, "y": 0, "width": 400, "height": 5 } })") << QStringList{}
+        << "mission.json:1:24: area: the mission area (x 190.0..590.0 m, y 0.0..5.0 m) is entirely outside the world";
     QTest::newRow("unknown world")
         << QByteArray(R"({ "name": "x", "world": "moon", "area": { "x": 0, "y": 0, "width": 5, "height": 5 } })")
         << QStringList{} << "mission.json:1:25: world moon: there is no such world. Known in ";

@@ -376,6 +376,8 @@ private slots:
         QVERIFY(talker.hearLast<protocol::RobotState>());
         steps(*simulation, 5);
         QVERIFY(logHas(*simulation, "'R1' has vanished"));
+        QCOMPARE(simulation->takeVanished(), std::vector<std::string>{"R1"});
+        QVERIFY(simulation->takeVanished().empty());
         talker.hear();
         steps(*simulation, 5);
         QVERIFY(talker.hear().empty());

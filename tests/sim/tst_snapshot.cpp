@@ -177,6 +177,17 @@ private slots:
         QVERIFY(*back == snapshot);
     }
 
+    void aRunWithoutAJournalSaysThatItHasNoSnapshot() {
+        SimulationOptions options;
+        options.keeps_journal = false;
+        const auto simulation = simulationOf(flatWorld(), options);
+        simulation->receive(simulation->connect(), init_air_robot);
+        simulation->step();
+        const auto snapshot = simulation->snapshot();
+        QVERIFY(!snapshot);
+        QVERIFY(QString::fromStdString(snapshot.error().text()).contains("keeps no record of its input"));
+    }
+
     void anotherWorldIsRefused() {
         Run run;
         for (int tick = 0; tick < 20; ++tick)

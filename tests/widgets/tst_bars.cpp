@@ -69,6 +69,8 @@ private slots:
     void crossedCornersAreOrdered();
     void areaOfNoSizeIsToldAsNone();
     void areaOutsideTheWorldIsShownAndMarked();
+    void areaFormTellsHowMuchCannotBeFlown_data();
+    void areaFormTellsHowMuchCannotBeFlown();
     void withoutLimitsNothingIsMarked();
     void everythingHasNameAndTooltip();
 };
@@ -552,6 +554,26 @@ void tst_Bars::areaOutsideTheWorldIsShownAndMarked() {
         form.findChild<QLabel*>(QStringLiteral("size"))->text().replace(QChar(QChar::Nbsp), QChar(u' '));
     QVERIFY2(words.contains(QStringLiteral("Lowest x, Highest y: outside the world, which spans x −50.0 … 50.0 m")),
              qPrintable(words));
+}
+
+void tst_Bars::areaFormTellsHowMuchCannotBeFlown_data() {
+    QTest::addColumn<Rectangle>("area");
+    QTest::addColumn<QString>("words");
+    QTest::newRow("inside") << Rectangle{Vec2(0, 0), Vec2(10, 10)} << QString();
+    QTest::newRow("a quarter") << Rectangle{Vec2(-60, 0), Vec2(-20, 10)}
+                               << QStringLiteral("25.0 % of the area is there; only the rest is flown.");
+    QTest::newRow("all of it") << Rectangle{Vec2(60, 60), Vec2(70, 70)}
+                               << QStringLiteral("All of the area is there and cannot be flown.");
+}
+
+void tst_Bars::areaFormTellsHowMuchCannotBeFlown() {
+    QFETCH(Rectangle, area);
+    QFETCH(QString, words);
+    AreaForm form;
+    form.setLimits({Vec2(-50, -50), Vec2(50, 50)});
+    form.setArea(area);
+    const QString text = form.findChild<QLabel*>(QStringLiteral("size"))->text();
+    QVERIFY2(words.isEmpty() ? !text.contains(QStringLiteral("flown")) : text.contains(words), qPrintable(text));
 }
 
 void tst_Bars::withoutLimitsNothingIsMarked() {

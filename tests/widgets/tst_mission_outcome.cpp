@@ -55,6 +55,16 @@ bool says(const ResultCard& card, const QString& words) {
 class tst_MissionOutcome : public QObject {
     Q_OBJECT
 private slots:
+    void whatCannotBeReachedIsTold() {
+        MissionOutcome outcome = wholeFlight();
+        QVERIFY(!textsOf(outcome).join(u';').contains("reached"));
+        outcome.reachable_pct = 98.25;
+        outcome.unreachable = QStringLiteral("12 % of the mission area cannot be reached.");
+        QVERIFY(textsOf(outcome).contains(QStringLiteral("Of what can be reached 98.3 %")) ||
+                textsOf(outcome).contains(QStringLiteral("Of what can be reached 98.2 %")));
+        QCOMPARE(figuresOf(outcome)[1].help, outcome.unreachable);
+    }
+
     void whatABehaviorToldIsTakenOver() {
         agent::BehaviorStatus status;
         status.elapsed = Seconds(12.0);

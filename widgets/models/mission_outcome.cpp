@@ -42,6 +42,9 @@ std::vector<OutcomeFigure> figuresOf(const MissionOutcome& outcome) {
     if (outcome.coverage_pct)
         figures.push_back({QObject::tr("Coverage"), QObject::tr("%1 %").arg(figure(*outcome.coverage_pct, 1)),
                            QObject::tr("Part of the mission area whose height is known")});
+    if (outcome.reachable_pct)
+        figures.push_back({QObject::tr("Of what can be reached"),
+                           QObject::tr("%1 %").arg(figure(*outcome.reachable_pct, 1)), outcome.unreachable});
     figures.push_back(
         {QObject::tr("Time"), durationText(outcome.duration), QObject::tr("Since the start, on the robot's clock")});
     figures.push_back({QObject::tr("Distance"), QObject::tr("%1 m").arg(figure(outcome.distance_m, 0)),

@@ -19,7 +19,10 @@ struct MissionOutcome {
     bool success = false;
     QString reason{};                     ///< a sentence
     std::optional<double> coverage_pct{}; ///< of the mission area, 0..100
-    Seconds duration{0.0};                ///< on the protocol clock
+    std::optional<double>
+        reachable_pct{};   ///< the same of what could be reached of the area; absent: all could, or unknown
+    QString unreachable{}; ///< a sentence about the rest
+    Seconds duration{0.0}; ///< on the protocol clock
     double distance_m = 0.0;
     int charges = 0;
     std::optional<std::pair<double, double>> heights_m{}; ///< lowest and highest of the map

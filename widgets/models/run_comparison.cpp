@@ -57,6 +57,9 @@ struct Figure {
 constexpr Figure figures[] = {
     {QT_TR_NOOP("Coverage"), QT_TR_NOOP("Part of the mission area whose height is known"), &RunFigures::coverage_pct, 1,
      "%", Better::More},
+    {QT_TR_NOOP("Of what can be reached"),
+     QT_TR_NOOP("Part of what a robot could reach of the area whose height is known"),
+     &RunFigures::reachable_coverage_pct, 1, "%", Better::More},
     {QT_TR_NOOP("Time"), QT_TR_NOOP("On the robot's clock"), &RunFigures::duration_s, 0, "s", Better::Less},
     {QT_TR_NOOP("Distance"), QT_TR_NOOP("As the robot estimates it"), &RunFigures::distance_m, 0, "m", Better::Less},
     {QT_TR_NOOP("Lowest"), QT_TR_NOOP("Lowest place of the whole map"), &RunFigures::lowest_m, 1, "m", Better::Neither},
@@ -154,6 +157,7 @@ Result<RunFigures> readRun(const QString& path) {
     RunFigures run{.path = path, .mission = summary["mission"].toString(), .behavior = summary["behavior"].toString()};
     run.success = summary["success"].isBool() ? std::optional(summary["success"].toBool()) : std::nullopt;
     run.coverage_pct = number(summary["coverage_pct"]);
+    run.reachable_coverage_pct = number(summary["reachable_coverage_pct"]);
     run.duration_s = number(summary["duration_s"]);
     run.distance_m = number(summary["distance_m"]);
     run.lowest_m = number(map["minimum_m"]);

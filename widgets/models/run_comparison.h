@@ -16,8 +16,9 @@ struct RunFigures {
     QString mission{};  ///< its name; empty: unknown
     QString behavior{}; ///< its id; empty: unknown
     std::optional<bool> success{};
-    std::optional<double> coverage_pct{}; ///< of the mission area, 0..100
-    std::optional<double> duration_s{};   ///< on the protocol clock
+    std::optional<double> coverage_pct{};           ///< of the mission area, 0..100
+    std::optional<double> reachable_coverage_pct{}; ///< of what could be reached of it
+    std::optional<double> duration_s{};             ///< on the protocol clock
     std::optional<double> distance_m{};
     std::optional<double> lowest_m{}; ///< of the map
     std::optional<double> highest_m{};

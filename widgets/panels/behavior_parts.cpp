@@ -41,6 +41,15 @@ std::array<QDoubleSpinBox*, 2> addAxis(QGridLayout* grid, int row, const QString
     return boxes;
 }
 
+/// Says how much of the area is outside the world, and what that means for its flight.
+QString outsideText(const Rectangle& area, const Rectangle& world) {
+    const Rectangle inside{area.min_m.cwiseMax(world.min_m), area.max_m.cwiseMin(world.max_m)};
+    if (inside.empty())
+        return AreaForm::tr("All of the area is there and cannot be flown.");
+    return AreaForm::tr("%1 % of the area is there; only the rest is flown.")
+        .arg(figure(100.0 * (1.0 - inside.area_m2() / area.area_m2()), 1));
+}
+
 } // namespace
 
 AreaForm::AreaForm(QWidget* parent) : QWidget(parent) {
@@ -113,6 +122,8 @@ void AreaForm::describe() {
                             "y\u00a0%4\u00a0…\u00a0%5\u00a0m.")
                              .arg(outside.join(QStringLiteral(", ")), figure(world.min_m.x(), 1),
                                   figure(world.max_m.x(), 1), figure(world.min_m.y(), 1), figure(world.max_m.y(), 1));
+    if (!outside.empty() && !typed.empty())
+        words += u' ' + outsideText(typed, world);
     size_->setText(words);
 }
 

@@ -21,7 +21,7 @@ namespace usar::widgets {
 
 /// Edits two corners in meters of the map frame and describes the resulting rectangle in words. Corners typed in the
 /// wrong order are sorted before they are reported. Values outside the world are kept, but shown in another color and
-/// named in a sentence; nothing is clamped silently. GUI thread.
+/// named in a sentence, with the share of the area that cannot be flown; nothing is clamped silently. GUI thread.
 class AreaForm : public QWidget {
     Q_OBJECT
 public:

@@ -20,6 +20,11 @@ std::string inWords(const Rectangle& area) {
            ".." + fixed(area.max_m.y(), 1) + " m";
 }
 
+/// The part that both share; `empty()` if there is none.
+Rectangle commonOf(const Rectangle& one, const Rectangle& other) {
+    return {one.min_m.cwiseMax(other.min_m), one.max_m.cwiseMin(other.max_m)};
+}
+
 /// Parameter spec with the units of a mission file: angles in degrees.
 agent::ParameterSpec inFileUnits(agent::ParameterSpec spec) {
     if (spec.unit != "rad")
@@ -95,16 +100,29 @@ Result<PreparedBehavior> prepareBehavior(const Mission& mission, const agent::Pl
     return PreparedBehavior{*plugin, *std::move(parameters), *std::move(plan)};
 }
 
-Result<void> checkAreaInside(const Rectangle& area_in_map, const Rectangle& world_in_map) {
-    if (area_in_map.empty() || world_in_map.empty() || world_in_map.contains(area_in_map))
+Result<void> checkAreaInWorld(const Rectangle& area_in_map, const Rectangle& world_in_map) {
+    if (area_in_map.empty() || world_in_map.empty() || !commonOf(area_in_map, world_in_map).empty())
         return {};
-    return failure("the mission area (" + inWords(area_in_map) + ") reaches outside the world", "area",
-                   "The world spans " + inWords(world_in_map) + "; move or shrink the area");
+    return failure("the mission area (" + inWords(area_in_map) + ") is entirely outside the world", "area",
+                   "The world spans " + inWords(world_in_map) + "; move the area");
 }
 
-Result<void> checkAreaInside(const Mission& mission, const Rectangle& world_in_map) {
-    const auto inside = checkAreaInside(mission.area_in_map, world_in_map);
+Result<void> checkAreaInWorld(const Mission& mission, const Rectangle& world_in_map) {
+    const auto inside = checkAreaInWorld(mission.area_in_map, world_in_map);
     return inside ? inside : tl::unexpected(atValue(mission, "area", inside.error()));
+}
+
+std::string beyondWorldNotice(const Rectangle& area_in_map, const Rectangle& world_in_map) {
+    if (area_in_map.empty() || world_in_map.empty() || world_in_map.contains(area_in_map))
+        return {};
+    const double outside_pct = 100.0 * (1.0 - commonOf(area_in_map, world_in_map).area_m2() / area_in_map.area_m2());
+    const std::string share = outside_pct < 0.1 ? "Less than 0.1" : fixed(outside_pct, outside_pct < 10.0 ? 1 : 0);
+    return share + " % of the mission area (" + inWords(area_in_map) + ") is outside the world, which spans " +
+           inWords(world_in_map) + "; only the part inside is flown.";
+}
+
+Rectangle areaWithin(const Rectangle& area_in_map, const Rectangle& world_in_map) {
+    return world_in_map.empty() ? area_in_map : commonOf(area_in_map, world_in_map);
 }
 
 Result<void> checkFolderIsWritable(const QString& folder) {

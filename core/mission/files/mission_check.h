@@ -29,10 +29,17 @@ Result<PreparedBehavior> prepareBehavior(const Mission& mission, const agent::Pl
 Result<std::optional<agent::PlanText>> readOwnPlan(const QString& path, const std::string& behavior_id,
                                                    const agent::PluginLoader& plugins);
 
-/// Fails on an area that is not entirely inside the world (meters, map frame). An empty area is accepted, and so is an
+/// Fails on an area that is entirely outside the world (meters, map frame). An empty area is accepted, and so is an
 /// empty world, which is one of unknown size.
-Result<void> checkAreaInside(const Rectangle& area_in_map, const Rectangle& world_in_map);
-Result<void> checkAreaInside(const Mission& mission, const Rectangle& world_in_map);
+Result<void> checkAreaInWorld(const Rectangle& area_in_map, const Rectangle& world_in_map);
+Result<void> checkAreaInWorld(const Mission& mission, const Rectangle& world_in_map);
+
+/// A sentence that warns of the part of the area that is outside the world and cannot be flown; empty if there is none,
+/// or if the world is empty, which is one of unknown size.
+std::string beyondWorldNotice(const Rectangle& area_in_map, const Rectangle& world_in_map);
+/// The part of the area that a robot can be sent to: the one inside the world, or all of it in a world of unknown size.
+/// Beyond the world's edge there is no ground, and no sensor sees the edge.
+Rectangle areaWithin(const Rectangle& area_in_map, const Rectangle& world_in_map);
 
 /// Creates the folder if it is missing, and fails if no file can be created there.
 Result<void> checkFolderIsWritable(const QString& folder);

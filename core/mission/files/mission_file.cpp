@@ -22,8 +22,8 @@ namespace usar::mission {
 
 namespace {
 
-const std::vector<std::string> mission_keys{"name", "world",      "robot",       "start",  "behavior", "plan",
-                                            "area", "parameters", "cell_size_m", "faults", "isolate"};
+const std::vector<std::string> mission_keys{"name", "world",      "robot",       "start",   "behavior", "plan",
+                                            "area", "parameters", "cell_size_m", "limit_h", "faults",   "isolate"};
 const std::vector<std::string> area_keys{"x", "y", "width", "height"};
 constexpr double farthest_m = 1e6;
 
@@ -58,14 +58,16 @@ public:
         }
     }
 
-    void number(const QJsonObject& object, const QString& path, double& target, bool required) {
+    /// `unit` is the word for the unit of the number in the file, such as "meters".
+    void number(const QJsonObject& object, const QString& path, double& target, bool required,
+                const QString& unit = "meters") {
         const QString key = path.section('.', -1);
         const QJsonValue value = object[key];
         if (value.isUndefined()) {
             if (required)
                 failMissing(key, path.section('.', 0, -2));
         } else if (!value.isDouble() || !std::isfinite(value.toDouble())) {
-            failAt(path, QString("\"%1\" is not a number").arg(key), "write it without quotes and unit, in meters");
+            failAt(path, QString("\"%1\" is not a number").arg(key), "write it without quotes and unit, in " + unit);
         } else {
             target = value.toDouble();
         }
@@ -158,6 +160,15 @@ void readArea(Reading& reading, const QJsonObject& root, Rectangle& area_in_map)
                        "stay within a thousand kilometers of the origin");
 }
 
+void readLimit(Reading& reading, const QJsonObject& root, std::optional<double>& limit_h) {
+    if (root["limit_h"].isUndefined())
+        return;
+    reading.number(root, "limit_h", limit_h.emplace(), false, "hours");
+    if (!(*limit_h > 0.0))
+        reading.failAt("limit_h", "the limit is no time above 0",
+                       "write hours of simulated time, such as 20, or leave it out: then there is no limit");
+}
+
 void readParameters(Reading& reading, const QJsonObject& root, Mission& mission) {
     if (!reading.isObject(root, "parameters"))
         return;
@@ -242,6 +253,7 @@ Result<Mission> readMission(const QByteArray& json, const QString& file_name) {
     readArea(reading, root, mission.area_in_map);
     readParameters(reading, root, mission);
     reading.number(root, "cell_size_m", mission.cell_size_m, false);
+    readLimit(reading, root, mission.limit_h);
     readFaults(reading, root, mission.faults);
     reading.flag(root, "isolate", mission.isolate);
     if (!(mission.cell_size_m >= 0.02 && mission.cell_size_m <= 10.0))
@@ -315,6 +327,8 @@ QByteArray writeMission(const Mission& mission, const std::vector<agent::Paramet
     if (const Rectangle& area = mission.area_in_map; !area.empty())
         all["area"] = QJsonObject{
             {"x", area.min_m.x()}, {"y", area.min_m.y()}, {"width", area.width_m()}, {"height", area.height_m()}};
+    if (mission.limit_h)
+        all["limit_h"] = *mission.limit_h;
     if (mission.isolate)
         all["isolate"] = true;
     if (!mission.faults.empty())

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,10 +25,11 @@ struct KeyPlace {
 
 /// A mission as written in its file. Keys of the file: name, world, robot, start, behavior, plan (file of a POSH plan
 /// to use instead of the robot's own; a relative path begins at the mission's folder), area {x, y, width, height}
-/// (lowest corner and size, meters, map frame: x forward, y left; width along x), parameters {}, cell_size_m, faults []
-/// (texts, as for the simulator's --fault; their times count from the beginning of the mission), isolate (true: the
-/// behavior runs in a process of its own). Only the name is required, and an area if the behavior needs one. Angles in
-/// the file are in degrees if the parameter's unit is rad.
+/// (lowest corner and size, meters, map frame: x forward, y left; width along x), parameters {}, cell_size_m, limit_h
+/// (hours of simulated time after which the run is given up), faults [] (texts, as for the simulator's --fault; their
+/// times count from the beginning of the mission), isolate (true: the behavior runs in a process of its own). Only the
+/// name is required, and an area if the behavior needs one. Angles in the file are in degrees if the parameter's unit
+/// is rad.
 struct Mission {
     std::string name;
     std::string world = "tall_test";
@@ -38,6 +40,7 @@ struct Mission {
     Rectangle area_in_map;                                   ///< meters; empty: none
     std::map<std::string, agent::ParameterValue> parameters; ///< as written; see `withAnglesInRadians`
     double cell_size_m = 0.25;                               ///< 0.02 .. 10 m
+    std::optional<double> limit_h;                           ///< above 0; absent: no limit
     std::vector<std::string> faults;                         ///< for the embedded simulator, in its --fault syntax
     bool isolate = false;                                    ///< the behavior runs in a process of its own
     /// Places in the file by path ("area.width", "parameters.scan_altitude_m"), for errors that are found later. Empty

@@ -1,6 +1,7 @@
 #include "core/mission/files/mission_options.h"
 
 #include <cstring>
+#include <limits>
 #include <utility>
 
 #include <QFileInfo>
@@ -151,6 +152,11 @@ void applyTo(Mission& mission, const MissionOptions& options) {
     mission.isolate = mission.isolate || options.isolate;
 }
 
+Seconds limitOf(const MissionOptions& options, const Mission& mission) {
+    const Seconds in_file{mission.limit_h.value_or(std::numeric_limits<double>::infinity()) * 3600.0};
+    return options.limit.value_or(in_file);
+}
+
 Result<void> checkFaultsArePossible(const MissionOptions& options, const Mission& mission) {
     if (!options.server || (options.faults.isEmpty() && mission.faults.empty()))
         return {};
@@ -172,7 +178,8 @@ QString missionHelp() {
                "  --seed N             noise and drift of the embedded simulator (1)\n"
                "  --speed N|max        simulated seconds per second (max)\n"
                "  --battery S          life of the robots' batteries in the embedded simulator, in seconds (a day)\n"
-               "  --limit TIME         give the mission up after this simulated time, such as 90min or 20h (never)\n"
+               "  --limit TIME         give the mission up after this simulated time, such as 90min or 20h\n"
+               "                       (the mission's limit_h, or never)\n"
                "  --connect HOST:PORT  a USARSim server instead of the embedded simulator\n"
                "  --out DIR            where the results go (USAR_Scan on the Desktop)\n"
                "  --record FILE        every byte in and out, for replay (a new file, usually NAME.usarrec)\n"

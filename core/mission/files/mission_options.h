@@ -32,13 +32,13 @@ struct MissionOptions {
     std::optional<double> speed_x;        ///< simulated per real seconds; absent: as fast as possible
     std::optional<ServerAddress> server;  ///< absent: the embedded simulator
     std::optional<double> battery_life_s; ///< of the embedded simulator's robots; absent: a day
-    std::optional<Seconds> limit;         ///< the run is given up after this simulated time; absent: never
-    QString result_folder;                ///< empty: the default folder
-    QString recording;                    ///< file to record to; empty: none
-    QStringList faults;                   ///< in addition to the mission's
-    QStringList plugin_folders;           ///< in addition to the plugins that come with the program
-    bool isolate = false;                 ///< on even if the mission does not ask for it
-    bool help = false;                    ///< only the help is wanted
+    std::optional<Seconds> limit; ///< the run is given up after this simulated time; absent: the mission's limit
+    QString result_folder;        ///< empty: the default folder
+    QString recording;            ///< file to record to; empty: none
+    QStringList faults;           ///< in addition to the mission's
+    QStringList plugin_folders;   ///< in addition to the plugins that come with the program
+    bool isolate = false;         ///< on even if the mission does not ask for it
+    bool help = false;            ///< only the help is wanted
     bool operator==(const MissionOptions&) const = default;
 };
 
@@ -52,6 +52,10 @@ Result<MissionOptions> readMissionOptions(const QStringList& arguments);
 /// Puts the command line's behavior, plan and isolation over those of the file: what was typed takes precedence, and
 /// errors about it do not name the file. A relative path of a plan begins at the current folder.
 void applyTo(Mission& mission, const MissionOptions& options);
+
+/// The simulated time after which the run is given up: that of the command line, or else the mission's; infinite if
+/// neither sets one.
+Seconds limitOf(const MissionOptions& options, const Mission& mission);
 
 /// Fails if faults are requested together with a server: only the embedded simulator can make them.
 Result<void> checkFaultsArePossible(const MissionOptions& options, const Mission& mission);

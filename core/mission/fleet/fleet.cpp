@@ -128,7 +128,9 @@ SimulatorFacts Fleet::Private::factsOf(const Robot& robot) const {
     if (robot.isReplay())
         return {};
     const auto truth = truths.find(robot.view().id);
-    return {truth == truths.end() ? std::nullopt : std::optional(truth->second), seed, make_truth};
+    return {truth == truths.end() ? std::nullopt : std::optional(truth->second), seed, make_truth,
+            robot.started() ? flightLimitsOf(robot.view().spawn.start_in_map, robot.started()->parameters)
+                            : std::nullopt};
 }
 
 void Fleet::Private::openNext() {
@@ -288,8 +290,11 @@ Result<void> Fleet::Private::start(Robot& robot, const StartedBehavior& start) {
     const auto parameters = checkStart(start, plugins, place);
     if (!parameters)
         return tl::unexpected(parameters.error());
-    return robot.startBehavior(plugins, start, {*parameters, place.dry_above_m}, behavior_host,
-                               missionNote(robot.view(), start, seed, site()));
+    const auto begun = robot.startBehavior(plugins, start, {*parameters, place.dry_above_m, place.extent_in_map},
+                                           behavior_host, missionNote(robot.view(), start, seed, site()));
+    if (const std::string notice = beyondWorldNotice(start.area_in_map, place.extent_in_map); begun && !notice.empty())
+        q.note(Severity::Warning, missionKey(robot.view().id) + "/area", QString::fromStdString(notice));
+    return begun;
 }
 
 Result<RobotId> Fleet::flyRest(const std::shared_ptr<const RecordedScan>& earlier) {
@@ -331,7 +336,8 @@ void Fleet::preview(RobotId id, const std::string& behavior_id, const Rectangle&
         return told(tl::unexpected(parameters.error()));
     const Robot* robot = this->robot(id);
     const Pose start_in_map = robot ? robot->view().spawn.start_in_map : Pose{};
-    plugins().preview(behavior_id, {{"", start_in_map, area_in_map}, *parameters}, told);
+    const Rectangle inside = areaWithin(area_in_map, d_->place.extent_in_map); // As the behavior will be given it.
+    plugins().preview(behavior_id, {{"", start_in_map, inside.empty() ? area_in_map : inside}, *parameters}, told);
 }
 
 void Fleet::setResultFolder(const QString& folder) {

@@ -6,6 +6,7 @@
 #include "core/base/alternatives.h"
 #include "core/base/numbers.h"
 #include "core/link/across_threads.h"
+#include "core/mission/files/mission_check.h"
 #include "core/mission/runs/mission_score.h"
 
 namespace usar::mission {
@@ -71,7 +72,9 @@ Result<void> Robot::startBehavior(const agent::PluginLoader& plugins, const Star
                                   const std::string& mission_note) {
     const agent::ParameterSet& parameters = checked.parameters;
     const agent::Task task{view_.spawn.robot_name, view_.spawn.start_in_map, start.area_in_map, checked.dry_above_m};
-    const auto behavior = agent::startBehavior(plugins, start.id, {task, parameters, start.plan},
+    agent::Task flown = task; // The record keeps the whole area, of which the coverage is counted.
+    flown.area_in_map = areaWithin(task.area_in_map, checked.world_in_map);
+    const auto behavior = agent::startBehavior(plugins, start.id, {flown, parameters, start.plan},
                                                start.isolated ? std::optional(host_program) : std::nullopt);
     if (!behavior)
         return tl::unexpected(behavior.error());

@@ -19,6 +19,8 @@ namespace usar::mission {
 struct CheckedStart {
     agent::ParameterSet parameters;
     std::optional<double> dry_above_m; ///< see agent::Task
+    /// The robot is sent only to the part of its area that is inside; empty: to all of it.
+    Rectangle world_in_map;
 };
 
 /// Belongs to the GUI thread, while its RobotSession runs in a thread of its own: calls are queued to that thread and

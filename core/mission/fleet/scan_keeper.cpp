@@ -28,12 +28,12 @@ RunSummary summaryOf(const Robot& robot, const SimulatorFacts& facts) {
 }
 
 /// Writes the record with its summary, which is returned complete.
-Result<RunSummary> saveRecord(const ScanRecord& record, RunSummary summary, const std::function<Truth()>& make_truth,
+Result<RunSummary> saveRecord(const ScanRecord& record, RunSummary summary, const SimulatorFacts& facts,
                               const QString& folder, const mapping::HeightLook& look, const std::stop_token& stop) {
     const std::optional<Truth> truth =
-        make_truth && !stop.stop_requested() ? std::optional(make_truth()) : std::nullopt;
+        facts.make_truth && !stop.stop_requested() ? std::optional(facts.make_truth()) : std::nullopt;
     summary.duration = record.status.elapsed;
-    addRecord(summary, record, truth ? &*truth : nullptr);
+    addRecord(summary, record, truth ? &*truth : nullptr, facts.flight);
     const Result<QStringList> files = writeResults(record, toJson(summary), folder, look, stop);
     if (!files)
         return tl::unexpected(files.error());
@@ -93,12 +93,11 @@ void ScanKeeper::write(Robot& robot, const std::shared_ptr<const ScanRecord>& re
     const SimulatorFacts known = facts == facts_.end() ? SimulatorFacts{} : facts->second();
     ++writing_;
     emit writingChanged(nameOf(robot));
-    pool_.start(
-        HandedOver([this, who = Writing{robot.view().id, nameOf(robot), &robot, stop_.get_token()}, record,
-                    summary = summaryOf(robot, known), make_truth = known.make_truth, to = folder(), look = look_] {
-            const Result<RunSummary> whole = saveRecord(*record, summary, make_truth, to, look, who.stop);
-            link::post(this, [this, who, whole] { written(who, whole); });
-        }));
+    pool_.start(HandedOver([this, who = Writing{robot.view().id, nameOf(robot), &robot, stop_.get_token()}, record,
+                            summary = summaryOf(robot, known), known, to = folder(), look = look_] {
+        const Result<RunSummary> whole = saveRecord(*record, summary, known, to, look, who.stop);
+        link::post(this, [this, who, whole] { written(who, whole); });
+    }));
 }
 
 void ScanKeeper::written(const Writing& writing, const Result<RunSummary>& summary) {

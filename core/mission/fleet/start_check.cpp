@@ -20,7 +20,7 @@ Result<agent::ParameterSet> checkStart(const StartedBehavior& start, const agent
         return tl::unexpected(plugins.pluginFor(start.id).error());
     if (description->needs_area && start.area_in_map.empty())
         return failure("it needs a mission area", description->name, "Draw one on the map with the area tool");
-    if (const auto inside = checkAreaInside(start.area_in_map, place.extent_in_map); !inside)
+    if (const auto inside = checkAreaInWorld(start.area_in_map, place.extent_in_map); !inside)
         return tl::unexpected(inside.error());
     return checkParameters(start.id, start.parameters, plugins);
 }
@@ -34,7 +34,7 @@ checkMission(const Mission& mission, const agent::PluginLoader& plugins, const S
                                        "Here is " + level + "; connect to a server with " + mission.world}));
     if (const auto prepared = prepareBehavior(mission, plugins); !prepared)
         return tl::unexpected(prepared.error());
-    if (const auto inside = checkAreaInside(mission, place.extent_in_map); !inside)
+    if (const auto inside = checkAreaInWorld(mission, place.extent_in_map); !inside)
         return tl::unexpected(inside.error());
     return withAnglesInRadians(mission.parameters, plugins.behavior(mission.behavior)->parameters);
 }

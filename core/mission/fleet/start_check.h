@@ -25,13 +25,14 @@ Result<agent::ParameterSet> checkParameters(const std::string& behavior_id,
                                             const std::map<std::string, agent::ParameterValue>& values,
                                             const agent::PluginLoader& plugins);
 
-/// Returns the checked parameters. An error for an unknown behavior, an area that is missing or outside the world, or a
-/// parameter that is not allowed.
+/// Returns the checked parameters. An error for an unknown behavior, an area that is missing or entirely outside the
+/// world, or a parameter that is not allowed.
 Result<agent::ParameterSet> checkStart(const StartedBehavior& start, const agent::PluginLoader& plugins,
                                        const StartPlace& place);
 
-/// Checks that the mission can be flown there: world, plugin, parameters, and area within the world. Returns the
-/// parameters as the behavior takes them. Errors about a mission that was read from a file name line and column.
+/// Checks that the mission can be flown there: world, plugin, parameters, and area, of which some must be in the world.
+/// Returns the parameters as the behavior takes them. Errors about a mission that was read from a file name line and
+/// column.
 Result<std::map<std::string, agent::ParameterValue>>
 checkMission(const Mission& mission, const agent::PluginLoader& plugins, const StartPlace& place);
 

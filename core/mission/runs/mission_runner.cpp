@@ -64,7 +64,7 @@ void MissionRunner::start() {
 void MissionRunner::continueEarlier() {
     const RecordedScan& earlier = *options_.earlier;
     session_.continueScan({options_.earlier, &earlier.scan});
-    if (earlier.rest_in_map.empty())
+    if (areaWithin(earlier.rest_in_map, options_.world_extent.value_or(Rectangle{})).empty())
         conclude(true, "Nothing was left to fly: the recording has scanned the whole area.", Done);
 }
 
@@ -80,14 +80,23 @@ void MissionRunner::interrupt() {
         conclude(false, "Interrupted; what was scanned until then is kept.", MissionFailed);
 }
 
+void MissionRunner::robotVanished(const QString& name) {
+    if (phase_ != Phase::Over && name == robot_name)
+        conclude(false,
+                 "The simulator has removed the robot " + name.toStdString() + "; what was scanned until then is kept.",
+                 MissionFailed);
+}
+
 Result<void> MissionRunner::prepare() {
     auto prepared = prepareBehavior(mission_, plugins_);
     if (!prepared)
         return tl::unexpected(prepared.error());
     behavior_ = *std::move(prepared);
-    if (options_.world_extent)
-        if (auto inside = checkAreaInside(mission_, *options_.world_extent); !inside)
-            return inside;
+    const Rectangle world_in_map = options_.world_extent.value_or(Rectangle{});
+    if (auto inside = checkAreaInWorld(mission_, world_in_map); !inside)
+        return inside;
+    if (const std::string notice = beyondWorldNotice(mission_.area_in_map, world_in_map); !notice.empty())
+        emit noticed({Severity::Warning, notice});
     if (auto writable = checkFolderIsWritable(options_.result_folder); !writable || options_.recording.isEmpty())
         return writable;
     const QSignalBlocker quiet(session_); // The error is reported once, as the reason.
@@ -116,7 +125,9 @@ void MissionRunner::takeRobot() {
     const agent::Task task{robot_name, start_in_map_,
                            options_.earlier ? options_.earlier->rest_in_map : mission_.area_in_map,
                            options_.dry_above_m};
-    const auto made = agent::startBehavior(plugins_, mission_.behavior, {task, behavior_->parameters, behavior_->plan},
+    agent::Task flown = task; // The record keeps the whole area, of which the coverage is counted.
+    flown.area_in_map = areaWithin(task.area_in_map, options_.world_extent.value_or(Rectangle{}));
+    const auto made = agent::startBehavior(plugins_, mission_.behavior, {flown, behavior_->parameters, behavior_->plan},
                                            mission_.isolate ? std::optional(options_.behavior_host) : std::nullopt);
     if (!made)
         return conclude(false, made.error().text(), BadInput);
@@ -141,11 +152,6 @@ void MissionRunner::look() {
                  MissionFailed);
     } else if (phase_ == Phase::Flying && elapsedOn(since_time_moved_) > options_.limits.stall) {
         conclude(false, "The simulation's clock has stood still too long. Is it paused, or has the server hung?",
-                 MissionFailed);
-    } else if (phase_ == Phase::Flying && flightTime() > options_.limits.flight) {
-        conclude(false,
-                 "The mission took longer than its limit of " + fixed(options_.limits.flight.count() / 3600.0, 2) +
-                     " h. Raise --limit, or make the area smaller.",
                  MissionFailed);
     }
     if (phase_ != Phase::Over)
@@ -195,6 +201,8 @@ void MissionRunner::conclude(bool success, const std::string& reason, int exit_c
     figures.success = success;
     figures.reason = reason;
     judgeDamage(figures);
+    for (const QString& warning : figures.warnings)
+        emit noticed({Severity::Warning, warning.toStdString()});
     if (success && !figures.success)
         exit_code = std::max<int>(exit_code, MissionFailed);
     session_.close();
@@ -221,7 +229,8 @@ RunSummary MissionRunner::figuresOf(const ScanRecord& record) {
     figures.wall = elapsedOn(since_flight_);
     figures.truth = flew && options_.true_figures ? options_.true_figures() : std::nullopt;
     addSession(figures, session_.figures());
-    addRecord(figures, record, options_.truth ? &*options_.truth : nullptr);
+    const auto flight = behavior_ ? flightLimitsOf(start_in_map_, behavior_->parameters.values()) : std::nullopt;
+    addRecord(figures, record, options_.truth ? &*options_.truth : nullptr, flight);
     return figures;
 }
 

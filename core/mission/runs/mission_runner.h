@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -26,14 +25,13 @@
 
 namespace usar::mission {
 
-/// Time limits after which a run is given up. Wall time, except for the last one, which is none unless the user sets
-/// it.
+/// Times after which a run is given up. Wall time, because a server that says nothing tells no other; the limit of the
+/// flight is among those of the session.
 struct RunLimits {
     SessionLimits session;
-    Seconds connect{8.0};                                    ///< no connection, or no start poses from the server
-    Seconds spawn{20.0};                                     ///< no robot, and the session gave no reason
-    Seconds stall{30.0};                                     ///< the protocol clock stands still
-    Seconds flight{std::numeric_limits<double>::infinity()}; ///< protocol clock
+    Seconds connect{8.0}; ///< no connection, or no start poses from the server
+    Seconds spawn{20.0};  ///< no robot, and the session gave no reason
+    Seconds stall{30.0};  ///< the protocol clock stands still
 };
 
 /// Options of one run.
@@ -93,6 +91,8 @@ public:
     void interrupt();
     /// Notes a fault as RobotSession::noteFault does; it also appears in the summary.
     void noteFault(const QString& sentence) { session_.noteFault(sentence.toStdString()); }
+    /// Ends the run if this is its robot: it is gone from the simulator, which tells nothing on the connection.
+    void robotVanished(const QString& name);
     /// The JSON summary; headless.md lists its keys. Valid after `finished`.
     const QJsonObject& summary() const { return summary_; }
 

@@ -4,6 +4,8 @@
 
 #include <QJsonArray>
 
+#include "core/mission/files/mission_check.h"
+
 namespace usar::mission {
 
 namespace {
@@ -74,7 +76,8 @@ void addSession(RunSummary& summary, const SessionFigures& figures) {
     summary.lockstep = figures.lockstep;
 }
 
-void addRecord(RunSummary& summary, const ScanRecord& record, const Truth* truth) {
+void addRecord(RunSummary& summary, const ScanRecord& record, const Truth* truth,
+               const std::optional<FlightLimits>& flight) {
     summary.distance_m = record.status.distance_flown_m;
     summary.charges = record.status.charges;
     summary.score = score(record.raster, record.area_in_map, truth);
@@ -82,10 +85,18 @@ void addRecord(RunSummary& summary, const ScanRecord& record, const Truth* truth
     summary.heights = record.raster.range();
     summary.faults += textsOf(record.faults);
     summary.continues = record.continues;
+    if (truth && flight)
+        summary.reach = areaReach(record.raster, record.area_in_map, *truth, *flight);
+    const std::string warning = summary.reach ? unreachableNotice(*summary.reach)
+                                : truth       ? beyondWorldNotice(record.area_in_map, truth->world_in_map)
+                                              : std::string();
+    if (!warning.empty())
+        summary.warnings += QString::fromStdString(warning);
 }
 
 QJsonObject toJson(const RunSummary& summary) {
     const double wall_s = summary.wall.count();
+    const auto& reach = summary.reach;
     QJsonObject json{
         {"success", summary.success},
         {"reason", QString::fromStdString(summary.reason)},
@@ -99,6 +110,8 @@ QJsonObject toJson(const RunSummary& summary) {
         {"distance_m", number(summary.distance_m, 2)},
         {"charges", summary.charges},
         {"coverage_pct", number(summary.score.coverage_pct, 2)},
+        {"reachable_coverage_pct", number(reach ? std::optional(reach->coverage_pct) : std::nullopt, 2)},
+        {"unreachable_m2", number(reach ? std::optional(reach->unreachable_m2()) : std::nullopt, 1)},
         {"rmse_m", number(summary.score.rmse_m, 4)},
         {"rmse_surface_m", number(summary.score.rmse_surface_m, 4)},
         {"cells", static_cast<qint64>(summary.cells)},
@@ -106,6 +119,7 @@ QJsonObject toJson(const RunSummary& summary) {
         {"lines_malformed", static_cast<qint64>(summary.lines_malformed)},
         {"lockstep", summary.lockstep},
         {"continues", continuedBy(summary.continues)},
+        {"warnings", QJsonArray::fromStringList(summary.warnings)},
         {"faults", QJsonArray::fromStringList(summary.faults)},
         {"files", QJsonArray::fromStringList(summary.files)}};
     addTruth(json, summary.truth);

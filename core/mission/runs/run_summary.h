@@ -53,8 +53,11 @@ struct RunSummary {
     double distance_m = 0.0;
     int charges = 0;
     std::optional<TrueFigures> truth;
-    Score score;           ///< keys coverage_pct, rmse_m, rmse_surface_m
-    std::size_t cells = 0; ///< known cells of the whole map
+    Score score; ///< keys coverage_pct, rmse_m, rmse_surface_m
+    /// Keys reachable_coverage_pct (its `coverage_pct`) and unreachable_m2; absent: unknown.
+    std::optional<AreaReach> reach{};
+    QStringList warnings{}; ///< sentences about parts of the area that cannot be scanned
+    std::size_t cells = 0;  ///< known cells of the whole map
     std::optional<mapping::HeightRange>
         heights; ///< range of the map; absent: it is empty. In the files it is under "map"
     std::uint64_t lines_received = 0;
@@ -69,7 +72,8 @@ struct RunSummary {
 struct SimulatorFacts {
     std::optional<TrueFigures> truth;
     std::optional<std::uint64_t> seed;
-    std::function<Truth()> make_truth{}; ///< makes the true heights, in any thread; empty: they are not known
+    std::function<Truth()> make_truth{};  ///< makes the true heights, in any thread; empty: they are not known
+    std::optional<FlightLimits> flight{}; ///< of the newest behavior; absent: it does not fly
 };
 
 /// Adds the line counts and whether the server runs in lockstep.
@@ -77,9 +81,11 @@ void addSession(RunSummary& summary, const SessionFigures& figures);
 /// Takes the success away from a run whose robot is known to be broken, whatever its behavior says, and adds to the
 /// reason.
 void judgeDamage(RunSummary& summary);
-/// Adds distance, charges, faults and cells, and scores the map (null `truth`: coverage only). Looks at every cell, so
-/// do not call it in the GUI thread.
-void addRecord(RunSummary& summary, const ScanRecord& record, const Truth* truth);
+/// Adds distance, charges, faults and cells, and scores the map (null `truth`: coverage only). With a truth and a
+/// flight it also tells what of the area could have been reached. Looks at every cell, so do not call it in the GUI
+/// thread.
+void addRecord(RunSummary& summary, const ScanRecord& record, const Truth* truth,
+               const std::optional<FlightLimits>& flight = std::nullopt);
 
 QJsonObject toJson(const RunSummary& summary);
 

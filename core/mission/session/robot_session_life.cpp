@@ -6,6 +6,7 @@
 
 #include <QMetaMethod>
 
+#include "core/base/numbers.h"
 #include "core/mission/session/stream_name.h"
 
 namespace usar::mission {
@@ -93,7 +94,20 @@ void RobotSession::Private::takeLine(std::string_view text) {
     spawning.passed(incoming.now());
     updates.addLine(line); // First, so that the frame of a finished behavior contains its last line.
     helm.answer(line);
+    endAtLimit();
     updates.touched();
+}
+
+/// On the protocol clock, so that equal runs end at equal moments, however fast they are.
+void RobotSession::Private::endAtLimit() {
+    const Seconds since = spawning.spawnedAt();
+    if (!helm.hasBehavior() || since.count() == 0.0 || incoming.now() - since <= limits.flight)
+        return;
+    const double limit_s = limits.flight.count();
+    const std::string limit = limit_s < 3600.0 ? fixed(limit_s, 0) + " s" : fixed(limit_s / 3600.0, 2) + " h";
+    helm.stopBehavior(by::Session{"time limit"},
+                      "The mission took longer than its limit of " + limit +
+                          ". Raise it with --limit or \"limit_h\", or make the area smaller.");
 }
 
 void RobotSession::Private::watch() {

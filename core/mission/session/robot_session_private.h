@@ -33,6 +33,7 @@ struct RobotSession::Private : SpawnOwner, HelmOwner, ReplayStage {
     void connectionLost();
     /// Takes one line without its line end, live or replayed.
     void takeLine(std::string_view text);
+    void endAtLimit();
     /// Called regularly while connected, to notice silence and overdue answers.
     void watch();
     /// The figures of the next update.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -34,15 +35,17 @@ struct SpawnRequest {
     Pose start_in_map;
 };
 
-/// How long a session waits before it reports that something is missing. Tests shorten the limits.
+/// How long a session waits before it reports that something is missing, or ends its behavior. Tests shorten the
+/// limits.
 struct SessionLimits {
     link::LinkLimits link;
     Seconds greeting{5.0};                    ///< wall: no start poses after connecting
     Seconds spawn{5.0};                       ///< wall: silence after INIT means a failed spawn (protocol.md 2.4)
     Seconds stale = protocol::silence::robot; ///< wall: silence of a spawned robot
     Seconds sensor_silence = protocol::silence::sensor; ///< protocol clock: silence of a sensor that used to send
-    Seconds hand{0.3};                   ///< wall: silence of an input device that drives; it then counts as released
-    agent::Patience behavior{};          ///< wall: the behavior's answers
+    Seconds hand{0.3};          ///< wall: silence of an input device that drives; it then counts as released
+    agent::Patience behavior{}; ///< wall: the behavior's answers
+    Seconds flight{std::numeric_limits<double>::infinity()}; ///< protocol clock since the spawn: the behavior is ended
     std::size_t unsent_bytes = 1u << 16; ///< above this, DRIVEs wait, and newer ones replace older ones
 };
 

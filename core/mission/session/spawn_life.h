@@ -35,6 +35,8 @@ public:
     bool done() const { return state_ == SpawnState::Done; }
     /// The robot of the newest request, also after it was lost.
     const std::string& robotName() const { return request_.robot_name; }
+    /// Protocol clock at the spawn; 0 until it is known.
+    Seconds spawnedAt() const { return spawned_at_; }
     /// True for a base station, which sends no data and does not drive; it counts as spawned as soon as INIT is sent.
     bool isStation() const { return protocol::isStation(request_.class_name); }
     /// The INIT that was sent on this connection and has not failed.

@@ -17,7 +17,8 @@ Result<std::unique_ptr<HeadlessSimulator>> HeadlessSimulator::serve(sim::World w
         std::move(world), {.seed = spec.seed,
                            .battery_life = spec.battery_life,
                            .robots = std::make_shared<const sim::RobotCatalog>(std::move(robots.robots)),
-                           .faults = spec.faults});
+                           .faults = spec.faults,
+                           .keeps_journal = false}); // Nobody can ask for a snapshot, and a mission may last for days.
     if (!simulation)
         return tl::unexpected(simulation.error());
     std::unique_ptr<HeadlessSimulator> host(new HeadlessSimulator);
@@ -50,6 +51,10 @@ HeadlessSimulator::~HeadlessSimulator() {
 
 void HeadlessSimulator::onFault(QObject* context, const std::function<void(const QString&)>& tell) {
     link::connectAcross(server_, &SimulatorServer::faultTurned, context, tell);
+}
+
+void HeadlessSimulator::onVanished(QObject* context, const std::function<void(const QString&)>& tell) {
+    link::connectAcross(server_, &SimulatorServer::robotVanished, context, tell);
 }
 
 Rectangle HeadlessSimulator::extent() const {

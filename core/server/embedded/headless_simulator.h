@@ -15,6 +15,7 @@
 #include "core/server/simulator_server.h"
 #include "core/sim/rays/ray_caster.h"
 #include "core/sim/simulation.h"
+#include "core/sim/world/free_space.h"
 
 namespace usar::server {
 
@@ -46,8 +47,14 @@ public:
     /// and of the bare terrain.
     double surface_m(const Vec2& point_in_map_m) const { return rays_->surface_m(point_in_map_m); }
     double ground_m(const Vec2& point_in_map_m) const { return simulation_->world().terrain.height_m(point_in_map_m); }
+    /// What a flight can reach of the area; see sim::reachFrom.
+    ReachMap reach(const FlightLimits& flight, const Rectangle& area_in_map) const {
+        return sim::reachFrom(simulation_->world(), flight, area_in_map);
+    }
     /// `tell` is called in the thread of `context` with a sentence when a fault begins or ends.
     void onFault(QObject* context, const std::function<void(const QString&)>& tell);
+    /// `tell` is called in the thread of `context` with the name of a robot that a fault has removed.
+    void onVanished(QObject* context, const std::function<void(const QString&)>& tell);
     /// Truth about the first robot; nullopt if there is none now. Waits for the simulator's thread.
     std::optional<sim::RobotTruth> firstRobot() const;
 

@@ -37,7 +37,34 @@ private slots:
 
     void rejectsWrongBehaviorsAndParametersWithTheirPlace();
 
-    void rejectsAnAreaOutsideTheWorldWithItsPlace();
+    void rejectsAnAreaEntirelyOutsideTheWorldWithItsPlace();
+
+    void aPartOutsideTheWorldIsNamedAndNotFlown_data() {
+        QTest::addColumn<Rectangle>("area");
+        QTest::addColumn<QString>("notice");
+        QTest::addColumn<Rectangle>("flown");
+        QTest::newRow("inside") << Rectangle{{-10, -10}, {10, 10}} << QString() << Rectangle{{-10, -10}, {10, 10}};
+        QTest::newRow("half of it") << Rectangle{{5, 5}, {15, 8}}
+                                    << "50 % of the mission area (x 5.0..15.0 m, y 5.0..8.0 m) is outside the world, "
+                                       "which spans x -10.0..10.0 m, y -10.0..10.0 m; only the part inside is flown."
+                                    << Rectangle{{5, 5}, {10, 8}};
+        QTest::newRow("beyond a corner") << Rectangle{{5, 5}, {15, 15}} << "75 % of the mission area"
+                                         << Rectangle{{5, 5}, {10, 10}};
+        QTest::newRow("a narrow strip") << Rectangle{{-10, -10}, {10.2, 10}} << "1.0 % of the mission area"
+                                        << Rectangle{{-10, -10}, {10, 10}};
+        QTest::newRow("next to nothing") << Rectangle{{-10, -10}, {10.001, 10}} << "Less than 0.1 % of the mission area"
+                                         << Rectangle{{-10, -10}, {10, 10}};
+    }
+
+    void aPartOutsideTheWorldIsNamedAndNotFlown() {
+        QFETCH(Rectangle, area);
+        QFETCH(QString, notice);
+        QFETCH(Rectangle, flown);
+        const QString text = QString::fromStdString(beyondWorldNotice(area, world));
+        QVERIFY2(text.startsWith(notice) && text.isEmpty() == notice.isEmpty(), qPrintable(text));
+        QCOMPARE(areaWithin(area, world), flown);
+        QVERIFY(checkAreaInWorld(area, world));
+    }
 
     void aWorldOfUnknownSizeHasRoomForAll();
 
@@ -91,7 +118,7 @@ void tst_MissionCheck::takesWhatIsRight() {
     const auto prepared = prepareBehavior(mission, plugins_);
     QVERIFY2(prepared.has_value(), prepared ? "" : prepared.error().text().c_str());
     QCOMPARE(prepared->parameters.real("lean_rad"), pi / 4);
-    QVERIFY(checkAreaInside(mission, world));
+    QVERIFY(checkAreaInWorld(mission, world));
     QVERIFY(startPoseOf(mission, {{{"Robot1", {}}}}));
 }
 
@@ -126,16 +153,19 @@ void tst_MissionCheck::rejectsWrongBehaviorsAndParametersWithTheirPlace() {
     QVERIFY2(text.startsWith(said), qPrintable(text));
 }
 
-void tst_MissionCheck::rejectsAnAreaOutsideTheWorldWithItsPlace() {
-    const auto inside = checkAreaInside(read(R"("area": {"x": 0, "y": 0, "width": 40, "height": 2})"), world);
+void tst_MissionCheck::rejectsAnAreaEntirelyOutsideTheWorldWithItsPlace() {
+    const auto inside = checkAreaInWorld(read(R"("area": {"x": 10, "y": 0, "width": 40, "height": 2})"), world);
     QVERIFY(!inside.has_value());
     QCOMPARE(inside.error().where, std::string("m.json:3:9"));
-    QVERIFY2(inside.error().text().find("reaches outside the world") != std::string::npos,
+    QVERIFY2(inside.error().text().find("is entirely outside the world") != std::string::npos,
              inside.error().text().c_str());
 }
 
 void tst_MissionCheck::aWorldOfUnknownSizeHasRoomForAll() {
-    QVERIFY(checkAreaInside(read(R"("area": {"x": 0, "y": 0, "width": 40, "height": 2})"), {}));
+    const Mission mission = read(R"("area": {"x": 0, "y": 0, "width": 40, "height": 2})");
+    QVERIFY(checkAreaInWorld(mission, {}));
+    QVERIFY(beyondWorldNotice(mission.area_in_map, {}).empty());
+    QCOMPARE(areaWithin(mission.area_in_map, {}), mission.area_in_map);
 }
 
 void tst_MissionCheck::rejectsAnUnknownStartPoseWithItsPlace() {

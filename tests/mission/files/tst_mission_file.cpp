@@ -58,6 +58,7 @@ private slots:
         QCOMPARE(mission->start, std::string("PlayerStart"));
         QCOMPARE(mission->cell_size_m, 0.25);
         QVERIFY(mission->parameters.empty());
+        QVERIFY(!mission->limit_h);
     }
 
     void takesEveryKey();
@@ -167,7 +168,7 @@ private slots:
 
 void tst_MissionFile::takesEveryKey() {
     const auto mission = readMission(R"({"name": "a", "world": "b", "robot": "USARBot.C", "start": "d", "behavior": "e",
-    "area": {"x": 1, "y": 2, "width": 3, "height": 4}, "parameters": {}, "cell_size_m": 0.1,
+    "area": {"x": 1, "y": 2, "width": 3, "height": 4}, "parameters": {}, "cell_size_m": 0.1, "limit_h": 1.5,
     "faults": ["wind speed=4", "rotor from=60"],
     "isolate": true})",
                                      "m.json");
@@ -177,6 +178,7 @@ void tst_MissionFile::takesEveryKey() {
     QCOMPARE(mission->start, std::string("d"));
     QCOMPARE(mission->behavior, std::string("e"));
     QCOMPARE(mission->cell_size_m, 0.1);
+    QCOMPARE(mission->limit_h, std::optional(1.5));
     QVERIFY(mission->isolate);
     QCOMPARE(mission->faults, (std::vector<std::string>{"wind speed=4", "rotor from=60"}));
 }
@@ -238,6 +240,10 @@ void tst_MissionFile::rejectsUnfitValuesAndSaysWhere_data() {
             "further away", "origin");
     refused("cell size zero", good + ",\n\"cell_size_m\": 0}", "m.json:4:16", "cell size", "0.25");
     refused("cell size a text", good + ",\n\"cell_size_m\": \"fine\"}", "m.json:4:16", "not a number", "meters");
+    refused("limit zero", good + ",\n\"limit_h\": 0}", "m.json:4:12", "no time above 0", "hours");
+    refused("limit negative", good + ",\n\"limit_h\": -2}", "m.json:4:12", "no time above 0", "leave it out");
+    refused("limit with a unit", good + ",\n\"limit_h\": \"20h\"}", "m.json:4:12", "not a number", "in hours");
+    refused("limit null", good + ",\n\"limit_h\": null}", "m.json:4:12", "not a number", "in hours");
     refused("parameter is a list", good + ",\n\"parameters\": {\"lanes\": [1]}}", "m.json:4:25",
             "\"lanes\" is no parameter", "number");
     refused("a fault alone", good + ",\n\"faults\": \"wind\"}", "m.json:4:11", "not a list", "square brackets");

@@ -177,6 +177,29 @@ private slots:
         QCOMPARE(mission.places.size(), std::size_t(2));
     }
 
+    void theTypedLimitGoesBeforeTheFiles_data() {
+        QTest::addColumn<std::optional<Seconds>>("typed");
+        QTest::addColumn<std::optional<double>>("in_file_h");
+        QTest::addColumn<double>("limit_s");
+        const auto add = [](const char* row, std::optional<Seconds> typed, std::optional<double> in_file_h,
+                            double limit_s) { QTest::newRow(row) << typed << in_file_h << limit_s; };
+        add("neither", {}, {}, std::numeric_limits<double>::infinity());
+        add("in the file", {}, 1.5, 5400.0);
+        add("typed", Seconds{90.0}, {}, 90.0);
+        add("both", Seconds{90.0}, 1.5, 90.0);
+    }
+
+    void theTypedLimitGoesBeforeTheFiles() {
+        QFETCH(std::optional<Seconds>, typed);
+        QFETCH(std::optional<double>, in_file_h);
+        QFETCH(double, limit_s);
+        Mission mission;
+        mission.limit_h = in_file_h;
+        MissionOptions options;
+        options.limit = typed;
+        QCOMPARE(limitOf(options, mission).count(), limit_s);
+    }
+
     void faultsNeedTheEmbeddedSimulator_data() {
         QTest::addColumn<bool>("server");
         QTest::addColumn<bool>("typed");

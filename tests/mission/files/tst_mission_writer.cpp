@@ -42,6 +42,8 @@ Mission anyMission(std::mt19937& random) {
                           {"corner", std::string("north")}};
     if (random() % 2)
         mission.faults = {"wind speed=4", "rotor from=60"};
+    if (random() % 2)
+        mission.limit_h = 0.5 + static_cast<double>(random() % 50);
     mission.isolate = true;
     return mission;
 }
@@ -62,6 +64,7 @@ private slots:
             QVERIFY(back->area_in_map == mission.area_in_map);
             QCOMPARE(back->cell_size_m, mission.cell_size_m);
             QCOMPARE(back->faults, mission.faults);
+            QCOMPARE(back->limit_h, mission.limit_h);
             QVERIFY(back->isolate);
             auto parameters = withAnglesInRadians(back->parameters, specs);
             const double turn_rad = std::get<double>(parameters.at("turn_rad"));

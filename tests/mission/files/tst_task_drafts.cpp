@@ -95,6 +95,7 @@ private slots:
         mission.plan = "mine.lap";
         mission.area_in_map = area;
         mission.cell_size_m = 0.5;
+        mission.limit_h = 20.0;
         mission.faults = {"wind speed=4"};
         TaskDraft draft;
         draft.take(mission, {{"speed", 1.5}});
@@ -103,6 +104,7 @@ private slots:
         QCOMPARE(saved.plan, mission.plan);
         QCOMPARE(saved.area_in_map, area);
         QCOMPARE(saved.cell_size_m, 0.5);
+        QCOMPARE(saved.limit_h, mission.limit_h);
         QCOMPARE(saved.faults, mission.faults);
         QVERIFY(saved.parameters == draft.values && saved.parameters.size() == 1);
     }

@@ -117,12 +117,25 @@ private slots:
         QVERIFY(textOf(fleet_->startBehavior({1}, "test/hip", small, {}, {})).contains("no loaded plugin"));
         QVERIFY(textOf(fleet_->startBehavior({1}, "test/hop", no_area, {}, {})).contains("it needs a mission area"));
         QVERIFY(
-            textOf(fleet_->startBehavior({1}, "test/hop", {{0, 0}, {40, 2}}, {}, {})).contains("outside the world"));
+            textOf(fleet_->startBehavior({1}, "test/hop", {{10, 0}, {40, 2}}, {}, {})).contains("outside the world"));
         QVERIFY(textOf(fleet_->startBehavior({1}, "test/hop", small, {}, "none.lap")).contains("not run by a plan"));
         QVERIFY(!fleet_->robot({1})->started());
         QCOMPARE(textOf(fleet_->startBehavior({1}, "test/hop", small, {}, {})), QString());
         QVERIFY(fleet_->robot({1})->started());
         QVERIFY(textOf(fleet_->startAgain({1})).startsWith("R1: the robot is gone")); // it never came
+    }
+
+    void anAreaThatIsPartlyOutsideIsFlownWithAWarning() {
+        QVERIFY(connectNow());
+        QCOMPARE(spawnNow().value_or(RobotId{}).value, 1);
+        fleet_->setWorldExtent({{-10.0, -10.0}, {10.0, 10.0}});
+        QSignalSpy noticed(fleet_.get(), &Fleet::noticed);
+        QCOMPARE(textOf(fleet_->startBehavior({1}, "test/hop", {{0, 0}, {40, 2}}, {}, {})), QString());
+        QVERIFY(fleet_->robot({1})->started());
+        const auto said = std::ranges::find_if(noticed, [](const auto& told) { return told[0] == "mission-1/area"; });
+        QVERIFY(said != noticed.end());
+        const auto notice = (*said)[1].value<Notice>();
+        QVERIFY(notice.severity == Severity::Warning && notice.text.starts_with("75 % of the mission area"));
     }
 
     void leavingTheServerIsToldInOrder() {

@@ -12,6 +12,8 @@ namespace {
 
 const Rectangle small{{0.0, 0.0}, {4.0, 2.0}};
 const Rectangle wide{{0.0, 0.0}, {40.0, 2.0}};
+const Rectangle outside{{10.0, 0.0}, {40.0, 2.0}};
+
 StartedBehavior startOf(const std::string& behavior_id, const Rectangle& area, long long ticks) {
     StartedBehavior start;
     start.id = behavior_id;
@@ -48,7 +50,7 @@ private slots:
         QTest::newRow("an unknown behavior") << "test/hip" << small << 3 << "no loaded plugin has this behavior";
         QTest::newRow("no area") << "test/hop" << Rectangle{} << 3
                                  << "Hop: it needs a mission area. Draw one on the map with the area tool.";
-        QTest::newRow("an area outside") << "test/hop" << wide << 3 << "reaches outside the world";
+        QTest::newRow("an area outside") << "test/hop" << outside << 3 << "is entirely outside the world";
         QTest::newRow("a parameter out of range") << "test/hop" << small << 0 << "parameter ticks: 0 is out of range";
     }
 
@@ -61,6 +63,13 @@ private slots:
         QVERIFY(!parameters.has_value());
         const QString text = QString::fromStdString(parameters.error().text());
         QVERIFY2(text.contains(said), qPrintable(text));
+    }
+
+    void takesAnAreaThatIsPartlyOutside() {
+        QVERIFY(checkStart(startOf("test/hop", wide, 3), plugins_, somewhere));
+        Mission mission = hop();
+        mission.area_in_map = wide;
+        QVERIFY(checkMission(mission, plugins_, somewhere));
     }
 
     void aWorldOfUnknownSizeHasRoomForAll() { QVERIFY(checkStart(startOf("test/hop", wide, 3), plugins_, {})); }
@@ -94,7 +103,7 @@ private slots:
         QTest::newRow("no area") << "tall_test"
                                  << "test/hop" << Rectangle{} << "it needs a mission area";
         QTest::newRow("an area outside") << "tall_test"
-                                         << "test/hop" << wide << "reaches outside the world";
+                                         << "test/hop" << outside << "is entirely outside the world";
     }
 
     void refusesAMissionThatCannotBeFlownHere() {

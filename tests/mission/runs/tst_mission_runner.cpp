@@ -8,6 +8,7 @@
 
 #include "core/mission/runs/mission_runner.h"
 #include "tests/doubles/fake_robot_server.h"
+#include "tests/doubles/test_files.h"
 #include "tests/suite/suite.h"
 #include "tests/suite/waiting.h"
 
@@ -143,7 +144,7 @@ private slots:
         QTest::newRow("area without size") << "empty"
                                            << "it needs a mission area";
         QTest::newRow("area outside the world") << "outside"
-                                                << "reaches outside the world";
+                                                << "is entirely outside the world";
     }
 
     void refusesBeforeAnythingMoves() {
@@ -160,10 +161,49 @@ private slots:
         else if (fault == "empty")
             mission.area_in_map.max_m = mission.area_in_map.min_m;
         else
-            mission.area_in_map = {{5.0, 5.0}, {15.0, 8.0}};
+            mission.area_in_map = {{12.0, 5.0}, {15.0, 8.0}};
         QCOMPARE(run(mission), 2);
         QVERIFY2(reason().contains(words), qPrintable(reason()));
         QCOMPARE(server_->connectionCount(), 0);
+    }
+
+    void fliesThePartOfAnAreaThatIsInTheWorld() {
+        options_.world_extent = Rectangle{{-10.0, -10.0}, {10.0, 10.0}};
+        Mission mission = hop();
+        mission.area_in_map = {{0.0, 0.0}, {1000.0, 2.0}};
+        QCOMPARE(run(mission), 0); // the scan lies in the middle of what the behavior was given
+        QVERIFY2(said_.contains("99 % of the mission area") && said_.contains("only the part inside is flown"),
+                 qPrintable(said_));
+        const QString heights = runner_->summary()["files"].toArray().at(1).toString();
+        QVERIFY2(heights.endsWith(".hdr"), qPrintable(heights));
+        const QByteArray header = QByteArray::fromStdString(doubles::readAll(heights.toStdString()));
+        const double left_m = header.mid(header.indexOf("ULXMAP") + 6).trimmed().split('\n').front().toDouble();
+        QVERIFY2(left_m < 10.0, header);
+        QVERIFY(runner_->summary()["coverage_pct"].toDouble() < 1.0); // of the whole area
+    }
+
+    void aRobotThatVanishesEndsTheRun_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<bool>("ends");
+        QTest::newRow("ours") << "R1" << true;
+        QTest::newRow("another one") << "R2" << false;
+    }
+
+    void aRobotThatVanishesEndsTheRun() {
+        QFETCH(QString, name);
+        QFETCH(bool, ends);
+        Mission mission = hop();
+        mission.parameters["ticks"] = 60LL;
+        server_->on_command = [&](const QByteArray& line) {
+            if (line == "STEP" && server_->tickCount() == 20)
+                QMetaObject::invokeMethod(
+                    runner_.get(), [this, name] { runner_->robotVanished(name); }, Qt::QueuedConnection);
+        };
+        QCOMPARE(run(mission), ends ? 1 : 0);
+        QCOMPARE(runner_->summary()["success"].toBool(), !ends);
+        QCOMPARE(reason(), ends
+                               ? QString("The simulator has removed the robot R1; what was scanned until then is kept.")
+                               : QString("Hopped enough."));
     }
 
     void refusesAFolderThatCannotBeWritten() {
@@ -262,11 +302,13 @@ private slots:
     }
 
     void aMissionThatNeverEndsIsEnded() {
-        options_.limits.flight = Seconds{10.0};
+        options_.limits.session.flight = Seconds{10.0};
         Mission mission = hop();
         mission.parameters["ticks"] = 1000000LL;
         QCOMPARE(run(mission), 1);
-        QVERIFY2(reason().contains("longer than its limit of 0.00 h"), qPrintable(reason()));
+        QVERIFY2(reason().contains("longer than its limit of 10 s"), qPrintable(reason()));
+        const double duration_s = runner_->summary()["duration_s"].toDouble();
+        QVERIFY2(duration_s > 10.0 && duration_s < 10.5, qPrintable(QString::number(duration_s))); // the next tick
         QCOMPARE(filesInResults().size(), 9);
     }
 
@@ -331,6 +373,9 @@ private:
     int run(const Mission& mission) {
         runner_ = std::make_unique<MissionRunner>(mission, plugins_, options_);
         QSignalSpy finished(runner_.get(), &MissionRunner::finished);
+        said_.clear();
+        QObject::connect(runner_.get(), &MissionRunner::noticed,
+                         [this](const Notice& notice) { said_ += QString::fromStdString(notice.text) + '\n'; });
         runner_->start();
         if (!usar::test::waitForSignal(runner_.get(), &MissionRunner::finished, 30000))
             return -1;
@@ -345,6 +390,7 @@ private:
     std::unique_ptr<FakeRobotServer> server_;
     std::unique_ptr<MissionRunner> runner_;
     RunOptions options_;
+    QString said_; ///< notices of the newest run
 };
 
 USAR_TEST(tst_MissionRunner)

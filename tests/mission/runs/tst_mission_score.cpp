@@ -28,6 +28,19 @@ mapping::Raster rasterOver(const Rectangle& area, float height_m) {
 
 const Rectangle field{{-10, -5}, {10, 5}};
 
+Truth dividedWorld() {
+    const auto reach = [](const Vec2& p) {
+        return p.x() > 5.0    ? Reach::OutsideWorld
+               : p.x() < -5.0 ? Reach::ShutOff
+               : p.y() < 0.0  ? Reach::OverWater
+                              : Reach::Scanned;
+    };
+    return {.surface_m = [](const Vec2&) { return 0.0; },
+            .ground_m = [](const Vec2&) { return 0.0; },
+            .world_in_map = {{-50, -50}, {5, 50}},
+            .reach = [reach](const FlightLimits&, const Rectangle&) { return reach; }};
+}
+
 } // namespace
 
 class tst_MissionScore : public QObject {
@@ -84,6 +97,75 @@ private slots:
         const Score result = score(mapping::rasterOf(map), field, &truth);
         QVERIFY(result.rmse_m.value() < 1e-5); // at the centers, and nothing of what lies outside
         QCOMPARE(result.coverage_pct, 5.0);
+    }
+
+    void whatCannotBeReachedDoesNotCount_data() {
+        QTest::addColumn<Rectangle>("scanned");
+        QTest::addColumn<double>("reachable_coverage_pct");
+        // Of the field, x from -10 to 10 and y from -5 to 5, the world holds x up to 5; x below -5 is shut off, and the
+        // lower half of the rest is water.
+        QTest::newRow("all of it") << field << 100.0;
+        QTest::newRow("what can be reached") << Rectangle{{-5, 0}, {5, 5}} << 100.0;
+        QTest::newRow("half of that") << Rectangle{{0, 0}, {5, 5}} << 50.0;
+        QTest::newRow("what cannot be reached") << Rectangle{{-10, -5}, {-5, 5}} << 0.0;
+    }
+
+    void whatCannotBeReachedDoesNotCount() {
+        QFETCH(Rectangle, scanned);
+        QFETCH(double, reachable_coverage_pct);
+        const auto reach = areaReach(rasterOver(scanned, 1.0f), field, dividedWorld(), {});
+        QVERIFY(reach);
+        QCOMPARE(reach->coverage_pct, reachable_coverage_pct);
+        QCOMPARE(reach->outside_m2, 50.0);
+        QCOMPARE(reach->shut_off_m2, 50.0);
+        QCOMPARE(reach->water_m2, 50.0);
+        QCOMPARE(unreachableNotice(*reach),
+                 std::string("75 % of the mission area (150.0 m²) cannot be reached: 50.0 m² are outside the world, "
+                             "50.0 m² are inside or behind walls, or under roofs, 50.0 m² are water too deep to "
+                             "be scanned."));
+    }
+
+    void whereAllCanBeReachedCoverageIsTheSame() {
+        Truth truth = dividedWorld();
+        truth.world_in_map = {{-50, -50}, {50, 50}};
+        truth.reach = [](const FlightLimits&, const Rectangle&) { return [](const Vec2&) { return Reach::Scanned; }; };
+        const mapping::Raster raster = rasterOver({{-10, -5}, {3, 4}}, 1.0f);
+        const auto reach = areaReach(raster, field, truth, {});
+        QVERIFY(reach);
+        QCOMPARE(reach->coverage_pct, score(raster, field, nullptr).coverage_pct);
+        QCOMPARE(unreachableNotice(*reach), std::string());
+    }
+
+    void withoutAnAnswerNothingIsSaidAboutReach() {
+        const mapping::Raster raster = rasterOver(field, 1.0f);
+        Truth truth = dividedWorld();
+        QVERIFY(!areaReach(raster, {{60, 60}, {70, 70}}, truth, {})); // outside the world
+        QVERIFY(!areaReach(raster, {}, truth, {}));
+        QVERIFY(!areaReach(raster, {{-10, -5}, {-6, 5}}, truth, {})); // all shut off
+        truth.reach = [](const FlightLimits&, const Rectangle&) { return ReachMap(); };
+        QVERIFY(!areaReach(raster, field, truth, {}));
+        truth.reach = {};
+        QVERIFY(!areaReach(raster, field, truth, {}));
+    }
+
+    void aHugeAreaIsCountedOnlyWithinTheWorld() {
+        const Rectangle huge{{-1e5, -1e5}, {1e5, 1e5}};
+        const auto reach = areaReach(rasterOver(field, 1.0f), huge, dividedWorld(), {});
+        QVERIFY(reach && reach->outside_m2 > 3.9e10);
+    }
+
+    void onlyABehaviorWithAScanAltitudeFlies() {
+        const Pose start{.position_m = {1, 2, 3}};
+        QVERIFY(!flightLimitsOf(start, {}));
+        QVERIFY(!flightLimitsOf(start, {{"scan_altitude_m", std::string("high")}}));
+        QCOMPARE(flightLimitsOf(start, {{"scan_altitude_m", 4.0}})->maximum_height_m, 4.0);
+        std::map<std::string, agent::ParameterValue> parameters{
+            {"scan_altitude_m", 4.0}, {"maximum_height_m", 15.0}, {"climb_over", true}};
+        const auto flight = flightLimitsOf(start, parameters);
+        QVERIFY(flight && flight->start_in_map_m == start.position_m && flight->scan_altitude_m == 4.0);
+        QCOMPARE(flight->maximum_height_m, 15.0);
+        parameters["climb_over"] = false;
+        QCOMPARE(flightLimitsOf(start, parameters)->maximum_height_m, 4.0);
     }
 
     void aTruthThatEndsSomewhereIsLeftOut() {

@@ -34,9 +34,10 @@ private slots:
         flown.truth = TrueFigures{3, 12.5, Seconds(4.0), 1, 2, Seconds(7.5), HeightOverGround{0.5, 4.0, 0.25}};
         flown.seed = 7;
         QCOMPARE(toJson(flown).keys(), refused.keys());
-        QCOMPARE(refused.size(), 30);
-        for (const char* key : {"mission", "behavior", "plan", "seed", "speed_x", "rmse_m", "rmse_surface_m",
-                                "collisions", "true_distance_m", "least_height_m", "first_touch_s"})
+        QCOMPARE(refused.size(), 33);
+        for (const char* key :
+             {"mission", "behavior", "plan", "seed", "speed_x", "rmse_m", "rmse_surface_m", "collisions",
+              "true_distance_m", "least_height_m", "first_touch_s", "reachable_coverage_pct", "unreachable_m2"})
             QVERIFY2(refused[key].isNull(), key);
         QCOMPARE(toJson(flown)["seed"].toInt(), 7);
     }
@@ -81,6 +82,28 @@ private slots:
         const Truth truth{[](const Vec2&) { return 0.0; }, [](const Vec2&) { return 0.0; }};
         addRecord(summary, record, &truth);
         QVERIFY(summary.score.rmse_m);
+        QVERIFY(!summary.reach && summary.warnings.empty());
+    }
+
+    void tellsWhatCouldBeReached() {
+        const ScanRecord record = sampleScan(20);
+        const Rectangle& area = record.area_in_map;
+        const Truth truth{
+            .surface_m = [](const Vec2&) { return 0.0; },
+            .ground_m = [](const Vec2&) { return 0.0; },
+            .world_in_map = {area.min_m, area.center_m()},
+            .reach = [](const FlightLimits&, const Rectangle&) { return [](const Vec2&) { return Reach::Scanned; }; }};
+        RunSummary flown;
+        addRecord(flown, record, &truth, FlightLimits{});
+        QVERIFY(flown.reach);
+        QCOMPARE(toJson(flown)["unreachable_m2"].toDouble(), std::round(7.5 * area.area_m2()) / 10.0);
+        QVERIFY(toJson(flown)["reachable_coverage_pct"].isDouble());
+        QVERIFY(toJson(flown)["warnings"][0].toString().startsWith("75 % of the mission area"));
+        RunSummary driven; // by a robot that does not fly
+        addRecord(driven, record, &truth, std::nullopt);
+        QVERIFY(toJson(driven)["reachable_coverage_pct"].isNull() && toJson(driven)["unreachable_m2"].isNull());
+        QVERIFY(toJson(driven)["warnings"][0].toString().contains("is outside the world"));
+        QVERIFY(toJson(RunSummary{})["warnings"].toArray().empty());
     }
 
     void takesWhatTheSessionSays() {
