@@ -42,10 +42,10 @@ inline void trySurvey(std::uint64_t seed, const Rectangle& area_in_map, Seconds 
     QVERIFY2(flight.ending()->success, flight.ending()->reason.c_str());
     QVERIFY(flight.coverage_pct(area_in_map) >= 95.0);
     const Seconds whole = flight.status().elapsed;
-    for (const agent::BehaviorStatus& status : told) // From a tenth of the mission on, the end is told within 10 %.
+    for (const agent::BehaviorStatus& status : told) // From a tenth of the mission on, the end is told within 12 %.
         if (status.elapsed > whole * 0.1) {
             QVERIFY(status.time_left);
-            QVERIFY2(std::abs((status.elapsed + *status.time_left - whole) / whole) <= 0.1,
+            QVERIFY2(std::abs((status.elapsed + *status.time_left - whole) / whole) <= 0.12,
                      qPrintable(QString("after %1 s, %2 s were told to be left; it took %3 s")
                                     .arg(status.elapsed.count())
                                     .arg(status.time_left->count())

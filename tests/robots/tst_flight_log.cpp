@@ -57,6 +57,24 @@ private slots:
         QCOMPARE(all<ScanPlacement>(port).size(), std::size_t(good ? 1 : 0));
     }
 
+    void aSteadyLeanAgainstTheWindDoesNoHarm() {
+        Lean lean;
+        Senses senses = sensesAt({0, 0, 6});
+        setFlatScan(senses, {0, 0}, 1.0, 0.0);
+        senses.base_in_map.pitch_rad = radians(18.0);
+        senses.scan->base_in_map = senses.base_in_map;
+        bool good_at_once = false;
+        for (int tick = 0; tick < 100; ++tick) {
+            lean.note(senses);
+            good_at_once = good_at_once || (tick == 2 && goodForMap(senses, true, lean, settings));
+            senses.now += Seconds(0.2);
+        }
+        QVERIFY(!good_at_once);
+        QVERIFY(goodForMap(senses, true, lean, settings));
+        senses.scan->base_in_map.pitch_rad = 0.0; // It rights itself, as it does in a gust.
+        QVERIFY(!goodForMap(senses, true, lean, settings));
+    }
+
     void hasNothingToPlaceWithoutAScan() { QVERIFY(!goodForMap(sensesAt({0, 0, 6}), true, Lean(), settings)); }
 
     void namesTheScansLineAndPose() {

@@ -38,6 +38,50 @@ private slots:
         QCOMPARE(landingPlace_m(ObstacleMemory(), {3, 4}, 5.0), Vec2(3, 4));
     }
 
+    void landsOnlyWhereItHasSeenGoodGround_data() {
+        QTest::addColumn<double>("slope");
+        QTest::addColumn<double>("step_m"); ///< beyond x = 0.3 m
+        QTest::addColumn<double>("seen_to_m");
+        QTest::addColumn<double>("dry_m");
+        QTest::addColumn<bool>("good");
+        QTest::newRow("a meadow") << 0.0 << 0.0 << 5.0 << -1.0 << true;
+        QTest::newRow("a slope of 14 degrees") << 0.25 << 0.0 << 5.0 << -1.0 << true;
+        QTest::newRow("a slope of 31 degrees") << 0.6 << 0.0 << 5.0 << -1.0 << false;
+        QTest::newRow("the edge of a shelf") << 0.0 << 0.5 << 5.0 << -1.0 << false;
+        QTest::newRow("half of it was seen") << 0.0 << 0.0 << 0.1 << -1.0 << false;
+        QTest::newRow("nothing was seen") << 0.0 << 0.0 << -5.0 << -1.0 << false;
+        QTest::newRow("lower than what is dry") << 0.0 << 0.0 << 5.0 << 0.5 << false;
+    }
+    void landsOnlyWhereItHasSeenGoodGround() {
+        QFETCH(double, slope);
+        QFETCH(double, step_m);
+        QFETCH(double, seen_to_m);
+        QFETCH(double, dry_m);
+        QFETCH(bool, good);
+        ObstacleMemory memory;
+        Senses senses = sensesAt({0, 0, 6});
+        setFlatScan(senses, {0, 0}, 5.0, 0.0);
+        std::erase_if(senses.scan->hits_in_map_m, [&](const Vec3& hit) { return hit.y() > seen_to_m; });
+        for (Vec3& hit : senses.scan->hits_in_map_m)
+            hit.z() = slope * hit.x() + (hit.x() > 0.3 ? step_m : 0.0);
+        memory.take(senses, {});
+        QCOMPARE(canLand(memory, {0, 0}, dry_m), good);
+    }
+
+    void takesTheNearestGoodGroundInNeed() {
+        Refuge refuge;
+        Senses senses = sensesAt({0, 0, 6});
+        QVERIFY(!refuge.place_m(senses, ObstacleMemory(), -1.0));
+        const ObstacleMemory around = meadow();
+        refuge.note(senses, around, -1.0);
+        senses.base_in_map.position_m.x() = 14.0; // The meadow ends at 10 m.
+        const auto place_m = refuge.place_m(senses, around, -1.0);
+        QVERIFY(place_m && place_m->x() < 10.0 && (*place_m - senses.position2_m()).norm() < 6.5);
+        senses.base_in_map.position_m.x() = 60.0;
+        QCOMPARE(refuge.place_m(senses, around, -1.0), std::optional(Vec2(0, 0))); // where it was over good ground
+        QVERIFY(!Refuge().place_m(senses, around, -1.0));
+    }
+
     void sinksSlowlyNearTheGround() {
         const Settings settings;
         Touchdown touchdown;

@@ -101,6 +101,20 @@ private slots:
         QCOMPARE(overhead.allowed_m_s(senses, -0.5, false), -0.5);
     }
 
+    void whatABeamGetsPastIsNoCeiling() {
+        Overhead overhead;
+        overhead.observe(sensesWith(scanBelow(6.0, 12.0, radians(14.0), {0.0, 0.0, 4.3})),
+                         {.climb_m_s = 0.0, .ascending = true});
+        QVERIFY(overhead.hasCeiling());
+        Senses senses = sensesWith(scanBelow(6.0, 12.0, radians(14.0), {0.0, 0.0, 4.3}));
+        senses.scan->highest_near_m = 6.9; // The attitude is not known better.
+        overhead.observe(senses, {});
+        QVERIFY(overhead.hasCeiling());
+        senses.scan->highest_near_m = 7.5;
+        overhead.observe(senses, {});
+        QVERIFY(!overhead.hasCeiling());
+    }
+
     void aRobotThatDoesNotLiftOffHasMetNoCeiling() {
         Overhead overhead;
         Senses senses = sensesAt({0.0, 0.0, 0.2});

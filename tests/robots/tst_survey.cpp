@@ -132,6 +132,35 @@ private slots:
         QCOMPARE(twoLanes().givenUp_pct(), 0.0);
     }
 
+    void fliesAsFarAsAWayLeads() {
+        Survey survey = twoLanes();
+        arrive(survey, {0, 0});
+        const auto up_to_13m = [](const Vec2& at_m) { return at_m.x() < 13.5; };
+        QCOMPARE(survey.cutOff(settings, up_to_13m), SurveyEvent::GoalReached);
+        QVERIFY(survey.onLane());
+        QCOMPARE(survey.goal_m(settings), Vec2(13, 0));
+        QCOMPARE(survey.cutOff_m(), 0.0);
+        arrive(survey, {13, 0});
+        QCOMPARE(survey.goal_m(settings), Vec2(33, 0));
+        QCOMPARE(survey.cutOff(settings, up_to_13m), SurveyEvent::LaneDone); // Nothing more of this lane
+        QCOMPARE(survey.cutOff_m(), 47.0);
+        QCOMPARE(survey.goal_m(settings), Vec2(60, 10));
+        QCOMPARE(survey.cutOff(settings, up_to_13m), SurveyEvent::GoalReached); // It enters the next one later.
+        QCOMPARE(survey.goal_m(settings), Vec2(13, 10));
+        QCOMPARE(survey.cutOff_m(), 94.0);
+        QCOMPARE(survey.goalsGivenUp(), 0);
+        QCOMPARE(survey.givenUp_pct(), 0.0);
+    }
+
+    void leavesOutLanesToWhichNoWayLeads() {
+        Survey survey = twoLanes(1);
+        const auto nowhere = [](const Vec2&) { return false; };
+        QCOMPARE(survey.cutOff(settings, nowhere), SurveyEvent::QuadrantDone);
+        QCOMPARE(survey.cutOff(settings, nowhere), SurveyEvent::AllDone);
+        QCOMPARE(survey.cutOff_m(), 120.0);
+        QCOMPARE(survey.cutOff(settings, nowhere), SurveyEvent::AllDone);
+    }
+
     void endsWhenEverythingIsGivenUp() {
         Survey survey = twoLanes();
         int times = 0;

@@ -242,6 +242,31 @@ private slots:
                 QVERIFY(at_m.z() > 2.5);
     }
 
+    void choosesItsFloorWhereNobodySetsOne_data() {
+        QTest::addColumn<bool>("dry");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("nobody knows the water") << false << "above its start";
+        QTest::newRow("the world is dry from -12 m on") << true << "water does not exceed";
+    }
+    void choosesItsFloorWhereNobodySetsOne() {
+        QFETCH(bool, dry);
+        QFETCH(QString, words);
+        ToyWorld valley;
+        valley.ground_m = [](const Vec2& at_m) { return -10.0 * std::clamp((at_m.x() - 5.0) / 15.0, 0.0, 1.0); };
+        Task task = field_task;
+        if (dry)
+            task.dry_above_m = -12.0;
+        ToyFlight toy = flight(valley, task);
+        toy.run(Seconds(2000));
+        QVERIFY(toy.ending() && toy.ending()->success);
+        QVERIFY(contains(toy.events(), words.toStdString()));
+        double lowest_m = 100.0;
+        for (const Vec3& at_m : toy.path_m())
+            if (field_task.area_in_map.contains(at_m.head<2>()))
+                lowest_m = std::min(lowest_m, at_m.z());
+        QVERIFY2(dry ? lowest_m < 0.0 : lowest_m > 2.0, qPrintable(QString::number(lowest_m)));
+    }
+
     void givesUpAGoalThatCannotBeReached_data() {
         QTest::addColumn<double>("most_left_out_pct");
         QTest::addColumn<bool>("success");

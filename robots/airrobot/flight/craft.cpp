@@ -19,7 +19,8 @@ constexpr double path_half_width_m = 0.75;
 /// The robot keeps its height for this distance from the place of a climb.
 constexpr double over_way_m = 12.0;
 constexpr double least_climb_m = 1.0; ///< A climb over an obstacle needs this much room below a ceiling.
-constexpr double crown_m = 4.5;       ///< Crowns reach so far from their trunks.
+constexpr Seconds longest_move{12.0};
+constexpr double crown_m = 4.5; ///< Crowns reach so far from their trunks.
 constexpr double hold_still_m = 0.5;
 /// A robot that is hindered for so long looks for a detour, and again after the same time. Where it may climb, it waits
 /// longer, because it climbs faster than it finds its way through a wood.
@@ -257,12 +258,16 @@ bool Craft::rise(double goal_z_m, const Vec2& over_m, agent::CommandPort& port) 
     ascending_ = true;
     const Vec2 column_m = column_m_.value_or(over_m);
     const AscentStep step = ascent_.step(senses, {column_m.x(), column_m.y(), goal_z_m}, overhead, settings);
-    if (step.looked_around)
+    if (step.looked_around) {
         column_m_ = awayFromTrunks_m(over_m);
+        moving_since_ = senses.now;
+    }
+    if (column_m_ && senses.now - moving_since_ > longest_move && !there_)
+        column_m_ = senses.position2_m(); // Something is in the way.
     Motion motion = holding(senses, column_m);
     makeSafe(motion);
-    const bool there = (senses.position2_m() - column_m).norm() < in_column_m;
-    motion.climb_m_s = there ? step.climb_m_s : std::min(step.climb_m_s, 0.0);
+    there_ = (senses.position2_m() - column_m).norm() < in_column_m;
+    motion.climb_m_s = there_ ? step.climb_m_s : std::min(step.climb_m_s, 0.0);
     if (step.turns)
         motion.yaw_rate_rad_s = settings.turn_rate_rad_s;
     motion.sudden = step.returns;

@@ -143,8 +143,10 @@ private:
     ClimbOver climb_over_;
     Ascent ascent_;
     std::optional<Vec2> column_m_; ///< place of the climb if it is not that of the take-off
-    double column_top_m_ = -1e9;   ///< where the straight way down began, map z
-    double come_down_m_ = 0.0;     ///< height that it has lost since then
+    Seconds moving_since_{0.0};    ///< when that place was chosen
+    bool there_ = false;
+    double column_top_m_ = -1e9; ///< where the straight way down began, map z
+    double come_down_m_ = 0.0;   ///< height that it has lost since then
     CrashWatch crash_watch_;
     const char* crash_ = nullptr;
     double commanded_climb_m_s_ = 0.0;

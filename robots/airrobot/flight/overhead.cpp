@@ -23,7 +23,7 @@ constexpr double ceiling_reach_m = 60.0;
 constexpr double same_place_m = 5.0;
 /// A beam that gets so far above a ceiling nearby shows that it was a crown, or wind that pressed the robot down. The
 /// attitude is not known well enough for less.
-constexpr double surely_above_m = 0.8;
+constexpr double surely_above_m = 1.3;
 constexpr double least_push_m_s = 0.2;
 /// A climb that gains less than this share of the way in this time has met something.
 constexpr Seconds push_time{1.4};

@@ -24,6 +24,7 @@ constexpr double passed_m = 0.7;
 /// So near to its place, the robot may pass over what ends below its belly, because it is above it already.
 constexpr double near_start_m = 3.0;
 constexpr double belly_m = 0.4;
+constexpr double brushing_m = 0.75; ///< free space there, where the robot may be near something already
 
 constexpr int reach_cells = static_cast<int>(comfortable_m / grid_cell_m);
 constexpr double no_way = std::numeric_limits<double>::infinity();
@@ -220,9 +221,10 @@ bool RouteMap::isStraightWayFree(const Vec2& from_m, const Vec2& to_m, double z_
     const auto is_blocked = blockedAt(z_m);
     const Vec2 way_m = to_m - from_m;
     const double length_m = way_m.norm();
-    for (double along_m = std::min(near_start_m, length_m); along_m <= length_m; along_m += grid_cell_m) {
+    for (double along_m = 0.0; along_m <= length_m; along_m += grid_cell_m) {
         const Vec2 at_m = from_m + way_m * (length_m > 0.0 ? along_m / length_m : 0.0);
-        if (std::isinf(costAt(is_blocked, cellOf(at_m.x()), cellOf(at_m.y()))))
+        const double needed_m = along_m < near_start_m ? brushing_m : clear_m;
+        if (std::isinf(costAt(is_blocked, cellOf(at_m.x()), cellOf(at_m.y()), needed_m)))
             return false;
     }
     return true;

@@ -52,8 +52,8 @@ public:
                                            Width width = Width::Usual) const;
     /// All places to which ways lead at this height.
     Reach reach(const Vec2& from_m, double z_m) const;
-    /// True if nothing known stands within the robot's half width of the straight line, but for its first meters: the
-    /// robot may be near something.
+    /// True if nothing known stands within the robot's half width of the straight line. On the first meters less is
+    /// enough, because the robot may be near something already.
     bool isStraightWayFree(const Vec2& from_m, const Vec2& to_m, double z_m) const;
 
 private:

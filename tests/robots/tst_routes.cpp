@@ -1,0 +1,178 @@
+// The map of what stands at flying height, ways over it, and the detours that follow them.
+#include <QObject>
+#include <QTest>
+
+#include "robots/airrobot/flight/detour.h"
+#include "tests/robots/robot_samples.h"
+#include "tests/suite/suite.h"
+
+namespace tst_routes {
+
+using namespace usar;
+using namespace usar::airrobot;
+using namespace usar::test;
+
+constexpr double open_sky_m = 1e9;
+
+class tst_Routes : public QObject {
+    Q_OBJECT
+
+    /// A wall from (x, from_y) to (x, to_y), as the scanner sees it.
+    static void addWall(RouteMap& map, double x_m, double from_y_m, double to_y_m, double top_m = 8.0) {
+        Senses senses = sensesAt({0.0, 0.0, 6.0});
+        senses.scan = PlacedScan{{1}, {}, {}, {}};
+        for (double y_m = from_y_m; y_m <= to_y_m; y_m += 0.25)
+            senses.scan->hits_in_map_m.emplace_back(x_m, y_m, top_m);
+        map.take(senses, open_sky_m);
+    }
+    static void addRow(RouteMap& map, double y_m, double from_x_m, double to_x_m) {
+        Senses senses = sensesAt({0.0, 0.0, 6.0});
+        senses.scan = PlacedScan{{1}, {}, {}, {}};
+        for (double x_m = from_x_m; x_m <= to_x_m; x_m += 0.25)
+            senses.scan->hits_in_map_m.emplace_back(x_m, y_m, 8.0);
+        map.take(senses, open_sky_m);
+    }
+    /// Walls around (0, 0), with a gap in the middle of the one in the east.
+    static RouteMap room(double gap_m) {
+        RouteMap map;
+        addWall(map, -10.0, -10.0, 10.0);
+        addRow(map, -10.0, -10.0, 10.0);
+        addRow(map, 10.0, -10.0, 10.0);
+        addWall(map, 10.0, -10.0, -gap_m / 2.0);
+        addWall(map, 10.0, gap_m / 2.0, 10.0);
+        return map;
+    }
+    static Senses heard(const std::string& sonar, double range_m) {
+        Senses senses = sensesAt({0.0, 0.0, 6.0});
+        setSonars(senses, {{sonar, range_m}});
+        return senses;
+    }
+
+private slots:
+    void goesAroundAWall() {
+        RouteMap map;
+        addWall(map, 5.0, -8.0, 3.0);
+        const auto way = map.route({0.0, 0.0}, {10.0, 0.0}, 6.0, 1.0);
+        QVERIFY(way);
+        QVERIFY((way->back() - Vec2(10.0, 0.0)).norm() <= 1.0);
+        double farthest_y_m = 0.0;
+        Vec2 last_m(0.0, 0.0);
+        for (const Vec2& point_m : *way) {
+            QVERIFY((point_m - last_m).norm() < 1.2);
+            if (point_m.y() <= 3.0)
+                QVERIFY(std::abs(point_m.x() - 5.0) >= 1.0);
+            farthest_y_m = std::max(farthest_y_m, point_m.y());
+            last_m = point_m;
+        }
+        QVERIFY(farthest_y_m > 4.0); // It takes the short way around the end, and keeps off it.
+        QVERIFY(!map.isStraightWayFree({0.0, 0.0}, {10.0, 0.0}, 6.0));
+        QVERIFY(map.isStraightWayFree({0.0, 0.0}, {0.0, 10.0}, 6.0));
+    }
+
+    void knowsThatNoWayLeads_data() {
+        QTest::addColumn<double>("gap_m");
+        QTest::addColumn<bool>("usual");
+        QTest::addColumn<bool>("least");
+        QTest::newRow("closed") << 0.0 << false << false;
+        QTest::newRow("narrower than the robot") << 1.0 << false << false;
+        QTest::newRow("wide enough for who must") << 2.9 << false << true;
+        QTest::newRow("a gate") << 5.0 << true << true;
+    }
+    void knowsThatNoWayLeads() {
+        QFETCH(double, gap_m);
+        QFETCH(bool, usual);
+        QFETCH(bool, least);
+        const RouteMap map = room(gap_m);
+        QCOMPARE(map.route({0.0, 0.0}, {20.0, 0.0}, 6.0, 1.0).has_value(), usual);
+        QCOMPARE(map.route({0.0, 0.0}, {20.0, 0.0}, 6.0, 1.0, Width::Least).has_value(), least);
+        const Reach reach = map.reach({0.0, 0.0}, 6.0);
+        QVERIFY(reach.contains({6.0, -6.0}));
+        QCOMPARE(reach.contains({20.0, 0.0}), usual);
+        QVERIFY(reach.contains({5000.0, 0.0})); // Nothing is known of what is so far away.
+    }
+
+    void whatIsLowOrCeilingIsNotInTheWay() {
+        RouteMap map;
+        addWall(map, 5.0, -50.0, 50.0, 4.0);
+        QVERIFY(map.isStraightWayFree({0.0, 0.0}, {10.0, 0.0}, 6.0));
+        QVERIFY(!map.isStraightWayFree({0.0, 0.0}, {10.0, 0.0}, 5.0));
+        Senses senses = sensesAt({0.0, 0.0, 6.0});
+        setFlatScan(senses, {0.0, 0.0}, 10.0, 7.0);
+        map.take(senses, 6.6);
+        QVERIFY(map.isStraightWayFree({0.0, 0.0}, {0.0, 8.0}, 6.0));
+        map.take(senses, open_sky_m);
+        QVERIFY(!map.isStraightWayFree({0.0, 0.0}, {0.0, 8.0}, 6.0));
+        map.clear();
+        QVERIFY(map.isStraightWayFree({0.0, 0.0}, {10.0, 0.0}, 5.0));
+    }
+
+    /// A robot above a shelf gets off it, though it would not fly over one.
+    void leavesWhatItIsAbove() {
+        RouteMap map;
+        for (double x_m = -1.0; x_m <= 1.0; x_m += 0.25)
+            addWall(map, x_m, -6.0, 6.0, 5.2);
+        QVERIFY(map.route({0.0, 0.0}, {10.0, 0.0}, 6.0, 1.0));
+        QVERIFY(!map.isStraightWayFree({-8.0, 0.0}, {8.0, 0.0}, 6.0));
+        QVERIFY(!map.route({0.0, 0.0}, {10.0, 0.0}, 5.0, 1.0)); // It would have to go through it.
+    }
+
+    void onlyAnEchoFromFartherAwayTakesBackAnEcho() {
+        RouteMap map;
+        map.take(heard("M0", 3.0), open_sky_m);
+        QVERIFY(!map.isStraightWayFree({0.0, 0.0}, {6.0, 0.0}, 6.0));
+        map.take(heard("M0", 5.0), open_sky_m); // None: a smooth wall may have reflected it away.
+        QVERIFY(!map.isStraightWayFree({0.0, 0.0}, {6.0, 0.0}, 6.0));
+        map.take(heard("M0", 4.5), open_sky_m);
+        QVERIFY(map.isStraightWayFree({0.0, 0.0}, {6.0, 0.0}, 6.0));
+    }
+
+    void aDetourLeadsAroundAndEndsWhereTheWayIsFree() {
+        RouteMap map;
+        addWall(map, 5.0, -8.0, 3.0);
+        Detour detour;
+        Senses senses = sensesAt({0.0, 0.0, 6.0});
+        QVERIFY(detour.start(map, senses, {10.0, 0.0}, Width::Usual));
+        for (int tick = 0; tick < 300 && detour.active(); ++tick) {
+            const Vec2 way_m = detour.aim_m(map, senses) - senses.position2_m();
+            senses.base_in_map.position_m.head<2>() += way_m.normalized() * std::min(0.2, way_m.norm());
+            senses.now += Seconds(0.2);
+            QVERIFY(std::abs(senses.position2_m().x() - 5.0) > 0.7 || senses.position2_m().y() > 3.7);
+        }
+        QVERIFY(!detour.active());
+        QVERIFY(map.isStraightWayFree(senses.position2_m(), {10.0, 0.0}, 6.0));
+        QVERIFY(!detour.late(senses.now + Seconds(1e6)));
+    }
+
+    /// Something that no sensor shows holds the robot back.
+    void learnsFromStandingStill() {
+        RouteMap map;
+        Detour detour;
+        Senses senses = sensesAt({0.0, 0.0, 6.0});
+        addWall(map, 5.0, -8.0, 3.0);
+        QVERIFY(detour.start(map, senses, {10.0, 0.0}, Width::Usual));
+        const Vec2 first_m = detour.aim_m(map, senses);
+        bool other_way = false;
+        while (detour.active() && !detour.late(senses.now)) {
+            senses.now += Seconds(0.2);
+            other_way = other_way || (detour.aim_m(map, senses) - first_m).norm() > 1.5;
+        }
+        QVERIFY(other_way);
+    }
+
+    void knowsWhenItTakesTooLong() {
+        RouteMap map;
+        Detour detour;
+        Senses senses = sensesAt({0.0, 0.0, 6.0});
+        QVERIFY(detour.start(map, senses, {10.0, 0.0}, Width::Usual));
+        QVERIFY(!detour.late(senses.now + Seconds(200.0)));
+        QVERIFY(detour.late(senses.now + Seconds(230.0)));
+        detour.end();
+        QVERIFY(!detour.late(senses.now + Seconds(230.0)));
+    }
+};
+
+USAR_TEST(tst_Routes)
+
+} // namespace tst_routes
+
+#include "tst_routes.moc"
