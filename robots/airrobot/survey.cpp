@@ -103,16 +103,17 @@ SurveyEvent Survey::nextLane() {
     return plan_.lanes[lane_].quadrant != quadrant ? SurveyEvent::QuadrantDone : SurveyEvent::LaneDone;
 }
 
-SurveyEvent Survey::giveUp(const Settings& settings) {
+SurveyEvent Survey::giveUp(const Settings& settings, LeftOut why) {
     if (done())
         return SurveyEvent::AllDone;
-    ++goals_given_up_;
+    goals_given_up_ += why == LeftOut::Late ? 1 : 0;
+    double& left_out_m = why == LeftOut::Late ? given_up_m_ : cut_off_m_;
     if (on_lane_) {
-        given_up_m_ += std::max(0.0, pieceEnd_m(settings) - std::max(piece_start_m_, reached_m_));
+        left_out_m += std::max(0.0, pieceEnd_m(settings) - std::max(piece_start_m_, reached_m_));
         return endPiece(settings);
     }
     piece_start_m_ = entry_along_m_;
-    given_up_m_ += pieceEnd_m(settings) - entry_along_m_;
+    left_out_m += pieceEnd_m(settings) - entry_along_m_;
     entry_along_m_ = pieceEnd_m(settings);
     return entry_along_m_ < length_m() ? SurveyEvent::GoalReached : nextLane();
 }

@@ -15,6 +15,10 @@ namespace usar::airrobot {
 /// The result of completing a goal. QuadrantDone: the next lane is in another quadrant.
 enum class SurveyEvent { LaneEntered, GoalReached, LaneDone, QuadrantDone, AllDone };
 
+/// Why a goal is left out. NoWayFound: what the robot has seen closes all ways there, or it has long looked for one in
+/// a room.
+enum class LeftOut { Late, NoWayFound };
+
 /// Follows a coverage plan. A lane is entered at its start, or where it was interrupted, and is divided into goals at
 /// most `goal_distance_m` apart, so that giving up a goal loses only that piece. Works in the map frame. Owned by one
 /// behavior; needs the position once per tick.
@@ -32,14 +36,14 @@ public:
     std::size_t laneIndex() const { return lane_; }
     std::size_t laneCount() const { return plan_.lanes.size(); }
     const mapping::CoveragePlan& plan() const { return plan_; }
-    /// Goals that were not reached though no wall is known to close all ways to them, and the length of the lanes that
+    /// Goals that were not reached in time, without those to which no way was found, and the length of the lanes that
     /// was left out with them, as a share of what can be reached of all lanes.
     int goalsGivenUp() const { return goals_given_up_; }
     double givenUp_pct() const {
         const double within_reach_m = totalLength_m() - cut_off_m_;
         return within_reach_m > 0.0 ? 100.0 * given_up_m_ / within_reach_m : 0.0;
     }
-    /// The length of the lanes to which no way leads.
+    /// The length of the lanes to which no way was found.
     double cutOff_m() const { return cut_off_m_; }
 
     /// The point to reach next: where the lane is entered, or the end of its present piece. The survey must not be
@@ -55,8 +59,8 @@ public:
     bool goalReached(const Vec2& position_m, const Settings& settings) const;
     /// Moves on to the next goal after the present one was reached.
     SurveyEvent next(const Settings& settings);
-    /// Moves on to the next goal because the present one was not reached in time.
-    SurveyEvent giveUp(const Settings& settings);
+    /// Moves on to the next goal because the present one was not reached.
+    SurveyEvent giveUp(const Settings& settings, LeftOut why);
     /// Moves on to the farthest point of the present piece to which a way leads, or to where a way leads to the lane,
     /// or to the next lane.
     SurveyEvent cutOff(const Settings& settings, const std::function<bool(const Vec2&)>& can_reach);

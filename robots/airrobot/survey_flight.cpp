@@ -274,6 +274,7 @@ Leg SurveyFlight::takeLeg() {
 
 void SurveyFlight::skipGoal(agent::CommandPort& port) {
     const bool cut_off = craft_.walledOff();
+    const bool room = !craft_.mayClimb();
     craft_.log.mark(agent::MarkKind::GoalGivenUp, leg().goal_m, craft_.senses, port);
     if (!cut_off)
         port.publish(agent::BehaviorEvent{Severity::Warning, "A goal could not be reached in time and is left out."});
@@ -284,7 +285,7 @@ void SurveyFlight::skipGoal(agent::CommandPort& port) {
     const Reach reach = cut_off ? craft_.reach() : Reach();
     craft_.startAnew();
     afterGoal(cut_off ? survey_.cutOff(craft_.settings, [&](const Vec2& at_m) { return reach.contains(at_m); })
-                      : survey_.giveUp(craft_.settings),
+                      : survey_.giveUp(craft_.settings, room ? LeftOut::NoWayFound : LeftOut::Late),
               port);
 }
 
@@ -389,9 +390,9 @@ void SurveyFlight::conclude(agent::CommandPort& port) {
         return finish(false, end_reason_, port);
     const double cut_off_m = survey_.cutOff_m();
     if (cut_off_m > most_cut_off * survey_.totalLength_m())
-        return finish(false, "No way leads into the area.", port);
+        return finish(false, "No way was found into the area.", port);
     const std::string scanned = cut_off_m == 0.0 ? "The area is scanned"
-                                                 : "The area is scanned as far as a way leads; none leads to " +
+                                                 : "The area is scanned as far as a way was found; none was found to " +
                                                        fixed(cut_off_m, 0) + " m of the lanes (" +
                                                        fixed(100.0 * cut_off_m / survey_.totalLength_m(), 0) + " %)";
     if (survey_.goalsGivenUp() == 0)

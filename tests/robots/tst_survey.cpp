@@ -103,7 +103,7 @@ private slots:
         Survey survey = twoLanes();
         arrive(survey, {0, 0});
         QCOMPARE(survey.goal_m(settings), Vec2(20, 0));
-        QCOMPARE(survey.giveUp(settings), SurveyEvent::GoalReached);
+        QCOMPARE(survey.giveUp(settings, LeftOut::Late), SurveyEvent::GoalReached);
         QCOMPARE(survey.goal_m(settings), Vec2(40, 0));
         QVERIFY(survey.aim_m({5, 0}, settings).x() >= 20.0);
         QCOMPARE(survey.goalsGivenUp(), 1);
@@ -111,24 +111,29 @@ private slots:
 
     void entersALaneLaterWhenItsStartCannotBeReached() {
         Survey survey = twoLanes();
-        QCOMPARE(survey.giveUp(settings), SurveyEvent::GoalReached);
+        QCOMPARE(survey.giveUp(settings, LeftOut::Late), SurveyEvent::GoalReached);
         QCOMPARE(survey.goal_m(settings), Vec2(20, 0));
-        survey.giveUp(settings);
-        QCOMPARE(survey.giveUp(settings), SurveyEvent::LaneDone); // nothing of it is left
+        survey.giveUp(settings, LeftOut::Late);
+        QCOMPARE(survey.giveUp(settings, LeftOut::Late), SurveyEvent::LaneDone); // nothing of it is left
         QCOMPARE(survey.laneIndex(), std::size_t(1));
     }
 
     void knowsTheShareThatItGaveUp() {
         Survey survey = twoLanes();
-        survey.giveUp(settings); // the lane's first 20 m, before it is entered
+        survey.giveUp(settings, LeftOut::Late); // the lane's first 20 m, before it is entered
         QCOMPARE(survey.givenUp_pct(), 100.0 * 20.0 / 120.0);
         arrive(survey, {20, 0});
         arrive(survey, {32, 0});
-        survey.giveUp(settings); // 8 m of the piece are left
+        survey.giveUp(settings, LeftOut::Late); // 8 m of the piece are left
         QCOMPARE(survey.givenUp_pct(), 100.0 * 28.0 / 120.0);
         while (!survey.done())
-            survey.giveUp(settings);
+            survey.giveUp(settings, LeftOut::Late);
         QCOMPARE(survey.givenUp_pct(), 90.0);
+        Survey other = twoLanes();
+        other.giveUp(settings, LeftOut::NoWayFound);
+        QCOMPARE(other.givenUp_pct(), 0.0);
+        QCOMPARE(other.cutOff_m(), 20.0);
+        QCOMPARE(other.goalsGivenUp(), 0);
         QCOMPARE(twoLanes().givenUp_pct(), 0.0);
     }
 
@@ -165,11 +170,11 @@ private slots:
         Survey survey = twoLanes();
         int times = 0;
         while (!survey.done() && times < 100) {
-            survey.giveUp(settings);
+            survey.giveUp(settings, LeftOut::Late);
             ++times;
         }
         QVERIFY(survey.done());
-        QCOMPARE(survey.giveUp(settings), SurveyEvent::AllDone);
+        QCOMPARE(survey.giveUp(settings, LeftOut::Late), SurveyEvent::AllDone);
         QCOMPARE(survey.next(settings), SurveyEvent::AllDone);
     }
 

@@ -67,6 +67,8 @@ public:
     }
     /// Whether what the robot has seen closes all ways to the goal. It never does where the robot may climb.
     bool walledOff() const { return no_way_; }
+    /// False below a ceiling that leaves no room, and where a person forbids it.
+    bool mayClimb() const;
     /// All places to which ways lead from here at this height.
     Reach reach() const { return routes_.reach(senses.position2_m(), senses.position_m().z()); }
     /// Ground lower than this (map z) may be the bed of water, so that the robot must not land on it in need.
@@ -122,7 +124,6 @@ private:
     Motion climbOver(const Leg& leg, FlightState& state);
     /// Looks whether there is a way to a new goal, if there was none to the last one.
     void noteGoal(const Leg& leg);
-    bool mayClimb() const;
     Vec2 awayFromTrunks_m(const Vec2& at_m) const;
     /// Starts a climb over what is in the way, or a detour around it.
     void findWay(const Leg& leg);
