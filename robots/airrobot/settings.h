@@ -86,7 +86,9 @@ struct Settings {
     double landing_slow_below_m = 3.0; ///< height over ground
     double landing_radius_m = 4.0;     ///< distance from the base within which to look for an even place
     bool correct_heading = true;       ///< use the CourseFilter
-    double rest_time_s = 4.0;          ///< [T] "several seconds"
+    /// Take the pose from ground truth instead of the INS, as the thesis did for its longest test (4.6).
+    bool navigate_by_truth = false;
+    double rest_time_s = 4.0; ///< [T] "several seconds"
     /// Attempts to set the INS before the robot flies on without setting it.
     long long reset_attempts = 5;
     double sensor_timeout_s = 1.5; ///< the robot hovers if a sensor is silent for longer than this

@@ -146,7 +146,7 @@ void SurveyFlight::noteSilence(agent::CommandPort& port) {
     const Seconds worst = longestSilence(senses);
     const bool silent = worst > Seconds(craft_.settings.sensor_timeout_s);
     if (silent && !silent_) {
-        const std::string which = worst == senses.ins_age     ? "INS"
+        const std::string which = worst == senses.ins_age     ? poseSource()
                                   : worst == senses.sonar_age ? silentSonars(senses)
                                                               : "range scanner";
         port.publish(agent::BehaviorEvent{Severity::Error,
@@ -176,10 +176,15 @@ void SurveyFlight::planSurvey(agent::CommandPort& port) {
         return finish(false, planned.error().text(), port);
     survey_ = *planned;
     port.publish(agent::PlannedPath{survey_.corners_m()});
+    if (craft_.settings.navigate_by_truth)
+        port.publish(agent::BehaviorEvent{Severity::Note, "The robot navigates by ground truth, as no real robot can; "
+                                                          "its map says nothing about drift."});
     phase_ = Phase::Ground;
 }
 
 bool SurveyFlight::stepReset(const agent::Tick& tick, agent::CommandPort& port) {
+    if (craft_.settings.navigate_by_truth)
+        return true; // There is nothing to set.
     const ResetState before = ins_reset_.state();
     const ResetState reset = ins_reset_.step(tick.now, tick.robot, port, craft_.settings);
     if (reset != before && reset == ResetState::Failed)
@@ -391,10 +396,11 @@ void SurveyFlight::conclude(agent::CommandPort& port) {
     const double cut_off_m = survey_.cutOff_m();
     if (cut_off_m > most_cut_off * survey_.totalLength_m())
         return finish(false, "No way was found into the area.", port);
-    const std::string scanned = cut_off_m == 0.0 ? "The area is scanned"
-                                                 : "The area is scanned as far as a way was found; none was found to " +
-                                                       fixed(cut_off_m, 0) + " m of the lanes (" +
-                                                       fixed(100.0 * cut_off_m / survey_.totalLength_m(), 0) + " %)";
+    std::string scanned =
+        craft_.settings.navigate_by_truth ? "The area is scanned by ground truth" : "The area is scanned";
+    if (cut_off_m > 0.0)
+        scanned += " as far as a way was found; none was found to " + fixed(cut_off_m, 0) + " m of the lanes (" +
+                   fixed(100.0 * cut_off_m / survey_.totalLength_m(), 0) + " %)";
     if (survey_.goalsGivenUp() == 0)
         return finish(true, scanned + ".", port);
     const double share_pct = survey_.givenUp_pct();

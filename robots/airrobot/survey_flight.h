@@ -127,6 +127,7 @@ private:
     void endPause(const std::string& why, agent::CommandPort& port);
     double beelineHome_m() const { return (craft_.senses.position_m() - base_in_map_.position_m).norm(); }
     std::string words() const;
+    std::string poseSource() const { return craft_.settings.navigate_by_truth ? "ground truth" : "INS"; }
     MissionState missionState() const;
 
     agent::Task task_;

@@ -242,6 +242,19 @@ private slots:
                 QVERIFY(at_m.z() > 2.5);
     }
 
+    /// Its INS drifts, and it neither notices nor sets it.
+    void navigatesByGroundTruthWhereAPersonWantsIt() {
+        ToyFlight toy =
+            flight({}, field_task, {{"navigate_by_truth", true}, {"battery_range_m", 150.0}}, {.ins_drifts = true});
+        toy.run(Seconds(3000));
+        QVERIFY(toy.ending() && toy.ending()->success);
+        QVERIFY(toy.ending()->reason.find("by ground truth") != std::string::npos);
+        QVERIFY(contains(toy.events(), "navigates by ground truth"));
+        QVERIFY(!contains(toy.events(), "INS was set"));
+        QVERIFY(toy.status().charges >= 1);
+        QVERIFY(toy.robot().position_m().head<2>().norm() < 0.6);
+    }
+
     void choosesItsFloorWhereNobodySetsOne_data() {
         QTest::addColumn<bool>("dry");
         QTest::addColumn<QString>("words");

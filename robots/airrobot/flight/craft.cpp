@@ -22,10 +22,8 @@ constexpr double least_climb_m = 1.0; ///< A climb over an obstacle needs this m
 constexpr Seconds longest_move{12.0};
 constexpr double crown_m = 4.5; ///< Crowns reach so far from their trunks.
 constexpr double hold_still_m = 0.5;
-/// A robot that is hindered for so long looks for a detour, and again after the same time. Where it may climb, it waits
-/// longer, because it climbs faster than it finds its way through a wood.
+/// A robot that is hindered for so long looks for a detour, and again after the same time.
 constexpr Seconds patience{6.0};
-constexpr Seconds patience_below_sky{20.0};
 constexpr double detour_m_s = 1.0;
 constexpr double below_ceiling_m = 0.5; ///< Scanner hits higher than this are on the ceiling.
 constexpr double sure_of_walls_m = 2.5; ///< Lower down, sonars hear the ground.
@@ -49,6 +47,7 @@ void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool a
     settings = withinLimits(settings, layout);
     fastest_m_s_ = layout.maximum_speed_m_s;
     pilot_.limitSpeed(layout.maximum_speed_m_s);
+    reader_.navigateByTruth(settings.navigate_by_truth);
     if (settings.correct_heading)
         reader_.tellCommand(pilot_.wantedInBase_m_s());
     senses = reader_.read(tick.now, tick.line, tick.robot, layout, Seconds(settings.sensor_timeout_s));
@@ -120,13 +119,15 @@ bool Craft::mayClimb() const {
 }
 
 void Craft::findWay(const Leg& leg) {
-    if (mayClimb() && stuck_.hindered() > Seconds(settings.climb_over_after_s))
-        climb_over_.start(senses, obstacles_, settings);
-    const Seconds before_detour = mayClimb() ? patience_below_sky : patience;
-    if (climb_over_.active() || stuck_.hindered() < before_detour || senses.now - looked_for_way_ < patience)
+    if (mayClimb()) {
+        if (stuck_.hindered() > Seconds(settings.climb_over_after_s))
+            climb_over_.start(senses, obstacles_, settings);
+        return;
+    }
+    if (stuck_.hindered() < patience || senses.now - looked_for_way_ < patience)
         return;
     looked_for_way_ = senses.now;
-    no_way_ = !detour_.start(routes_, senses, leg.goal_m, leg.width) && !mayClimb();
+    no_way_ = !detour_.start(routes_, senses, leg.goal_m, leg.width);
 }
 
 FlightState Craft::perform(Maneuver maneuver, const Leg& asked, agent::CommandPort& port) {

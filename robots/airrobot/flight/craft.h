@@ -125,7 +125,7 @@ private:
     /// Looks whether there is a way to a new goal, if there was none to the last one.
     void noteGoal(const Leg& leg);
     Vec2 awayFromTrunks_m(const Vec2& at_m) const;
-    /// Starts a climb over what is in the way, or a detour around it.
+    /// Starts a climb over what is in the way, or a detour around it where the robot may not climb.
     void findWay(const Leg& leg);
     double climbRate(double way_bearing_rad, double speed_m_s);
     /// Returns whether a nearby obstacle reaches the robot's height and may be wider above, like a trunk under its

@@ -79,14 +79,10 @@ Senses SenseReader::read(Seconds now, LineNumber line, const modules::RobotModul
     Senses senses;
     senses.now = now;
     senses.line = line;
-    if (const auto* ins = robot.sensors.ins(); ins && ins->line != last_ins_) {
-        last_ins_ = ins->line;
-        ins_seen_ = now;
-        course_.update(now, ins->value.base_in_map, commanded_m_s_);
-        base_in_map_ = ins->value.base_in_map;
-        base_in_map_.yaw_rad = normalizedAngle(base_in_map_.yaw_rad + course_.correction_rad());
-        history_.add(now, base_in_map_);
-    }
+    if (by_truth_)
+        readPose(now, robot.sensors.groundTruth());
+    else
+        readPose(now, robot.sensors.ins());
     senses.base_in_map = base_in_map_;
     senses.velocity_in_map_m_s = history_.velocity_m_s();
     senses.yaw_rate_rad_s = history_.yawRate_rad_s();
@@ -97,6 +93,20 @@ Senses SenseReader::read(Seconds now, LineNumber line, const modules::RobotModul
     senses.ins_age = ins_seen_ ? now - *ins_seen_ : never;
     senses.scan_age = scan_seen_ ? now - *scan_seen_ : never;
     return senses;
+}
+
+template <class Reading>
+void SenseReader::readPose(Seconds now, const Reading* reading) {
+    if (!reading || reading->line == last_ins_)
+        return;
+    last_ins_ = reading->line;
+    ins_seen_ = now;
+    base_in_map_ = reading->value.base_in_map;
+    if (!by_truth_) {
+        course_.update(now, base_in_map_, commanded_m_s_);
+        base_in_map_.yaw_rad = normalizedAngle(base_in_map_.yaw_rad + course_.correction_rad());
+    }
+    history_.add(now, base_in_map_);
 }
 
 void SenseReader::readSonars(Senses& senses, const modules::RobotModules& robot, const SensorLayout& layout,

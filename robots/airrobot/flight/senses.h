@@ -49,11 +49,12 @@ struct PlacedScan {
 };
 
 /// All perceptions of one tick, in SI units; places and heights are in the map frame, ages on the protocol clock.
-/// Ground truth is not among them; only InsReset uses it, on the ground.
+/// Ground truth is among them only where a person has the robot navigate by it. Otherwise InsReset alone uses it, on
+/// the ground.
 struct Senses {
     Seconds now{0.0};
     LineNumber line;
-    Pose base_in_map; ///< from the INS, with the heading corrected by the course
+    Pose base_in_map; ///< from the INS, with the heading corrected by the course; or from ground truth
     /// Velocity over ground from the last INS readings; 0 after a jump of the position estimate.
     Vec3 velocity_in_map_m_s = Vec3::Zero();
     /// Positive to the left.
@@ -88,6 +89,8 @@ public:
     /// Sets the robot's last commanded velocity (robot frame), with which the course is compared. If it is never
     /// called, the heading is not corrected.
     void tellCommand(const Vec2& velocity_in_base_m_s) { commanded_m_s_ = velocity_in_base_m_s; }
+    /// Takes the pose from ground truth instead of the INS from the next tick on.
+    void navigateByTruth(bool truth) { by_truth_ = truth; }
     /// Forgets velocities and the heading correction, because the position estimate has jumped.
     void forgetMotion();
 
@@ -98,11 +101,15 @@ private:
         Seconds at{0.0};
     };
 
+    /// Takes the pose if the reading is a new one.
+    template <class Reading>
+    void readPose(Seconds now, const Reading* reading);
     /// Places the echoes; notes which sonars are silent and the age of the oldest reading.
     void readSonars(Senses& senses, const modules::RobotModules& robot, const SensorLayout& layout, Seconds time_out);
     /// Places a new scan and finds the ground in it; between scans the last ground is kept.
     void readScan(Senses& senses, const modules::RobotModules& robot, const SensorLayout& layout);
 
+    bool by_truth_ = false;
     PoseHistory history_;
     CourseFilter course_;
     Vec2 commanded_m_s_ = Vec2::Zero(); ///< robot frame
