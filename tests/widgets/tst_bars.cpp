@@ -561,7 +561,7 @@ void tst_Bars::areaFormTellsHowMuchCannotBeFlown_data() {
     QTest::addColumn<QString>("words");
     QTest::newRow("inside") << Rectangle{Vec2(0, 0), Vec2(10, 10)} << QString();
     QTest::newRow("a quarter") << Rectangle{Vec2(-60, 0), Vec2(-20, 10)}
-                               << QStringLiteral("25.0 % of the area is there; only the rest is flown.");
+                               << QStringLiteral("25.0 % of the area lies outside and is not flown.");
     QTest::newRow("all of it") << Rectangle{Vec2(60, 60), Vec2(70, 70)}
                                << QStringLiteral("All of the area is there and cannot be flown.");
 }

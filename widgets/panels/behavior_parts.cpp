@@ -46,7 +46,7 @@ QString outsideText(const Rectangle& area, const Rectangle& world) {
     const Rectangle inside{area.min_m.cwiseMax(world.min_m), area.max_m.cwiseMin(world.max_m)};
     if (inside.empty())
         return AreaForm::tr("All of the area is there and cannot be flown.");
-    return AreaForm::tr("%1 % of the area is there; only the rest is flown.")
+    return AreaForm::tr("%1 % of the area lies outside and is not flown.")
         .arg(figure(100.0 * (1.0 - inside.area_m2() / area.area_m2()), 1));
 }
 
