@@ -16,7 +16,7 @@ struct FlightLimits {
     bool operator==(const FlightLimits&) const = default;
 };
 
-/// What a flying robot can do about a place.
+/// Says whether a flying robot can scan a place, and if not, why.
 enum class Reach {
     Scanned,      ///< it can fly there, or close enough to see the place
     OutsideWorld, ///< the world has ended

@@ -287,7 +287,7 @@ void SurveyFlight::skipGoal(agent::CommandPort& port) {
         port.publish(agent::BehaviorEvent{Severity::Warning,
                                           "No way leads to a goal. It is left out, like all goals to "
                                           "which no way leads."});
-    const Reach reach = cut_off ? craft_.reach() : Reach();
+    const ReachablePlaces reach = cut_off ? craft_.reach() : ReachablePlaces();
     craft_.startAnew();
     afterGoal(cut_off ? survey_.cutOff(craft_.settings, [&](const Vec2& at_m) { return reach.contains(at_m); })
                       : survey_.giveUp(craft_.settings, room ? LeftOut::NoWayFound : LeftOut::Late),

@@ -85,7 +85,7 @@ private slots:
         const RouteMap map = room(gap_m);
         QCOMPARE(map.route({0.0, 0.0}, {20.0, 0.0}, 6.0, 1.0).has_value(), usual);
         QCOMPARE(map.route({0.0, 0.0}, {20.0, 0.0}, 6.0, 1.0, Width::Least).has_value(), least);
-        const Reach reach = map.reach({0.0, 0.0}, 6.0);
+        const ReachablePlaces reach = map.reach({0.0, 0.0}, 6.0);
         QVERIFY(reach.contains({6.0, -6.0}));
         QCOMPARE(reach.contains({20.0, 0.0}), usual);
         QVERIFY(reach.contains({5000.0, 0.0})); // Nothing is known of what is so far away.

@@ -15,7 +15,7 @@
 
 namespace usar::mission {
 
-/// What a behavior is given besides the wishes of the person who starts it.
+/// A start passed its checks with these values, which the behavior is given besides the wishes of a person.
 struct CheckedStart {
     agent::ParameterSet parameters;
     std::optional<double> dry_above_m; ///< see agent::Task

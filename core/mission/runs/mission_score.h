@@ -51,10 +51,10 @@ struct Truth {
 std::optional<FlightLimits> flightLimitsOf(const Pose& start_in_map,
                                            const std::map<std::string, agent::ParameterValue>& parameters);
 
-/// What of a mission area a flight could scan. Surfaces in square meters.
+/// Says how much of a mission area a flight could scan, and why not the rest.
 struct AreaReach {
     double coverage_pct = 0.0; ///< known cells as a percentage of those that could be scanned
-    double area_m2 = 0.0;      ///< of the whole area
+    double area_m2 = 0.0;      ///< the whole area
     double outside_m2 = 0.0;   ///< beyond the world's edge
     double water_m2 = 0.0;     ///< over water too deep to be scanned
     double shut_off_m2 = 0.0;  ///< behind walls, under roofs

@@ -73,7 +73,7 @@ struct SimulatorFacts {
     std::optional<TrueFigures> truth;
     std::optional<std::uint64_t> seed;
     std::function<Truth()> make_truth{};  ///< makes the true heights, in any thread; empty: they are not known
-    std::optional<FlightLimits> flight{}; ///< of the newest behavior; absent: it does not fly
+    std::optional<FlightLimits> flight{}; ///< The newest behavior flies by them; absent: it does not fly.
 };
 
 /// Adds the line counts and whether the server runs in lockstep.

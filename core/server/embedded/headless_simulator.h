@@ -47,7 +47,7 @@ public:
     /// and of the bare terrain.
     double surface_m(const Vec2& point_in_map_m) const { return rays_->surface_m(point_in_map_m); }
     double ground_m(const Vec2& point_in_map_m) const { return simulation_->world().terrain.height_m(point_in_map_m); }
-    /// What a flight can reach of the area; see sim::reachFrom.
+    /// Says what a flight can reach of the area; see sim::reachFrom.
     ReachMap reach(const FlightLimits& flight, const Rectangle& area_in_map) const {
         return sim::reachFrom(simulation_->world(), flight, area_in_map);
     }

@@ -19,7 +19,7 @@ constexpr double half_height_m = 0.25;
 constexpr double finest_m = 0.25;
 constexpr double coarsest_m = 1.0; ///< a wall, widened by the body, must not fall between two columns
 constexpr double most_columns = 4e6;
-constexpr double largest_m2 = 1.6e7; ///< of a part of the world that is looked at
+constexpr double largest_m2 = 1.6e7; ///< The air over a larger part of the world is not computed.
 constexpr double endless_m = 1e9;
 
 /// Square columns of air over a part of the world.
@@ -216,7 +216,7 @@ Rectangle surroundings(const World& world, const FlightLimits& flight, const Rec
             (area_in_map.max_m.cwiseMax(start_m) + detour).cwiseMin(extent.max_m)};
 }
 
-/// What is known of the columns once the air is filled.
+/// The result of filling the air: it says which columns a flight reaches.
 struct Filled {
     Rectangle extent;
     Columns columns;

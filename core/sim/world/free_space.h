@@ -12,8 +12,8 @@ namespace usar::sim {
 /// counts as scanned if the body gets so near to it that nothing solid is in between: beside a wall, too. Range sensors
 /// do not see water, so the bottom of a pond counts as scanned, too, if the scan altitude over it is above the water.
 /// Takes about a second for a square kilometer; the result keeps what it needs of the world. It knows the surroundings
-/// of start and area up to 100 m. Empty if there is no air at the start, or all of this is larger than 16 square
-/// kilometers.
+/// of start and area up to 100 m. The result is empty if there is no air at the start, or if all of this is larger than
+/// 16 square kilometers.
 ReachMap reachFrom(const World& world, const FlightLimits& flight, const Rectangle& area_in_map);
 
 } // namespace usar::sim

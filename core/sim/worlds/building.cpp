@@ -109,6 +109,21 @@ Box block(const Vec3& low_m, const Vec3& high_m) {
     return {{.position_m = (low_m + high_m) / 2.0}, high_m - low_m};
 }
 
+void buildHall(World& world, const Vec3& size_m) {
+    constexpr double wall_m = 0.5;
+    const double x = size_m.x() / 2.0;
+    const double y = size_m.y() / 2.0;
+    const double out_x = x + wall_m;
+    const double out_y = y + wall_m;
+    // Walls reach below the floor and into the roof and overlap at their corners, so that no ray finds a gap.
+    const double low = -wall_m;
+    const double high = size_m.z() + wall_m;
+    world.boxes = {block({x, -out_y, low}, {out_x, out_y, high}), block({-out_x, -out_y, low}, {-x, out_y, high}),
+                   block({-out_x, y, low}, {out_x, out_y, high}), block({-out_x, -out_y, low}, {out_x, -y, high}),
+                   block({-out_x, -out_y, size_m.z()}, {out_x, out_y, high})};
+    world.terrain = Terrain::level({{-out_x, -out_y}, {out_x, out_y}}, 0.0).value();
+}
+
 Box beam(const Vec3& from_m, const Vec3& to_m, double width_m, double thickness_m) {
     const Vec3 along_m = to_m - from_m;
     return {{.position_m = (from_m + to_m) / 2.0,

@@ -74,6 +74,10 @@ std::array<Vec2, 8> ringAround(const Vec2& center_m, double radius_m);
 /// The upright box between its lowest and its highest corner.
 Box block(const Vec3& low_m, const Vec3& high_m);
 
+/// Closes a hall of this size inside, around the map's origin, with a level floor, four walls and a roof. They replace
+/// the world's ground and boxes.
+void buildHall(World& world, const Vec3& size_m);
+
 /// A straight bar from one point to another, whose axis is the line between them. Its width is measured on the level,
 /// its thickness across the line and the width. The line must not be vertical.
 Box beam(const Vec3& from_m, const Vec3& to_m, double width_m, double thickness_m);

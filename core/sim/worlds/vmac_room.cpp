@@ -10,24 +10,9 @@ namespace {
 constexpr double half_length_m = 20.0;
 constexpr double half_width_m = 12.5;
 constexpr double height_m = 6.0;
-constexpr double wall_m = 0.5;
 constexpr double shelf_length_m = 6.0;
 constexpr double shelf_depth_m = 1.0;
 constexpr double board_m = 0.04;
-
-void buildWalls(World& world) {
-    constexpr double x = half_length_m;
-    constexpr double y = half_width_m;
-    constexpr double out_x = x + wall_m;
-    constexpr double out_y = y + wall_m;
-    // Walls reach below the floor and into the ceiling and overlap at their corners, so that no ray finds a gap.
-    constexpr double low = -wall_m;
-    constexpr double high = height_m + wall_m;
-    world.boxes = {block({x, -out_y, low}, {out_x, out_y, high}), block({-out_x, -out_y, low}, {-x, out_y, high}),
-                   block({-out_x, y, low}, {out_x, out_y, high}), block({-out_x, -out_y, low}, {out_x, -y, high}),
-                   block({-out_x, -out_y, height_m}, {out_x, out_y, high})};
-    world.terrain = Terrain::level({{-out_x, -out_y}, {out_x, out_y}}, 0.0).value();
-}
 
 void buildPillars(World& world) {
     for (const double x : {-12.0, 0.0, 12.0})
@@ -102,7 +87,7 @@ World makeVmacRoom(std::uint64_t seed) {
     Random random = seeded(seed, 7);
     World world;
     world.name = "vmac_room";
-    buildWalls(world);
+    buildHall(world, {2.0 * half_length_m, 2.0 * half_width_m, height_m});
     buildPillars(world);
     buildShelves(world, random);
     placeSigns(world);

@@ -15,7 +15,6 @@ namespace {
 constexpr double half_length_m = 20.0;
 constexpr double half_width_m = 15.0;
 constexpr double height_m = 9.0;
-constexpr double wall_m = 0.5;
 constexpr double partition_x_m = 10.0;
 constexpr double partition_m = 0.25;
 constexpr double door_m = 3.0;
@@ -38,20 +37,6 @@ constexpr int bays = 5;
 constexpr double racks_from_x_m = -10.4;
 constexpr double cross_aisle_m = 3.0;
 constexpr double pallet_m = 0.144;
-
-void buildHall(World& world) {
-    constexpr double x = half_length_m;
-    constexpr double y = half_width_m;
-    constexpr double out_x = x + wall_m;
-    constexpr double out_y = y + wall_m;
-    // Walls reach below the floor and into the roof and overlap at their corners, so that no ray finds a gap.
-    constexpr double low = -wall_m;
-    constexpr double high = height_m + wall_m;
-    world.boxes = {block({x, -out_y, low}, {out_x, out_y, high}), block({-out_x, -out_y, low}, {-x, out_y, high}),
-                   block({-out_x, y, low}, {out_x, out_y, high}), block({-out_x, -out_y, low}, {out_x, -y, high}),
-                   block({-out_x, -out_y, height_m}, {out_x, out_y, high})};
-    world.terrain = Terrain::level({{-out_x, -out_y}, {out_x, out_y}}, 0.0).value();
-}
 
 /// The wall between the hall and the dock, with two doorways in it.
 void buildPartition(World& world, Random& random) {
@@ -216,7 +201,7 @@ World makeWarehouse(std::uint64_t seed) {
     Random random = seeded(seed, 8);
     World world;
     world.name = "warehouse";
-    buildHall(world);
+    buildHall(world, {2.0 * half_length_m, 2.0 * half_width_m, height_m});
     buildPartition(world, random);
     buildMezzanine(world);
     buildDock(world);

@@ -70,7 +70,7 @@ public:
     /// False below a ceiling that leaves no room, and where a person forbids it.
     bool mayClimb() const;
     /// All places to which ways lead from here at this height.
-    Reach reach() const { return routes_.reach(senses.position2_m(), senses.position_m().z()); }
+    ReachablePlaces reach() const { return routes_.reach(senses.position2_m(), senses.position_m().z()); }
     /// Ground lower than this (map z) may be the bed of water, so that the robot must not land on it in need.
     double dry_m() const;
     /// Says what has become of a robot that has crashed, such as "it falls"; nullptr while it flies or stands.

@@ -81,7 +81,7 @@ public:
         return std::nullopt;
     }
     /// Where it has been; everywhere that a way leads to, if run() has found none to the goal.
-    Reach reach() const {
+    ReachablePlaces reach() const {
         std::vector<bool> inside(visits_.size());
         for (std::size_t i = 0; i < visits_.size(); ++i)
             inside[i] = visits_[i].cost < no_way;
@@ -155,7 +155,7 @@ private:
 
 } // namespace
 
-bool Reach::contains(const Vec2& at_m) const {
+bool ReachablePlaces::contains(const Vec2& at_m) const {
     const int column = cellOf(at_m.x()) - column_;
     const int row = cellOf(at_m.y()) - row_;
     const bool known = column >= 0 && row >= 0 && column < RouteMap::side && row < RouteMap::side;
@@ -239,7 +239,7 @@ std::optional<std::vector<Vec2>> RouteMap::route(const Vec2& from_m, const Vec2&
     return Search(is_blocked, from_m, goal_m, std::max(within_m, grid_cell_m), needed_m).run();
 }
 
-Reach RouteMap::reach(const Vec2& from_m, double z_m) const {
+ReachablePlaces RouteMap::reach(const Vec2& from_m, double z_m) const {
     const auto is_blocked = blockedAt(z_m);
     Search search(is_blocked, from_m, from_m, -1.0); // No place is so near to the goal, so it goes everywhere.
     search.run();

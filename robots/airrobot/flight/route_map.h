@@ -12,12 +12,15 @@
 
 namespace usar::airrobot {
 
-/// The places to which ways lead.
-class Reach {
+/// Knows to which places ways lead.
+class ReachablePlaces {
 public:
-    Reach() = default;
+    ReachablePlaces() = default;
     /// `inside`: by row and column, from the cell with the lowest ones, in a square.
-    Reach(int column, int row, std::vector<bool> inside) : column_(column), row_(row), inside_(std::move(inside)) {}
+    ReachablePlaces(int column, int row, std::vector<bool> inside)
+        : column_(column)
+        , row_(row)
+        , inside_(std::move(inside)) {}
     /// True also beyond the square, of which nothing is known.
     bool contains(const Vec2& at_m) const;
 
@@ -51,7 +54,7 @@ public:
     std::optional<std::vector<Vec2>> route(const Vec2& from_m, const Vec2& to_m, double z_m, double within_m,
                                            Width width = Width::Usual) const;
     /// All places to which ways lead at this height.
-    Reach reach(const Vec2& from_m, double z_m) const;
+    ReachablePlaces reach(const Vec2& from_m, double z_m) const;
     /// True if nothing known stands within the robot's half width of the straight line. On the first meters less is
     /// enough, because the robot may be near something already.
     bool isStraightWayFree(const Vec2& from_m, const Vec2& to_m, double z_m) const;
