@@ -44,7 +44,8 @@ inline mission::TrueFigures trueFiguresOf(const sim::RobotTruth& robot) {
             robot.first_touch, height,           robot.broken};
 }
 
-/// The same for the first robot of the simulator; nullopt if there is none now. Waits for the simulator's thread.
+/// The same for the first robot of the simulator, also after it has left; nullopt if there was none. Waits for the
+/// simulator's thread.
 inline std::optional<mission::TrueFigures> trueFiguresOf(const server::HeadlessSimulator& simulator) {
     const auto robot = simulator.firstRobot();
     return robot ? std::optional(trueFiguresOf(*robot)) : std::nullopt;

@@ -138,9 +138,15 @@ void Simulation::State::followFaults() {
         if (session.robot() && std::ranges::any_of(faults.activeOn(session.robotName()), removes)) {
             log(client, "'" + session.robotName() + "' has vanished");
             vanished.push_back(session.robotName());
+            rememberFigures(client, session);
             session.loseRobot();
         }
     }
+}
+
+void Simulation::State::rememberFigures(ClientId client, const ClientSession& session) {
+    if (session.robot())
+        last_gone = RobotTruth{session.robot()->figures(), client, session.robotName()};
 }
 
 void Simulation::State::setFaults(ClientId client, ClientSession& session) {
@@ -207,7 +213,10 @@ ClientId Simulation::connect() {
 
 void Simulation::disconnect(ClientId client) {
     state_->keep(JournalEntry::Kind::Disconnect, client.value);
-    state_->sessions.erase(client);
+    if (const auto found = state_->sessions.find(client); found != state_->sessions.end()) {
+        state_->rememberFigures(client, found->second);
+        state_->sessions.erase(found);
+    }
     state_->tellLeftOut(client);
     state_->chatters.erase(client);
     state_->controller.clientLeft(client.value);
@@ -249,10 +258,12 @@ void Simulation::releaseFromLockstep(ClientId client) {
     if (found == state_->sessions.end())
         return;
     state_->keep(JournalEntry::Kind::Release, client.value);
-    if (found->second.isOrphan())
+    if (found->second.isOrphan()) {
+        state_->rememberFigures(client, found->second);
         state_->sessions.erase(found);
-    else
+    } else {
         found->second.leaveLockstep();
+    }
 }
 
 bool Simulation::mayStep(ClientId client) const {
@@ -323,6 +334,10 @@ std::vector<RobotTruth> Simulation::robots() const {
         if (session.robot())
             truths.push_back({session.robot()->figures(), client, session.robotName()});
     return truths;
+}
+
+std::optional<RobotTruth> Simulation::lastGone() const {
+    return state_->last_gone;
 }
 
 protocol::WorldObjects Simulation::objects() const {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -108,8 +109,9 @@ public:
     const World& world() const;
     CameraScene cameraScene() const; ///< a value that any thread can render
     std::vector<RobotTruth> robots() const;
-    protocol::WorldObjects objects() const;   ///< where the movable ones are now
-    std::vector<RadioStation> radios() const; ///< those of all robots and base stations, in the order of connection
+    std::optional<RobotTruth> lastGone() const; ///< the robot that was removed last, as it was then
+    protocol::WorldObjects objects() const;     ///< where the movable ones are now
+    std::vector<RadioStation> radios() const;   ///< those of all robots and base stations, in the order of connection
     /// Counts all obstacles, even those beyond the number that weakens a radio.
     int obstaclesBetween(const Vec3& a_in_map_m, const Vec3& b_in_map_m) const;
     /// Received signal strength between two antennas, with the obstacles of the still world.

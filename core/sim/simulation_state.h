@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -74,6 +75,8 @@ struct Simulation::State {
     void move();
     /// Refreshes the scene, and writes each client's lines and its robot's trace mark.
     void reportAll();
+    /// Keeps the figures of a robot that is about to be removed, for lastGone().
+    void rememberFigures(ClientId client, const ClientSession& session);
     /// Records an input of the run.
     void keep(JournalEntry::Kind kind, std::uint32_t client = 0, std::string_view bytes = {});
     /// Gives a robot that waits for a client to this one if its INIT names that robot; returns whether it did.
@@ -112,6 +115,7 @@ struct Simulation::State {
         std::size_t left_out = 0;
     };
     std::map<ClientId, Chatter> chatters;
+    std::optional<RobotTruth> last_gone;
     std::vector<std::string> vanished;  ///< for takeVanished()
     std::vector<RefusedObject> refused; ///< for takeRefused()
 

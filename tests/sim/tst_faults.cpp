@@ -382,6 +382,7 @@ private slots:
         steps(*simulation, 5);
         QVERIFY(talker.hear().empty());
         QVERIFY(simulation->robots().empty());
+        QVERIFY(simulation->lastGone() && simulation->lastGone()->name == "R1");
         QCOMPARE(simulation->clientCount(), std::size_t(1));
     }
 

@@ -331,8 +331,16 @@ private slots:
         second.say("INIT {ClassName USARBot.AirRobot} {Name R2} {Location 9,9,-3}");
         steps(*simulation, 2);
         QCOMPARE(simulation->robots().size(), 2u);
+        QVERIFY(!simulation->lastGone());
+        first.say("DRIVE {AltitudeVelocity 1}");
+        steps(*simulation, 10);
+        const double way_m = simulation->robots().front().distance_m;
+        QVERIFY(way_m > 0.0);
         simulation->disconnect(first.id());
         steps(*simulation, 2);
+        QVERIFY(simulation->lastGone());
+        QCOMPARE(simulation->lastGone()->name, std::string("R1"));
+        QCOMPARE(simulation->lastGone()->distance_m, way_m);
         QCOMPARE(simulation->robots().size(), 1u);
         QCOMPARE(simulation->robots().front().name, std::string("R2"));
         QCOMPARE(simulation->clientCount(), 1u);

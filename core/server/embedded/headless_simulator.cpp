@@ -66,10 +66,13 @@ double HeadlessSimulator::dryAbove_m() const {
 }
 
 std::optional<sim::RobotTruth> HeadlessSimulator::firstRobot() const {
-    std::vector<sim::RobotTruth> robots;
-    const auto look = [this, &robots] { robots = simulation_->robots(); };
+    std::optional<sim::RobotTruth> first;
+    const auto look = [this, &first] {
+        const std::vector<sim::RobotTruth> robots = simulation_->robots();
+        first = robots.empty() ? simulation_->lastGone() : robots.front();
+    };
     link::postAndWait(worker_, look);
-    return robots.empty() ? std::nullopt : std::optional(robots.front());
+    return first;
 }
 
 } // namespace usar::server
