@@ -1,16 +1,16 @@
 // usar-mission: flies one mission without a window; its other verbs fly none, but read files and recordings.
+#include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <memory>
 #include <optional>
-
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <QElapsedTimer>
 #include <QFile>
 #include <QGuiApplication>
-#include <QJsonDocument>
 
+#include "app/cli/campaign_verb.h"
+#include "app/cli/console.h"
 #include "app/host/true_figures.h"
 #include "core/base/version.h"
 #include "core/mission/files/mission_options.h"
@@ -25,25 +25,17 @@
 namespace {
 
 using namespace usar;
+using app::complain, app::tell;
 
-void tell(const std::string& text) {
-    std::fputs(text.c_str(), stderr);
+/// Processor time of this process so far, in seconds.
+double processorTime_s() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// Width of the terminal at standard error; nullopt if that is none, or does not say.
-std::optional<std::size_t> terminalColumns() {
-    winsize size{};
-    const bool told = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-    return told ? std::optional<std::size_t>(size.ws_col) : std::nullopt;
-}
-
-int end(int exit_code, const QJsonObject& summary) {
-    std::printf("%s\n", QJsonDocument(summary).toJson(QJsonDocument::Compact).constData());
-    return exit_code;
-}
-
-void complain(const std::string& text) {
-    tell("usar-mission: " + text + "\n");
+/// Adds a key cpu_s.
+int end(int exit_code, QJsonObject summary) {
+    summary["cpu_s"] = std::round(processorTime_s() * 1000.0) / 1000.0;
+    return app::end(exit_code, summary);
 }
 
 int refuse(const Error& error, const mission::MissionOptions* options = nullptr,
@@ -96,7 +88,8 @@ serverFor(const mission::MissionOptions& options, const mission::Mission& plan, 
 /// `earlier`: the run that this one continues; null: none.
 int run(const mission::MissionOptions& options, mission::Mission plan,
         std::shared_ptr<const mission::RecordedScan> earlier = {}) {
-    mission::applyTo(plan, options);
+    if (const auto applied = mission::applyTo(plan, options); !applied)
+        return refuse(applied.error(), &options, &plan);
     agent::PluginLoader plugins;
     plugins.scan(server::pluginFolders() + options.plugin_folders);
     mission::RunOptions run_options;
@@ -110,11 +103,11 @@ int run(const mission::MissionOptions& options, mission::Mission plan,
     if (!simulator)
         return refuse(simulator.error(), &options, &plan);
     mission::MissionRunner runner(std::move(plan), plugins, std::move(run_options));
-    mission::ProgressBar bar(::isatty(STDERR_FILENO) == 1);
+    mission::ProgressBar bar(app::isTerminal());
     QElapsedTimer wall;
     wall.start();
     QObject::connect(&runner, &mission::MissionRunner::progressed, [&](const auto& progress) {
-        tell(bar.show(progress, Seconds(static_cast<double>(wall.elapsed()) / 1000.0), terminalColumns()));
+        tell(bar.show(progress, Seconds(static_cast<double>(wall.elapsed()) / 1000.0), app::terminalColumns()));
     });
     QObject::connect(&runner, &mission::MissionRunner::noticed,
                      [&](const auto& notice) { tell(bar.say(notice.text)); });
@@ -177,6 +170,8 @@ int main(int argc, char** argv) {
     QCoreApplication::setApplicationName("usar-mission");
     if (const auto exit_code = runVerb(QCoreApplication::arguments().mid(1)))
         return *exit_code;
+    if (app::isCampaignVerb(QCoreApplication::arguments().value(1)))
+        return app::runCampaignVerb(QCoreApplication::arguments().mid(1));
     const auto options = mission::readMissionOptions(QCoreApplication::arguments().mid(1));
     if (!options)
         return refuse(options.error());

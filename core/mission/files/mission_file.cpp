@@ -11,11 +11,9 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QSaveFile>
-#include <QSet>
 #include <QStringList>
 
-#include "core/base/spelling.h"
-#include "core/mission/files/json_positions.h"
+#include "core/mission/files/json_reading.h"
 #include "core/mission/files/scan_record.h"
 
 namespace usar::mission {
@@ -27,121 +25,7 @@ const std::vector<std::string> mission_keys{"name", "world",      "robot",      
 const std::vector<std::string> area_keys{"x", "y", "width", "height"};
 constexpr double farthest_m = 1e6;
 
-/// Reads the keys of one file. Only the first error is kept; values read after it are meaningless.
-class Reading {
-public:
-    Reading(const QByteArray& json, const QString& file_name)
-        : json_(json)
-        , file_name_(file_name)
-        , keys_(jsonKeys(json)) {}
-
-    void checkKeys() {
-        QSet<QString> paths;
-        for (const JsonKey& key : keys_) {
-            if (key.parent.isEmpty() || key.parent == "area")
-                checkName(key, key.parent.isEmpty() ? mission_keys : area_keys);
-            if (paths.contains(key.path()))
-                fail(key.key_offset, QString("\"%1\" is given twice").arg(key.path()), "keep one of the two");
-            paths.insert(key.path());
-        }
-    }
-
-    void text(const QJsonObject& object, const QString& key, std::string& target, bool required = false) {
-        const QJsonValue value = object[key];
-        if (value.isUndefined()) {
-            if (required)
-                failMissing(key, {});
-        } else if (!value.isString() || value.toString().trimmed().isEmpty()) {
-            failAt(key, QString("\"%1\" is not a text").arg(key), "write it in quotes, not empty");
-        } else {
-            target = value.toString().toStdString();
-        }
-    }
-
-    /// `unit` is the word for the unit of the number in the file, such as "meters".
-    void number(const QJsonObject& object, const QString& path, double& target, bool required,
-                const QString& unit = "meters") {
-        const QString key = path.section('.', -1);
-        const QJsonValue value = object[key];
-        if (value.isUndefined()) {
-            if (required)
-                failMissing(key, path.section('.', 0, -2));
-        } else if (!value.isDouble() || !std::isfinite(value.toDouble())) {
-            failAt(path, QString("\"%1\" is not a number").arg(key), "write it without quotes and unit, in " + unit);
-        } else {
-            target = value.toDouble();
-        }
-    }
-
-    void flag(const QJsonObject& object, const QString& key, bool& target) {
-        const QJsonValue value = object[key];
-        if (value.isBool())
-            target = value.toBool();
-        else if (!value.isUndefined())
-            failAt(key, QString("\"%1\" is neither true nor false").arg(key), "write it without quotes");
-    }
-
-    /// True if the key has an object as its value. Reports an error if it has another value.
-    bool isObject(const QJsonObject& object, const QString& key) {
-        if (!object[key].isUndefined() && !object[key].isObject())
-            failAt(key, QString("\"%1\" is not an object").arg(key), "write it in braces");
-        return object[key].isObject();
-    }
-
-    void failAt(const QString& path, const QString& what, const QString& mend) {
-        const auto key = std::find_if(keys_.begin(), keys_.end(), [&](const JsonKey& k) { return k.path() == path; });
-        fail(key == keys_.end() ? 0 : key->value_offset, what, mend);
-    }
-
-    void fail(qsizetype offset, const QString& what, const QString& mend) {
-        if (!error_)
-            error_ = Error{what.toStdString(), placeOf(offset), mend.toStdString()};
-    }
-
-    /// Places of every key and of its value, by path.
-    std::map<std::string, KeyPlace> places() const {
-        std::map<std::string, KeyPlace> places;
-        LineWalk walk(json_);
-        for (const JsonKey& key : keys_) {
-            const QString of_key = file_name_ + ':' + walk.at(key.key_offset);
-            const QString of_value = file_name_ + ':' + walk.at(key.value_offset);
-            places[key.path().toStdString()] = {of_key.toStdString(), of_value.toStdString()};
-        }
-        return places;
-    }
-
-    const std::optional<Error>& error() const { return error_; }
-
-private:
-    std::string placeOf(qsizetype offset) const {
-        return (file_name_ + ':' + lineAndColumn(json_, offset)).toStdString();
-    }
-
-    void checkName(const JsonKey& key, const std::vector<std::string>& known) {
-        const std::string name = key.name.toStdString();
-        if (std::ranges::find(known, name) != known.end())
-            return;
-        fail(key.key_offset, QString("unknown key \"%1\"").arg(key.name),
-             QString("did you mean \"%1\"? Known here: %2")
-                 .arg(QString::fromStdString(nearestWord(name, known)), textsOf(known).join(", ")));
-    }
-
-    void failMissing(const QString& key, const QString& parent) {
-        const QString inside = parent.isEmpty() ? QString("the mission") : QString("\"%1\"").arg(parent);
-        const QString what = QString("the key \"%1\" is missing in %2").arg(key, inside);
-        if (parent.isEmpty())
-            fail(std::max(qsizetype(0), json_.indexOf('{')), what, "add it");
-        else
-            failAt(parent, what, "add it");
-    }
-
-    const QByteArray& json_;
-    QString file_name_;
-    std::vector<JsonKey> keys_;
-    std::optional<Error> error_;
-};
-
-void readArea(Reading& reading, const QJsonObject& root, Rectangle& area_in_map) {
+void readArea(JsonReading& reading, const QJsonObject& root, Rectangle& area_in_map) {
     if (!reading.isObject(root, "area"))
         return;
     const QJsonObject object = root["area"].toObject();
@@ -160,7 +44,7 @@ void readArea(Reading& reading, const QJsonObject& root, Rectangle& area_in_map)
                        "stay within a thousand kilometers of the origin");
 }
 
-void readLimit(Reading& reading, const QJsonObject& root, std::optional<double>& limit_h) {
+void readLimit(JsonReading& reading, const QJsonObject& root, std::optional<double>& limit_h) {
     if (root["limit_h"].isUndefined())
         return;
     reading.number(root, "limit_h", limit_h.emplace(), false, "hours");
@@ -169,35 +53,16 @@ void readLimit(Reading& reading, const QJsonObject& root, std::optional<double>&
                        "write hours of simulated time, such as 20, or leave it out: then there is no limit");
 }
 
-void readParameters(Reading& reading, const QJsonObject& root, Mission& mission) {
+void readParameters(JsonReading& reading, const QJsonObject& root, Mission& mission) {
     if (!reading.isObject(root, "parameters"))
         return;
     const QJsonObject object = root["parameters"].toObject();
     for (auto it = object.begin(); it != object.end(); ++it) {
-        const std::string id = it.key().toStdString();
-        const double number = it->toDouble();
-        if (it->isBool())
-            mission.parameters[id] = it->toBool();
-        else if (it->isString())
-            mission.parameters[id] = it->toString().toStdString();
-        else if (!it->isDouble())
+        if (const auto value = parameterOf(*it))
+            mission.parameters[it.key().toStdString()] = *value;
+        else
             reading.failAt("parameters." + it.key(), QString("the value of \"%1\" is no parameter").arg(it.key()),
                            "write a number, a text, true or false");
-        else if (number == std::trunc(number) && std::abs(number) < 1e15)
-            mission.parameters[id] = static_cast<long long>(number);
-        else
-            mission.parameters[id] = number;
-    }
-}
-
-void readFaults(Reading& reading, const QJsonObject& root, std::vector<std::string>& faults) {
-    const QJsonValue value = root["faults"];
-    if (!value.isUndefined() && !value.isArray())
-        reading.failAt("faults", "\"faults\" is not a list", "write it in square brackets");
-    for (const QJsonValue fault : value.toArray()) {
-        if (!fault.isString())
-            return reading.failAt("faults", "a fault is not a text", "write each in quotes: \"wind speed=5\"");
-        faults.push_back(fault.toString().toStdString());
     }
 }
 
@@ -230,19 +95,12 @@ QString planPath(const QString& plan, const QString& folder) {
 } // namespace
 
 Result<Mission> readMission(const QByteArray& json, const QString& file_name) {
-    QJsonParseError problem;
-    const QJsonDocument document = QJsonDocument::fromJson(json, &problem);
-    if (problem.error != QJsonParseError::NoError)
-        return failure("this is not JSON: " + problem.errorString().toStdString(),
-                       (file_name + ':' + lineAndColumn(json, problem.offset)).toStdString(),
-                       "look at this place and just before it for a comma, a quote or a brace");
-    if (!document.isObject())
-        return failure("a mission is an object in braces", (file_name + ":1:1").toStdString(),
-                       "begin with { and end with }");
-
-    Reading reading(json, file_name);
-    reading.checkKeys();
-    const QJsonObject root = document.object();
+    const auto object = readJsonObject(json, file_name, "a mission");
+    if (!object)
+        return tl::unexpected(object.error());
+    const QJsonObject& root = *object;
+    JsonReading reading(json, file_name, "the mission");
+    reading.checkKeys({{"", mission_keys}, {"area", area_keys}});
     Mission mission;
     reading.text(root, "name", mission.name, true);
     reading.text(root, "world", mission.world);
@@ -254,9 +112,9 @@ Result<Mission> readMission(const QByteArray& json, const QString& file_name) {
     readParameters(reading, root, mission);
     reading.number(root, "cell_size_m", mission.cell_size_m, false);
     readLimit(reading, root, mission.limit_h);
-    readFaults(reading, root, mission.faults);
+    mission.faults = reading.texts(root, "faults", "a fault", "wind speed=5");
     reading.flag(root, "isolate", mission.isolate);
-    if (!(mission.cell_size_m >= 0.02 && mission.cell_size_m <= 10.0))
+    if (!(mission.cell_size_m >= smallest_cell_m && mission.cell_size_m <= largest_cell_m))
         reading.failAt("cell_size_m", "the cell size is out of range", "choose 0.02 to 10 m; 0.25 m is the usual one");
     if (reading.error())
         return tl::unexpected(*reading.error());
@@ -267,15 +125,7 @@ Result<Mission> readMission(const QByteArray& json, const QString& file_name) {
 }
 
 Result<Mission> readMissionFile(const QString& path) {
-    constexpr qint64 maximum_bytes = 1 << 20;
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        return failure("cannot read the mission: " + file.errorString().toStdString(), path.toStdString(),
-                       "check the path; missions that come with the program are in resources/missions");
-    const QByteArray json = file.read(maximum_bytes + 1);
-    if (json.size() > maximum_bytes)
-        return failure("this file is larger than any mission", path.toStdString(), "choose a mission file (JSON)");
-    return readMission(json, path);
+    return readJsonFile(path, "mission").and_then([&](const QByteArray& json) { return readMission(json, path); });
 }
 
 Error atKey(const Mission& mission, const std::string& path, const Error& error) {

@@ -23,6 +23,9 @@ struct KeyPlace {
     bool operator==(const KeyPlace&) const = default;
 };
 
+inline constexpr double smallest_cell_m = 0.02;
+inline constexpr double largest_cell_m = 10.0;
+
 /// A mission as written in its file. Keys of the file: name, world, robot, start, behavior, plan (file of a POSH plan
 /// to use instead of the robot's own; a relative path begins at the mission's folder), area {x, y, width, height}
 /// (lowest corner and size, meters, map frame: x forward, y left; width along x), parameters {}, cell_size_m, limit_h
@@ -39,7 +42,7 @@ struct Mission {
     std::string plan;                                        ///< path of a plan file; empty: the robot's own plan
     Rectangle area_in_map;                                   ///< meters; empty: none
     std::map<std::string, agent::ParameterValue> parameters; ///< as written; see `withAnglesInRadians`
-    double cell_size_m = 0.25;                               ///< 0.02 .. 10 m
+    double cell_size_m = 0.25;                               ///< smallest_cell_m .. largest_cell_m
     std::optional<double> limit_h;                           ///< above 0; absent: no limit
     std::vector<std::string> faults;                         ///< for the embedded simulator, in its --fault syntax
     bool isolate = false;                                    ///< the behavior runs in a process of its own

@@ -8,6 +8,7 @@
 
 #include "core/base/numbers.h"
 #include "core/mission/files/command_line.h"
+#include "core/mission/files/mission_value.h"
 #include "core/mission/files/replay_options.h"
 
 namespace usar::mission {
@@ -15,20 +16,11 @@ namespace usar::mission {
 namespace {
 
 QList<QCommandLineOption> runOptions() {
-    return {{"behavior", {}, "ID"},
-            {"plan", {}, "FILE"},
-            {"seed", {}, "N"},
-            {"speed", {}, "N|max"},
-            {"connect", {}, "HOST:PORT"},
-            {"out", {}, "DIR"},
-            {"record", {}, "FILE"},
-            {"continue", {}, "RECORDING"},
-            {"fault", {}, "TEXT"},
-            {"plugins", {}, "FOLDER"},
-            {"battery", {}, "S"},
-            {"limit", {}, "TIME"},
-            QCommandLineOption("isolate"),
-            QCommandLineOption(QStringList{"h", "help"})};
+    return {{"behavior", {}, "ID"},   {"plan", {}, "FILE"},          {"seed", {}, "N"},
+            {"speed", {}, "N|max"},   {"connect", {}, "HOST:PORT"},  {"out", {}, "DIR"},
+            {"record", {}, "FILE"},   {"continue", {}, "RECORDING"}, {"fault", {}, "TEXT"},
+            {"set", {}, "KEY=VALUE"}, {"plugins", {}, "FOLDER"},     {"battery", {}, "S"},
+            {"limit", {}, "TIME"},    QCommandLineOption("isolate"), QCommandLineOption(QStringList{"h", "help"})};
 }
 
 /// "90s", "30min" or "20h"; seconds without a unit. Nothing unless it is above 0.
@@ -122,6 +114,7 @@ Result<MissionOptions> readMissionOptions(const QStringList& arguments) {
     options.recording = parser.value("record");
     options.continued = parser.value("continue");
     options.faults = parser.values("fault");
+    options.values = parser.values("set");
     options.plugin_folders = parser.values("plugins");
     options.isolate = parser.isSet("isolate");
     if (const auto read = readValues(parser, options); !read)
@@ -140,7 +133,10 @@ Result<MissionOptions> readMissionOptions(const QStringList& arguments) {
     return options;
 }
 
-void applyTo(Mission& mission, const MissionOptions& options) {
+Result<void> applyTo(Mission& mission, const MissionOptions& options) {
+    for (const QString& value : options.values)
+        if (auto set = setValue(mission, value); !set)
+            return set;
     if (!options.behavior.isEmpty()) {
         mission.behavior = options.behavior.toStdString();
         mission.places.erase("behavior"); // errors must not name the file
@@ -150,6 +146,7 @@ void applyTo(Mission& mission, const MissionOptions& options) {
         mission.places.erase("plan");
     }
     mission.isolate = mission.isolate || options.isolate;
+    return {};
 }
 
 Seconds limitOf(const MissionOptions& options, const Mission& mission) {
@@ -188,6 +185,8 @@ QString missionHelp() {
                "                       and only the area around the larger gaps is flown, with the same seed\n"
                "  --fault TEXT         a fault of the embedded simulator, for example\n"
                "                       'wind speed=4 gust=1 from=60'; repeat for more. usar-sim --help lists them\n"
+               "  --set KEY=VALUE      another value than the file's, such as area.width=40 or\n"
+               "                       parameters.scan_altitude_m=3; repeat for more\n"
                "  --plugins FOLDER     robot plugins, besides those that come with the program; repeat for more\n"
                "  --isolate            the behavior runs in a separate process, so that only that can crash\n"
                "\n"

@@ -36,6 +36,7 @@ struct MissionOptions {
     QString result_folder;        ///< empty: the default folder
     QString recording;            ///< file to record to; empty: none
     QStringList faults;           ///< in addition to the mission's
+    QStringList values;           ///< KEY=VALUE to put over the mission's; see setValue
     QStringList plugin_folders;   ///< in addition to the plugins that come with the program
     bool isolate = false;         ///< on even if the mission does not ask for it
     bool help = false;            ///< only the help is wanted
@@ -49,9 +50,10 @@ Result<ServerAddress> readServerAddress(const QString& text);
 /// Reads the command line; `arguments` does not include the program's name. Errors name the option and how to write it.
 Result<MissionOptions> readMissionOptions(const QStringList& arguments);
 
-/// Puts the command line's behavior, plan and isolation over those of the file: what was typed takes precedence, and
-/// errors about it do not name the file. A relative path of a plan begins at the current folder.
-void applyTo(Mission& mission, const MissionOptions& options);
+/// Puts the command line's values, behavior, plan and isolation over those of the file: what was typed takes
+/// precedence, and errors about it do not name the file. A relative path of a plan begins at the current folder. Fails
+/// on a value that does not fit.
+Result<void> applyTo(Mission& mission, const MissionOptions& options);
 
 /// The simulated time after which the run is given up: that of the command line, or else the mission's; infinite if
 /// neither sets one.

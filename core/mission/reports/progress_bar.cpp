@@ -67,14 +67,15 @@ std::vector<std::string> figuresOf(const Progress& progress, Seconds wall_elapse
 
 } // namespace
 
-std::string progressLine(const Progress& progress, Seconds wall_elapsed, std::optional<std::size_t> columns) {
+std::string barLine(double percent, const std::string& words, const std::vector<std::string>& figures,
+                    std::optional<std::size_t> columns) {
     constexpr int width = 20;
-    const double percent = std::clamp(progress.percent, 0.0, 100.0);
+    percent = std::clamp(percent, 0.0, 100.0);
     const auto filled = static_cast<std::size_t>(std::lround(percent / 100.0 * width));
     std::string line = "[" + std::string(filled, '#') + std::string(width - filled, '-') + "] ";
     const std::string number = fixed(std::floor(percent), 0);
-    line += std::string(number.size() < 3 ? 3 - number.size() : 0, ' ') + number + " %  " + progress.state;
-    for (const std::string& figure : figuresOf(progress, wall_elapsed)) {
+    line += std::string(number.size() < 3 ? 3 - number.size() : 0, ' ') + number + " %  " + words;
+    for (const std::string& figure : figures) {
         if (columns && charactersIn(line + figure) > *columns)
             break;
         line += figure;
@@ -82,18 +83,28 @@ std::string progressLine(const Progress& progress, Seconds wall_elapsed, std::op
     return columns ? cutTo(*columns, line) : line;
 }
 
+std::string progressLine(const Progress& progress, Seconds wall_elapsed, std::optional<std::size_t> columns) {
+    return barLine(progress.percent, progress.state, figuresOf(progress, wall_elapsed), columns);
+}
+
 std::string ProgressBar::show(const Progress& progress, Seconds wall, std::optional<std::size_t> columns) {
-    const int tenth = static_cast<int>(progress.percent / 10.0);
+    return draw(progress.percent, columns,
+                [&](std::optional<std::size_t> room) { return progressLine(progress, wall, room); });
+}
+
+std::string ProgressBar::draw(double percent, std::optional<std::size_t> columns,
+                              const std::function<std::string(std::optional<std::size_t> columns)>& line) {
+    const int tenth = static_cast<int>(percent / 10.0);
     if (is_terminal_) {
         drawn_ = true;
         if (columns && *columns > 0)
             --*columns; // In the last column some terminals go on to the next line.
-        return to_line_start + progressLine(progress, wall, columns) + clear_to_line_end;
+        return to_line_start + line(columns) + clear_to_line_end;
     }
     if (tenth <= last_tenth_)
         return {};
     last_tenth_ = tenth;
-    return progressLine(progress, wall) + "\n";
+    return line({}) + "\n";
 }
 
 std::string ProgressBar::say(const std::string& text) {

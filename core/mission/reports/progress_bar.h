@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/mission/runs/mission_runner.h"
 
@@ -18,6 +20,11 @@ std::optional<Seconds> wallTimeLeft(const Progress& progress, Seconds wall_elaps
 /// characters that it may have, so figures at its end are left out, and then words are cut; absent: any number.
 std::string progressLine(const Progress& progress, Seconds wall_elapsed, std::optional<std::size_t> columns = {});
 
+/// The same for anything that is done by and by: "[########------------]  40 %", the words, and the figures, each of
+/// which begins with the gap before it.
+std::string barLine(double percent, const std::string& words, const std::vector<std::string>& figures,
+                    std::optional<std::size_t> columns = {});
+
 /// A bar that is redrawn in place on a terminal; otherwise one line for every 10 %. It only returns the bytes; its
 /// owner writes them.
 class ProgressBar {
@@ -27,6 +34,9 @@ public:
     /// Returns the text to write for this progress; empty if there is nothing new. `wall` is the wall time since the
     /// run began. `columns`: of the terminal, where a line that is longer could not be drawn in place; absent: unknown.
     [[nodiscard]] std::string show(const Progress& progress, Seconds wall, std::optional<std::size_t> columns = {});
+    /// The same with any line, which is made for so many columns.
+    [[nodiscard]] std::string draw(double percent, std::optional<std::size_t> columns,
+                                   const std::function<std::string(std::optional<std::size_t> columns)>& line);
     /// Returns a line of text that replaces the bar; the next `show` draws the bar again below it.
     [[nodiscard]] std::string say(const std::string& text);
 

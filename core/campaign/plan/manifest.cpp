@@ -1,0 +1,122 @@
+#include "core/campaign/plan/manifest.h"
+
+#include <QCryptographicHash>
+#include <QDir>
+#include <QDirIterator>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QSaveFile>
+
+#include "core/mission/files/scan_record.h"
+#include "core/mission/reports/json_line.h"
+
+namespace usar::campaign {
+
+namespace {
+
+Error unreadable(const QFile& file) {
+    return {"cannot read it: " + file.errorString().toStdString(), file.fileName().toStdString(),
+            "Check the name and the permissions"};
+}
+
+Result<void> addFile(const QString& path, QCryptographicHash& hash) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly) || !hash.addData(&file))
+        return tl::unexpected(unreadable(file));
+    return {};
+}
+
+QStringList filesIn(const QString& folder) {
+    QStringList files;
+    QDirIterator walk(folder, QDir::Files, QDirIterator::Subdirectories);
+    while (walk.hasNext())
+        files << walk.next();
+    files.sort();
+    return files;
+}
+
+QJsonArray textsOf(const std::vector<std::string>& texts) {
+    return QJsonArray::fromStringList(mission::textsOf(texts));
+}
+
+QByteArray lineOf(const PlannedRun& run, const Manifest& manifest, const Campaign& campaign) {
+    return mission::jsonLine({{"run", run.number},
+                              {"pair", run.pair},
+                              {"mission", QString::fromStdString(manifest.missions[run.mission])},
+                              {"variant", QString::fromStdString(manifest.variants[run.variant])},
+                              {"seed", static_cast<qint64>(run.seed)},
+                              {"faults", textsOf(run.faults)},
+                              {"values", textsOf(run.values)},
+                              {"behavior", QString::fromStdString(campaign.variants[run.variant].behavior)}});
+}
+
+/// Says what is not the same in two first lines.
+std::string differenceOf(const QJsonObject& old_head, const QJsonObject& new_head) {
+    for (const QString& key : {QString("campaign"), QString("version"), QString("runs")})
+        if (old_head[key] != new_head[key])
+            return "its " + (key == "runs" ? QString("number of runs") : key).toStdString() + " is another one";
+    const QJsonArray before = old_head["inputs"].toArray();
+    for (const QJsonValue input : new_head["inputs"].toArray())
+        if (!before.contains(input))
+            return "the " + input["role"].toString().toStdString() + " " + input["name"].toString().toStdString() +
+                   " is not what it was";
+    return "the campaign's runs are not the same";
+}
+
+QJsonObject headOf(const QByteArray& text) {
+    return QJsonDocument::fromJson(text.left(text.indexOf('\n'))).object();
+}
+
+} // namespace
+
+Result<HashedInput> hashInput(const QString& role, const QString& name, const QString& path) {
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    const bool is_folder = QDir(path).exists();
+    for (const QString& file : is_folder ? filesIn(path) : QStringList{path}) {
+        if (is_folder)
+            hash.addData((QDir(path).relativeFilePath(file) + '\n').toUtf8());
+        if (const auto added = addFile(file, hash); !added)
+            return tl::unexpected(added.error());
+    }
+    return HashedInput{role, name, hash.result().toHex()};
+}
+
+QByteArray toText(const Manifest& manifest, const Campaign& campaign) {
+    QJsonArray inputs;
+    for (const HashedInput& input : manifest.inputs)
+        inputs << QJsonObject{
+            {"role", input.role}, {"name", input.name}, {"sha256", QString::fromLatin1(input.sha256_hex)}};
+    QByteArray text = mission::jsonLine({{"campaign", QString::fromStdString(manifest.campaign)},
+                                         {"version", QString::fromStdString(manifest.version)},
+                                         {"missions", textsOf(manifest.missions)},
+                                         {"variants", textsOf(manifest.variants)},
+                                         {"runs", static_cast<qint64>(manifest.runs.size())},
+                                         {"inputs", inputs}});
+    for (const PlannedRun& run : manifest.runs)
+        text += lineOf(run, manifest, campaign);
+    return text;
+}
+
+Result<void> keepManifest(const QByteArray& text, const QString& folder) {
+    if (!QDir().mkpath(folder))
+        return failure("the folder cannot be made", folder.toStdString(), "Give another one with --out");
+    const QString path = QDir(folder).filePath(manifest_file);
+    QFile old_file(path);
+    if (old_file.open(QIODevice::ReadOnly)) {
+        const QByteArray old_text = old_file.readAll();
+        if (old_text == text)
+            return {};
+        return failure("the folder holds the results of another campaign: " +
+                           differenceOf(headOf(old_text), headOf(text)),
+                       path.toStdString(), "Give another folder with --out");
+    }
+    QSaveFile file(path);
+    if (file.open(QIODevice::WriteOnly) && file.write(text) == text.size() && file.commit())
+        return {};
+    return failure("the manifest cannot be written: " + file.errorString().toStdString(), path.toStdString(),
+                   "Make room, or give another folder with --out");
+}
+
+} // namespace usar::campaign

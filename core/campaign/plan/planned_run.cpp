@@ -1,0 +1,96 @@
+#include "core/campaign/plan/planned_run.h"
+
+#include <algorithm>
+
+#include <QFileInfo>
+
+#include "core/base/numbers.h"
+#include "core/campaign/plan/shell_word.h"
+
+namespace usar::campaign {
+
+namespace {
+
+/// Engine streams of a pair's draws.
+enum Stream : std::uint64_t { Values = 1, Faults = 2 };
+
+std::vector<std::string> drawValues(const std::vector<Draw>& draws, Random& random) {
+    std::vector<std::string> values;
+    for (const Draw& draw : draws) {
+        std::string value;
+        if (draw.choices.empty()) {
+            value = fixed(uniform(random, draw.least, draw.most), 3);
+        } else {
+            const auto last = static_cast<double>(draw.choices.size() - 1);
+            value = draw.choices[static_cast<std::size_t>(
+                std::min(last, uniform(random, 0.0, static_cast<double>(draw.choices.size()))))];
+        }
+        values.push_back(draw.key + '=' + value);
+    }
+    return values;
+}
+
+} // namespace
+
+std::vector<PlannedRun> planRuns(const Campaign& campaign, std::span<const FaultChoice> choices) {
+    std::vector<PlannedRun> runs;
+    PlannedRun run;
+    const auto addPair = [&](std::uint64_t seed, const std::string& world) {
+        const CampaignMission& mission = campaign.missions[run.mission];
+        Random value_random = seeded(seed, Values);
+        Random fault_random = seeded(seed, Faults);
+        std::vector<std::string> values = drawValues(mission.draws, value_random);
+        if (!world.empty())
+            values.insert(values.begin(), "world=" + world);
+        run.seed = seed;
+        run.faults = campaign.faults;
+        if (campaign.swarm)
+            std::ranges::move(drawFaults(*campaign.swarm, choices, fault_random), std::back_inserter(run.faults));
+        for (run.variant = 0; run.variant < campaign.variants.size(); ++run.variant) {
+            run.values = values;
+            std::ranges::copy(campaign.variants[run.variant].values, std::back_inserter(run.values));
+            runs.push_back(run);
+            ++run.number;
+        }
+        ++run.pair;
+    };
+    for (run.mission = 0; run.mission < campaign.missions.size(); ++run.mission) {
+        const CampaignMission& mission = campaign.missions[run.mission];
+        const std::vector<std::string> own_world{std::string()};
+        for (const std::string& world : mission.worlds.empty() ? own_world : mission.worlds)
+            for (int i = 0; i < mission.seeds; ++i)
+                addPair(mission.first_seed + static_cast<std::uint64_t>(i), world);
+    }
+    return runs;
+}
+
+QString nameOf(const CampaignMission& mission) {
+    return QFileInfo(mission.file).completeBaseName();
+}
+
+QStringList argumentsOf(const Campaign& campaign, const PlannedRun& run) {
+    const Variant& variant = campaign.variants[run.variant];
+    QStringList arguments{"run", campaign.missions[run.mission].file, "--seed", QString::number(run.seed)};
+    const auto add = [&](const char* option, const std::string& value) {
+        if (!value.empty())
+            arguments << option << QString::fromStdString(value);
+    };
+    add("--behavior", variant.behavior);
+    add("--plan", variant.plan);
+    for (const std::string& value : run.values)
+        add("--set", value);
+    for (const std::string& fault : run.faults)
+        add("--fault", fault);
+    if (campaign.limit_h)
+        arguments << "--limit" << QString::number(*campaign.limit_h) + 'h';
+    return arguments;
+}
+
+QString commandOf(const Campaign& campaign, const PlannedRun& run) {
+    QString command = "usar-mission";
+    for (const QString& argument : argumentsOf(campaign, run))
+        command += ' ' + shellWord(argument);
+    return command;
+}
+
+} // namespace usar::campaign

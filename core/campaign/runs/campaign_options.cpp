@@ -1,0 +1,100 @@
+#include "core/campaign/runs/campaign_options.h"
+
+#include "core/base/numbers.h"
+#include "core/mission/files/command_line.h"
+
+namespace usar::campaign {
+
+namespace {
+
+const std::string usage = "Write usar-mission campaign CAMPAIGN.json --out DIR; --help tells more";
+
+/// A whole number of the text, between the two; nullopt otherwise.
+std::optional<int> wholeNumber(const QString& text, int least, int most) {
+    const auto number = readInteger(text.toStdString());
+    return number && *number >= least && *number <= most ? std::optional(static_cast<int>(*number)) : std::nullopt;
+}
+
+Result<Shard> readShard(const QCommandLineParser& parser) {
+    const QStringList parts = parser.value("shard").split('/');
+    const auto of = wholeNumber(parts.value(1), 1, most_shards);
+    const auto index = wholeNumber(parts.value(0), 0, of.value_or(1) - 1);
+    if (parts.size() != 2 || !of || !index)
+        return failure("this is no shard", mission::asWritten(parser, "shard"),
+                       "Write I/N with N from 1 to " + std::to_string(most_shards) +
+                           " and I from 0 to N - 1, for example --shard 0/4");
+    return Shard{*index, *of};
+}
+
+Result<int> readCount(const QCommandLineParser& parser, const QString& option, int most) {
+    const auto count = wholeNumber(parser.value(option), 1, most);
+    if (!count)
+        return failure("this is no whole number from 1 to " + std::to_string(most), mission::asWritten(parser, option),
+                       ("For example --" + option + " 4").toStdString());
+    return *count;
+}
+
+} // namespace
+
+Result<CampaignOptions> readCampaignOptions(const QStringList& arguments) {
+    QCommandLineParser parser;
+    const auto parsed = mission::parseArguments(parser,
+                                                {{"out", {}, "DIR"},
+                                                 {"jobs", {}, "N"},
+                                                 {"shard", {}, "I/N"},
+                                                 {"slurm", {}, "TASKS"},
+                                                 QCommandLineOption("resume"),
+                                                 QCommandLineOption(QStringList{"h", "help"})},
+                                                arguments.mid(1), usage);
+    CampaignOptions options;
+    options.help = parser.isSet("help");
+    if (options.help)
+        return options;
+    if (!parsed)
+        return tl::unexpected(parsed.error());
+    const QStringList words = parser.positionalArguments();
+    if (words.size() != 1 || !parser.isSet("out"))
+        return failure(words.size() == 1 ? "--out is missing" : "this is not how to call it",
+                       arguments.join(' ').toStdString(), usage);
+    options.file = words.first();
+    options.folder = parser.value("out");
+    options.resume = parser.isSet("resume");
+    if (parser.isSet("jobs")) {
+        const auto jobs = readCount(parser, "jobs", 1000);
+        if (!jobs)
+            return tl::unexpected(jobs.error());
+        options.jobs = *jobs;
+    }
+    if (parser.isSet("slurm")) {
+        const auto tasks = readCount(parser, "slurm", most_shards);
+        if (!tasks)
+            return tl::unexpected(tasks.error());
+        options.slurm = *tasks;
+    }
+    if (parser.isSet("shard")) {
+        const auto shard = readShard(parser);
+        if (!shard)
+            return tl::unexpected(shard.error());
+        options.shard = *shard;
+    }
+    return options;
+}
+
+QString campaignHelp() {
+    return QStringLiteral(
+        "usar-mission campaign CAMPAIGN.json --out DIR [options]\n"
+        "\n"
+        "Flies the missions of a campaign, with all its seeds and variants, and writes one line for each.\n"
+        "\n"
+        "  --jobs N       missions at a time (as many as there are processors)\n"
+        "  --resume       go on with the results in DIR: only what is missing is flown\n"
+        "  --shard I/N    only part I of N, from 0 to N - 1; for several machines that share DIR. It goes on\n"
+        "                 where it was stopped\n"
+        "  --slurm TASKS  fly nothing, but print a job script for sbatch, with so many parts\n"
+        "\n"
+        "A progress bar goes to standard error; the last line of standard output is one JSON object.\n"
+        "Exit code 0: all missions were done; 1: some failed, or came out otherwise when flown again;\n"
+        "2: bad use or input. Ctrl+C keeps the results that are there.\n");
+}
+
+} // namespace usar::campaign

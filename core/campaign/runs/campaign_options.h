@@ -1,0 +1,35 @@
+// The command line of `usar-mission campaign`.
+#pragma once
+
+#include <optional>
+
+#include <QString>
+#include <QStringList>
+
+#include "core/base/result.h"
+#include "core/campaign/runs/shard_file.h"
+
+namespace usar::campaign {
+
+/// Options of `usar-mission campaign`, with their defaults.
+struct CampaignOptions {
+    QString file;
+    QString folder;
+    int jobs = 0;               ///< processes at a time; 0: as many as there are processors
+    bool resume = false;        ///< go on with the results that are in the folder
+    std::optional<Shard> shard; ///< absent: all runs
+    std::optional<int> slurm;   ///< only print a job script with so many shards
+    bool help = false;
+    bool operator==(const CampaignOptions&) const = default;
+};
+
+/// Slurm's usual MaxArraySize is 1001, and an array's numbers begin with 0.
+inline constexpr int most_shards = 1000;
+
+/// Reads the command line; `arguments` begins with the verb. Errors name the option and how to write it.
+Result<CampaignOptions> readCampaignOptions(const QStringList& arguments);
+
+/// The text that `usar-mission campaign --help` prints.
+QString campaignHelp();
+
+} // namespace usar::campaign

@@ -1,0 +1,154 @@
+#include "core/campaign/runs/campaign_runner.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QDir>
+
+namespace usar::campaign {
+
+struct CampaignRunner::Flight {
+    PlannedRun run;
+    RunResult result;
+    bool again = false; ///< it is flown for the second time
+    QString folder;     ///< of its result files
+    std::unique_ptr<RunProcess> process{};
+};
+
+int CampaignProgress::failures() const {
+    const auto successes = outcomes.find(Outcome::Done);
+    return done - (successes == outcomes.end() ? 0 : successes->second);
+}
+
+CampaignRunner::CampaignRunner(Campaign campaign, std::vector<PlannedRun> runs, const std::vector<RunResult>& earlier,
+                               RunnerOptions options, ShardFile results)
+    : campaign_(std::move(campaign))
+    , options_(std::move(options))
+    , file_(std::move(results)) {
+    std::map<int, const RunResult*> known;
+    for (const RunResult& result : earlier)
+        known[result.number] = &result;
+    for (PlannedRun& run : runs) {
+        if (!options_.shard.has(run))
+            continue;
+        ++progress_.runs;
+        const auto found = known.find(run.number);
+        if (found == known.end())
+            waiting_.push_back(std::move(run));
+        else
+            count(*found->second);
+    }
+    std::ranges::reverse(waiting_);
+}
+
+CampaignRunner::~CampaignRunner() = default;
+
+void CampaignRunner::start() {
+    since_start_.start();
+    for (int i = 0; i < options_.jobs; ++i)
+        startNext();
+}
+
+void CampaignRunner::interrupt() {
+    interrupted_ = true;
+    waiting_.clear();
+    for (const auto& [number, flight] : flying_)
+        flight->process->stop();
+    if (flying_.empty())
+        emit finished();
+}
+
+CampaignProgress CampaignRunner::progress() const {
+    CampaignProgress progress = progress_;
+    progress.wall = Seconds{since_start_.isValid() ? static_cast<double>(since_start_.nsecsElapsed()) * 1e-9 : 0.0};
+    return progress;
+}
+
+QString CampaignRunner::folderOf(const PlannedRun& run) const {
+    return QDir(options_.folder).filePath(QString("runs/%1").arg(run.number, 6, 10, QChar('0')));
+}
+
+void CampaignRunner::startNext() {
+    if (waiting_.empty()) {
+        if (flying_.empty())
+            QMetaObject::invokeMethod(this, &CampaignRunner::finished, Qt::QueuedConnection);
+        return;
+    }
+    auto flight = std::make_unique<Flight>();
+    flight->run = std::move(waiting_.back());
+    waiting_.pop_back();
+    const PlannedRun& run = flight->run;
+    RunResult& result = flight->result;
+    result.number = run.number;
+    result.pair = run.pair;
+    result.mission = nameOf(campaign_.missions[run.mission]).toStdString();
+    result.variant = campaign_.variants[run.variant].name;
+    result.seed = run.seed;
+    result.version = options_.version;
+    result.command = commandOf(campaign_, run);
+    fly(std::move(flight));
+}
+
+void CampaignRunner::fly(std::unique_ptr<Flight> flight) {
+    Flight& one = *flight;
+    one.folder = folderOf(one.run) + (one.again ? "-again" : "");
+    QDir(one.folder).removeRecursively(); // An interrupted campaign may have left some of its files.
+    QDir().mkpath(one.folder);
+    QStringList arguments = argumentsOf(campaign_, one.run) << "--out" << one.folder;
+    if (campaign_.keep == Keep::Everything && !one.again)
+        arguments << "--record" << QDir(one.folder).filePath("run.usarrec");
+    one.process = std::make_unique<RunProcess>();
+    connect(
+        one.process.get(), &RunProcess::ended, this, [this, &one](const ProcessEnd& end) { take(one, end); },
+        Qt::QueuedConnection); // The process must not be deleted while it emits.
+    flying_[one.run.number] = std::move(flight);
+    one.process->start(options_.program, arguments, Seconds{campaign_.wall_limit_s});
+}
+
+void CampaignRunner::take(Flight& flight, const ProcessEnd& end) {
+    const auto owned = std::move(flying_.extract(flight.run.number).mapped());
+    if (end.stopped) {
+        QDir(flight.folder).removeRecursively();
+        return startNext();
+    }
+    RunResult now = flight.result;
+    now.wall_s = std::round(flight.process->wall().count() * 1000.0) / 1000.0;
+    judge(now, end);
+    const bool checked = options_.check_every > 0 && flight.run.number % options_.check_every == 0;
+    if (checked && !flight.again && now.outcome != Outcome::TimedOut && !interrupted_) {
+        auto again = std::make_unique<Flight>(Flight{flight.run, std::move(now), true, {}, {}});
+        return fly(std::move(again));
+    }
+    if (flight.again) {
+        QDir(flight.folder).removeRecursively();
+        const QStringList differ = now.outcome == flight.result.outcome
+                                       ? differencesOf(flight.result.summary, now.summary)
+                                       : QStringList{"outcome"};
+        now = flight.result;
+        now.differences = differ;
+        flight.folder = folderOf(flight.run);
+    }
+    const bool kept =
+        campaign_.keep == Keep::Everything || (campaign_.keep == Keep::Failures && now.outcome != Outcome::Done);
+    if (!kept) {
+        QDir(flight.folder).removeRecursively();
+        now.summary.remove("files");
+    }
+    if (auto written = file_.append(now); !written) {
+        trouble_ = written.error();
+        return interrupt();
+    }
+    ++progress_.flown;
+    count(now);
+    emit ran(now);
+    startNext();
+}
+
+void CampaignRunner::count(const RunResult& result) {
+    ++progress_.done;
+    ++progress_.outcomes[result.outcome];
+    if (result.differences && !result.differences->isEmpty())
+        progress_.different.push_back(result.number);
+}
+
+} // namespace usar::campaign

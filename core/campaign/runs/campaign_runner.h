@@ -1,0 +1,86 @@
+// Flies the runs of a campaign, several at a time, and writes each result as it comes.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include <QElapsedTimer>
+#include <QObject>
+
+#include "core/campaign/runs/run_process.h"
+#include "core/campaign/runs/shard_file.h"
+
+namespace usar::campaign {
+
+/// Where and how the runs are flown.
+struct RunnerOptions {
+    QString program; ///< path of usar-mission
+    QString folder;  ///< of the campaign's results
+    Shard shard;
+    int jobs = 1; ///< processes at a time
+    /// One run in so many is flown twice and must come out the same; 0: none. The first run is one of them.
+    int check_every = 100;
+    std::string version; ///< of the program
+};
+
+/// Counts of a campaign, of the runs of this shard only.
+struct CampaignProgress {
+    int runs = 0;                    ///< all of them
+    int done = 0;                    ///< with a result, from earlier or now
+    int flown = 0;                   ///< now
+    std::map<Outcome, int> outcomes; ///< how many results of each kind there are
+    std::vector<int> different;      ///< numbers of runs that were flown twice with different results
+    Seconds wall{0.0};
+    /// Results that are not Outcome::Done.
+    int failures() const;
+    /// Runs per second of wall time; 0 before the first has ended.
+    double rate_hz() const { return wall.count() > 0.0 ? flown / wall.count() : 0.0; }
+};
+
+/// Takes the runs in the order of their numbers. A result is written before the next run takes its place, so that
+/// whatever ends this program, only runs that were under way are flown again. Lives in its owner's thread, which needs
+/// an event loop.
+class CampaignRunner : public QObject {
+    Q_OBJECT
+public:
+    /// `earlier`: results that are there already; their runs are not flown again.
+    CampaignRunner(Campaign campaign, std::vector<PlannedRun> runs, const std::vector<RunResult>& earlier,
+                   RunnerOptions options, ShardFile results);
+    ~CampaignRunner() override;
+
+    void start();
+    /// Stops the runs under way; `finished` follows.
+    void interrupt();
+    CampaignProgress progress() const;
+    /// Set if the results could not be written.
+    const std::optional<Error>& trouble() const { return trouble_; }
+
+signals:
+    void ran(const usar::campaign::RunResult& result);
+    void finished();
+
+private:
+    struct Flight;
+
+    void startNext();
+    void fly(std::unique_ptr<Flight> flight);
+    void take(Flight& flight, const ProcessEnd& end);
+    QString folderOf(const PlannedRun& run) const;
+    void count(const RunResult& result);
+
+    Campaign campaign_;
+    std::vector<PlannedRun> waiting_; ///< the next one last
+    RunnerOptions options_;
+    ShardFile file_;
+    std::map<int, std::unique_ptr<Flight>> flying_; ///< by the number of the run
+    CampaignProgress progress_;
+    QElapsedTimer since_start_;
+    bool interrupted_ = false;
+    std::optional<Error> trouble_;
+};
+
+} // namespace usar::campaign

@@ -1,0 +1,135 @@
+#include "core/campaign/runs/campaign_start.h"
+
+#include <algorithm>
+#include <set>
+
+#include <QDir>
+#include <QThread>
+
+#include "core/mission/files/mission_file.h"
+#include "core/mission/files/mission_value.h"
+
+namespace usar::campaign {
+
+namespace {
+
+Result<void> addInput(Manifest& manifest, const QString& role, const QString& name, const QString& path) {
+    return hashInput(role, name, path).map([&](HashedInput&& input) {
+        if (std::ranges::find(manifest.inputs, input) == manifest.inputs.end())
+            manifest.inputs.push_back(std::move(input));
+    });
+}
+
+/// The mission as a run flies it, or why it cannot.
+Result<mission::Mission> missionOf(const mission::Mission& written, const PlannedRun& run, const Campaign& campaign) {
+    mission::Mission flown = written;
+    for (const std::string& value : run.values)
+        if (const auto set = mission::setValue(flown, QString::fromStdString(value)); !set)
+            return tl::unexpected(set.error());
+    if (const std::string& plan = campaign.variants[run.variant].plan; !plan.empty())
+        flown.plan = plan;
+    return flown;
+}
+
+/// Checks the runs' missions and adds their worlds and plans.
+Result<void> addMissions(Manifest& manifest, const Campaign& campaign, const CampaignHost& host) {
+    std::vector<mission::Mission> written;
+    for (const CampaignMission& one : campaign.missions) {
+        auto read = mission::readMissionFile(one.file);
+        if (!read)
+            return tl::unexpected(read.error());
+        written.push_back(*std::move(read));
+        if (auto added = addInput(manifest, "mission", nameOf(one), one.file); !added)
+            return added;
+    }
+    std::set<std::string> worlds;
+    std::set<std::string> plans;
+    for (const PlannedRun& run : manifest.runs) {
+        const auto flown = missionOf(written[run.mission], run, campaign);
+        if (!flown)
+            return tl::unexpected(flown.error());
+        worlds.insert(flown->world);
+        if (!flown->plan.empty())
+            plans.insert(flown->plan);
+    }
+    for (const std::string& world : worlds) {
+        const QString name = QString::fromStdString(world);
+        const auto folder = host.find_world(name);
+        if (!folder)
+            return tl::unexpected(folder.error());
+        if (auto added = addInput(manifest, "world", name, *folder); !added)
+            return added;
+    }
+    for (const std::string& plan : plans) {
+        const QString path = QString::fromStdString(plan);
+        if (auto added = addInput(manifest, "plan", QFileInfo(path).fileName(), path); !added)
+            return added;
+    }
+    return {};
+}
+
+Result<void> addPrograms(Manifest& manifest, const CampaignHost& host) {
+    for (const QString& folder : host.plugin_folders)
+        for (const QString& name : QDir(folder).entryList({"*.so"}, QDir::Files, QDir::Name))
+            if (auto added = addInput(manifest, "plugin", name, QDir(folder).filePath(name)); !added)
+                return added;
+    return addInput(manifest, "program", QFileInfo(host.program).fileName(), host.program);
+}
+
+Result<void> checkFaults(const Campaign& campaign, const CampaignHost& host) {
+    for (const std::string& fault : campaign.faults)
+        if (auto possible = host.check_fault(fault); !possible)
+            return possible;
+    if (!campaign.swarm)
+        return {};
+    for (const std::string& kind : campaign.swarm->kinds)
+        if (std::ranges::none_of(host.faults, [&](const FaultChoice& choice) { return choice.word == kind; }))
+            return failure("there is no such kind of fault", kind, "usar-sim --help lists them");
+    return {};
+}
+
+} // namespace
+
+Result<Manifest> manifestOf(const Campaign& campaign, const CampaignHost& host) {
+    if (auto possible = checkFaults(campaign, host); !possible)
+        return tl::unexpected(possible.error());
+    Manifest manifest{campaign.name, host.version, {}, {}, {}, planRuns(campaign, host.faults)};
+    for (const CampaignMission& one : campaign.missions)
+        manifest.missions.push_back(nameOf(one).toStdString());
+    for (const Variant& variant : campaign.variants)
+        manifest.variants.push_back(variant.name);
+    if (auto added = addMissions(manifest, campaign, host); !added)
+        return tl::unexpected(added.error());
+    if (auto added = addPrograms(manifest, host); !added)
+        return tl::unexpected(added.error());
+    return manifest;
+}
+
+Result<std::unique_ptr<CampaignRunner>> startCampaign(const CampaignOptions& options, const CampaignHost& host) {
+    const auto campaign = readCampaignFile(options.file);
+    if (!campaign)
+        return tl::unexpected(campaign.error());
+    auto manifest = manifestOf(*campaign, host);
+    if (!manifest)
+        return tl::unexpected(manifest.error());
+    if (const auto kept = keepManifest(toText(*manifest, *campaign), options.folder); !kept)
+        return tl::unexpected(kept.error());
+    const Shard shard = options.shard.value_or(Shard{});
+    auto file = ShardFile::open(options.folder, shard);
+    if (!file)
+        return tl::unexpected(file.error());
+    const auto earlier = readResults(options.folder, host.version);
+    if (!earlier)
+        return tl::unexpected(earlier.error());
+    if (!earlier->empty() && !options.resume && !options.shard)
+        return failure("there are results already", options.folder.toStdString(),
+                       "Go on with them by --resume, or give another folder with --out");
+    const int jobs = options.jobs > 0 ? options.jobs : QThread::idealThreadCount();
+    return std::make_unique<CampaignRunner>(
+        *campaign, std::move(manifest->runs), *earlier,
+        RunnerOptions{
+            .program = host.program, .folder = options.folder, .shard = shard, .jobs = jobs, .version = host.version},
+        *std::move(file));
+}
+
+} // namespace usar::campaign

@@ -1,0 +1,37 @@
+// What `usar-mission campaign` does before the first run: it reads and checks the campaign, and keeps its manifest.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <QStringList>
+
+#include "core/campaign/plan/manifest.h"
+#include "core/campaign/runs/campaign_options.h"
+#include "core/campaign/runs/campaign_runner.h"
+
+namespace usar::campaign {
+
+/// What only the program knows that flies the campaign.
+struct CampaignHost {
+    QString program; ///< path of usar-mission
+    std::string version;
+    QStringList plugin_folders;
+    std::vector<FaultChoice> faults; ///< those that a swarm may draw
+    std::function<Result<void>(const std::string& fault)> check_fault;
+    /// Folder of a world, by its name or path.
+    std::function<Result<QString>(const QString& world)> find_world;
+};
+
+/// Reads all that the campaign depends on: every mission must be readable with every variant's values, and every world,
+/// plan and fault must exist. Errors name the file and the place.
+Result<Manifest> manifestOf(const Campaign& campaign, const CampaignHost& host);
+
+/// Makes ready to fly: keeps the manifest in the folder, takes the shard's file, and reads earlier results. Fails if
+/// the folder holds another campaign, if another process flies the same shard, and if there are results but neither
+/// --resume nor --shard is given.
+Result<std::unique_ptr<CampaignRunner>> startCampaign(const CampaignOptions& options, const CampaignHost& host);
+
+} // namespace usar::campaign

@@ -1,0 +1,96 @@
+#include "core/campaign/runs/run_result.h"
+
+#include <array>
+#include <utility>
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QSet>
+
+#include "core/mission/reports/json_line.h"
+
+namespace usar::campaign {
+
+namespace {
+
+constexpr std::array<std::pair<Outcome, const char*>, 7> words{{{Outcome::Done, "done"},
+                                                                {Outcome::Failed, "failed"},
+                                                                {Outcome::Refused, "refused"},
+                                                                {Outcome::Crashed, "crashed"},
+                                                                {Outcome::Killed, "killed"},
+                                                                {Outcome::TimedOut, "timed-out"},
+                                                                {Outcome::OutOfMemory, "out-of-memory"}}};
+
+} // namespace
+
+QString wordFor(Outcome outcome) {
+    return QString(words.at(static_cast<std::size_t>(outcome)).second);
+}
+
+std::optional<Outcome> outcomeFrom(const QString& word) {
+    for (const auto& [outcome, name] : words)
+        if (word == QLatin1String(name))
+            return outcome;
+    return std::nullopt;
+}
+
+QByteArray toLine(const RunResult& result) {
+    QJsonObject line{{"run", result.number},
+                     {"pair", result.pair},
+                     {"mission", QString::fromStdString(result.mission)},
+                     {"variant", QString::fromStdString(result.variant)},
+                     {"seed", static_cast<qint64>(result.seed)},
+                     {"outcome", wordFor(result.outcome)},
+                     {"reason", QString::fromStdString(result.reason)},
+                     {"wall_s", result.wall_s},
+                     {"version", QString::fromStdString(result.version)},
+                     {"command", result.command}};
+    if (!result.summary.isEmpty())
+        line["summary"] = result.summary;
+    if (result.differences)
+        line["differences"] = QJsonArray::fromStringList(*result.differences);
+    return mission::jsonLine(line);
+}
+
+Result<RunResult> readResultLine(const QByteArray& line) {
+    QJsonParseError problem;
+    const QJsonObject read = QJsonDocument::fromJson(line, &problem).object();
+    if (problem.error != QJsonParseError::NoError)
+        return failure("this is not JSON: " + problem.errorString().toStdString(), {});
+    const auto outcome = outcomeFrom(read["outcome"].toString());
+    const int number = read["run"].toInt(-1);
+    const int pair = read["pair"].toInt(-1);
+    if (!outcome || number < 0 || pair < 0)
+        return failure("this is no result of a run", {});
+    RunResult result{number,
+                     pair,
+                     read["mission"].toString().toStdString(),
+                     read["variant"].toString().toStdString(),
+                     static_cast<std::uint64_t>(read["seed"].toInteger()),
+                     *outcome,
+                     read["reason"].toString().toStdString(),
+                     read["wall_s"].toDouble(),
+                     read["version"].toString().toStdString(),
+                     read["command"].toString(),
+                     read["summary"].toObject()};
+    if (read.contains("differences"))
+        for (const QJsonValue name : result.differences.emplace(), read["differences"].toArray())
+            *result.differences << name.toString();
+    return result;
+}
+
+QStringList differencesOf(const QJsonObject& summary, const QJsonObject& again) {
+    static const QSet<QString> may_differ{"wall_s", "speed_x", "cpu_s", "files"};
+    QSet<QString> keys;
+    for (const QJsonObject& one : {summary, again})
+        for (const QString& key : one.keys())
+            keys << key;
+    QStringList differ;
+    for (const QString& key : keys - may_differ)
+        if (summary[key] != again[key])
+            differ << key;
+    differ.sort();
+    return differ;
+}
+
+} // namespace usar::campaign

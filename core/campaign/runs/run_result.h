@@ -1,0 +1,55 @@
+// What became of one run of a campaign, and its line in a shard file.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <QByteArray>
+#include <QJsonObject>
+#include <QString>
+
+#include "core/base/result.h"
+#include "core/campaign/plan/planned_run.h"
+
+namespace usar::campaign {
+
+/// How a run ended. Only `Failed` says something of the robot: the process ended as it should, and the mission did not
+/// succeed. The words in the file are those of `wordFor`.
+enum class Outcome {
+    Done,
+    Failed,
+    Refused,     ///< bad input: nothing was flown
+    Crashed,     ///< the program ended by a signal of its own, or without a summary
+    Killed,      ///< something else ended the program
+    TimedOut,    ///< the campaign ended it at its limit of wall time
+    OutOfMemory, ///< the program could get no more memory
+};
+
+QString wordFor(Outcome outcome);
+std::optional<Outcome> outcomeFrom(const QString& word);
+
+/// One line of a shard file. The summary is that of `usar-mission run`; empty if there is none.
+struct RunResult {
+    int number = 0;
+    int pair = 0;
+    std::string mission;
+    std::string variant;
+    std::uint64_t seed = 1;
+    Outcome outcome = Outcome::Done;
+    std::string reason; ///< in words
+    double wall_s = 0.0;
+    std::string version; ///< of the program
+    QString command;     ///< flies the run again
+    QJsonObject summary;
+    /// Set if the run was flown twice: names of the figures that differed, which is nothing if all is well.
+    std::optional<QStringList> differences{};
+};
+
+QByteArray toLine(const RunResult& result);
+/// Reads a line, with or without its line end. The error says what is wrong with it, without a place.
+Result<RunResult> readResultLine(const QByteArray& line);
+
+/// Names of the figures in which the summaries of two equal runs differ, apart from wall time and names of files.
+QStringList differencesOf(const QJsonObject& summary, const QJsonObject& again);
+
+} // namespace usar::campaign

@@ -1,0 +1,94 @@
+#include "core/campaign/runs/shard_file.h"
+
+#include <cerrno>
+#include <cstring>
+#include <map>
+
+#include <sys/file.h>
+
+#include <QDir>
+
+namespace usar::campaign {
+
+namespace {
+
+/// Removes what stands after the last line end.
+Result<void> dropTornLine(QFile& file) {
+    constexpr qint64 step = 1 << 16;
+    qint64 end = file.size();
+    while (end > 0) {
+        const qint64 begin = std::max(qint64(0), end - step);
+        file.seek(begin);
+        const qsizetype last = file.read(end - begin).lastIndexOf('\n');
+        if (last >= 0) {
+            end = begin + last + 1;
+            break;
+        }
+        end = begin;
+    }
+    if (end != file.size() && !file.resize(end))
+        return failure("a line that was cut off cannot be removed: " + file.errorString().toStdString(),
+                       file.fileName().toStdString(), "Check the permissions");
+    return {};
+}
+
+Result<void> readFile(const QString& path, const std::string& version, std::map<int, RunResult>& results) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return failure("cannot read it: " + file.errorString().toStdString(), path.toStdString(),
+                       "Check the permissions");
+    for (int number = 1; !file.atEnd(); ++number) {
+        const QByteArray line = file.readLine();
+        if (!line.endsWith('\n'))
+            break;
+        auto result = readResultLine(line);
+        const std::string place = path.toStdString() + ':' + std::to_string(number);
+        if (!result)
+            return failure(result.error().what, place, "Remove the line; its run will be flown again with --resume");
+        if (result->version != version)
+            return failure("this result is of version " + result->version + ", and this program is " + version, place,
+                           "Use that version, or begin anew in another folder");
+        results.try_emplace(result->number, *std::move(result));
+    }
+    return {};
+}
+
+} // namespace
+
+Result<ShardFile> ShardFile::open(const QString& folder, const Shard& shard) {
+    const QString path = QDir(folder).filePath(QString("shard-%1.jsonl").arg(shard.index, 3, 10, QChar('0')));
+    auto file = std::make_unique<QFile>(path);
+    if (!file->open(QIODevice::ReadWrite))
+        return failure("the results cannot be written: " + file->errorString().toStdString(), path.toStdString(),
+                       "Give another folder with --out");
+    if (::flock(file->handle(), LOCK_EX | LOCK_NB) != 0)
+        return failure(errno == EWOULDBLOCK ? std::string("another program is writing these results")
+                                            : std::string("the results cannot be locked: ") + std::strerror(errno),
+                       path.toStdString(), "Wait for it, or give another folder with --out");
+    if (const auto dropped = dropTornLine(*file); !dropped)
+        return tl::unexpected(dropped.error());
+    file->seek(file->size());
+    return ShardFile(std::move(file));
+}
+
+Result<void> ShardFile::append(const RunResult& result) {
+    const QByteArray line = toLine(result);
+    if (file_->write(line) == line.size() && file_->flush())
+        return {};
+    return failure("a result cannot be written: " + file_->errorString().toStdString(), file_->fileName().toStdString(),
+                   "Make room and go on with --resume; this run will be flown again");
+}
+
+Result<std::vector<RunResult>> readResults(const QString& folder, const std::string& version) {
+    std::map<int, RunResult> results;
+    const QDir dir(folder);
+    for (const QString& name : dir.entryList({"shard-*.jsonl"}, QDir::Files, QDir::Name))
+        if (const auto read = readFile(dir.filePath(name), version, results); !read)
+            return tl::unexpected(read.error());
+    std::vector<RunResult> all;
+    for (auto& [number, result] : results)
+        all.push_back(std::move(result));
+    return all;
+}
+
+} // namespace usar::campaign
