@@ -32,6 +32,7 @@ const std::map<QString, Rule> rules{
     {"core/link", {{"core/base", "core/protocol"}, {"QtCore", "QtNetwork"}}},
     {"core/server", {{"core/base", "core/protocol", "core/link", "core/sim"}, {"QtCore", "QtGui", "QtNetwork"}}},
     {"core/mission", {sdk + QStringList{"core/agent", "core/link"}, {"QtCore", "QtGui", "QtNetwork"}}},
+    {"core/campaign", {{"core/base", "core/mission"}, {"QtCore"}}},
     {"robots", {sdk + QStringList{"core/agent"}, {"QtCore"}}},
     {"widgets", {sdk + QStringList{"core/agent"}, {"QtCore", "QtGui", "QtWidgets", "QtPrintSupport", "QtDBus"}}},
 };
@@ -54,6 +55,8 @@ const std::map<QString, std::map<QString, QStringList>> rooms{
       {"world", {"session", "edits"}},
       {"fleet", {"runs", "world", "session", "files"}},
       {"reports", {"runs", "session", "files"}}}},
+    {"core/campaign",
+     {{"statistics", {}}, {"plan", {}}, {"runs", {"plan"}}, {"comparison", {"statistics", "plan", "runs"}}}},
     {"widgets",
      {{"style", {}},
       {"models", {"style"}},

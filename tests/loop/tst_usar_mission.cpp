@@ -57,10 +57,10 @@ constexpr int patience_ms = 100000;
 const QByteArray small = R"({ "name": "Small", "area": { "x": -8, "y": -6, "width": 16, "height": 12 } })";
 
 constexpr const char* promised_keys[] = {
-    "success",       "reason",         "duration_s",      "distance_m",     "charges",  "cells",
-    "coverage_pct",  "rmse_m",         "collisions",      "mission",        "behavior", "lines_received",
-    "seed",          "files",          "true_distance_m", "longest_stay_s", "falls",    "touches",
-    "first_touch_s", "least_height_m", "mean_height_m",   "height_spread_m"};
+    "success",       "reason",         "duration_s",      "distance_m",      "charges",  "cells",
+    "coverage_pct",  "rmse_m",         "collisions",      "mission",         "behavior", "lines_received",
+    "seed",          "files",          "true_distance_m", "longest_stay_s",  "falls",    "touches",
+    "first_touch_s", "least_height_m", "mean_height_m",   "height_spread_m", "cpu_s"};
 
 } // namespace
 

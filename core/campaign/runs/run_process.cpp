@@ -50,7 +50,7 @@ void judgeSignal(RunResult& result, const ProcessEnd& end) {
 
 void judge(RunResult& result, const ProcessEnd& end) {
     result.summary = QJsonDocument::fromJson(lastLine(end.output)).object();
-    result.reason = result.summary["reason"].toString().toStdString();
+    result.reason = result.summary.value("reason").toString().toStdString();
     if (end.timed_out) {
         result.outcome = Outcome::TimedOut;
         result.reason = "The run took longer than the campaign's limit of wall time.";

@@ -58,7 +58,7 @@ Result<void> readFile(const QString& path, const std::string& version, std::map<
 Result<ShardFile> ShardFile::open(const QString& folder, const Shard& shard) {
     const QString path = QDir(folder).filePath(QString("shard-%1.jsonl").arg(shard.index, 3, 10, QChar('0')));
     auto file = std::make_unique<QFile>(path);
-    if (!file->open(QIODevice::ReadWrite))
+    if (!file->open(QIODevice::ReadWrite | QIODevice::Append))
         return failure("the results cannot be written: " + file->errorString().toStdString(), path.toStdString(),
                        "Give another folder with --out");
     if (::flock(file->handle(), LOCK_EX | LOCK_NB) != 0)
@@ -67,7 +67,6 @@ Result<ShardFile> ShardFile::open(const QString& folder, const Shard& shard) {
                        path.toStdString(), "Wait for it, or give another folder with --out");
     if (const auto dropped = dropTornLine(*file); !dropped)
         return tl::unexpected(dropped.error());
-    file->seek(file->size());
     return ShardFile(std::move(file));
 }
 

@@ -195,6 +195,10 @@ QString missionHelp() {
            replayHelp() +
            QStringLiteral(
                "\n"
+               "usar-mission campaign CAMPAIGN.json --out DIR [options]\n"
+               "\n"
+               "Flies the missions of a campaign; usar-mission campaign --help tells more.\n"
+               "\n"
                "usar-mission lines FILE\n"
                "\n"
                "One JSON object for each protocol line of the file, or of standard input where FILE is -.\n"

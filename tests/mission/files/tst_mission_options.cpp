@@ -148,6 +148,63 @@ private slots:
         QCOMPARE(int(address->port), port);
     }
 
+    void valuesGoOverTheFile() {
+        Mission mission;
+        mission.name = "A";
+        mission.area_in_map = {{0.0, 0.0}, {10.0, 20.0}};
+        mission.places = {{"area.x", {}}, {"area.y", {}}};
+        MissionOptions options;
+        options.values = {"area.x=-5",       "area.height=8.5",          "world = town",       "limit_h=2",
+                          "cell_size_m=0.5", "parameters.lanes=3",       "parameters.on=true", "parameters.high_m=2.5",
+                          "start=a=b",       "parameters.word=two words"};
+        const auto applied = applyTo(mission, options);
+        QVERIFY2(applied, applied ? "" : applied.error().text().c_str());
+        QVERIFY((mission.area_in_map == Rectangle{{-5.0, 0.0}, {5.0, 8.5}}));
+        QCOMPARE(mission.world, std::string("town"));
+        QCOMPARE(mission.start, std::string("a=b"));
+        QCOMPARE(mission.limit_h, std::optional(2.0));
+        QCOMPARE(mission.cell_size_m, 0.5);
+        const std::map<std::string, agent::ParameterValue> expected{
+            {"lanes", 3LL}, {"on", true}, {"high_m", 2.5}, {"word", std::string("two words")}};
+        QVERIFY(mission.parameters == expected);
+        QVERIFY(!mission.places.contains("area.x") && mission.places.contains("area.y"));
+    }
+
+    void valuesThatDoNotFitAreRefused_data() {
+        QTest::addColumn<QString>("value");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("no value") << "area.x"
+                                  << "this is no KEY=VALUE";
+        QTest::newRow("no key") << "=4"
+                                << "this is no KEY=VALUE";
+        QTest::newRow("an unknown key") << "area.with=4"
+                                        << "did you mean \"area.width\"";
+        QTest::newRow("an option of its own") << "behavior=x"
+                                              << "unknown key \"behavior\"";
+        QTest::newRow("no number") << "area.x=far"
+                                   << "does not fit \"area.x\"";
+        QTest::newRow("no size") << "area.width=0"
+                                 << "does not fit";
+        QTest::newRow("an endless area") << "area.width=inf"
+                                         << "does not fit";
+        QTest::newRow("a tiny cell") << "cell_size_m=0.001"
+                                     << "does not fit";
+        QTest::newRow("an empty text") << "world="
+                                       << "does not fit";
+    }
+
+    void valuesThatDoNotFitAreRefused() {
+        QFETCH(QString, value);
+        QFETCH(QString, words);
+        Mission mission;
+        MissionOptions options;
+        options.values = {value};
+        const auto applied = applyTo(mission, options);
+        QVERIFY(!applied);
+        const QString said = QString::fromStdString(applied.error().text());
+        QVERIFY2(said.contains(words, Qt::CaseInsensitive) && said.contains("--set " + value), qPrintable(said));
+    }
+
     void theCommandLineGoesBeforeTheFile() {
         Mission mission;
         mission.behavior = "p2dx/cpp";
@@ -156,7 +213,7 @@ private slots:
         options.behavior = "airrobot/posh";
         options.plan = "own.lap";
         options.isolate = true;
-        applyTo(mission, options);
+        QVERIFY(applyTo(mission, options));
         QCOMPARE(mission.behavior, std::string("airrobot/posh"));
         QCOMPARE(QString::fromStdString(mission.plan), QDir::current().filePath("own.lap"));
         QVERIFY(mission.isolate);
@@ -170,7 +227,7 @@ private slots:
         mission.plan = "/plans/a.lap";
         mission.isolate = true;
         mission.places = {{"behavior", {}}, {"plan", {}}};
-        applyTo(mission, {});
+        QVERIFY(applyTo(mission, {}));
         QCOMPARE(mission.behavior, std::string("p2dx/cpp"));
         QCOMPARE(mission.plan, std::string("/plans/a.lap"));
         QVERIFY(mission.isolate);

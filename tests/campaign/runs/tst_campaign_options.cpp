@@ -1,0 +1,63 @@
+#include <QTest>
+
+#include "core/campaign/runs/campaign_options.h"
+#include "core/campaign/runs/slurm_script.h"
+#include "tests/suite/suite.h"
+
+namespace tst_campaign_options {
+
+using namespace usar;
+using namespace usar::campaign;
+
+class tst_CampaignOptions : public QObject {
+    Q_OBJECT
+private slots:
+    void readsWhatIsTyped() {
+        const auto options = readCampaignOptions(
+            {"campaign", "c.json", "--out", "o", "--jobs", "3", "--resume", "--shard", "2/5", "--slurm", "8"});
+        QVERIFY2(options, options ? "" : options.error().text().c_str());
+        QVERIFY((*options == CampaignOptions{"c.json", "o", 3, true, Shard{2, 5}, 8, false}));
+        const auto least = readCampaignOptions({"campaign", "--out=o", "c.json"});
+        QVERIFY(least && (*least == CampaignOptions{"c.json", "o", 0, false, std::nullopt, std::nullopt, false}));
+        QVERIFY(readCampaignOptions({"campaign", "--help"})->help);
+    }
+
+    void rejectsTheRestAndSaysHow_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("no file") << QStringList{"--out", "o"} << "Write usar-mission campaign";
+        QTest::newRow("no folder") << QStringList{"c"} << "--out is missing";
+        QTest::newRow("two files") << QStringList{"c", "d", "--out", "o"} << "not how to call it";
+        QTest::newRow("unknown") << QStringList{"c", "--fast"} << "--fast";
+        for (const char* shard : {"4/4", "-1/4", "1", "1/0", "a/4", "1/4/2", "0/1001", ""})
+            QTest::newRow(qPrintable(QString("shard ") + shard))
+                << QStringList{"c", "--out", "o", "--shard", shard} << "For example";
+        QTest::newRow("no jobs") << QStringList{"c", "--out", "o", "--jobs", "0"} << "--jobs 4";
+        QTest::newRow("too many tasks") << QStringList{"c", "--out", "o", "--slurm", "1001"} << "from 1 to 1000";
+    }
+
+    void rejectsTheRestAndSaysHow() {
+        QFETCH(QStringList, arguments);
+        QFETCH(QString, words);
+        const auto options = readCampaignOptions(QStringList{"campaign"} + arguments);
+        QVERIFY(!options);
+        const QString said = QString::fromStdString(options.error().text());
+        const bool shard = words == "For example" && said.contains("--shard 0/4");
+        QVERIFY2(shard || said.contains(words), qPrintable(said));
+    }
+
+    void theJobScriptNamesWhatItNeeds() {
+        CampaignOptions options{"/my c.json", "/results", 0, false, {}, 40, false};
+        const QString script = slurmScript(options, "/opt/usar-mission");
+        for (const char* line : {"#SBATCH --array=0-39\n", "#SBATCH --requeue\n", "#SBATCH --signal=B:TERM@60\n",
+                                 "program=/opt/usar-mission\n", "campaign='/my c.json'\n", "results=/results\n",
+                                 "$SLURM_ARRAY_TASK_ID/40\"\n"})
+            QVERIFY2(script.contains(line), line);
+    }
+};
+
+USAR_TEST(tst_CampaignOptions)
+
+} // namespace tst_campaign_options
+
+#include "tst_campaign_options.moc"

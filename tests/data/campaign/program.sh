@@ -1,0 +1,16 @@
+#!/bin/sh
+# Stands for usar-mission: does with each seed, its fourth argument, something else. Its last argument is a folder.
+for folder; do :; done
+echo "$4" >> "${0%/*}/calls"
+case "$4" in
+1) echo '{"reason":"Well.","rmse_m":1,"files":["a"]}' ;;
+2) echo '{"reason":"It fell."}'; exit 1 ;;
+3) echo '{"reason":"No such world."}'; exit 2 ;;
+4) kill -SEGV $$ ;;
+5) kill -KILL $$ ;;
+6) echo "terminate called after throwing an instance of 'std::bad_alloc'" >&2; kill -ABRT $$ ;;
+7) exec sleep 60 ;;
+8) echo "no plugin" >&2; exit 127 ;;
+9) echo "{\"reason\":\"Chance.\",\"pid\":$$}" ;;
+esac
+echo x > "$folder/map"

@@ -1,0 +1,165 @@
+
+#include <QDir>
+#include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/base/version.h"
+#include "core/campaign/runs/shard_file.h"
+#include "tests/suite/suite.h"
+
+namespace tst_usar_campaign {
+
+using namespace usar;
+using namespace usar::campaign;
+
+namespace {
+
+const QString program = QString(USAR_BINARY_DIR) + "/bin/usar-mission";
+constexpr int patience_ms = 100000;
+
+const QByteArray small = R"({ "name": "Small", "area": { "x": -8, "y": -6, "width": 16, "height": 12 } })";
+const QByteArray two_behaviors = R"({ "name": "Two", "missions": ["small.json"], "seeds": 3, "variants": [
+    { "name": "C++", "behavior": "airrobot/cpp" }, { "name": "POSH", "behavior": "airrobot/posh" }] })";
+
+} // namespace
+
+/// Campaigns by the program itself.
+class tst_UsarCampaign : public QObject {
+    Q_OBJECT
+private slots:
+    void init() {
+        folder_ = std::make_unique<QTemporaryDir>();
+        write("small.json", small);
+    }
+
+    void fliesItsMissionsAndTellsTheCommandOfEach() {
+        write("two.json", two_behaviors);
+        const Ended ended = run({"two.json", "--out", "results"});
+        QVERIFY2(ended.exit_code == 0, ended.err);
+        QCOMPARE(ended.summary["outcomes"].toObject()["done"].toInt(), 6);
+        QVERIFY(ended.summary["complete"].toBool());
+        const auto results = readResults(folder_->filePath("results"), versionOf());
+        QVERIFY2(results, results ? "" : results.error().text().c_str());
+        QCOMPARE(results->size(), std::size_t(6));
+        QVERIFY(results->front().differences == QStringList{});
+        const RunResult& last = results->back();
+        QCOMPARE(last.summary["behavior"].toString(), QString("airrobot/posh"));
+        QCOMPARE(last.seed, std::uint64_t(3));
+        QProcess again;
+        again.setWorkingDirectory(folder_->path());
+        again.start("/bin/sh", {"-c", QString(last.command).replace("usar-mission", program) + " --out again"});
+        QVERIFY(again.waitForFinished(patience_ms));
+        const QByteArray out = again.readAllStandardOutput().trimmed();
+        const QJsonObject summary = QJsonDocument::fromJson(out.mid(out.lastIndexOf('\n') + 1)).object();
+        QCOMPARE(differencesOf(last.summary, summary), QStringList());
+    }
+
+    void faultsDoNotMakeEqualSeedsDiffer() {
+        write("cut.json",
+              R"({ "name": "Cut", "missions": ["small.json"], "seeds": 3, "faults": ["link_cut from=40"] })");
+        for (const char* results : {"one", "two"}) {
+            const Ended ended = run({"cut.json", "--out", results});
+            QCOMPARE(ended.exit_code, 1);
+            QCOMPARE(ended.summary["outcomes"].toObject()["failed"].toInt(), 3);
+        }
+        const auto one = readResults(folder_->filePath("one"), versionOf());
+        const auto two = readResults(folder_->filePath("two"), versionOf());
+        QVERIFY(one && two);
+        for (std::size_t i = 0; i < 3; ++i) {
+            QVERIFY(!one->at(i).summary["collisions"].isNull());
+            QCOMPARE(differencesOf(one->at(i).summary, two->at(i).summary), QStringList());
+        }
+    }
+
+    void shardsAndAResumeAfterAKillGiveEachRunOnce() {
+        write("two.json", two_behaviors);
+        QProcess killed;
+        killed.setWorkingDirectory(folder_->path());
+        killed.start(program, {"campaign", "two.json", "--out", "results", "--jobs", "1", "--shard", "0/2"});
+        const QString shard = folder_->filePath("results/shard-000.jsonl");
+        QTRY_VERIFY_WITH_TIMEOUT(QFile(shard).size() > 0, patience_ms);
+        killed.kill();
+        QVERIFY(killed.waitForFinished(patience_ms));
+        QCOMPARE(run({"two.json", "--out", "results", "--shard", "1/2"}).exit_code, 0);
+        const Ended without = run({"two.json", "--out", "results"});
+        QCOMPARE(without.exit_code, 2);
+        QVERIFY(without.err.contains("--resume"));
+        const Ended ended = run({"two.json", "--out", "results", "--shard", "0/2"});
+        QVERIFY2(ended.exit_code == 0, ended.err);
+        const auto results = readResults(folder_->filePath("results"), versionOf());
+        QVERIFY(results);
+        QCOMPARE(results->size(), std::size_t(6));
+        qsizetype lines = 0;
+        for (const char* name : {"results/shard-000.jsonl", "results/shard-001.jsonl"}) {
+            QFile file(folder_->filePath(name));
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            lines += file.readAll().count('\n');
+        }
+        QCOMPARE(lines, qsizetype(6));
+    }
+
+    void wrongInputIsSaidBeforeAnythingIsFlown_data() {
+        QTest::addColumn<QByteArray>("campaign");
+        QTest::addColumn<QString>("words");
+        const auto with = [](const QByteArray& rest) {
+            return QByteArray("{ \"name\": \"A\", \"missions\": [\"small.json\"], " + rest + " }");
+        };
+        QTest::newRow("no JSON") << QByteArray("{ \"name\": }") << "bad.json:1:";
+        QTest::newRow("no mission") << QByteArray(R"({ "name": "A", "missions": ["none.json"] })") << "none.json";
+        QTest::newRow("no fault") << with(R"("faults": ["wnd"])") << "wnd";
+        QTest::newRow("no kind of fault") << with(R"("swarm": { "kinds": ["wnd"] })") << "wnd: there is no such kind";
+        QTest::newRow("no plan") << with(R"("variants": [{ "name": "x", "plan": "none.lap" }])") << "none.lap";
+        QTest::newRow("no value") << with(R"("variants": [{ "name": "x", "set": { "area.with": 3 } }])")
+                                  << "area.width";
+        QTest::newRow("no world") << with(R"("variants": [{ "name": "x", "set": { "world": "moon" } }])") << "moon";
+    }
+
+    void wrongInputIsSaidBeforeAnythingIsFlown() {
+        QFETCH(QByteArray, campaign);
+        QFETCH(QString, words);
+        write("bad.json", campaign);
+        const Ended ended = run({"bad.json", "--out", "results"});
+        QCOMPARE(ended.exit_code, 2);
+        QVERIFY2(ended.err.contains(words.toUtf8()), ended.err);
+        QVERIFY(!ended.summary["reason"].toString().isEmpty());
+        QVERIFY(!QFile::exists(folder_->filePath("results")));
+    }
+
+private:
+    struct Ended {
+        int exit_code = -1;
+        QJsonObject summary; ///< last line of standard output
+        QByteArray err;
+    };
+
+    Ended run(const QStringList& arguments) const {
+        QProcess process;
+        process.setWorkingDirectory(folder_->path());
+        process.start(program, QStringList{"campaign"} + arguments);
+        if (!process.waitForFinished(patience_ms))
+            return {};
+        const QByteArray out = process.readAllStandardOutput().trimmed();
+        return {process.exitCode(), QJsonDocument::fromJson(out.mid(out.lastIndexOf('\n') + 1)).object(),
+                process.readAllStandardError()};
+    }
+
+    void write(const char* name, const QByteArray& text) const {
+        QFile file(folder_->filePath(name));
+        if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size())
+            qFatal("%s cannot be written", name);
+    }
+
+    static std::string versionOf() { return std::string(version()); }
+
+    std::unique_ptr<QTemporaryDir> folder_;
+};
+
+USAR_TEST(tst_UsarCampaign)
+
+} // namespace tst_usar_campaign
+
+#include "tst_usar_campaign.moc"
