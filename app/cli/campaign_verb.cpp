@@ -24,7 +24,8 @@ std::vector<campaign::FaultChoice> faultChoices() {
     for (const sim::FaultDescription& kind : sim::faultKinds()) {
         campaign::FaultChoice choice{std::string(kind.word), {}};
         for (const sim::FaultNumber& number : kind.numbers)
-            choice.numbers.push_back({std::string(number.name), number.smallest, number.usual, number.largest});
+            choice.numbers.push_back(
+                {std::string(number.name), number.smallest, number.usual, number.largest, number.whole});
         choices.push_back(std::move(choice));
     }
     return choices;

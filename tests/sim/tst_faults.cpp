@@ -84,6 +84,8 @@ private slots:
                                       << "from 0 to 1";
         QTest::newRow("not a number") << "link_delay by=nan"
                                       << "is not a valid by";
+        QTest::newRow("half a rotor") << "rotor rotor=1.5"
+                                      << "Give a whole number from 1 to 4";
         QTest::newRow("a sensor where there is none") << "battery sensor=INS"
                                                       << "unknown word 'sensor'";
         QTest::newRow("a bias of nothing") << "sensor_bias sensor=INS x=0"

@@ -18,8 +18,18 @@ std::string time(double time_s) {
 
 std::string strength(const FaultRange& range, Random& random) {
     const double nearest = range.usual == 0.0 ? std::min(1.0, range.most) : range.usual;
-    const double drawn = uniform(random, 0.5, 2.0) * nearest;
-    return ' ' + range.name + '=' + fixed(std::clamp(drawn, range.least, range.most), 3);
+    const double drawn =
+        range.whole ? std::floor(uniform(random, range.least, range.most + 1.0)) : uniform(random, 0.5, 2.0) * nearest;
+    return ' ' + range.name + '=' + fixed(std::clamp(drawn, range.least, range.most), range.whole ? 0 : 3);
+}
+
+/// Some of the numbers, but at least one: some kinds of faults do nothing by themselves.
+std::string strengths(const std::vector<FaultRange>& numbers, Random& random) {
+    std::string text;
+    for (const FaultRange& range : numbers)
+        if (uniform(random, 0.0, 1.0) < 0.5)
+            text += strength(range, random);
+    return text.empty() && !numbers.empty() ? strength(numbers.front(), random) : text;
 }
 
 } // namespace
@@ -30,10 +40,7 @@ std::vector<std::string> drawFaults(const Swarm& swarm, std::span<const FaultCho
         const bool wanted = swarm.kinds.empty() || std::ranges::find(swarm.kinds, choice.word) != swarm.kinds.end();
         if (!wanted || uniform(random, 0.0, 1.0) >= swarm.share)
             continue;
-        std::string fault = choice.word;
-        for (const FaultRange& range : choice.numbers)
-            if (uniform(random, 0.0, 1.0) < 0.5)
-                fault += strength(range, random);
+        std::string fault = choice.word + strengths(choice.numbers, random);
         fault += " from=" + time(uniform(random, swarm.least_s, swarm.most_s));
         if (uniform(random, 0.0, 1.0) < 0.5)
             fault += " for=" + time(uniform(random, 1.0, longest_s));

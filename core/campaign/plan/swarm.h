@@ -16,6 +16,7 @@ struct FaultRange {
     double least = 0.0;
     double usual = 0.0;
     double most = 0.0;
+    bool whole = false; ///< it counts something
 };
 
 /// A kind of fault that can be drawn. The simulator's owner knows them.
@@ -26,8 +27,9 @@ struct FaultChoice {
 
 /// Returns the texts of the faults, in the syntax of --fault, for the robot `robot`. Each kind of the swarm has the
 /// swarm's probability; a set may be empty. Leaving out random kinds reaches more states than having all of them at
-/// once (Groce et al. 2012, Swarm testing). Half of the faults last to the end; the others last up to a minute. Numbers
-/// are between half and twice the usual one, within the kind's range.
+/// once (Groce et al. 2012, Swarm testing). Half of the faults last to the end; the others last up to a minute. Each
+/// has at least one of its kind's numbers, between half and twice the usual one, within the kind's range; a whole one
+/// is any of the range.
 std::vector<std::string> drawFaults(const Swarm& swarm, std::span<const FaultChoice> choices, Random& random);
 
 } // namespace usar::campaign

@@ -26,12 +26,17 @@ Result<Shard> readShard(const QCommandLineParser& parser) {
     return Shard{*index, *of};
 }
 
-Result<int> readCount(const QCommandLineParser& parser, const QString& option, int most) {
-    const auto count = wholeNumber(parser.value(option), 1, most);
+/// Puts the option's value into `target`, if it is given.
+template <class Target>
+Result<void> readCount(const QCommandLineParser& parser, const QString& option, int least, int most, Target& target) {
+    if (!parser.isSet(option))
+        return {};
+    const auto count = wholeNumber(parser.value(option), least, most);
     if (!count)
-        return failure("this is no whole number from 1 to " + std::to_string(most), mission::asWritten(parser, option),
-                       ("For example --" + option + " 4").toStdString());
-    return *count;
+        return failure("this is no whole number from " + std::to_string(least) + " to " + std::to_string(most),
+                       mission::asWritten(parser, option), ("For example --" + option + " 4").toStdString());
+    target = *count;
+    return {};
 }
 
 } // namespace
@@ -43,6 +48,7 @@ Result<CampaignOptions> readCampaignOptions(const QStringList& arguments) {
                                                  {"jobs", {}, "N"},
                                                  {"shard", {}, "I/N"},
                                                  {"slurm", {}, "TASKS"},
+                                                 {"check-every", {}, "N"},
                                                  QCommandLineOption("resume"),
                                                  QCommandLineOption(QStringList{"h", "help"})},
                                                 arguments.mid(1), usage);
@@ -59,18 +65,12 @@ Result<CampaignOptions> readCampaignOptions(const QStringList& arguments) {
     options.file = words.first();
     options.folder = parser.value("out");
     options.resume = parser.isSet("resume");
-    if (parser.isSet("jobs")) {
-        const auto jobs = readCount(parser, "jobs", 1000);
-        if (!jobs)
-            return tl::unexpected(jobs.error());
-        options.jobs = *jobs;
-    }
-    if (parser.isSet("slurm")) {
-        const auto tasks = readCount(parser, "slurm", most_shards);
-        if (!tasks)
-            return tl::unexpected(tasks.error());
-        options.slurm = *tasks;
-    }
+    if (auto read = readCount(parser, "jobs", 1, 1000, options.jobs); !read)
+        return tl::unexpected(read.error());
+    if (auto read = readCount(parser, "slurm", 1, most_shards, options.slurm); !read)
+        return tl::unexpected(read.error());
+    if (auto read = readCount(parser, "check-every", 0, 1'000'000, options.check_every); !read)
+        return tl::unexpected(read.error());
     if (parser.isSet("shard")) {
         const auto shard = readShard(parser);
         if (!shard)
@@ -90,6 +90,7 @@ QString campaignHelp() {
         "  --resume       go on with the results in DIR: only what is missing is flown\n"
         "  --shard I/N    only part I of N, from 0 to N - 1; for several machines that share DIR. It goes on\n"
         "                 where it was stopped\n"
+        "  --check-every N  fly one run in N twice, which must come out the same (100; 0: none)\n"
         "  --slurm TASKS  fly nothing, but print a job script for sbatch, with so many parts\n"
         "\n"
         "A progress bar goes to standard error; the last line of standard output is one JSON object.\n"

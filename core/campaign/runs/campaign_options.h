@@ -18,6 +18,7 @@ struct CampaignOptions {
     int jobs = 0;               ///< processes at a time; 0: as many as there are processors
     bool resume = false;        ///< go on with the results that are in the folder
     std::optional<Shard> shard; ///< absent: all runs
+    int check_every = 100;      ///< one run in so many is flown twice; 0: none
     std::optional<int> slurm;   ///< only print a job script with so many shards
     bool help = false;
     bool operator==(const CampaignOptions&) const = default;

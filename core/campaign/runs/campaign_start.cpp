@@ -125,11 +125,14 @@ Result<std::unique_ptr<CampaignRunner>> startCampaign(const CampaignOptions& opt
         return failure("there are results already", options.folder.toStdString(),
                        "Go on with them by --resume, or give another folder with --out");
     const int jobs = options.jobs > 0 ? options.jobs : QThread::idealThreadCount();
-    return std::make_unique<CampaignRunner>(
-        *campaign, std::move(manifest->runs), *earlier,
-        RunnerOptions{
-            .program = host.program, .folder = options.folder, .shard = shard, .jobs = jobs, .version = host.version},
-        *std::move(file));
+    return std::make_unique<CampaignRunner>(*campaign, std::move(manifest->runs), *earlier,
+                                            RunnerOptions{.program = host.program,
+                                                          .folder = options.folder,
+                                                          .shard = shard,
+                                                          .jobs = jobs,
+                                                          .check_every = options.check_every,
+                                                          .version = host.version},
+                                            *std::move(file));
 }
 
 } // namespace usar::campaign

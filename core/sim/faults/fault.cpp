@@ -28,7 +28,7 @@ constexpr std::array delay_numbers{
 constexpr std::array loss_numbers{FaultNumber{"share", "", 0.0, 1.0, 0.001, "of the bytes that are lost, each way"}};
 constexpr std::array battery_numbers{FaultNumber{"left", "s", 0.0, longest_s, 0.0, "of battery life that is left"}};
 constexpr std::array rotor_numbers{
-    FaultNumber{"rotor", "", 1.0, 4.0, 1.0, "1 front left, 2 front right, 3 rear right, 4 rear left"},
+    FaultNumber{"rotor", "", 1.0, 4.0, 1.0, "1 front left, 2 front right, 3 rear right, 4 rear left", true},
     FaultNumber{"thrust", "", 0.0, 1.0, 0.0, "share of the thrust that is left"}};
 constexpr std::array wind_numbers{
     FaultNumber{"speed", "m/s", 0.0, 60.0, 3.0, "mean"},
@@ -101,11 +101,13 @@ tl::unexpected<Error> unknown(const std::string& what, const std::string& word, 
                    "Did you mean '" + nearestWord(word, known) + "'? Known here: " + listOf(known));
 }
 
-Result<double> numberOf(std::string_view key, std::string_view value, double smallest, double largest) {
+Result<double> numberOf(std::string_view key, std::string_view value, double smallest, double largest,
+                        bool whole = false) {
     const std::optional<double> number = readNumber(value);
-    if (!number || !(*number >= smallest && *number <= largest))
+    if (!number || !(*number >= smallest && *number <= largest) || (whole && *number != std::trunc(*number)))
         return failure("'" + std::string(value) + "' is not a valid " + std::string(key), "fault",
-                       "Give a number from " + short_(smallest) + " to " + short_(largest));
+                       (whole ? "Give a whole number from " : "Give a number from ") + short_(smallest) + " to " +
+                           short_(largest));
     return *number;
 }
 
@@ -120,7 +122,7 @@ Result<void> take(Fault& fault, const FaultDescription& kind, std::string_view k
         return {};
     }
     if (const FaultNumber* const known = findNumber(kind, key))
-        return numberOf(known->name, value, known->smallest, known->largest).map([&](double number) {
+        return numberOf(known->name, value, known->smallest, known->largest, known->whole).map([&](double number) {
             fault.numbers[std::string(known->name)] = number;
         });
     for (const auto& [word, moment] : {std::pair("from", &fault.from), std::pair("for", &fault.lasts)})

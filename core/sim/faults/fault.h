@@ -57,6 +57,7 @@ struct FaultNumber {
     double largest = 0.0;
     double usual = 0.0; ///< used if the text does not give the number
     std::string_view help;
+    bool whole = false; ///< only whole numbers make sense
 };
 
 /// Describes one kind of fault, for the reader, help texts and forms.

@@ -14,11 +14,11 @@ class tst_CampaignOptions : public QObject {
 private slots:
     void readsWhatIsTyped() {
         const auto options = readCampaignOptions(
-            {"campaign", "c.json", "--out", "o", "--jobs", "3", "--resume", "--shard", "2/5", "--slurm", "8"});
+            {"campaign", "c.json", "--out", "o", "--jobs", "3", "--resume", "--shard", "2/5", "--slurm", "8", "--check-every", "0"});
         QVERIFY2(options, options ? "" : options.error().text().c_str());
-        QVERIFY((*options == CampaignOptions{"c.json", "o", 3, true, Shard{2, 5}, 8, false}));
+        QVERIFY((*options == CampaignOptions{"c.json", "o", 3, true, Shard{2, 5}, 0, 8, false}));
         const auto least = readCampaignOptions({"campaign", "--out=o", "c.json"});
-        QVERIFY(least && (*least == CampaignOptions{"c.json", "o", 0, false, std::nullopt, std::nullopt, false}));
+        QVERIFY(least && (*least == CampaignOptions{"c.json", "o", 0, false, std::nullopt, 100, std::nullopt, false}));
         QVERIFY(readCampaignOptions({"campaign", "--help"})->help);
     }
 
@@ -47,7 +47,7 @@ private slots:
     }
 
     void theJobScriptNamesWhatItNeeds() {
-        CampaignOptions options{"/my c.json", "/results", 0, false, {}, 40, false};
+        CampaignOptions options{"/my c.json", "/results", 0, false, {}, 100, 40, false};
         const QString script = slurmScript(options, "/opt/usar-mission");
         for (const char* line : {"#SBATCH --array=0-39\n", "#SBATCH --requeue\n", "#SBATCH --signal=B:TERM@60\n",
                                  "program=/opt/usar-mission\n", "campaign='/my c.json'\n", "results=/results\n",
