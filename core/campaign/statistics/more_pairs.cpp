@@ -14,6 +14,8 @@ std::optional<std::size_t> morePairsToDecide(const MeasuredDifference& measured,
     const auto& [low, high] = measured.interval;
     if (low > margin || high < -margin || (low >= -margin && high <= margin))
         return 0;
+    if (measured.pairs == 0)
+        return std::nullopt;
     const double pairs = static_cast<double>(measured.pairs);
     const double shrink = measured.interval.halfWidth() / std::abs(std::abs(measured.estimate) - margin);
     const double needed = std::ceil(pairs * shrink * shrink);

@@ -17,7 +17,8 @@ struct MeasuredDifference {
 
 /// How many pairs must be added until the interval lies wholly on one side of plus or minus `margin`, or wholly between
 /// them, if the estimate stays and the width shrinks with the root of the number of pairs. 0 if it does so now. Nothing
-/// where a million pairs would not do, because the estimate is too near to the margin, and where no width is known.
+/// where a million pairs would not do, because the estimate is too near to the margin, and where there is no pair
+/// or no width is known.
 std::optional<std::size_t> morePairsToDecide(const MeasuredDifference& measured, double margin);
 
 } // namespace usar::campaign

@@ -30,6 +30,8 @@ private slots:
         QFETCH(int, more);
         const auto found = morePairsToDecide({20, estimate, interval}, 1.0);
         QCOMPARE(found ? static_cast<int>(*found) : -1, more);
+
+        QVERIFY(!morePairsToDecide({0, 0.0, {-1.0, 1.0}}, 0.05)); // a rate without runs
     }
 };
 

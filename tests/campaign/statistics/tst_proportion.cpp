@@ -44,6 +44,7 @@ private slots:
         QCOMPARE(clopperPearsonInterval({0, 0}), (Interval{0.0, 1.0}));
         QCOMPARE(rateDifference({}), (Interval{-1.0, 1.0}));
         QCOMPARE(Count{}.rate(), 0.0);
+        QCOMPARE(mcNemar({}), 1.0);
     }
 
     void intervalsHoldTheRateAsOftenAsTheySay_data() {

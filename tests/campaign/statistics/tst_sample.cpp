@@ -34,6 +34,8 @@ private slots:
         QCOMPARE(median(std::vector{4.0, 1.0, 3.0, 100.0}), 3.5);
     }
 
+    void theVarianceHasOneLessThanTheNumberOfValues() { QCOMPARE(variance(std::vector{1.0, 2.0, 6.0}), 7.0); }
+
     void theInterquartileMeanForgetsTheEnds() {
         QCOMPARE(trimmedMean(std::vector{-1000.0, 1.0, 2.0, 1000.0}, interquartile), 1.5);
         QCOMPARE(trimmedMean(std::vector{-1000.0, 1.0, 2.0}, interquartile), -997.0 / 3.0);

@@ -1,0 +1,120 @@
+#include "core/campaign/comparison/report.h"
+
+#include <cmath>
+
+#include "core/base/numbers.h"
+
+namespace usar::campaign {
+
+namespace {
+
+const QString dash = QStringLiteral("\u2013");
+
+/// A hyphen is too short for a minus before a number; rounding to zero leaves no sign.
+QString number(double value, int decimals, bool with_sign) {
+    if (!std::isfinite(value))
+        return dash;
+    QString text = QString::fromStdString(fixed(std::abs(value), decimals));
+    const bool is_zero = text.toDouble() == 0.0;
+    if (!is_zero && value < 0.0)
+        text.prepend(QChar(0x2212));
+    else if (!is_zero && with_sign)
+        text.prepend('+');
+    return text;
+}
+
+QString withUnit(const QString& text, const Metric& metric) {
+    return metric.unit.empty() || text == dash ? text : text + ' ' + QString::fromStdString(metric.unit);
+}
+
+QString counted(std::size_t count, const QString& one, const QString& many) {
+    return QString::number(count) + ' ' + (count == 1 ? one : many);
+}
+
+bool isAllowedInXml(QChar c) {
+    return c == '\t' || c == '\n' || c == '\r' || (c >= QChar(0x20) && c < QChar(0xfffe));
+}
+
+} // namespace
+
+QString headline(const Comparison& comparison) {
+    const QString baseline = nameOf(comparison.baseline), candidate = nameOf(comparison.candidate);
+    switch (comparison.overall) {
+    case Verdict::Better:
+        return candidate + " is better than " + baseline;
+    case Verdict::Worse:
+        return candidate + " is worse than " + baseline;
+    case Verdict::Equal:
+        return candidate + " is equal to " + baseline;
+    case Verdict::NotWorse:
+        return candidate + " is not worse than " + baseline;
+    case Verdict::Undecided:
+        break;
+    }
+    return "Whether " + candidate + " is worse than " + baseline + " is undecided";
+}
+
+QString outlook(const std::optional<std::size_t>& more_pairs) {
+    if (!more_pairs)
+        return "more seeds are unlikely to decide";
+    if (*more_pairs == 0)
+        return {};
+    return "about " + counted(*more_pairs, "more seed", "more seeds") + " would decide";
+}
+
+std::vector<QString> omissions(const Comparison& comparison) {
+    std::vector<QString> sentences;
+    const Pairing& pairing = comparison.pairing;
+    if (pairing.single > 0)
+        sentences.push_back(counted(pairing.single, "run has", "runs have") + " no partner of the same seed.");
+    if (pairing.not_counted > 0)
+        sentences.push_back(counted(pairing.not_counted, "pair is", "pairs are") +
+                            " not counted, because a run was refused or killed.");
+    if (pairing.repeated > 0)
+        sentences.push_back(counted(pairing.repeated, "run repeats", "runs repeat") +
+                            " a seed of its variant, and only the first of each counts.");
+    for (const MetricComparison& metric : comparison.metrics)
+        if (metric.values.left_out > 0)
+            sentences.push_back(QString::fromStdString(metric.metric.title) + " leaves out " +
+                                counted(metric.values.left_out, "pair", "pairs") +
+                                ", because a run has no such figure or was not done.");
+    return sentences;
+}
+
+QString amount(double value, const Metric& metric, bool with_sign) {
+    return withUnit(number(value, metric.decimals, with_sign), metric);
+}
+
+QString amount(const Interval& interval, const Metric& metric) {
+    return number(interval.low, metric.decimals, true) + " to " + amount(interval.high, metric, true);
+}
+
+QString amount(const Count& count) {
+    return QString("%1 of %2, %3 %").arg(count.successes).arg(count.trials).arg(percent(count.rate()));
+}
+
+QString percent(double share, bool with_sign) {
+    return number(100.0 * share, 1, with_sign);
+}
+
+QString pValue(double p) {
+    return p < 0.001 ? QString("< 0.001") : number(p, 3, false);
+}
+
+QString plain(double value) {
+    return number(value, 2, false);
+}
+
+QString printable(const std::string& text) {
+    QString result;
+    for (const QChar c : QString::fromStdString(text))
+        if (isAllowedInXml(c))
+            result += c;
+    return result;
+}
+
+QString nameOf(const std::string& name) {
+    return name.empty() ? QString("(no name)") : printable(name);
+}
+
+} // namespace usar::campaign
