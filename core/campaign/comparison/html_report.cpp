@@ -10,7 +10,7 @@ extern const char comparison_style[]; // resources/reports/comparison.css
 
 namespace {
 
-constexpr std::size_t runs_shown = 10, differing_shown = 20, groups_shown = 12;
+constexpr std::size_t runs_shown = 10, differing_shown = 10, groups_shown = 12;
 
 QString styleOf(Verdict verdict) {
     return "word " + QString(wordOf(verdict)).replace(' ', '-');
@@ -44,7 +44,7 @@ struct VerdictRow {
     QString title;
     Verdict verdict;
     QString more;
-    QStringList figures; ///< baseline, candidate, difference, p, pairs, r
+    QList<QStringList> figures; ///< baseline, candidate, difference, p, pairs, r; some with a second line
     std::function<void()> draw;
 };
 
@@ -61,35 +61,47 @@ void writeRow(QXmlStreamWriter& xml, const VerdictRow& row) {
         const HtmlElement cell(xml, "td");
         row.draw();
     }
-    for (const QString& figure : row.figures)
-        write(xml, "td", figure, "figure");
+    for (const QStringList& figure : row.figures) {
+        const HtmlElement cell(xml, "td", "figure");
+        xml.writeCharacters(figure.front());
+        if (figure.size() > 1)
+            write(xml, "div", figure.back(), "more");
+    }
 }
 
 void writeSuccess(QXmlStreamWriter& xml, const Comparison& comparison) {
     const SuccessComparison& success = comparison.success;
     const Count before = success.count.baseline(), after = success.count.candidate();
     const auto rate = [](const Count& count, const Interval& interval) {
-        return amount(count) + QString(" (%1 to %2)").arg(percent(interval.low), percent(interval.high));
+        return QStringList{amount(count), QString("%1 to %2 %").arg(percent(interval.low), percent(interval.high))};
     };
     writeRow(xml, {"Success",
                    success.verdict,
                    outlook(success.more_pairs),
-                   {rate(before, success.baseline), rate(after, success.candidate),
-                    percent(after.rate() - before.rate(), true) + " points (" + percent(success.difference.low, true) +
-                        " to " + percent(success.difference.high, true) + ")",
-                    pValue(success.holm_p), QString::number(success.count.pairs()), ""},
+                   {rate(before, success.baseline),
+                    rate(after, success.candidate),
+                    {percent(after.rate() - before.rate(), true) + " points",
+                     percent(success.difference.low, true) + " to " + percent(success.difference.high, true)},
+                    {pValue(success.holm_p)},
+                    {QString::number(success.count.pairs())},
+                    {""}},
                    [&] { drawInterval(xml, success, comparison.options.success_margin); }});
 }
 
 void writeMetric(QXmlStreamWriter& xml, const MetricComparison& result) {
-    writeRow(xml,
-             {QString::fromStdString(result.metric.title),
-              result.verdict,
-              outlook(result.more_pairs),
-              {amount(result.baseline_median, result.metric), amount(result.candidate_median, result.metric),
-               amount(result.difference, result.metric, true) + " (" + amount(result.interval, result.metric) + ")",
-               pValue(result.holm_p), QString::number(result.pairs()), plain(result.correlation)},
-              [&] { drawInterval(xml, result); }});
+    QStringList pairs{QString::number(result.pairs())};
+    if (result.values.left_out > 0)
+        pairs << QString("%1 left out").arg(result.values.left_out);
+    writeRow(xml, {QString::fromStdString(result.metric.title),
+                   result.verdict,
+                   outlook(result.more_pairs),
+                   {{amount(result.baseline_median, result.metric)},
+                    {amount(result.candidate_median, result.metric)},
+                    {amount(result.difference, result.metric, true), amount(result.interval, result.metric)},
+                    {pValue(result.holm_p)},
+                    pairs,
+                    {plain(result.correlation)}},
+                   [&] { drawInterval(xml, result); }});
 }
 
 void writeVerdicts(QXmlStreamWriter& xml, const Comparison& comparison) {
@@ -110,25 +122,45 @@ void writeVerdicts(QXmlStreamWriter& xml, const Comparison& comparison) {
                 "for charges and collisions their mean, with its %1 % interval. The shaded band is the margin within "
                 "which a difference does not matter: an interval wholly within it is equal, one wholly beyond it is "
                 "better or worse. p is Wilcoxon's, for success McNemar's, after Holm. r tells how much of a run is "
-                "due to its seed.")
+                "due to its seed. A run that was not done counts its time limit as its duration.")
             .arg(100.0 * (1.0 - comparison.options.alpha)),
         "note");
     for (const QString& sentence : omissions(comparison))
         write(xml, "p", sentence, "note");
 }
 
+/// "Duration, s · better on 73 seeds, worse on 27"
+QString captionOf(const MetricComparison& result) {
+    const auto is = [](double sign) { return [sign](double difference) { return sign * difference > 0.0; }; };
+    const std::vector<double>& all = result.sorted_differences;
+    const auto fewer = std::count_if(all.begin(), all.end(), is(-1.0)),
+               more = std::count_if(all.begin(), all.end(), is(1.0));
+    const bool lower_is_better = result.metric.lower_is_better;
+    const QString unit = QString::fromStdString(result.metric.unit);
+    return QString::fromStdString(result.metric.title) + (unit.isEmpty() ? QString() : ", " + unit) +
+           QString(" \u00b7 better on %1 seeds, worse on %2")
+               .arg(lower_is_better ? fewer : more)
+               .arg(lower_is_better ? more : fewer);
+}
+
 void writeDifferences(QXmlStreamWriter& xml, const Comparison& comparison) {
     const HtmlElement section(xml, "section");
     write(xml, "h2", "Difference of each pair, sorted");
-    const HtmlElement grid(xml, "div", "grid");
-    for (const MetricComparison& metric : comparison.metrics) {
-        const HtmlElement figure(xml, "figure");
-        const QString unit = QString::fromStdString(metric.metric.unit);
-        write(xml, "figcaption",
-              QString::fromStdString(metric.metric.title) + (unit.isEmpty() ? QString() : ", " + unit) +
-                  QString(" \u00b7 better on %1 % of the seeds").arg(percent(metric.improved)));
-        drawDifferences(xml, metric);
+    QStringList same;
+    {
+        const HtmlElement grid(xml, "div", "plots");
+        for (const MetricComparison& result : comparison.metrics) {
+            if (result.sorted_differences.front() == 0.0 && result.sorted_differences.back() == 0.0) {
+                same << QString::fromStdString(result.metric.title);
+                continue;
+            }
+            const HtmlElement figure(xml, "figure");
+            write(xml, "figcaption", captionOf(result));
+            drawDifferences(xml, result);
+        }
     }
+    if (!same.isEmpty())
+        write(xml, "p", "The same on all seeds: " + same.join(", ") + '.', "note");
 }
 
 ProfileCurve curveOf(const Comparison& comparison, const RunFigures* RunPair::*side, const std::string& variant) {
@@ -153,23 +185,34 @@ void writeProfile(QXmlStreamWriter& xml, const Comparison& comparison) {
                 duration->metric);
 }
 
+/// A browser breaks a line before or after any hyphen, so each word of a command is kept in one piece.
+void writeCommand(QXmlStreamWriter& xml, const std::string& command) {
+    const HtmlElement code(xml, "code");
+    bool is_first = true;
+    for (const QString& word : printable(command).split(' ')) {
+        xml.writeCharacters(is_first ? "" : " ");
+        write(xml, "span", word);
+        is_first = false;
+    }
+}
+
 /// The seed, how it ended, why, and what flies it again.
 void writeRun(QXmlStreamWriter& xml, const RunFigures& run) {
     const HtmlElement row(xml, "tr");
     write(xml, "td", QString::number(run.number), "figure");
     write(xml, "td", nameOf(run.variant));
-    write(xml, "td", nameOf(run.mission) + ", seed " + QString::number(run.pair));
+    write(xml, "td", nameOf(run.mission) + ", pair " + QString::number(run.pair));
     write(xml, "td", wordOf(run.outcome));
     const HtmlElement cell(xml, "td", "why");
     xml.writeCharacters(printable(run.reason));
     if (!run.command.empty())
-        write(xml, "code", printable(run.command));
+        writeCommand(xml, run.command);
 }
 
 void writeRuns(QXmlStreamWriter& xml, const QString& title, const std::vector<const RunFigures*>& runs) {
     const HtmlElement table(xml, "table", "runs");
     write(xml, "caption", title);
-    writeHead(xml, {"Run", "Variant", "Mission and seed", "Outcome", "Why, and how to fly it again"});
+    writeHead(xml, {"Run", "Variant", "Mission and pair", "Outcome", "Why, and how to fly it again"});
     const HtmlElement body(xml, "tbody");
     for (const RunFigures* run : runs)
         writeRun(xml, *run);

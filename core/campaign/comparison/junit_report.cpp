@@ -56,7 +56,7 @@ QString seconds(double time_s) {
 void writeCase(QXmlStreamWriter& xml, const RunFigures& run) {
     xml.writeStartElement("testcase");
     xml.writeAttribute("classname", nameOf(run.mission));
-    xml.writeAttribute("name", "seed " + QString::number(run.pair));
+    xml.writeAttribute("name", "pair " + QString::number(run.pair));
     xml.writeAttribute("time", seconds(durationOf(run)));
     if (const QString element = elementOf(run.outcome); !element.isEmpty()) {
         xml.writeStartElement(element);

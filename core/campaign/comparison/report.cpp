@@ -1,8 +1,10 @@
 #include "core/campaign/comparison/report.h"
 
 #include <cmath>
+#include <map>
 
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 
 namespace usar::campaign {
 
@@ -23,12 +25,23 @@ QString number(double value, int decimals, bool with_sign) {
     return text;
 }
 
-QString withUnit(const QString& text, const Metric& metric) {
-    return metric.unit.empty() || text == dash ? text : text + ' ' + QString::fromStdString(metric.unit);
+/// A difference of two percentages is not a percentage.
+QString withUnit(const QString& text, const Metric& metric, bool is_difference) {
+    if (metric.unit.empty() || text == dash)
+        return text;
+    return text + ' ' + (is_difference && metric.unit == "%" ? "points" : QString::fromStdString(metric.unit));
 }
 
 QString counted(std::size_t count, const QString& one, const QString& many) {
     return QString::number(count) + ' ' + (count == 1 ? one : many);
+}
+
+/// Up to two digits, because nobody knows more.
+std::size_t rounded(std::size_t count) {
+    std::size_t step = 1;
+    while (count / step >= 100)
+        step *= 10;
+    return (count + step - 1) / step * step;
 }
 
 bool isAllowedInXml(QChar c) {
@@ -59,7 +72,7 @@ QString outlook(const std::optional<std::size_t>& more_pairs) {
         return "more seeds are unlikely to decide";
     if (*more_pairs == 0)
         return {};
-    return "about " + counted(*more_pairs, "more seed", "more seeds") + " would decide";
+    return "about " + counted(rounded(*more_pairs), "more seed", "more seeds") + " would decide";
 }
 
 std::vector<QString> omissions(const Comparison& comparison) {
@@ -73,16 +86,19 @@ std::vector<QString> omissions(const Comparison& comparison) {
     if (pairing.repeated > 0)
         sentences.push_back(counted(pairing.repeated, "run repeats", "runs repeat") +
                             " a seed of its variant, and only the first of each counts.");
+    std::map<std::size_t, std::vector<std::string>> titles_by_left_out;
     for (const MetricComparison& metric : comparison.metrics)
         if (metric.values.left_out > 0)
-            sentences.push_back(QString::fromStdString(metric.metric.title) + " leaves out " +
-                                counted(metric.values.left_out, "pair", "pairs") +
-                                ", because a run has no such figure or was not done.");
+            titles_by_left_out[metric.values.left_out].push_back(metric.metric.title);
+    for (const auto& [left_out, titles] : titles_by_left_out)
+        sentences.push_back(counted(left_out, "pair has", "pairs have") +
+                            " no figure of one run, or a run was not done, so that it is left out of: " +
+                            QString::fromStdString(listOf(titles)) + '.');
     return sentences;
 }
 
-QString amount(double value, const Metric& metric, bool with_sign) {
-    return withUnit(number(value, metric.decimals, with_sign), metric);
+QString amount(double value, const Metric& metric, bool is_difference) {
+    return withUnit(number(value, metric.decimals, is_difference), metric, is_difference);
 }
 
 QString amount(const Interval& interval, const Metric& metric) {

@@ -24,14 +24,15 @@ struct Report {
 /// One sentence without a period: "posh is worse than cpp".
 QString headline(const Comparison& comparison);
 
-/// "about 120 more seeds would decide"; empty if everything is decided.
+/// "about 120 more seeds would decide", rounded up to two digits; empty if everything is decided.
 QString outlook(const std::optional<std::size_t>& more_pairs);
 
 /// Sentences on what was not compared, one each; empty if all runs were.
 std::vector<QString> omissions(const Comparison& comparison);
 
-/// "12.5 s", with the metric's decimals; a dash if it is not a number. With a sign if asked for.
-QString amount(double value, const Metric& metric, bool with_sign = false);
+/// "12.5 s", with the metric's decimals; a dash if it is not a number. A difference always has its sign, and one of
+/// percentages is in points.
+QString amount(double value, const Metric& metric, bool is_difference = false);
 /// "-3.1 to -1.2 s"
 QString amount(const Interval& interval, const Metric& metric);
 

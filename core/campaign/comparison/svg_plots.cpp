@@ -48,6 +48,48 @@ void drawValues(SvgCanvas& canvas, const Scale& y, double left, double right) {
     }
 }
 
+/// How many differences lie below and above a range.
+struct Beyond {
+    std::ptrdiff_t below = 0;
+    std::ptrdiff_t above = 0;
+};
+
+Beyond beyond(const std::vector<double>& sorted, double low, double high) {
+    return {std::lower_bound(sorted.begin(), sorted.end(), low) - sorted.begin(),
+            sorted.end() - std::upper_bound(sorted.begin(), sorted.end(), high)};
+}
+
+/// The differences that are drawn in their place; a few of failed runs would press all others onto one line. The fences
+/// are Tukey's outer ones: three times the middle half's width beyond it. Where more than a tenth lie beyond them, they
+/// are no exceptions, and all are drawn. The margin is always seen.
+Scale shownDifferences(const MetricComparison& result, double first, double last) {
+    const std::vector<double>& sorted = result.sorted_differences;
+    double low = sorted.front(), high = sorted.back();
+    const double quarter = quantileOfSorted(sorted, 0.25), three_quarters = quantileOfSorted(sorted, 0.75);
+    const double fence = 3.0 * (three_quarters - quarter);
+    const auto [below, above] = beyond(sorted, quarter - fence, three_quarters + fence);
+    if (10 * (below + above) <= std::ssize(sorted)) {
+        low = std::max(low, quarter - fence);
+        high = std::min(high, three_quarters + fence);
+    }
+    low = std::min(low, -1.5 * result.margin);
+    high = std::max(high, 1.5 * result.margin);
+    const double more = 0.05 * (high - low) + 1e-9;
+    return {low - more, high + more, first, last};
+}
+
+/// Says in the corners how many differences stand at the edge because they lie beyond it.
+void writeBeyond(SvgCanvas& canvas, const MetricComparison& result, const Scale& y, double left, double right) {
+    const std::vector<double>& sorted = result.sorted_differences;
+    const auto [below, above] = beyond(sorted, y.low, y.high);
+    if (above > 0)
+        canvas.text({right - 16.0, y(y.high) + 13.0}, "end",
+                    QString("%1 up to %2").arg(above).arg(amount(sorted.back(), result.metric, true)));
+    if (below > 0)
+        canvas.text({left + 16.0, y(y.low) - 5.0}, "start",
+                    QString("%1 down to %2").arg(below).arg(amount(sorted.front(), result.metric, true)));
+}
+
 const char* classOf(double difference, const MetricComparison& result) {
     if (std::abs(difference) <= result.margin)
         return "same";
@@ -93,17 +135,16 @@ void drawDifferences(QXmlStreamWriter& xml, const MetricComparison& result) {
     const std::vector<double>& sorted = result.sorted_differences;
     SvgCanvas canvas(xml, width, height, "plot",
                      "sorted differences of " + QString::fromStdString(result.metric.title));
-    const double low = std::min(sorted.front(), -1.5 * result.margin);
-    const double high = std::max(sorted.back(), 1.5 * result.margin);
-    const double more = 0.05 * (high - low) + 1e-9;
-    const Scale y{low - more, high + more, bottom, top};
+    const Scale y = shownDifferences(result, bottom, top);
     const Scale x{-0.5, static_cast<double>(sorted.size()) - 0.5, left, right};
     canvas.rectangle({left, y(result.margin)}, {right, y(-result.margin)}, "margin");
     drawValues(canvas, y, left, right);
     canvas.line({left, y(0.0)}, {right, y(0.0)}, "zero");
     const double radius = sorted.size() > 120 ? 2.0 : 3.0;
     for (const std::size_t i : drawnOf(sorted.size()))
-        canvas.circle({x(static_cast<double>(i)), y(sorted[i])}, radius, classOf(sorted[i], result));
+        canvas.circle({x(static_cast<double>(i)), y(std::clamp(sorted[i], y.low, y.high))}, radius,
+                      classOf(sorted[i], result));
+    writeBeyond(canvas, result, y, left, right);
 }
 
 void drawProfile(QXmlStreamWriter& xml, const ProfileCurve& baseline, const ProfileCurve& candidate, std::size_t runs,

@@ -15,7 +15,7 @@ void drawInterval(QXmlStreamWriter& xml, const MetricComparison& result);
 void drawInterval(QXmlStreamWriter& xml, const SuccessComparison& success, double margin);
 
 /// The differences of all pairs in ascending order, with zero and the margin; of more than a few hundred pairs every
-/// n-th. The good ones have the color of what is good.
+/// n-th. The good ones have the color of what is good. Those far from most stand at the edge, and are counted there.
 void drawDifferences(QXmlStreamWriter& xml, const MetricComparison& result);
 
 /// Some values of a variant, which is drawn by its own stroke.

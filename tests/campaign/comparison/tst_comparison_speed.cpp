@@ -1,4 +1,5 @@
-#include <QElapsedTimer>
+#include <ctime>
+
 #include <QJsonDocument>
 #include <QTest>
 
@@ -35,17 +36,21 @@ class tst_ComparisonSpeed : public QObject {
 private slots:
     void tenThousandRunsAreComparedAndReportedInTwoSeconds() {
         const std::vector<RunFigures> runs = tenThousandRuns();
-        QElapsedTimer timer;
-        timer.start();
+        // Processor time, because it is the same on a machine that has other things to do.
+        const std::clock_t start = std::clock();
+        const auto spent_ms = [start] { return 1000 * (std::clock() - start) / CLOCKS_PER_SEC; };
         const Comparison comparison = compare(runs, "old", "new").value();
-        const qint64 compared_ms = timer.elapsed();
+        const auto compared_ms = spent_ms();
         const Report report{comparison, runs, "ten thousand", {}};
         const QByteArray page = htmlReport(report);
         const qsizetype size = page.size() + textReport(comparison).size() + junitReport(runs, "ten thousand").size() +
                                QJsonDocument(jsonReport(report)).toJson().size();
-        qInfo("compared in %lld ms, compared and reported in %lld ms, %lld bytes", compared_ms, timer.elapsed(),
+        const auto all_ms = spent_ms();
+        qInfo("compared in %ld ms, compared and reported in %ld ms, %lld bytes", compared_ms, all_ms,
               static_cast<long long>(size));
-        QVERIFY2(timer.elapsed() < 2000, QByteArray::number(timer.elapsed()));
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+        QVERIFY2(all_ms < 2000, QByteArray::number(static_cast<qint64>(all_ms)));
+#endif
         QVERIFY2(page.size() < 500'000, QByteArray::number(page.size())); // a page that a browser scrolls smoothly
     }
 };
