@@ -91,9 +91,9 @@ std::vector<QString> omissions(const Comparison& comparison) {
         if (metric.values.left_out > 0)
             titles_by_left_out[metric.values.left_out].push_back(metric.metric.title);
     for (const auto& [left_out, titles] : titles_by_left_out)
-        sentences.push_back(counted(left_out, "pair has", "pairs have") +
-                            " no figure of one run, or a run was not done, so that it is left out of: " +
-                            QString::fromStdString(listOf(titles)) + '.');
+        sentences.push_back(counted(left_out, "pair is", "pairs are") + " left out of " +
+                            QString::fromStdString(listOf(titles)) +
+                            ", because a run has no such figure or was not done.");
     return sentences;
 }
 
