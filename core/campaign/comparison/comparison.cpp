@@ -1,0 +1,148 @@
+#include "core/campaign/comparison/comparison.h"
+
+#include <algorithm>
+
+#include "core/campaign/statistics/holm.h"
+#include "core/campaign/statistics/more_pairs.h"
+#include "core/campaign/statistics/paired.h"
+#include "core/campaign/statistics/wilcoxon.h"
+
+namespace usar::campaign {
+
+namespace {
+
+/// The same interval seen as gains: turned around where less is better.
+Interval gainOf(const Interval& difference, bool lower_is_better) {
+    return lower_is_better ? Interval{-difference.high, -difference.low} : difference;
+}
+
+std::size_t unfinishedOf(const Pairing& pairing, const RunFigures* RunPair::*side) {
+    return static_cast<std::size_t>(std::count_if(pairing.pairs.begin(), pairing.pairs.end(), [side](const RunPair& p) {
+        return (p.*side)->outcome != RunOutcome::Done;
+    }));
+}
+
+SuccessComparison compareSuccess(const Pairing& pairing, double confidence) {
+    SuccessComparison result;
+    for (const RunPair& pair : pairing.pairs) {
+        const bool before = pair.baseline->outcome == RunOutcome::Done;
+        const bool after = pair.candidate->outcome == RunOutcome::Done;
+        ++(before  ? after ? result.count.both : result.count.baseline_only
+           : after ? result.count.candidate_only
+                   : result.count.neither);
+        if (before != after)
+            result.differing.push_back(pair);
+    }
+    result.baseline = wilsonInterval(result.count.baseline(), confidence);
+    result.candidate = wilsonInterval(result.count.candidate(), confidence);
+    result.difference = rateDifference(result.count, confidence);
+    result.p = mcNemar(result.count);
+    return result;
+}
+
+MetricComparison compareMetric(const Metric& metric, const Pairing& pairing, const ComparisonOptions& options) {
+    MetricComparison result;
+    result.metric = metric;
+    result.values = valuesOf(pairing, metric);
+    const auto& [baseline, candidate, missions, left_out] = result.values;
+    result.baseline_unfinished = unfinishedOf(pairing, &RunPair::baseline);
+    result.candidate_unfinished = unfinishedOf(pairing, &RunPair::candidate);
+    result.baseline_median = median(baseline);
+    result.candidate_median = median(candidate);
+    result.margin = marginOf(metric, result.baseline_median);
+    const std::vector<double> change = differences(baseline, candidate);
+    result.sorted_differences = sortedCopy(change);
+    result.median_difference = quantileOfSorted(result.sorted_differences, 0.5);
+    result.difference = trimmedMean(change, metric.trimmed_share);
+    result.interval =
+        bcaInterval(change, missions, metric.trimmed_share, {1.0 - options.alpha, options.resamples, options.seed});
+    result.p = wilcoxon(change).p;
+    result.correlation = correlation(baseline, candidate);
+    result.variance_ratio = varianceRatio(baseline, candidate);
+    result.ratio = geometricMeanOfRatios(baseline, candidate);
+    result.improved = probabilityOfImprovement(baseline, candidate, metric.lower_is_better);
+    return result;
+}
+
+/// Adjusts the p-values of all questions together.
+void adjust(Comparison& comparison) {
+    std::vector<double> p_values{comparison.success.p};
+    for (const MetricComparison& metric : comparison.metrics)
+        p_values.push_back(metric.p);
+    const std::vector<double> adjusted = holm(p_values);
+    comparison.success.holm_p = adjusted[0];
+    for (std::size_t i = 0; i < comparison.metrics.size(); ++i)
+        comparison.metrics[i].holm_p = adjusted[i + 1];
+}
+
+/// Gives the verdict on one question; `Question` is a success or a metric comparison, with its p-values adjusted.
+template <class Question>
+void judge(Question& question, const MeasuredDifference& measured, bool lower_is_better, double margin,
+           const ComparisonOptions& options) {
+    const Evidence evidence{gainOf(measured.interval, lower_is_better), margin, measured.pairs >= options.least_pairs,
+                            question.holm_p < options.alpha};
+    question.verdict = verdictOn(evidence);
+    question.not_worse = isNotWorse(evidence);
+    question.more_pairs = morePairsToDecide(measured, margin);
+    if (question.verdict != Verdict::Undecided)
+        question.more_pairs = 0;
+    else if (question.more_pairs && measured.pairs + *question.more_pairs < options.least_pairs)
+        question.more_pairs = options.least_pairs - measured.pairs;
+    else if (question.more_pairs == std::size_t{0}) // The test beside the interval hesitates still.
+        question.more_pairs = 1;
+}
+
+void judgeAll(Comparison& comparison) {
+    SuccessComparison& success = comparison.success;
+    const double rate_difference = success.count.candidate().rate() - success.count.baseline().rate();
+    judge(success, {success.count.pairs(), rate_difference, success.difference}, false,
+          comparison.options.success_margin, comparison.options);
+    for (MetricComparison& metric : comparison.metrics)
+        judge(metric, {metric.pairs(), metric.difference, metric.interval}, metric.metric.lower_is_better,
+              metric.margin, comparison.options);
+}
+
+Verdict overallOf(const Comparison& comparison) {
+    std::vector<std::pair<Verdict, bool>> all{{comparison.success.verdict, comparison.success.not_worse}};
+    for (const MetricComparison& metric : comparison.metrics)
+        all.emplace_back(metric.verdict, metric.not_worse);
+    const auto any = [&](Verdict verdict) {
+        return std::any_of(all.begin(), all.end(), [=](const auto& one) { return one.first == verdict; });
+    };
+    if (any(Verdict::Worse))
+        return Verdict::Worse;
+    if (!std::all_of(all.begin(), all.end(), [](const auto& one) { return one.second; }))
+        return Verdict::Undecided;
+    return any(Verdict::Better) ? Verdict::Better : any(Verdict::Undecided) ? Verdict::NotWorse : Verdict::Equal;
+}
+
+} // namespace
+
+int Comparison::exitCode() const {
+    return overall == Verdict::Worse ? 1 : overall == Verdict::Undecided ? 3 : 0;
+}
+
+std::optional<std::size_t> Comparison::morePairs() const {
+    std::optional<std::size_t> most = success.more_pairs;
+    for (const MetricComparison& metric : metrics)
+        most = most && metric.more_pairs ? std::max(most, metric.more_pairs) : std::nullopt;
+    return most;
+}
+
+Result<Comparison> compare(const std::vector<RunFigures>& runs, const std::string& baseline,
+                           const std::string& candidate, ComparisonOptions options) {
+    auto pairing = pairUp(runs, baseline, candidate);
+    if (!pairing)
+        return tl::unexpected(pairing.error());
+    Comparison comparison{baseline, candidate, std::move(options), std::move(*pairing), {}, {}, {}};
+    comparison.success = compareSuccess(comparison.pairing, 1.0 - comparison.options.alpha);
+    for (const Metric& metric : comparison.options.metrics)
+        if (auto result = compareMetric(metric, comparison.pairing, comparison.options); result.pairs() > 0)
+            comparison.metrics.push_back(std::move(result));
+    adjust(comparison);
+    judgeAll(comparison);
+    comparison.overall = overallOf(comparison);
+    return comparison;
+}
+
+} // namespace usar::campaign

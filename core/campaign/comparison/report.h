@@ -1,0 +1,56 @@
+// What all reports of a comparison are made from, and the words that they share.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <QString>
+
+#include "core/campaign/comparison/comparison.h"
+
+namespace usar::campaign {
+
+/// The comparison and the runs it was made from belong to the caller.
+struct Report {
+    const Comparison& comparison;
+    const std::vector<RunFigures>& runs;
+    std::string title; ///< of the campaign
+    /// Names and values to be given as they are: versions, hashes, machine, processor time.
+    std::vector<std::pair<std::string, std::string>> facts;
+};
+
+/// One sentence without a period: "posh is worse than cpp".
+QString headline(const Comparison& comparison);
+
+/// "about 120 more seeds would decide", rounded up to two digits; empty if everything is decided.
+QString outlook(const std::optional<std::size_t>& more_pairs);
+
+/// Sentences on what was not compared, one each; empty if all runs were.
+std::vector<QString> omissions(const Comparison& comparison);
+
+/// "12.5 s", with the metric's decimals; a dash if it is not a number. A difference always has its sign, and one of
+/// percentages is in points.
+QString amount(double value, const Metric& metric, bool is_difference = false);
+/// "-3.1 to -1.2 s"
+QString amount(const Interval& interval, const Metric& metric);
+
+/// "45 of 50, 90.0 %"
+QString amount(const Count& count);
+/// A share in percent with one decimal, without the sign of percent: "90.0".
+QString percent(double share, bool with_sign = false);
+
+/// "0.012", or "< 0.001".
+QString pValue(double p);
+
+/// With two decimals; a dash if it is not a number.
+QString plain(double value);
+
+/// Without the characters that XML does not allow, which a robot's or a program's words may hold.
+QString printable(const std::string& text);
+
+/// The name of a mission or variant; a word in place of an empty one.
+QString nameOf(const std::string& name);
+
+} // namespace usar::campaign

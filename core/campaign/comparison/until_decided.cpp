@@ -1,0 +1,23 @@
+#include "core/campaign/comparison/until_decided.h"
+
+#include <limits>
+
+namespace usar::campaign {
+
+std::optional<double> scaledGain(const RunPair& pair, const Metric& metric) {
+    if (!counts(pair.baseline->outcome) || !counts(pair.candidate->outcome))
+        return std::nullopt;
+    const bool before = pair.baseline->outcome == RunOutcome::Done, after = pair.candidate->outcome == RunOutcome::Done;
+    if (before != after)
+        return (after ? 1.0 : -1.0) * std::numeric_limits<double>::infinity();
+    if (!before)
+        return 0.0;
+    const auto baseline = valueOf(*pair.baseline, metric), candidate = valueOf(*pair.candidate, metric);
+    if (!baseline || !candidate)
+        return std::nullopt;
+    const double gain = metric.lower_is_better ? *baseline - *candidate : *candidate - *baseline;
+    // Without a difference there is none, also where the margin is zero.
+    return gain == 0.0 ? 0.0 : gain / marginOf(metric, *baseline);
+}
+
+} // namespace usar::campaign

@@ -1,0 +1,237 @@
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QRegularExpression>
+#include <QTest>
+#include <QXmlStreamReader>
+
+#include "core/campaign/comparison/html_report.h"
+#include "core/campaign/comparison/json_report.h"
+#include "core/campaign/comparison/junit_report.h"
+#include "core/campaign/comparison/svg_canvas.h"
+#include "core/campaign/comparison/text_report.h"
+#include "tests/campaign/comparison/example_runs.h"
+#include "tests/suite/suite.h"
+
+namespace tst_comparison_reports {
+
+using namespace usar::campaign;
+using usar::test::doneRuns;
+using usar::test::run;
+using enum RunOutcome;
+
+namespace {
+
+const std::string nasty = "<script>alert('a' & \"b\")</script>\x01\x1b[31m \xc3\xa4 \xef\xbf\xbf";
+const QString nasty_shown = QString::fromUtf8("<script>alert('a' & \"b\")</script>[31m \xc3\xa4 ");
+
+std::vector<RunFigures> runsWithFailures() {
+    std::vector<RunFigures> runs = doneRuns(40, {-10.0});
+    for (RunFigures& figures : runs)
+        if (figures.variant == "new" && figures.pair % 8 == 0) {
+            figures.outcome = Failed;
+            figures.reason = nasty;
+        }
+    return runs;
+}
+
+struct Element {
+    QString name;
+    QXmlStreamAttributes attributes;
+    QString text;
+};
+
+/// All elements with the text that follows their start. Empty if the bytes are not well-formed.
+std::vector<Element> elementsOf(const QByteArray& bytes) {
+    std::vector<Element> elements;
+    QXmlStreamReader xml(bytes);
+    bool follows_start = false;
+    while (!xml.atEnd()) {
+        const auto token = xml.readNext();
+        if (token == QXmlStreamReader::StartElement)
+            elements.push_back({xml.name().toString(), xml.attributes(), {}});
+        else if (token == QXmlStreamReader::Characters && follows_start)
+            elements.back().text += xml.text();
+        follows_start =
+            token == QXmlStreamReader::StartElement || (follows_start && token == QXmlStreamReader::Characters);
+    }
+    return xml.hasError() ? std::vector<Element>() : elements;
+}
+
+int countOf(const std::vector<Element>& elements, const QString& name) {
+    return static_cast<int>(
+        std::count_if(elements.begin(), elements.end(), [&](const Element& e) { return e.name == name; }));
+}
+
+bool says(const std::vector<Element>& elements, const QString& name, const QString& text) {
+    return std::any_of(elements.begin(), elements.end(),
+                       [&](const Element& e) { return e.name == name && e.text == text; });
+}
+
+} // namespace
+
+class tst_ComparisonReports : public QObject {
+    Q_OBJECT
+private slots:
+    void theTextHasAVerdictForEachQuestion() {
+        const std::vector<RunFigures> runs = doneRuns(100, {-10.0});
+        const QString text = textReport(compare(runs, "old", "new").value());
+        QVERIFY(text.startsWith("new is better than old.\n\n"));
+        const QStringList lines = text.split('\n');
+        const QStringList duration = lines.filter(QRegularExpression("^Duration"));
+        QCOMPARE(duration.size(), 1);
+        QVERIFY2(duration[0].contains(QRegularExpression(u8"better +\\d+\\.\\d s +\\d+\\.\\d s +−\\d+\\.\\d s IQM")),
+                 qPrintable(duration[0]));
+        QVERIFY(!lines.filter(QRegularExpression("^Success +equal +100 of 100, 100.0 %")).empty());
+        for (const QString& line : lines)
+            QVERIFY(!line.endsWith(' '));
+    }
+
+    void theTextSaysWhatWasNotCompared() {
+        std::vector<RunFigures> runs = runsWithFailures();
+        runs.pop_back();
+        runs.push_back(runs.front());
+        runs[2].outcome = Refused;
+        const QString text = textReport(compare(runs, "old", "new").value());
+        QVERIFY(text.contains("1 run has no partner of the same seed."));
+        QVERIFY(text.contains("1 pair is not counted, because a run was refused or killed."));
+        QVERIFY(text.contains("1 run repeats a seed of its variant, and only the first of each counts."));
+        QVERIFY(text.contains("5 pairs are left out of Way, "));
+        QVERIFY(text.contains("5 seeds have success in one variant only."));
+    }
+
+    void theJsonHasTheFigures() {
+        const std::vector<RunFigures> runs = runsWithFailures();
+        const Comparison comparison = compare(runs, "old", "new").value();
+        const QJsonObject json = jsonReport({comparison, runs, "thesis", {{"Version", "1.2"}}});
+        QCOMPARE(json["exit_code"].toInt(-1), comparison.exitCode());
+        QCOMPARE(json["title"].toString(), QString("thesis"));
+        QCOMPARE(json["pairs"].toInt(), 40);
+        QCOMPARE(json["success"]["candidate"]["successes"].toInt(), 35);
+        QCOMPARE(json["success"]["differing"].toArray().size(), 5);
+        QCOMPARE(json["facts"]["Version"].toString(), QString("1.2"));
+        const QJsonArray metrics = json["metrics"].toArray();
+        QCOMPARE(metrics.size(), static_cast<qsizetype>(comparison.metrics.size()));
+        QCOMPARE(metrics[0]["key"].toString(), QString("duration_s"));
+        QCOMPARE(metrics[0]["low"].toDouble(), comparison.metrics[0].interval.low);
+        QCOMPARE(metrics[0]["candidate_unfinished"].toInt(), 5);
+        QCOMPARE(metrics[2]["key"].toString(), QString("coverage_pct"));
+        QVERIFY(metrics[2]["correlation"].isNull()); // a coverage that is always the same has none
+    }
+
+    void whatHasNoIntervalIsNullInJson() {
+        const std::vector<RunFigures> runs = doneRuns(1, {});
+        const QJsonObject json = jsonReport({compare(runs, "old", "new").value(), runs, "", {}});
+        QVERIFY(json["metrics"][0]["low"].isNull());
+        QVERIFY(json["more_pairs"].isNull());
+    }
+
+    void junitHasOneCaseForEachRun() {
+        const std::vector<RunFigures> runs{run("old", 1),         run("old", 2, Failed),  run("new", 1, Crashed),
+                                           run("new", 2, Killed), run("new", 3, Refused), run("new", 4, TimedOut)};
+        const std::vector<Element> elements = elementsOf(junitReport(runs, "thesis"));
+        QCOMPARE(countOf(elements, "testsuite"), 2);
+        QCOMPARE(countOf(elements, "testcase"), 6);
+        QCOMPARE(countOf(elements, "failure"), 1);
+        QCOMPARE(countOf(elements, "error"), 3);
+        QCOMPARE(countOf(elements, "skipped"), 1);
+        const Element& suite = *std::find_if(elements.begin(), elements.end(), [](const Element& e) {
+            return e.name == "testsuite" && e.attributes.value("name") == QString("new");
+        });
+        QCOMPARE(suite.attributes.value("tests").toInt(), 4);
+        QCOMPARE(suite.attributes.value("errors").toInt(), 3);
+        QCOMPARE(suite.attributes.value("failures").toInt(), 0);
+        QCOMPARE(suite.attributes.value("skipped").toInt(), 1);
+        QVERIFY(says(elements, "failure", "usar-mission run quick_scan.json --seed 2"));
+    }
+
+    void junitTakesAnyWords() {
+        std::vector<RunFigures> runs{run("old", 1, Failed)};
+        runs[0].reason = runs[0].command = runs[0].mission = runs[0].variant = nasty;
+        const std::vector<Element> elements = elementsOf(junitReport(runs, nasty));
+        QCOMPARE(elements.size(), std::size_t{4});
+        QCOMPARE(elements[0].attributes.value("name").toString(), nasty_shown);
+        QCOMPARE(elements[3].attributes.value("message").toString(), nasty_shown);
+        QCOMPARE(elements[3].text, nasty_shown);
+    }
+
+    void thePageIsWellFormedAndNeedsNothingElse() {
+        const std::vector<RunFigures> runs = runsWithFailures();
+        const QByteArray page = htmlReport({compare(runs, "old", "new").value(), runs, nasty, {{nasty, nasty}}});
+        QVERIFY(page.startsWith("<!DOCTYPE html>"));
+        const std::vector<Element> elements = elementsOf(page);
+        QVERIFY(!elements.empty());
+        for (const char* name : {"script", "link", "img", "iframe", "object", "image", "use"})
+            QCOMPARE(countOf(elements, name), 0);
+        for (const char* outside : {"http:", "https:", "url(", "@import", "src="})
+            QVERIFY2(!page.contains(outside), outside);
+        QVERIFY(says(elements, "td", nasty_shown));
+        QVERIFY(page.contains("prefers-color-scheme: dark") && page.contains("@media print"));
+        // What a style sheet escapes as XML, a browser would not read back.
+        const QByteArray style = page.mid(page.indexOf("<style>"), page.indexOf("</style>") - page.indexOf("<style>"));
+        QVERIFY(!style.contains('&'));
+        QVERIFY(!page.contains("nan") && !page.contains("inf\""));
+    }
+
+    void thePageShowsEachPartOfTheComparison() {
+        const std::vector<RunFigures> runs = runsWithFailures();
+        const Comparison comparison = compare(runs, "old", "new").value();
+        const QByteArray page = htmlReport({comparison, runs, "thesis", {{"Version", "1.2"}}});
+        const std::vector<Element> elements = elementsOf(page);
+        QVERIFY(says(elements, "h1", headline(comparison) + '.'));
+        QVERIFY(page.contains("<span>quick_scan.json</span> <span>--seed</span> <span>8</span></code>"));
+        QVERIFY(says(elements, "td", "1.2"));
+        // Three metrics are the same in all pairs: coverage, charges and collisions. The way is, too, where it counts.
+        const int metrics = static_cast<int>(comparison.metrics.size()), plots = countOf(elements, "figure");
+        QCOMPARE(plots, 2);
+        // One interval for success and each metric, and one profile.
+        QCOMPARE(countOf(elements, "svg"), 1 + metrics + plots + 1);
+        QCOMPARE(countOf(elements, "path"), 2);
+    }
+
+    void aFewFailuresDoNotFlattenThePlot() {
+        std::vector<RunFigures> runs = doneRuns(100, {});
+        const auto plotted = [&] { return htmlReport({compare(runs, "old", "new").value(), runs, "", {}}); };
+        QVERIFY(!plotted().contains(" up to "));
+        for (RunFigures& figures : runs)
+            if (figures.variant == "new" && figures.pair % 20 == 0)
+                figures.metrics["duration_s"] = 9'000.0;
+        QVERIFY(plotted().contains(">5 up to +89")); // thousands of seconds more
+        for (RunFigures& figures : runs)
+            if (figures.variant == "new" && figures.pair % 5 == 0)
+                figures.metrics["duration_s"] = 9'000.0;
+        QVERIFY(!plotted().contains(" up to "));
+    }
+
+    void aCampaignWithoutPairsHasAPageAsWell() {
+        const std::vector<RunFigures> runs{run("old", 1), run("new", 2)};
+        const std::vector<Element> elements =
+            elementsOf(htmlReport({compare(runs, "old", "new").value(), runs, "", {}}));
+        QVERIFY(says(elements, "h1", "Whether new is worse than old is undecided."));
+        QVERIFY(says(elements, "p", "2 runs have no partner of the same seed."));
+    }
+
+    void ticksAreRound_data() {
+        QTest::addColumn<double>("low");
+        QTest::addColumn<double>("high");
+        QTest::addColumn<QString>("texts");
+        QTest::newRow("hundreds") << 103.0 << 412.0 << "200 300 400";
+        QTest::newRow("around zero") << -1.0 << 1.0 << u8"−1.0 −0.5 0.0 0.5 1.0";
+        QTest::newRow("small") << 0.0 << 0.05 << "0.00 0.01 0.02 0.03 0.04 0.05";
+        QTest::newRow("no range") << 3.0 << 3.0 << "3";
+    }
+    void ticksAreRound() {
+        QFETCH(double, low);
+        QFETCH(double, high);
+        QStringList texts;
+        const std::vector<double> values = ticks(low, high, 4);
+        for (const double value : values)
+            texts << tickText(value, values);
+        QTEST(texts.join(' '), "texts");
+    }
+};
+
+USAR_TEST(tst_ComparisonReports)
+
+} // namespace tst_comparison_reports
+
+#include "tst_comparison_reports.moc"
