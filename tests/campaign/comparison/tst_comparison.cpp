@@ -155,6 +155,15 @@ private slots:
         QCOMPARE(duration.holm_p, 0.25); // of two questions: success is the other
     }
 
+    void improvementIsMoreCoverageAndLessTime() {
+        std::vector<RunFigures> runs{run("old", 1), run("new", 1)};
+        runs[0].metrics = {{"duration_s", 10.0}, {"coverage_pct", 10.0}};
+        runs[1].metrics = {{"duration_s", 20.0}, {"coverage_pct", 20.0}};
+        const Comparison comparison = compare(runs, "old", "new").value();
+        QCOMPARE(comparison.metrics[0].improved, 0.0);
+        QCOMPARE(comparison.metrics[1].improved, 1.0);
+    }
+
     void moreSeedsAreAskedForWhereTheyWouldDecide() {
         const std::vector<RunFigures> few = doneRuns(30, {-4.0, 0.0, 0.0, 8.0});
         const MetricComparison undecided = durationOf(compare(few, "old", "new").value());

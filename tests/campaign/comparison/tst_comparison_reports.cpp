@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QRegularExpression>
@@ -72,6 +74,46 @@ bool says(const std::vector<Element>& elements, const QString& name, const QStri
 class tst_ComparisonReports : public QObject {
     Q_OBJECT
 private slots:
+    void wordsOfOthersLoseWhatATerminalWouldObey() {
+        QCOMPARE(printable(nasty), nasty_shown);
+        QCOMPARE(nameOf(""), QString("(no name)"));
+    }
+
+    void amountsHaveTheirUnitAndSign_data() {
+        QTest::addColumn<double>("value");
+        QTest::addColumn<QString>("unit");
+        QTest::addColumn<QString>("amount_text");
+        QTest::addColumn<QString>("difference_text");
+        QTest::newRow("seconds") << 12.34 << "s"
+                                 << "12.3 s"
+                                 << "+12.3 s";
+        QTest::newRow("less") << -12.34 << "s" << u8"−12.3 s" << u8"−12.3 s";
+        QTest::newRow("percentages differ by points") << 1.0 << "%"
+                                                      << "1.0 %"
+                                                      << "+1.0 points";
+        QTest::newRow("rounded to zero") << -0.04 << ""
+                                         << "0.0"
+                                         << "0.0";
+        QTest::newRow("not known") << std::nan("") << "s" << u8"–" << u8"–";
+    }
+    void amountsHaveTheirUnitAndSign() {
+        QFETCH(double, value);
+        QFETCH(QString, unit);
+        Metric metric;
+        metric.unit = unit.toStdString();
+        metric.decimals = 1;
+        QTEST(amount(value, metric), "amount_text");
+        QTEST(amount(value, metric, true), "difference_text");
+    }
+
+    void theOutlookIsNoMoreExactThanAnybodyKnows() {
+        QCOMPARE(outlook(0), QString());
+        QCOMPARE(outlook(1), QString("about 1 more seed would decide"));
+        QCOMPARE(outlook(99), QString("about 99 more seeds would decide"));
+        QCOMPARE(outlook(1501), QString("about 1600 more seeds would decide"));
+        QCOMPARE(outlook(std::nullopt), QString("more seeds are unlikely to decide"));
+    }
+
     void theTextHasAVerdictForEachQuestion() {
         const std::vector<RunFigures> runs = doneRuns(100, {-10.0});
         const QString text = textReport(compare(runs, "old", "new").value());
@@ -188,6 +230,16 @@ private slots:
         QCOMPARE(countOf(elements, "path"), 2);
     }
 
+    void aCurveEndsBelowAllWhereRunsFailed() {
+        const std::vector<RunFigures> runs = runsWithFailures();
+        std::vector<double> ends_px; // of the baseline and the candidate, from the top
+        for (const Element& element : elementsOf(htmlReport({compare(runs, "old", "new").value(), runs, "", {}})))
+            if (element.name == "path")
+                ends_px.push_back(element.attributes.value("d").toString().section(' ', -1).toDouble());
+        QCOMPARE(ends_px.size(), std::size_t{2});
+        QVERIFY(ends_px[1] > ends_px[0] + 20.0); // an eighth of the plot is 28 pixels
+    }
+
     void aFewFailuresDoNotFlattenThePlot() {
         std::vector<RunFigures> runs = doneRuns(100, {});
         const auto plotted = [&] { return htmlReport({compare(runs, "old", "new").value(), runs, "", {}}); };
@@ -196,6 +248,7 @@ private slots:
             if (figures.variant == "new" && figures.pair % 20 == 0)
                 figures.metrics["duration_s"] = 9'000.0;
         QVERIFY(plotted().contains(">5 up to +89")); // thousands of seconds more
+        QVERIFY(htmlReport({compare(runs, "new", "old").value(), runs, "", {}}).contains(">5 down to \u221289"));
         for (RunFigures& figures : runs)
             if (figures.variant == "new" && figures.pair % 5 == 0)
                 figures.metrics["duration_s"] = 9'000.0;
