@@ -78,10 +78,6 @@ int fly(const campaign::CampaignOptions& options) {
 
 } // namespace
 
-bool isCampaignVerb(const QString& word) {
-    return word == "campaign";
-}
-
 int runCampaignVerb(const QStringList& arguments) {
     const auto options = campaign::readCampaignOptions(arguments);
     if (!options)

@@ -5,9 +5,8 @@
 
 namespace usar::app {
 
-/// True for "campaign".
-bool isCampaignVerb(const QString& word);
-/// Runs the verb that `arguments` begin with, in an event loop of its own, and returns the program's exit code.
+/// Runs `campaign` with its arguments, which begin with the verb, in an event loop of its own, and returns the
+/// program's exit code.
 int runCampaignVerb(const QStringList& arguments);
 
 } // namespace usar::app

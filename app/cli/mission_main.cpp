@@ -10,6 +10,7 @@
 #include <QGuiApplication>
 
 #include "app/cli/campaign_verb.h"
+#include "app/cli/compare_verb.h"
 #include "app/cli/console.h"
 #include "app/host/true_figures.h"
 #include "core/base/version.h"
@@ -170,8 +171,11 @@ int main(int argc, char** argv) {
     QCoreApplication::setApplicationName("usar-mission");
     if (const auto exit_code = runVerb(QCoreApplication::arguments().mid(1)))
         return *exit_code;
-    if (app::isCampaignVerb(QCoreApplication::arguments().value(1)))
+    const QString verb = QCoreApplication::arguments().value(1);
+    if (verb == "campaign")
         return app::runCampaignVerb(QCoreApplication::arguments().mid(1));
+    if (verb == "compare")
+        return app::runCompareVerb(QCoreApplication::arguments().mid(1));
     const auto options = mission::readMissionOptions(QCoreApplication::arguments().mid(1));
     if (!options)
         return refuse(options.error());

@@ -18,15 +18,15 @@ Interval gainOf(const Interval& difference, bool lower_is_better) {
 
 std::size_t unfinishedOf(const Pairing& pairing, const RunFigures* RunPair::*side) {
     return static_cast<std::size_t>(std::count_if(pairing.pairs.begin(), pairing.pairs.end(), [side](const RunPair& p) {
-        return (p.*side)->outcome != RunOutcome::Done;
+        return (p.*side)->outcome != Outcome::Done;
     }));
 }
 
 SuccessComparison compareSuccess(const Pairing& pairing, double confidence) {
     SuccessComparison result;
     for (const RunPair& pair : pairing.pairs) {
-        const bool before = pair.baseline->outcome == RunOutcome::Done;
-        const bool after = pair.candidate->outcome == RunOutcome::Done;
+        const bool before = pair.baseline->outcome == Outcome::Done;
+        const bool after = pair.candidate->outcome == Outcome::Done;
         ++(before  ? after ? result.count.both : result.count.baseline_only
            : after ? result.count.candidate_only
                    : result.count.neither);

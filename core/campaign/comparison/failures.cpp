@@ -17,7 +17,7 @@ double figureOf(const RunFigures& run, const std::string& key, double otherwise)
 
 /// Less is worse. The number makes the order complete.
 std::tuple<int, double, double, std::size_t> goodness(const RunFigures& run) {
-    const int kind = run.outcome == RunOutcome::Done ? 2 : run.outcome == RunOutcome::Failed ? 1 : 0;
+    const int kind = run.outcome == Outcome::Done ? 2 : run.outcome == Outcome::Failed ? 1 : 0;
     const double coverage_pct = kind == 2 ? 100.0 : figureOf(run, "coverage_pct", -1.0);
     return {kind, coverage_pct, -figureOf(run, "duration_s", 0.0), run.number};
 }
@@ -49,10 +49,10 @@ std::vector<const RunFigures*> worstRuns(const Comparison& comparison, std::size
 }
 
 std::vector<FailureGroup> failureGroups(const Comparison& comparison, const std::vector<RunFigures>& runs) {
-    std::map<std::pair<RunOutcome, std::string>, FailureGroup> groups;
+    std::map<std::pair<Outcome, std::string>, FailureGroup> groups;
     for (const RunFigures& run : runs) {
         const bool is_baseline = run.variant == comparison.baseline;
-        if (run.outcome == RunOutcome::Done || (!is_baseline && run.variant != comparison.candidate))
+        if (run.outcome == Outcome::Done || (!is_baseline && run.variant != comparison.candidate))
             continue;
         const std::string reason = withoutNumbers(run.reason);
         FailureGroup& group =

@@ -15,7 +15,7 @@ std::vector<const RunFigures*> worstRuns(const Comparison& comparison, std::size
 
 /// Runs that were not done for the same reason.
 struct FailureGroup {
-    RunOutcome outcome = RunOutcome::Failed;
+    Outcome outcome = Outcome::Failed;
     std::string reason; ///< with "#" in place of each number, because times and places differ from run to run
     std::size_t of_baseline = 0;
     std::size_t of_candidate = 0;

@@ -166,7 +166,7 @@ void writeDifferences(QXmlStreamWriter& xml, const Comparison& comparison) {
 ProfileCurve curveOf(const Comparison& comparison, const RunFigures* RunPair::*side, const std::string& variant) {
     ProfileCurve curve{nameOf(variant), {}};
     for (const RunPair& pair : comparison.pairing.pairs)
-        if (const RunFigures& run = *(pair.*side); run.outcome == RunOutcome::Done)
+        if (const RunFigures& run = *(pair.*side); run.outcome == Outcome::Done)
             if (const auto found = run.metrics.find("duration_s"); found != run.metrics.end() && found->second)
                 curve.sorted.push_back(*found->second);
     std::sort(curve.sorted.begin(), curve.sorted.end());
@@ -225,7 +225,7 @@ void writeNotableRuns(QXmlStreamWriter& xml, const Comparison& comparison) {
     std::vector<const RunFigures*> unlucky;
     for (const RunPair& pair : differing)
         if (unlucky.size() < differing_shown)
-            unlucky.push_back(pair.baseline->outcome == RunOutcome::Done ? pair.candidate : pair.baseline);
+            unlucky.push_back(pair.baseline->outcome == Outcome::Done ? pair.candidate : pair.baseline);
     if (!unlucky.empty()) {
         writeRuns(xml, "Not done, though the other variant was, on the same seed", unlucky);
         writeCut(xml, unlucky.size(), differing.size());

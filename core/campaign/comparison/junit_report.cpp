@@ -11,18 +11,18 @@ namespace usar::campaign {
 namespace {
 
 /// The element that says how a run ended; empty for one that was done.
-QString elementOf(RunOutcome outcome) {
+QString elementOf(Outcome outcome) {
     switch (outcome) {
-    case RunOutcome::Done:
+    case Outcome::Done:
         return {};
-    case RunOutcome::Failed:
+    case Outcome::Failed:
         return "failure";
-    case RunOutcome::Killed:
+    case Outcome::Killed:
         return "skipped";
-    case RunOutcome::Refused:
-    case RunOutcome::Crashed:
-    case RunOutcome::TimedOut:
-    case RunOutcome::OutOfMemory:
+    case Outcome::Refused:
+    case Outcome::Crashed:
+    case Outcome::TimedOut:
+    case Outcome::OutOfMemory:
         break;
     }
     return "error";
@@ -60,7 +60,7 @@ void writeCase(QXmlStreamWriter& xml, const RunFigures& run) {
     xml.writeAttribute("time", seconds(durationOf(run)));
     if (const QString element = elementOf(run.outcome); !element.isEmpty()) {
         xml.writeStartElement(element);
-        xml.writeAttribute("message", run.reason.empty() ? QString(wordOf(run.outcome)) : printable(run.reason));
+        xml.writeAttribute("message", run.reason.empty() ? wordOf(run.outcome) : printable(run.reason));
         if (element != "skipped") // which has no type in JUnit's schema
             xml.writeAttribute("type", wordOf(run.outcome));
         xml.writeCharacters(printable(run.command));

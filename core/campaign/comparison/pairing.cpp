@@ -77,9 +77,9 @@ std::vector<std::string> variantsOf(const std::vector<RunFigures>& runs) {
 std::optional<double> valueOf(const RunFigures& run, const Metric& metric) {
     if (!counts(run.outcome))
         return std::nullopt;
-    if (run.outcome != RunOutcome::Done && metric.unfinished == UnfinishedRuns::CountTheLimit)
+    if (run.outcome != Outcome::Done && metric.unfinished == UnfinishedRuns::CountTheLimit)
         return run.time_limit_s;
-    if (run.outcome != RunOutcome::Done && metric.unfinished == UnfinishedRuns::LeftOut)
+    if (run.outcome != Outcome::Done && metric.unfinished == UnfinishedRuns::LeftOut)
         return std::nullopt;
     return measured(run, metric.key);
 }

@@ -6,32 +6,20 @@
 #include <optional>
 #include <string>
 
+#include "core/campaign/runs/run_result.h"
+
 namespace usar::campaign {
-
-/// How a run ended.
-enum class RunOutcome {
-    Done,        ///< the mission was fulfilled
-    Failed,      ///< it was flown, and not fulfilled
-    Refused,     ///< it could not begin
-    Crashed,     ///< the program died by itself
-    Killed,      ///< somebody or the machine ended the program
-    TimedOut,    ///< the program did not end in time
-    OutOfMemory, ///< the program used more memory than it may
-};
-
-/// The word for people and files: "done", "timed out".
-const char* wordOf(RunOutcome outcome);
 
 /// True where the variant itself is to answer for the end of the run. What was refused or killed says nothing about how
 /// it flies, and is to be flown again.
-bool counts(RunOutcome outcome);
+bool counts(Outcome outcome);
 
 struct RunFigures {
     std::size_t number = 0; ///< in the campaign
     std::size_t pair = 0;   ///< index of the seed, which the variants share; with the mission it names a pair
     std::string mission;
     std::string variant;
-    RunOutcome outcome = RunOutcome::Done;
+    Outcome outcome = Outcome::Done;
     /// By the keys of a run's summary: duration_s, distance_m, coverage_pct, reachable_coverage_pct, rmse_m, charges,
     /// collisions. Absent and nullopt: not known.
     std::map<std::string, std::optional<double>> metrics;

@@ -7,7 +7,7 @@ namespace usar::campaign {
 std::optional<double> scaledGain(const RunPair& pair, const Metric& metric) {
     if (!counts(pair.baseline->outcome) || !counts(pair.candidate->outcome))
         return std::nullopt;
-    const bool before = pair.baseline->outcome == RunOutcome::Done, after = pair.candidate->outcome == RunOutcome::Done;
+    const bool before = pair.baseline->outcome == Outcome::Done, after = pair.candidate->outcome == Outcome::Done;
     if (before != after)
         return (after ? 1.0 : -1.0) * std::numeric_limits<double>::infinity();
     if (!before)

@@ -54,9 +54,12 @@ QByteArray lineOf(const PlannedRun& run, const Manifest& manifest, const Campaig
 
 /// Says what is not the same in two first lines.
 std::string differenceOf(const QJsonObject& old_head, const QJsonObject& new_head) {
-    for (const QString& key : {QString("campaign"), QString("version"), QString("runs")})
+    for (const auto& [key, words] :
+         {std::pair("campaign", "name"), std::pair("version", "version of the program"),
+          std::pair("limit_h", "limit of simulated time"), std::pair("wall_limit_s", "limit of wall time"),
+          std::pair("runs", "number of runs")})
         if (old_head[key] != new_head[key])
-            return "its " + (key == "runs" ? QString("number of runs") : key).toStdString() + " is another one";
+            return std::string("its ") + words + " is another one";
     const QJsonArray before = old_head["inputs"].toArray();
     for (const QJsonValue input : new_head["inputs"].toArray())
         if (!before.contains(input))
@@ -88,12 +91,15 @@ QByteArray toText(const Manifest& manifest, const Campaign& campaign) {
     for (const HashedInput& input : manifest.inputs)
         inputs << QJsonObject{
             {"role", input.role}, {"name", input.name}, {"sha256", QString::fromLatin1(input.sha256_hex)}};
-    QByteArray text = mission::jsonLine({{"campaign", QString::fromStdString(manifest.campaign)},
-                                         {"version", QString::fromStdString(manifest.version)},
-                                         {"missions", textsOf(manifest.missions)},
-                                         {"variants", textsOf(manifest.variants)},
-                                         {"runs", static_cast<qint64>(manifest.runs.size())},
-                                         {"inputs", inputs}});
+    QByteArray text =
+        mission::jsonLine({{"campaign", QString::fromStdString(manifest.campaign)},
+                           {"version", QString::fromStdString(manifest.version)},
+                           {"missions", textsOf(manifest.missions)},
+                           {"variants", textsOf(manifest.variants)},
+                           {"limit_h", campaign.limit_h ? QJsonValue(*campaign.limit_h) : QJsonValue::Null},
+                           {"wall_limit_s", campaign.wall_limit_s},
+                           {"runs", static_cast<qint64>(manifest.runs.size())},
+                           {"inputs", inputs}});
     for (const PlannedRun& run : manifest.runs)
         text += lineOf(run, manifest, campaign);
     return text;

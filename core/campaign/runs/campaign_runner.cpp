@@ -86,6 +86,8 @@ void CampaignRunner::startNext() {
     result.seed = run.seed;
     result.version = options_.version;
     result.command = commandOf(campaign_, run);
+    if (campaign_.limit_h)
+        result.limit_s = *campaign_.limit_h * 3600.0;
     fly(std::move(flight));
 }
 

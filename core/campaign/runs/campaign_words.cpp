@@ -28,7 +28,7 @@ std::string sentenceOf(const RunResult& result) {
     if (result.differences && !result.differences->isEmpty())
         said = "came out differently when it was flown again (" + result.differences->join(", ").toStdString() + ")";
     else if (result.outcome != Outcome::Done)
-        said = wordFor(result.outcome).toStdString() + ": " + result.reason;
+        said = wordOf(result.outcome).toStdString() + ": " + result.reason;
     else
         return {};
     return "Run " + std::to_string(result.number) + " (" + result.mission + ", " + result.variant + ", seed " +
@@ -38,7 +38,7 @@ std::string sentenceOf(const RunResult& result) {
 QJsonObject toJson(const CampaignProgress& progress, const QString& folder) {
     QJsonObject outcomes;
     for (const auto& [outcome, count] : progress.outcomes)
-        outcomes[wordFor(outcome)] = count;
+        outcomes[wordOf(outcome)] = count;
     QJsonArray different;
     for (const int number : progress.different)
         different << number;

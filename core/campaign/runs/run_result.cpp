@@ -23,7 +23,7 @@ constexpr std::array<std::pair<Outcome, const char*>, 7> words{{{Outcome::Done, 
 
 } // namespace
 
-QString wordFor(Outcome outcome) {
+QString wordOf(Outcome outcome) {
     return QString(words.at(static_cast<std::size_t>(outcome)).second);
 }
 
@@ -40,11 +40,13 @@ QByteArray toLine(const RunResult& result) {
                      {"mission", QString::fromStdString(result.mission)},
                      {"variant", QString::fromStdString(result.variant)},
                      {"seed", static_cast<qint64>(result.seed)},
-                     {"outcome", wordFor(result.outcome)},
+                     {"outcome", wordOf(result.outcome)},
                      {"reason", QString::fromStdString(result.reason)},
                      {"wall_s", result.wall_s},
                      {"version", QString::fromStdString(result.version)},
                      {"command", result.command}};
+    if (result.limit_s)
+        line["limit_s"] = *result.limit_s;
     if (!result.summary.isEmpty())
         line["summary"] = result.summary;
     if (result.differences)
@@ -72,6 +74,7 @@ Result<RunResult> readResultLine(const QByteArray& line) {
                      read["wall_s"].toDouble(),
                      read["version"].toString().toStdString(),
                      read["command"].toString(),
+                     read["limit_s"].isDouble() ? std::optional(read["limit_s"].toDouble()) : std::nullopt,
                      read["summary"].toObject()};
     if (read.contains("differences"))
         for (const QJsonValue name : result.differences.emplace(), read["differences"].toArray())

@@ -14,7 +14,7 @@
 namespace usar::campaign {
 
 /// How a run ended. Only `Failed` says something of the robot: the process ended as it should, and the mission did not
-/// succeed. The words in the file are those of `wordFor`.
+/// succeed. The words in the file are those of `wordOf`.
 enum class Outcome {
     Done,
     Failed,
@@ -25,7 +25,7 @@ enum class Outcome {
     OutOfMemory, ///< the program could get no more memory
 };
 
-QString wordFor(Outcome outcome);
+QString wordOf(Outcome outcome);
 std::optional<Outcome> outcomeFrom(const QString& word);
 
 /// One line of a shard file. The summary is that of `usar-mission run`; empty if there is none.
@@ -38,8 +38,9 @@ struct RunResult {
     Outcome outcome = Outcome::Done;
     std::string reason; ///< in words
     double wall_s = 0.0;
-    std::string version; ///< of the program
-    QString command;     ///< flies the run again
+    std::string version;             ///< of the program
+    QString command;                 ///< flies the run again
+    std::optional<double> limit_s{}; ///< of simulated time, if the campaign sets one
     QJsonObject summary;
     /// Set if the run was flown twice: names of the figures that differed, which is nothing if all is well.
     std::optional<QStringList> differences{};

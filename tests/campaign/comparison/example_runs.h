@@ -10,7 +10,7 @@
 namespace usar::test {
 
 inline campaign::RunFigures run(const std::string& variant, std::size_t pair,
-                                campaign::RunOutcome outcome = campaign::RunOutcome::Done) {
+                                campaign::Outcome outcome = campaign::Outcome::Done) {
     campaign::RunFigures figures;
     figures.number = 2 * pair + (variant == "new" ? 1 : 0);
     figures.pair = pair;
@@ -19,7 +19,7 @@ inline campaign::RunFigures run(const std::string& variant, std::size_t pair,
     figures.outcome = outcome;
     figures.time_limit_s = 300.0;
     figures.command = "usar-mission run quick_scan.json --seed " + std::to_string(pair);
-    if (outcome != campaign::RunOutcome::Done)
+    if (outcome != campaign::Outcome::Done)
         figures.reason = "The area was not covered after " + std::to_string(pair) + ".5 s.";
     return figures;
 }

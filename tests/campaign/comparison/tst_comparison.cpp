@@ -12,7 +12,7 @@ using namespace usar::campaign;
 using usar::test::Change;
 using usar::test::doneRuns;
 using usar::test::run;
-using enum RunOutcome;
+using enum Outcome;
 
 namespace {
 
@@ -30,7 +30,7 @@ const MetricComparison& durationOf(const Comparison& comparison) {
 
 /// Makes every n-th run of a variant one that was not done.
 std::vector<RunFigures> spoiled(std::vector<RunFigures> runs, const std::string& variant, std::size_t every,
-                                RunOutcome outcome) {
+                                Outcome outcome) {
     for (RunFigures& figures : runs)
         if (figures.variant == variant && figures.pair % every == 0)
             figures.outcome = outcome;
@@ -94,13 +94,13 @@ private slots:
     }
 
     void aRunThatFailsCountsTheLimitAndIsWorse_data() {
-        QTest::addColumn<RunOutcome>("outcome");
+        QTest::addColumn<Outcome>("outcome");
         QTest::newRow("failed") << Failed;
         QTest::newRow("crashed") << Crashed;
         QTest::newRow("timed out") << TimedOut;
     }
     void aRunThatFailsCountsTheLimitAndIsWorse() {
-        QFETCH(RunOutcome, outcome);
+        QFETCH(Outcome, outcome);
         const std::vector<RunFigures> runs = spoiled(doneRuns(100, {-5.0}), "new", 2, outcome);
         const Comparison comparison = compare(runs, "old", "new").value();
         QCOMPARE(comparison.success.count, (PairedCount{50, 50, 0, 0}));

@@ -19,7 +19,7 @@ namespace tst_comparison_reports {
 using namespace usar::campaign;
 using usar::test::doneRuns;
 using usar::test::run;
-using enum RunOutcome;
+using enum Outcome;
 
 namespace {
 

@@ -22,7 +22,7 @@ std::vector<RunFigures> tenThousandRuns() {
         figures.metrics["reachable_coverage_pct"] = 99.5;
         figures.mission = figures.pair % 3 == 0 ? "attic" : "quick_scan";
         if (figures.variant == "new" && figures.pair % 40 == 1) {
-            figures.outcome = RunOutcome::Failed;
+            figures.outcome = Outcome::Failed;
             figures.reason = "The battery was empty after " + std::to_string(figures.pair) + " s.";
         }
     }

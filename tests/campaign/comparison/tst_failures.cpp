@@ -8,7 +8,7 @@ namespace tst_failures {
 
 using namespace usar::campaign;
 using usar::test::run;
-using enum RunOutcome;
+using enum Outcome;
 
 namespace {
 

@@ -10,7 +10,7 @@ namespace tst_pairing {
 
 using namespace usar::campaign;
 using usar::test::run;
-using enum RunOutcome;
+using enum Outcome;
 
 namespace {
 
@@ -72,7 +72,7 @@ private slots:
     }
 
     void anUnfinishedRunContributesWhatTheMetricSays_data() {
-        QTest::addColumn<RunOutcome>("outcome");
+        QTest::addColumn<Outcome>("outcome");
         QTest::addColumn<double>("limit"); // -1: nothing, in all columns
         QTest::addColumn<double>("measured");
         QTest::addColumn<double>("left_out");
@@ -85,7 +85,7 @@ private slots:
         QTest::newRow("killed") << Killed << -1.0 << -1.0 << -1.0;
     }
     void anUnfinishedRunContributesWhatTheMetricSays() {
-        QFETCH(RunOutcome, outcome);
+        QFETCH(Outcome, outcome);
         RunFigures figures = run("old", 1, outcome);
         figures.metrics["duration_s"] = 80.0;
         const auto value = [&](UnfinishedRuns unfinished) {

@@ -11,7 +11,7 @@ namespace tst_until_decided {
 
 using namespace usar::campaign;
 using usar::test::run;
-using enum RunOutcome;
+using enum Outcome;
 
 namespace {
 
@@ -35,8 +35,8 @@ class tst_UntilDecided : public QObject {
     Q_OBJECT
 private slots:
     void successComesFirst_data() {
-        QTest::addColumn<RunOutcome>("baseline");
-        QTest::addColumn<RunOutcome>("candidate");
+        QTest::addColumn<Outcome>("baseline");
+        QTest::addColumn<Outcome>("candidate");
         QTest::addColumn<std::optional<double>>("gain");
         const std::optional<double> none;
         QTest::newRow("only the candidate is done") << Failed << Done << std::optional(infinite);
@@ -47,8 +47,8 @@ private slots:
         QTest::newRow("both are done") << Done << Done << std::optional(-5.0);
     }
     void successComesFirst() {
-        QFETCH(RunOutcome, baseline);
-        QFETCH(RunOutcome, candidate);
+        QFETCH(Outcome, baseline);
+        QFETCH(Outcome, candidate);
         QFETCH(std::optional<double>, gain);
         QCOMPARE(gainOf(with(run("old", 1, baseline), "duration_s", 100.0),
                         with(run("new", 1, candidate), "duration_s", 110.0), "duration_s"),

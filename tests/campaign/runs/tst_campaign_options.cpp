@@ -13,8 +13,8 @@ class tst_CampaignOptions : public QObject {
     Q_OBJECT
 private slots:
     void readsWhatIsTyped() {
-        const auto options = readCampaignOptions(
-            {"campaign", "c.json", "--out", "o", "--jobs", "3", "--resume", "--shard", "2/5", "--slurm", "8", "--check-every", "0"});
+        const auto options = readCampaignOptions({"campaign", "c.json", "--out", "o", "--jobs", "3", "--resume",
+                                                  "--shard", "2/5", "--slurm", "8", "--check-every", "0"});
         QVERIFY2(options, options ? "" : options.error().text().c_str());
         QVERIFY((*options == CampaignOptions{"c.json", "o", 3, true, Shard{2, 5}, 0, 8, false}));
         const auto least = readCampaignOptions({"campaign", "--out=o", "c.json"});

@@ -47,7 +47,7 @@ private slots:
                                                                     {Outcome::TimedOut, "limit of"},
                                                                     {Outcome::Crashed, "without a result: no plugin"}};
         for (std::size_t i = 0; i < expected.size(); ++i) {
-            QCOMPARE(wordFor((*results)[i].outcome), wordFor(expected[i].first));
+            QCOMPARE(wordOf((*results)[i].outcome), wordOf(expected[i].first));
             QVERIFY2((*results)[i].reason.find(expected[i].second) != std::string::npos, (*results)[i].reason.c_str());
         }
         QCOMPARE(runner->progress().failures(), 7);

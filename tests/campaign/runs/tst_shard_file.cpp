@@ -25,6 +25,7 @@ RunResult resultOf(int number) {
     result.wall_s = 1.5;
     result.version = "1.0";
     result.command = "usar-mission run m";
+    result.limit_s = 7200.0;
     result.summary = {{"success", false}, {"rmse_m", 0.25}};
     result.differences = QStringList{"rmse_m"};
     return result;
@@ -45,12 +46,13 @@ private slots:
         QCOMPARE(toLine(*read), line);
         QCOMPARE(read->reason, resultOf(4).reason);
         QCOMPARE(read->seed, resultOf(4).seed);
+        QCOMPARE(read->limit_s, std::optional(7200.0));
         QVERIFY(read->summary == resultOf(4).summary && read->differences == resultOf(4).differences);
     }
 
     void outcomesHaveWordsOfTheirOwn() {
         for (int i = 0; i <= static_cast<int>(Outcome::OutOfMemory); ++i)
-            QVERIFY(outcomeFrom(wordFor(static_cast<Outcome>(i))) == static_cast<Outcome>(i));
+            QVERIFY(outcomeFrom(wordOf(static_cast<Outcome>(i))) == static_cast<Outcome>(i));
         QVERIFY(!outcomeFrom("well"));
     }
 

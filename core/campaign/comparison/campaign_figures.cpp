@@ -1,0 +1,116 @@
+#include "core/campaign/comparison/campaign_figures.h"
+
+#include <algorithm>
+#include <map>
+
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+
+#include "core/base/numbers.h"
+#include "core/campaign/plan/manifest.h"
+#include "core/campaign/runs/shard_file.h"
+
+namespace usar::campaign {
+
+namespace {
+
+constexpr const char* compared[] = {"duration_s", "distance_m", "coverage_pct", "reachable_coverage_pct",
+                                    "rmse_m",     "charges",    "collisions"};
+
+Result<QJsonObject> readHead(const QString& folder) {
+    QFile file(QDir(folder).filePath(manifest_file));
+    if (!file.open(QIODevice::ReadOnly))
+        return failure("this folder holds no campaign: " + file.errorString().toStdString(),
+                       file.fileName().toStdString(), "Give a folder that usar-mission campaign has written");
+    const QJsonObject head = QJsonDocument::fromJson(file.readLine()).object();
+    if (!head["variants"].isArray())
+        return failure("this is no manifest of a campaign", file.fileName().toStdString() + ":1",
+                       "Give a folder that usar-mission campaign has written");
+    return head;
+}
+
+void addFacts(CampaignFigures& figures, const QJsonObject& head, const std::vector<RunResult>& results,
+              const std::string& of) {
+    const auto add = [&](const std::string& name, const std::string& value) {
+        figures.facts.emplace_back(name + of, value);
+    };
+    add("version", head["version"].toString().toStdString());
+    add("runs",
+        std::to_string(results.size()) + " of " + std::to_string(static_cast<qint64>(head["runs"].toInteger())));
+    double processor_s = 0.0;
+    for (const RunResult& result : results)
+        processor_s += result.summary.value("cpu_s").toDouble();
+    add("processor time", fixed(processor_s, 1) + " s");
+    for (const QJsonValue input : head["inputs"].toArray())
+        add(input["role"].toString().toStdString() + " " + input["name"].toString().toStdString(),
+            input["sha256"].toString().toStdString());
+}
+
+/// Pairs of two campaigns can only be compared if they mean the same.
+Result<void> checkPairs(const std::vector<RunResult>& first, const std::vector<RunResult>& second,
+                        const QString& folder) {
+    std::map<int, const RunResult*> known;
+    for (const RunResult& result : first)
+        known[result.pair] = &result;
+    for (const RunResult& result : second) {
+        const auto same = known.find(result.pair);
+        if (same != known.end() && (same->second->mission != result.mission || same->second->seed != result.seed))
+            return failure("the campaigns do not fly the same: pair " + std::to_string(result.pair) + " is " +
+                               same->second->mission + " with seed " + std::to_string(same->second->seed) +
+                               " in one and " + result.mission + " with seed " + std::to_string(result.seed) +
+                               " in the other",
+                           folder.toStdString(), "Compare campaigns with the same missions and seeds");
+    }
+    return {};
+}
+
+} // namespace
+
+RunFigures figuresOf(const RunResult& result) {
+    RunFigures figures;
+    figures.number = static_cast<std::size_t>(result.number);
+    figures.pair = static_cast<std::size_t>(result.pair);
+    figures.mission = result.mission;
+    figures.variant = result.variant;
+    figures.outcome = result.outcome;
+    figures.reason = result.reason;
+    figures.command = result.command.toStdString();
+    figures.time_limit_s = result.limit_s;
+    for (const char* key : compared) {
+        const QJsonValue value = result.summary.value(QLatin1String(key));
+        figures.metrics[key] = value.isDouble() ? std::optional(value.toDouble()) : std::nullopt;
+    }
+    return figures;
+}
+
+Result<CampaignFigures> readCampaigns(const QStringList& folders) {
+    CampaignFigures figures;
+    std::vector<RunResult> first;
+    for (const QString& folder : folders) {
+        const auto head = readHead(folder);
+        if (!head)
+            return tl::unexpected(head.error());
+        auto results = readResults(folder, (*head)["version"].toString().toStdString());
+        if (!results)
+            return tl::unexpected(results.error());
+        if (results->empty())
+            return failure("there are no results yet", folder.toStdString(), "Fly the campaign first");
+        if (auto same = checkPairs(first, *results, folder); !same)
+            return tl::unexpected(same.error());
+        const std::string of = folders.size() > 1 ? " (" + QDir(folder).dirName().toStdString() + ")" : std::string();
+        figures.title += (figures.title.empty() ? "" : ", ") + (*head)["campaign"].toString().toStdString();
+        for (const QJsonValue variant : (*head)["variants"].toArray())
+            figures.variants.push_back(variant.toString().toStdString() + of);
+        for (const RunResult& result : *results) {
+            figures.runs.push_back(figuresOf(result));
+            figures.runs.back().variant += of;
+        }
+        addFacts(figures, *head, *results, of);
+        first = *std::move(results);
+    }
+    return figures;
+}
+
+} // namespace usar::campaign

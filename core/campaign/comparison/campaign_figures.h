@@ -1,0 +1,32 @@
+// What is read from the folders of campaigns to compare them.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <QStringList>
+
+#include "core/base/result.h"
+#include "core/campaign/comparison/run_figures.h"
+
+namespace usar::campaign {
+
+/// All runs of one campaign, or of two whose variants are compared.
+struct CampaignFigures {
+    std::string title;
+    std::vector<RunFigures> runs;
+    std::vector<std::string> variants; ///< in the order of the campaigns
+    /// Names and values for reports: versions, hashes, processor time.
+    std::vector<std::pair<std::string, std::string>> facts;
+};
+
+/// The figures of a result that are compared.
+RunFigures figuresOf(const RunResult& result);
+
+/// Reads the manifest and the results of one or two campaigns. With two, each variant has the name of its folder added,
+/// and pairs of equal numbers must have the same mission and seed. Fails if a folder holds no campaign or no results,
+/// and on results of another version than its manifest's.
+Result<CampaignFigures> readCampaigns(const QStringList& folders);
+
+} // namespace usar::campaign

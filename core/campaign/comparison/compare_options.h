@@ -1,0 +1,27 @@
+// The command line of `usar-mission compare`.
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+#include "core/base/result.h"
+
+namespace usar::campaign {
+
+struct CompareOptions {
+    QStringList folders;         ///< of one campaign or of two
+    QString baseline, candidate; ///< names of variants; empty: the first, and the first of the others
+    QString html;                ///< files to be written; empty: none
+    QString junit;
+    bool json = false; ///< JSON instead of the text
+    bool help = false;
+    bool operator==(const CompareOptions&) const = default;
+};
+
+/// Reads the command line; `arguments` begins with the verb. Errors name the option and how to write it.
+Result<CompareOptions> readCompareOptions(const QStringList& arguments);
+
+/// The text that `usar-mission compare --help` prints.
+QString compareHelp();
+
+} // namespace usar::campaign

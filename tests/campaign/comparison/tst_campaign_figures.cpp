@@ -1,0 +1,116 @@
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/campaign/comparison/campaign_figures.h"
+#include "core/campaign/comparison/compare_options.h"
+#include "core/campaign/plan/manifest.h"
+#include "core/campaign/runs/shard_file.h"
+#include "tests/doubles/test_files.h"
+#include "tests/suite/suite.h"
+
+namespace tst_campaign_figures {
+
+using namespace usar;
+using namespace usar::campaign;
+
+namespace {
+
+RunResult resultOf(int number, const std::string& variant, std::uint64_t seed) {
+    RunResult result;
+    result.number = number;
+    result.pair = number / 2;
+    result.mission = "quick";
+    result.variant = variant;
+    result.seed = seed;
+    result.version = "1.0";
+    result.command = "usar-mission run quick.json";
+    result.limit_s = 60.0;
+    result.summary = {{"duration_s", 50.5}, {"rmse_m", QJsonValue::Null}, {"collisions", 0}, {"cpu_s", 1.25}};
+    return result;
+}
+
+/// Writes the folder of a campaign of two runs.
+void writeCampaign(const QString& folder, std::uint64_t seed) {
+    Campaign campaign;
+    campaign.name = "Trial";
+    campaign.missions = {{"/m/quick.json", seed, 1, {}, {}}};
+    campaign.variants = {{"one", {}, {}, {}}, {"two", {}, {}, {}}};
+    const Manifest manifest{"Trial",   "1.0",          {{"world", "town", "abc"}},
+                            {"quick"}, {"one", "two"}, planRuns(campaign, {})};
+    auto kept = keepManifest(toText(manifest, campaign), folder);
+    auto file = ShardFile::open(folder, {});
+    if (!kept || !file || !file->append(resultOf(0, "one", seed)) || !file->append(resultOf(1, "two", seed)))
+        qFatal("the campaign cannot be written");
+}
+
+} // namespace
+
+class tst_CampaignFigures : public QObject {
+    Q_OBJECT
+private slots:
+    void init() { folder_ = std::make_unique<QTemporaryDir>(); }
+
+    void aCampaignIsReadWithItsFacts() {
+        writeCampaign(folder_->filePath("a"), 7);
+        const auto figures = readCampaigns({folder_->filePath("a")});
+        QVERIFY2(figures, figures ? "" : figures.error().text().c_str());
+        QCOMPARE(figures->title, std::string("Trial"));
+        QVERIFY((figures->variants == std::vector<std::string>{"one", "two"}));
+        QCOMPARE(figures->runs.size(), std::size_t(2));
+        const RunFigures& run = figures->runs.back();
+        QCOMPARE(run.variant, std::string("two"));
+        QVERIFY(run.metrics.at("duration_s") == 50.5 && run.metrics.at("collisions") == 0.0);
+        QVERIFY(!run.metrics.at("rmse_m") && !run.metrics.at("coverage_pct"));
+        QCOMPARE(run.time_limit_s, std::optional(60.0));
+        const std::vector<std::pair<std::string, std::string>> facts{
+            {"version", "1.0"}, {"runs", "2 of 2"}, {"processor time", "2.5 s"}, {"world town", "abc"}};
+        QVERIFY(figures->facts == facts);
+    }
+
+    void variantsOfTwoCampaignsAreToldApart() {
+        writeCampaign(folder_->filePath("a"), 7);
+        writeCampaign(folder_->filePath("b"), 7);
+        const auto figures = readCampaigns({folder_->filePath("a"), folder_->filePath("b")});
+        QVERIFY(figures);
+        QVERIFY((figures->variants == std::vector<std::string>{"one (a)", "two (a)", "one (b)", "two (b)"}));
+        QCOMPARE(figures->runs[2].variant, std::string("one (b)"));
+    }
+
+    void otherSeedsAreNotPaired() {
+        writeCampaign(folder_->filePath("a"), 7);
+        writeCampaign(folder_->filePath("b"), 8);
+        const auto figures = readCampaigns({folder_->filePath("a"), folder_->filePath("b")});
+        QVERIFY(!figures);
+        QVERIFY2(figures.error().what.find("quick with seed 7 in one and quick with seed 8") != std::string::npos,
+                 figures.error().text().c_str());
+    }
+
+    void whatIsNoCampaignIsNamed() {
+        QVERIFY(!readCampaigns({folder_->filePath("none")}));
+        doubles::writeAll(doubles::pathOf(*folder_) / manifest_file, "{}\n");
+        const auto no_manifest = readCampaigns({folder_->path()});
+        QVERIFY(!no_manifest && no_manifest.error().where.ends_with("manifest.jsonl:1"));
+        doubles::writeAll(doubles::pathOf(*folder_) / manifest_file, "{\"variants\": []}\n");
+        const auto no_results = readCampaigns({folder_->path()});
+        QVERIFY(!no_results && no_results.error().what.find("no results yet") != std::string::npos);
+    }
+
+    void readsWhatIsTyped() {
+        const auto options = readCompareOptions(
+            {"compare", "a", "b", "--html", "h", "--junit", "j", "--json", "--baseline", "x", "--candidate", "y"});
+        QVERIFY(options && (*options == CompareOptions{{"a", "b"}, "x", "y", "h", "j", true, false}));
+        for (const QStringList& wrong : {QStringList{}, {"a", "b", "c"}, {"a", "--jsn"}}) {
+            const auto refused = readCompareOptions(QStringList{"compare"} + wrong);
+            QVERIFY(!refused && refused.error().text().find("usar-mission compare DIR") != std::string::npos);
+        }
+    }
+
+private:
+    std::unique_ptr<QTemporaryDir> folder_;
+};
+
+USAR_TEST(tst_CampaignFigures)
+
+} // namespace tst_campaign_figures
+
+#include "tst_campaign_figures.moc"
