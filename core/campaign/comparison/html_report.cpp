@@ -1,5 +1,7 @@
 #include "core/campaign/comparison/html_report.h"
 
+#include <algorithm>
+
 #include "core/campaign/comparison/failures.h"
 #include "core/campaign/comparison/html_page.h"
 #include "core/campaign/comparison/svg_plots.h"

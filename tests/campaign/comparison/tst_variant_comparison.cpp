@@ -6,7 +6,7 @@
 #include "tests/campaign/comparison/example_runs.h"
 #include "tests/suite/suite.h"
 
-namespace tst_comparison {
+namespace tst_variant_comparison {
 
 using namespace usar::campaign;
 using usar::test::Change;
@@ -39,7 +39,7 @@ std::vector<RunFigures> spoiled(std::vector<RunFigures> runs, const std::string&
 
 } // namespace
 
-class tst_Comparison : public QObject {
+class tst_VariantComparison : public QObject {
     Q_OBJECT
 private slots:
     void theWordsFollowFromTheDifferences_data() {
@@ -222,8 +222,8 @@ private slots:
     }
 };
 
-USAR_TEST(tst_Comparison)
+USAR_TEST(tst_VariantComparison)
 
-} // namespace tst_comparison
+} // namespace tst_variant_comparison
 
-#include "tst_comparison.moc"
+#include "tst_variant_comparison.moc"
