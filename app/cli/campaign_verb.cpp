@@ -7,6 +7,7 @@
 
 #include "app/cli/console.h"
 #include "core/base/version.h"
+#include "core/campaign/comparison/until_decided.h"
 #include "core/campaign/runs/campaign_start.h"
 #include "core/campaign/runs/campaign_words.h"
 #include "core/campaign/runs/slurm_script.h"
@@ -45,11 +46,52 @@ int refuse(const Error& error) {
     return end(mission::BadInput, {{"complete", false}, {"reason", QString::fromStdString(error.text())}});
 }
 
+/// Follows the runner's results and stops it when it is decided which variant is better.
+class UntilDecided {
+public:
+    explicit UntilDecided(campaign::CampaignRunner& runner)
+        : runner_(runner)
+        , watch_(runner.campaign().variants.at(0).name, runner.campaign().variants.at(1).name) {
+        for (const campaign::RunResult& result : runner.earlier())
+            take(result);
+    }
+
+    void take(const campaign::RunResult& result) {
+        watch_.take(result);
+        if (watch_.verdict() != campaign::SequentialVerdict::Undecided)
+            runner_.startNoMore();
+    }
+
+    /// "better", "worse" or "undecided", of the second variant.
+    QString word() const {
+        switch (watch_.verdict()) {
+        case campaign::SequentialVerdict::Better:
+            return "better";
+        case campaign::SequentialVerdict::Worse:
+            return "worse";
+        case campaign::SequentialVerdict::Undecided:
+            break;
+        }
+        return "undecided";
+    }
+
+private:
+    campaign::CampaignRunner& runner_;
+    campaign::DecisionWatch watch_;
+};
+
 int fly(const campaign::CampaignOptions& options) {
     const auto started = campaign::startCampaign(options, hostOfCampaigns());
     if (!started)
         return refuse(started.error());
     campaign::CampaignRunner& runner = **started;
+    std::optional<UntilDecided> until_decided;
+    if (options.until_decided) {
+        if (runner.campaign().variants.size() != 2)
+            return refuse({"only a campaign of two variants can be decided", options.file.toStdString(),
+                           "Leave out --until-decided"});
+        until_decided.emplace(runner);
+    }
     mission::ProgressBar bar(isTerminal());
     const auto showProgress = [&] {
         const campaign::CampaignProgress progress = runner.progress();
@@ -61,6 +103,8 @@ int fly(const campaign::CampaignOptions& options) {
     QObject::connect(&timer, &QTimer::timeout, showProgress);
     timer.start(std::chrono::milliseconds(200));
     QObject::connect(&runner, &campaign::CampaignRunner::ran, [&](const campaign::RunResult& result) {
+        if (until_decided)
+            until_decided->take(result);
         if (const std::string said = campaign::sentenceOf(result); !said.empty())
             tell(bar.say(said));
     });
@@ -73,7 +117,11 @@ int fly(const campaign::CampaignOptions& options) {
     if (runner.trouble())
         return refuse(*runner.trouble());
     const campaign::CampaignProgress progress = runner.progress();
-    return end(campaign::exitCodeOf(progress), campaign::toJson(progress, options.folder));
+    QJsonObject summary = campaign::toJson(progress, options.folder);
+    if (until_decided)
+        summary["decided"] = until_decided->word();
+    const bool decided = until_decided && until_decided->word() != "undecided";
+    return end(campaign::exitCodeOf(progress, decided), summary);
 }
 
 } // namespace

@@ -38,7 +38,7 @@ private slots:
 
     void fliesItsMissionsAndTellsTheCommandOfEach() {
         write("two.json", two_behaviors);
-        const Ended ended = run({"two.json", "--out", "results"});
+        const Ended ended = run({"campaign", "two.json", "--out", "results"});
         QVERIFY2(ended.exit_code == 0, ended.err);
         QCOMPARE(ended.summary["outcomes"].toObject()["done"].toInt(), 6);
         QVERIFY(ended.summary["complete"].toBool());
@@ -58,11 +58,27 @@ private slots:
         QCOMPARE(differencesOf(last.summary, summary), QStringList());
     }
 
+    void whatWasFlownIsCompared() {
+        write("two.json", two_behaviors);
+        QCOMPARE(run({"campaign", "two.json", "--out", "results"}).exit_code, 0);
+        const Ended compared = run({"compare", "results", "--json", "--html", "report.html", "--junit", "runs.xml"});
+        QCOMPARE(compared.exit_code, 3); // Three pairs decide nothing.
+        QCOMPARE(compared.summary["baseline"].toString(), QString("C++"));
+        QCOMPARE(compared.summary["candidate"].toString(), QString("POSH"));
+        QCOMPARE(compared.summary["pairs"].toInt(), 3);
+        QCOMPARE(compared.summary["facts"].toObject()["runs"].toString(), QString("6 of 6"));
+        for (const char* file : {"report.html", "runs.xml"})
+            QVERIFY2(QFile(folder_->filePath(file)).size() > 1000, file);
+        const Ended unknown = run({"compare", "results", "--candidate", "Lisp"});
+        QCOMPARE(unknown.exit_code, 2);
+        QVERIFY2(unknown.err.contains("Lisp"), unknown.err);
+    }
+
     void faultsDoNotMakeEqualSeedsDiffer() {
         write("cut.json",
               R"({ "name": "Cut", "missions": ["small.json"], "seeds": 3, "faults": ["link_cut from=40"] })");
         for (const char* results : {"one", "two"}) {
-            const Ended ended = run({"cut.json", "--out", results});
+            const Ended ended = run({"campaign", "cut.json", "--out", results});
             QCOMPARE(ended.exit_code, 1);
             QCOMPARE(ended.summary["outcomes"].toObject()["failed"].toInt(), 3);
         }
@@ -84,11 +100,11 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(QFile(shard).size() > 0, patience_ms);
         killed.kill();
         QVERIFY(killed.waitForFinished(patience_ms));
-        QCOMPARE(run({"two.json", "--out", "results", "--shard", "1/2"}).exit_code, 0);
-        const Ended without = run({"two.json", "--out", "results"});
+        QCOMPARE(run({"campaign", "two.json", "--out", "results", "--shard", "1/2"}).exit_code, 0);
+        const Ended without = run({"campaign", "two.json", "--out", "results"});
         QCOMPARE(without.exit_code, 2);
         QVERIFY(without.err.contains("--resume"));
-        const Ended ended = run({"two.json", "--out", "results", "--shard", "0/2"});
+        const Ended ended = run({"campaign", "two.json", "--out", "results", "--shard", "0/2"});
         QVERIFY2(ended.exit_code == 0, ended.err);
         const auto results = readResults(folder_->filePath("results"), versionOf());
         QVERIFY(results);
@@ -122,7 +138,7 @@ private slots:
         QFETCH(QByteArray, campaign);
         QFETCH(QString, words);
         write("bad.json", campaign);
-        const Ended ended = run({"bad.json", "--out", "results"});
+        const Ended ended = run({"campaign", "bad.json", "--out", "results"});
         QCOMPARE(ended.exit_code, 2);
         QVERIFY2(ended.err.contains(words.toUtf8()), ended.err);
         QVERIFY(!ended.summary["reason"].toString().isEmpty());
@@ -139,7 +155,7 @@ private:
     Ended run(const QStringList& arguments) const {
         QProcess process;
         process.setWorkingDirectory(folder_->path());
-        process.start(program, QStringList{"campaign"} + arguments);
+        process.start(program, arguments);
         if (!process.waitForFinished(patience_ms))
             return {};
         const QByteArray out = process.readAllStandardOutput().trimmed();

@@ -1,5 +1,7 @@
 #include "core/campaign/comparison/until_decided.h"
 
+#include "core/campaign/comparison/campaign_figures.h"
+
 #include <limits>
 
 namespace usar::campaign {
@@ -18,6 +20,27 @@ std::optional<double> scaledGain(const RunPair& pair, const Metric& metric) {
     const double gain = metric.lower_is_better ? *baseline - *candidate : *candidate - *baseline;
     // Without a difference there is none, also where the margin is zero.
     return gain == 0.0 ? 0.0 : gain / marginOf(metric, *baseline);
+}
+
+DecisionWatch::DecisionWatch(std::string baseline, std::string candidate)
+    : baseline_(std::move(baseline))
+    , candidate_(std::move(candidate))
+    , metric_(usualMetrics().front()) {}
+
+void DecisionWatch::take(const RunResult& result) {
+    Pair& pair = waiting_[result.pair];
+    if (result.variant == baseline_)
+        pair.baseline = figuresOf(result);
+    else if (result.variant == candidate_)
+        pair.candidate = figuresOf(result);
+    for (auto first = waiting_.find(next_); first != waiting_.end(); first = waiting_.find(++next_)) {
+        const Pair& complete = first->second;
+        if (!complete.baseline || !complete.candidate)
+            return;
+        if (const auto gain = scaledGain({&*complete.baseline, &*complete.candidate}, metric_))
+            test_.add(*gain);
+        waiting_.erase(first);
+    }
 }
 
 } // namespace usar::campaign

@@ -50,6 +50,7 @@ Result<CampaignOptions> readCampaignOptions(const QStringList& arguments) {
                                                  {"slurm", {}, "TASKS"},
                                                  {"check-every", {}, "N"},
                                                  QCommandLineOption("resume"),
+                                                 QCommandLineOption("until-decided"),
                                                  QCommandLineOption(QStringList{"h", "help"})},
                                                 arguments.mid(1), usage);
     CampaignOptions options;
@@ -65,6 +66,9 @@ Result<CampaignOptions> readCampaignOptions(const QStringList& arguments) {
     options.file = words.first();
     options.folder = parser.value("out");
     options.resume = parser.isSet("resume");
+    options.until_decided = parser.isSet("until-decided");
+    if (options.until_decided && parser.isSet("shard"))
+        return failure("a part of a campaign cannot decide it", "--until-decided --shard", "Leave out one of the two");
     if (auto read = readCount(parser, "jobs", 1, 1000, options.jobs); !read)
         return tl::unexpected(read.error());
     if (auto read = readCount(parser, "slurm", 1, most_shards, options.slurm); !read)
@@ -90,6 +94,8 @@ QString campaignHelp() {
         "  --resume       go on with the results in DIR: only what is missing is flown\n"
         "  --shard I/N    only part I of N, from 0 to N - 1; for several machines that share DIR. It goes on\n"
         "                 where it was stopped\n"
+        "  --until-decided  fly no more once it is known which of the two variants is better, by success and\n"
+        "                 then by time; a test that may be looked at after each pair says so (95 %)\n"
         "  --check-every N  fly one run in N twice, which must come out the same (100; 0: none)\n"
         "  --slurm TASKS  fly nothing, but print a job script for sbatch, with so many parts\n"
         "\n"

@@ -20,6 +20,7 @@ struct CampaignOptions {
     std::optional<Shard> shard; ///< absent: all runs
     int check_every = 100;      ///< one run in so many is flown twice; 0: none
     std::optional<int> slurm;   ///< only print a job script with so many shards
+    bool until_decided = false; ///< fly no more once it is known which of two variants is better
     bool help = false;
     bool operator==(const CampaignOptions&) const = default;
 };

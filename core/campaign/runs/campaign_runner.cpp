@@ -20,13 +20,14 @@ int CampaignProgress::failures() const {
     return done - (successes == outcomes.end() ? 0 : successes->second);
 }
 
-CampaignRunner::CampaignRunner(Campaign campaign, std::vector<PlannedRun> runs, const std::vector<RunResult>& earlier,
+CampaignRunner::CampaignRunner(Campaign campaign, std::vector<PlannedRun> runs, std::vector<RunResult> earlier,
                                RunnerOptions options, ShardFile results)
     : campaign_(std::move(campaign))
+    , earlier_(std::move(earlier))
     , options_(std::move(options))
     , file_(std::move(results)) {
     std::map<int, const RunResult*> known;
-    for (const RunResult& result : earlier)
+    for (const RunResult& result : earlier_)
         known[result.number] = &result;
     for (PlannedRun& run : runs) {
         if (!options_.shard.has(run))

@@ -48,14 +48,18 @@ class CampaignRunner : public QObject {
     Q_OBJECT
 public:
     /// `earlier`: results that are there already; their runs are not flown again.
-    CampaignRunner(Campaign campaign, std::vector<PlannedRun> runs, const std::vector<RunResult>& earlier,
+    CampaignRunner(Campaign campaign, std::vector<PlannedRun> runs, std::vector<RunResult> earlier,
                    RunnerOptions options, ShardFile results);
     ~CampaignRunner() override;
 
     void start();
     /// Stops the runs under way; `finished` follows.
     void interrupt();
+    /// Starts no more runs; `finished` follows when those under way have ended.
+    void startNoMore() { waiting_.clear(); }
     CampaignProgress progress() const;
+    const Campaign& campaign() const { return campaign_; }
+    const std::vector<RunResult>& earlier() const { return earlier_; }
     /// Set if the results could not be written.
     const std::optional<Error>& trouble() const { return trouble_; }
 
@@ -74,6 +78,7 @@ private:
 
     Campaign campaign_;
     std::vector<PlannedRun> waiting_; ///< the next one last
+    std::vector<RunResult> earlier_;
     RunnerOptions options_;
     ShardFile file_;
     std::map<int, std::unique_ptr<Flight>> flying_; ///< by the number of the run

@@ -23,7 +23,8 @@ std::string sentenceOf(const RunResult& result);
 /// complete, wall_s.
 QJsonObject toJson(const CampaignProgress& progress, const QString& folder);
 
-/// The exit code of `usar-mission campaign`, as that of a mission.
-int exitCodeOf(const CampaignProgress& progress);
+/// The exit code of `usar-mission campaign`, as that of a mission. `may_lack_runs`: it is over although some have not
+/// been flown.
+int exitCodeOf(const CampaignProgress& progress, bool may_lack_runs = false);
 
 } // namespace usar::campaign

@@ -75,6 +75,28 @@ private slots:
             test.add(gainOf(run("old", pair), run("new", pair, Failed), "duration_s").value());
         QCOMPARE(test.verdict(), SequentialVerdict::Worse);
     }
+
+    void resultsMayComeInAnyOrder() {
+        const auto resultOf = [](int pair, const char* variant, double duration_s) {
+            RunResult result;
+            result.pair = pair;
+            result.variant = variant;
+            result.summary = {{"duration_s", duration_s}};
+            return result;
+        };
+        DecisionWatch watch("old", "new");
+        for (int pair = 29; pair > 0; --pair) {
+            watch.take(resultOf(pair, "new", 80.0));
+            watch.take(resultOf(pair, "old", 100.0));
+        }
+        watch.take(resultOf(0, "third", 100.0));
+        watch.take(resultOf(0, "new", 80.0));
+        QCOMPARE(watch.pairs(), std::size_t(0)); // The first pair is not complete.
+        QCOMPARE(watch.verdict(), SequentialVerdict::Undecided);
+        watch.take(resultOf(0, "old", 100.0));
+        QCOMPARE(watch.pairs(), std::size_t(30));
+        QCOMPARE(watch.verdict(), SequentialVerdict::Better);
+    }
 };
 
 USAR_TEST(tst_UntilDecided)

@@ -16,9 +16,10 @@ private slots:
         const auto options = readCampaignOptions({"campaign", "c.json", "--out", "o", "--jobs", "3", "--resume",
                                                   "--shard", "2/5", "--slurm", "8", "--check-every", "0"});
         QVERIFY2(options, options ? "" : options.error().text().c_str());
-        QVERIFY((*options == CampaignOptions{"c.json", "o", 3, true, Shard{2, 5}, 0, 8, false}));
-        const auto least = readCampaignOptions({"campaign", "--out=o", "c.json"});
-        QVERIFY(least && (*least == CampaignOptions{"c.json", "o", 0, false, std::nullopt, 100, std::nullopt, false}));
+        QVERIFY((*options == CampaignOptions{"c.json", "o", 3, true, Shard{2, 5}, 0, 8, false, false}));
+        const auto least = readCampaignOptions({"campaign", "--out=o", "c.json", "--until-decided"});
+        QVERIFY(least &&
+                (*least == CampaignOptions{"c.json", "o", 0, false, std::nullopt, 100, std::nullopt, true, false}));
         QVERIFY(readCampaignOptions({"campaign", "--help"})->help);
     }
 
@@ -32,6 +33,8 @@ private slots:
         for (const char* shard : {"4/4", "-1/4", "1", "1/0", "a/4", "1/4/2", "0/1001", ""})
             QTest::newRow(qPrintable(QString("shard ") + shard))
                 << QStringList{"c", "--out", "o", "--shard", shard} << "For example";
+        QTest::newRow("a part that decides")
+            << QStringList{"c", "--out", "o", "--shard", "0/2", "--until-decided"} << "cannot decide";
         QTest::newRow("no jobs") << QStringList{"c", "--out", "o", "--jobs", "0"} << "--jobs 4";
         QTest::newRow("too many tasks") << QStringList{"c", "--out", "o", "--slurm", "1001"} << "from 1 to 1000";
     }
@@ -47,7 +50,7 @@ private slots:
     }
 
     void theJobScriptNamesWhatItNeeds() {
-        CampaignOptions options{"/my c.json", "/results", 0, false, {}, 100, 40, false};
+        CampaignOptions options{"/my c.json", "/results", 0, false, {}, 100, 40, false, false};
         const QString script = slurmScript(options, "/opt/usar-mission");
         for (const char* line : {"#SBATCH --array=0-39\n", "#SBATCH --requeue\n", "#SBATCH --signal=B:TERM@60\n",
                                  "program=/opt/usar-mission\n", "campaign='/my c.json'\n", "results=/results\n",
