@@ -26,6 +26,9 @@ namespace {
 constexpr Seconds longest_flight{36000.0};
 constexpr double free_m = 2.5; ///< around a start
 constexpr double steepest = 0.1;
+/// The base is so high over the ground that the legs nearly touch it. A robot that is spawned higher sinks by itself,
+/// and a wind of more than 3.5 m/s throws it over before its behavior has a say.
+constexpr double standing_m = 0.23;
 /// A tenth of the lanes may be given up in a success.
 constexpr double least_scanned_pct = 85.0;
 constexpr const char* confession = "none was found to "; ///< how much of the lanes
@@ -41,6 +44,18 @@ const sim::World& worldOf(const std::string& name, std::uint64_t seed) {
     if (!world)
         throw std::runtime_error(world.error().text());
     return worlds.emplace(std::pair(name, seed), std::move(*world)).first->second;
+}
+
+/// True if the legs stand on it and nothing reaches up to the belly: no curb, no board. Wind moves a robot as it is
+/// spawned, so the ground around it counts, too.
+bool isFlat(const sim::RayCaster& rays, const Vec3& at_m) {
+    for (double x_m = -1.2; x_m <= 1.2; x_m += 0.15)
+        for (double y_m = -1.2; y_m <= 1.2; y_m += 0.15) {
+            const double low_m = rays.cast(at_m + Vec3(x_m, y_m, 2.0), -Vec3::UnitZ(), 10.0) - 2.0;
+            if (std::abs(low_m) > 0.05 + steepest * std::hypot(x_m, y_m))
+                return false;
+        }
+    return true;
 }
 
 /// True if an AirRobot can stand there: level, dry, and nothing near it.
@@ -60,7 +75,7 @@ bool isFree(const sim::World& world, const sim::RayCaster& rays, const Vec3& at_
         if (std::abs(low_m - 2.0) > steepest * free_m)
             return false;
     }
-    return rays.cast(at_m + Vec3(0.0, 0.0, 0.3), Vec3::UnitZ(), 3.0) >= 3.0;
+    return isFlat(rays, at_m) && rays.cast(at_m + Vec3(0.0, 0.0, 0.3), Vec3::UnitZ(), 3.0) >= 3.0;
 }
 
 bool isRoom(const std::string& world) {
@@ -84,7 +99,7 @@ Pose drawStart(const sim::World& world, double roam_m, Random& random) {
         const double from_m = given_in_map.position_m.z() + (isRoom(world.name) ? 2.0 : 300.0);
         const Vec3 ground_m(x_m, y_m, from_m - rays.cast({x_m, y_m, from_m}, -Vec3::UnitZ(), 1000.0));
         if (isFree(world, rays, ground_m))
-            return Pose{ground_m + Vec3(0.0, 0.0, 0.35), 0.0, 0.0, uniform(random, -pi, pi)};
+            return Pose{ground_m + Vec3(0.0, 0.0, standing_m), 0.0, 0.0, uniform(random, -pi, pi)};
     }
     return given_in_map;
 }
