@@ -29,6 +29,8 @@ constexpr double steepest = 0.1;
 /// The base is so high over the ground that the legs nearly touch it. A robot that is spawned higher sinks by itself,
 /// and a wind of more than 3.5 m/s throws it over before its behavior has a say.
 constexpr double standing_m = 0.23;
+/// Where the ground is not level, there is no air for the body so low; the fill of what can be reached begins higher.
+constexpr double off_the_ground_m = 0.3;
 /// A tenth of the lanes may be given up in a success.
 constexpr double least_scanned_pct = 85.0;
 constexpr const char* confession = "none was found to "; ///< how much of the lanes
@@ -131,7 +133,8 @@ std::optional<double> reachableCoverage_pct(const SimulatedFlight& flight, const
                                .reach = [&world](const FlightLimits& limits, const Rectangle& area_in_map) {
                                    return sim::reachFrom(world, limits, area_in_map);
                                }};
-    const auto limits = mission::flightLimitsOf(survey.start_in_map, parameters.values());
+    auto limits = mission::flightLimitsOf(survey.start_in_map, parameters.values());
+    limits->start_in_map_m.z() += off_the_ground_m;
     const auto reach = mission::areaReach(mapping::rasterOf(flight.map()), survey.area_in_map, truth, *limits);
     return reach ? std::optional(reach->coverage_pct) : std::nullopt;
 }
