@@ -16,6 +16,7 @@ constexpr Seconds lost_after{15.0};
 constexpr Seconds spare_for_take_off{60.0};
 constexpr double off_the_ground_m = 1.0;
 constexpr double most_cut_off = 0.99; ///< share of the lanes
+constexpr double least_mapped = 0.05; ///< share of the lanes' scans; in wind, more than half of them may be no good
 /// A robot between these distances from its start pose was spawned there because the start pose was occupied; a robot
 /// farther away was flown there.
 constexpr double beside_start_m = 1.0;
@@ -122,6 +123,10 @@ void SurveyFlight::perceive(const agent::Tick& tick, agent::CommandPort& port) {
         noteSilence(port);
     if (inTheAir() && phase_ != Phase::Landing && !silent_ && robotBatteryLow())
         endPause("the robot's own battery runs out", port);
+    if (phase_ == Phase::Lane && craft_.senses.scan) {
+        ++lane_scans_;
+        mapped_scans_ += craft_.scanned ? 1 : 0;
+    }
     if (phase_ == Phase::ToLane || phase_ == Phase::Lane)
         survey_.note(craft_.senses.position2_m());
     time_.note({tick.now, stageOf(phase_, errand_ == Errand::Start), phase_ == Phase::Home, paused_ || silent_,
@@ -158,7 +163,7 @@ void SurveyFlight::noteSilence(agent::CommandPort& port) {
 }
 
 void SurveyFlight::awaitSensors(agent::CommandPort& port) {
-    craft_.rest(port, "sensors silent");
+    craft_.brace(port, "sensors silent");
     if (longestSilence(craft_.senses) > lost_after)
         finish(false, "A sensor that the flight needs stays silent; the robot hovers. Take over by hand.", port);
 }
@@ -336,7 +341,8 @@ void SurveyFlight::obeyRobotBattery(agent::CommandPort& port) {
 }
 
 void SurveyFlight::landAt(const Vec2& near_m) {
-    landing_m_ = landingPlace_m(craft_.memory, near_m, craft_.settings.landing_radius_m);
+    landing_m_ = landingPlace_m(craft_.memory, near_m, craft_.settings.landing_radius_m,
+                                craft_.log.lean().slope(craft_.senses.base_in_map.yaw_rad));
     craft_.touchdown.start();
     phase_ = Phase::Landing;
 }
@@ -396,6 +402,11 @@ void SurveyFlight::conclude(agent::CommandPort& port) {
     const double cut_off_m = survey_.cutOff_m();
     if (cut_off_m > most_cut_off * survey_.totalLength_m())
         return finish(false, "No way was found into the area.", port);
+    if (static_cast<double>(mapped_scans_) < least_mapped * static_cast<double>(lane_scans_))
+        return finish(false,
+                      "The lanes were flown, but hardly a scan of them shows ground and is good enough for the map. Is "
+                      "the area in the world?",
+                      port);
     std::string scanned =
         craft_.settings.navigate_by_truth ? "The area is scanned by ground truth" : "The area is scanned";
     if (cut_off_m > 0.0)

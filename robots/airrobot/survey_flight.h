@@ -81,7 +81,7 @@ public:
     /// Looks, decides and performs in the usual order.
     FlightState fly(agent::CommandPort& port) { return craft_.fly(takeLeg(), port); }
     void holdPlace(agent::CommandPort& port) { craft_.hover(hold_m_, port, "paused"); }
-    /// Sends a zero DRIVE; ends the flight if the sensors stay silent.
+    /// Stops where it is; ends the flight if the sensors stay silent.
     void awaitSensors(agent::CommandPort& port);
 
     // Goals.
@@ -139,6 +139,8 @@ private:
     Phase phase_ = Phase::Launch;
     Errand errand_ = Errand::Start;
     std::string end_reason_;
+    long long lane_scans_ = 0;   ///< on lanes
+    long long mapped_scans_ = 0; ///< those of them that the map got
     std::optional<agent::BehaviorFinished> ending_;
     bool paused_ = false;
     bool silent_ = false;

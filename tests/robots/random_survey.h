@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "core/agent/behavior.h"
 #include "core/base/geometry.h"
 #include "core/sim/world/world.h"
+#include "tests/robots/random_fault.h"
 
 namespace usar::test {
 
@@ -22,6 +24,7 @@ struct RandomSurvey {
     Rectangle area_in_map;
     double wind_m_s = 0.0;
     double wind_toward_rad = 0.0; ///< counterclockwise from the map's x axis
+    std::optional<RandomFault> fault{};
 
     /// One line for a log.
     std::string text() const;
@@ -29,20 +32,27 @@ struct RandomSurvey {
 
 /// How it went.
 struct SurveyOutcome {
-    bool ended = false; ///< by itself, within ten hours of simulated time
-    bool success = false;
+    bool ended = false;   ///< by itself, within ten hours of simulated time
+    bool success = false; ///< never with a broken robot, see mission::judgeDamage
     bool broken = false;
     int collisions = 0;
     double elapsed_s = 0.0;
     double coverage_pct = 0.0;
+    /// Of what can be reached from the start; nullopt if that is nothing, or nothing is on the map.
+    std::optional<double> reachable_coverage_pct{};
     double height_m = 0.0; ///< the base is so far above what lies under it when the flight is over
     std::string reason;
 
+    /// It says that the area is scanned, and of nothing that it left out, but much of what can be reached is not on the
+    /// map.
+    bool isFalseSuccess() const;
     std::string text() const;
 };
 
-/// Draws a mission. Equal numbers give equal missions.
+/// Draws a mission in which nothing breaks. Equal numbers give equal missions.
 RandomSurvey drawSurvey(int number);
+/// The same mission with a fault.
+RandomSurvey drawFaultySurvey(int number);
 
 SurveyOutcome fly(const RandomSurvey& survey);
 
@@ -50,5 +60,8 @@ SurveyOutcome fly(const RandomSurvey& survey);
 void surveyRows(int first, int last);
 /// Flies it, says how it went, and demands that the mission ended by itself and that the robot is whole.
 void tryRandomSurvey(int number);
+/// Flies it with its fault, says how it went, and demands that the mission ended by itself and is no false success.
+/// Returns true if the robot broke although the fault left it able to fly.
+bool tryFaultySurvey(int number);
 
 } // namespace usar::test

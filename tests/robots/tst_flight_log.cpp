@@ -53,8 +53,10 @@ private slots:
         QCOMPARE(goodForMap(senses, airborne, Lean(), settings), good);
         FlightLog log;
         CommandPort port;
-        log.tick(senses, airborne, settings, port);
+        QCOMPARE(log.tick(senses, airborne, settings, port), good);
         QCOMPARE(all<ScanPlacement>(port).size(), std::size_t(good ? 1 : 0));
+        senses.ground_m.reset(); // Over a void, the scanner still hits what is beside it.
+        QVERIFY(!log.tick(senses, airborne, settings, port));
     }
 
     void aSteadyLeanAgainstTheWindDoesNoHarm() {

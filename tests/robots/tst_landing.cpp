@@ -32,6 +32,24 @@ private slots:
         QVERIFY(place_m.norm() <= 4.0);
     }
 
+    void stepsAsideForABoardThatItsBellyWouldMeet() {
+        const Vec2 place_m = landingPlace_m(meadow({Vec3(0.2, 0.2, 0.1)}), {0, 0}, 4.0);
+        QVERIFY((place_m - Vec2(0.2, 0.2)).norm() > 1.2);
+    }
+
+    void leaningAgainstTheWindItAvoidsGroundThatRisesTowardIt() {
+        ObstacleMemory memory;
+        Senses senses = sensesAt({0, 0, 6});
+        setFlatScan(senses, {0, 0}, 6.0, 0.0);
+        for (Vec3& hit : senses.scan->hits_in_map_m) // It rises to the north in the south, and is level beyond 1 m.
+            hit.z() = std::min(0.0, 0.25 * (hit.y() - 1.0));
+        memory.take(senses, {});
+        const Vec2 slope_m(0, -2);
+        QCOMPARE(landingPlace_m(memory, slope_m, 4.0), slope_m);
+        QCOMPARE(landingPlace_m(memory, slope_m, 4.0, {0.0, 0.25}), slope_m);
+        QVERIFY(landingPlace_m(memory, slope_m, 4.0, {0.0, -0.25}).y() > 0.0);
+    }
+
     void staysWithinItsRadius() { QCOMPARE(landingPlace_m(meadow({Vec3(0.2, 0.2, 0.9)}), {0, 0}, 0.0), Vec2(0, 0)); }
 
     void takesTheWantedPlaceWhereNothingIsKnown() {

@@ -116,6 +116,25 @@ private slots:
         QVERIFY2(senses.position2_m().norm() < 0.5, qPrintable(QString::number(senses.position2_m().norm())));
         QVERIFY(senses.velocity_in_map_m_s.norm() < 0.15);
         QVERIFY(pilot.wantedInBase_m_s().norm() < 0.3); // The heading is compared with what was wanted over ground.
+        senses.now += Seconds(2.0);
+        pilot.brace(senses, port, "test"); // Without a look at its senses, it still leans against the wind.
+        const auto last = port.takeCommands();
+        const auto& drive = std::get<protocol::AerialDrive>(last.at(0).command);
+        const Vec2 braced_m_s = Eigen::Rotation2Dd(0.7) * Vec2(*drive.forward_m_s, *drive.left_m_s);
+        QVERIFY((braced_m_s + wind_m_s).norm() < 0.2);
+    }
+
+    void repeatsACommandThatMayHaveBeenLost() {
+        Pilot pilot;
+        agent::CommandPort port;
+        Senses senses = sensesAt({0, 0, 6});
+        std::size_t sent = 0;
+        for (int tick = 0; tick < 10; ++tick) {
+            senses.now = Seconds(0.2 * tick);
+            pilot.fly({}, senses, port, "test", settings);
+            sent += port.takeCommands().size();
+        }
+        QCOMPARE(sent, std::size_t(2));
     }
 
     void aGapInTheMessagesIsNoTimeToGatherSpeed() {

@@ -11,10 +11,16 @@ class tst_RandomSurveys : public QObject {
     Q_OBJECT
 
 private slots:
-    void endsByItselfAndWhole_data() { test::surveyRows(0, 20); }
+    void endsByItselfAndWhole_data() { test::surveyRows(0, 13); }
     void endsByItselfAndWhole() {
         QFETCH(int, number);
         test::tryRandomSurvey(number);
+    }
+
+    void tellsTheTruthOfAFault_data() { test::surveyRows(13, 20); }
+    void tellsTheTruthOfAFault() {
+        QFETCH(int, number);
+        QVERIFY(!test::tryFaultySurvey(number));
     }
 };
 

@@ -16,6 +16,22 @@ private slots:
         QFETCH(int, number);
         test::tryRandomSurvey(number);
     }
+
+    void tellsTheTruthOfAFault_data() { test::surveyRows(1000, 1500); }
+    void tellsTheTruthOfAFault() {
+        QFETCH(int, number);
+        ++faulty_;
+        crashes_ += test::tryFaultySurvey(number) ? 1 : 0;
+    }
+
+    void crashesRarelyWhereItCanFly() {
+        qInfo("%d of %d crashed although they could fly", crashes_, faulty_);
+        QVERIFY(50 * crashes_ <= faulty_);
+    }
+
+private:
+    int faulty_ = 0;
+    int crashes_ = 0;
 };
 
 USAR_TEST(tst_RandomSurveysCampaign)

@@ -65,6 +65,38 @@ private slots:
         QCOMPARE(senses.robot_battery->count(), 500.0);
     }
 
+    void aPoseThatRepeatsItselfInFlightIsNone() {
+        const auto ageAfter = [&](double speed_m_s, double time_s, bool repeats) {
+            reader->tellCommand({speed_m_s, 0.0});
+            tellIns({Vec3(repeats ? 0.0 : time_s - 10.0, 0, 6), 0, 0, 0});
+            tellState(time_s);
+            return read().ins_age.count();
+        };
+        QCOMPARE(ageAfter(0.0, 10.0, true), 0.0);
+        QCOMPARE(ageAfter(0.0, 10.2, true), 0.0); // It may well stand there.
+        QCOMPARE(ageAfter(1.0, 10.4, false), 0.0);
+        QCOMPARE(ageAfter(1.0, 10.6, true), 0.0);
+        QVERIFY(std::abs(ageAfter(1.0, 11.6, true) - 1.0) < 1e-9);
+        QVERIFY(std::abs(ageAfter(0.0, 12.6, true) - 2.0) < 1e-9); // It is told to stop, and the sensor still hangs.
+        QCOMPARE(ageAfter(0.0, 12.8, false), 0.0);
+    }
+
+    void aLeapIsBelievedOnlyIfItIsToldAgain() {
+        const auto xAfter = [&](double x_m, double time_s) {
+            tellIns({Vec3(x_m, 0, 6), 0, 0, 0});
+            tellState(time_s);
+            return read().position_m().x();
+        };
+        QCOMPARE(xAfter(1.0, 10.0), 1.0);
+        QCOMPARE(xAfter(12.0, 10.2), 1.0); // "1.2" with a point that got lost
+        QCOMPARE(xAfter(1.4, 10.4), 1.4);
+        QCOMPARE(xAfter(30.0, 10.6), 1.4);
+        QCOMPARE(xAfter(30.2, 10.8), 1.4);
+        QCOMPARE(xAfter(30.4, 11.0), 30.4);
+        reader->forgetMotion(); // The INS was set.
+        QCOMPARE(xAfter(0.0, 11.2), 0.0);
+    }
+
     void allowsForTheTiltOfTheRobot() {
         tellIns({Vec3(0, 0, 6), 0, 0, 0});
         tellFlatGround(6.0);

@@ -69,7 +69,7 @@ void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool a
     obstacles_ = memory.near(senses.position2_m(), look_around_m, senses.position_m().z() - level_margin_m);
     threats = judgeThreats(senses, settings);
     port.publish(agent::SonarZones{threats.zones});
-    log.tick(senses, airborne, settings, port);
+    scanned = log.tick(senses, airborne, settings, port);
 }
 
 double Craft::dry_m() const {
@@ -298,6 +298,12 @@ void Craft::hover(const Vec2& place_m, agent::CommandPort& port, const std::stri
     makeSafe(motion);
     stuck_.wait(senses.now);
     command(motion, port, source);
+}
+
+void Craft::brace(agent::CommandPort& port, const std::string& source) {
+    stuck_.wait(senses.now);
+    commanded_climb_m_s_ = 0.0;
+    pilot_.brace(senses, port, source);
 }
 
 void Craft::rest(agent::CommandPort& port, const std::string& source) {

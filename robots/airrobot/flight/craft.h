@@ -96,6 +96,8 @@ public:
     bool descend(const Vec2& place_m, agent::CommandPort& port);
     /// Waits over a place. This time does not count toward `stuck`.
     void hover(const Vec2& place_m, agent::CommandPort& port, const std::string& source);
+    /// Stops where it is without its senses, and leans against the wind. This time does not count toward `stuck`.
+    void brace(agent::CommandPort& port, const std::string& source);
     /// Sends a zero DRIVE. This time does not count toward `stuck`.
     void rest(agent::CommandPort& port, const std::string& source);
 
@@ -113,6 +115,7 @@ public:
     ObstacleMemory memory;
     BatteryModel battery;
     FlightLog log;
+    bool scanned = false; ///< the map got something in this tick
     Touchdown touchdown;
     Overhead overhead;
     Refuge refuge;

@@ -25,6 +25,11 @@ double Lean::tiltFrom_rad(const Pose& pose) const {
     return std::max(std::abs(pose.roll_rad - roll_rad_), std::abs(pose.pitch_rad - pitch_rad_));
 }
 
+Vec2 Lean::slope(double yaw_rad) const {
+    const Vec3 up = Pose{Vec3::Zero(), roll_rad_, pitch_rad_, yaw_rad}.rotation() * Vec3::UnitZ();
+    return -up.head<2>() / up.z();
+}
+
 bool goodForMap(const Senses& senses, bool airborne, const Lean& lean, const Settings& settings) {
     if (!airborne || !senses.scan || senses.heightOverGround_m(reach_m) < lowest_scan_m)
         return false;
@@ -37,16 +42,18 @@ void FlightLog::mark(agent::MarkKind kind, const Vec2& place_m, const Senses& se
     port.publish(agent::MapMark{kind, position_m, senses.now, senses.line});
 }
 
-void FlightLog::tick(const Senses& senses, bool airborne, const Settings& settings, agent::CommandPort& port) {
+bool FlightLog::tick(const Senses& senses, bool airborne, const Settings& settings, agent::CommandPort& port) {
     port.publish(agent::PoseEstimate{senses.now, senses.base_in_map});
     if (airborne)
         lean_.note(senses);
-    if (goodForMap(senses, airborne, lean_, settings))
+    const bool good = goodForMap(senses, airborne, lean_, settings);
+    if (good)
         port.publish(agent::ScanPlacement{senses.scan->line, senses.scan->scanner_in_map});
     if (airborne && (!last_path_m_ || (senses.position_m() - *last_path_m_).norm() >= path_step_m)) {
         last_path_m_ = senses.position_m();
         mark(agent::MarkKind::Path, senses.position2_m(), senses, port);
     }
+    return good && senses.ground_m;
 }
 
 void FlightLog::risks(const Senses& senses, const EvasionDecision& decision, agent::CommandPort& port) const {

@@ -17,6 +17,8 @@ public:
     void note(const Senses& senses);
     /// The larger one of the differences of roll and pitch to their means.
     double tiltFrom_rad(const Pose& pose) const;
+    /// The slope of a plane on which a robot with this yaw would stand at its mean lean, upward along the map's axes.
+    Vec2 slope(double yaw_rad) const;
 
 private:
     std::optional<Seconds> noted_;
@@ -34,14 +36,16 @@ class FlightLog {
 public:
     /// Marks a place (map frame) at the robot's present height.
     void mark(agent::MarkKind kind, const Vec2& place_m, const Senses& senses, agent::CommandPort& port) const;
-    /// Publishes the pose, a path mark every meter, and the scan if it is good for the map.
-    void tick(const Senses& senses, bool airborne, const Settings& settings, agent::CommandPort& port);
+    /// Publishes the pose, a path mark every meter, and the scan if it is good for the map. Returns true if it is
+    /// and the ground is in sight: over a void, scans show only what is beside the robot.
+    bool tick(const Senses& senses, bool airborne, const Settings& settings, agent::CommandPort& port);
     /// Marks new risks and diversions.
     void risks(const Senses& senses, const EvasionDecision& decision, agent::CommandPort& port) const;
     /// Publishes a goal that differs from the last one; nullopt means that there is no goal.
     void goal(std::optional<Vec3> goal_in_map_m, agent::CommandPort& port);
     /// Makes the path continue from the next position, because the position estimate has jumped.
     void forgetPath() { last_path_m_.reset(); }
+    const Lean& lean() const { return lean_; }
 
 private:
     Lean lean_;

@@ -12,6 +12,8 @@ namespace {
 
 constexpr double body_radius_m = 1.2;
 constexpr double even_m = 0.15;
+constexpr double level_ground_m =
+    0.08; ///< The belly is so low between the legs that a board of 0.1 m below it breaks it.
 constexpr double steepest_rad = radians(20.0); ///< steeper, it may slide
 constexpr double ring_step_m = 1.0;
 constexpr int spots = 12;
@@ -23,9 +25,9 @@ constexpr double still_m_s = 0.06;
 constexpr Seconds still_needed{0.95};
 constexpr double near_ground_m = 1.5;
 
-/// How far what is below the body departs from a plane, and more if that plane is steep; infinite where too little is
-/// known.
-double unevenness_m(const ObstacleMemory& memory, const Vec2& place_m) {
+/// How far what is below the body departs from a plane, and more if that plane is steep for a robot that leans as much;
+/// infinite where too little is known.
+double unevenness_m(const ObstacleMemory& memory, const Vec2& place_m, const Vec2& lean = Vec2::Zero()) {
     const std::vector<Vec3> tops_m = memory.tops_m(place_m, body_radius_m);
     if (tops_m.size() < 3 || memory.knownWithin(place_m, body_radius_m) < seen_share)
         return std::numeric_limits<double>::infinity();
@@ -37,20 +39,20 @@ double unevenness_m(const ObstacleMemory& memory, const Vec2& place_m) {
         height_m[row] = tops_m[i].z();
     }
     const Eigen::Vector3d plane = at.colPivHouseholderQr().solve(height_m);
-    const double steep = std::max(0.0, plane.head<2>().norm() - std::tan(steepest_rad));
+    const double steep = std::max(0.0, (plane.head<2>() - lean).norm() - std::tan(steepest_rad));
     return (at * plane - height_m).cwiseAbs().maxCoeff() + steep;
 }
 
 } // namespace
 
-Vec2 landingPlace_m(const ObstacleMemory& memory, const Vec2& wanted_m, double radius_m) {
+Vec2 landingPlace_m(const ObstacleMemory& memory, const Vec2& wanted_m, double radius_m, const Vec2& lean) {
     Vec2 best_m = wanted_m;
-    double best_unevenness_m = unevenness_m(memory, wanted_m);
-    for (double ring_m = ring_step_m; ring_m <= radius_m && best_unevenness_m > even_m; ring_m += ring_step_m) {
+    double best_unevenness_m = unevenness_m(memory, wanted_m, lean);
+    for (double ring_m = ring_step_m; ring_m <= radius_m && best_unevenness_m > level_ground_m; ring_m += ring_step_m) {
         for (int i = 0; i < spots; ++i) {
             const double bearing_rad = 2.0 * pi * i / spots;
             const Vec2 place_m = wanted_m + ring_m * Vec2(std::cos(bearing_rad), std::sin(bearing_rad));
-            const double here_m = unevenness_m(memory, place_m);
+            const double here_m = unevenness_m(memory, place_m, lean);
             if (here_m < best_unevenness_m) {
                 best_m = place_m;
                 best_unevenness_m = here_m;

@@ -10,8 +10,11 @@
 namespace usar::airrobot {
 
 /// Returns a nearby even place within `radius_m` of `wanted_m` (map frame) where the scanner has seen the ground;
-/// `wanted_m` itself if it is even enough or no better place is known.
-Vec2 landingPlace_m(const ObstacleMemory& memory, const Vec2& wanted_m, double radius_m);
+/// `wanted_m` itself if it is even enough or no better place is known. `lean` is the slope, upward along the map's
+/// axes, of the ground on which the robot would stand upright: one that leans against the wind as it comes down must
+/// not meet ground that rises toward its low side.
+Vec2 landingPlace_m(const ObstacleMemory& memory, const Vec2& wanted_m, double radius_m,
+                    const Vec2& lean = Vec2::Zero());
 
 /// Where to land in need. Owned by one robot; its places belong to one estimate of the pose, so make a new one after
 /// the INS was set.

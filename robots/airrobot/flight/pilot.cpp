@@ -9,6 +9,8 @@ namespace {
 
 /// Limit of the ramp's time, so that the robot does not accelerate abruptly after a gap in the messages.
 constexpr Seconds longest_ramp = 2 * usual_tick;
+/// A command may get lost on its way, and the robot would obey the one before it as long as nothing changes.
+constexpr Seconds repeat_after{1.0};
 constexpr double turn_gain_per_s = 1.4;
 constexpr double stop_to_turn_rad = 0.6;
 constexpr double firm_braking_m_s2 = 2.0;
@@ -61,6 +63,10 @@ void Pilot::fly(const Motion& motion, const Senses& senses, agent::CommandPort& 
         learnDrift(senses, ramp_s);
     commanded_m_s_ =
         motion.sudden ? motion.velocity_in_map_m_s : commanded_m_s_ + limited(change_m_s, rate_m_s2 * ramp_s);
+    send(motion, senses, port, source);
+}
+
+void Pilot::send(const Motion& motion, const Senses& senses, agent::CommandPort& port, const std::string& source) {
     const double cosine = std::cos(senses.base_in_map.yaw_rad);
     const double sine = std::sin(senses.base_in_map.yaw_rad);
     const Vec2 through_air_m_s = limited(commanded_m_s_ - drift_m_s_, fastest_m_s_);
@@ -70,10 +76,18 @@ void Pilot::fly(const Motion& motion, const Senses& senses, agent::CommandPort& 
                                       .yaw_rate_rad_s = motion.yaw_rate_rad_s};
     wanted_in_base_m_s_ = {cosine * commanded_m_s_.x() + sine * commanded_m_s_.y(),
                            -sine * commanded_m_s_.x() + cosine * commanded_m_s_.y()};
-    if (last_ == drive)
+    const bool is_fresh = sent_at_ && senses.now - *sent_at_ < repeat_after;
+    if (last_ == drive && is_fresh)
         return;
     last_ = drive;
+    sent_at_ = senses.now;
     port.send(drive, source);
+}
+
+void Pilot::brace(const Senses& senses, agent::CommandPort& port, const std::string& source) {
+    commanded_m_s_ = Vec2::Zero();
+    last_at_.reset();
+    send({}, senses, port, source);
 }
 
 void Pilot::learnDrift(const Senses& senses, double dt_s) {

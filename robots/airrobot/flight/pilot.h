@@ -36,12 +36,17 @@ public:
              const Settings& settings);
     /// Commands zero speed without a ramp.
     void stop(agent::CommandPort& port, const std::string& source);
+    /// Commands rest without a ramp and without a look at the senses, which may be silent: the robot leans against the
+    /// wind as far as it knows it.
+    void brace(const Senses& senses, agent::CommandPort& port, const std::string& source);
     /// The horizontal velocity over ground that was wanted last, in the robot's frame.
     Vec2 wantedInBase_m_s() const { return wanted_in_base_m_s_; }
     /// Never commands a greater level speed.
     void limitSpeed(double fastest_m_s) { fastest_m_s_ = fastest_m_s; }
 
 private:
+    /// Sends the DRIVE for the commanded velocity, unless it is the last one and that is not long ago.
+    void send(const Motion& motion, const Senses& senses, agent::CommandPort& port, const std::string& source);
     /// Returns the time that the ramp may use, which is the time since the last command up to a limit.
     Seconds rampTime(Seconds now);
 
@@ -54,6 +59,7 @@ private:
     double fastest_m_s_ = 2.0;
     std::optional<Seconds> last_at_;
     std::optional<protocol::AerialDrive> last_;
+    std::optional<Seconds> sent_at_; ///< time of the last DRIVE in flight
 };
 
 } // namespace usar::airrobot

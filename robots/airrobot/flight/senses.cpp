@@ -9,6 +9,14 @@ namespace usar::airrobot {
 namespace {
 
 constexpr Seconds never{1e9};
+/// A robot that is told to fly so fast cannot have the same pose twice, to the last digit.
+constexpr double moving_m_s = 0.2;
+/// No robot is faster; a reading beyond that was damaged on its way, unless as many in a row say the same.
+constexpr double fastest_m_s = 8.0;
+constexpr double fastest_turn_rad_s = 4.0;
+constexpr double jitter_m = 0.7;
+constexpr double jitter_rad = 0.3;
+constexpr int believed_after = 3;
 constexpr std::size_t middle_rays = 10;
 constexpr double near_m = 10.0;
 
@@ -69,7 +77,24 @@ std::optional<double> groundBelow(std::vector<Vec3> hits, const Vec3& base_m) {
 
 } // namespace
 
+bool SenseReader::isDamaged(Seconds now, const Pose& told_in_map) {
+    const double since_s = ins_seen_ ? (now - *ins_seen_).count() : 0.0;
+    const auto leaps = [&](const Pose& from_in_map) {
+        return (told_in_map.position_m - from_in_map.position_m).norm() > jitter_m + fastest_m_s * since_s ||
+               std::abs(normalizedAngle(told_in_map.yaw_rad - from_in_map.yaw_rad)) >
+                   jitter_rad + fastest_turn_rad_s * since_s;
+    };
+    if (!ins_seen_ || !leaps(told_in_map_)) {
+        leaps_ = 0;
+        return false;
+    }
+    leaps_ = leaps_ == 0 || leaps(leapt_to_) ? 1 : leaps_ + 1;
+    leapt_to_ = told_in_map;
+    return leaps_ < believed_after;
+}
+
 void SenseReader::forgetMotion() {
+    ins_seen_.reset();
     history_.clear();
     course_.reset();
 }
@@ -100,8 +125,12 @@ void SenseReader::readPose(Seconds now, const Reading* reading) {
     if (!reading || reading->line == last_ins_)
         return;
     last_ins_ = reading->line;
+    const bool repeated = ins_seen_ && reading->value.base_in_map == told_in_map_;
+    frozen_ = repeated && (frozen_ || commanded_m_s_.norm() > moving_m_s);
+    if (frozen_ || isDamaged(now, reading->value.base_in_map))
+        return;
     ins_seen_ = now;
-    base_in_map_ = reading->value.base_in_map;
+    told_in_map_ = base_in_map_ = reading->value.base_in_map;
     if (!by_truth_) {
         course_.update(now, base_in_map_, commanded_m_s_);
         base_in_map_.yaw_rad = normalizedAngle(base_in_map_.yaw_rad + course_.correction_rad());

@@ -101,7 +101,10 @@ private:
         Seconds at{0.0};
     };
 
-    /// Takes the pose if the reading is a new one.
+    /// Whether a pose is too far from the last one to be true. One that is told again and again is believed.
+    bool isDamaged(Seconds now, const Pose& told_in_map);
+    /// Takes the pose if the reading is a new one. One that repeats itself while the robot is told to fly is none, and
+    /// neither are the same ones after it: the sensor hangs.
     template <class Reading>
     void readPose(Seconds now, const Reading* reading);
     /// Places the echoes; notes which sonars are silent and the age of the oldest reading.
@@ -115,6 +118,10 @@ private:
     Vec2 commanded_m_s_ = Vec2::Zero(); ///< robot frame
     /// The pose of the last INS reading, with corrected yaw; kept while no new one comes.
     Pose base_in_map_;
+    Pose told_in_map_; ///< the same as the sensor told it
+    bool frozen_ = false;
+    Pose leapt_to_; ///< the last pose that was not believed
+    int leaps_ = 0; ///< how often in a row it was told
     LineNumber last_ins_;
     LineNumber last_scan_;
     std::optional<Seconds> ins_seen_;
