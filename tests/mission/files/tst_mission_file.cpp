@@ -153,7 +153,7 @@ private slots:
         QTest::newRow("the same by truth") << "square_kilometer_truth.json"
                                            << "point_lookout" << 1e6;
         QTest::newRow("warehouse") << "warehouse.json"
-                                   << "warehouse" << 30.0 * 28.0;
+                                   << "warehouse" << 8.0 * 24.0;
         QTest::newRow("town") << "town.json"
                               << "town" << 110.0 * 110.0;
         QTest::newRow("quarry") << "quarry.json"
