@@ -27,6 +27,8 @@ struct ParameterSpec {
     double maximum = 0.0;
     std::string help;                 ///< one sentence
     std::vector<std::string> choices; ///< permitted texts; empty if any text is permitted
+    /// What forms show in place of the lowest number, if it stands for something else: "robot's choice".
+    std::string minimum_words = {};
 
     bool operator==(const ParameterSpec&) const = default;
 };
@@ -83,6 +85,7 @@ struct ParameterRow {
     double minimum; ///< for numbers, inclusive
     double maximum;
     const char* help;
+    const char* minimum_words = "";
 };
 
 /// The parameters that the user can set. `rows` must outlive the table: a constexpr array in the settings' source file.
@@ -96,6 +99,7 @@ struct ParameterTable {
         std::vector<ParameterSpec> specs;
         for (const ParameterRow<Settings>& row : rows) {
             specs.push_back({row.id, row.label, row.group, row.unit, 0.0, row.minimum, row.maximum, row.help, {}});
+            specs.back().minimum_words = row.minimum_words;
             std::visit([&](auto member) { specs.back().default_value = defaults.*member; }, row.member);
         }
         return specs;

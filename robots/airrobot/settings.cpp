@@ -11,11 +11,11 @@ using S = Settings;
 constexpr agent::ParameterRow<Settings> rows[]{
     {&S::scan_altitude_m, "scan_altitude_m", "Scan altitude", "Flight", "m", 2, 15,
      "Height that the robot keeps above the ground."},
-    {&S::floor_level_m, "floor_level_m", "Floor level", "Flight", "m", -500, 5000,
+    {&S::floor_level_m, "floor_level_m", "Floor level", "Flight", "m", S::chosen_floor_m, 5000,
      "The robot never sinks below this map height except to land. This keeps it out of ravines and water, which the "
-     "scanner cannot see. -500: the robot stays above water by the clearance, or above its start where nobody knows "
-     "the "
-     "water."},
+     "scanner cannot see. Left to the robot (-500 in files), it is above the water by the clearance, or above "
+     "the start where nobody knows the water.",
+     "by the robot"},
     {&S::clearance_m, "clearance_m", "Clearance", "Flight", "m", 0.5, 6,
      "Height that the robot keeps above the highest known object below and ahead of it."},
     {&S::footprint_radius_m, "footprint_radius_m", "Footprint radius", "Flight", "m", 0.8, 5,

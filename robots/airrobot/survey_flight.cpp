@@ -303,7 +303,10 @@ void SurveyFlight::afterGoal(SurveyEvent event, agent::CommandPort& port) {
     if (event == SurveyEvent::AllDone)
         goHome(Errand::Done, "", port);
     else if (event == SurveyEvent::QuadrantDone)
-        goHome(Errand::Quadrant, "A quadrant is done; home to set the INS and to charge.", port);
+        goHome(Errand::Quadrant,
+               craft_.settings.navigate_by_truth ? "A quadrant is done; home to charge."
+                                                 : "A quadrant is done; home to set the INS and to charge.",
+               port);
 }
 
 void SurveyFlight::goHome(Errand errand, const std::string& why, agent::CommandPort& port) {

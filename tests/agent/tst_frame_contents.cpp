@@ -25,7 +25,7 @@ RobotDescription rover() {
     behavior.needs_area = true;
     behavior.parameters = {{"time_s", "Time", "Run", "s", 1.5, 0.0, 9.0, "How long.", {}},
                            {"shape", "Shape", "Run", "", std::string("lanes"), 0.0, 0.0, "", {"lanes", "spiral"}},
-                           {"count", "Count", "", "", -3LL, -9.0, 9.0, "", {}},
+                           {"count", "Count", "", "", -3LL, -9.0, 9.0, "", {}, "none"},
                            {"loud", "Loud", "", "", true, 0.0, 0.0, "", {}}};
     behavior.plan_name = "own.lap";
     behavior.plan_text = "((DC d))";

@@ -23,7 +23,7 @@ constexpr ParameterRow<Settings> rows[] = {
     {&Settings::turn_rad, "turn_rad", "Turn", "Getting out", "rad", 0.5, 3.0, "How far it turns."},
     {&Settings::tries, "tries", "Tries", "Getting out", "", 1.0, 9.0, "How often it tries."},
     {&Settings::loud, "loud", "Loud", "Sound", "", 0.0, 0.0, "Whether it beeps."},
-    {&Settings::slope_rad, "slope_rad", "Slope", "Ground", "rad", -1.0, 1.0, "What it can climb."},
+    {&Settings::slope_rad, "slope_rad", "Slope", "Ground", "rad", -1.0, 1.0, "What it can climb.", "any slope"},
 };
 constexpr ParameterTable<Settings> table{rows};
 
@@ -42,6 +42,7 @@ private slots:
             QCOMPARE(specs[i].group, std::string(rows[i].group));
             QCOMPARE(specs[i].unit, std::string(rows[i].unit));
             QCOMPARE(specs[i].help, std::string(rows[i].help));
+            QCOMPARE(specs[i].minimum_words, std::string(rows[i].minimum_words));
             QCOMPARE(specs[i].minimum, rows[i].minimum);
             QCOMPARE(specs[i].maximum, rows[i].maximum);
             QVERIFY(specs[i].default_value == defaults[i]);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <optional>
 
 #include <QObject>
@@ -19,6 +20,7 @@ class tst_Craft : public QObject {
     SensorLayout layout;
     std::uint64_t line = 0;
     double now_s = 0.0;
+    double z_m = 20.0;
     std::unique_ptr<Craft> craft;
 
     void tell(protocol::InfoMessage message) { robot->take({LineNumber{++line}, "", std::move(message), {}}); }
@@ -39,7 +41,7 @@ class tst_Craft : public QObject {
         scan.ranges_m.front() = right_m;
         scan.ranges_m.back() = left_m;
         tell(scan);
-        tell(protocol::InsReading{{}, "INS", Pose{Vec3(0, 0, 20), 0, 0, 0}});
+        tell(protocol::InsReading{{}, "INS", Pose{Vec3(0, 0, z_m), 0, 0, 0}});
         protocol::RobotState state;
         state.time = Seconds(now_s);
         tell(state);
@@ -58,6 +60,7 @@ private slots:
         layout = stockLayout();
         line = 0;
         now_s = 100.0;
+        z_m = 20.0;
         craft = std::make_unique<Craft>();
     }
 
@@ -91,6 +94,29 @@ private slots:
     void sinksBesideATrunkAllTheSame() {
         perceive(9.0, {}, 1.8);
         QVERIFY(*fly().climb_m_s < 0.0);
+    }
+
+    void climbsWithCareAfterAClimbOverSomething() {
+        perceive(3.0, {});
+        QVERIFY(*fly().climb_m_s > Overhead::careful_m_s);
+        for (int tick = 0; tick < 100 && !craft->climbingOver(); ++tick) {
+            perceive(6.0, {{"L1", 3.0}, {"M0", 3.0}, {"R1", 3.0}});
+            fly();
+        }
+        QVERIFY(craft->climbingOver());
+        double climb_m_s = 0.0; // An unchanged command is not sent again.
+        for (int tick = 0; tick < 200 && craft->climbingOver(); ++tick) {
+            perceive(z_m - 14.0, {});
+            climb_m_s = fly().climb_m_s.value_or(climb_m_s);
+            z_m += 0.2 * climb_m_s;
+        }
+        QVERIFY(!craft->climbingOver());
+        double fastest_m_s = 0.0;
+        for (int tick = 0; tick < 5; ++tick) {
+            perceive(3.0, {});
+            fastest_m_s = std::max(fastest_m_s, fly().climb_m_s.value_or(0.0));
+        }
+        QCOMPARE(fastest_m_s, Overhead::careful_m_s);
     }
 
     void fleesFromAHighRiskWithoutAChangeOfHeight() {

@@ -37,6 +37,7 @@ const std::vector<ParameterSpec> specs = {
     {"recharge", "Recharge", "Battery", "", true, 0.0, 0.0, "", {}},
     {"sweep", "Sweep", "Coverage", "", std::string("longer side"), 0.0, 0.0, "", {"longer side", "shorter side"}},
     {"note", "Note", "", "", std::string("none"), 0.0, 0.0, "", {}},
+    {"floor_m", "Floor", "Flight", "m", -500.0, -500.0, 5000.0, "", {}, "by the robot"},
 };
 
 } // namespace
@@ -60,6 +61,8 @@ private slots:
     void typingTellsTheNewValue();
     void commaIsAPoint();
     void outOfRangeIsPulledIn();
+    void wordsStandForTheLowestNumber();
+    void wordsMayBeTypedForTheLowestNumber();
     void everyEditorEdits();
     void settingValuesIsSilentAndTakesWholeNumbersForReals();
     void strangeValuesAreIgnored();
@@ -223,6 +226,29 @@ void tst_ParameterForm::outOfRangeIsPulledIn() {
     QCOMPARE(form_->values().at("lanes"), ParameterValue(99LL));
 }
 
+void tst_ParameterForm::wordsStandForTheLowestNumber() {
+    const auto* box = editor<QuantityBox>("floor_m");
+    QCOMPARE(box->text(), QStringLiteral("by the robot"));
+    auto* line = box->findChild<QLineEdit*>();
+    const int words_px = line->fontMetrics().horizontalAdvance(box->text());
+    const int margins_px = 4; // Qt's line edit keeps two free on either side.
+    QVERIFY2(words_px + margins_px <= line->contentsRect().width(), "the words are cut off");
+    for (const char* part : {"Range: -500", "Default: by the robot"})
+        QVERIFY2(parameterToolTip(specs.back()).contains(QString::fromUtf8(part)), part);
+    form_->setValues({{"floor_m", 2.5}});
+    QCOMPARE(box->text(), QString::fromUtf8("2.5\u00a0m"));
+    QVERIFY(!parameterToolTip(specs.front()).contains(QStringLiteral("by the robot")));
+}
+
+void tst_ParameterForm::wordsMayBeTypedForTheLowestNumber() {
+    form_->setValues({{"floor_m", 2.5}});
+    auto* box = editor<QuantityBox>("floor_m");
+    box->findChild<QLineEdit*>()->setText(QStringLiteral("by the robot"));
+    box->interpretText();
+    QCOMPARE(form_->values().at("floor_m"), ParameterValue(-500.0));
+    QVERIFY(form_->modified().empty());
+}
+
 void tst_ParameterForm::everyEditorEdits() {
     editor<QCheckBox>("recharge")->click();
     editor<QComboBox>("sweep")->setCurrentText(QStringLiteral("shorter side"));
@@ -279,7 +305,7 @@ void tst_ParameterForm::searchLooksAtLabelIdGroupAndHelp_data() {
     QTest::newRow("group") << "coverage" << QStringList{"lanes", "sweep"};
     QTest::newRow("help") << "lean" << QStringList{"tilt_rad"};
     QTest::newRow("nothing") << "zzz" << QStringList{};
-    QTest::newRow("blank shows all") << "  " << QStringList{"lanes",           "note",  "recharge",
+    QTest::newRow("blank shows all") << "  " << QStringList{"floor_m",         "lanes", "note",    "recharge",
                                                             "scan_altitude_m", "sweep", "tilt_rad"};
 }
 

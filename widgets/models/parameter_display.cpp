@@ -82,11 +82,14 @@ double stepFor(const agent::ParameterSpec& spec) {
 QString valueText(const agent::ParameterSpec& spec, const agent::ParameterValue& value) {
     if (const auto* flag = std::get_if<bool>(&value))
         return *flag ? tr("yes") : tr("no");
-    if (const auto* integer = std::get_if<long long>(&value))
-        return withUnit(QString::number(*integer), displayUnit(spec.unit).text);
-    if (const auto* real = std::get_if<double>(&value))
-        return numberText(*real, spec);
-    return QString::fromStdString(std::get<std::string>(value));
+    const auto* integer = std::get_if<long long>(&value);
+    const auto* real = std::get_if<double>(&value);
+    if (!integer && !real)
+        return QString::fromStdString(std::get<std::string>(value));
+    const double number = integer ? static_cast<double>(*integer) : *real;
+    if (number == spec.minimum && !spec.minimum_words.empty())
+        return QString::fromStdString(spec.minimum_words);
+    return numberText(number, spec);
 }
 
 QString parameterToolTip(const agent::ParameterSpec& spec) {

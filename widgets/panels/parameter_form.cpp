@@ -102,6 +102,7 @@ QWidget* ParameterRow::makeNumber() {
     box->setDecimals(decimalsFor(spec_));
     box->setRange(spec_.minimum * unit.factor, spec_.maximum * unit.factor);
     box->setSingleStep(stepFor(spec_));
+    box->setSpecialValueText(QString::fromStdString(spec_.minimum_words));
     if (!unit.text.isEmpty())
         box->setSuffix(QChar(0x00a0) + unit.text);
     connect(box, &QDoubleSpinBox::valueChanged, this, [this, unit](double shown) {

@@ -30,13 +30,21 @@ QString QuantityBox::numberIn(QString text) const {
     return text.replace(u',', u'.').trimmed();
 }
 
+bool QuantityBox::isSpecial(const QString& text) const {
+    return !specialValueText().isEmpty() && text == specialValueText();
+}
+
 double QuantityBox::valueFromText(const QString& text) const {
+    if (isSpecial(text))
+        return minimum();
     return std::clamp(readNumber(numberIn(text).toStdString()).value_or(value()), minimum(), maximum());
 }
 
 // Qt's own box refuses keys that would leave the range and replaces invalid text by zero; users could not type a number
 // and see it being clamped.
 QValidator::State QuantityBox::validate(QString& text, int&) const {
+    if (isSpecial(text))
+        return QValidator::Acceptable;
     const QString number = numberIn(text);
     if (const auto value = readNumber(number.toStdString()); value && std::isfinite(*value))
         return QValidator::Acceptable;

@@ -63,7 +63,7 @@ struct FieldLists {
     static void pass(auto& io, Field<Dying> auto& dying) { io(dying.signal); }
     static void pass(auto& io, Field<ParameterSpec> auto& spec) {
         io(spec.id, spec.label, spec.group, spec.unit, spec.default_value);
-        io(spec.minimum, spec.maximum, spec.help, spec.choices);
+        io(spec.minimum, spec.maximum, spec.help, spec.choices, spec.minimum_words);
     }
     static void pass(auto& io, Field<BehaviorDescription> auto& behavior) {
         io(behavior.id, behavior.name, behavior.help, behavior.needs_area);

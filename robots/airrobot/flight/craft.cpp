@@ -149,8 +149,9 @@ FlightState Craft::perform(Maneuver maneuver, const Leg& asked, agent::CommandPo
     if (hindered && !climb_over_.active() && !detour_.active())
         findWay(leg);
     makeSafe(motion);
-    const bool unseen =
-        (climb_over_.active() || overhead.hasCeiling()) && senses.position_m().z() > overhead.freeTo_m();
+    // What made it climb over something may make it climb on, such as a wall that reaches a roof.
+    const bool maybe_roofed = climb_over_.active() || climbed_at_ || overhead.hasCeiling();
+    const bool unseen = maybe_roofed && senses.position_m().z() > overhead.freeTo_m();
     motion.climb_m_s = overhead.allowed_m_s(senses, motion.climb_m_s, unseen);
     command(motion, port, leg.source);
     return state;

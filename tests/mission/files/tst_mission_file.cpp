@@ -138,9 +138,26 @@ private slots:
 
     void theMissionsThatComeWithTheProgramAreGood_data() {
         QTest::addColumn<QString>("file");
+        QTest::addColumn<QString>("world");
         QTest::addColumn<double>("area_m2");
-        QTest::newRow("quick scan") << "quick_scan.json" << 60.0 * 40.0;
-        QTest::newRow("tall test") << "tall_test.json" << 200.0 * 200.0;
+        QTest::newRow("quick scan") << "quick_scan.json"
+                                    << "tall_test" << 60.0 * 40.0;
+        QTest::newRow("tall test") << "tall_test.json"
+                                   << "tall_test" << 200.0 * 200.0;
+        QTest::newRow("coast") << "coast_cliff.json"
+                               << "point_lookout" << 80.0 * 80.0;
+        QTest::newRow("volcano") << "whole_volcano.json"
+                                 << "volcano" << 860.0 * 600.0;
+        QTest::newRow("square kilometer") << "square_kilometer.json"
+                                          << "point_lookout" << 1e6;
+        QTest::newRow("the same by truth") << "square_kilometer_truth.json"
+                                           << "point_lookout" << 1e6;
+        QTest::newRow("warehouse") << "warehouse.json"
+                                   << "warehouse" << 8.0 * 24.0;
+        QTest::newRow("town") << "town.json"
+                              << "town" << 110.0 * 110.0;
+        QTest::newRow("quarry") << "quarry.json"
+                                << "quarry" << 140.0 * 140.0;
     }
 
     void theMissionsThatComeWithTheProgramAreGood() {
@@ -149,7 +166,7 @@ private slots:
         const auto mission = readMissionFile(USAR_SOURCE_DIR "/resources/missions/" + file);
         QVERIFY2(mission.has_value(), mission ? "" : mission.error().text().c_str());
         QCOMPARE(mission->area_in_map.area_m2(), area_m2);
-        QCOMPARE(mission->world, std::string("tall_test"));
+        QTEST(QString::fromStdString(mission->world), "world");
     }
 
     void columnsCountCharacters() {
