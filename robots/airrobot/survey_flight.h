@@ -139,8 +139,9 @@ private:
     Phase phase_ = Phase::Launch;
     Errand errand_ = Errand::Start;
     std::string end_reason_;
-    long long lane_scans_ = 0;   ///< on lanes
-    long long mapped_scans_ = 0; ///< those of them that the map got
+    Seconds last_lane_time_{-1.0}; ///< of a tick on a lane
+    long long lane_ticks_ = 0;     ///< with a time of their own
+    long long mapped_scans_ = 0;   ///< of those ticks whose scan the map got
     std::optional<agent::BehaviorFinished> ending_;
     bool paused_ = false;
     bool silent_ = false;
