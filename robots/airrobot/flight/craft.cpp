@@ -18,6 +18,8 @@ constexpr double bearable_deficit_m = 1.5;
 constexpr double path_half_width_m = 0.75;
 /// The robot keeps its height for this distance from the place of a climb.
 constexpr double over_way_m = 12.0;
+/// A robot that is so much higher than where it ended a climb is climbing again.
+constexpr double over_again_m = 0.7;
 constexpr double least_climb_m = 1.0; ///< A climb over an obstacle needs this much room below a ceiling.
 constexpr Seconds longest_move{12.0};
 constexpr double crown_m = 4.5; ///< Crowns reach so far from their trunks.
@@ -150,7 +152,9 @@ FlightState Craft::perform(Maneuver maneuver, const Leg& asked, agent::CommandPo
         findWay(leg);
     makeSafe(motion);
     // What made it climb over something may make it climb on, such as a wall that reaches a roof.
-    const bool maybe_roofed = climb_over_.active() || climbed_at_ || overhead.hasCeiling();
+    climbs_on_ = climbs_on_ && motion.climb_m_s > 0.0;
+    const bool again = climbed_at_ && senses.position_m().z() > climbed_at_->z() + over_again_m;
+    const bool maybe_roofed = climb_over_.active() || climbs_on_ || again || overhead.hasCeiling();
     const bool unseen = maybe_roofed && senses.position_m().z() > overhead.freeTo_m();
     motion.climb_m_s = overhead.allowed_m_s(senses, motion.climb_m_s, unseen);
     command(motion, port, leg.source);
@@ -207,6 +211,7 @@ Motion Craft::climbOver(const Leg& leg, FlightState& state) {
     Motion motion = holding(senses, step.place_m);
     if (step.state == ClimbState::Over) {
         climbed_at_ = senses.position_m();
+        climbs_on_ = true;
         stuck_.clearHindered();
     }
     motion.climb_m_s = step.climb_m_s;

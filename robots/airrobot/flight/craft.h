@@ -164,6 +164,7 @@ private:
     Pilot pilot_;
     std::vector<Obstacle> obstacles_; ///< nearby obstacles that reach the present height
     bool climb_forbidden_ = false;    ///< the robot must climb a lot but cannot do so safely here
+    bool climbs_on_ = false;          ///< since the end of the last climb over something
     std::optional<Vec3> climbed_at_;  ///< place of the last climb, whose height is kept for some distance
 };
 
