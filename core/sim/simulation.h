@@ -24,9 +24,9 @@
 
 namespace usar::sim {
 
-/// A week, because a survey of a square kilometer takes almost two days. The thesis (4.1) sets the server's battery
-/// life very high, because a server cannot recharge a robot, and lets the client keep track of the charge.
-inline constexpr Seconds survey_battery_life{7.0 * 86400.0};
+/// One day. The thesis (4.1) sets the server's battery life very high, because a server cannot recharge a robot, and
+/// lets the client keep track of the charge.
+inline constexpr Seconds survey_battery_life{86400.0};
 
 /// Identifies one connection of a Simulation, from 1; never reused.
 using ClientId = Id<struct ClientTag, 0U>;

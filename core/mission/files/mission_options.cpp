@@ -174,7 +174,7 @@ QString missionHelp() {
                "airrobot/posh\n"
                "  --seed N             noise and drift of the embedded simulator (1)\n"
                "  --speed N|max        simulated seconds per second (max)\n"
-               "  --battery S          life of the robots' batteries in the embedded simulator, in seconds (a week)\n"
+               "  --battery S          life of the robots' batteries in the embedded simulator, in seconds (a day)\n"
                "  --limit TIME         give the mission up after this simulated time, such as 90min or 20h\n"
                "                       (the mission's limit_h, or never)\n"
                "  --connect HOST:PORT  a USARSim server instead of the embedded simulator\n"
