@@ -1,4 +1,4 @@
-// What the headless programs write to a terminal.
+// Functions by which usar-mission writes to a terminal and ends.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,7 @@ inline bool isTerminal() {
     return ::isatty(STDERR_FILENO) == 1;
 }
 
-/// Width of the terminal at standard error; nullopt if that is none, or does not say.
+/// Returns the width of the terminal at standard error; nullopt if there is no terminal, or it does not say.
 inline std::optional<std::size_t> terminalColumns() {
     winsize size{};
     const bool told = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;

@@ -27,7 +27,7 @@ struct ParameterSpec {
     double maximum = 0.0;
     std::string help;                 ///< one sentence
     std::vector<std::string> choices; ///< permitted texts; empty if any text is permitted
-    /// What forms show in place of the lowest number, if it stands for something else: "robot's choice".
+    /// Forms show this text in place of the lowest number, if that stands for something else: "by the robot".
     std::string minimum_words = {};
 
     bool operator==(const ParameterSpec&) const = default;

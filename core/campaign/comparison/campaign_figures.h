@@ -1,4 +1,4 @@
-// What is read from the folders of campaigns to compare them.
+// Reads from the folders of campaigns what a comparison needs.
 #pragma once
 
 #include <string>

@@ -9,7 +9,7 @@
 namespace usar::campaign {
 
 struct CompareOptions {
-    QStringList folders;         ///< of one campaign or of two
+    QStringList folders;         ///< They hold one campaign each; there are one or two.
     QString baseline, candidate; ///< names of variants; empty: the first, and the first of the others
     QString html;                ///< files to be written; empty: none
     QString junit;

@@ -20,7 +20,7 @@ struct ComparisonOptions {
     double alpha = 0.05;          ///< all verdicts together; the intervals are those of 1 - alpha
     std::size_t least_pairs = 10; ///< for any verdict
     int resamples = 10'000;
-    std::uint64_t seed = 1; ///< of the resampling
+    std::uint64_t seed = 1; ///< Equal seeds resample alike.
 };
 
 /// Success is that a run was done; what failed, crashed, timed out or ran out of memory had none.
@@ -48,10 +48,10 @@ struct MetricComparison {
     std::vector<double> sorted_differences;
     double median_difference = 0.0;
     double difference = 0.0; ///< trimmed mean, by the metric's share
-    Interval interval;       ///< of `difference`: BCa, stratified by mission
+    Interval interval;       ///< It belongs to `difference`, and is BCa's, stratified by mission.
     double p = 1.0;          ///< Wilcoxon's
     double holm_p = 1.0;
-    double correlation = 0.0;    ///< of the pairs; not a number without spread
+    double correlation = 0.0;    ///< It is that of the pairs, and not a number without spread.
     double variance_ratio = 0.0; ///< paired over unpaired; not a number without spread
     double ratio = 0.0;          ///< geometric mean of candidate over baseline; not a number if a value is not positive
     double improved = 0.0;       ///< share of pairs in which the candidate is better

@@ -1,4 +1,4 @@
-// What a comparison has to know about a figure of a run.
+// A figure of a run, described for a comparison.
 #pragma once
 
 #include <string>
@@ -11,10 +11,10 @@ namespace usar::campaign {
 /// A difference of at most so much does not matter.
 struct Margin {
     double size = 0.0;
-    bool is_share = false; ///< of the baseline's median, instead of the metric's unit
+    bool is_share = false; ///< The size is a share of the baseline's median and has no unit.
 };
 
-/// What a run contributes that was flown but not done.
+/// Says what a run contributes that was flown but not done.
 enum class UnfinishedRuns {
     CountTheLimit, ///< the time limit of its mission, however it ended; without a limit its pair is left out
     AsMeasured,    ///< what was measured up to its end; without a figure its pair is left out

@@ -43,7 +43,7 @@ struct PairedValues {
 
 PairedValues valuesOf(const Pairing& pairing, const Metric& metric);
 
-/// What a run contributes to a metric, or nothing. Not a number and infinite figures are nothing.
+/// Returns what a run contributes to a metric, or nothing. Figures that are not finite are nothing.
 std::optional<double> valueOf(const RunFigures& run, const Metric& metric);
 
 } // namespace usar::campaign

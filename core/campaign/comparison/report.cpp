@@ -1,5 +1,6 @@
 #include "core/campaign/comparison/report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -17,7 +18,7 @@ QString number(double value, int decimals, bool with_sign) {
     if (!std::isfinite(value))
         return dash;
     QString text = QString::fromStdString(fixed(std::abs(value), decimals));
-    const bool is_zero = text.toDouble() == 0.0;
+    const bool is_zero = std::ranges::none_of(text, [](QChar one) { return one >= u'1' && one <= u'9'; });
     if (!is_zero && value < 0.0)
         text.prepend(QChar(0x2212));
     else if (!is_zero && with_sign)

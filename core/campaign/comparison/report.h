@@ -1,4 +1,4 @@
-// What all reports of a comparison are made from, and the words that they share.
+// All reports of a comparison are made from this, and share its words.
 #pragma once
 
 #include <optional>
@@ -44,10 +44,10 @@ QString percent(double share, bool with_sign = false);
 /// "0.012", or "< 0.001".
 QString pValue(double p);
 
-/// With two decimals; a dash if it is not a number.
+/// Returns the value with two decimals; a dash if it is not a number.
 QString plain(double value);
 
-/// Without the characters that XML does not allow, which a robot's or a program's words may hold.
+/// Removes the characters that XML does not allow, which a robot's or a program's words may hold.
 QString printable(const std::string& text);
 
 /// The name of a mission or variant; a word in place of an empty one.

@@ -1,4 +1,4 @@
-// What one run of a campaign came to, as the comparison of two variants needs it.
+// The figures of one run of a campaign, as the comparison of two variants needs them.
 #pragma once
 
 #include <cstddef>

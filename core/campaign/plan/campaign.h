@@ -50,7 +50,7 @@ struct Swarm {
     bool operator==(const Swarm&) const = default;
 };
 
-/// Which files of a run are kept beside its result line.
+/// Says of which runs the files are kept beside their result lines.
 enum class Keep { Nothing, Failures, Everything };
 
 /// Keys of the file: name, missions [], variants [], seeds, faults [], swarm {share, from_s, kinds}, limit_h,

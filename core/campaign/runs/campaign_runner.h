@@ -16,7 +16,7 @@
 
 namespace usar::campaign {
 
-/// Where and how the runs are flown.
+/// Says where and how the runs are flown.
 struct RunnerOptions {
     QString program; ///< path of usar-mission
     QString folder;  ///< of the campaign's results
@@ -30,8 +30,8 @@ struct RunnerOptions {
 /// Counts of a campaign, of the runs of this shard only.
 struct CampaignProgress {
     int runs = 0;                    ///< all of them
-    int done = 0;                    ///< with a result, from earlier or now
-    int flown = 0;                   ///< now
+    int done = 0;                    ///< They have a result, from earlier or now.
+    int flown = 0;                   ///< They were flown by this runner.
     std::map<Outcome, int> outcomes; ///< how many results of each kind there are
     std::vector<int> different;      ///< numbers of runs that were flown twice with different results
     Seconds wall{0.0};

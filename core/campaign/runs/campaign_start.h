@@ -1,4 +1,4 @@
-// What `usar-mission campaign` does before the first run: it reads and checks the campaign, and keeps its manifest.
+// The steps before a campaign's first run: it is read and checked, and its manifest is kept.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@
 
 namespace usar::campaign {
 
-/// What only the program knows that flies the campaign.
+/// Facts that only the program knows that flies the campaign.
 struct CampaignHost {
     QString program; ///< path of usar-mission
     std::string version;

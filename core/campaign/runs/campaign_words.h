@@ -1,4 +1,4 @@
-// What a campaign says while it runs and when it is over.
+// The words that a campaign says while it runs and when it is over.
 #pragma once
 
 #include <cstddef>
@@ -19,8 +19,8 @@ std::string progressLine(const CampaignProgress& progress, std::optional<std::si
 /// command that flies it; empty for others.
 std::string sentenceOf(const RunResult& result);
 
-/// Keys: campaign folder, runs, done, outcomes (an object with a count for each), different (numbers of runs),
-/// complete, wall_s.
+/// Returns an object with the keys folder, runs, done, outcomes (an object with a count for each), different (numbers
+/// of runs), complete, wall_s.
 QJsonObject toJson(const CampaignProgress& progress, const QString& folder);
 
 /// The exit code of `usar-mission campaign`, as that of a mission. `may_lack_runs`: it is over although some have not

@@ -1,4 +1,4 @@
-// What became of one run of a campaign, and its line in a shard file.
+// The result of one run of a campaign, and its line in a shard file.
 #pragma once
 
 #include <optional>
