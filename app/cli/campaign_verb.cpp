@@ -10,11 +10,13 @@
 #include "core/campaign/comparison/until_decided.h"
 #include "core/campaign/runs/campaign_start.h"
 #include "core/campaign/runs/campaign_words.h"
+#include "core/campaign/runs/shrinking.h"
 #include "core/campaign/runs/slurm_script.h"
 #include "core/mission/reports/progress_bar.h"
 #include "core/server/embedded/program_files.h"
 #include "core/server/embedded/quit_signals.h"
 #include "core/server/embedded/simulator_files.h"
+#include "core/sim/world/world_generator.h"
 
 namespace usar::app {
 
@@ -32,13 +34,23 @@ std::vector<campaign::FaultChoice> faultChoices() {
     return choices;
 }
 
+/// The generators read no file that changes, so a name with a known generator is enough.
+Result<QString> findWorld(const QString& name) {
+    const auto seeded = server::seededWorld(name);
+    if (!seeded)
+        return server::findWorld(name);
+    if (const auto known = sim::checkGenerator(seeded->generator.toStdString()); !known)
+        return tl::unexpected(known.error());
+    return QString();
+}
+
 campaign::CampaignHost hostOfCampaigns() {
     return {.program = QCoreApplication::applicationFilePath(),
             .version = std::string(version()),
             .plugin_folders = server::pluginFolders(),
             .faults = faultChoices(),
             .check_fault = [](const std::string& fault) { return sim::readFault(fault).map([](const sim::Fault&) {}); },
-            .find_world = server::findWorld};
+            .find_world = findWorld};
 }
 
 int refuse(const Error& error) {
@@ -80,6 +92,26 @@ private:
     campaign::DecisionWatch watch_;
 };
 
+/// Writes the runs that break an invariant into the file that the command line names, with as few faults as possible.
+Result<void> keepUnsound(const campaign::CampaignOptions& options, const campaign::CampaignRunner& runner) {
+    if (options.shrink.isEmpty())
+        return {};
+    const campaign::Campaign& campaign = runner.campaign();
+    std::vector<campaign::KnownFailure> failures;
+    for (const auto& [run, result] : runner.unsound()) {
+        tell("Run " + std::to_string(run.number) + " is flown with fewer faults.\n");
+        campaign::PlannedRun fewer = run;
+        fewer.faults = campaign::shrunk(run.faults, [&](const campaign::FaultTexts& faults) {
+            campaign::PlannedRun tried = run;
+            tried.faults = faults;
+            return campaign::breaksInvariants(campaign, tried, QCoreApplication::applicationFilePath(),
+                                              options.folder + "/shrinking", result.differences.has_value());
+        });
+        failures.push_back(campaign::knownFailure(campaign, fewer, result));
+    }
+    return campaign::addKnownFailures(options.shrink, failures);
+}
+
 int fly(const campaign::CampaignOptions& options) {
     const auto started = campaign::startCampaign(options, hostOfCampaigns());
     if (!started)
@@ -116,6 +148,8 @@ int fly(const campaign::CampaignOptions& options) {
     showProgress();
     if (runner.trouble())
         return refuse(*runner.trouble());
+    if (const auto kept = keepUnsound(options, runner); !kept)
+        return refuse(kept.error());
     const campaign::CampaignProgress progress = runner.progress();
     QJsonObject summary = campaign::toJson(progress, options.folder);
     if (until_decided)

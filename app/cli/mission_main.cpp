@@ -75,7 +75,8 @@ serverFor(const mission::MissionOptions& options, const mission::Mission& plan, 
         {.seed = options.seed,
          .speed_x = options.speed_x,
          .faults = *std::move(faults),
-         .battery_life = options.battery_life_s ? Seconds{*options.battery_life_s} : sim::survey_battery_life});
+         .battery_life = options.battery_life_s ? Seconds{*options.battery_life_s} : sim::survey_battery_life,
+         .own_thread = options.speed_x.has_value()});
     if (!simulator)
         return tl::unexpected(mission::atValue(plan, "world", simulator.error()));
     run_options.port = (*simulator)->port();
@@ -97,6 +98,9 @@ int run(const mission::MissionOptions& options, mission::Mission plan,
     run_options.seed = options.seed;
     run_options.result_folder = options.result_folder;
     run_options.recording = options.recording;
+    run_options.course = options.course;
+    if (options.one_thread)
+        run_options.behavior_thread = agent::BehaviorThread::Callers;
     run_options.limits.session.flight = mission::limitOf(options, plan);
     run_options.earlier = std::move(earlier);
     run_options.behavior_host = server::behaviorHostProgram();

@@ -41,7 +41,8 @@ Result<TaskPreview> previewTask(const RobotPlugin& plugin, const std::string& id
 
 Result<std::shared_ptr<RunningBehavior>> startBehavior(const PluginLoader& plugins, const std::string& behavior_id,
                                                        BehaviorContext context,
-                                                       const std::optional<QString>& host_program) {
+                                                       const std::optional<QString>& host_program,
+                                                       BehaviorThread thread) {
     const auto plugin = plugins.pluginFor(behavior_id);
     if (!plugin)
         return tl::unexpected(plugin.error());
@@ -53,8 +54,11 @@ Result<std::shared_ptr<RunningBehavior>> startBehavior(const PluginLoader& plugi
     auto behavior = makeBehavior(**plugin, behavior_id, std::move(context));
     if (!behavior)
         return tl::unexpected(behavior.error());
-    return std::make_shared<WatchedBehavior>(std::make_unique<BehaviorHost>(
-        *std::move(behavior), behavior_id, plugins.robotOf(behavior_id)->sensors_needed));
+    auto host =
+        std::make_unique<BehaviorHost>(*std::move(behavior), behavior_id, plugins.robotOf(behavior_id)->sensors_needed);
+    if (thread == BehaviorThread::Callers)
+        return std::shared_ptr<RunningBehavior>(std::move(host));
+    return std::make_shared<WatchedBehavior>(std::move(host));
 }
 
 } // namespace usar::agent

@@ -50,6 +50,10 @@ void tst_HandsLeaving::quittingInFlightAsksAndWithoutAnAnswerStays() {
 
 void tst_HandsLeaving::closingTheWindowInFlightAsksToo() {
     QVERIFY2(flies(), program_ ? qPrintable(program_->trouble()) : "");
+    const auto has_focus = [this] {
+        return program_->read().find([](const Seen& seen) { return seen.focused(); }).has_value();
+    };
+    QTRY_VERIFY2_WITH_TIMEOUT(has_focus(), "nobody in the window hears a key", 30000);
     program_->desk().key("alt+F4");
     QCOMPARE(insteadOfAsking(), QString());
     QVERIFY(program_->press("Stop and quit"));

@@ -113,8 +113,9 @@ void tst_UsarMission::fliesAMissionToItsEnd() {
 }
 
 void tst_UsarMission::equalSeedsGiveEqualMaps() {
-    const auto mapOf = [&](const QString& seed) {
-        const Ended ended = run({"run", missionFile(small), "--seed", seed, "--out", folder_->filePath("results")});
+    const auto mapOf = [&](const QString& seed, const QStringList& further = {}) {
+        const Ended ended = run(
+            QStringList{"run", missionFile(small), "--seed", seed, "--out", folder_->filePath("results")} + further);
         for (const QJsonValue name : ended.summary["files"].toArray())
             if (QFile file(name.toString()); name.toString().endsWith(".bil") && file.open(QIODevice::ReadOnly))
                 return file.readAll();
@@ -123,6 +124,8 @@ void tst_UsarMission::equalSeedsGiveEqualMaps() {
     const QByteArray first = mapOf("9");
     QVERIFY(!first.isEmpty());
     QVERIFY(first == mapOf("9"));
+    QVERIFY2(first == mapOf("9", {"--one-thread"}), "simulator, mission and behavior in one thread");
+    QVERIFY2(first == mapOf("9", {"--speed", "500"}), "each in a thread of its own");
     QVERIFY(first != mapOf("10"));
 }
 

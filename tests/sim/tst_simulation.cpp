@@ -357,8 +357,21 @@ private slots:
         steps(*simulation, 2);
         second.say("DRIVE {LinearVelocity 2}");
         steps(*simulation, 30);
-        for (const RobotTruth& robot : simulation->robots())
+        for (const RobotTruth& robot : simulation->robots()) {
             QVERIFY(robot.broken);
+            QVERIFY(!robot.collision_places_in_map_m.empty());
+            const Vec3& place_m = robot.collision_places_in_map_m.front();
+            QVERIFY2(place_m.head<2>().norm() < 1.5 && place_m.z() > 4.0, "they met above the origin");
+        }
+    }
+
+    void theFirstPlacesOfManyCollisionsAreKept() {
+        CollisionPlaces places;
+        for (int collisions = 0; collisions < 100; ++collisions)
+            for (int tick = 0; tick < 3; ++tick)
+                places.step(collisions, Vec3(collisions, tick, 0.0));
+        QCOMPARE(places.places_m().size(), CollisionPlaces::most);
+        QCOMPARE(places.places_m().front(), Vec3(1.0, 0.0, 0.0));
     }
 
     void fliesOverTheEdgeWithoutHarm() {

@@ -48,6 +48,13 @@ void addFacts(CampaignFigures& figures, const QJsonObject& head, const std::vect
             input["sha256"].toString().toStdString());
 }
 
+std::vector<QPointF> pointsIn(const QJsonValue& list) {
+    std::vector<QPointF> points;
+    for (const QJsonValue point : list.toArray())
+        points.emplace_back(point[0].toDouble(), point[1].toDouble());
+    return points;
+}
+
 /// Pairs of two campaigns can only be compared if they mean the same.
 Result<void> checkPairs(const std::vector<RunResult>& first, const std::vector<RunResult>& second,
                         const QString& folder) {
@@ -82,6 +89,9 @@ RunFigures figuresOf(const RunResult& result) {
         const QJsonValue value = result.summary.value(QLatin1String(key));
         figures.metrics[key] = value.isDouble() ? std::optional(value.toDouble()) : std::nullopt;
     }
+    const QJsonObject course = result.summary.value("course").toObject();
+    figures.course = {pointsIn(course["coverage"]), pointsIn(course["path"]), pointsIn(course["given_up"]),
+                      pointsIn(course["collisions"])};
     return figures;
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/campaign/comparison/course_plots.h"
+#include "core/campaign/comparison/coverage_band.h"
 #include "core/campaign/comparison/failures.h"
 #include "core/campaign/comparison/html_page.h"
 #include "core/campaign/comparison/svg_plots.h"
@@ -187,6 +189,49 @@ void writeProfile(QXmlStreamWriter& xml, const Comparison& comparison) {
                 duration->metric);
 }
 
+VariantRuns runsOf(const Comparison& comparison, const RunFigures* RunPair::*side, const std::string& variant,
+                   int mission) {
+    VariantRuns all{nameOf(variant), {}};
+    for (const RunPair& pair : comparison.pairing.pairs)
+        if (pair.mission == mission)
+            all.runs.push_back(pair.*side);
+    return all;
+}
+
+void writeCoverage(QXmlStreamWriter& xml, const QString& mission, const VariantRuns& baseline,
+                   const VariantRuns& candidate) {
+    if (std::max(lastCoverage_s(baseline.runs), lastCoverage_s(candidate.runs)) <= 0.0)
+        return;
+    const HtmlElement section(xml, "section");
+    write(xml, "h2", "Coverage of " + mission + " over time");
+    drawCoverage(xml, baseline, candidate);
+    write(xml, "p",
+          "The lines are medians; the bands reach from the tenth to the ninetieth percentile. A run that has ended "
+          "keeps what it has covered.",
+          "note");
+}
+
+void writePlaces(QXmlStreamWriter& xml, const QString& mission, const VariantRuns& baseline,
+                 const VariantRuns& candidate) {
+    if (!havePlaces(baseline, candidate))
+        return;
+    const HtmlElement section(xml, "section");
+    write(xml, "h2", "Where runs of " + mission + " collided or gave goals up");
+    drawPlaces(xml, baseline, candidate);
+    write(xml, "p", "Crosses are collisions, at most twenty of a run; circles are goals that were given up.", "note");
+}
+
+void writeCourses(QXmlStreamWriter& xml, const Comparison& comparison) {
+    for (std::size_t i = 0; i < comparison.pairing.missions.size(); ++i) {
+        const QString mission = nameOf(comparison.pairing.missions[i]);
+        const int index = static_cast<int>(i);
+        const VariantRuns baseline = runsOf(comparison, &RunPair::baseline, comparison.baseline, index);
+        const VariantRuns candidate = runsOf(comparison, &RunPair::candidate, comparison.candidate, index);
+        writeCoverage(xml, mission, baseline, candidate);
+        writePlaces(xml, mission, baseline, candidate);
+    }
+}
+
 /// A browser breaks a line before or after any hyphen, so each word of a command is kept in one piece.
 void writeCommand(QXmlStreamWriter& xml, const std::string& command) {
     const HtmlElement code(xml, "code");
@@ -207,6 +252,7 @@ void writeRun(QXmlStreamWriter& xml, const RunFigures& run) {
     write(xml, "td", wordOf(run.outcome));
     const HtmlElement cell(xml, "td", "why");
     xml.writeCharacters(printable(run.reason));
+    drawCourse(xml, run);
     if (!run.command.empty())
         writeCommand(xml, run.command);
 }
@@ -305,6 +351,7 @@ QByteArray htmlReport(const Report& report) {
         if (!report.comparison.metrics.empty())
             writeDifferences(xml, report.comparison);
         writeProfile(xml, report.comparison);
+        writeCourses(xml, report.comparison);
         writeNotableRuns(xml, report.comparison);
         writeFailures(xml, report);
         writeFacts(xml, report);

@@ -5,6 +5,9 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
+
+#include <QPointF>
 
 #include "core/campaign/runs/run_result.h"
 
@@ -13,6 +16,14 @@ namespace usar::campaign {
 /// True where the variant itself is to answer for the end of the run. What was refused or killed says nothing about how
 /// it flies, and is to be flown again.
 bool counts(Outcome outcome);
+
+/// How a run went; empty where the results do not tell. Places in meters, map frame.
+struct CourseFigures {
+    std::vector<QPointF> coverage; ///< x: seconds since the start, y: percent
+    std::vector<QPointF> path;
+    std::vector<QPointF> given_up; ///< goals
+    std::vector<QPointF> collisions;
+};
 
 struct RunFigures {
     std::size_t number = 0; ///< in the campaign
@@ -26,6 +37,7 @@ struct RunFigures {
     std::string reason;                 ///< why it was not fulfilled; a sentence or empty
     std::string command;                ///< flies the run again; empty: not known
     std::optional<double> time_limit_s; ///< of the mission, on the protocol clock; absent: it has none
+    CourseFigures course{};
 };
 
 } // namespace usar::campaign

@@ -1,5 +1,6 @@
 #include "core/campaign/plan/campaign.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -19,7 +20,7 @@ using mission::JsonReading;
 constexpr double most_seeds = 10e6;
 
 const JsonReading::KnownKeys known_keys{
-    {"", {"name", "missions", "variants", "seeds", "faults", "swarm", "limit_h", "wall_limit_s", "keep"}},
+    {"", {"name", "missions", "variants", "seeds", "faults", "swarm", "again", "limit_h", "wall_limit_s", "keep"}},
     {"seeds", {"first", "count"}},
     {"swarm", {"share", "from_s", "kinds"}},
     {"missions[]", {"file", "seeds", "worlds", "draw"}},
@@ -167,6 +168,29 @@ void readSwarm(JsonReading& reading, const QJsonObject& root, Campaign& campaign
     swarm.kinds = reading.texts(object, "swarm.kinds", "a kind of fault", "wind");
 }
 
+/// Reads the runs that once showed a defect; each must be one that this campaign can fly.
+Result<void> readAgain(JsonReading& reading, const QJsonObject& root, const QString& file_name, Campaign& campaign) {
+    std::string path;
+    reading.text(root, "again", path);
+    if (path.empty())
+        return {};
+    const QString file = beside(file_name, path);
+    auto known = readKnownFailures(file);
+    if (!known)
+        return tl::unexpected(known.error());
+    for (const KnownFailure& one : *known) {
+        const auto flies = [&](const CampaignMission& mission) { return nameOf(mission).toStdString() == one.mission; };
+        if (std::ranges::none_of(campaign.missions, flies))
+            return failure("a known failure is of a mission that the campaign has not: " + one.mission,
+                           file.toStdString(), "Add the mission, or remove the line");
+        if (std::ranges::find(campaign.variants, one.variant, &Variant::name) == campaign.variants.end())
+            return failure("a known failure is of a variant that the campaign has not: " + one.variant,
+                           file.toStdString(), "Add the variant, or remove the line");
+    }
+    campaign.again = *std::move(known);
+    return {};
+}
+
 void readLimits(JsonReading& reading, const QJsonObject& root, Campaign& campaign) {
     if (!root["limit_h"].isUndefined())
         reading.number(root, "limit_h", campaign.limit_h.emplace(), false, "hours");
@@ -187,6 +211,10 @@ void readLimits(JsonReading& reading, const QJsonObject& root, Campaign& campaig
 
 } // namespace
 
+QString nameOf(const CampaignMission& mission) {
+    return QFileInfo(mission.file).completeBaseName();
+}
+
 Result<Campaign> readCampaign(const QByteArray& json, const QString& file_name) {
     const auto root = mission::readJsonObject(json, file_name, "a campaign");
     if (!root)
@@ -200,9 +228,10 @@ Result<Campaign> readCampaign(const QByteArray& json, const QString& file_name) 
     campaign.faults = reading.texts(*root, "faults", "a fault", "wind speed=5");
     readSwarm(reading, *root, campaign);
     readLimits(reading, *root, campaign);
+    const auto again = readAgain(reading, *root, file_name, campaign);
     if (reading.error())
         return tl::unexpected(*reading.error());
-    return campaign;
+    return again.map([&] { return std::move(campaign); });
 }
 
 Result<Campaign> readCampaignFile(const QString& path) {

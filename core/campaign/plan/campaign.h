@@ -10,6 +10,7 @@
 #include <QString>
 
 #include "core/base/result.h"
+#include "core/campaign/plan/known_failures.h"
 
 namespace usar::campaign {
 
@@ -27,7 +28,7 @@ struct CampaignMission {
     QString file; ///< an absolute path
     std::uint64_t first_seed = 1;
     int seeds = 1;                   ///< how many, from the first up
-    std::vector<std::string> worlds; ///< names or folders; empty: the mission's own
+    std::vector<std::string> worlds; ///< names, folders, or "town:seed" for one a seed; empty: the mission's own
     std::vector<Draw> draws;
     bool operator==(const CampaignMission&) const = default;
 };
@@ -53,24 +54,29 @@ struct Swarm {
 /// Says of which runs the files are kept beside their result lines.
 enum class Keep { Nothing, Failures, Everything };
 
-/// Keys of the file: name, missions [], variants [], seeds, faults [], swarm {share, from_s, kinds}, limit_h,
-/// wall_limit_s, keep ("nothing", "failures" or "everything"). A mission is the path of its file, from the campaign's
-/// folder, or {file, seeds, worlds [], draw {KEY: [least, most] or [text, …]}}. Seeds are a count, from 1 up, or
-/// {first, count}. A variant is {name, behavior, plan, set {KEY: value}}. Only name and missions are required.
+/// Keys of the file: name, missions [], variants [], seeds, faults [], swarm {share, from_s, kinds}, again, limit_h,
+/// wall_limit_s, keep ("nothing", "failures" or "everything"). Again is the path of a file of known failures. A mission
+/// is the path of its file, from the campaign's folder, or {file, seeds, worlds [], draw {KEY: [least, most] or [text,
+/// …]}}. Seeds are a count, from 1 up, or {first, count}. A variant is {name, behavior, plan, set {KEY: value}}. Only
+/// name and missions are required.
 struct Campaign {
     std::string name;
     std::vector<CampaignMission> missions;
     std::vector<Variant> variants;   ///< at least one
     std::vector<std::string> faults; ///< of every run, in the syntax of --fault
     std::optional<Swarm> swarm;
-    std::optional<double> limit_h; ///< of simulated time; absent: the missions' own
-    double wall_limit_s = 3600.0;  ///< a run that takes longer is stopped
+    std::vector<KnownFailure> again; ///< flown after all others; their missions and variants are the campaign's
+    std::optional<double> limit_h;   ///< of simulated time; absent: the missions' own
+    double wall_limit_s = 3600.0;    ///< a run that takes longer is stopped
     Keep keep = Keep::Failures;
     bool operator==(const Campaign&) const = default;
 };
 
+/// The name of a mission: that of its file without the suffix.
+QString nameOf(const CampaignMission& mission);
+
 /// Reads a campaign from JSON text; `file_name` is used in errors and for relative paths. Errors name file, line and
-/// column. Missions and plans are not opened.
+/// column. Missions and plans are not opened, but the file of known failures is.
 Result<Campaign> readCampaign(const QByteArray& json, const QString& file_name);
 /// Reads a campaign file of at most 1 MiB.
 Result<Campaign> readCampaignFile(const QString& path);

@@ -1,8 +1,7 @@
 #include "core/campaign/plan/planned_run.h"
 
 #include <algorithm>
-
-#include <QFileInfo>
+#include <string_view>
 
 #include "core/base/numbers.h"
 #include "core/campaign/plan/shell_word.h"
@@ -13,6 +12,13 @@ namespace {
 
 /// Engine streams of a pair's draws.
 enum Stream : std::uint64_t { Values = 1, Faults = 2 };
+
+/// "town:seed" is the world that the generator makes from the run's own seed.
+std::string worldOf(const std::string& world, std::uint64_t seed) {
+    constexpr std::string_view own_seed = ":seed";
+    return world.ends_with(own_seed) ? world.substr(0, world.size() + 1 - own_seed.size()) + std::to_string(seed)
+                                     : world;
+}
 
 std::vector<std::string> drawValues(const std::vector<Draw>& draws, Random& random) {
     std::vector<std::string> values;
@@ -30,6 +36,23 @@ std::vector<std::string> drawValues(const std::vector<Draw>& draws, Random& rand
     return values;
 }
 
+void addKnownFailures(const Campaign& campaign, PlannedRun next, std::vector<PlannedRun>& runs) {
+    for (const KnownFailure& one : campaign.again) {
+        const auto mission = std::ranges::find_if(
+            campaign.missions, [&](const auto& candidate) { return nameOf(candidate).toStdString() == one.mission; });
+        const auto variant = std::ranges::find(campaign.variants, one.variant, &Variant::name);
+        next.mission = static_cast<std::size_t>(mission - campaign.missions.begin());
+        next.variant = static_cast<std::size_t>(variant - campaign.variants.begin());
+        next.seed = one.seed;
+        next.faults = one.faults;
+        next.values = one.values;
+        std::ranges::copy(variant->values, std::back_inserter(next.values));
+        runs.push_back(next);
+        ++next.number;
+        ++next.pair;
+    }
+}
+
 } // namespace
 
 std::vector<PlannedRun> planRuns(const Campaign& campaign, std::span<const FaultChoice> choices) {
@@ -41,7 +64,7 @@ std::vector<PlannedRun> planRuns(const Campaign& campaign, std::span<const Fault
         Random fault_random = seeded(seed, Faults);
         std::vector<std::string> values = drawValues(mission.draws, value_random);
         if (!world.empty())
-            values.insert(values.begin(), "world=" + world);
+            values.insert(values.begin(), "world=" + worldOf(world, seed));
         run.seed = seed;
         run.faults = campaign.faults;
         if (campaign.swarm)
@@ -61,11 +84,8 @@ std::vector<PlannedRun> planRuns(const Campaign& campaign, std::span<const Fault
             for (int i = 0; i < mission.seeds; ++i)
                 addPair(mission.first_seed + static_cast<std::uint64_t>(i), world);
     }
+    addKnownFailures(campaign, run, runs);
     return runs;
-}
-
-QString nameOf(const CampaignMission& mission) {
-    return QFileInfo(mission.file).completeBaseName();
 }
 
 QStringList argumentsOf(const Campaign& campaign, const PlannedRun& run) {

@@ -28,11 +28,8 @@ struct PlannedRun {
     bool operator==(const PlannedRun&) const = default;
 };
 
-/// All runs in the order of missions, worlds, seeds and variants.
+/// All runs in the order of missions, worlds, seeds and variants; then the known failures, each a pair of its own.
 std::vector<PlannedRun> planRuns(const Campaign& campaign, std::span<const FaultChoice> choices);
-
-/// The name of a mission: that of its file without the suffix.
-QString nameOf(const CampaignMission& mission);
 
 /// Arguments for usar-mission that fly this run, without a result folder.
 QStringList argumentsOf(const Campaign& campaign, const PlannedRun& run);

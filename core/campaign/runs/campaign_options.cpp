@@ -9,6 +9,8 @@ namespace {
 
 const std::string usage = "Write usar-mission campaign CAMPAIGN.json --out DIR; --help tells more";
 
+constexpr int most_runs = 10'000'000;
+
 /// A whole number of the text, between the two; nullopt otherwise.
 std::optional<int> wholeNumber(const QString& text, int least, int most) {
     const auto number = readInteger(text.toStdString());
@@ -49,6 +51,9 @@ Result<CampaignOptions> readCampaignOptions(const QStringList& arguments) {
                                                  {"shard", {}, "I/N"},
                                                  {"slurm", {}, "TASKS"},
                                                  {"check-every", {}, "N"},
+                                                 {"runs", {}, "N"},
+                                                 {"first-seed", {}, "N"},
+                                                 {"shrink", {}, "FILE"},
                                                  QCommandLineOption("resume"),
                                                  QCommandLineOption("until-decided"),
                                                  QCommandLineOption(QStringList{"h", "help"})},
@@ -75,6 +80,11 @@ Result<CampaignOptions> readCampaignOptions(const QStringList& arguments) {
         return tl::unexpected(read.error());
     if (auto read = readCount(parser, "check-every", 0, 1'000'000, options.check_every); !read)
         return tl::unexpected(read.error());
+    if (auto read = readCount(parser, "runs", 1, most_runs, options.runs); !read)
+        return tl::unexpected(read.error());
+    if (auto read = readCount(parser, "first-seed", 0, most_runs, options.first_seed); !read)
+        return tl::unexpected(read.error());
+    options.shrink = parser.value("shrink");
     if (parser.isSet("shard")) {
         const auto shard = readShard(parser);
         if (!shard)
@@ -97,10 +107,15 @@ QString campaignHelp() {
         "  --until-decided  fly no more once it is known which of the two variants is better, by success and\n"
         "                 then by time; a test that may be looked at after each pair says so (95 %)\n"
         "  --check-every N  fly one run in N twice, which must come out the same (100; 0: none)\n"
+        "  --runs N       about N runs in all, with as many seeds as that takes instead of the file's\n"
+        "  --first-seed N the first seed, instead of the file's\n"
+        "  --shrink FILE  of the runs that show a defect of the program (a crash, figures that cannot be, another\n"
+        "                 result when flown again), add the fewest faults that still show it to FILE; a campaign\n"
+        "                 file flies them again with \"again\": FILE\n"
         "  --slurm TASKS  fly nothing, but print a job script for sbatch, with so many parts\n"
         "\n"
         "A progress bar goes to standard error; the last line of standard output is one JSON object.\n"
-        "Exit code 0: all missions were done; 1: some failed, or came out otherwise when flown again;\n"
+        "Exit code 0: all missions were done; 1: some failed, or showed a defect of the program;\n"
         "2: bad use or input. Ctrl+C keeps the results that are there.\n");
 }
 

@@ -15,12 +15,15 @@ namespace usar::campaign {
 struct CampaignOptions {
     QString file;
     QString folder;
-    int jobs = 0;               ///< processes at a time; 0: as many as there are processors
-    bool resume = false;        ///< go on with the results that are in the folder
-    std::optional<Shard> shard; ///< absent: all runs
-    int check_every = 100;      ///< one run in so many is flown twice; 0: none
-    std::optional<int> slurm;   ///< only print a job script with so many shards
-    bool until_decided = false; ///< fly no more once it is known which of two variants is better
+    int jobs = 0;                    ///< processes at a time; 0: as many as there are processors
+    bool resume = false;             ///< go on with the results that are in the folder
+    std::optional<Shard> shard{};    ///< absent: all runs
+    int check_every = 100;           ///< one run in so many is flown twice; 0: none
+    std::optional<int> slurm{};      ///< only print a job script with so many shards
+    std::optional<int> runs{};       ///< about so many in all, instead of as many as the file's seeds make
+    std::optional<int> first_seed{}; ///< instead of the file's
+    QString shrink{};                ///< file for the runs that break an invariant, with the fewest faults; empty: none
+    bool until_decided = false;      ///< fly no more once it is known which of two variants is better
     bool help = false;
     bool operator==(const CampaignOptions&) const = default;
 };

@@ -5,6 +5,8 @@
 
 #include <QDir>
 
+#include "core/campaign/runs/invariants.h"
+
 namespace usar::campaign {
 
 struct CampaignRunner::Flight {
@@ -37,7 +39,7 @@ CampaignRunner::CampaignRunner(Campaign campaign, std::vector<PlannedRun> runs, 
         if (found == known.end())
             waiting_.push_back(std::move(run));
         else
-            count(*found->second);
+            count(run, *found->second);
     }
     std::ranges::reverse(waiting_);
 }
@@ -97,7 +99,9 @@ void CampaignRunner::fly(std::unique_ptr<Flight> flight) {
     one.folder = folderOf(one.run) + (one.again ? "-again" : "");
     QDir(one.folder).removeRecursively(); // An interrupted campaign may have left some of its files.
     QDir().mkpath(one.folder);
-    QStringList arguments = argumentsOf(campaign_, one.run) << "--out" << one.folder;
+    QStringList arguments = argumentsOf(campaign_, one.run) << "--course"
+                                                            << "--one-thread"
+                                                            << "--out" << one.folder;
     if (campaign_.keep == Keep::Everything && !one.again)
         arguments << "--record" << QDir(one.folder).filePath("run.usarrec");
     one.process = std::make_unique<RunProcess>();
@@ -142,16 +146,20 @@ void CampaignRunner::take(Flight& flight, const ProcessEnd& end) {
         return interrupt();
     }
     ++progress_.flown;
-    count(now);
+    count(flight.run, now);
     emit ran(now);
     startNext();
 }
 
-void CampaignRunner::count(const RunResult& result) {
+void CampaignRunner::count(const PlannedRun& run, const RunResult& result) {
     ++progress_.done;
     ++progress_.outcomes[result.outcome];
     if (result.differences && !result.differences->isEmpty())
         progress_.different.push_back(result.number);
+    if (!brokenInvariants(result).isEmpty()) {
+        progress_.unsound.push_back(result.number);
+        unsound_.emplace_back(run, result);
+    }
 }
 
 } // namespace usar::campaign

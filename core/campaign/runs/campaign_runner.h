@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include <QElapsedTimer>
@@ -34,6 +35,7 @@ struct CampaignProgress {
     int flown = 0;                   ///< They were flown by this runner.
     std::map<Outcome, int> outcomes; ///< how many results of each kind there are
     std::vector<int> different;      ///< numbers of runs that were flown twice with different results
+    std::vector<int> unsound;        ///< numbers of runs that break an invariant; those that differ are among them
     Seconds wall{0.0};
     /// Results that are not Outcome::Done.
     int failures() const;
@@ -60,6 +62,8 @@ public:
     CampaignProgress progress() const;
     const Campaign& campaign() const { return campaign_; }
     const std::vector<RunResult>& earlier() const { return earlier_; }
+    /// The runs that break an invariant, with what they break, in the order in which they ended.
+    const std::vector<std::pair<PlannedRun, RunResult>>& unsound() const { return unsound_; }
     /// Set if the results could not be written.
     const std::optional<Error>& trouble() const { return trouble_; }
 
@@ -74,7 +78,7 @@ private:
     void fly(std::unique_ptr<Flight> flight);
     void take(Flight& flight, const ProcessEnd& end);
     QString folderOf(const PlannedRun& run) const;
-    void count(const RunResult& result);
+    void count(const PlannedRun& run, const RunResult& result);
 
     Campaign campaign_;
     std::vector<PlannedRun> waiting_; ///< the next one last
@@ -83,6 +87,7 @@ private:
     ShardFile file_;
     std::map<int, std::unique_ptr<Flight>> flying_; ///< by the number of the run
     CampaignProgress progress_;
+    std::vector<std::pair<PlannedRun, RunResult>> unsound_;
     QElapsedTimer since_start_;
     bool interrupted_ = false;
     std::optional<Error> trouble_;

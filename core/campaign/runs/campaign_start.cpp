@@ -57,6 +57,8 @@ Result<void> addMissions(Manifest& manifest, const Campaign& campaign, const Cam
         const auto folder = host.find_world(name);
         if (!folder)
             return tl::unexpected(folder.error());
+        if (folder->isEmpty())
+            continue; // The program makes it, and its own hash is among the inputs.
         if (auto added = addInput(manifest, "world", name, *folder); !added)
             return added;
     }
@@ -90,6 +92,19 @@ Result<void> checkFaults(const Campaign& campaign, const CampaignHost& host) {
 
 } // namespace
 
+void applyTo(Campaign& campaign, const CampaignOptions& options) {
+    std::size_t places = 0; // Each flies every seed.
+    for (const CampaignMission& mission : campaign.missions)
+        places += std::max<std::size_t>(1, mission.worlds.size());
+    const int runs_a_seed = static_cast<int>(places * campaign.variants.size());
+    for (CampaignMission& mission : campaign.missions) {
+        if (options.runs)
+            mission.seeds = (*options.runs + runs_a_seed - 1) / runs_a_seed;
+        if (options.first_seed)
+            mission.first_seed = static_cast<std::uint64_t>(*options.first_seed);
+    }
+}
+
 Result<Manifest> manifestOf(const Campaign& campaign, const CampaignHost& host) {
     if (auto possible = checkFaults(campaign, host); !possible)
         return tl::unexpected(possible.error());
@@ -106,9 +121,10 @@ Result<Manifest> manifestOf(const Campaign& campaign, const CampaignHost& host) 
 }
 
 Result<std::unique_ptr<CampaignRunner>> startCampaign(const CampaignOptions& options, const CampaignHost& host) {
-    const auto campaign = readCampaignFile(options.file);
+    auto campaign = readCampaignFile(options.file);
     if (!campaign)
         return tl::unexpected(campaign.error());
+    applyTo(*campaign, options);
     auto manifest = manifestOf(*campaign, host);
     if (!manifest)
         return tl::unexpected(manifest.error());

@@ -21,13 +21,17 @@ struct CampaignHost {
     QStringList plugin_folders;
     std::vector<FaultChoice> faults; ///< those that a swarm may draw
     std::function<Result<void>(const std::string& fault)> check_fault;
-    /// Folder of a world, by its name or path.
+    /// Folder of a world, by its name or path; an empty path for a world that the program makes from a seed.
     std::function<Result<QString>(const QString& world)> find_world;
 };
 
 /// Reads all that the campaign depends on: every mission must be readable with every variant's values, and every world,
 /// plan and fault must exist. Errors name the file and the place.
 Result<Manifest> manifestOf(const Campaign& campaign, const CampaignHost& host);
+
+/// Changes the campaign's seeds as the command line wants it. With --runs, every mission and world gets as many seeds
+/// as it takes to fly at least that many; known failures are not counted.
+void applyTo(Campaign& campaign, const CampaignOptions& options);
 
 /// Makes ready to fly: keeps the manifest in the folder, takes the shard's file, and reads earlier results. Fails if
 /// the folder holds another campaign, if another process flies the same shard, and if there are results but neither

@@ -6,15 +6,29 @@
 
 #include "core/base/numbers.h"
 #include "core/base/time_range.h"
+#include "core/campaign/runs/invariants.h"
 #include "core/mission/reports/progress_bar.h"
 
 namespace usar::campaign {
+
+namespace {
+
+QJsonArray listOf(const std::vector<int>& numbers) {
+    QJsonArray list;
+    for (const int number : numbers)
+        list << number;
+    return list;
+}
+
+} // namespace
 
 std::string progressLine(const CampaignProgress& progress, std::optional<std::size_t> columns) {
     const double percent = progress.runs > 0 ? 100.0 * progress.done / progress.runs : 100.0;
     std::vector<std::string> figures;
     if (const int failures = progress.failures(); failures > 0)
         figures.push_back("  " + std::to_string(failures) + " not done");
+    if (const auto unsound = progress.unsound.size(); unsound > 0)
+        figures.push_back("  " + std::to_string(unsound) + " unsound");
     if (const double rate_hz = progress.rate_hz(); rate_hz > 0.0) {
         figures.push_back("  " + fixed(rate_hz, rate_hz < 10.0 ? 1 : 0) + " runs/s");
         figures.push_back("  ETA " + countdownText(Seconds{(progress.runs - progress.done) / rate_hz}));
@@ -25,8 +39,8 @@ std::string progressLine(const CampaignProgress& progress, std::optional<std::si
 
 std::string sentenceOf(const RunResult& result) {
     std::string said;
-    if (result.differences && !result.differences->isEmpty())
-        said = "came out differently when it was flown again (" + result.differences->join(", ").toStdString() + ")";
+    if (const QStringList broken = brokenInvariants(result); !broken.isEmpty())
+        said = "shows a defect of the program. " + broken.join(' ').toStdString();
     else if (result.outcome != Outcome::Done)
         said = wordOf(result.outcome).toStdString() + ": " + result.reason;
     else
@@ -39,21 +53,19 @@ QJsonObject toJson(const CampaignProgress& progress, const QString& folder) {
     QJsonObject outcomes;
     for (const auto& [outcome, count] : progress.outcomes)
         outcomes[wordOf(outcome)] = count;
-    QJsonArray different;
-    for (const int number : progress.different)
-        different << number;
     return {{"folder", folder},
             {"runs", progress.runs},
             {"done", progress.done},
             {"outcomes", outcomes},
-            {"different", different},
+            {"different", listOf(progress.different)},
+            {"unsound", listOf(progress.unsound)},
             {"complete", progress.done == progress.runs},
             {"wall_s", std::round(progress.wall.count() * 1000.0) / 1000.0}};
 }
 
 int exitCodeOf(const CampaignProgress& progress, bool may_lack_runs) {
     const bool whole = may_lack_runs || progress.done == progress.runs;
-    const bool well = whole && progress.failures() == 0 && progress.different.empty();
+    const bool well = whole && progress.failures() == 0 && progress.unsound.empty();
     return well ? mission::Done : mission::MissionFailed;
 }
 

@@ -12,12 +12,24 @@ QString absolute(const QString& path) {
     return shellWord(QFileInfo(path).absoluteFilePath());
 }
 
+/// The options that change which runs there are, with a space before each.
+QString furtherOptions(const CampaignOptions& options) {
+    QString words;
+    if (options.runs)
+        words += QString(" --runs %1").arg(*options.runs);
+    if (options.first_seed)
+        words += QString(" --first-seed %1").arg(*options.first_seed);
+    return words + QString(" --check-every %1").arg(options.check_every);
+}
+
 } // namespace
 
 QString slurmScript(const CampaignOptions& options, const QString& program) {
     return QString(
                "#!/bin/sh\n"
-               "# Submit this with sbatch. It submits itself once more, to report when all parts have ended.\n"
+               "# Submit this with sbatch. It submits a second job, which reports when all parts have ended; to be "
+               "worse or\n"
+               "# undecided is no failure of that job.\n"
                "#SBATCH --job-name=usar-campaign\n"
                "#SBATCH --array=0-%1\n"
                "#SBATCH --requeue\n"
@@ -28,12 +40,12 @@ QString slurmScript(const CampaignOptions& options, const QString& program) {
                "results=%4\n"
                "if [ \"$SLURM_ARRAY_TASK_ID\" = 0 ] && [ \"${SLURM_RESTART_COUNT:-0}\" = 0 ]; then\n"
                "    sbatch --job-name=usar-campaign-report --dependency=afterany:\"$SLURM_ARRAY_JOB_ID\" \\\n"
-               "        --wrap \"'$program' compare '$results' --html '$results/report.html'\"\n"
+               "        --wrap \"'$program' compare '$results' --html '$results/report.html' || [ \\$? -ne 2 ]\"\n"
                "fi\n"
                "exec \"$program\" campaign \"$campaign\" --out \"$results\" --jobs \"${SLURM_CPUS_PER_TASK:-1}\" \\\n"
-               "    --shard \"$SLURM_ARRAY_TASK_ID/%5\"\n")
+               "    --shard \"$SLURM_ARRAY_TASK_ID/%5\"%6\n")
         .arg(QString::number(*options.slurm - 1), shellWord(program), absolute(options.file), absolute(options.folder),
-             QString::number(*options.slurm));
+             QString::number(*options.slurm), furtherOptions(options));
 }
 
 } // namespace usar::campaign

@@ -16,11 +16,23 @@ namespace usar::mission {
 namespace {
 
 QList<QCommandLineOption> runOptions() {
-    return {{"behavior", {}, "ID"},   {"plan", {}, "FILE"},          {"seed", {}, "N"},
-            {"speed", {}, "N|max"},   {"connect", {}, "HOST:PORT"},  {"out", {}, "DIR"},
-            {"record", {}, "FILE"},   {"continue", {}, "RECORDING"}, {"fault", {}, "TEXT"},
-            {"set", {}, "KEY=VALUE"}, {"plugins", {}, "FOLDER"},     {"battery", {}, "S"},
-            {"limit", {}, "TIME"},    QCommandLineOption("isolate"), QCommandLineOption(QStringList{"h", "help"})};
+    return {{"behavior", {}, "ID"},
+            {"plan", {}, "FILE"},
+            {"seed", {}, "N"},
+            {"speed", {}, "N|max"},
+            {"connect", {}, "HOST:PORT"},
+            {"out", {}, "DIR"},
+            {"record", {}, "FILE"},
+            {"continue", {}, "RECORDING"},
+            {"fault", {}, "TEXT"},
+            {"set", {}, "KEY=VALUE"},
+            {"plugins", {}, "FOLDER"},
+            {"battery", {}, "S"},
+            {"limit", {}, "TIME"},
+            QCommandLineOption("isolate"),
+            QCommandLineOption("course"),
+            QCommandLineOption("one-thread"),
+            QCommandLineOption(QStringList{"h", "help"})};
 }
 
 /// "90s", "30min" or "20h"; seconds without a unit. Nothing unless it is above 0.
@@ -117,6 +129,8 @@ Result<MissionOptions> readMissionOptions(const QStringList& arguments) {
     options.values = parser.values("set");
     options.plugin_folders = parser.values("plugins");
     options.isolate = parser.isSet("isolate");
+    options.course = parser.isSet("course");
+    options.one_thread = parser.isSet("one-thread");
     if (const auto read = readValues(parser, options); !read)
         return tl::unexpected(read.error());
     const QStringList words = parser.positionalArguments();
@@ -188,6 +202,11 @@ QString missionHelp() {
                "  --set KEY=VALUE      another value than the file's, such as area.width=40 or\n"
                "                       parameters.scan_altitude_m=3; repeat for more\n"
                "  --plugins FOLDER     robot plugins, besides those that come with the program; repeat for more\n"
+               "  --course             add to the summary how the coverage grew, and where the robot flew, collided "
+               "and\n"
+               "                       gave goals up\n"
+               "  --one-thread         the behavior has no thread of its own, which is fastest; one that hangs then\n"
+               "                       hangs the program\n"
                "  --isolate            the behavior runs in a separate process, so that only that can crash\n"
                "\n"
                "A progress bar goes to standard error; the last line of standard output is one JSON object.\n"

@@ -39,6 +39,8 @@ struct MissionOptions {
     QStringList values;           ///< KEY=VALUE to put over the mission's; see setValue
     QStringList plugin_folders;   ///< in addition to the plugins that come with the program
     bool isolate = false;         ///< on even if the mission does not ask for it
+    bool one_thread = false;      ///< the behavior has no thread of its own
+    bool course = false;          ///< the summary tells how the run went, see RunCourse
     bool help = false;            ///< only the help is wanted
     bool operator==(const MissionOptions&) const = default;
 };

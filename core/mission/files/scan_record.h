@@ -13,6 +13,7 @@
 
 #include "core/agent/published.h"
 #include "core/mapping/raster_export.h"
+#include "core/mission/files/coverage_course.h"
 
 namespace usar::mission {
 
@@ -37,6 +38,7 @@ struct ScanRecord {
     agent::BehaviorStatus status; ///< newest one
     /// Faults that were made to happen during the scan, in words: "60.2 s: fault begins: wind speed=5".
     std::vector<std::string> faults;
+    CoverageCourse course;
     std::optional<ContinuedRun> continues{}; ///< absent: the scan began with this run
     /// Grows with every change worth saving: map, path, marks, and in the status its words, charges and distance. With
     /// an empty map nothing is worth saving, so it begins at 0.

@@ -6,8 +6,8 @@
 #include "core/base/alternatives.h"
 #include "core/base/numbers.h"
 #include "core/link/across_threads.h"
+#include "core/mapping/area_cells.h"
 #include "core/mission/files/mission_check.h"
-#include "core/mission/runs/mission_score.h"
 
 namespace usar::mission {
 
@@ -205,7 +205,8 @@ void Robot::countCovered() {
 }
 
 void Robot::countCovered(const mapping::HeightTile& tile) {
-    view_.covered_cells[tile.index] = knownCellsIn(cellsOf(view_.area_in_map, view_.cell_size_m), tile);
+    view_.covered_cells[tile.index] =
+        mapping::knownCellsIn(mapping::cellsOf(view_.area_in_map, view_.cell_size_m), tile);
 }
 
 std::optional<double> Robot::coverage_pct() const {
@@ -214,7 +215,7 @@ std::optional<double> Robot::coverage_pct() const {
     double covered = 0.0;
     for (const auto& [index, cells] : view_.covered_cells)
         covered += cells;
-    const std::int64_t all = cellsOf(view_.area_in_map, view_.cell_size_m).count();
+    const std::int64_t all = mapping::cellsOf(view_.area_in_map, view_.cell_size_m).count();
     return all == 0 ? 0.0 : 100.0 * covered / double(all);
 }
 

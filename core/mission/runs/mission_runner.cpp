@@ -9,6 +9,7 @@
 
 #include "core/agent/behavior_start.h"
 #include "core/base/numbers.h"
+#include "core/mapping/area_cells.h"
 #include "core/mission/files/result_writer.h"
 
 namespace usar::mission {
@@ -128,7 +129,8 @@ void MissionRunner::takeRobot() {
     agent::Task flown = task; // The record keeps the whole area, of which the coverage is counted.
     flown.area_in_map = areaWithin(task.area_in_map, options_.world_extent.value_or(Rectangle{}));
     const auto made = agent::startBehavior(plugins_, mission_.behavior, {flown, behavior_->parameters, behavior_->plan},
-                                           mission_.isolate ? std::optional(options_.behavior_host) : std::nullopt);
+                                           mission_.isolate ? std::optional(options_.behavior_host) : std::nullopt,
+                                           options_.behavior_thread);
     if (!made)
         return conclude(false, made.error().text(), BadInput);
     phase_ = Phase::Flying;
@@ -176,7 +178,7 @@ Progress MissionRunner::progress() const {
     if (phase_ == Phase::Flying) {
         result.state = status.state;
         result.speed_x = wall_s > 0.0 ? flightTime().count() / wall_s : 0.0;
-        result.coverage_pct = coverage_pct(session_.map(), session_.record().area_in_map);
+        result.coverage_pct = mapping::coverage_pct(session_.map(), session_.record().area_in_map);
         result.distance_m = status.distance_flown_m;
         result.elapsed = flightTime();
         result.range_left_m = status.range_left_m;
@@ -231,6 +233,8 @@ RunSummary MissionRunner::figuresOf(const ScanRecord& record) {
     addSession(figures, session_.figures());
     const auto flight = behavior_ ? flightLimitsOf(start_in_map_, behavior_->parameters.values()) : std::nullopt;
     addRecord(figures, record, options_.truth ? &*options_.truth : nullptr, flight);
+    if (options_.course)
+        figures.course = courseOf(record);
     return figures;
 }
 

@@ -12,6 +12,7 @@
 #include <QObject>
 #include <QTimer>
 
+#include "core/agent/behavior_start.h"
 #include "core/agent/plugins/plugin_loader.h"
 #include "core/base/result.h"
 #include "core/mission/files/mission_check.h"
@@ -42,7 +43,10 @@ struct RunOptions {
     std::uint64_t seed = 1; ///< only reported in the summary; whoever created the simulator has given it the seed
     QString result_folder;  ///< empty: the default folder
     QString recording;      ///< new file that records everything sent and received; empty: none
-    QString behavior_host;  ///< path of usar-behavior-host, needed by a mission that isolates its behavior
+    bool course = false;    ///< the summary tells how the run went, see RunCourse
+    /// Callers: a behavior that hangs hangs the program.
+    agent::BehaviorThread behavior_thread = agent::BehaviorThread::Own;
+    QString behavior_host; ///< path of usar-behavior-host, needed by a mission that isolates its behavior
     RunLimits limits;
     /// The run that this one continues: its map is taken over, and only its rest is flown. The mission is that of the
     /// recording, with the whole area. Null: a run of its own.

@@ -5,18 +5,11 @@
 #include <utility>
 
 #include "core/base/numbers.h"
+#include "core/mapping/area_cells.h"
 
 namespace usar::mission {
 
 namespace {
-
-constexpr std::int64_t side = mapping::HeightTile::side;
-
-/// The part of the span that is in the tile with this index, counted from the tile's first cell.
-CellSpan withinTile(const CellSpan& span, std::int64_t tile_index) {
-    const std::int64_t start = tile_index * side;
-    return {std::max(span.first - start, std::int64_t(0)), std::min(span.last - start, side - 1)};
-}
 
 constexpr double open_ground_limit_m = 0.05;
 
@@ -50,14 +43,6 @@ struct Errors {
     }
 };
 
-/// Returns the cells whose centers are in [low_m, high_m); the center of cell 0 is at `first_center_m`.
-CellSpan centersWithin(double first_center_m, double cell_size_m, double low_m, double high_m) {
-    const auto index = [&](double at_m) {
-        return static_cast<std::int64_t>(std::ceil((at_m - first_center_m) / cell_size_m - 1e-9));
-    };
-    return {index(low_m), index(high_m) - 1};
-}
-
 } // namespace
 
 std::optional<FlightLimits> flightLimitsOf(const Pose& start_in_map,
@@ -77,41 +62,16 @@ std::optional<FlightLimits> flightLimitsOf(const Pose& start_in_map,
     return flight;
 }
 
-AreaCells cellsOf(const Rectangle& area_in_map, double cell_size_m) {
-    const double first_center_m = cell_size_m / 2.0;
-    return {centersWithin(first_center_m, cell_size_m, area_in_map.min_m.x(), area_in_map.max_m.x()),
-            centersWithin(first_center_m, cell_size_m, area_in_map.min_m.y(), area_in_map.max_m.y())};
-}
-
-int knownCellsIn(const AreaCells& area, const mapping::HeightTile& tile) {
-    const CellSpan columns = withinTile(area.columns, tile.index.column);
-    const CellSpan rows = withinTile(area.rows, tile.index.row);
-    int known = 0;
-    for (std::int64_t row = rows.first; row <= rows.last; ++row)
-        for (std::int64_t column = columns.first; column <= columns.last; ++column)
-            known += !std::isnan(tile.height_m[static_cast<std::size_t>(row * side + column)]);
-    return known;
-}
-
-std::optional<double> coverage_pct(const mapping::HeightMap& map, const Rectangle& area_in_map) {
-    if (area_in_map.empty())
-        return std::nullopt;
-    const AreaCells area = cellsOf(area_in_map, map.cellSize_m());
-    std::int64_t known = 0;
-    for (const mapping::GridIndex& index : map.tileIndices())
-        known += knownCellsIn(area, *map.tile(index));
-    return area.count() == 0 ? 0.0 : 100.0 * double(known) / double(area.count());
-}
-
 Score score(const mapping::Raster& raster, const Rectangle& area_in_map, const Truth* truth) {
     Score result;
     if (raster.empty() || area_in_map.empty())
         return result;
     const double cell_m = raster.cell_size_m;
     const double lowest_y_m = raster.upper_left_center_m.y() - double(raster.rows - 1) * cell_m;
-    const CellSpan columns =
-        centersWithin(raster.upper_left_center_m.x(), cell_m, area_in_map.min_m.x(), area_in_map.max_m.x());
-    const CellSpan rows = centersWithin(lowest_y_m, cell_m, area_in_map.min_m.y(), area_in_map.max_m.y());
+    const mapping::CellSpan columns =
+        mapping::centersWithin(raster.upper_left_center_m.x(), cell_m, area_in_map.min_m.x(), area_in_map.max_m.x());
+    const mapping::CellSpan rows =
+        mapping::centersWithin(lowest_y_m, cell_m, area_in_map.min_m.y(), area_in_map.max_m.y());
     if (columns.count() == 0 || rows.count() == 0)
         return result;
 
@@ -168,8 +128,8 @@ std::optional<AreaReach> areaReach(const mapping::Raster& raster, const Rectangl
     const double cell_m = raster.cell_size_m;
     const double left_m = raster.upper_left_center_m.x();
     const double lowest_y_m = raster.upper_left_center_m.y() - double(raster.rows - 1) * cell_m;
-    const CellSpan columns = centersWithin(left_m, cell_m, inside.min_m.x(), inside.max_m.x());
-    const CellSpan rows = centersWithin(lowest_y_m, cell_m, inside.min_m.y(), inside.max_m.y());
+    const mapping::CellSpan columns = mapping::centersWithin(left_m, cell_m, inside.min_m.x(), inside.max_m.x());
+    const mapping::CellSpan rows = mapping::centersWithin(lowest_y_m, cell_m, inside.min_m.y(), inside.max_m.y());
     std::int64_t scanned = 0, known = 0, water = 0, shut_off = 0;
     for (std::int64_t up = rows.first; up <= rows.last; ++up)
         for (std::int64_t column = columns.first; column <= columns.last; ++column) {

@@ -1,8 +1,6 @@
-// Quality of a scan, measured against a truth that only a simulator knows, and which cells of a height map count as a
-// mission area: the one rule for every coverage that is shown or saved.
+// Quality of a scan, measured against a truth that only a simulator knows.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
@@ -15,28 +13,6 @@
 #include "core/mapping/raster_export.h"
 
 namespace usar::mission {
-
-/// Range of cell indices on one axis, first .. last, both inclusive; none if `last` is below `first`.
-struct CellSpan {
-    std::int64_t first = 0;
-    std::int64_t last = -1;
-    std::int64_t count() const { return last < first ? 0 : last - first + 1; }
-};
-
-/// The cells of a height map whose centers are in an area.
-struct AreaCells {
-    CellSpan columns, rows;
-    std::int64_t count() const { return columns.count() * rows.count(); }
-};
-
-AreaCells cellsOf(const Rectangle& area_in_map, double cell_size_m);
-
-/// Number of cells of the tile that are in the area and whose height is known.
-int knownCellsIn(const AreaCells& area, const mapping::HeightTile& tile);
-
-/// Percentage of the area whose height is known, 0..100, as in a Score; nullopt without an area. Looks at each cell of
-/// the area in the map's tiles.
-std::optional<double> coverage_pct(const mapping::HeightMap& map, const Rectangle& area_in_map);
 
 /// True heights in meters above the map's datum, z up, at points in the map frame.
 struct Truth {

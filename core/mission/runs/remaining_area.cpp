@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/mission/runs/mission_score.h"
+#include "core/mapping/area_cells.h"
 
 namespace usar::mission {
 
@@ -14,7 +14,7 @@ namespace {
 /// The cells of an area, of which the unknown ones are taken out gap by gap.
 class UnknownCells {
 public:
-    UnknownCells(const AreaCells& cells, const mapping::HeightTiles& tiles)
+    UnknownCells(const mapping::AreaCells& cells, const mapping::HeightTiles& tiles)
         : cells_(cells)
         , unknown_(static_cast<std::size_t>(cells.count()), true) {
         for (const auto& [index, tile] : tiles)
@@ -88,13 +88,13 @@ private:
         open_.push_back({column, row});
     }
 
-    AreaCells cells_;
+    mapping::AreaCells cells_;
     std::vector<bool> unknown_;
     std::vector<Place> open_; ///< cells of the gap whose neighbors have not been looked at
 };
 
 /// The interval of a side, extended to the area's border where it reaches the outermost cell.
-void fitSide(double& low_m, double& high_m, std::int64_t first, std::int64_t last, const CellSpan& all,
+void fitSide(double& low_m, double& high_m, std::int64_t first, std::int64_t last, const mapping::CellSpan& all,
              double cell_size_m) {
     const double area_low_m = low_m;
     const double area_high_m = high_m;
@@ -108,7 +108,7 @@ void fitSide(double& low_m, double& high_m, std::int64_t first, std::int64_t las
 
 Rectangle remainingArea(const Rectangle& area_in_map, const mapping::HeightTiles& tiles, double cell_size_m,
                         double largest_gap_m2) {
-    const AreaCells cells = cellsOf(area_in_map, cell_size_m);
+    const mapping::AreaCells cells = mapping::cellsOf(area_in_map, cell_size_m);
     if (area_in_map.empty() || cells.count() == 0)
         return {};
     const auto most_cells = static_cast<std::int64_t>(largest_gap_m2 / (cell_size_m * cell_size_m) + 1e-9);

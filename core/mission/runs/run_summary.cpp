@@ -61,7 +61,44 @@ void addTruth(QJsonObject& json, const std::optional<TrueFigures>& truth) {
     }
 }
 
+QJsonArray pointOf(const Vec2& point_m) {
+    return {number(point_m.x(), 2), number(point_m.y(), 2)};
+}
+
+QJsonArray pointsOf(const std::vector<Vec2>& points_m) {
+    QJsonArray points;
+    for (const Vec2& point_m : points_m)
+        points << pointOf(point_m);
+    return points;
+}
+
+QJsonObject toJson(const RunCourse& course, const std::optional<TrueFigures>& truth) {
+    QJsonArray coverage, collisions;
+    for (const CoveragePoint& point : course.coverage)
+        coverage << QJsonArray{number(point.elapsed.count(), 1), number(point.coverage_pct, 2)};
+    if (truth)
+        for (const Vec3& place_m : truth->collision_places_in_map_m)
+            collisions << pointOf(place_m.head<2>());
+    return {{"coverage", coverage},
+            {"given_up", pointsOf(course.given_up_in_map_m)},
+            {"path", pointsOf(course.path_in_map_m)},
+            {"collisions", collisions}};
+}
+
 } // namespace
+
+RunCourse courseOf(const ScanRecord& record, std::size_t most) {
+    RunCourse course{record.course.points(), {}, {}};
+    for (const agent::MapMark& mark : record.marks)
+        if (mark.kind == agent::MarkKind::GoalGivenUp && course.given_up_in_map_m.size() < most)
+            course.given_up_in_map_m.emplace_back(mark.position_in_map_m.head<2>());
+    const std::size_t step = record.path_m.size() / most + 1;
+    for (std::size_t i = 0; i < record.path_m.size(); i += step)
+        course.path_in_map_m.emplace_back(record.path_m[i].head<2>());
+    if (!record.path_m.empty())
+        course.path_in_map_m.emplace_back(record.path_m.back().head<2>());
+    return course;
+}
 
 void judgeDamage(RunSummary& summary) {
     if (!summary.success || !summary.truth || !summary.truth->broken)
@@ -123,6 +160,8 @@ QJsonObject toJson(const RunSummary& summary) {
         {"faults", QJsonArray::fromStringList(summary.faults)},
         {"files", QJsonArray::fromStringList(summary.files)}};
     addTruth(json, summary.truth);
+    if (summary.course)
+        json["course"] = toJson(*summary.course, summary.truth);
     return json;
 }
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <QJsonObject>
 #include <QStringList>
@@ -34,6 +35,16 @@ struct TrueFigures {
     std::optional<Seconds> first_touch{};     ///< since the spawn; key first_touch_s
     std::optional<HeightOverGround> height{}; ///< absent for a robot that has not dived
     bool broken = false; ///< damaged so badly that it can no longer move; no key: it is a reason of failure
+    std::vector<Vec3> collision_places_in_map_m{}; ///< the first ones; key course.collisions
+};
+
+/// How a run went, for drawings of many runs. JSON, meters in the map frame: coverage is a list of [seconds, percent],
+/// given_up a list of [x, y], path a list of [x, y] that is thinned out, and collisions, from the true figures, a list
+/// of [x, y].
+struct RunCourse {
+    std::vector<CoveragePoint> coverage;
+    std::vector<Vec2> given_up_in_map_m; ///< goals that the robot gave up
+    std::vector<Vec2> path_in_map_m;
 };
 
 /// Figures of a run, with or without a window. The JSON keys are the field names unless noted. All of them are
@@ -66,6 +77,7 @@ struct RunSummary {
     std::optional<ContinuedRun> continues{}; ///< key continues: null, or an object with the keys of its fields
     QStringList faults;                      ///< injected faults, with their times
     QStringList files;                       ///< full paths of the saved files
+    std::optional<RunCourse> course{};       ///< absent: nobody has asked for it, and the JSON has no such key
 };
 
 /// Facts about a run that only the owner of the simulator knows.
@@ -86,6 +98,9 @@ void judgeDamage(RunSummary& summary);
 /// thread.
 void addRecord(RunSummary& summary, const ScanRecord& record, const Truth* truth,
                const std::optional<FlightLimits>& flight = std::nullopt);
+
+/// The course of a record: at most `most` points of its path and as many goals given up.
+RunCourse courseOf(const ScanRecord& record, std::size_t most = 200);
 
 QJsonObject toJson(const RunSummary& summary);
 

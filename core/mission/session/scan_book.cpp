@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "core/base/numbers.h"
+#include "core/mapping/area_cells.h"
 #include "core/mapping/raster_export.h"
 
 namespace usar::mission {
@@ -45,6 +46,7 @@ void ScanBook::beginTask(const std::string& behavior_id, const std::string& robo
     record_.robot_name = robot_name;
     record_.area_in_map = std::exchange(whole_area_in_map_, std::nullopt).value_or(area_in_map);
     record_.status = {};
+    record_.course = {};
 }
 
 void ScanBook::continueScan(const EarlierScan& earlier) {
@@ -98,6 +100,10 @@ void ScanBook::takeStatus(const agent::BehaviorStatus& status) {
     record_.status = status;
     if (news)
         worthSaving();
+    if (!record_.course.due(status.elapsed))
+        return;
+    if (const auto covered_pct = mapping::coverage_pct(mapper_.map(), record_.area_in_map))
+        record_.course.add({status.elapsed, *covered_pct});
 }
 
 void ScanBook::takePose(const Vec3& point_m) {

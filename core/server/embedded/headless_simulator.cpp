@@ -24,18 +24,19 @@ Result<std::unique_ptr<HeadlessSimulator>> HeadlessSimulator::serve(sim::World w
     std::unique_ptr<HeadlessSimulator> host(new HeadlessSimulator);
     host->simulation_ = simulation->get();
     host->rays_ = std::make_unique<sim::RayCaster>(host->simulation_->world());
-    host->worker_->moveToThread(&host->thread_);
-    QObject::connect(&host->thread_, &QThread::finished, host->worker_, &QObject::deleteLater);
-    host->thread_.setObjectName("simulator");
-    host->thread_.start();
+    if (spec.own_thread) {
+        host->worker_->moveToThread(&host->thread_);
+        QObject::connect(&host->thread_, &QThread::finished, host->worker_, &QObject::deleteLater);
+        host->thread_.setObjectName("simulator");
+        host->thread_.start();
+    }
     Result<quint16> port;
-    const auto serve = [&] { // Sockets and timers must be made in the thread that uses them.
+    host->run([&] { // Sockets and timers must be made in the thread that uses them.
         host->server_ = new SimulatorServer(*std::move(simulation), host->worker_);
         port = host->server_->listen(0);
         host->server_->setTimeBeginsWithRobots(true);
         host->server_->setPace(spec.speed_x ? Pace::Factor : Pace::Fast, spec.speed_x.value_or(1.0));
-    };
-    link::postAndWait(host->worker_, serve);
+    });
     if (!port)
         return tl::unexpected(port.error());
     host->port_ = *port;
@@ -47,6 +48,13 @@ HeadlessSimulator::~HeadlessSimulator() {
         delete worker_;
     thread_.quit();
     thread_.wait();
+}
+
+void HeadlessSimulator::run(const std::function<void()>& call) const {
+    if (thread_.isRunning())
+        link::postAndWait(worker_, call);
+    else
+        call();
 }
 
 void HeadlessSimulator::onFault(QObject* context, const std::function<void(const QString&)>& tell) {
@@ -67,11 +75,10 @@ double HeadlessSimulator::dryAbove_m() const {
 
 std::optional<sim::RobotTruth> HeadlessSimulator::firstRobot() const {
     std::optional<sim::RobotTruth> first;
-    const auto look = [this, &first] {
+    run([this, &first] {
         const std::vector<sim::RobotTruth> robots = simulation_->robots();
         first = robots.empty() ? simulation_->lastGone() : robots.front();
-    };
-    link::postAndWait(worker_, look);
+    });
     return first;
 }
 

@@ -26,11 +26,14 @@ struct HeadlessSpec {
     std::vector<sim::Fault> faults{};
     /// Life of every robot's battery; nullopt: as its file says.
     std::optional<Seconds> battery_life = sim::survey_battery_life;
+    /// The simulator has a thread of its own. A client in lockstep waits for each tick anyway; with both in one thread,
+    /// nobody has to be woken up, which takes longer than the tick.
+    bool own_thread = true;
 };
 
-/// Serves one world on a free loopback port from a thread of its own until it is destroyed; simulated time begins with
-/// the first robot. The truth and the figures that it gives out are for scoring only; behaviors see only what the
-/// server sends. Belongs to the main thread.
+/// Serves one world on a free loopback port until it is destroyed, from a thread of its own or from the main thread's
+/// event loop; simulated time begins with the first robot. The truth and the figures that it gives out are for scoring
+/// only; behaviors see only what the server sends. Belongs to the main thread.
 class HeadlessSimulator {
 public:
     /// Loads a world by name or folder and serves it. An unknown world is an error that lists the known ones.
@@ -61,9 +64,11 @@ public:
 
 private:
     HeadlessSimulator() = default;
+    /// Makes the call in the simulator's thread, and waits for it.
+    void run(const std::function<void()>& call) const;
 
     QThread thread_;
-    QObject* worker_ = new QObject; ///< belongs to thread_, owns the server, and is deleted there
+    QObject* worker_ = new QObject; ///< belongs to thread_ if that runs, owns the server, and is deleted there
     SimulatorServer* server_ = nullptr;
     /// Owned by the server and used in its thread only, except for the world, which does not change.
     const sim::Simulation* simulation_ = nullptr;

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QRegularExpression>
 
 namespace usar::server {
 
@@ -16,11 +17,19 @@ QString firstThere(const QStringList& candidates) {
     return QDir::cleanPath(bin.absoluteFilePath(candidates.first()));
 }
 
+} // namespace
+
 QString worldsFolder() {
     return firstThere({"../share/worlds", "../share/usar-mission-control/worlds"});
 }
 
-} // namespace
+std::optional<SeededWorld> seededWorld(const QString& name) {
+    static const QRegularExpression pattern("^([a-z_]+):([0-9]{1,9})$");
+    const auto parts = pattern.match(name);
+    if (!parts.hasMatch())
+        return std::nullopt;
+    return SeededWorld{parts.captured(1), parts.captured(2).toULongLong()};
+}
 
 Result<QString> findWorldIn(const QString& worlds_folder, const QString& name_or_folder) {
     const QDir worlds(worlds_folder);
@@ -31,7 +40,8 @@ Result<QString> findWorldIn(const QString& worlds_folder, const QString& name_or
     const QStringList names = worlds.entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name);
     const QString mend = names.isEmpty() ? "There is none at all in %1; build or install the program again, or give "
                                            "the path of a world folder"
-                                         : "Known in %1 are: " + names.join(", ");
+                                         : "Known in %1 are: " + names.join(", ") +
+                                               "; a name and a seed make another one of its kind, such as town:7";
     return failure("there is no such world", "world " + name_or_folder.toStdString(),
                    mend.arg(worlds.absolutePath()).toStdString());
 }

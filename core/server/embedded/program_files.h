@@ -1,6 +1,9 @@
 // Locations of the program's own files: beside the program in a build tree, below the prefix once installed.
 #pragma once
 
+#include <cstdint>
+#include <optional>
+
 #include <QString>
 #include <QStringList>
 
@@ -13,6 +16,15 @@ namespace usar::server {
 Result<QString> findWorld(const QString& name_or_folder);
 /// Does the same with another folder that contains the worlds.
 Result<QString> findWorldIn(const QString& worlds_folder, const QString& name_or_folder);
+/// A world that is made when it is wanted, from the name of its generator and a seed.
+struct SeededWorld {
+    QString generator;
+    std::uint64_t seed = 0;
+};
+/// Reads "town:7". Any other text, such as the path of a folder, is none.
+std::optional<SeededWorld> seededWorld(const QString& name);
+/// Folder of the worlds that come with the program, and of the measured data that some generators read.
+QString worldsFolder();
 /// Names of the worlds that come with the program, sorted.
 QStringList worldNames();
 /// The title of a world for menus: "Point lookout" for "point_lookout".

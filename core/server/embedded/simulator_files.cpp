@@ -4,11 +4,14 @@
 #include <QSaveFile>
 
 #include "core/server/embedded/program_files.h"
+#include "core/sim/world/world_generator.h"
 #include "core/sim/world/world_reader.h"
 
 namespace usar::server {
 
 Result<sim::World> loadWorld(const QString& name_or_folder) {
+    if (const auto seeded = seededWorld(name_or_folder))
+        return sim::makeWorld(seeded->generator.toStdString(), seeded->seed, worldsFolder().toStdString());
     return findWorld(name_or_folder).and_then([](const QString& folder) {
         return sim::readWorld(folder.toStdString());
     });

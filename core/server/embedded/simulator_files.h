@@ -16,7 +16,8 @@
 
 namespace usar::server {
 
-/// Reads a world that comes with the program, by its name, or the world in a folder.
+/// Reads a world that comes with the program, by its name, or the world in a folder; makes one from a name and a seed,
+/// such as "town:7".
 Result<sim::World> loadWorld(const QString& name_or_folder);
 
 /// Reads the robot files that come with the program. Files that cannot be read are left out and listed with the reason.

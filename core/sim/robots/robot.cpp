@@ -267,6 +267,7 @@ void Robot::watch() {
     const Vec3 position_m = base_in_map.translation();
     stay_.step(tick_, position_m);
     falls_.step(base_in_map.linear()(2, 2));
+    collided_.step(drive_->collisions(), position_m);
     const bool dives = body_.model().kind == protocol::VehicleKind::Nautic && world_.water && !world_.terrain.empty();
     went_under_ = went_under_ || (dives && position_m.z() < world_.water->surface_z_m);
     if (went_under_)
@@ -381,7 +382,8 @@ RobotFigures Robot::figures() const {
             drive_->broken(),    drive_->collisions(),
             body_.distance_m(),  stay_.longest(),
             falls_.count(),      touches_.count(),
-            touches_.first(),    heights_.figures()};
+            touches_.first(),    heights_.figures(),
+            collided_.places_m()};
 }
 
 } // namespace usar::sim

@@ -92,6 +92,7 @@ private:
     RobotBody body_;
     StayWatch stay_;
     FallWatch falls_;
+    CollisionPlaces collided_;
     CollisionCounter touches_; ///< counts those of objects and other robots
     HeightWatch heights_;
     bool went_under_ = false; ///< a submarine that has been below the surface

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "core/base/clock.h"
 #include "core/base/geometry.h"
@@ -116,6 +118,25 @@ private:
     double count_ = 0.0;
 };
 
+/// Remembers where a robot was when it collided.
+class CollisionPlaces {
+public:
+    /// A robot that is stuck collides thousands of times; the first places tell what happened.
+    static constexpr std::size_t most = 20;
+
+    /// `collisions` is the number so far.
+    void step(int collisions, const Vec3& position_m) {
+        if (collisions > counted_ && places_m_.size() < most)
+            places_m_.push_back(position_m);
+        counted_ = collisions;
+    }
+    const std::vector<Vec3>& places_m() const { return places_m_; }
+
+private:
+    int counted_ = 0;
+    std::vector<Vec3> places_m_;
+};
+
 /// Ground truth about a robot. Behaviors never see it.
 struct RobotFigures {
     Pose base_in_map;
@@ -129,6 +150,7 @@ struct RobotFigures {
     int touches = 0;                       ///< how often it touched an object or another robot; see CollisionCounter
     std::optional<Seconds> first_touch{};  ///< since the spawn; nullopt before it
     std::optional<HeightFigures> height{}; ///< submarines only, since they first went under water
+    std::vector<Vec3> collision_places_in_map_m{}; ///< see CollisionPlaces
 };
 
 } // namespace usar::sim

@@ -47,12 +47,15 @@ std::vector<std::string> generatedWorldNames() {
     return names;
 }
 
-Result<World> makeWorld(const std::string& name, std::uint64_t seed, const std::filesystem::path& data) {
-    const auto found = std::find_if(generators.begin(), generators.end(),
-                                    [&](const Generator& generator) { return name == generator.name; });
-    if (found != generators.end())
-        return found->make(seed, data);
+Result<void> checkGenerator(const std::string& name) {
+    if (std::ranges::find(generators, name, &Generator::name) != generators.end())
+        return {};
     return failure("there is no generator for this world", name, "Known are: " + listOf(generators, &Generator::name));
+}
+
+Result<World> makeWorld(const std::string& name, std::uint64_t seed, const std::filesystem::path& data) {
+    return checkGenerator(name).and_then(
+        [&] { return std::ranges::find(generators, name, &Generator::name)->make(seed, data); });
 }
 
 Result<void> generateWorld(const std::string& name, std::uint64_t seed, const std::filesystem::path& data,

@@ -14,6 +14,9 @@ namespace usar::sim {
 /// Names of the worlds that `makeWorld` can generate.
 std::vector<std::string> generatedWorldNames();
 
+/// Succeeds if `makeWorld` can generate a world of this name; the error lists the names.
+Result<void> checkGenerator(const std::string& name);
+
 /// Generates a world; equal seeds give equal worlds. `data` is the folder of measured data for worlds that follow real
 /// places: resources/worlds of the source tree. Fails if the name is unknown or the data cannot be read.
 Result<World> makeWorld(const std::string& name, std::uint64_t seed, const std::filesystem::path& data);

@@ -64,6 +64,12 @@ int countOf(const std::vector<Element>& elements, const QString& name) {
         std::count_if(elements.begin(), elements.end(), [&](const Element& e) { return e.name == name; }));
 }
 
+int countOfClass(const std::vector<Element>& elements, const QString& style_class) {
+    return static_cast<int>(std::count_if(elements.begin(), elements.end(), [&](const Element& e) {
+        return e.attributes.value("class") == style_class;
+    }));
+}
+
 bool says(const std::vector<Element>& elements, const QString& name, const QString& text) {
     return std::any_of(elements.begin(), elements.end(),
                        [&](const Element& e) { return e.name == name && e.text == text; });
@@ -104,6 +110,32 @@ private slots:
         metric.decimals = 1;
         QTEST(amount(value, metric), "amount_text");
         QTEST(amount(value, metric, true), "difference_text");
+    }
+
+    void coursesAreDrawnOfRunsThatTellThem() {
+        std::vector<RunFigures> runs = doneRuns(20, {-10.0});
+        const auto drawn = [&] {
+            const Comparison comparison = compare(runs, "old", "new").value();
+            return elementsOf(htmlReport({comparison, runs, "Courses", {}}));
+        };
+        const QString coverage = "Coverage of quick_scan over time";
+        const QString places = "Where runs of quick_scan collided or gave goals up";
+        auto elements = drawn();
+        QVERIFY(!elements.empty());
+        QVERIFY(!says(elements, "h2", coverage) && !says(elements, "h2", places));
+        QCOMPARE(countOfClass(elements, "course"), 0);
+        for (RunFigures& figures : runs)
+            figures.course = {{{0.0, 0.0}, {100.0, 99.0}}, {{0.0, 0.0}, {10.0, 5.0}}, {}, {}};
+        elements = drawn();
+        QVERIFY(says(elements, "h2", coverage) && !says(elements, "h2", places));
+        QCOMPARE(countOfClass(elements, "spread baseline"), 1);
+        QCOMPARE(countOfClass(elements, "course"), 10); // the worst runs
+        runs[3].course.given_up = {{2.0, 2.0}};
+        runs[3].course.collisions = {{3.0, 3.0}, {4.0, 4.0}};
+        elements = drawn();
+        QVERIFY(says(elements, "h2", places));
+        QVERIFY(countOfClass(elements, "given-up candidate") >= 1);
+        QVERIFY(countOfClass(elements, "collision candidate") >= 4);
     }
 
     void theOutlookIsNoMoreExactThanAnybodyKnows() {

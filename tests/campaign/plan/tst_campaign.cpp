@@ -49,6 +49,7 @@ private slots:
             {{"one", "airrobot/cpp", {}, {}}, {"two", {}, "/c/p.lap", {"parameters.word=so", "parameters.x_m=2.5"}}},
             {"wind speed=3"},
             Swarm{0.2, 10.0, 20.0, {"wind"}},
+            {},
             2.0,
             60.0,
             Keep::Everything};

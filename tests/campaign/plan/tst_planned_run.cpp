@@ -102,6 +102,30 @@ private slots:
                 value + " --set parameters.altitude_m=9 --fault 'wind speed=3' --limit 1.5h");
     }
 
+    void aWorldMayBeMadeFromTheSeed() {
+        Campaign campaign = twoByTwo();
+        campaign.missions = {{"/m/b.json", 7, 2, {"town:seed", "town:3"}, {}}};
+        std::vector<std::string> worlds;
+        for (const PlannedRun& run : planRuns(campaign, choices))
+            if (run.variant == 0)
+                worlds.push_back(run.values.front());
+        QVERIFY(worlds == (std::vector<std::string>{"world=town:7", "world=town:8", "world=town:3", "world=town:3"}));
+    }
+
+    void knownFailuresAreFlownAfterTheOthers() {
+        Campaign campaign = twoByTwo();
+        const auto without = planRuns(campaign, choices);
+        campaign.again = {{"b", "high", 99, {"vanish from=3.0"}, {"world=town"}, "It crashed."}};
+        const auto runs = planRuns(campaign, choices);
+        QCOMPARE(runs.size(), without.size() + 1);
+        for (std::size_t i = 0; i < without.size(); ++i)
+            QVERIFY(runs[i] == without[i]);
+        const PlannedRun expected{
+            static_cast<int>(without.size()),         without.back().pair + 1, 1, 1, 99, {"vanish from=3.0"},
+            {"world=town", "parameters.altitude_m=9"}};
+        QVERIFY(runs.back() == expected);
+    }
+
     void theSwarmLeavesOutKinds() {
         const Swarm swarm{0.3, 10.0, 20.0, {}};
         std::map<std::string, int> counts;

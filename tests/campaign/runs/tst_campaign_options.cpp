@@ -14,12 +14,21 @@ class tst_CampaignOptions : public QObject {
 private slots:
     void readsWhatIsTyped() {
         const auto options = readCampaignOptions({"campaign", "c.json", "--out", "o", "--jobs", "3", "--resume",
-                                                  "--shard", "2/5", "--slurm", "8", "--check-every", "0"});
+                                                  "--shard", "2/5", "--slurm", "8", "--check-every", "0", "--runs",
+                                                  "50", "--first-seed", "9", "--shrink", "s.jsonl"});
         QVERIFY2(options, options ? "" : options.error().text().c_str());
-        QVERIFY((*options == CampaignOptions{"c.json", "o", 3, true, Shard{2, 5}, 0, 8, false, false}));
+        QVERIFY((*options == CampaignOptions{.file = "c.json",
+                                             .folder = "o",
+                                             .jobs = 3,
+                                             .resume = true,
+                                             .shard = Shard{2, 5},
+                                             .check_every = 0,
+                                             .slurm = 8,
+                                             .runs = 50,
+                                             .first_seed = 9,
+                                             .shrink = "s.jsonl"}));
         const auto least = readCampaignOptions({"campaign", "--out=o", "c.json", "--until-decided"});
-        QVERIFY(least &&
-                (*least == CampaignOptions{"c.json", "o", 0, false, std::nullopt, 100, std::nullopt, true, false}));
+        QVERIFY(least && (*least == CampaignOptions{.file = "c.json", .folder = "o", .until_decided = true}));
         QVERIFY(readCampaignOptions({"campaign", "--help"})->help);
     }
 
@@ -36,6 +45,8 @@ private slots:
         QTest::newRow("a part that decides")
             << QStringList{"c", "--out", "o", "--shard", "0/2", "--until-decided"} << "cannot decide";
         QTest::newRow("no jobs") << QStringList{"c", "--out", "o", "--jobs", "0"} << "--jobs 4";
+        QTest::newRow("no runs") << QStringList{"c", "--out", "o", "--runs", "0"} << "--runs 4";
+        QTest::newRow("no seed") << QStringList{"c", "--out", "o", "--first-seed", "-1"} << "--first-seed 4";
         QTest::newRow("too many tasks") << QStringList{"c", "--out", "o", "--slurm", "1001"} << "from 1 to 1000";
     }
 
@@ -50,11 +61,12 @@ private slots:
     }
 
     void theJobScriptNamesWhatItNeeds() {
-        CampaignOptions options{"/my c.json", "/results", 0, false, {}, 100, 40, false, false};
+        CampaignOptions options{
+            .file = "/my c.json", .folder = "/results", .check_every = 7, .slurm = 40, .runs = 50, .first_seed = 9};
         const QString script = slurmScript(options, "/opt/usar-mission");
         for (const char* line : {"#SBATCH --array=0-39\n", "#SBATCH --requeue\n", "#SBATCH --signal=B:TERM@60\n",
                                  "program=/opt/usar-mission\n", "campaign='/my c.json'\n", "results=/results\n",
-                                 "$SLURM_ARRAY_TASK_ID/40\"\n"})
+                                 "$SLURM_ARRAY_TASK_ID/40\" --runs 50 --first-seed 9 --check-every 7\n"})
             QVERIFY2(script.contains(line), line);
     }
 };

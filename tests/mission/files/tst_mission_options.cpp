@@ -54,6 +54,10 @@ private slots:
         apart.plugin_folders = QStringList{"mine", "yours"};
         QTest::newRow("a process and plugins of one's own")
             << QStringList{"run", "--isolate", "a.json", "--plugins", "mine", "--plugins=yours"} << apart;
+        MissionOptions of_campaign = plain;
+        of_campaign.one_thread = true;
+        of_campaign.course = true;
+        QTest::newRow("as a campaign flies") << QStringList{"run", "a.json", "--course", "--one-thread"} << of_campaign;
         MissionOptions rest;
         rest.continued = "r.usarrec";
         QTest::newRow("the rest of a mission") << QStringList{"run", "--continue", "r.usarrec"} << rest;

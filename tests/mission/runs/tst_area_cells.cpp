@@ -1,5 +1,6 @@
 #include <QTest>
 
+#include "core/mapping/area_cells.h"
 #include "core/mission/runs/mission_score.h"
 #include "tests/suite/suite.h"
 
@@ -26,7 +27,7 @@ private slots:
         QFETCH(Rectangle, area);
         QFETCH(int, columns);
         QFETCH(int, rows);
-        const AreaCells cells = cellsOf(area, 0.5);
+        const mapping::AreaCells cells = mapping::cellsOf(area, 0.5);
         QCOMPARE(int(cells.columns.count()), columns);
         QCOMPARE(int(cells.rows.count()), rows);
         QCOMPARE(int(cells.count()), columns * rows);
@@ -47,10 +48,10 @@ private slots:
         for (double x = -20.0; x < 20.0; x += 0.5) // every second column
             for (double y = -20.0; y < 3.0; y += 0.25)
                 map.write(map.cellAt({x + 0.1, y + 0.1}), 1.0f, {1});
-        const AreaCells cells = cellsOf(area, map.cellSize_m());
+        const mapping::AreaCells cells = mapping::cellsOf(area, map.cellSize_m());
         int known = 0;
         for (const auto& tile : map.takeChangedTiles())
-            known += knownCellsIn(cells, *tile);
+            known += mapping::knownCellsIn(cells, *tile);
         QCOMPARE(100.0 * known / double(cells.count()), score(mapping::rasterOf(map), area, nullptr).coverage_pct);
     }
 };

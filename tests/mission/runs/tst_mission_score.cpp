@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/mapping/area_cells.h"
 #include "core/mission/runs/mission_score.h"
 #include "tests/suite/suite.h"
 
@@ -61,7 +62,7 @@ private slots:
         QFETCH(Rectangle, scanned);
         QFETCH(double, coverage_pct);
         QCOMPARE(score(rasterOver(scanned, 1.0f), field, nullptr).coverage_pct, coverage_pct);
-        QCOMPARE(mission::coverage_pct(mapOver(scanned, 1.0f), field), std::optional(coverage_pct));
+        QCOMPARE(mapping::coverage_pct(mapOver(scanned, 1.0f), field), std::optional(coverage_pct));
     }
 
     void anEmptyMapCoversNothing() {
@@ -69,8 +70,8 @@ private slots:
         QCOMPARE(score(rasterOver(field, 1.0f), Rectangle{}, nullptr).coverage_pct, 0.0);
         const Rectangle between_centers{{0.01, 0.01}, {0.02, 0.02}};
         QCOMPARE(score(rasterOver(field, 1.0f), between_centers, nullptr).coverage_pct, 0.0);
-        QCOMPARE(mission::coverage_pct(mapOver(field, 1.0f), between_centers), std::optional(0.0));
-        QVERIFY(!mission::coverage_pct(mapOver(field, 1.0f), Rectangle{}));
+        QCOMPARE(mapping::coverage_pct(mapOver(field, 1.0f), between_centers), std::optional(0.0));
+        QVERIFY(!mapping::coverage_pct(mapOver(field, 1.0f), Rectangle{}));
     }
 
     void withoutATruthThereIsNoRmse() {

@@ -1,7 +1,7 @@
 #include <QTest>
 
 #include "core/base/random.h"
-#include "core/mission/runs/mission_score.h"
+#include "core/mapping/area_cells.h"
 #include "core/mission/runs/remaining_area.h"
 #include "tests/suite/suite.h"
 
@@ -23,7 +23,7 @@ mapping::HeightTiles tilesOf(mapping::HeightMap& map) {
 
 /// Makes every cell known whose center is in the rectangle.
 void scan(mapping::HeightMap& map, const Rectangle& where) {
-    const AreaCells cells = cellsOf(where, map.cellSize_m());
+    const mapping::AreaCells cells = mapping::cellsOf(where, map.cellSize_m());
     for (std::int64_t row = cells.rows.first; row <= cells.rows.last; ++row)
         for (std::int64_t column = cells.columns.first; column <= cells.columns.last; ++column)
             map.write({std::int32_t(column), std::int32_t(row)}, 1.0f, {1});
@@ -32,7 +32,7 @@ void scan(mapping::HeightMap& map, const Rectangle& where) {
 /// Centers of the unknown cells of the area.
 std::vector<Vec2> unknownIn(const Rectangle& area, const mapping::HeightMap& map) {
     std::vector<Vec2> centers_m;
-    const AreaCells cells = cellsOf(area, map.cellSize_m());
+    const mapping::AreaCells cells = mapping::cellsOf(area, map.cellSize_m());
     for (std::int64_t row = cells.rows.first; row <= cells.rows.last; ++row)
         for (std::int64_t column = cells.columns.first; column <= cells.columns.last; ++column) {
             const mapping::GridIndex cell{std::int32_t(column), std::int32_t(row)};

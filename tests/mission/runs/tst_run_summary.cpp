@@ -42,6 +42,28 @@ private slots:
         QCOMPARE(toJson(flown)["seed"].toInt(), 7);
     }
 
+    void theCourseIsToldOnlyToThoseWhoAsk() {
+        ScanRecord record = sampleScan(20);
+        record.course.add({Seconds(5.0), 1.234});
+        record.marks = {{agent::MarkKind::GoalGivenUp, {1.5, -2.0, 3.0}, Seconds{1.0}, {}},
+                        {agent::MarkKind::Landing, {9.0, 9.0, 9.0}, Seconds{2.0}, {}}};
+        record.path_m.clear();
+        for (int i = 0; i < 1000; ++i)
+            record.path_m.emplace_back(i, 0.0, 2.0);
+        RunSummary summary;
+        summary.truth = TrueFigures{.collisions = 1};
+        summary.truth->collision_places_in_map_m = {{4.0, 5.0, 6.0}};
+        QVERIFY(!toJson(summary).contains("course"));
+        summary.course = courseOf(record, 100);
+        const QJsonObject course = toJson(summary)["course"].toObject();
+        QCOMPARE(course["coverage"].toArray(), (QJsonArray{QJsonArray{5.0, 1.23}}));
+        QCOMPARE(course["given_up"].toArray(), (QJsonArray{QJsonArray{1.5, -2.0}}));
+        QCOMPARE(course["collisions"].toArray(), (QJsonArray{QJsonArray{4.0, 5.0}}));
+        QVERIFY(course["path"].toArray().size() <= 101);
+        QCOMPARE(course["path"].toArray().first().toArray(), (QJsonArray{0.0, 0.0}));
+        QCOMPARE(course["path"].toArray().last().toArray(), (QJsonArray{999.0, 0.0}));
+    }
+
     void figuresAreRounded_data() {
         QTest::addColumn<QString>("key");
         QTest::addColumn<double>("value");

@@ -42,6 +42,25 @@ private slots:
         QVERIFY(kept.book.snapshot().raster.empty());
     }
 
+    void theCourseOfATaskIsKept() {
+        Kept kept;
+        kept.book.beginTask("airrobot/cpp", "R1", Rectangle{{-0.25, -0.25}, {0.25, 0.25}});
+        agent::BehaviorStatus status;
+        kept.book.take(status);
+        kept.scan(1);
+        for (const double elapsed_s : {2.0, 5.0}) {
+            status.elapsed = Seconds{elapsed_s};
+            kept.book.take(status);
+        }
+        const auto points = kept.book.record().course.points();
+        QCOMPARE(points.size(), std::size_t(2));
+        QVERIFY((points.front() == CoveragePoint{Seconds{0.0}, 0.0}));
+        QCOMPARE(points.back().elapsed.count(), 5.0);
+        QVERIFY(points.back().coverage_pct > 0.0);
+        kept.book.beginTask("airrobot/cpp", "R1", Rectangle{{-0.25, -0.25}, {0.25, 0.25}});
+        QVERIFY(kept.book.record().course.points().empty());
+    }
+
     void whatIsWorthSavingIsCounted() {
         Kept kept;
         kept.scan(1);

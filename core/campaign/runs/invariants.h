@@ -1,0 +1,16 @@
+// Checks of a run that hold for a sound program, whatever befalls its robot.
+#pragma once
+
+#include <QStringList>
+
+#include "core/campaign/runs/run_result.h"
+
+namespace usar::campaign {
+
+/// Returns a sentence for each invariant that the run breaks; empty if it breaks none. A program that crashes, hangs,
+/// refuses what the campaign has checked, gives no reason in words, or tells figures that cannot be, is unsound; so is
+/// one whose second flight came out differently. That a mission fails breaks nothing, nor does a process that something
+/// else has killed.
+QStringList brokenInvariants(const RunResult& result);
+
+} // namespace usar::campaign
