@@ -119,6 +119,7 @@ int run(const mission::MissionOptions& options, mission::Mission plan,
     QObject::connect(&runner, &mission::MissionRunner::finished, qApp, [](int code) { QCoreApplication::exit(code); });
     if (*simulator) {
         (*simulator)->onFault(&runner, [&](const QString& sentence) { runner.noteFault(sentence); });
+        (*simulator)->onSilenced(&runner, [&](const QString& name) { runner.robotSilenced(name); });
         (*simulator)->onVanished(&runner, [&](const QString& name) { runner.robotVanished(name); });
     }
     server::QuitSignals signals_;

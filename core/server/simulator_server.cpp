@@ -187,6 +187,8 @@ void SimulatorServer::tick() {
     flush();
     for (const std::string& name : simulation_->takeVanished())
         emit robotVanished(QString::fromStdString(name));
+    for (const std::string& name : simulation_->takeSilenced())
+        emit robotSilenced(QString::fromStdString(name));
     for (const sim::ClientId client : simulation_->takeCut())
         if (const auto found = sockets_.find(client); found != sockets_.end())
             found->second->abort(); // A fault; to the client it looks like a server that has died.

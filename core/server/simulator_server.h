@@ -84,6 +84,7 @@ signals:
     /// Emitted with all faults whenever one is added, begins or ends.
     void faultsChanged(const std::vector<usar::sim::FaultStatus>& faults);
     void robotVanished(const QString& name);   ///< a fault has removed it; its client is told nothing, as in the game
+    void robotSilenced(const QString& name);   ///< see sim::Simulation::takeSilenced
     void faultTurned(const QString& sentence); ///< such as "60.0 s: fault begins: wind speed=5"
     void robotsChanged(const std::vector<usar::sim::RobotTruth>& robots); ///< emitted with figuresChanged
     /// Emitted with figuresChanged if an object has come, gone or visibly moved.

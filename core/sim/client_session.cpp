@@ -162,6 +162,7 @@ void ClientSession::takeOver(ClientSession& fresh) {
 
 void ClientSession::setFaults(const std::vector<Fault>& active, const Random& random) {
     new_ = false;
+    silenced_ = false;
     if (robot_)
         robot_->setFaults(active);
     const bool of_link = std::ranges::any_of(active, [](const Fault& fault) {

@@ -43,7 +43,13 @@ public:
     bool mayNotStep() const { return taken_out_ >= 2; }
     /// True if the simulation need not wait for this client: it is not in lockstep, has no robot yet, has not heard of
     /// a tick yet (so it could not answer one), or has sent its STEP.
-    bool ready() const { return !lockstep_ || !robot_ || !heard_tick_ || steps_waiting_ >= stepsOwed(); }
+    bool ready() const {
+        return !lockstep_ || (!silenced_ && (!robot_ || !heard_tick_ || steps_waiting_ >= stepsOwed()));
+    }
+    /// Time stands still from now on, because a fault without an end keeps this client in lockstep from hearing
+    /// anything; another set of faults, or leaving lockstep, ends that.
+    void silence(bool on) { silenced_ = on; }
+    bool silenced() const { return silenced_; }
     /// True if it has nothing that needs a tick: no robot, no world controller and no waiting command.
     bool idle() const { return !robot_ && !controls_ && waiting_.empty(); }
     const Robot* robot() const { return robot_.get(); }
@@ -123,6 +129,7 @@ private:
     std::deque<protocol::Command> waiting_;
     std::size_t steps_waiting_ = 0;
     bool lockstep_ = false;
+    bool silenced_ = false;
     int taken_out_ = 0; ///< times that others waited for its STEP in vain
     std::string output_;
     std::optional<FaultyWire> wire_; ///< exists since the first link fault

@@ -141,6 +141,16 @@ void Simulation::State::followFaults() {
             rememberFigures(client, session);
             session.loseRobot();
         }
+        const auto silences = [this](const Fault& fault) {
+            return fault.kind == FaultKind::LinkHalfOpen && fault.lasts == without_end &&
+                   now() - fault.from >= silence_limit;
+        };
+        if (session.robot() && session.lockstep() && !session.silenced() &&
+            std::ranges::any_of(faults.activeOn(session.robotName()), silences)) {
+            log(client, "'" + session.robotName() + "' hears nothing more, and time waits for it");
+            silenced.push_back(session.robotName());
+            session.silence(true);
+        }
     }
 }
 
@@ -290,6 +300,8 @@ int Simulation::addFault(const Fault& fault) {
 
 bool Simulation::endFault(int id) {
     state_->keep(JournalEntry::Kind::EndFault, static_cast<std::uint32_t>(id));
+    for (auto& [client, session] : state_->sessions)
+        session.silence(false); // The next tick tells whether another fault silences it.
     return state_->faults.end(id);
 }
 
@@ -394,6 +406,10 @@ std::size_t Simulation::clientCount() const {
 
 std::vector<std::string> Simulation::takeVanished() {
     return std::exchange(state_->vanished, {});
+}
+
+std::vector<std::string> Simulation::takeSilenced() {
+    return std::exchange(state_->silenced, {});
 }
 
 std::vector<RefusedObject> Simulation::takeRefused() {

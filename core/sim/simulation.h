@@ -28,6 +28,9 @@ namespace usar::sim {
 /// lets the client keep track of the charge.
 inline constexpr Seconds survey_battery_life{86400.0};
 
+/// The world goes on for so long without a client that a fault has silenced for good.
+inline constexpr Seconds silence_limit{30.0};
+
 /// Identifies one connection of a Simulation, from 1; never reused.
 using ClientId = Id<struct ClientTag, 0U>;
 
@@ -120,7 +123,11 @@ public:
     /// The marks after the first `made` ones, as far as they are still kept.
     std::vector<TraceMark> traceMarksSince(std::uint64_t made) const;
     std::size_t clientCount() const;
-    std::vector<std::string> takeVanished();  ///< names of robots that a fault removed since the last call
+    std::vector<std::string> takeVanished(); ///< names of robots that a fault removed since the last call
+    /// Names of robots whose client in lockstep hears nothing more, because its connection has been half open for
+    /// `silence_limit` and will stay so. Time stands still for them then; otherwise the end of such a run would depend
+    /// on how fast the simulation runs on while its client waits.
+    std::vector<std::string> takeSilenced();
     std::vector<RefusedObject> takeRefused(); ///< since the last call, at most 1000; they are not in the log
     std::vector<std::string> takeLog();       ///< sentences for the server's log since the last call, at most 1000
     /// Logs how many sentences about each client were left out, for a server that ends while they are connected.

@@ -152,6 +152,7 @@ Result<std::unique_ptr<Simulation>> Simulation::resume(World world, std::shared_
     simulation.takeFaultNews();
     simulation.takeCut();
     simulation.takeVanished();
+    simulation.takeSilenced();
     return made;
 }
 

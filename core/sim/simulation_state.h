@@ -117,6 +117,7 @@ struct Simulation::State {
     std::map<ClientId, Chatter> chatters;
     std::optional<RobotTruth> last_gone;
     std::vector<std::string> vanished;  ///< for takeVanished()
+    std::vector<std::string> silenced;  ///< for takeSilenced()
     std::vector<RefusedObject> refused; ///< for takeRefused()
 
     Seconds now() const { return static_cast<double>(ticks) * options.tick; }

@@ -288,6 +288,38 @@ private slots:
         QCOMPARE(heard, 50);
     }
 
+    void timeWaitsForAClientThatIsSilencedForGood_data() {
+        QTest::addColumn<QString>("fault");
+        QTest::addColumn<int>("ticks"); // made after the fault has begun
+        QTest::newRow("for good") << "link_half_open from=2" << 150;
+        QTest::newRow("until its end") << "link_half_open from=2 for=50" << 300;
+    }
+    void timeWaitsForAClientThatIsSilencedForGood() {
+        QFETCH(QString, fault);
+        QFETCH(int, ticks);
+        const auto simulation = faultySimulation({fault.toStdString()});
+        Talker talker(*simulation);
+        talker.say("LOCKSTEP {On true}");
+        talker.say(init_air_robot);
+        int made = 0, silent = 0;
+        for (; made < 310 && simulation->readyToStep(); ++made) {
+            simulation->step();
+            int now = 0;
+            for (const protocol::InfoLine& line : talker.hear())
+                now += std::holds_alternative<protocol::RobotState>(line.message) ? 1 : 0;
+            silent += now == 0 ? 1 : 0;
+            for (int i = 0; i < now; ++i)
+                talker.say("STEP");
+        }
+        const bool for_good = !fault.contains("for=");
+        QVERIFY2(std::abs(made - (for_good ? 10 + ticks : 310)) <= 2, qPrintable(QString::number(made)));
+        QCOMPARE(simulation->takeSilenced(), for_good ? std::vector<std::string>{"R1"} : std::vector<std::string>{});
+        QVERIFY(simulation->takeSilenced().empty()); // once
+        QCOMPARE(simulation->readyToStep(), !for_good);
+        simulation->endFault(simulation->faults().front().id);
+        QVERIFY(simulation->readyToStep());
+    }
+
     void anEmptyBatteryEndsTheFlight() {
         const auto simulation = faultySimulation({"battery robot=R1 left=3 from=2"});
         Talker talker(*simulation);

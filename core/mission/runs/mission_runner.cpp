@@ -88,6 +88,13 @@ void MissionRunner::robotVanished(const QString& name) {
                  MissionFailed);
 }
 
+void MissionRunner::robotSilenced(const QString& name) {
+    if (phase_ != Phase::Over && name == robot_name)
+        conclude(false,
+                 "The server has fallen silent, though the connection stands; what was scanned until then is kept.",
+                 MissionFailed);
+}
+
 Result<void> MissionRunner::prepare() {
     auto prepared = prepareBehavior(mission_, plugins_);
     if (!prepared)

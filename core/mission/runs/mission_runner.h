@@ -97,6 +97,8 @@ public:
     void noteFault(const QString& sentence) { session_.noteFault(sentence.toStdString()); }
     /// Ends the run if this is its robot: it is gone from the simulator, which tells nothing on the connection.
     void robotVanished(const QString& name);
+    /// Ends the run if this is its robot: the connection stands, but nothing comes through any more.
+    void robotSilenced(const QString& name);
     /// The JSON summary; headless.md lists its keys. Valid after `finished`.
     const QJsonObject& summary() const { return summary_; }
 

@@ -65,6 +65,10 @@ void HeadlessSimulator::onVanished(QObject* context, const std::function<void(co
     link::connectAcross(server_, &SimulatorServer::robotVanished, context, tell);
 }
 
+void HeadlessSimulator::onSilenced(QObject* context, const std::function<void(const QString&)>& tell) {
+    link::connectAcross(server_, &SimulatorServer::robotSilenced, context, tell);
+}
+
 Rectangle HeadlessSimulator::extent() const {
     return sim::extentOf(simulation_->world());
 }

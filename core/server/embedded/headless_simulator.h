@@ -58,6 +58,8 @@ public:
     void onFault(QObject* context, const std::function<void(const QString&)>& tell);
     /// `tell` is called in the thread of `context` with the name of a robot that a fault has removed.
     void onVanished(QObject* context, const std::function<void(const QString&)>& tell);
+    /// The same for a robot whose client hears nothing more; see sim::Simulation::takeSilenced.
+    void onSilenced(QObject* context, const std::function<void(const QString&)>& tell);
     /// Truth about the first robot, or, if there is none now, about the one that left last, as it was then: a
     /// connection that breaks must not take the figures along. Waits for the simulator's thread.
     std::optional<sim::RobotTruth> firstRobot() const;
