@@ -6,9 +6,19 @@ namespace usar::campaign {
 
 namespace {
 
-QString detailOf(const QString& baseline, const QString& candidate, const QString& difference, const QString& interval,
-                 const QString& more) {
-    const QString text = QString("%1 against %2: %3 (%4)").arg(candidate, baseline, difference, interval);
+/// What is written of one figure.
+struct Amounts {
+    QString baseline;
+    QString candidate;
+    QString difference;
+    QString interval;
+};
+
+QString detailOf(const Comparison& comparison, const Amounts& amounts, const std::optional<std::size_t>& more_pairs) {
+    const QString text = QString("%1 %2, %3 %4; in pairs %5 (%6)")
+                             .arg(nameOf(comparison.baseline), amounts.baseline, nameOf(comparison.candidate),
+                                  amounts.candidate, amounts.difference, amounts.interval);
+    const QString more = outlook(more_pairs);
     return more.isEmpty() ? text : text + "; " + more;
 }
 
@@ -17,16 +27,16 @@ QString detailOf(const QString& baseline, const QString& candidate, const QStrin
 std::vector<VerdictLine> verdictLines(const Comparison& comparison) {
     const SuccessComparison& success = comparison.success;
     const Count before = success.count.baseline(), after = success.count.candidate();
+    const Amounts rates{amount(before), amount(after), percent(after.rate() - before.rate(), true) + " points",
+                        percent(success.difference.low, true) + " to " + percent(success.difference.high, true)};
     std::vector<VerdictLine> lines{
-        {"Success", wordOf(success.verdict),
-         detailOf(amount(before), amount(after), percent(after.rate() - before.rate(), true) + " points",
-                  percent(success.difference.low, true) + " to " + percent(success.difference.high, true),
-                  outlook(success.more_pairs))}};
-    for (const MetricComparison& one : comparison.metrics)
+        {"Success", wordOf(success.verdict), detailOf(comparison, rates, success.more_pairs)}};
+    for (const MetricComparison& one : comparison.metrics) {
+        const Amounts amounts{amount(one.baseline_median, one.metric), amount(one.candidate_median, one.metric),
+                              amount(one.difference, one.metric, true), amount(one.interval, one.metric)};
         lines.push_back({QString::fromStdString(one.metric.title), wordOf(one.verdict),
-                         detailOf(amount(one.baseline_median, one.metric), amount(one.candidate_median, one.metric),
-                                  amount(one.difference, one.metric, true), amount(one.interval, one.metric),
-                                  outlook(one.more_pairs))});
+                         detailOf(comparison, amounts, one.more_pairs)});
+    }
     return lines;
 }
 

@@ -11,9 +11,10 @@ namespace usar::campaign {
 
 /// The word on one figure.
 struct VerdictLine {
-    QString title;  ///< "Duration"
-    QString word;   ///< "better", of the candidate
-    QString detail; ///< "112.6 s against 100.1 s: -12.5 s (-14.0 to -11.0 s)", and how many more seeds would decide
+    QString title; ///< "Duration"
+    QString word;  ///< "better", of the candidate
+    QString
+        detail; ///< "C++ 112.6 s, POSH 100.1 s; in pairs -12.5 s (-14.0 to -11.0 s)", and how many more would decide
     bool operator==(const VerdictLine&) const = default;
 };
 
