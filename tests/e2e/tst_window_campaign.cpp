@@ -90,6 +90,11 @@ void tst_WindowCampaign::twoVariantsOfASeedAreShownBesideEachOther() {
     QTRY_VERIFY_WITH_TIMEOUT(compared && compared->runs().size() == 2, soon_ms);
     QCOMPARE(compared->runs()[0].behavior, QString("airrobot/cpp"));
     QCOMPARE(compared->runs()[1].behavior, QString("airrobot/posh"));
+    const auto differs = [&] {
+        const auto labels = compared->findChildren<QLabel*>();
+        return std::ranges::any_of(labels, [](const QLabel* label) { return label->text().contains("minus first"); });
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(differs(), soon_ms);
     page.window().commands().action("replay.play")->trigger(); // An order to one holds for both.
     for (const int id : {1, 2})
         QTRY_VERIFY_WITH_TIMEOUT(!page.robot(id)->figures.replay->playing, soon_ms);

@@ -50,6 +50,7 @@ CampaignForm::CampaignForm(QWidget* parent)
         (*column)->setVerticalSpacing(gap::tiny);
         (*column)->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
         columns_->addLayout(*column, 1);
+        columns_->setAlignment(*column, Qt::AlignTop);
     }
     mission_->setAccessibleName(tr("Mission of the campaign"));
     what_->addRow(tr("Mission"), mission_);
@@ -103,8 +104,11 @@ void CampaignForm::makeSeeds() {
     setUpCount(first_seed_, 0, most_seeds, 1, tr("First seed"), tr("The seed of the first run"));
     setUpCount(seeds_, 1, most_seeds, 20, tr("Number of seeds"),
                tr("How many seeds are flown; every variant flies each of them"));
-    laidOut(new QHBoxLayout(seed_row_), {}, gap::small,
-            {mutedLabel(tr("from")), first_seed_, mutedLabel(tr("count")), seeds_});
+    first_seed_->setPrefix(tr("from "));
+    seeds_->setSuffix(tr(" of them"));
+    for (QSpinBox* const box : {first_seed_, seeds_})
+        box->setMinimumWidth(84); // They are that narrow only for numbers that hardly anybody types.
+    laidOut(new QHBoxLayout(seed_row_), {}, gap::small, {first_seed_, seeds_});
     what_->addRow(tr("Seeds"), seed_row_);
     for (QSpinBox* const box : {first_seed_, seeds_})
         connect(box, &QSpinBox::valueChanged, this, &CampaignForm::changed);

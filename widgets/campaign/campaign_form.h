@@ -117,8 +117,8 @@ private:
     QLabel* trouble_ = new QLabel(this);
     QPushButton* run_ = new QPushButton(tr("Run campaign"), this);
     QPushButton* save_ = new QPushButton(tr("Save…"), this);
-    QPushButton* open_ = new QPushButton(tr("Open file…"), this);
-    QPushButton* open_folder_ = new QPushButton(tr("Open results…"), this);
+    QPushButton* open_ = new QPushButton(tr("Open…"), this);
+    QPushButton* open_folder_ = new QPushButton(tr("Results…"), this);
     QString mission_trouble_;
     QString field_trouble_;
     QString file_; ///< It is empty if the campaign is set up here.

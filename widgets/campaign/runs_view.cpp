@@ -51,7 +51,9 @@ RunsView::RunsView(RunTable& table, QWidget* parent)
     view_->verticalHeader()->setDefaultSectionSize(minimum_target);
     view_->horizontalHeader()->setStretchLastSection(true);
     view_->horizontalHeader()->setHighlightSections(false);
-    view_->horizontalHeader()->setMinimumSectionSize(64);
+    view_->horizontalHeader()->setMinimumSectionSize(72);
+    view_->horizontalHeader()->setStyleSheet( // As far from the edges as the texts of the cells.
+        QStringLiteral("QHeaderView::section { padding: %1px %2px; }").arg(gap::tiny).arg(gap::small));
     view_->setMinimumHeight(3 * minimum_target);
     nothing_ = new EmptyState(view_, tr("No runs yet"),
                               tr("Each run gets a row here as it ends. Set a campaign up and run it, or open the "

@@ -190,6 +190,4 @@ USAR_TEST(tst_CampaignModels)
 
 } // namespace tst_campaign_models
 
-Q_DECLARE_METATYPE(usar::widgets::CampaignProgress)
-
 #include "tst_campaign_models.moc"

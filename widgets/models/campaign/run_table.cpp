@@ -97,8 +97,7 @@ QVariant RunTable::headerData(int section, Qt::Orientation orientation, int role
                           : section == reasonColumn() ? tr("Reason")
                           : section < reasonColumn()  ? metrics_[static_cast<std::size_t>(section - first_metric)].title
                                                       : QString();
-    return columnHead(orientation, role, is_text ? "  " + title : title + "  ",
-                      is_text ? Qt::AlignLeft : Qt::AlignRight);
+    return columnHead(orientation, role, title, is_text ? Qt::AlignLeft : Qt::AlignRight);
 }
 
 RunFilter::RunFilter(RunTable* table) : QSortFilterProxyModel(table), table_(*table) {
