@@ -61,7 +61,7 @@ void CampaignDesk::registerCommands() {
             showProgress();
         });
     add(
-        "campaign.resume", [this, idle] { return idle() && !file_.isEmpty(); }, [this] { resume(); });
+        "campaign.resume", [this, idle] { return idle() && !file_.isEmpty() && !complete(); }, [this] { resume(); });
     add("campaign.open", idle, [this] {
         widgets::askForFile(window_, tr("Open campaign"), server::campaignsFolder(), campaign_filter,
                             [this](const QString& path) { openFile(path); });
@@ -305,6 +305,11 @@ void CampaignDesk::takeEnd(const QString& trouble) {
     commands_.refresh();
 }
 
+bool CampaignDesk::complete() const {
+    const auto runs = static_cast<std::size_t>(results_.head().runs);
+    return runs > 0 && results_.results().size() >= runs;
+}
+
 void CampaignDesk::showProgress() {
     using enum widgets::CampaignState;
     const int done = static_cast<int>(results_.results().size());
@@ -316,7 +321,7 @@ void CampaignDesk::showProgress() {
     if (process_.running())
         progress.state = stopping_ ? Stopping : Running;
     else if (!results_.folder().isEmpty())
-        progress.state = progress.runs > 0 && done >= progress.runs ? Complete : Stopped;
+        progress.state = complete() ? Complete : Stopped;
     if (since_start_.isValid() && since_start_.elapsed() > 0)
         progress.rate_hz = 1000.0 * (done - static_cast<int>(before_start_)) / double(since_start_.elapsed());
     panel().setProgress(progress);
@@ -326,7 +331,9 @@ void CampaignDesk::showCauses() {
     const std::vector<campaign::RunResult>& results = results_.results();
     std::vector<widgets::CauseRow> rows;
     for (const campaign::FailureCause& cause : campaign::failureCauses(results)) {
-        widgets::CauseRow row{campaign::wordOf(cause.outcome) + ": " + QString::fromStdString(cause.reason),
+        const QString reason = QString::fromStdString(cause.reason);
+        const bool is_usual = cause.outcome == campaign::Outcome::Failed;
+        widgets::CauseRow row{is_usual ? reason : campaign::wordOf(cause.outcome) + ": " + reason,
                               countsText(results, cause.indices),
                               {}};
         for (const std::size_t index : cause.indices) {

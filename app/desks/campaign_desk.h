@@ -47,6 +47,8 @@ private:
     void begin(const QString& folder);
     void takeResults(const std::vector<campaign::RunResult>& results);
     void takeEnd(const QString& trouble);
+    /// True if every run has a result.
+    bool complete() const;
     void showProgress();
     void showCauses();
     void flyRun(int number);

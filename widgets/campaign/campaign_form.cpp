@@ -60,6 +60,7 @@ CampaignForm::CampaignForm(QWidget* parent)
     makeParameter();
     makeFaults();
     makePlaces();
+    alignLabels();
     makeButtons();
     auto* const scrolled = new QWidget;
     laidOut(new QVBoxLayout(scrolled), {}, gap::small, {fields})->addStretch(1);
@@ -72,6 +73,20 @@ CampaignForm::CampaignForm(QWidget* parent)
     setParameters({});
     setFaultCount(0);
     setMission({}, {});
+}
+
+/// The fields of both columns begin at one line when they stand below each other.
+void CampaignForm::alignLabels() {
+    std::vector<QWidget*> labels;
+    for (const QFormLayout* const column : {what_, where_})
+        for (int row = 0; row < column->rowCount(); ++row)
+            if (QLayoutItem* const item = column->itemAt(row, QFormLayout::LabelRole))
+                labels.push_back(item->widget());
+    int widest_px = 0;
+    for (const QWidget* const label : labels)
+        widest_px = std::max(widest_px, label->sizeHint().width());
+    for (QWidget* const label : labels)
+        label->setMinimumWidth(widest_px);
 }
 
 /// They are outside of what scrolls, so that they are always seen.
@@ -105,7 +120,7 @@ void CampaignForm::makeSeeds() {
     setUpCount(seeds_, 1, most_seeds, 20, tr("Number of seeds"),
                tr("How many seeds are flown; every variant flies each of them"));
     first_seed_->setPrefix(tr("from "));
-    seeds_->setSuffix(tr(" of them"));
+    seeds_->setSuffix(tr(" seeds"));
     for (QSpinBox* const box : {first_seed_, seeds_})
         box->setMinimumWidth(84); // They are that narrow only for numbers that hardly anybody types.
     laidOut(new QHBoxLayout(seed_row_), {}, gap::small, {first_seed_, seeds_});
@@ -230,8 +245,7 @@ void CampaignForm::setParameters(const std::vector<CampaignParameter>& parameter
 }
 
 void CampaignForm::setFaultCount(int count) {
-    faults_->setItemText(static_cast<int>(CampaignFaults::OfTheDock),
-                         count == 1 ? tr("the one in the dock Faults") : tr("the %1 in the dock Faults").arg(count));
+    faults_->setItemText(static_cast<int>(CampaignFaults::OfTheDock), tr("those in the dock Faults (%1)").arg(count));
 }
 
 void CampaignForm::setFolder(const QString& folder) {

@@ -91,6 +91,7 @@ private:
     void makeParameter();
     void makeFaults();
     void makePlaces();
+    void alignLabels();
     void makeButtons();
     void placeButtons(bool wide);
     void showFields();

@@ -17,12 +17,11 @@ constexpr int most_runs = 200; // Nobody reads more of them, and each is an item
 
 CauseList::CauseList(QWidget* parent) : QWidget(parent) {
     named(tree_, tr("Why runs were not done"), {});
-    tree_->setHeaderLabels({tr("Why"), tr("Runs"), tr("Of which variant")});
+    tree_->setHeaderLabels({tr("Why"), tr("Runs")});
     tree_->setUniformRowHeights(true);
     tree_->header()->setStretchLastSection(false);
     tree_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     tree_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
-    tree_->header()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
     tree_->headerItem()->setTextAlignment(1, Qt::AlignRight);
     nothing_ = new EmptyState(tree_);
     laidOut(new QVBoxLayout(this), {gap::small, gap::tiny, gap::small, gap::small}, 0, {tree_});
@@ -45,10 +44,11 @@ void CauseList::setCauses(const std::vector<CauseRow>& causes, bool any_runs) {
     causes_ = causes;
     tree_->clear();
     for (const CauseRow& cause : causes) {
-        auto* const item =
-            new QTreeWidgetItem(tree_, {cause.reason, QString::number(cause.runs.size()), cause.variants});
-        item->setToolTip(0, cause.reason);
+        auto* const item = new QTreeWidgetItem(tree_, {cause.reason, QString::number(cause.runs.size())});
+        item->setToolTip(0, cause.reason + '\n' + cause.variants);
         item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+        item->setSizeHint(0, QSize(0, minimum_target));
+        (new QTreeWidgetItem(item, {cause.variants}))->setFirstColumnSpanned(true);
         for (int i = 0; const CausedRun& run : cause.runs) {
             if (++i > most_runs)
                 break;
@@ -62,8 +62,8 @@ void CauseList::setCauses(const std::vector<CauseRow>& causes, bool any_runs) {
 }
 
 void CauseList::choose(const QTreeWidgetItem* item) {
-    if (item->parent())
-        emit runChosen(item->data(0, Qt::UserRole).toInt());
+    if (const QVariant number = item->data(0, Qt::UserRole); number.isValid())
+        emit runChosen(number.toInt());
 }
 
 } // namespace usar::widgets

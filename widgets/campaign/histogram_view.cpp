@@ -27,6 +27,10 @@ HistogramView::HistogramView(const RunTable& table, QWidget* parent)
     plot_->setAccessibleName(tr("Histogram"));
     plot_->setMinimumHeight(80);
     plot_->xAxis->grid()->setVisible(false);
+    const QSharedPointer<QCPAxisTickerFixed> whole(new QCPAxisTickerFixed); // Runs are counted in whole ones.
+    whole->setTickStep(1.0);
+    whole->setScaleStrategy(QCPAxisTickerFixed::ssMultiples);
+    plot_->yAxis->setTicker(whole);
     auto* const head = laidOut(new QHBoxLayout, gap::small, {metric_, legend_});
     head->setStretchFactor(legend_, 1);
     auto* const column = laidOut(new QVBoxLayout(this), {gap::small, gap::tiny, gap::small, gap::small}, gap::tiny);

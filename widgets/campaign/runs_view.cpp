@@ -20,7 +20,7 @@ protected:
     void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
         QStyledItemDelegate::initStyleOption(option, index);
         const bool at_right = option->displayAlignment.testFlag(Qt::AlignRight);
-        option->text = at_right ? option->text + QStringLiteral("  ") : QStringLiteral("  ") + option->text;
+        option->text = at_right ? option->text + QStringLiteral("     ") : QStringLiteral("  ") + option->text;
     }
 };
 
@@ -52,8 +52,10 @@ RunsView::RunsView(RunTable& table, QWidget* parent)
     view_->horizontalHeader()->setStretchLastSection(true);
     view_->horizontalHeader()->setHighlightSections(false);
     view_->horizontalHeader()->setMinimumSectionSize(72);
-    view_->horizontalHeader()->setStyleSheet( // As far from the edges as the texts of the cells.
-        QStringLiteral("QHeaderView::section { padding: %1px %2px; }").arg(gap::tiny).arg(gap::small));
+    view_->horizontalHeader()->setStyleSheet( // As far from the edges as the cells' texts, with room for the arrow.
+        QStringLiteral("QHeaderView::section { padding: %1px %2px; padding-right: 20px; }")
+            .arg(gap::tiny)
+            .arg(gap::small));
     view_->setMinimumHeight(3 * minimum_target);
     nothing_ = new EmptyState(view_, tr("No runs yet"),
                               tr("Each run gets a row here as it ends. Set a campaign up and run it, or open the "
