@@ -163,13 +163,18 @@ void RunFlights::showPair() {
     const std::unique_ptr<Pair> pair = std::exchange(pair_, nullptr);
     emit pairChanged();
     awaited_replays_.clear();
-    replays_.clear();
-    for (const Side& side : pair->sides) {
-        if (!QFile::exists(side.recording))
-            continue;
-        awaited_replays_ << side.recording;
-        control_.openRecording(side.recording);
-    }
+    replay_words_.clear();
+    for (const RobotId id : std::exchange(replays_, {})) // One pair at a time; there is not room for many robots.
+        if (const Robot* const robot = control_.robot(id); robot && robot->isReplay())
+            control_.remove(id);
+    for (const Side& side : pair->sides)
+        if (QFile::exists(side.recording))
+            awaited_replays_[side.recording] = side.variant;
+    for (const Side& side : pair->sides)
+        if (awaited_replays_.contains(side.recording))
+            control_.openRecording(side.recording);
+    if (auto* const dialog = window_->findChild<widgets::CompareDialog*>())
+        dialog->clear();
     for (const Side& side : pair->sides)
         if (!side.summary.isEmpty())
             widgets::compareRuns(window_, side.summary);
@@ -177,12 +182,17 @@ void RunFlights::showPair() {
 
 void RunFlights::takeReplay(RobotId id) {
     const Robot* const replay = control_.robot(id);
-    if (!replay || !awaited_replays_.removeOne(replay->view().recording))
+    const auto awaited =
+        replay ? awaited_replays_.extract(replay->view().recording) : decltype(awaited_replays_)::node_type();
+    if (awaited.empty())
         return;
     replays_.push_back(id);
-    if (!awaited_replays_.isEmpty())
+    replay_words_ << tr("%1 is %2").arg(mission::nameOf(*replay), awaited.mapped());
+    if (!awaited_replays_.empty())
         return;
-    emit togetherWanted(std::exchange(replays_, {}));
+    notices_.note("campaign-pair",
+                  replay_words_.join(", ") + tr(". They show the same time; the replay bar moves both."));
+    emit togetherWanted(replays_);
 }
 
 } // namespace usar::app

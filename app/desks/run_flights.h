@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -76,8 +77,9 @@ private:
     std::optional<RunOrder> awaited_; ///< It is flown as soon as its world is there.
     QString awaited_name_;
     std::unique_ptr<Pair> pair_;
-    QStringList awaited_replays_; ///< recordings of a pair that are being opened
-    std::vector<RobotId> replays_;
+    std::map<QString, QString> awaited_replays_; ///< variants by the recordings that are being opened
+    std::vector<RobotId> replays_;               ///< They show the newest pair.
+    QStringList replay_words_;                   ///< They say which replay is which variant.
 };
 
 } // namespace usar::app

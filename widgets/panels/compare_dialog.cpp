@@ -102,6 +102,14 @@ void CompareDialog::add(const QString& summary) {
     });
 }
 
+void CompareDialog::clear() {
+    runs_.clear();
+    pictures_.clear();
+    maps_.clear();
+    showRuns();
+    compareMaps();
+}
+
 void CompareDialog::take(const Read& read) {
     if (!read.run) {
         const QString text = QString::fromStdString(read.run.error().text());

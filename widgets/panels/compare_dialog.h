@@ -28,6 +28,8 @@ public:
     /// Adds the run with this summary (.json); one that is shown already is read again. A file that is none is named
     /// with what to do instead.
     void add(const QString& summary);
+    /// Takes all runs out of the table.
+    void clear();
     /// Folder in which files are chosen until a run was added.
     void setFolder(const QString& folder) { folder_ = folder; }
     const std::vector<RunFigures>& runs() const { return runs_; }
