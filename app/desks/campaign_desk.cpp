@@ -299,7 +299,7 @@ void CampaignDesk::takeResults(const std::vector<campaign::RunResult>& results) 
 
 void CampaignDesk::takeEnd(const QString& trouble) {
     QString words = trouble;
-    panel().setTrouble(words.replace("Give another folder with --out", "Choose another folder"));
+    panel().setTrouble(words.remove(" with --out")); // The folder is a field here.
     stopping_ = judged_ = false;
     showProgress();
     commands_.refresh();

@@ -21,7 +21,7 @@ std::vector<widgets::CampaignParameter> parametersOf(const agent::BehaviorDescri
 struct CampaignBasis {
     mission::Mission mission; ///< Its parameters are in the units of its behavior.
     agent::RobotDescription robot;
-    std::vector<std::string> dock_faults; ///< texts of the faults that the Faults dock has now
+    std::vector<std::string> dock_faults; ///< The Faults dock has these now, as texts.
 };
 
 /// Files of a campaign that was set up in the window.

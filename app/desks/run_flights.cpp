@@ -1,15 +1,10 @@
 #include "app/desks/run_flights.h"
 
-#include <algorithm>
-#include <csignal>
-
-#include <sys/prctl.h>
+#include <utility>
 
 #include <QDir>
 #include <QFile>
 #include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
 
 #include "core/campaign/plan/shell_words.h"
 #include "core/mission/files/mission_check.h"
@@ -133,28 +128,21 @@ void RunFlights::start(Side& side, const QStringList& arguments, const QString& 
     QDir(folder).removeRecursively(); // What the last comparison left is flown anew.
     QDir().mkpath(folder);
     side.recording = QDir(folder).filePath(QStringLiteral("run.usarrec"));
-    side.process.setChildProcessModifier([] { ::prctl(PR_SET_PDEATHSIG, SIGKILL); });
-    side.process.setStandardInputFile(QProcess::nullDevice());
-    connect(&side.process, &QProcess::finished, this, [this, &side] { takeEnd(side, true); });
-    connect(&side.process, &QProcess::errorOccurred, this, [this, &side](QProcess::ProcessError error) {
-        if (error == QProcess::FailedToStart)
-            takeEnd(side, false);
-    });
-    side.process.start(server::missionProgram(), arguments + QStringList{"--out", folder, "--record", side.recording});
+    connect(&side.process, &campaign::RunProcess::ended, this,
+            [this, &side](const campaign::ProcessEnd& end) { takeEnd(side, end); });
+    side.process.start(server::missionProgram(), arguments + QStringList{"--out", folder, "--record", side.recording},
+                       Seconds{campaign::Campaign{}.wall_limit_s});
 }
 
-void RunFlights::takeEnd(Side& side, bool started) {
-    const QByteArray output = started ? side.process.readAllStandardOutput().trimmed() : QByteArray();
-    const QJsonObject summary = QJsonDocument::fromJson(output.mid(output.lastIndexOf('\n') + 1)).object();
-    for (const QJsonValue file : summary["files"].toArray())
+void RunFlights::takeEnd(Side& side, const campaign::ProcessEnd& end) {
+    campaign::RunResult run;
+    campaign::judge(run, end);
+    for (const QJsonValue file : run.summary["files"].toArray())
         if (file.toString().endsWith(".json"))
             side.summary = file.toString();
-    if (!started)
-        notices_.complain("campaign-run", {"the program cannot be started: " + side.process.errorString().toStdString(),
-                                           side.process.program().toStdString(), "Build or install it again"});
-    else if (side.summary.isEmpty())
-        notices_.complain("campaign-run", {"the run left no results: " + summary["reason"].toString().toStdString(),
-                                           side.variant.toStdString(), "Fly it alone to see why"});
+    if (side.summary.isEmpty())
+        notices_.complain("campaign-run", {"the run left no results: " + run.reason, side.variant.toStdString(),
+                                           "Fly it alone to see why"});
     if (--pair_->under_way == 0)
         QMetaObject::invokeMethod(this, &RunFlights::showPair, Qt::QueuedConnection); // It deletes the processes.
 }

@@ -6,21 +6,19 @@
 #include <memory>
 #include <optional>
 
-#include <QProcess>
-
 #include "app/desks/desk.h"
 #include "app/desks/server_desk.h"
 #include "app/desks/task_desk.h"
-#include "core/campaign/runs/run_result.h"
+#include "core/campaign/runs/run_process.h"
 #include "core/mission/files/mission_options.h"
 
 namespace usar::app {
 
 /// A run as its command says it is flown.
 struct RunOrder {
-    mission::Mission mission; ///< with the values, behavior and plan of the command; its faults are in `faults`
+    mission::Mission mission; ///< It has the values, behavior and plan of the command; its faults are in `faults`.
     std::uint64_t seed = 1;
-    std::vector<sim::Fault> faults; ///< those of the mission and of the command
+    std::vector<sim::Fault> faults; ///< They are those of the mission and of the command.
 };
 
 /// Reads the command of a result line and the mission that it names. Errors name the file and the place.
@@ -55,10 +53,10 @@ signals:
 private:
     /// One of the two runs that are flown again.
     struct Side {
-        QProcess process;
+        campaign::RunProcess process;
         QString variant;
-        QString recording; ///< path of the file
-        QString summary;   ///< path of the file; empty until the run has ended
+        QString recording; ///< It is the path of a file.
+        QString summary;   ///< It is the path of a file, and empty until the run has ended.
     };
     struct Pair {
         std::array<Side, 2> sides;
@@ -67,7 +65,7 @@ private:
 
     void begin(const protocol::StartPoses& poses);
     void start(Side& side, const QStringList& arguments, const QString& folder);
-    void takeEnd(Side& side, bool started);
+    void takeEnd(Side& side, const campaign::ProcessEnd& end);
     /// Both runs of the pair have ended.
     void showPair();
     void takeReplay(RobotId id);
@@ -77,7 +75,7 @@ private:
     std::optional<RunOrder> awaited_; ///< It is flown as soon as its world is there.
     QString awaited_name_;
     std::unique_ptr<Pair> pair_;
-    std::map<QString, QString> awaited_replays_; ///< variants by the recordings that are being opened
+    std::map<QString, QString> awaited_replays_; ///< These are variants, by the recordings that are being opened.
     std::vector<RobotId> replays_;               ///< They show the newest pair.
     QStringList replay_words_;                   ///< They say which replay is which variant.
 };

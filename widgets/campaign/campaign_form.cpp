@@ -214,6 +214,9 @@ void CampaignForm::showFields() {
 }
 
 void CampaignForm::setBehaviors(const std::vector<CampaignBehavior>& behaviors, const QString& usual) {
+    if (behaviors == known_behaviors_)
+        return; // The list may have the focus.
+    known_behaviors_ = behaviors;
     const QStringList checked = wish().behaviors;
     const bool any = std::ranges::any_of(behaviors, [&](const auto& one) { return checked.contains(one.id); });
     const QSignalBlocker quiet(behaviors_);

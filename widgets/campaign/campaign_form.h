@@ -39,13 +39,13 @@ enum class CampaignFaults { None, OfTheDock, Swarm };
 struct CampaignWish {
     int first_seed = 1;
     int seeds = 1;
-    QStringList behaviors; ///< ids
+    QStringList behaviors; ///< They are told by their ids.
     QString parameter;     ///< It is empty if none is varied.
-    QString values;        ///< as they were typed
+    QString values;        ///< They are as they were typed.
     CampaignFaults faults = CampaignFaults::None;
     double swarm_share = 0.3;
     int jobs = 1;
-    QString folder; ///< for the results
+    QString folder; ///< The results are kept there.
 };
 
 /// State comes in by setters, wishes go out by signals. With a campaign from a file only the number of missions at a
@@ -124,6 +124,7 @@ private:
     QString field_trouble_;
     QString file_; ///< It is empty if the campaign is set up here.
     std::vector<CampaignParameter> parameters_;
+    std::vector<CampaignBehavior> known_behaviors_;
 };
 
 } // namespace usar::widgets

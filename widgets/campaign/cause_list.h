@@ -12,8 +12,8 @@ class EmptyState;
 /// A run of a cause, with what its own reason says of time and place.
 struct CausedRun {
     int number = 0;
-    QString name;   ///< "run 4, POSH, seed 3"
-    QString reason; ///< as the run told it, with its numbers
+    QString name;   ///< "Run 4, POSH, seed 3"
+    QString reason; ///< The run told it so, with its numbers.
     bool operator==(const CausedRun&) const = default;
 };
 

@@ -11,8 +11,8 @@ namespace usar::campaign {
 /// Runs of any variant that ended for the same reason.
 struct FailureCause {
     Outcome outcome = Outcome::Failed;
-    std::string reason;               ///< without its numbers
-    std::vector<std::size_t> indices; ///< of the runs among those that were given, in their order
+    std::string reason;               ///< It has lost its numbers.
+    std::vector<std::size_t> indices; ///< They tell the runs among those that were given, in their order.
     bool operator==(const FailureCause&) const = default;
 };
 

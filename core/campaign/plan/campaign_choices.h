@@ -15,9 +15,9 @@ namespace usar::campaign {
 /// A behavior that is to fly the mission.
 struct ChosenBehavior {
     std::string id;
-    std::string title;               ///< names the variant
-    std::string plan;                ///< absolute path of a POSH plan; empty: the behavior's own
-    std::vector<std::string> values; ///< KEY=VALUE that this behavior has and others lack
+    std::string title;               ///< It names the variant.
+    std::string plan;                ///< Absolute path of a POSH plan; empty: the behavior flies its own.
+    std::vector<std::string> values; ///< This behavior has these KEY=VALUE, and others lack them.
     bool operator==(const ChosenBehavior&) const = default;
 };
 

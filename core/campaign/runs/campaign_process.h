@@ -34,7 +34,7 @@ private:
     QString troubleOf(int exit_code, QProcess::ExitStatus status);
 
     QProcess process_;
-    bool stopped_ = false; ///< on request
+    bool stopped_ = false; ///< Somebody has asked for the end.
 };
 
 } // namespace usar::campaign

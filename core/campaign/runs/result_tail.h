@@ -33,8 +33,8 @@ private:
     Result<void> read(const QString& path, std::size_t most, std::vector<RunResult>& results);
 
     QString folder_;
-    std::map<QString, Place> places_; ///< by the path of the shard file
-    std::set<int> seen_;              ///< numbers of the runs that were returned
+    std::map<QString, Place> places_; ///< They are found by the path of the shard file.
+    std::set<int> seen_;              ///< These runs were returned.
 };
 
 } // namespace usar::campaign
