@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <QScrollBar>
 #include <QThread>
 
 #include "widgets/panels/quantity_box.h"
@@ -63,11 +64,10 @@ CampaignForm::CampaignForm(QWidget* parent)
     alignLabels();
     makeButtons();
     auto* const scrolled = new QWidget;
-    laidOut(new QVBoxLayout(scrolled), {}, gap::small, {fields})->addStretch(1);
-    auto* const scroll = new ScrollBox(scrolled);
-    laidOut(new QVBoxLayout(this), {gap::small, gap::small, gap::small, gap::small}, gap::small,
-            {scroll, trouble_, button_box_})
-        ->setStretchFactor(scroll, 1);
+    laidOut(new QVBoxLayout(scrolled), {}, gap::small, {trouble_, fields})->addStretch(1);
+    scroll_ = new ScrollBox(scrolled);
+    laidOut(new QVBoxLayout(this), {gap::small, gap::small, gap::small, gap::small}, gap::small, {scroll_, button_box_})
+        ->setStretchFactor(scroll_, 1);
     connect(own_, &QPushButton::clicked, this, &CampaignForm::ownCampaignWanted);
     own_->setToolTip(tr("Closes the campaign's file and makes a campaign from the mission that is set up"));
     setParameters({});
@@ -206,7 +206,7 @@ void CampaignForm::showFields() {
     const bool own = file_.isEmpty();
     what_->setRowVisible(own_, !own);
     what_->setRowVisible(seed_row_, own);
-    what_->setRowVisible(behaviors_, own);
+    what_->setRowVisible(behaviors_, own && behaviors_->count() > 0);
     where_->setRowVisible(parameter_, own);
     where_->setRowVisible(faults_, own);
     where_->setRowVisible(values_, own && parameter_->currentIndex() > 0);
@@ -231,6 +231,7 @@ void CampaignForm::setBehaviors(const std::vector<CampaignBehavior>& behaviors, 
     const int rows = std::clamp(static_cast<int>(behaviors.size()), 1, 4);
     const int row_px = std::max(1, behaviors_->sizeHintForRow(0));
     behaviors_->setFixedHeight(rows * row_px + 2 * behaviors_->frameWidth());
+    showFields();
 }
 
 void CampaignForm::setParameters(const std::vector<CampaignParameter>& parameters) {
@@ -267,6 +268,7 @@ void CampaignForm::showTrouble() {
         return;
     trouble_->setText(text);
     trouble_->setVisible(!text.isEmpty());
+    scroll_->verticalScrollBar()->setValue(0); // It stands at the top.
 }
 
 void CampaignForm::setActions(QAction* run, QAction* save, QAction* open, QAction* open_folder) {

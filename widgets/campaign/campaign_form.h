@@ -8,6 +8,7 @@
 #include <QFormLayout>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QScrollArea>
 #include <QSpinBox>
 #include <QToolButton>
 
@@ -100,6 +101,7 @@ private:
     QBoxLayout* columns_;
     QFormLayout* what_;  ///< It is the first column: what is flown.
     QFormLayout* where_; ///< It is the second column: what goes wrong, and where the results are kept.
+    QScrollArea* scroll_ = nullptr;
     QWidget* button_box_ = new QWidget(this);
     QGridLayout* buttons_;
     ElidedLabel* mission_ = new ElidedLabel(this);

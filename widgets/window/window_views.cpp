@@ -174,8 +174,7 @@ void makeDocks(QMainWindow& window, WindowViews& views) {
     auto* history = add("history", QObject::tr("History"), bottom, views.history = new HistoryPanel);
     window.tabifyDockWidget(views.radio_dock, history);
     history->hide();
-    views.campaign_dock =
-        add("campaign", QObject::tr("Campaign"), bottom, new ScrollBox(views.campaign = new CampaignPanel));
+    views.campaign_dock = add("campaign", QObject::tr("Campaign"), bottom, views.campaign = new CampaignPanel);
     window.tabifyDockWidget(history, views.campaign_dock);
     views.campaign_dock->hide();
     views.plots_dock->raise();
