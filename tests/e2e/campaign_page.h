@@ -28,6 +28,7 @@ public:
         typeNumber("First seed", first);
         typeNumber("Number of seeds", count);
     }
+    void typeJobs(int jobs) { typeNumber("Missions at a time", jobs); }
     /// Changes the check mark of the behavior whose name has these words.
     void toggleBehavior(const QString& words) {
         for (int row = 0; row < behaviors().count(); ++row)

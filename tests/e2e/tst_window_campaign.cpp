@@ -46,8 +46,15 @@ void tst_WindowCampaign::runsComeAndOneFliesAgainAsItWas() {
     dock.open();
     QVERIFY(dock.hasMission());
     dock.typeSeeds(7, 2);
+    dock.typeJobs(1);
     dock.toggleBehavior("POSH");
     page.press("Run campaign");
+    QTRY_VERIFY_WITH_TIMEOUT(dock.table().rowCount() > 0, flight_ms);
+    page.press("Stop");
+    const QAction* const resume = page.window().commands().action("campaign.resume");
+    QTRY_VERIFY_WITH_TIMEOUT(resume->isEnabled(), soon_ms);
+    QVERIFY(dock.table().rowCount() < 4);
+    page.press("Resume");
     QVERIFY(dock.ends(4));
     QCOMPARE(dock.panel().trouble(), QString());
     QVERIFY2(dock.panel().verdict()->text().contains("POSH"), qPrintable(dock.panel().verdict()->text()));

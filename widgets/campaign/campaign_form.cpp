@@ -50,8 +50,10 @@ CampaignForm::CampaignForm(QWidget* parent)
         (*column)->setHorizontalSpacing(gap::medium);
         (*column)->setVerticalSpacing(gap::tiny);
         (*column)->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
-        columns_->addLayout(*column, 1);
-        columns_->setAlignment(*column, Qt::AlignTop);
+        auto* const box = new QVBoxLayout; // Its rows stay close together where the other column is taller.
+        box->addLayout(*column);
+        box->addStretch(1);
+        columns_->addLayout(box, 1);
     }
     mission_->setAccessibleName(tr("Mission of the campaign"));
     what_->addRow(tr("Mission"), mission_);

@@ -51,6 +51,8 @@ RunsView::RunsView(RunTable& table, QWidget* parent)
     view_->verticalHeader()->setDefaultSectionSize(minimum_target);
     view_->horizontalHeader()->setStretchLastSection(true);
     view_->horizontalHeader()->setHighlightSections(false);
+    view_->horizontalHeader()->setResizeContentsPrecision(
+        50); // Enough rows to know the widths; there may be thousands.
     view_->horizontalHeader()->setMinimumSectionSize(72);
     view_->horizontalHeader()->setStyleSheet( // As far from the edges as the cells' texts, with room for the arrow.
         QStringLiteral("QHeaderView::section { padding: %1px %2px; padding-right: 20px; }")
