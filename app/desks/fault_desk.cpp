@@ -88,6 +88,14 @@ void FaultDesk::showChoices() {
     views_.faults->setSensors(sensors);
 }
 
+std::vector<std::string> FaultDesk::texts() const {
+    std::vector<std::string> texts;
+    for (const sim::FaultStatus& one : faults_)
+        if (one.phase != sim::FaultPhase::Over)
+            texts.push_back(sim::write(one.fault));
+    return texts;
+}
+
 void FaultDesk::begin(const QStringList& faults) {
     if (faults.isEmpty())
         return;

@@ -1,6 +1,7 @@
 // Desk of the faults dock: makes things go wrong in the embedded simulator on request.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "app/desks/desk.h"
@@ -18,6 +19,8 @@ public:
     /// Adds a mission's faults (texts in the syntax of --fault), with times relative to now. Equal faults of an earlier
     /// start that are not over are ended first, because two winds would blow twice as hard.
     void begin(const QStringList& faults);
+    /// Texts of the faults that are not over, with their times.
+    std::vector<std::string> texts() const;
 
 private:
     /// Adds the fault that is set up in the panel.

@@ -1,5 +1,6 @@
 #include "app/desks/mission_desk.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <QFileInfo>
@@ -101,6 +102,7 @@ void MissionDesk::setUp(const mission::Mission& mission) {
         return notices_.complain("mission", prepared.error());
     if (const auto faults = server::readFaults(server::textsOf(mission.faults)); !faults)
         return notices_.complain("mission", mission::atValue(mission, "faults", faults.error()));
+    start_ = mission.start;
     selectRobotFor(mission.robot_class);
     views_.behavior->chooseBehavior(mission.behavior);
     if (task_.draft().behavior_id != mission.behavior)
@@ -132,22 +134,34 @@ void MissionDesk::selectRobotFor(const std::string& robot_class) {
     selection_.select(found ? found->view().id : RobotId{});
 }
 
-void MissionDesk::saveMission(const QString& path) {
+Result<mission::Mission> MissionDesk::setUpNow(const std::string& name) const {
     const mission::TaskDraft& draft = task_.draft();
-    const auto* behavior = control_.plugins().behavior(draft.behavior_id);
-    if (!behavior)
-        return notices_.say(Severity::Warning, "mission", tr("No behavior is chosen. Choose one first."));
+    if (!control_.plugins().behavior(draft.behavior_id))
+        return failure("no behavior is chosen", {}, "Choose one first");
     if (!task_.complete())
-        return notices_.say(Severity::Warning, "mission",
-                            tr("There is no mission area to save. Draw one on the map first."));
+        return failure("there is no mission area", {}, "Draw one on the map first");
     mission::Mission mission = draft.mission();
-    mission.name = QFileInfo(path).completeBaseName().toStdString();
+    mission.name = name;
     mission.world = control_.level().toStdString();
+    for (const agent::RobotDescription& kind : control_.plugins().kinds())
+        if (std::ranges::find(kind.behaviors, draft.behavior_id, &agent::BehaviorDescription::id) !=
+            kind.behaviors.end())
+            mission.robot_class = kind.class_name;
     if (robot())
         mission.robot_class = robot()->view().spawn.class_name;
-    mission.start = mission::startName(control_.startPoses(), robot(), mission.start);
+    const auto& poses = control_.startPoses();
+    const bool has_start = std::ranges::find(poses, start_, &protocol::StartPose::name) != poses.end();
+    mission.start = !robot() && has_start ? start_ : mission::startName(poses, robot(), mission.start);
     mission.isolate = task_.isolated();
-    if (const auto saved = mission::writeMissionFile(mission, behavior->parameters, path); !saved)
+    return mission;
+}
+
+void MissionDesk::saveMission(const QString& path) {
+    const auto mission = setUpNow(QFileInfo(path).completeBaseName().toStdString());
+    if (!mission)
+        return notices_.say(Severity::Warning, "mission", QString::fromStdString(mission.error().text()));
+    const auto* const behavior = control_.plugins().behavior(mission->behavior);
+    if (const auto saved = mission::writeMissionFile(*mission, behavior->parameters, path); !saved)
         return notices_.complain("mission", saved.error());
     remember(path);
     notices_.cure("mission");

@@ -1,5 +1,7 @@
 #include "app/desks/replay_desk.h"
 
+#include <algorithm>
+
 #include "widgets/panels/dialogs.h"
 
 namespace usar::app {
@@ -54,8 +56,20 @@ void ReplayDesk::show() {
 }
 
 void ReplayDesk::order(const mission::ReplayOrder& order) {
-    if (robot() && robot()->isReplay())
-        robot()->orderReplay(order);
+    if (!robot() || !robot()->isReplay())
+        return;
+    const bool is_one_of_them = std::ranges::find(together_, selection_.id()) != together_.end();
+    for (const RobotId id : is_one_of_them ? together_ : std::vector<RobotId>{selection_.id()})
+        if (Robot* const replay = control_.robot(id); replay && replay->isReplay())
+            replay->orderReplay(order);
+}
+
+void ReplayDesk::keepTogether(const std::vector<RobotId>& replays) {
+    together_ = replays;
+    if (replays.empty())
+        return;
+    selection_.select(replays.front());
+    order({.play = true, .seek = Seconds{0.0}});
 }
 
 void ReplayDesk::setRecording(bool on) {

@@ -1,6 +1,8 @@
 // Desk for recording and replay: commands, the replay bar above the map, and the badge of the recording.
 #pragma once
 
+#include <vector>
+
 #include "app/desks/desk.h"
 
 namespace usar::app {
@@ -16,6 +18,9 @@ public:
     void restore(const QSettings& settings) override { setRecording(settings.value("record", true).toBool()); }
     void save(SettingsSheet& settings) const override { settings.setValue("record", control_.recording()); }
 
+    /// These replays show the same time from now on: an order to one of them is given to all.
+    void keepTogether(const std::vector<RobotId>& replays);
+
 signals:
     /// The user wants to replay this recording.
     void recordingChosen(const QString& path);
@@ -23,9 +28,11 @@ signals:
 private:
     /// Updates the bar and the badge for the selected robot.
     void show();
-    /// Sends an order to the selected replay; has no effect on a live robot.
+    /// Sends an order to the selected replay, and to those that show the same time; has no effect on a live robot.
     void order(const mission::ReplayOrder& order);
     void setRecording(bool on);
+
+    std::vector<RobotId> together_; ///< replays that show the same time
 };
 
 } // namespace usar::app

@@ -173,10 +173,29 @@ void ServerDesk::openSnapshot(const QString& path) {
     load(spec, tr("Taking up %1").arg(QFileInfo(path).fileName()));
 }
 
+bool ServerDesk::mayLeaveWorld() {
+    if (control_.anyRunning())
+        notices_.say(Severity::Warning, "simulator",
+                     tr("A robot is on its mission. Stop it, then open another world."));
+    return !control_.anyRunning();
+}
+
+bool ServerDesk::openRun(const QString& world, quint64 seed, const std::vector<sim::Fault>& faults) {
+    if (!mayLeaveWorld())
+        return false;
+    server::SimulatorSpec spec = server_.simulator;
+    spec.world = world;
+    spec.seed = seed;
+    spec.faults = faults;
+    spec.battery_life = sim::survey_battery_life;
+    spec.time_begins_with_robots = true;
+    load(spec, tr("Opening %1").arg(server::worldTitle(QDir(world).dirName())));
+    return true;
+}
+
 void ServerDesk::openWorld(const QString& name_or_folder) {
-    if (control_.anyRunning()) // Maybe it was started after the folder was asked for.
-        return notices_.say(Severity::Warning, "simulator",
-                            tr("A robot is on its mission. Stop it, then open another world."));
+    if (!mayLeaveWorld()) // Maybe a behavior was started after the folder was asked for.
+        return;
     server::SimulatorSpec spec = server_.simulator;
     spec.world = name_or_folder;
     load(spec, tr("Opening %1").arg(server::worldTitle(QDir(name_or_folder).dirName())));

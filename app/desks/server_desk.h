@@ -26,6 +26,9 @@ public:
     void begin();
     /// Restarts the embedded simulator in this world, unless a behavior runs. An error is a notice, here and below.
     void openWorld(const QString& name_or_folder);
+    /// Restarts the embedded simulator as usar-mission would start it for a run; its time stands still until there is a
+    /// robot. Returns false, with a notice, while a behavior runs.
+    bool openRun(const QString& world, quint64 seed, const std::vector<sim::Fault>& faults);
     /// Restarts the embedded simulator from this snapshot.
     void openSnapshot(const QString& path);
     /// Adds a robot class to the embedded simulator, which must be running.
@@ -45,6 +48,8 @@ signals:
 
 private:
     void registerSimulatorCommands();
+    /// True if no behavior runs; otherwise a notice says what to do.
+    bool mayLeaveWorld();
     /// Host and port are ignored for the embedded simulator.
     void connectTo(widgets::ServerChoice choice, const QString& host, quint16 port);
     /// Also cancels the loading of a world or snapshot.

@@ -73,13 +73,7 @@ void TaskDesk::wire() {
         takeTask(update);
         refreshRunState();
     });
-    connect(&control_, &MissionControl::restBegun, this, [this](RobotId id) {
-        begin(id);
-        if (robot() && robot()->view().id == id)
-            showStarted();
-        refreshRunState();
-        commands_.refresh();
-    });
+    connect(&control_, &MissionControl::restBegun, this, &TaskDesk::takeBegun);
     connect(&control_, &MissionControl::behaviorFinished, this, &TaskDesk::refreshRunState);
     connect(&control_, &MissionControl::behaviorBroke, this, &TaskDesk::offerToStartAgain);
     connect(&control_, &MissionControl::replayAdded, this, [this](RobotId id) {
@@ -318,6 +312,14 @@ bool TaskDesk::startOne(Robot& robot) {
     }
     begin(id);
     return true;
+}
+
+void TaskDesk::takeBegun(RobotId id) {
+    begin(id);
+    if (robot() && robot()->view().id == id)
+        showStarted();
+    refreshRunState();
+    commands_.refresh();
 }
 
 void TaskDesk::showStarted() {

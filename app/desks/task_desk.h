@@ -37,6 +37,8 @@ public:
     QString addressees() const;
     /// Uses the user's plan from the next start on; an empty path means the robot's own.
     void takePlan();
+    /// A behavior was started on this robot by somebody else; it is shown like one that was started here.
+    void takeBegun(RobotId id);
     /// Clears every drawn area, because the world that they were drawn in is gone.
     void leaveWorld();
 

@@ -60,8 +60,9 @@ void MainWindow::registerCommands() {
     for (Desk* desk : std::initializer_list<Desk*>{&mission_, &task_, &files_})
         desk->registerCommands();
     commands_.add(widgets::commandSpec("file.quit"), [this](bool) { close(); });
-    for (Desk* desk : std::initializer_list<Desk*>{&robots_, &view_, &server_, &time_, &messages_, &replay_, &faults_,
-                                                   &workshop_, &plan_, &camera_, &drive_, &plugins_, &world_, &radio_})
+    for (Desk* desk :
+         std::initializer_list<Desk*>{&robots_, &view_, &server_, &time_, &messages_, &replay_, &faults_, &workshop_,
+                                      &plan_, &camera_, &drive_, &plugins_, &world_, &radio_, &campaign_})
         desk->registerCommands();
 }
 
@@ -98,9 +99,10 @@ void MainWindow::wire() {
 
 void MainWindow::wireDesks() {
     // The desks receive each event in this order: a task is set before it is shown, and the title comes last.
-    for (Desk* desk : std::initializer_list<Desk*>{&plugins_, &server_, &task_, &mission_, &robots_, &plan_, &workshop_,
-                                                   &time_, &drive_, &camera_, &world_, &files_, &replay_, &messages_,
-                                                   &faults_, &radio_, &results_, &recovery_, &view_})
+    for (Desk* desk :
+         std::initializer_list<Desk*>{&plugins_, &server_, &task_,    &mission_,  &robots_,  &plan_,     &workshop_,
+                                      &time_,    &drive_,  &camera_,  &world_,    &files_,   &replay_,   &messages_,
+                                      &faults_,  &radio_,  &flights_, &campaign_, &results_, &recovery_, &view_})
         desk->wire();
     connect(&selection_, &Selection::changed, this, &MainWindow::showTitle);
     connect(&control_, &MissionControl::behaviorFinished, this, [this] {
@@ -140,6 +142,7 @@ void MainWindow::connectDesks() {
     connect(&plan_, &PlanDesk::planShown, &workshop_, &PlanWorkshop::setRunningPlan);
     connect(&time_, &TimeDesk::pausedChanged, &world_, &WorldEditor::setPaused);
     connect(&time_, &TimeDesk::pausedChanged, views_.sensors, &widgets::SensorPanel::setPaused);
+    connect(&flights_, &RunFlights::togetherWanted, &replay_, &ReplayDesk::keepTogether);
     connect(&replay_, &ReplayDesk::recordingChosen, &files_, &FileDesk::openRecording);
     connect(&recovery_, &RecoveryDesk::recordingChosen, &files_, &FileDesk::openRecording);
     connect(&recovery_, &RecoveryDesk::restChosen, &mission_, &MissionDesk::flyRest);

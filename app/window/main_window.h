@@ -6,6 +6,7 @@
 #include <QTimer>
 
 #include "app/desks/camera_desk.h"
+#include "app/desks/campaign_desk.h"
 #include "app/desks/drive_desk.h"
 #include "app/desks/fault_desk.h"
 #include "app/desks/file_desk.h"
@@ -17,6 +18,7 @@
 #include "app/desks/radio_desk.h"
 #include "app/desks/replay_desk.h"
 #include "app/desks/robot_desk.h"
+#include "app/desks/run_flights.h"
 #include "app/desks/server_desk.h"
 #include "app/desks/task_desk.h"
 #include "app/desks/time_desk.h"
@@ -52,6 +54,7 @@ public:
     MissionDesk& mission() { return mission_; }
     ServerDesk& server() { return server_; }
     CameraDesk& camera() { return camera_; }
+    CampaignDesk& campaigns() { return campaign_; }
     const PlanWorkshop& workshop() const { return workshop_; }
     /// Id of the selected robot; 0 while none is selected.
     RobotId selectedRobot() const { return selection_.id(); }
@@ -115,6 +118,8 @@ private:
     MessageDesk messages_{desk_};
     FaultDesk faults_{desk_};
     RadioDesk radio_{desk_};
+    RunFlights flights_{desk_, server_, task_};
+    CampaignDesk campaign_{desk_, mission_, faults_, flights_};
     ResultDesk results_{desk_};
     ViewDesk view_;
     RecoveryDesk recovery_{desk_, disk_};

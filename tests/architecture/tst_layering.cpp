@@ -70,8 +70,9 @@ const std::map<QString, std::map<QString, QStringList>> rooms{
       {"bars", {"style", "models"}},
       {"messages", {"style", "models"}},
       {"map", {"style", "models", "panels"}},
+      {"campaign", {"style", "models", "panels"}},
       {"plan", {"style", "models", "messages", "panels"}},
-      {"window", {"style", "models", "commands", "drive", "panels", "bars", "messages", "map", "plan"}}}},
+      {"window", {"style", "models", "commands", "drive", "panels", "bars", "messages", "map", "plan", "campaign"}}}},
     {"app", {{"host", {}}, {"cli", {"host"}}, {"desks", {"host"}}, {"window", {"host", "desks"}}}},
 };
 

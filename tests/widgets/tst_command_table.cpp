@@ -94,7 +94,7 @@ void tst_CommandTable::everyMenuItemIsACommand() {
     CommandRegistry commands(&window);
     for (const CommandSpec& spec : commandTable())
         commands.add(spec, [](bool) {});
-    for (const char* const of_a_desk : {"view.dock.map", "view.dock.world", "view.dock.history"})
+    for (const char* const of_a_desk : {"view.dock.map", "view.dock.world", "view.dock.history", "view.dock.campaign"})
         commands.add({.id = of_a_desk, .text = "Dock", .group = "View"}, [](bool) {});
     const MessageList messages;
     adoptMessageActions(commands, messages.actions());
@@ -103,13 +103,13 @@ void tst_CommandTable::everyMenuItemIsACommand() {
     QCOMPARE(submenus.at("recent")->title(), QString("Open r&ecent"));
     QVERIFY(submenus.at("worlds")->isEmpty());
     QVERIFY(submenus.at("layouts")->actions().contains(commands.action("view.layout_save")));
-    QCOMPARE(window.menuBar()->actions().size(), 12);
+    QCOMPARE(window.menuBar()->actions().size(), 13);
     QCOMPARE(window.menuBar()->actions().front()->text(), QString("&File"));
-    const QMenu* const view = window.menuBar()->actions()[10]->menu();
+    const QMenu* const view = window.menuBar()->actions()[11]->menu();
     QVERIFY(view->actions().contains(commands.action("view.dock.map")));
     QVERIFY(view->actions().contains(commands.action("view.dock.world")));
     QVERIFY(view->actions().contains(submenus.at("layouts")->menuAction()));
-    QVERIFY(view->actions()[view->actions().size() - 5]->isSeparator());
+    QVERIFY(view->actions()[view->actions().size() - 6]->isSeparator());
 }
 
 void tst_CommandTable::commandsSpeakPlainly() {

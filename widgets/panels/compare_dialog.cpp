@@ -7,6 +7,7 @@
 #include <QImageReader>
 #include <QScrollArea>
 
+#include "widgets/models/height_difference.h"
 #include "widgets/panels/dialogs.h"
 #include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
@@ -36,6 +37,10 @@ CompareDialog::CompareDialog(QWidget* parent) : QDialog(parent) {
     trouble_->setAccessibleName(tr("File that cannot be compared"));
     setRole(trouble_, "caution");
     trouble_->hide();
+    difference_text_->setWordWrap(true);
+    difference_text_->setAccessibleName(tr("Difference of the maps"));
+    setRole(difference_text_, "muted");
+    difference_text_->hide();
     pool_.setMaxThreadCount(1); // The runs keep the order in which they were added.
     lay();
     resize(sizeHint()); // Qt would make it at most two thirds as wide as the screen.
@@ -71,7 +76,8 @@ void CompareDialog::lay() {
     buttons->addWidget(close_);
     for (QPushButton* const button : {add_, remove_, close_})
         button->setAutoDefault(false); // Return in the table must not open a file dialog.
-    auto* const column = laidOut(new QVBoxLayout(this), gap::small, {hint_, trouble_, table_, scroll});
+    auto* const column =
+        laidOut(new QVBoxLayout(this), gap::small, {hint_, trouble_, table_, scroll, difference_text_});
     column->setStretch(2, 1);
     column->addLayout(buttons);
 }
@@ -86,12 +92,22 @@ void CompareDialog::choose() {
 
 void CompareDialog::add(const QString& summary) {
     pool_.start([this, summary] {
-        Read read{readRun(summary), {}};
-        if (read.run)
+        Read read{readRun(summary), {}, {}};
+        if (read.run) {
             read.picture = pictureOf(read.run->picture);
+            read.heights = readHeights(summary);
+        }
         QMetaObject::invokeMethod(
             this, [this, read] { take(read); }, Qt::QueuedConnection);
     });
+}
+
+void CompareDialog::clear() {
+    runs_.clear();
+    pictures_.clear();
+    maps_.clear();
+    showRuns();
+    compareMaps();
 }
 
 void CompareDialog::take(const Read& read) {
@@ -102,14 +118,18 @@ void CompareDialog::take(const Read& read) {
     }
     const auto same = std::ranges::find(runs_, read.run->path, &RunFigures::path);
     const auto at = same - runs_.begin();
+    auto heights = std::make_shared<const mapping::Raster>(read.heights);
     if (same == runs_.end()) {
         runs_.push_back(*read.run);
         pictures_.push_back(read.picture);
+        maps_.push_back(std::move(heights));
     } else {
         *same = *read.run;
         pictures_[static_cast<std::size_t>(at)] = read.picture;
+        maps_[static_cast<std::size_t>(at)] = std::move(heights);
     }
     showRuns();
+    compareMaps();
 }
 
 void CompareDialog::removeChosen() {
@@ -118,7 +138,9 @@ void CompareDialog::removeChosen() {
         return;
     runs_.erase(runs_.begin() + column);
     pictures_.erase(pictures_.begin() + column);
+    maps_.erase(maps_.begin() + column);
     showRuns();
+    compareMaps();
 }
 
 void CompareDialog::showRuns() {
@@ -162,17 +184,46 @@ void CompareDialog::showPictures() {
     const bool any = std::ranges::any_of(pictures_, [](const QImage& picture) { return !picture.isNull(); });
     gallery_->parentWidget()->parentWidget()->setVisible(any);
     for (std::size_t i = 0; i < pictures_.size(); ++i) {
-        auto* const picture = new QLabel(gallery_);
         const QString name = titleOf(runs_[i]).section(u'\n', -1);
-        picture->setAlignment(Qt::AlignCenter);
-        picture->setAccessibleName(tr("Picture of %1").arg(name));
-        picture->setToolTip(name);
-        if (pictures_[i].isNull())
-            picture->setText(tr("%1 has no picture").arg(name));
-        else
-            picture->setPixmap(QPixmap::fromImage(pictures_[i]));
-        gallery_->layout()->addWidget(picture);
+        addPicture(pictures_[i], tr("%1 has no picture").arg(name), tr("Picture of %1").arg(name), name);
+        if (i == 1 && !difference_.picture.isNull())
+            addPicture(difference_.picture, {}, tr("Difference of the first two maps"), difference_.words);
     }
+    difference_text_->setText(difference_.words);
+    difference_text_->setVisible(any && !difference_.words.isEmpty());
+}
+
+void CompareDialog::addPicture(const QImage& picture, const QString& instead, const QString& name, const QString& tip) {
+    auto* const label = named(new QLabel(gallery_), name, tip);
+    label->setAlignment(Qt::AlignCenter);
+    if (picture.isNull())
+        label->setText(instead);
+    else
+        label->setPixmap(QPixmap::fromImage(picture));
+    gallery_->layout()->addWidget(label);
+}
+
+void CompareDialog::compareMaps() {
+    if (maps_.size() < 2 || maps_[0]->empty() || maps_[1]->empty()) {
+        difference_ = {};
+        return showPictures();
+    }
+    pool_.start([this, first = maps_[0], second = maps_[1]] {
+        MapDifference found;
+        if (const auto difference = mapping::differenceOf(*first, *second)) {
+            const QImage picture = differencePicture(*difference, fullColorOf_m(*difference));
+            found = {picture.scaled(picture_px, Qt::KeepAspectRatio), differenceText(*difference)};
+        }
+        QMetaObject::invokeMethod(
+            this,
+            [this, found, first, second] {
+                if (maps_.size() < 2 || maps_[0] != first || maps_[1] != second)
+                    return; // Other runs are compared by now.
+                difference_ = found;
+                showPictures();
+            },
+            Qt::QueuedConnection);
+    });
 }
 
 void compareRuns(QWidget* parent, const QString& path) {

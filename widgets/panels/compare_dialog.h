@@ -1,6 +1,7 @@
 // Compares runs: the figures of two or more finished missions side by side, and their pictures.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include <QBoxLayout>
@@ -11,6 +12,7 @@
 #include <QTableWidget>
 #include <QThreadPool>
 
+#include "core/mapping/raster_export.h"
 #include "widgets/models/run_comparison.h"
 #include "widgets/style/empty_state.h"
 
@@ -26,6 +28,8 @@ public:
     /// Adds the run with this summary (.json); one that is shown already is read again. A file that is none is named
     /// with what to do instead.
     void add(const QString& summary);
+    /// Takes all runs out of the table.
+    void clear();
     /// Folder in which files are chosen until a run was added.
     void setFolder(const QString& folder) { folder_ = folder; }
     const std::vector<RunFigures>& runs() const { return runs_; }
@@ -36,7 +40,13 @@ public:
 private:
     struct Read {
         Result<RunFigures> run;
-        QImage picture; ///< null: there is none
+        QImage picture;            ///< null: there is none
+        mapping::Raster heights{}; ///< It is empty if there are none.
+    };
+    /// How the maps of the first two runs differ.
+    struct MapDifference {
+        QImage picture{}; ///< It is null if they cannot be compared.
+        QString words{};
     };
     void lay();
     void choose();
@@ -45,12 +55,18 @@ private:
     void showRuns();
     void showRow(int row, const ComparedRow& figures);
     void showPictures();
+    void addPicture(const QImage& picture, const QString& instead, const QString& name, const QString& tip);
+    /// Compares the maps of the first two runs in the pool, if these are others than before.
+    void compareMaps();
 
     std::vector<RunFigures> runs_;
-    std::vector<QImage> pictures_; ///< of the runs, in their order; small
+    std::vector<QImage> pictures_;                             ///< of the runs, in their order; small
+    std::vector<std::shared_ptr<const mapping::Raster>> maps_; ///< They are in the order of the runs.
+    MapDifference difference_;
     QString folder_;
     QLabel* hint_ = new QLabel(this);
     QLabel* trouble_ = new QLabel(this);
+    QLabel* difference_text_ = new QLabel(this);
     QTableWidget* table_ = new QTableWidget(this);
     QWidget* gallery_ = new QWidget(this);
     EmptyState* nothing_ = nullptr; ///< over the table, as long as there is no run

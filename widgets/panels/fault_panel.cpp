@@ -146,15 +146,8 @@ void FaultPanel::makeList() {
 }
 
 void FaultPanel::setActions(QAction* inject, QAction* end) {
-    for (const auto& [button, action] : {std::pair(inject_, inject), std::pair(end_, end)}) {
-        const auto follow = [button = button, action = action] {
-            button->setEnabled(action->isEnabled());
-            button->setToolTip(action->toolTip());
-        };
-        connect(button, &QPushButton::clicked, action, &QAction::trigger);
-        connect(action, &QAction::changed, button, follow);
-        follow();
-    }
+    followAction(inject_, inject);
+    followAction(end_, end);
 }
 
 void FaultPanel::setKinds(std::vector<FaultKindInfo> kinds) {

@@ -18,7 +18,9 @@ QCPRange roomy(const QCPRange& range) {
     return {range.lower - air, range.upper + air};
 }
 
-void styleAxis(QCPAxis* axis, const Tokens& t) {
+} // namespace
+
+void stylePlotAxis(QCPAxis* axis, const Tokens& t) {
     const QPen line(t.line);
     axis->setBasePen(line);
     axis->setTickPen(line);
@@ -32,8 +34,6 @@ void styleAxis(QCPAxis* axis, const Tokens& t) {
     axis->grid()->setPen(QPen(faint));
     axis->grid()->setZeroLinePen(QPen(t.line));
 }
-
-} // namespace
 
 QColor plotLineColor(int index, Theme theme) {
     QColor color = robotColor(index + 1);
@@ -174,7 +174,7 @@ void PlotPane::setTimesShown(bool shown) {
 void PlotPane::style(Theme theme, const std::set<SeriesKey>& emphasized) {
     const Tokens& t = tokens(theme);
     for (QCPAxis* axis : rect_->axes())
-        styleAxis(axis, t);
+        stylePlotAxis(axis, t);
     if (chosen_)
         valueAxis()->setBasePen(QPen(t.accent, 3.0));
     for (std::size_t i = 0; i < series_.size(); ++i) {

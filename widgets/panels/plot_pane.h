@@ -20,6 +20,9 @@ namespace usar::widgets {
 /// Color of the `index`-th line of the plots; readable in this theme.
 QColor plotLineColor(int index, Theme theme);
 
+/// Gives an axis of a plot the colors and fonts of the theme.
+void stylePlotAxis(QCPAxis* axis, const Tokens& tokens);
+
 /// The first unit has the left axis, each other unit an axis on the right. Angles are drawn in degrees. Lines hold no
 /// more points than fit on the screen (SampleHistory::curve). Owned by the PlotCanvas, which also owns the plot that
 /// all panes are part of. GUI thread.

@@ -73,6 +73,16 @@ void showAction(QToolButton* button, QAction* action) {
     button->setAccessibleName(action->text());
 }
 
+void followAction(QPushButton* button, QAction* action) {
+    const auto follow = [button, action] {
+        button->setEnabled(action->isEnabled());
+        button->setToolTip(action->toolTip());
+    };
+    QObject::connect(button, &QPushButton::clicked, action, &QAction::trigger);
+    QObject::connect(action, &QAction::changed, button, follow);
+    follow();
+}
+
 QPointF arrowDirection(int key) {
     const int right = (key == Qt::Key_Right) - (key == Qt::Key_Left);
     const int up = (key == Qt::Key_Up) - (key == Qt::Key_Down);

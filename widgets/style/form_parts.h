@@ -60,6 +60,10 @@ void makeFlat(QToolButton* button);
 /// Lets a button show and trigger `action`, and read out the action's text.
 void showAction(QToolButton* button, QAction* action);
 
+/// Lets a button trigger `action` and follow its enabled state and tooltip; the button keeps its own text. The action
+/// must outlive the button.
+void followAction(QPushButton* button, QAction* action);
+
 /// Direction of an arrow key (Qt::Key): 1 to the right or up, -1 to the left or down; zero for all other keys.
 QPointF arrowDirection(int key);
 

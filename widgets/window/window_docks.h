@@ -36,7 +36,7 @@ public:
 
 private:
     /// Increased with each change of the docks; older states are ignored.
-    static constexpr int version = 6;
+    static constexpr int version = 7;
 
     /// Registers a layout. If `raised` is not null, this bottom dock is in front, and the bottom docks get this
     /// fraction of the height.

@@ -119,6 +119,9 @@ QString helpOf(const QString& dock) {
         {"drive",
          QObject::tr("Driving the selected robot by hand: take control, then use the keys, the pad or a gamepad.")},
         {"radio", QObject::tr("How well the robots hear each other by radio, for each pair of them.")},
+        {"campaign",
+         QObject::tr("Many runs of the mission that is set up, over seeds, behaviors and faults, flown in the "
+                     "background. Double-click a run to fly it here again.")},
         {"plan",
          QObject::tr("The POSH plan of the running behavior: what it does now, and why. Set breakpoints here.")},
     };
@@ -171,6 +174,9 @@ void makeDocks(QMainWindow& window, WindowViews& views) {
     auto* history = add("history", QObject::tr("History"), bottom, views.history = new HistoryPanel);
     window.tabifyDockWidget(views.radio_dock, history);
     history->hide();
+    views.campaign_dock = add("campaign", QObject::tr("Campaign"), bottom, views.campaign = new CampaignPanel);
+    window.tabifyDockWidget(history, views.campaign_dock);
+    views.campaign_dock->hide();
     views.plots_dock->raise();
 }
 

@@ -11,6 +11,7 @@
 #include "widgets/bars/result_card.h"
 #include "widgets/bars/strips.h"
 #include "widgets/bars/time_bar.h"
+#include "widgets/campaign/campaign_panel.h"
 #include "widgets/commands/command_palette.h"
 #include "widgets/drive/camera_view.h"
 #include "widgets/drive/control_badge.h"
@@ -89,7 +90,8 @@ struct WindowViews {
     LayersPanel* layers = nullptr;
     FaultPanel* faults = nullptr;
     HistoryPanel* history = nullptr; ///< what was edited
-    WorldPanel* world = nullptr;     ///< palette and list of the world's objects
+    CampaignPanel* campaign = nullptr;
+    WorldPanel* world = nullptr; ///< palette and list of the world's objects
     QDockWidget* world_dock = nullptr;
     QDockWidget* robots_dock = nullptr;
     RadioView* radio = nullptr;
@@ -101,6 +103,7 @@ struct WindowViews {
     QDockWidget* plan_dock = nullptr;
     QDockWidget* radio_dock = nullptr;
     QDockWidget* drive_dock = nullptr;
+    QDockWidget* campaign_dock = nullptr;
     std::vector<QDockWidget*> docks; ///< all docks, in the order of the View menu
 };
 

@@ -9,7 +9,7 @@
 #include <QJsonDocument>
 
 #include "core/base/numbers.h"
-#include "core/campaign/plan/manifest.h"
+#include "core/campaign/plan/manifest_head.h"
 #include "core/campaign/runs/shard_file.h"
 
 namespace usar::campaign {
@@ -18,18 +18,6 @@ namespace {
 
 constexpr const char* compared[] = {"duration_s", "distance_m", "coverage_pct", "reachable_coverage_pct",
                                     "rmse_m",     "charges",    "collisions"};
-
-Result<QJsonObject> readHead(const QString& folder) {
-    QFile file(QDir(folder).filePath(manifest_file));
-    if (!file.open(QIODevice::ReadOnly))
-        return failure("this folder holds no campaign: " + file.errorString().toStdString(),
-                       file.fileName().toStdString(), "Give a folder that usar-mission campaign has written");
-    const QJsonObject head = QJsonDocument::fromJson(file.readLine()).object();
-    if (!head["variants"].isArray())
-        return failure("this is no manifest of a campaign", file.fileName().toStdString() + ":1",
-                       "Give a folder that usar-mission campaign has written");
-    return head;
-}
 
 void addFacts(CampaignFigures& figures, const QJsonObject& head, const std::vector<RunResult>& results,
               const std::string& of) {
@@ -99,7 +87,7 @@ Result<CampaignFigures> readCampaigns(const QStringList& folders) {
     CampaignFigures figures;
     std::vector<RunResult> first;
     for (const QString& folder : folders) {
-        const auto head = readHead(folder);
+        const auto head = readManifestHead(folder);
         if (!head)
             return tl::unexpected(head.error());
         auto results = readResults(folder, (*head)["version"].toString().toStdString());

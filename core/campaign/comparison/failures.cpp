@@ -22,6 +22,8 @@ std::tuple<int, double, double, std::size_t> goodness(const RunFigures& run) {
     return {kind, coverage_pct, -figureOf(run, "duration_s", 0.0), run.number};
 }
 
+} // namespace
+
 std::string withoutNumbers(const std::string& text) {
     std::string result;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -34,8 +36,6 @@ std::string withoutNumbers(const std::string& text) {
     }
     return result;
 }
-
-} // namespace
 
 std::vector<const RunFigures*> worstRuns(const Comparison& comparison, std::size_t most) {
     std::vector<const RunFigures*> runs;

@@ -13,10 +13,13 @@ namespace usar::campaign {
 /// are not among them.
 std::vector<const RunFigures*> worstRuns(const Comparison& comparison, std::size_t most);
 
+/// The reason with "#" in place of each number, because times and places differ from run to run.
+std::string withoutNumbers(const std::string& text);
+
 /// Runs that were not done for the same reason.
 struct FailureGroup {
     Outcome outcome = Outcome::Failed;
-    std::string reason; ///< with "#" in place of each number, because times and places differ from run to run
+    std::string reason; ///< without its numbers
     std::size_t of_baseline = 0;
     std::size_t of_candidate = 0;
     const RunFigures* example = nullptr; ///< the first one; belongs to whoever has the runs

@@ -79,12 +79,18 @@ Result<void> Robot::startBehavior(const agent::PluginLoader& plugins, const Star
     if (!behavior)
         return tl::unexpected(behavior.error());
     // All in one call, so that the behavior does nothing before its breakpoints are set.
-    link::post(session_, [session = session_, task, host = *behavior, breakpoints = breakpoints_, mission_note,
-                          earlier = start.continues] {
+    const auto begin = [session = session_, task, host = *behavior, breakpoints = breakpoints_, mission_note,
+                        earlier = start.continues] {
         if (earlier)
             session->continueScan({earlier, &earlier->scan});
         session->startBehavior(host, task, mission_note);
         session->control(breakpoints);
+    };
+    link::post(session_, [session = session_, begin] {
+        if (session->figures().spawn == SpawnState::Asked)
+            connect(session, &RobotSession::spawned, session, begin, Qt::SingleShotConnection);
+        else
+            begin();
     });
     started_ = start;
     started_->parameters = parameters.values();

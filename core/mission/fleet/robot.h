@@ -55,7 +55,8 @@ public:
     void close() { call(&RobotSession::close); }
     void spawn(RobotId id, const SpawnRequest& request);
     /// `checked`: what the check of `start` found. `host_program`: runs a behavior that is isolated. Plugins are
-    /// third-party code: if one throws or refuses, this returns an error. `mission_note`: see RobotSession.
+    /// third-party code: if one throws or refuses, this returns an error. `mission_note`: see RobotSession. On a robot
+    /// that is being spawned the behavior begins with the robot's first line.
     Result<void> startBehavior(const agent::PluginLoader& plugins, const StartedBehavior& start,
                                const CheckedStart& checked, const QString& host_program,
                                const std::string& mission_note = {});

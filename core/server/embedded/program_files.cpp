@@ -61,8 +61,16 @@ QString missionsFolder() {
     return firstThere({"../share/missions", "../share/usar-mission-control/missions"});
 }
 
+QString campaignsFolder() {
+    return firstThere({"../share/campaigns", "../share/usar-mission-control/campaigns"});
+}
+
 QString robotsFolder() {
     return firstThere({"../share/robots", "../share/usar-mission-control/robots"});
+}
+
+QString missionProgram() {
+    return firstThere({"usar-mission", "../bin/usar-mission"});
 }
 
 QString behaviorHostProgram() {

@@ -31,10 +31,14 @@ QStringList worldNames();
 QString worldTitle(QString name);
 /// The folder of the missions that come with the program.
 QString missionsFolder();
+/// The folder of the campaigns that come with the program.
+QString campaignsFolder();
 /// The folder of the robot files.
 QString robotsFolder();
 /// Folders that contain behavior plugins, most specific first.
 QStringList pluginFolders();
+/// Path of the program that flies missions and campaigns without a window.
+QString missionProgram();
 /// Path of the program that runs behaviors that have a process of their own.
 QString behaviorHostProgram();
 

@@ -39,6 +39,8 @@ struct SimulatorSpec {
     Access access{};
     /// Life of every robot's battery; nullopt: as its file says.
     std::optional<Seconds> battery_life = sim::survey_battery_life;
+    /// Time stands still until there is a robot, so that a run can be flown again as it was.
+    bool time_begins_with_robots = false;
     std::shared_ptr<LoadedSimulation> loaded{}; ///< loaded in advance, for one start; null: the start loads it
 };
 

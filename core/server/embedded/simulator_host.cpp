@@ -73,6 +73,7 @@ void SimulatorHost::serve(const SimulatorSpec& spec, QObject* worker) {
     const std::vector<sim::Simulation::Orphan> waiting = loaded->simulation->orphans();
     auto* server = new SimulatorServer(std::move(loaded->simulation), worker);
     server->setAccess(spec.access);
+    server->setTimeBeginsWithRobots(spec.time_begins_with_robots);
     Result<quint16> port = server->listen(spec.port);
     if (!port) {
         port = server->listen(0);
