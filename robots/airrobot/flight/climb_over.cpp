@@ -19,7 +19,7 @@ constexpr double front_rad = radians(45.0);
 constexpr double facing_rad = 0.3;
 /// How far the robot continues to climb after the way is free, so that its belly clears the top.
 constexpr double extra_m = 1.5;
-constexpr double below_m = 0.3; ///< distance from the greatest height at which the climb fails
+constexpr double below_m = 0.15; ///< distance from the greatest height at which the climb ends
 
 } // namespace
 
@@ -83,8 +83,9 @@ ClimbStep ClimbOver::step(const Senses& senses, const ThreatPicture& picture, st
         state_ = ClimbState::Over;
     // Where no ground is within the scanner's reach, the floor level stands in for it.
     const double height_m = senses.heightOverGround_m(z_m - settings.floor_level_m);
+    // Below a ceiling there may be less room than that, and what is in the way may still pass below.
     if (height_m >= settings.maximum_height_m || z_m > highest_m - below_m)
-        state_ = ClimbState::Failed;
+        state_ = free_since_z_m_ ? ClimbState::Over : ClimbState::Failed;
     return {state_, place_m_, settings.climb_speed_m_s / 2.0};
 }
 

@@ -29,8 +29,8 @@ class ClimbOver {
 public:
     /// Begins by backing to the best place nearby (see climbPlace_m). `obstacles` are those at the robot's height.
     void start(const Senses& senses, std::span<const Obstacle> obstacles, const Settings& settings);
-    /// `goal_m` is the point to steer at after the climb; the way to it must be free. The climb fails at the height
-    /// `highest_m` (map z), for example below a ceiling.
+    /// `goal_m` is the point to steer at after the climb; the way to it must be free. The climb ends at the height
+    /// `highest_m` (map z), for example below a ceiling, and fails unless the way is free there.
     ClimbStep step(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles,
                    const Vec2& goal_m, double highest_m, const Settings& settings);
     /// Whether the robot is on its way to the place or climbing there; false once it is over or has failed.

@@ -8,8 +8,6 @@ namespace usar::airrobot {
 
 namespace {
 
-/// An object whose top is farther than this below the robot's base passes below the robot.
-constexpr double level_margin_m = 1.2;
 constexpr double look_around_m = 8.0;
 /// The visible part of a trunk (for the scanner's level rays and the sonars) ends at most this far below the robot.
 constexpr double trunk_margin_m = 0.3;
@@ -29,8 +27,8 @@ constexpr Seconds patience{6.0};
 constexpr double detour_m_s = 1.0;
 constexpr double below_ceiling_m = 0.5; ///< Scanner hits higher than this are on the ceiling.
 constexpr double sure_of_walls_m = 2.5; ///< Lower down, sonars hear the ground.
-/// Ground may be so much lower than the start and still be dry; the rest is the drift of the height.
-constexpr double slightly_lower_m = 0.5;
+/// Lower than this, the robot may stand on the ground, or its rotors may still be gathering speed.
+constexpr double surely_aloft_m = 2.0;
 constexpr double in_column_m = 0.7; ///< A robot so near to its landing place comes straight down.
 
 /// Limits speeds to what the robot can do, because the course filter and the stopping distance rely on the command.
@@ -50,8 +48,9 @@ void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool a
     fastest_m_s_ = layout.maximum_speed_m_s;
     pilot_.limitSpeed(layout.maximum_speed_m_s);
     reader_.navigateByTruth(settings.navigate_by_truth);
-    if (settings.correct_heading)
-        reader_.tellCommand(pilot_.wantedInBase_m_s());
+    reader_.correctHeading(settings.correct_heading);
+    const bool free_to_climb = !ascending_ && senses.heightOverGround_m(1e9) > surely_aloft_m;
+    reader_.tellCommand(pilot_.wantedInBase_m_s(), free_to_climb ? commanded_climb_m_s_ : 0.0);
     senses = reader_.read(tick.now, tick.line, tick.robot, layout, Seconds(settings.sensor_timeout_s));
     crash_ = nullptr;
     if (airborne) {
@@ -68,14 +67,14 @@ void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool a
         refuge.note(senses, memory, dry_m());
         battery.moveTo(senses.position_m());
     }
-    obstacles_ = memory.near(senses.position2_m(), look_around_m, senses.position_m().z() - level_margin_m);
+    obstacles_ = memory.near(senses.position2_m(), look_around_m, senses.position_m().z() - passes_below_m);
     threats = judgeThreats(senses, settings);
     port.publish(agent::SonarZones{threats.zones});
     scanned = log.tick(senses, airborne, settings, port);
 }
 
 double Craft::dry_m() const {
-    return settings.floor_level_m - settings.clearance_m - slightly_lower_m;
+    return dryLevel_m(settings);
 }
 
 void Craft::look(const Leg& leg) {
@@ -87,10 +86,14 @@ void Craft::look(const Leg& leg) {
 
 const EvasionDecision& Craft::decide(agent::CommandPort& port) {
     if (!decision_) {
-        decision_ = evasion_.decide(senses, threats, obstacles_, settings);
+        decision_ = evasion_.decide(senses, threats, obstacles_, settings, retreat());
         log.risks(senses, *decision_, port);
     }
     return *decision_;
+}
+
+Retreat Craft::retreat() const {
+    return {[this](const Vec2& at_m) { return routes_.wasFlown(at_m); }, overhead.hasCeiling()};
 }
 
 FlightState Craft::fly(const Leg& leg, agent::CommandPort& port) {
@@ -182,7 +185,7 @@ Motion Craft::evade(const EvasionDecision& decision, const Leg& leg, FlightState
 
 Motion Craft::cruise(const Leg& leg, FlightState& state) {
     const Vec2 here_m = senses.position2_m();
-    const double level_m = senses.position_m().z() - level_margin_m;
+    const double level_m = senses.position_m().z() - passes_below_m;
     const auto bearing =
         steering_.choose(obstacles_, here_m, leg.aim_m, level_m, {settings.side_clearance_m / 2.0, 3.5});
     if (!bearing) {
@@ -263,18 +266,18 @@ Vec2 Craft::awayFromTrunks_m(const Vec2& at_m) const {
 
 bool Craft::rise(double goal_z_m, const Vec2& over_m, agent::CommandPort& port) {
     ascending_ = true;
-    const Vec2 column_m = column_m_.value_or(over_m);
+    const Vec2 column_m = column_.at_m.value_or(over_m);
     const AscentStep step = ascent_.step(senses, {column_m.x(), column_m.y(), goal_z_m}, overhead, settings);
     if (step.looked_around) {
-        column_m_ = awayFromTrunks_m(over_m);
-        moving_since_ = senses.now;
+        column_.at_m = awayFromTrunks_m(over_m);
+        column_.moving_since = senses.now;
     }
-    if (column_m_ && senses.now - moving_since_ > longest_move && !there_)
-        column_m_ = senses.position2_m(); // Something is in the way.
+    if (column_.at_m && senses.now - column_.moving_since > longest_move && !column_.there)
+        column_.at_m = senses.position2_m(); // Something is in the way.
     Motion motion = holding(senses, column_m);
     makeSafe(motion);
-    there_ = (senses.position2_m() - column_m).norm() < in_column_m;
-    motion.climb_m_s = there_ ? step.climb_m_s : std::min(step.climb_m_s, 0.0);
+    column_.there = (senses.position2_m() - column_m).norm() < in_column_m;
+    motion.climb_m_s = column_.there ? step.climb_m_s : std::min(step.climb_m_s, 0.0);
     if (step.turns)
         motion.yaw_rate_rad_s = settings.turn_rate_rad_s;
     motion.sudden = step.returns;
@@ -293,8 +296,8 @@ bool Craft::descend(const Vec2& place_m, agent::CommandPort& port) {
     motion.climb_m_s = -touchdown.sinkRate_m_s(senses, settings);
     const double z_m = senses.position_m().z();
     const bool straight = (place_m - senses.position2_m()).norm() < in_column_m;
-    column_top_m_ = straight ? std::max(column_top_m_, z_m) : z_m;
-    come_down_m_ = column_top_m_ - z_m;
+    column_.top_m = straight ? std::max(column_.top_m, z_m) : z_m;
+    column_.come_down_m = column_.top_m - z_m;
     command(motion, port, "landing");
     return touchdown.touched(senses);
 }
@@ -323,9 +326,7 @@ void Craft::forgetPlaces() {
     routes_.clear();
     refuge = {};
     overhead.forgetPlaces();
-    column_top_m_ = -1e9;
-    column_m_.reset();
-    ascent_ = Ascent(std::exchange(come_down_m_, 0.0));
+    ascent_ = Ascent(std::exchange(column_, {}).come_down_m);
     crash_watch_ = {};
     reader_.forgetMotion();
     battery.forgetPosition();
