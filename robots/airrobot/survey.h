@@ -45,6 +45,8 @@ public:
     }
     /// The length of the lanes to which no way was found.
     double cutOff_m() const { return cut_off_m_; }
+    /// The share of all lanes that was left out for whatever reason, 0 to 1.
+    double leftOut() const { return totalLength_m() > 0.0 ? (given_up_m_ + cut_off_m_) / totalLength_m() : 0.0; }
 
     /// The point to reach next: where the lane is entered, or the end of its present piece. The survey must not be
     /// done.

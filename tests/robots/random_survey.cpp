@@ -184,11 +184,13 @@ bool SurveyOutcome::isFalseSuccess() const {
 
 std::string SurveyOutcome::text() const {
     std::array<char, 160> line{};
+    std::array<char, 48> reached{"nothing can be reached"};
+    if (reachable_coverage_pct)
+        std::snprintf(reached.data(), reached.size(), "of what can be reached %.1f %%", *reachable_coverage_pct);
     const char* const what = broken ? "BROKEN" : !ended ? "NEVER ENDED" : success ? "done" : "gave up";
     std::snprintf(line.data(), line.size(),
-                  "%s%s, %d collisions, %.0f s, %.1f %%, of what can be reached %.1f %%, height %.1f m: ",
-                  isFalseSuccess() ? "FALSE " : "", what, collisions, elapsed_s, coverage_pct,
-                  reachable_coverage_pct.value_or(0.0), height_m);
+                  "%s%s, %d collisions, %.0f s, %.1f %%, %s, height %.1f m: ", isFalseSuccess() ? "FALSE " : "", what,
+                  collisions, elapsed_s, coverage_pct, reached.data(), height_m);
     return line.data() + reason;
 }
 

@@ -231,6 +231,15 @@ private slots:
         QVERIFY(contains(toy.events(), "quadrant"));
     }
 
+    void fliesOnAfterAQuadrantWhereNoInsNeedsToBeSet() {
+        ToyFlight toy = flight({}, field_task, {{"quadrant_limit_m", 30.0}, {"navigate_by_truth", true}});
+        toy.run(Seconds(3000));
+        QVERIFY(toy.ending() && toy.ending()->success);
+        QCOMPARE(toy.status().charges, 0);
+        QVERIFY(!contains(toy.states(), "returning to charge"));
+        QCOMPARE(std::ranges::count(toy.states(), "returning to base"), 1);
+    }
+
     void neverSinksBelowItsFloorButToLand() {
         ToyWorld ravine;
         ravine.ground_m = [](const Vec2& at_m) { return std::abs(at_m.x() - 25.0) < 8.0 ? -12.0 : 0.0; };

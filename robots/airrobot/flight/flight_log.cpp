@@ -53,7 +53,7 @@ bool FlightLog::tick(const Senses& senses, bool airborne, const Settings& settin
         last_path_m_ = senses.position_m();
         mark(agent::MarkKind::Path, senses.position2_m(), senses, port);
     }
-    return good && senses.ground_m;
+    return good;
 }
 
 void FlightLog::risks(const Senses& senses, const EvasionDecision& decision, agent::CommandPort& port) const {

@@ -36,8 +36,7 @@ class FlightLog {
 public:
     /// Marks a place (map frame) at the robot's present height.
     void mark(agent::MarkKind kind, const Vec2& place_m, const Senses& senses, agent::CommandPort& port) const;
-    /// Publishes the pose, a path mark every meter, and the scan if it is good for the map. Returns true if it is
-    /// and the ground is in sight: over a void, scans show only what is beside the robot.
+    /// Publishes the pose, a path mark every meter, and the scan if it is good for the map. Returns true if it is.
     bool tick(const Senses& senses, bool airborne, const Settings& settings, agent::CommandPort& port);
     /// Marks new risks and diversions.
     void risks(const Senses& senses, const EvasionDecision& decision, agent::CommandPort& port) const;
