@@ -254,6 +254,7 @@ void SurveyFlight::chooseFloor(agent::CommandPort& port) {
 void SurveyFlight::beginWork() {
     phase_ = Phase::ToLane;
     sortie_.at_work = true;
+    survey_.shift(-craft_.log.lean().scanAside_m(craft_.senses.base_in_map.yaw_rad, craft_.settings.scan_altitude_m));
     craft_.startAnew();
 }
 
@@ -296,6 +297,7 @@ void SurveyFlight::skipGoal(agent::CommandPort& port) {
 }
 
 void SurveyFlight::afterGoal(SurveyEvent event, agent::CommandPort& port) {
+    survey_.shift(-craft_.log.lean().scanAside_m(craft_.senses.base_in_map.yaw_rad, craft_.settings.scan_altitude_m));
     if (event == SurveyEvent::AllDone)
         goHome(Errand::Done, "", port);
     else if (event == SurveyEvent::QuadrantDone && !craft_.settings.navigate_by_truth)

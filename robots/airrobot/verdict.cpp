@@ -16,6 +16,7 @@ constexpr double least_mapped = 0.2;
 /// Share of the area that the scans must show, of as much of it as the lanes were flown over. Houses and crowns hide
 /// some.
 constexpr double least_looked_at = 0.8;
+constexpr double least_seen = 0.05; ///< the same for ground on the map
 
 agent::BehaviorFinished failed(const std::string& reason) {
     return {false, reason};
@@ -39,6 +40,9 @@ agent::BehaviorFinished verdictOf(const Survey& survey, const ScanLedger& ledger
     if (survey.givenUp_pct() > settings.most_left_out_pct)
         return failed("The area is not scanned; " + goals + ", and at most " + rounded(settings.most_left_out_pct) +
                       " % may be. Raise the time until a goal is given up, or choose an area with room to fly.");
+    if (ledger.seen() < least_seen * (1.0 - survey.leftOut()))
+        return failed("The lanes were flown, but there is hardly any ground within the scanner's reach. Is the area in "
+                      "the world?");
     const double looked_at = ledger.seen() + ledger.bottomless();
     if (looked_at < least_looked_at * (1.0 - survey.leftOut()))
         return failed("The lanes were flown, but the scans show only " + rounded(100.0 * looked_at) +

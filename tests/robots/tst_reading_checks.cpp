@@ -28,7 +28,7 @@ private slots:
         QTest::addColumn<double>("x_m");
         QTest::addColumn<double>("roll_rad");
         QTest::newRow("of the place") << 12.0 << 0.0;
-        QTest::newRow("of the attitude") << 1.0 << 2.5;
+        QTest::newRow("of the attitude") << 1.0 << 0.85;
     }
     void believesALeapOnlyAtTheThirdTime() {
         QFETCH(double, x_m);
@@ -152,10 +152,28 @@ private slots:
         SonarCheck check;
         double last_m = 0.0;
         for (const double range_m : told_m) {
-            last_m = check.believed_m("M0", range_m);
-            QCOMPARE(check.believed_m("R4", 5.0), 5.0); // Others have nothing to do with it.
+            last_m = check.believed_m("M0", range_m, range_m < 5.0, {}).value();
+            QCOMPARE(check.believed_m("R4", 5.0, false, {}), 5.0); // Others have nothing to do with it.
         }
         QCOMPARE(last_m, believed_m);
+    }
+
+    void aSonarThatRepeatsItsEchoHangs_data() {
+        QTest::addColumn<double>("range_m");
+        QTest::addColumn<double>("speed_m_s");
+        QTest::addColumn<bool>("hangs");
+        QTest::newRow("an echo under way") << 3.1415 << 1.0 << true;
+        QTest::newRow("an echo at rest") << 3.1415 << 0.0 << false;
+        QTest::newRow("no echo") << 5.0 << 1.0 << false;
+    }
+    void aSonarThatRepeatsItsEchoHangs() {
+        QFETCH(double, range_m);
+        QFETCH(double, speed_m_s);
+        QFETCH(bool, hangs);
+        SonarCheck check;
+        for (int tick = 0; tick < 20; ++tick)
+            QCOMPARE(check.believed_m("M0", range_m, range_m < 5.0, {speed_m_s, 0.0}).has_value(), !hangs || tick < 5);
+        QVERIFY(check.believed_m("M0", range_m - 0.01, true, {speed_m_s, 0.0}));
     }
 };
 

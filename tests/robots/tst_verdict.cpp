@@ -63,6 +63,7 @@ private slots:
         QTest::newRow("nine tenths of it") << 36.0 << 36.0 << 0 << false << "The area is scanned.";
         QTest::newRow("half of it") << 20.0 << 20.0 << 0 << false << "show only 50 % of the area";
         QTest::newRow("half of it, and deep water") << 20.0 << 40.0 << 0 << false << "The area is scanned.";
+        QTest::newRow("deep water") << 0.0 << 40.0 << 0 << false << "hardly any ground";
         QTest::newRow("half of it, as far as ways lead") << 20.0 << 20.0 << 0 << true << "none was found to 40 m";
         QTest::newRow("a quarter of it, as far as ways lead") << 10.0 << 10.0 << 0 << true << "show only 25 %";
         QTest::newRow("all of it, with most scans lost") << 40.0 << 40.0 << 400 << false << "few scans of them came";

@@ -49,8 +49,9 @@ void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool a
     pilot_.limitSpeed(layout.maximum_speed_m_s);
     reader_.navigateByTruth(settings.navigate_by_truth);
     reader_.correctHeading(settings.correct_heading);
-    const bool free_to_climb = !ascending_ && senses.heightOverGround_m(1e9) > surely_aloft_m;
-    reader_.tellCommand(pilot_.wantedInBase_m_s(), free_to_climb ? commanded_climb_m_s_ : 0.0);
+    const bool aloft = senses.heightOverGround_m(1e9) > surely_aloft_m;
+    reader_.tellCommand(aloft ? pilot_.wantedInBase_m_s() : Vec2::Zero(),
+                        aloft && !ascending_ ? commanded_climb_m_s_ : 0.0);
     senses = reader_.read(tick.now, tick.line, tick.robot, layout, Seconds(settings.sensor_timeout_s));
     crash_ = nullptr;
     if (airborne) {
@@ -126,7 +127,7 @@ bool Craft::mayClimb() const {
 void Craft::findWay(const Leg& leg) {
     if (mayClimb()) {
         if (stuck_.hindered() > Seconds(settings.climb_over_after_s))
-            climb_over_.start(senses, obstacles_, settings);
+            climb_over_.start(senses, obstacles_, settings, retreat());
         return;
     }
     if (stuck_.hindered() < patience || senses.now - looked_for_way_ < patience)
@@ -154,12 +155,13 @@ FlightState Craft::perform(Maneuver maneuver, const Leg& asked, agent::CommandPo
     if (hindered && !climb_over_.active() && !detour_.active())
         findWay(leg);
     makeSafe(motion);
-    // What made it climb over something may make it climb on, such as a wall that reaches a roof.
+    // What made it climb over something may make it climb on, such as a wall that reaches a roof. So may a wall alone.
     climbs_on_ = climbs_on_ && motion.climb_m_s > 0.0;
     const bool again = climbed_at_ && senses.position_m().z() > climbed_at_->z() + over_again_m;
-    const bool maybe_roofed = climb_over_.active() || climbs_on_ || again || overhead.hasCeiling();
+    const bool maybe_roofed =
+        climb_over_.active() || climbs_on_ || again || overhead.hasCeiling() || overhead.besideWall(senses.now);
     const bool unseen = maybe_roofed && senses.position_m().z() > overhead.freeTo_m();
-    motion.climb_m_s = overhead.allowed_m_s(senses, motion.climb_m_s, unseen);
+    motion.climb_m_s = overhead.allowed_m_s(senses, motion.climb_m_s, unseen ? Overhead::gentle_m_s : motion.climb_m_s);
     command(motion, port, leg.source);
     return state;
 }

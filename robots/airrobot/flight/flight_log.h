@@ -19,6 +19,9 @@ public:
     double tiltFrom_rad(const Pose& pose) const;
     /// The slope of a plane on which a robot with this yaw would stand at its mean lean, upward along the map's axes.
     Vec2 slope(double yaw_rad) const;
+    /// How far beside the robot (map frame) the line lies that its belly scanner scans at this height; zero without
+    /// wind.
+    Vec2 scanAside_m(double yaw_rad, double altitude_m) const;
 
 private:
     std::optional<Seconds> noted_;

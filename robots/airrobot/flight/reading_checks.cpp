@@ -17,6 +17,9 @@ constexpr double fastest_m_s = 8.0;
 constexpr double fastest_turn_rad_s = 4.0;
 constexpr double jitter_m = 0.7;
 constexpr double jitter_rad = 0.3;
+/// The robot leans by at most 25 degrees, and as it sets off at once by 12 degrees within 0.2 s.
+constexpr double fastest_lean_rad_s = 1.0;
+constexpr double lean_jitter_rad = 0.3;
 constexpr int believed_after = 3;
 /// Ranges agree within this distance or this share of the greater one, whichever is more. The ground under a level scan
 /// at an altitude of 6 m is within it from beam to beam up to the scanner's reach of 20 m.
@@ -28,16 +31,19 @@ constexpr double same_geometry = 0.01;   ///< share
 /// From one reading to the next, 0.2 s later, the robot gets nearer by 0.4 m at most, and an echo may come from another
 /// part of the same thing.
 constexpr double sonar_jump_m = 1.0;
+/// Noise of a thousandth of the range changes a number of four decimals nearly always.
+constexpr int hangs_after = 5;
 
-double largestTurn_rad(const Pose& from_in_map, const Pose& to_in_map) {
-    return std::max({std::abs(normalizedAngle(to_in_map.roll_rad - from_in_map.roll_rad)),
-                     std::abs(normalizedAngle(to_in_map.pitch_rad - from_in_map.pitch_rad)),
-                     std::abs(normalizedAngle(to_in_map.yaw_rad - from_in_map.yaw_rad))});
+double between_rad(double one_rad, double other_rad) {
+    return std::abs(normalizedAngle(one_rad - other_rad));
 }
 
 bool isTooFar(const Pose& from_in_map, const Pose& to_in_map, double since_s) {
     return (to_in_map.position_m - from_in_map.position_m).norm() > jitter_m + fastest_m_s * since_s ||
-           largestTurn_rad(from_in_map, to_in_map) > jitter_rad + fastest_turn_rad_s * since_s;
+           between_rad(from_in_map.yaw_rad, to_in_map.yaw_rad) > jitter_rad + fastest_turn_rad_s * since_s ||
+           std::max(between_rad(from_in_map.roll_rad, to_in_map.roll_rad),
+                    between_rad(from_in_map.pitch_rad, to_in_map.pitch_rad)) >
+               lean_jitter_rad + fastest_lean_rad_s * since_s;
 }
 
 bool agrees(double one_m, double other_m) {
@@ -125,9 +131,16 @@ bool ScanCheck::isOtherGeometry(const protocol::RangeScan& scan) {
     return false;
 }
 
-double SonarCheck::believed_m(const std::string& sonar, double range_m) {
+std::optional<double> SonarCheck::believed_m(const std::string& sonar, double range_m, bool echo, const Told& told) {
     const auto [known, is_new] = ranges_.try_emplace(sonar, Range{range_m, range_m});
     Range& range = known->second;
+    const bool repeated = !is_new && echo && range_m == range.told_m;
+    if (!repeated)
+        range.repeats = 0;
+    else if (told.speed_m_s > moving_m_s)
+        ++range.repeats;
+    if (range.repeats >= hangs_after)
+        return std::nullopt;
     if (!is_new &&
         (std::abs(range_m - range.believed_m) <= sonar_jump_m || std::abs(range_m - range.told_m) <= sonar_jump_m))
         range.believed_m = range_m;

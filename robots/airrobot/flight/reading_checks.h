@@ -68,14 +68,16 @@ private:
 class SonarCheck {
 public:
     /// Returns the range to believe. Call it for each new reading. A range that jumps is believed when it is told
-    /// again; until then the last one holds.
-    double believed_m(const std::string& sonar, double range_m);
+    /// again; until then the last one holds. Returns nothing while the sonar hangs: it repeats an echo to the last
+    /// digit although the robot moves. `echo`: the range is less than the greatest one.
+    std::optional<double> believed_m(const std::string& sonar, double range_m, bool echo, const Told& told);
     void forget() { ranges_.clear(); }
 
 private:
     struct Range {
         double believed_m = 0.0;
         double told_m = 0.0;
+        int repeats = 0; ///< of an echo, in a row
     };
     std::map<std::string, Range, std::less<>> ranges_;
 };

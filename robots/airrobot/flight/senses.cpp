@@ -130,12 +130,16 @@ void SenseReader::readSonars(Senses& senses, const modules::RobotModules& robot,
         const auto* reading = robot.sensors.sonar(mount.name);
         const bool number = reading && std::isfinite(reading->value.range_m);
         auto heard = sonars_heard_.find(mount.name);
-        if (number && (heard == sonars_heard_.end() || heard->second.line != reading->line))
-            heard =
-                sonars_heard_
-                    .insert_or_assign(mount.name, Heard{reading->line, senses.now,
-                                                        sonar_check_.believed_m(mount.name, reading->value.range_m)})
-                    .first;
+        if (number && (heard == sonars_heard_.end() || heard->second.line != reading->line)) {
+            heard = sonars_heard_.try_emplace(mount.name).first;
+            heard->second.line = reading->line;
+            const double told_m = reading->value.range_m;
+            const bool echo = mapping::isHit(told_m, mount.maximum_m);
+            if (const auto range_m = sonar_check_.believed_m(mount.name, told_m, echo, {commanded_m_s_.norm(), 0.0})) {
+                heard->second.range_m = *range_m;
+                heard->second.at = senses.now;
+            }
+        }
         const Seconds age = heard == sonars_heard_.end() ? never : senses.now - heard->second.at;
         senses.sonar_age = std::max(senses.sonar_age, age);
         if (age > time_out)
