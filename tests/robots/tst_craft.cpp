@@ -133,6 +133,21 @@ private slots:
         QVERIFY2(fastest_m_s <= Overhead::careful_m_s && fastest_m_s > 0.2, qPrintable(QString::number(fastest_m_s)));
     }
 
+    void sinksStraightAwayFromARoofThatItHasTouched() {
+        protocol::AerialDrive drive;
+        for (int tick = 0; tick < 9; ++tick) { // It is told to climb, and does not.
+            perceive(3.0, {});
+            if (const auto told = fly(); told.climb_m_s)
+                drive = told;
+            QVERIFY(*drive.climb_m_s > 0.0 || craft->overhead.hasCeiling());
+        }
+        QVERIFY(craft->overhead.hasCeiling());
+        QCOMPARE(*drive.climb_m_s, -Overhead::gentle_m_s);
+        z_m -= 0.4;
+        perceive(2.6, {});
+        QVERIFY(*fly().forward_m_s > 0.0);
+    }
+
     void fleesFromAHighRiskWithoutAChangeOfHeight() {
         perceive(5.0, {{"M0", 1.0}});
         const auto drive = fly();

@@ -49,7 +49,7 @@ private slots:
         QTest::addColumn<double>("climb_m_s");
         QTest::addColumn<double>("after_s");
         QTest::newRow("while it is to fly") << 1.0 << 0.0 << 0.2;
-        QTest::newRow("while it is to climb") << 0.0 << 0.5 << 1.0;
+        QTest::newRow("while it is to climb") << 0.0 << 0.5 << 3.0;
         QTest::newRow("while it is to sink") << 0.0 << -0.5 << 1.0;
         QTest::newRow("while it is to stay") << 0.0 << 0.0 << 1e9;
     }
@@ -165,6 +165,7 @@ private slots:
         QTest::newRow("an echo under way") << 3.1415 << 1.0 << true;
         QTest::newRow("an echo at rest") << 3.1415 << 0.0 << false;
         QTest::newRow("no echo") << 5.0 << 1.0 << false;
+        QTest::newRow("a wall that it touches") << 0.2 << 1.0 << false;
     }
     void aSonarThatRepeatsItsEchoHangs() {
         QFETCH(double, range_m);

@@ -26,6 +26,8 @@ constexpr double hold_still_m = 0.5;
 constexpr Seconds patience{6.0};
 constexpr double detour_m_s = 1.0;
 constexpr double below_ceiling_m = 0.5; ///< Scanner hits higher than this are on the ceiling.
+/// So near to a roof, the robot does nothing but sink: a turn or a lean makes a rotor scrape along it, which breaks it.
+constexpr double near_roof_m = 0.35;
 constexpr double sure_of_walls_m = 2.5; ///< Lower down, sonars hear the ground.
 /// Lower than this, the robot may stand on the ground, or its rotors may still be gathering speed.
 constexpr double surely_aloft_m = 2.0;
@@ -167,8 +169,11 @@ FlightState Craft::perform(Maneuver maneuver, const Leg& asked, agent::CommandPo
 }
 
 void Craft::command(const Motion& motion, agent::CommandPort& port, const std::string& source) {
-    commanded_climb_m_s_ = motion.climb_m_s;
-    pilot_.fly(motion, senses, port, source, settings);
+    const auto ceiling_m = overhead.ceiling_m(senses.position2_m());
+    const bool touches = ceiling_m && senses.position_m().z() > *ceiling_m - near_roof_m;
+    const Motion safe = touches ? Motion{.climb_m_s = -Overhead::gentle_m_s} : motion;
+    commanded_climb_m_s_ = safe.climb_m_s;
+    pilot_.fly(safe, senses, port, source, settings);
 }
 
 Motion Craft::evade(const EvasionDecision& decision, const Leg& leg, FlightState& state) {

@@ -25,7 +25,7 @@ constexpr double same_place_m = 5.0;
 /// Beams of two scans in a row that get so far above a ceiling nearby show that it was a crown, or wind that pressed
 /// the robot down. The attitude is not known well enough for less.
 constexpr double surely_above_m = 1.3;
-constexpr double least_push_m_s = 0.2;
+constexpr double least_push_m_s = 0.12;
 /// A climb that gains less than this share of the way in this time has met something.
 constexpr Seconds push_time{1.4};
 constexpr double pushed_share = 0.25;

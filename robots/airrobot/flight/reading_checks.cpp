@@ -10,8 +10,9 @@ namespace {
 
 /// A robot that is told to fly so fast cannot have the same pose twice, to the last digit.
 constexpr double moving_m_s = 0.2;
-/// In a climb or descent it can for a moment: it may have met something, or its rotors are still gathering speed.
-constexpr Seconds vertical_patience{1.0};
+/// In a descent it can for a moment, and below a roof until it has noticed the roof and left it.
+constexpr Seconds descent_patience{1.0};
+constexpr Seconds climb_patience{3.0};
 /// No robot is faster; a reading beyond that was damaged on its way, unless as many in a row say the same.
 constexpr double fastest_m_s = 8.0;
 constexpr double fastest_turn_rad_s = 4.0;
@@ -33,6 +34,7 @@ constexpr double same_geometry = 0.01;   ///< share
 constexpr double sonar_jump_m = 1.0;
 /// Noise of a thousandth of the range changes a number of four decimals nearly always.
 constexpr int hangs_after = 5;
+constexpr double touching_m = 0.5; ///< What is nearer may be at the least range of a sonar, which has no noise.
 
 double between_rad(double one_rad, double other_rad) {
     return std::abs(normalizedAngle(one_rad - other_rad));
@@ -84,8 +86,8 @@ bool PoseCheck::hangs(Seconds now, const Pose& pose_in_map, const Told& told) {
         vertical_since_.reset();
     else if (!vertical_since_)
         vertical_since_ = last_->at;
-    hanging_ =
-        repeated && (told.speed_m_s > moving_m_s || (vertical_since_ && now - *vertical_since_ >= vertical_patience));
+    const Seconds patience = told.climb_m_s > 0.0 ? climb_patience : descent_patience;
+    hanging_ = repeated && (told.speed_m_s > moving_m_s || (vertical_since_ && now - *vertical_since_ >= patience));
     if (hanging_) {
         hung_at_ = pose_in_map;
         others_ = 0;
@@ -134,7 +136,7 @@ bool ScanCheck::isOtherGeometry(const protocol::RangeScan& scan) {
 std::optional<double> SonarCheck::believed_m(const std::string& sonar, double range_m, bool echo, const Told& told) {
     const auto [known, is_new] = ranges_.try_emplace(sonar, Range{range_m, range_m});
     Range& range = known->second;
-    const bool repeated = !is_new && echo && range_m == range.told_m;
+    const bool repeated = !is_new && echo && range_m > touching_m && range_m == range.told_m;
     if (!repeated)
         range.repeats = 0;
     else if (told.speed_m_s > moving_m_s)
