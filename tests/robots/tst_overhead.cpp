@@ -101,6 +101,22 @@ private slots:
         QCOMPARE(overhead.allowed_m_s(senses, -0.5, 0.3), -0.5);
     }
 
+    void whatTheRobotGetsPastIsNoCeiling() {
+        Overhead overhead;
+        Senses senses = sensesAt({1.0, 2.0, 3.0});
+        for (int tick = 0; tick < 10; ++tick) { // What it is told arrives late.
+            overhead.observe(senses, {.climb_m_s = 0.4});
+            senses.now += Seconds(0.2);
+        }
+        QVERIFY(overhead.hasCeiling());
+        senses.base_in_map.position_m.z() = 3.2;
+        overhead.observe(senses, {});
+        QVERIFY(overhead.hasCeiling());
+        senses.base_in_map.position_m.z() = 3.4;
+        overhead.observe(senses, {});
+        QVERIFY(!overhead.hasCeiling());
+    }
+
     void whatABeamGetsPastIsNoCeiling() {
         Overhead overhead;
         overhead.observe(sensesWith(scanBelow(6.0, 12.0, radians(14.0), {0.0, 0.0, 4.3})),

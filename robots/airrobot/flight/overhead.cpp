@@ -29,6 +29,8 @@ constexpr double least_push_m_s = 0.12;
 /// A climb that gains less than this share of the way in this time has met something.
 constexpr Seconds push_time{1.4};
 constexpr double pushed_share = 0.25;
+/// A robot that gets so far above a ceiling shows that there is none: on a slow link, a climb begins late.
+constexpr double through_m = 0.3;
 constexpr double lifted_m = 0.6; ///< A lower robot may not have left the ground yet.
 
 /// A wall is upright over this height, up to the robot or nearly so, in so many scans in a row: one of a trunk is not,
@@ -87,6 +89,10 @@ void Overhead::observe(const Senses& senses, const Doing& doing) {
         lookBeside(*senses.scan, senses.now);
     }
     feelAbove(senses, doing.climb_m_s);
+    const Vec3 here_m = senses.position_m();
+    std::erase_if(ceilings_, [&](const Ceiling& one) {
+        return here_m.z() > one.z_m + through_m && (one.at_m - here_m.head<2>()).norm() < same_place_m;
+    });
 }
 
 void Overhead::lookUp(const PlacedScan& scan, bool ascending) {
