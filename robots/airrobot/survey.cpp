@@ -31,7 +31,8 @@ double Survey::length_m() const {
 Vec2 Survey::pointAt_m(double along_m) const {
     const mapping::Lane& lane = plan_.lanes[lane_];
     const double length = length_m();
-    return length > 0.0 ? Vec2(lane.start_m + (lane.end_m - lane.start_m) * (along_m / length)) : lane.start_m;
+    const Vec2 start_m = lane.start_m + shift_m_;
+    return length > 0.0 ? Vec2(start_m + (lane.end_m - lane.start_m) * (along_m / length)) : start_m;
 }
 
 double Survey::pieceEnd_m(const Settings& settings) const {
@@ -52,7 +53,7 @@ Vec2 Survey::aim_m(const Vec2& position_m, const Settings& settings) const {
 Survey::Place Survey::placeOf(const Vec2& position_m) const {
     const mapping::Lane& lane = plan_.lanes[lane_];
     const Vec2 along = (lane.end_m - lane.start_m).normalized();
-    const Vec2 offset_m = position_m - lane.start_m;
+    const Vec2 offset_m = position_m - lane.start_m - shift_m_;
     return {along.dot(offset_m), std::abs(along.x() * offset_m.y() - along.y() * offset_m.x())};
 }
 

@@ -45,6 +45,8 @@ public:
     }
     /// The length of the lanes to which no way was found.
     double cutOff_m() const { return cut_off_m_; }
+    /// The share of all lanes that was left out for whatever reason, 0 to 1.
+    double leftOut() const { return totalLength_m() > 0.0 ? (given_up_m_ + cut_off_m_) / totalLength_m() : 0.0; }
 
     /// The point to reach next: where the lane is entered, or the end of its present piece. The survey must not be
     /// done.
@@ -64,6 +66,9 @@ public:
     /// Moves on to the farthest point of the present piece to which a way leads, or to where a way leads to the lane,
     /// or to the next lane.
     SurveyEvent cutOff(const Settings& settings, const std::function<bool(const Vec2&)>& can_reach);
+    /// Moves the lanes from the next one on (m, map frame), because a robot that leans scans what is beside it. Nothing
+    /// changes while the robot is on a lane.
+    void shift(const Vec2& by_m) { shift_m_ = on_lane_ ? shift_m_ : by_m; }
     /// Records that the robot leaves the lane (for the battery). The lane will be entered again at this point.
     void interrupt();
 
@@ -97,6 +102,7 @@ private:
     double reached_m_ = 0.0;            ///< farthest point that was flown
     std::optional<double> short_end_m_; ///< end of a piece whose rest is cut off
     int goals_given_up_ = 0;
+    Vec2 shift_m_ = Vec2::Zero();
     double given_up_m_ = 0.0;
     double cut_off_m_ = 0.0;
 };

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/numbers.h"
+#include "robots/airrobot/verdict.h"
 
 namespace usar::airrobot {
 
@@ -15,10 +16,6 @@ constexpr Seconds lost_after{15.0};
 /// A take-off may take this long, and in addition twice the time of a careful climb, because of the looks on its way.
 constexpr Seconds spare_for_take_off{60.0};
 constexpr double off_the_ground_m = 1.0;
-constexpr double most_cut_off = 0.99; ///< share of the lanes
-/// Share of the time on the lanes in which the map must get scans. In gusts, more than half of them may be no good;
-/// where fewer come through, lines were lost, and the map has gaps.
-constexpr double least_mapped = 0.2;
 /// A robot between these distances from its start pose was spawned there because the start pose was occupied; a robot
 /// farther away was flown there.
 constexpr double beside_start_m = 1.0;
@@ -81,6 +78,8 @@ void SurveyFlight::setParameters(const agent::ParameterSet& parameters) {
     putFloor();
 }
 
+/// No water is higher than a dry start, and the scanner looks through water, so nothing lower than the start is safe
+/// unless somebody knows where the water is.
 void SurveyFlight::putFloor() {
     if (chooses_floor_)
         craft_.settings.floor_level_m = task_.dry_above_m.value_or(start_z_m_) + craft_.settings.clearance_m;
@@ -108,7 +107,7 @@ bool SurveyFlight::robotBatteryLow() const {
 
 bool SurveyFlight::charged() const {
     const Seconds charging(errand_ == Errand::Start ? 0.0 : craft_.settings.recharge_time_s);
-    return craft_.senses.now - landed_ >= charging;
+    return craft_.senses.now - sortie_.landed >= charging;
 }
 
 void SurveyFlight::perceive(const agent::Tick& tick, agent::CommandPort& port) {
@@ -125,11 +124,7 @@ void SurveyFlight::perceive(const agent::Tick& tick, agent::CommandPort& port) {
         noteSilence(port);
     if (inTheAir() && phase_ != Phase::Landing && !silent_ && robotBatteryLow())
         endPause("the robot's own battery runs out", port);
-    if (phase_ == Phase::Lane) {
-        lane_ticks_ += tick.now > last_lane_time_ ? 1 : 0;
-        mapped_scans_ += craft_.scanned ? 1 : 0;
-        last_lane_time_ = tick.now;
-    }
+    ledger_.note(craft_.senses, phase_ == Phase::Lane, craft_.scanned);
     if (phase_ == Phase::ToLane || phase_ == Phase::Lane)
         survey_.note(craft_.senses.position2_m());
     time_.note({tick.now, stageOf(phase_, errand_ == Errand::Start), phase_ == Phase::Home, paused_ || silent_,
@@ -154,7 +149,7 @@ void SurveyFlight::noteSilence(agent::CommandPort& port) {
     const Seconds worst = longestSilence(senses);
     const bool silent = worst > Seconds(craft_.settings.sensor_timeout_s);
     if (silent && !silent_) {
-        const std::string which = worst == senses.ins_age     ? poseSource()
+        const std::string which = worst == senses.ins_age ? (craft_.settings.navigate_by_truth ? "ground truth" : "INS")
                                   : worst == senses.sonar_age ? silentSonars(senses)
                                                               : "range scanner";
         port.publish(agent::BehaviorEvent{Severity::Error,
@@ -183,6 +178,7 @@ void SurveyFlight::planSurvey(agent::CommandPort& port) {
     if (!planned)
         return finish(false, planned.error().text(), port);
     survey_ = *planned;
+    ledger_ = ScanLedger(task_.area_in_map);
     port.publish(agent::PlannedPath{survey_.corners_m()});
     if (craft_.settings.navigate_by_truth)
         port.publish(agent::BehaviorEvent{Severity::Note, "The robot navigates by ground truth, as no real robot can; "
@@ -207,32 +203,29 @@ void SurveyFlight::setOut() {
     craft_.forgetPlaces();
     phase_ = Phase::TakeOff;
     launched_ = true;
-    landing_m_.reset();
-    refuge_m_.reset();
-    looked_again_ = false;
-    take_off_m_.reset();
+    sortie_ = {};
 }
 
 bool SurveyFlight::climb(double altitude_m, agent::CommandPort& port) {
-    if (!take_off_m_) {
-        take_off_m_ = craft_.senses.position_m(); // Not earlier, because the INS was set only a tick ago
-        took_off_ = craft_.senses.now;
-        const double aside_m = (*take_off_m_ - task_.start_in_map.position_m).norm();
+    if (!sortie_.take_off_m) {
+        sortie_.take_off_m = craft_.senses.position_m(); // Not earlier, because the INS was set only a tick ago
+        sortie_.took_off = craft_.senses.now;
+        const double aside_m = (*sortie_.take_off_m - task_.start_in_map.position_m).norm();
         if (errand_ == Errand::Start && aside_m > beside_start_m && aside_m < away_from_start_m)
             base_in_map_ = craft_.senses.base_in_map;
         if (errand_ == Errand::Start)
             chooseFloor(port);
     }
-    const double goal_z_m = std::max(take_off_m_->z() + altitude_m, craft_.settings.floor_level_m);
-    if (craft_.rise(goal_z_m, take_off_m_->head<2>(), port)) {
+    const double goal_z_m = std::max(sortie_.take_off_m->z() + altitude_m, craft_.settings.floor_level_m);
+    if (craft_.rise(goal_z_m, sortie_.take_off_m->head<2>(), port)) {
         if (craft_.column_m())
             base_in_map_.position_m.head<2>() = *craft_.column_m();
         return true;
     }
     const Seconds longest = spare_for_take_off + Seconds(2.0 * altitude_m / carefulClimb_m_s(craft_.settings));
-    if (craft_.senses.now - took_off_ < longest)
+    if (craft_.senses.now - sortie_.took_off < longest)
         return false;
-    const double risen_m = craft_.senses.position_m().z() - take_off_m_->z();
+    const double risen_m = craft_.senses.position_m().z() - sortie_.take_off_m->z();
     if (risen_m > off_the_ground_m) {
         port.publish(agent::BehaviorEvent{Severity::Warning, "The robot does not get higher than " + fixed(risen_m, 1) +
                                                                  " m above its start and flies on at this height."});
@@ -246,7 +239,7 @@ bool SurveyFlight::climb(double altitude_m, agent::CommandPort& port) {
 }
 
 void SurveyFlight::chooseFloor(agent::CommandPort& port) {
-    start_z_m_ = take_off_m_->z();
+    start_z_m_ = sortie_.take_off_m->z();
     putFloor();
     if (!chooses_floor_)
         return;
@@ -260,7 +253,8 @@ void SurveyFlight::chooseFloor(agent::CommandPort& port) {
 
 void SurveyFlight::beginWork() {
     phase_ = Phase::ToLane;
-    at_work_ = true;
+    sortie_.at_work = true;
+    survey_.shift(-craft_.log.lean().scanAside_m(craft_.senses.base_in_map.yaw_rad, craft_.settings.scan_altitude_m));
     craft_.startAnew();
 }
 
@@ -303,13 +297,11 @@ void SurveyFlight::skipGoal(agent::CommandPort& port) {
 }
 
 void SurveyFlight::afterGoal(SurveyEvent event, agent::CommandPort& port) {
+    survey_.shift(-craft_.log.lean().scanAside_m(craft_.senses.base_in_map.yaw_rad, craft_.settings.scan_altitude_m));
     if (event == SurveyEvent::AllDone)
         goHome(Errand::Done, "", port);
-    else if (event == SurveyEvent::QuadrantDone)
-        goHome(Errand::Quadrant,
-               craft_.settings.navigate_by_truth ? "A quadrant is done; home to charge."
-                                                 : "A quadrant is done; home to set the INS and to charge.",
-               port);
+    else if (event == SurveyEvent::QuadrantDone && !craft_.settings.navigate_by_truth)
+        goHome(Errand::Quadrant, "A quadrant is done; home to set the INS and to charge.", port);
 }
 
 void SurveyFlight::goHome(Errand errand, const std::string& why, agent::CommandPort& port) {
@@ -347,20 +339,20 @@ void SurveyFlight::obeyRobotBattery(agent::CommandPort& port) {
 }
 
 void SurveyFlight::landAt(const Vec2& near_m) {
-    landing_m_ = landingPlace_m(craft_.memory, near_m, craft_.settings.landing_radius_m,
-                                craft_.log.lean().slope(craft_.senses.base_in_map.yaw_rad));
+    sortie_.landing_m = landingPlace_m(craft_.memory, near_m, craft_.settings.landing_radius_m,
+                                       craft_.log.lean().slope(craft_.senses.base_in_map.yaw_rad));
     craft_.touchdown.start();
     phase_ = Phase::Landing;
 }
 
 void SurveyFlight::landHere(agent::CommandPort& port) {
-    if (!std::exchange(looked_again_, true)) { // What stood in the way may be gone, or was never there.
+    if (!std::exchange(sortie_.looked_again, true)) { // What stood in the way may be gone, or was never there.
         craft_.forgetWays();
         return craft_.startAnew();
     }
     end_reason_ = "The way home was blocked.";
     errand_ = Errand::GivenUp;
-    const bool blocked_again = refuge_m_.has_value();
+    const bool blocked_again = sortie_.refuge_m.has_value();
     craft_.startAnew();
     if (!blocked_again && landNearby(craft_.dry_m(), port))
         return port.publish(agent::BehaviorEvent{Severity::Error,
@@ -380,20 +372,20 @@ bool SurveyFlight::landNearby(double dry_m, agent::CommandPort& port) {
         landAt(*place_m);
         return true;
     }
-    refuge_m_ = place_m;
+    sortie_.refuge_m = place_m;
     goHome(Errand::GivenUp, "", port);
     return true;
 }
 
 bool SurveyFlight::land(agent::CommandPort& port) {
-    if (!craft_.descend(*landing_m_, port))
+    if (!craft_.descend(*sortie_.landing_m, port))
         return false;
     craft_.rest(port, "landed");
     craft_.log.mark(agent::MarkKind::Landing, craft_.senses.position2_m(), craft_.senses, port);
     craft_.log.goal(std::nullopt, port);
     phase_ = Phase::Ground;
-    at_work_ = false;
-    landed_ = craft_.senses.now;
+    sortie_.at_work = false;
+    sortie_.landed = craft_.senses.now;
     return true;
 }
 
@@ -405,37 +397,14 @@ void SurveyFlight::recharge() {
 void SurveyFlight::conclude(agent::CommandPort& port) {
     if (errand_ != Errand::Done)
         return finish(false, end_reason_, port);
-    const double cut_off_m = survey_.cutOff_m();
-    if (cut_off_m > most_cut_off * survey_.totalLength_m())
-        return finish(false, "No way was found into the area.", port);
-    if (static_cast<double>(mapped_scans_) < least_mapped * static_cast<double>(lane_ticks_))
-        return finish(false,
-                      "The lanes were flown, but few scans of them came and show ground. Is the area in the world, and "
-                      "are no lines lost on the way?",
-                      port);
-    std::string scanned =
-        craft_.settings.navigate_by_truth ? "The area is scanned by ground truth" : "The area is scanned";
-    if (cut_off_m > 0.0)
-        scanned += " as far as a way was found; none was found to " + fixed(cut_off_m, 0) + " m of the lanes (" +
-                   fixed(100.0 * cut_off_m / survey_.totalLength_m(), 0) + " %)";
-    if (survey_.goalsGivenUp() == 0)
-        return finish(true, scanned + ".", port);
-    const double share_pct = survey_.givenUp_pct();
-    const double most_pct = craft_.settings.most_left_out_pct;
-    const std::string goals = "goals left out: " + std::to_string(survey_.goalsGivenUp()) + ", " +
-                              std::to_string(std::lround(share_pct)) + " % of the lanes";
-    if (share_pct <= most_pct)
-        return finish(true, scanned + "; " + goals + ".", port);
-    finish(false,
-           "The area is not scanned; " + goals + ", and at most " + std::to_string(std::lround(most_pct)) +
-               " % may be. Raise the time until a goal is given up, or choose an area with room to fly.",
-           port);
+    const agent::BehaviorFinished verdict = verdictOf(survey_, ledger_, craft_.settings);
+    finish(verdict.success, verdict.reason, port);
 }
 
 void SurveyFlight::order(agent::Order order, agent::CommandPort& port) {
     if (finished())
         return;
-    hold_m_ = craft_.senses.position2_m();
+    sortie_.hold_m = craft_.senses.position2_m();
     paused_ = order == agent::Order::Pause;
     if (order != agent::Order::LandNow)
         return;
@@ -495,7 +464,7 @@ MissionState SurveyFlight::missionState() const {
         state.waiting = Seconds(height_m / settings.landing_speed_m_s);
     if ((phase_ == Phase::Landing || phase_ == Phase::Ground) && state.lanes_left) {
         const Seconds charging(errand_ == Errand::Start ? 0.0 : settings.recharge_time_s);
-        const Seconds rested = phase_ == Phase::Ground ? craft_.senses.now - landed_ : Seconds{0.0};
+        const Seconds rested = phase_ == Phase::Ground ? craft_.senses.now - sortie_.landed : Seconds{0.0};
         state.waiting += std::max(Seconds{0.0}, charging - rested) + climb(settings.scan_altitude_m);
         state.since_charge_m = 0.0;
     }

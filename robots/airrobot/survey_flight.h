@@ -7,12 +7,11 @@
 #include "robots/airrobot/flight/ins_reset.h"
 #include "robots/airrobot/flight/launch_checklist.h"
 #include "robots/airrobot/flight/time_estimate.h"
+#include "robots/airrobot/scan_ledger.h"
+#include "robots/airrobot/sortie.h"
 #include "robots/airrobot/survey.h"
 
 namespace usar::airrobot {
-
-/// The phase of the mission. The functions below set it.
-enum class Phase { Launch, TakeOff, ToLane, Lane, Home, Landing, Ground, Finished };
 
 /// In each tick, call `perceive` first, then the functions that were decided on (only one of them commands the robot);
 /// at the end, publish `status` and `ending`. Owned by one behavior.
@@ -38,9 +37,9 @@ public:
     std::size_t lane() const { return survey_.laneIndex() + 1; }
     bool launched() const { return launched_; } ///< the launch is complete
     /// Whether the scan altitude has been reached since the last landing.
-    bool atWork() const { return at_work_; }
+    bool atWork() const { return sortie_.at_work; }
     /// True from the choice of a landing place until the robot takes off again.
-    bool landing() const { return landing_m_.has_value(); }
+    bool landing() const { return sortie_.landing_m.has_value(); }
     /// Whether the base is the goal.
     bool returning() const;
     /// Whether the robot is over the base, or where it is to land instead.
@@ -80,7 +79,7 @@ public:
     void perform(Maneuver maneuver, agent::CommandPort& port) { craft_.perform(maneuver, takeLeg(), port); }
     /// Looks, decides and performs in the usual order.
     FlightState fly(agent::CommandPort& port) { return craft_.fly(takeLeg(), port); }
-    void holdPlace(agent::CommandPort& port) { craft_.hover(hold_m_, port, "paused"); }
+    void holdPlace(agent::CommandPort& port) { craft_.hover(sortie_.hold_m, port, "paused"); }
     /// Stops where it is; ends the flight if the sensors stay silent.
     void awaitSensors(agent::CommandPort& port);
 
@@ -107,11 +106,7 @@ public:
     void finish(bool success, const std::string& reason, agent::CommandPort& port);
 
 private:
-    /// The reason why the robot is on the ground or on its way there; it determines what follows.
-    enum class Errand { Start, Recharge, Quadrant, Done, GivenUp };
-
-    /// Chooses the floor level if nobody has set one. No water is higher than a dry start, and the scanner looks
-    /// through water, so nothing lower than the start is safe unless somebody knows where the water is.
+    /// Chooses the floor level if nobody has set one.
     void putFloor();
     void chooseFloor(agent::CommandPort& port);
     Leg leg() const;
@@ -123,11 +118,10 @@ private:
     void landAt(const Vec2& near_m);
     /// Lands at the nearest place that is fit for it, after a flight there if it is not here; false if none is known.
     bool landNearby(double dry_m, agent::CommandPort& port);
-    Vec2 home_m() const { return refuge_m_.value_or(base_in_map_.position_m.head<2>()); }
+    Vec2 home_m() const { return sortie_.refuge_m.value_or(base_in_map_.position_m.head<2>()); }
     void endPause(const std::string& why, agent::CommandPort& port);
     double beelineHome_m() const { return (craft_.senses.position_m() - base_in_map_.position_m).norm(); }
     std::string words() const;
-    std::string poseSource() const { return craft_.settings.navigate_by_truth ? "ground truth" : "INS"; }
     MissionState missionState() const;
 
     agent::Task task_;
@@ -139,26 +133,17 @@ private:
     Phase phase_ = Phase::Launch;
     Errand errand_ = Errand::Start;
     std::string end_reason_;
-    Seconds last_lane_time_{-1.0}; ///< of a tick on a lane
-    long long lane_ticks_ = 0;     ///< with a time of their own
-    long long mapped_scans_ = 0;   ///< of those ticks whose scan the map got
+    ScanLedger ledger_;
     std::optional<agent::BehaviorFinished> ending_;
     bool paused_ = false;
     bool silent_ = false;
     bool launched_ = false;
-    bool at_work_ = false;
     bool had_lane_since_charge_ = true;
     Pose base_in_map_; ///< place of the first take-off: the start pose, or beside it if another robot was there
-    Vec2 hold_m_ = Vec2::Zero();     ///< place to hold while paused
-    std::optional<Vec2> landing_m_;  ///< nullopt unless the robot is landing or on the ground after it
-    bool looked_again_ = false;      ///< for a way home, after there was none
-    std::optional<Vec2> refuge_m_;   ///< goal on the way home if it is not the base
-    std::optional<Vec3> take_off_m_; ///< place of the last take-off
+    Sortie sortie_;
     bool chooses_floor_ = false;     ///< nobody has set a floor level
     double start_z_m_ = 0.0;         ///< map z of the first take-off; before it, of the start pose
     std::optional<Seconds> started_; ///< time of the first tick
-    Seconds took_off_{0.0};          ///< time of the last take-off
-    Seconds landed_{0.0};            ///< time of the last landing
     std::optional<double> goal_distance_m_;
 };
 

@@ -51,8 +51,8 @@ const sim::World& worldOf(const std::string& name, std::uint64_t seed) {
 /// True if the legs stand on it and nothing reaches up to the belly: no curb, no board. Wind moves a robot as it is
 /// spawned, so the ground around it counts, too.
 bool isFlat(const sim::RayCaster& rays, const Vec3& at_m) {
-    for (double x_m = -1.2; x_m <= 1.2; x_m += 0.15)
-        for (double y_m = -1.2; y_m <= 1.2; y_m += 0.15) {
+    for (double x_m = -1.2; x_m <= 1.2; x_m += 0.03)
+        for (double y_m = -1.2; y_m <= 1.2; y_m += 0.03) {
             const double low_m = rays.cast(at_m + Vec3(x_m, y_m, 2.0), -Vec3::UnitZ(), 10.0) - 2.0;
             if (std::abs(low_m) > 0.05 + steepest * std::hypot(x_m, y_m))
                 return false;
@@ -103,6 +103,9 @@ Pose drawStart(const sim::World& world, double roam_m, Random& random) {
         if (isFree(world, rays, ground_m))
             return Pose{ground_m + Vec3(0.0, 0.0, standing_m), 0.0, 0.0, uniform(random, -pi, pi)};
     }
+    for (const Pose& start_in_map : starts) // Nothing is free. On a field, some of them are too close to a board.
+        if (isFlat(rays, start_in_map.position_m))
+            return start_in_map;
     return given_in_map;
 }
 
@@ -184,11 +187,13 @@ bool SurveyOutcome::isFalseSuccess() const {
 
 std::string SurveyOutcome::text() const {
     std::array<char, 160> line{};
+    std::array<char, 48> reached{"nothing can be reached"};
+    if (reachable_coverage_pct)
+        std::snprintf(reached.data(), reached.size(), "of what can be reached %.1f %%", *reachable_coverage_pct);
     const char* const what = broken ? "BROKEN" : !ended ? "NEVER ENDED" : success ? "done" : "gave up";
     std::snprintf(line.data(), line.size(),
-                  "%s%s, %d collisions, %.0f s, %.1f %%, of what can be reached %.1f %%, height %.1f m: ",
-                  isFalseSuccess() ? "FALSE " : "", what, collisions, elapsed_s, coverage_pct,
-                  reachable_coverage_pct.value_or(0.0), height_m);
+                  "%s%s, %d collisions, %.0f s, %.1f %%, %s, height %.1f m: ", isFalseSuccess() ? "FALSE " : "", what,
+                  collisions, elapsed_s, coverage_pct, reached.data(), height_m);
     return line.data() + reason;
 }
 

@@ -31,6 +31,27 @@ private slots:
         settings = {};
     }
 
+    void allowsForTheDriftOfItsHeightWhereThereMayBeWater_data() {
+        QTest::addColumn<bool>("ground_in_reach");
+        QTest::addColumn<double>("ground_m");
+        QTest::addColumn<double>("higher_m");
+        QTest::newRow("no ground in reach") << false << 0.0 << 3.0;
+        QTest::newRow("ground that may be the bed of water") << true << -4.0 << 3.0;
+        QTest::newRow("dry ground") << true << 0.0 << 0.0;
+    }
+    void allowsForTheDriftOfItsHeightWhereThereMayBeWater() {
+        QFETCH(bool, ground_in_reach);
+        QFETCH(double, ground_m);
+        QFETCH(double, higher_m);
+        Settings low;
+        low.floor_level_m = 2.5;
+        low.scan_altitude_m = 2.0;
+        Senses senses = sensesAt({0, 0, 3});
+        senses.height_doubt_m = 3.0;
+        senses.ground_m = ground_in_reach ? std::optional(ground_m) : std::nullopt;
+        QCOMPARE(altitudeGoal_m(senses, ObstacleMemory(), 0.0, 1.0, {}, low), low.floor_level_m + higher_m);
+    }
+
     void sinksTowardTheFloorWhereNothingIsInReach() {
         Senses senses = sensesAt({0, 0, 30});
         senses.ground_m.reset();

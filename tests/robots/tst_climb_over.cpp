@@ -18,10 +18,10 @@ class tst_ClimbOver : public QObject {
     const Vec2 goal_m{20, 0};
 
     ClimbStep step(ClimbOver& climb, Senses& senses, const std::vector<std::pair<std::string, double>>& ranges,
-                   const std::vector<Obstacle>& obstacles) const {
+                   const std::vector<Obstacle>& obstacles, double highest_m = 1e9) const {
         setSonars(senses, ranges);
         senses.now += Seconds(0.2);
-        return climb.step(senses, judgeThreats(senses, settings), obstacles, goal_m, 1e9, settings);
+        return climb.step(senses, judgeThreats(senses, settings), obstacles, goal_m, highest_m, settings);
     }
 
 private slots:
@@ -30,6 +30,13 @@ private slots:
         const Vec2 place_m = climbPlace_m(crown, {0, 0}, 3.2);
         QVERIFY(nearest_m(crown, place_m, 9.0) >= 3.0);
         QVERIFY(place_m.x() < 0.0);
+    }
+
+    void backsAwayToWhereItHasFlown() {
+        const std::vector<Obstacle> crown{wallAt(2.0, 0.0)};
+        const Retreat from_the_left{[](const Vec2& at_m) { return std::abs(at_m.x()) < 1.0 && at_m.y() > 0.0; }};
+        const Vec2 place_m = climbPlace_m(crown, {0, 0}, 3.2, from_the_left);
+        QVERIFY(place_m.y() > 1.5 && std::abs(place_m.x()) < 1.0);
     }
 
     void staysWhereThereIsRoom() { QCOMPARE(climbPlace_m({}, {5, 6}, 3.2), Vec2(5, 6)); }
@@ -91,6 +98,23 @@ private slots:
         step(climb, senses, {{"M0", 3.4}}, wall);
         QCOMPARE(step(climb, senses, {{"M0", 3.4}}, wall).state, ClimbState::Failed);
         QVERIFY(!climb.active());
+    }
+
+    void isOverBelowACeilingIfTheWayIsFreeThere_data() {
+        QTest::addColumn<bool>("free");
+        QTest::newRow("over a rack") << true;
+        QTest::newRow("before a wall") << false;
+    }
+    void isOverBelowACeilingIfTheWayIsFreeThere() {
+        QFETCH(bool, free);
+        ClimbOver climb;
+        Senses senses = sensesAt({0, 0, 7.9});
+        const std::vector<Obstacle> rack{wallAt(4.0, 0.0)};
+        climb.start(senses, rack, settings);
+        step(climb, senses, {{"M0", 3.4}}, rack, 8.2);
+        senses.base_in_map.position_m.z() = 8.1;
+        const ClimbStep end = free ? step(climb, senses, {}, {}, 8.2) : step(climb, senses, {{"M0", 3.4}}, rack, 8.2);
+        QCOMPARE(end.state, free ? ClimbState::Over : ClimbState::Failed);
     }
 
     void doesNotBackAwayForever() {

@@ -79,6 +79,7 @@ private slots:
         QFETCH(double, left_m);
         QFETCH(double, r4_m);
         perceive(5.0, {{"R4", r4_m}}, left_m);
+        perceive(5.0, {{"R4", r4_m}}, left_m); // A single beam is believed the second time.
         const auto drive = fly();
         QCOMPARE(*drive.climb_m_s, 0.0);
         QVERIFY(*drive.forward_m_s > 0.0); // but goes on: the ground is far enough
@@ -86,12 +87,14 @@ private slots:
 
     void waitsWhenMuchClimbIsWantingThere() {
         perceive(3.0, {}, 1.8);
+        perceive(3.0, {}, 1.8);
         const auto drive = fly();
         QCOMPARE(*drive.climb_m_s, 0.0);
         QVERIFY(std::abs(*drive.forward_m_s) < 1e-9);
     }
 
     void sinksBesideATrunkAllTheSame() {
+        perceive(9.0, {}, 1.8);
         perceive(9.0, {}, 1.8);
         QVERIFY(*fly().climb_m_s < 0.0);
     }
@@ -128,6 +131,21 @@ private slots:
             fastest_m_s = std::max(fastest_m_s, fly().climb_m_s.value_or(climb_m_s));
         }
         QVERIFY2(fastest_m_s <= Overhead::careful_m_s && fastest_m_s > 0.2, qPrintable(QString::number(fastest_m_s)));
+    }
+
+    void sinksStraightAwayFromARoofThatItHasTouched() {
+        protocol::AerialDrive drive;
+        for (int tick = 0; tick < 9; ++tick) { // It is told to climb, and does not.
+            perceive(3.0, {});
+            if (const auto told = fly(); told.climb_m_s)
+                drive = told;
+            QVERIFY(*drive.climb_m_s > 0.0 || craft->overhead.hasCeiling());
+        }
+        QVERIFY(craft->overhead.hasCeiling());
+        QCOMPARE(*drive.climb_m_s, -Overhead::gentle_m_s);
+        z_m -= 0.4;
+        perceive(2.6, {});
+        QVERIFY(*fly().forward_m_s > 0.0);
     }
 
     void fleesFromAHighRiskWithoutAChangeOfHeight() {

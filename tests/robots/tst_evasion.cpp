@@ -103,6 +103,30 @@ private slots:
         QCOMPARE(decide(evasion, {{"M0", 1.0}}, ring).mode, EvasionMode::Enclosed);
     }
 
+    void fleesToWhereItHasFlown_data() {
+        QTest::addColumn<double>("flown_deg");
+        QTest::addColumn<bool>("only_there");
+        QTest::addColumn<bool>("flees");
+        QTest::addColumn<double>("bearing_deg");
+        QTest::newRow("it came from behind") << 180.0 << true << true << 180.0;
+        QTest::newRow("it came from the side") << 90.0 << true << true << 90.0;
+        QTest::newRow("it came from the side, without walls") << 90.0 << false << true << 90.0;
+        QTest::newRow("it came from nowhere") << 0.0 << true << false << 0.0;
+        QTest::newRow("it came from nowhere, without walls") << 0.0 << false << true << 180.0;
+    }
+    void fleesToWhereItHasFlown() {
+        QFETCH(double, flown_deg);
+        QFETCH(bool, only_there);
+        QFETCH(bool, flees);
+        QFETCH(double, bearing_deg);
+        const Retreat retreat{
+            [flown_deg](const Vec2& at_m) { return near(std::atan2(at_m.y(), at_m.x()), radians(flown_deg)); },
+            only_there};
+        const auto bearing = escapeBearing({}, {0, 0}, 0.0, 1.6, retreat);
+        QCOMPARE(bearing.has_value(), flees);
+        QVERIFY(!flees || near(*bearing, radians(bearing_deg)));
+    }
+
     void divertsFromALowRiskTowardTheFreeSegment() {
         Evasion evasion;
         const EvasionDecision decision = decide(evasion, {{"M0", 4.0}, {"R1", 4.0}});

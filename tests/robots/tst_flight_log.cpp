@@ -55,8 +55,30 @@ private slots:
         CommandPort port;
         QCOMPARE(log.tick(senses, airborne, settings, port), good);
         QCOMPARE(all<ScanPlacement>(port).size(), std::size_t(good ? 1 : 0));
-        senses.ground_m.reset(); // Over a void, the scanner still hits what is beside it.
-        QVERIFY(!log.tick(senses, airborne, settings, port));
+    }
+
+    void scansBesideItselfWhereItLeans_data() {
+        QTest::addColumn<double>("pitch_deg");
+        QTest::addColumn<double>("yaw_deg");
+        QTest::addColumn<Vec2>("aside_m");
+        QTest::newRow("level") << 2.0 << 0.0 << Vec2(0.0, 0.0);
+        QTest::newRow("nose down, against a wind from the east") << 15.0 << 0.0 << Vec2(-1.61, 0.0);
+        QTest::newRow("nose up, with it") << -15.0 << 180.0 << Vec2(-1.61, 0.0);
+    }
+    void scansBesideItselfWhereItLeans() {
+        QFETCH(double, pitch_deg);
+        QFETCH(double, yaw_deg);
+        QFETCH(Vec2, aside_m);
+        Lean lean;
+        Senses senses = sensesAt({0, 0, 6}, radians(yaw_deg));
+        senses.base_in_map.pitch_rad = radians(pitch_deg);
+        for (int tick = 0; tick < 300; ++tick) {
+            senses.now += Seconds(0.2);
+            lean.note(senses);
+        }
+        QVERIFY((lean.scanAside_m(radians(yaw_deg), 6.0) - aside_m).norm() < 0.02);
+        const Vec3 down_m = senses.base_in_map.rotation() * Vec3(0.0, 0.0, -6.0 / std::cos(radians(pitch_deg)));
+        QVERIFY(aside_m.isZero() || (down_m.head<2>() - aside_m).norm() < 0.02);
     }
 
     void aSteadyLeanAgainstTheWindDoesNoHarm() {

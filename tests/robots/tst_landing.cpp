@@ -50,6 +50,26 @@ private slots:
         QVERIFY(landingPlace_m(memory, slope_m, 4.0, {0.0, -0.25}).y() > 0.0);
     }
 
+    void leaningAgainstTheWindItWantsGroundAsItLeans_data() {
+        QTest::addColumn<double>("lean");
+        QTest::addColumn<bool>("stays");
+        QTest::newRow("no wind") << 0.0 << true;
+        QTest::newRow("11 degrees, as the ground rises") << 0.2 << true;
+        QTest::newRow("14 degrees against it") << -0.25 << false;
+    }
+    void leaningAgainstTheWindItWantsGroundAsItLeans() {
+        QFETCH(double, lean);
+        QFETCH(bool, stays);
+        ObstacleMemory memory;
+        Senses senses = sensesAt({0, 0, 6});
+        setFlatScan(senses, {0, 0}, 6.0, 0.0);
+        for (Vec3& hit : senses.scan->hits_in_map_m) // It rises by 9 degrees in the south, and falls beyond 1 m.
+            hit.z() = -0.15 * std::abs(hit.y() - 1.0);
+        memory.take(senses, {});
+        const Vec2 slope_m(0, -1);
+        QCOMPARE(landingPlace_m(memory, slope_m, 4.0, {0.0, lean}) == slope_m, stays);
+    }
+
     void staysWithinItsRadius() { QCOMPARE(landingPlace_m(meadow({Vec3(0.2, 0.2, 0.9)}), {0, 0}, 0.0), Vec2(0, 0)); }
 
     void takesTheWantedPlaceWhereNothingIsKnown() {

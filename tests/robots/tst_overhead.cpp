@@ -97,8 +97,24 @@ private slots:
         }
         QVERIFY(found && overhead.found()->touched);
         QVERIFY(std::abs(*overhead.ceiling_m({1.0, 2.0}) - senses.position_m().z()) < 0.01);
-        QCOMPARE(overhead.allowed_m_s(senses, 1.0, false), 0.0);
-        QCOMPARE(overhead.allowed_m_s(senses, -0.5, false), -0.5);
+        QCOMPARE(overhead.allowed_m_s(senses, 1.0, 1.0), 0.0);
+        QCOMPARE(overhead.allowed_m_s(senses, -0.5, 0.3), -0.5);
+    }
+
+    void whatTheRobotGetsPastIsNoCeiling() {
+        Overhead overhead;
+        Senses senses = sensesAt({1.0, 2.0, 3.0});
+        for (int tick = 0; tick < 10; ++tick) { // What it is told arrives late.
+            overhead.observe(senses, {.climb_m_s = 0.4});
+            senses.now += Seconds(0.2);
+        }
+        QVERIFY(overhead.hasCeiling());
+        senses.base_in_map.position_m.z() = 3.2;
+        overhead.observe(senses, {});
+        QVERIFY(overhead.hasCeiling());
+        senses.base_in_map.position_m.z() = 3.4;
+        overhead.observe(senses, {});
+        QVERIFY(!overhead.hasCeiling());
     }
 
     void whatABeamGetsPastIsNoCeiling() {
@@ -112,7 +128,35 @@ private slots:
         QVERIFY(overhead.hasCeiling());
         senses.scan->highest_near_m = 7.5;
         overhead.observe(senses, {});
+        QVERIFY(overhead.hasCeiling()); // A number in that line may be damaged.
+        overhead.observe(senses, {});
         QVERIFY(!overhead.hasCeiling());
+    }
+
+    void knowsAWallFromATrunk_data() {
+        QTest::addColumn<int>("scans");
+        QTest::addColumn<double>("top_m");
+        QTest::addColumn<double>("slope");
+        QTest::addColumn<bool>("wall");
+        QTest::newRow("a wall") << 8 << 6.0 << 0.0 << true;
+        QTest::newRow("a trunk that it passes") << 3 << 6.0 << 0.0 << false;
+        QTest::newRow("a wall below the robot") << 8 << 4.0 << 0.0 << false;
+        QTest::newRow("a steep slope") << 8 << 6.0 << 0.5 << false;
+    }
+    void knowsAWallFromATrunk() {
+        QFETCH(int, scans);
+        QFETCH(double, top_m);
+        QFETCH(double, slope);
+        QFETCH(bool, wall);
+        Overhead overhead;
+        Senses senses = sensesAt({0.0, 0.0, 6.0});
+        senses.scan = PlacedScan{senses.line, senses.base_in_map, senses.base_in_map, {}};
+        for (double z_m = 2.0; z_m <= top_m; z_m += 0.25)
+            senses.scan->hits_in_map_m.emplace_back(0.0, 4.0 + slope * z_m, z_m);
+        for (int scan = 0; scan < scans; ++scan)
+            overhead.observe(senses, {});
+        QCOMPARE(overhead.besideWall(senses.now), wall);
+        QVERIFY(!overhead.besideWall(senses.now + Seconds(20.0)));
     }
 
     void aRobotThatDoesNotLiftOffHasMetNoCeiling() {
@@ -129,8 +173,8 @@ private slots:
     void knowsHowFarUpTheAirIsFree() {
         Overhead overhead;
         const Senses senses = sensesAt({0.0, 0.0, 1.5});
-        QCOMPARE(overhead.allowed_m_s(senses, 1.0, true), Overhead::careful_m_s);
-        QCOMPARE(overhead.allowed_m_s(senses, 1.0, false), 1.0);
+        QCOMPARE(overhead.allowed_m_s(senses, 1.0, 0.3), 0.3);
+        QCOMPARE(overhead.allowed_m_s(senses, 1.0, 1.0), 1.0);
         overhead.observe(sensesWith(scanBelow(100.0, 15.0, radians(14.0), {0.0, 0.0, 1.5})), {});
         QVERIFY(overhead.freeTo_m() < 0.0); // Something stands there, and may stand elsewhere.
         overhead.observe(sensesWith(scanBelow(100.0, 100.0, radians(14.0), {0.0, 0.0, 1.5})), {});

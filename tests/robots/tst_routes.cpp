@@ -49,6 +49,16 @@ class tst_Routes : public QObject {
     }
 
 private slots:
+    void knowsWhereTheRobotHasFlown() {
+        RouteMap map;
+        map.take(sensesAt({3.0, -2.0, 6.0}), open_sky_m);
+        QVERIFY(map.wasFlown({3.0, -2.0}));
+        QVERIFY(map.wasFlown({3.6, -1.5}));
+        QVERIFY(!map.wasFlown({4.6, -2.0}));
+        map.clear();
+        QVERIFY(!map.wasFlown({3.0, -2.0}));
+    }
+
     void goesAroundAWall() {
         RouteMap map;
         addWall(map, 5.0, -8.0, 3.0);

@@ -65,36 +65,38 @@ private slots:
         QCOMPARE(senses.robot_battery->count(), 500.0);
     }
 
-    void aPoseThatRepeatsItselfInFlightIsNone() {
-        const auto ageAfter = [&](double speed_m_s, double time_s, bool repeats) {
-            reader->tellCommand({speed_m_s, 0.0});
-            tellIns({Vec3(repeats ? 0.0 : time_s - 10.0, 0, 6), 0, 0, 0});
-            tellState(time_s);
-            return read().ins_age.count();
+    void doubtsItsHeightMoreTheFartherItFlies() {
+        const auto doubtAfter = [&](int meters) {
+            for (int at_m = 1; at_m <= meters; ++at_m) {
+                tellIns({Vec3(at_m, 0, 6), 0, 0, 0});
+                tellState(10.0 + at_m);
+                reader->read(robot->state.now(), LineNumber{line}, *robot, layout, time_out);
+            }
+            return read().height_doubt_m;
         };
-        QCOMPARE(ageAfter(0.0, 10.0, true), 0.0);
-        QCOMPARE(ageAfter(0.0, 10.2, true), 0.0); // It may well stand there.
-        QCOMPARE(ageAfter(1.0, 10.4, false), 0.0);
-        QCOMPARE(ageAfter(1.0, 10.6, true), 0.0);
-        QVERIFY(std::abs(ageAfter(1.0, 11.6, true) - 1.0) < 1e-9);
-        QVERIFY(std::abs(ageAfter(0.0, 12.6, true) - 2.0) < 1e-9); // It is told to stop, and the sensor still hangs.
-        QCOMPARE(ageAfter(0.0, 12.8, false), 0.0);
+        QCOMPARE(read().height_doubt_m, 0.0);
+        QVERIFY(std::abs(doubtAfter(1000) - 3.0 * 0.71) < 0.1); // Three times the random walk of 1 km.
+        reader->forgetMotion();
+        QCOMPARE(read().height_doubt_m, 0.0);
+        reader->navigateByTruth(true);
+        QCOMPARE(doubtAfter(1000), 0.0);
     }
 
-    void aLeapIsBelievedOnlyIfItIsToldAgain() {
-        const auto xAfter = [&](double x_m, double time_s) {
-            tellIns({Vec3(x_m, 0, 6), 0, 0, 0});
-            tellState(time_s);
-            return read().position_m().x();
-        };
-        QCOMPARE(xAfter(1.0, 10.0), 1.0);
-        QCOMPARE(xAfter(12.0, 10.2), 1.0); // "1.2" with a point that got lost
-        QCOMPARE(xAfter(1.4, 10.4), 1.4);
-        QCOMPARE(xAfter(30.0, 10.6), 1.4);
-        QCOMPARE(xAfter(30.2, 10.8), 1.4);
-        QCOMPARE(xAfter(30.4, 11.0), 30.4);
-        reader->forgetMotion(); // The INS was set.
-        QCOMPARE(xAfter(0.0, 11.2), 0.0);
+    // A damaged range would otherwise be an obstacle, or a beam that looks above a roof.
+    void leavesOutABeamWhoseNumberIsDamaged() {
+        tellIns({Vec3(0, 0, 6), 0, 0, 0});
+        tellState(10.0);
+        tellFlatGround(6.0);
+        const std::size_t all = read().scan->hits_in_map_m.size();
+        auto scan = *robot->sensors.scan("");
+        scan.value.ranges_m[60] = 0.7; // "6.7" without its digit
+        scan.value.ranges_m[120] = 68.0;
+        tell(scan.value);
+        tellState(10.2);
+        const Senses senses = read();
+        QCOMPARE(senses.scan->hits_in_map_m.size(), all - 2);
+        for (const Vec3& hit_m : senses.scan->hits_in_map_m)
+            QVERIFY(hit_m.z() < 0.5);
     }
 
     void allowsForTheTiltOfTheRobot() {

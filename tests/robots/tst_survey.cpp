@@ -44,6 +44,18 @@ class tst_Survey : public QObject {
 private slots:
     void init() { settings = {}; }
 
+    void aLaneIsMovedBeforeItIsEntered() {
+        Survey survey = twoLanes();
+        survey.shift({-1.5, 0.5});
+        QCOMPARE(survey.goal_m(settings), Vec2(-1.5, 0.5));
+        QVERIFY(survey.goalReached({-1.5, 0.5}, settings));
+        survey.next(settings);
+        survey.shift({0.0, 0.0}); // Too late: it is on the lane.
+        QCOMPARE(survey.aim_m({8.5, 0.5}, settings), Vec2(8.5 + settings.lookahead_m, 0.5));
+        survey.note({8.5, 0.5});
+        QCOMPARE(survey.doneLength_m(), 10.0);
+    }
+
     void fliesLaneAfterLane() {
         Survey survey = twoLanes();
         using enum SurveyEvent;

@@ -105,6 +105,16 @@ private slots:
         QVERIFY(survey.done());
     }
 
+    void countsAChargeAfterEachQuadrantOnlyByIns() {
+        settings.quadrant_limit_m = 30.0;
+        const Survey survey = surveyOver({{-30, -20}, {30, 20}}, settings);
+        QCOMPARE(survey.plan().quadrants.size(), std::size_t(4));
+        const double by_ins_s = TimeEstimate().whole(survey, Vec2::Zero(), settings).count();
+        settings.navigate_by_truth = true;
+        QVERIFY(by_ins_s - TimeEstimate().whole(survey, Vec2::Zero(), settings).count() > 3 * settings.recharge_time_s);
+        settings = {};
+    }
+
     void learnsThePaceOfTheLanes() {
         TimeEstimate estimate;
         const double first = estimate.pace(Stage::Lane).pace();

@@ -20,8 +20,14 @@ constexpr double known_enough = 0.85;
 /// a trunk below its crown, so it is no reason to climb here.
 constexpr double beside_m = 0.3;
 constexpr double standing_m_s = 0.15;
+/// Ground may be so much lower than the start and still be dry; the rest is the drift of the height.
+constexpr double slightly_lower_m = 0.5;
 
 } // namespace
+
+double dryLevel_m(const Settings& settings) {
+    return settings.floor_level_m - settings.clearance_m - slightly_lower_m;
+}
 
 double altitudeGoal_m(const Senses& senses, const ObstacleMemory& memory, double way_bearing_rad, double speed_m_s,
                       std::optional<double> at_least_m, const Settings& settings) {
@@ -33,7 +39,8 @@ double altitudeGoal_m(const Senses& senses, const ObstacleMemory& memory, double
         goal_m = std::max(goal_m, *below_m + settings.clearance_m);
     if (const auto top_m = memory.highestAlong_m(here_m, way_bearing_rad, way_half_width_m, ahead_m))
         goal_m = std::max(goal_m, *top_m + settings.clearance_m);
-    goal_m = std::max(goal_m, settings.floor_level_m);
+    const bool maybe_water = !senses.ground_m || *senses.ground_m < dryLevel_m(settings);
+    goal_m = std::max(goal_m, settings.floor_level_m + (maybe_water ? senses.height_doubt_m : 0.0));
     return std::max(goal_m, at_least_m.value_or(goal_m));
 }
 

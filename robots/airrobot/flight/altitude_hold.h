@@ -9,9 +9,14 @@
 
 namespace usar::airrobot {
 
+/// Ground lower than this (map z) may be the bed of water, which no sensor sees.
+double dryLevel_m(const Settings& settings);
+
 /// Returns the height to hold, as map z. It is the maximum of the mean of the middle rays plus the scan altitude, the
 /// highest known object in the footprint or on the way of the next seconds plus the clearance, the floor level, and
-/// `at_least_m`. If nothing is within the scanner's reach below, the robot sinks as far as the floor level allows.
+/// `at_least_m`. If nothing is within the scanner's reach below, the robot sinks as far as the floor level allows. Over
+/// that, and over what may be the bed of water, only its own height keeps it dry, so the floor level is higher there by
+/// as much as that height may be wrong.
 /// `way_bearing_rad` is the direction of flight in the map frame.
 double altitudeGoal_m(const Senses& senses, const ObstacleMemory& memory, double way_bearing_rad, double speed_m_s,
                       std::optional<double> at_least_m, const Settings& settings);

@@ -26,9 +26,9 @@ constexpr double early_m = 0.3; ///< A look begins so much below the height up t
 
 bool hasRoom(const Senses& senses) {
     const Vec3 here_m = senses.position_m();
-    return !senses.scan || std::ranges::none_of(senses.scan->hits_in_map_m, [&](const Vec3& hit) {
-        return std::abs(hit.z() - here_m.z()) < level_m && (hit - here_m).head<2>().norm() < room_m;
-    });
+    return senses.scan && std::ranges::none_of(senses.scan->hits_in_map_m, [&](const Vec3& hit) {
+               return std::abs(hit.z() - here_m.z()) < level_m && (hit - here_m).head<2>().norm() < room_m;
+           });
 }
 
 } // namespace
@@ -63,7 +63,8 @@ AscentStep Ascent::step(const Senses& senses, const Vec3& goal_m, const Overhead
         return {.left_m_s = set_off_m_s};
     }
     const double wanted_m_s = std::clamp(error_m, -settings.descent_speed_m_s, settings.climb_speed_m_s);
-    step.climb_m_s = overhead.allowed_m_s(senses, wanted_m_s, z_m > known_to_m);
+    const double careful_m_s = overhead.besideWall(senses.now) ? Overhead::gentle_m_s : Overhead::careful_m_s;
+    step.climb_m_s = overhead.allowed_m_s(senses, wanted_m_s, z_m > known_to_m ? careful_m_s : wanted_m_s);
     if (!around)
         step.climb_m_s = std::min(step.climb_m_s, std::max(0.0, *from_z_m_ + turn_below_m - z_m));
     return step;

@@ -8,6 +8,15 @@
 
 namespace usar::airrobot {
 
+/// Where the robot goes straight up from the ground or down to it, in the map frame.
+struct Column {
+    std::optional<Vec2> at_m{}; ///< place of the climb if it is not that of the take-off
+    Seconds moving_since{0.0};  ///< when that place was chosen
+    bool there = false;         ///< the robot is over it
+    double top_m = -1e9;        ///< where the straight way down began, map z
+    double come_down_m = 0.0;   ///< height that it has lost since then
+};
+
 struct AscentStep {
     double climb_m_s = 0.0;
     double left_m_s = 0.0;      ///< not 0: the robot rolls to look up

@@ -11,6 +11,7 @@ constexpr double body_half_width_m = 0.9;
 constexpr double search_m = 6.0;
 constexpr int bearings = 16;
 constexpr double detour_cost = 0.15;
+constexpr double unknown_cost_m = 1.0; ///< so much more room a place must have where the robot has not flown
 constexpr Seconds backing_time{8.0};
 constexpr double arrived_m = 0.4;
 constexpr double free_way_m = 6.0;
@@ -19,11 +20,11 @@ constexpr double front_rad = radians(45.0);
 constexpr double facing_rad = 0.3;
 /// How far the robot continues to climb after the way is free, so that its belly clears the top.
 constexpr double extra_m = 1.5;
-constexpr double below_m = 0.3; ///< distance from the greatest height at which the climb fails
+constexpr double below_m = 0.15; ///< distance from the greatest height at which the climb ends
 
 } // namespace
 
-Vec2 climbPlace_m(std::span<const Obstacle> obstacles, const Vec2& here_m, double standoff_m) {
+Vec2 climbPlace_m(std::span<const Obstacle> obstacles, const Vec2& here_m, double standoff_m, const Retreat& retreat) {
     Vec2 best_m = here_m;
     double best_score = nearest_m(obstacles, here_m, standoff_m);
     for (double distance_m = 1.0; distance_m <= search_m; distance_m += 1.0) {
@@ -32,7 +33,8 @@ Vec2 climbPlace_m(std::span<const Obstacle> obstacles, const Vec2& here_m, doubl
             if (clearance_m(obstacles, here_m, bearing_rad, body_half_width_m, distance_m) < distance_m)
                 continue;
             const Vec2 place_m = here_m + distance_m * Vec2(std::cos(bearing_rad), std::sin(bearing_rad));
-            const double score = nearest_m(obstacles, place_m, standoff_m) - detour_cost * distance_m;
+            const double risk_m = !retreat.flown || retreat.flown(place_m) ? 0.0 : unknown_cost_m;
+            const double score = nearest_m(obstacles, place_m, standoff_m) - detour_cost * distance_m - risk_m;
             if (score > best_score) {
                 best_score = score;
                 best_m = place_m;
@@ -42,9 +44,10 @@ Vec2 climbPlace_m(std::span<const Obstacle> obstacles, const Vec2& here_m, doubl
     return best_m;
 }
 
-void ClimbOver::start(const Senses& senses, std::span<const Obstacle> obstacles, const Settings& settings) {
+void ClimbOver::start(const Senses& senses, std::span<const Obstacle> obstacles, const Settings& settings,
+                      const Retreat& retreat) {
     state_ = ClimbState::Backing;
-    place_m_ = climbPlace_m(obstacles, senses.position2_m(), settings.climb_standoff_m);
+    place_m_ = climbPlace_m(obstacles, senses.position2_m(), settings.climb_standoff_m, retreat);
     since_ = senses.now;
     free_since_z_m_.reset();
 }
@@ -83,8 +86,9 @@ ClimbStep ClimbOver::step(const Senses& senses, const ThreatPicture& picture, st
         state_ = ClimbState::Over;
     // Where no ground is within the scanner's reach, the floor level stands in for it.
     const double height_m = senses.heightOverGround_m(z_m - settings.floor_level_m);
+    // Below a ceiling there may be less room than that, and what is in the way may still pass below.
     if (height_m >= settings.maximum_height_m || z_m > highest_m - below_m)
-        state_ = ClimbState::Failed;
+        state_ = free_since_z_m_ ? ClimbState::Over : ClimbState::Failed;
     return {state_, place_m_, settings.climb_speed_m_s / 2.0};
 }
 

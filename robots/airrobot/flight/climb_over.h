@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "robots/airrobot/flight/evasion.h"
 #include "robots/airrobot/flight/obstacle_memory.h"
 #include "robots/airrobot/flight/senses.h"
 #include "robots/airrobot/flight/threat_zones.h"
@@ -28,9 +29,10 @@ struct ClimbStep {
 class ClimbOver {
 public:
     /// Begins by backing to the best place nearby (see climbPlace_m). `obstacles` are those at the robot's height.
-    void start(const Senses& senses, std::span<const Obstacle> obstacles, const Settings& settings);
-    /// `goal_m` is the point to steer at after the climb; the way to it must be free. The climb fails at the height
-    /// `highest_m` (map z), for example below a ceiling.
+    void start(const Senses& senses, std::span<const Obstacle> obstacles, const Settings& settings,
+               const Retreat& retreat = {});
+    /// `goal_m` is the point to steer at after the climb; the way to it must be free. The climb ends at the height
+    /// `highest_m` (map z), for example below a ceiling, and fails unless the way is free there.
     ClimbStep step(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles,
                    const Vec2& goal_m, double highest_m, const Settings& settings);
     /// Whether the robot is on its way to the place or climbing there; false once it is over or has failed.
@@ -50,7 +52,9 @@ private:
 };
 
 /// Returns the best place for a climb: within 6 m, reachable at this height, and as far from everything known as
-/// possible, up to `standoff_m`. Short ways are preferred.
-Vec2 climbPlace_m(std::span<const Obstacle> obstacles, const Vec2& here_m, double standoff_m);
+/// possible, up to `standoff_m`. Short ways are preferred, and places where the robot has flown: crowns behind it may
+/// be unknown.
+Vec2 climbPlace_m(std::span<const Obstacle> obstacles, const Vec2& here_m, double standoff_m,
+                  const Retreat& retreat = {});
 
 } // namespace usar::airrobot

@@ -8,8 +8,6 @@ namespace usar::airrobot {
 
 namespace {
 
-/// An object whose top is farther than this below the robot's base passes below the robot.
-constexpr double level_margin_m = 1.2;
 constexpr double look_around_m = 8.0;
 /// The visible part of a trunk (for the scanner's level rays and the sonars) ends at most this far below the robot.
 constexpr double trunk_margin_m = 0.3;
@@ -28,9 +26,11 @@ constexpr double hold_still_m = 0.5;
 constexpr Seconds patience{6.0};
 constexpr double detour_m_s = 1.0;
 constexpr double below_ceiling_m = 0.5; ///< Scanner hits higher than this are on the ceiling.
+/// So near to a roof, the robot does nothing but sink: a turn or a lean makes a rotor scrape along it, which breaks it.
+constexpr double near_roof_m = 0.35;
 constexpr double sure_of_walls_m = 2.5; ///< Lower down, sonars hear the ground.
-/// Ground may be so much lower than the start and still be dry; the rest is the drift of the height.
-constexpr double slightly_lower_m = 0.5;
+/// Lower than this, the robot may stand on the ground, or its rotors may still be gathering speed.
+constexpr double surely_aloft_m = 2.0;
 constexpr double in_column_m = 0.7; ///< A robot so near to its landing place comes straight down.
 
 /// Limits speeds to what the robot can do, because the course filter and the stopping distance rely on the command.
@@ -50,8 +50,10 @@ void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool a
     fastest_m_s_ = layout.maximum_speed_m_s;
     pilot_.limitSpeed(layout.maximum_speed_m_s);
     reader_.navigateByTruth(settings.navigate_by_truth);
-    if (settings.correct_heading)
-        reader_.tellCommand(pilot_.wantedInBase_m_s());
+    reader_.correctHeading(settings.correct_heading);
+    const bool aloft = senses.heightOverGround_m(1e9) > surely_aloft_m;
+    reader_.tellCommand(aloft ? pilot_.wantedInBase_m_s() : Vec2::Zero(),
+                        aloft && !ascending_ ? commanded_climb_m_s_ : 0.0);
     senses = reader_.read(tick.now, tick.line, tick.robot, layout, Seconds(settings.sensor_timeout_s));
     crash_ = nullptr;
     if (airborne) {
@@ -68,14 +70,14 @@ void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool a
         refuge.note(senses, memory, dry_m());
         battery.moveTo(senses.position_m());
     }
-    obstacles_ = memory.near(senses.position2_m(), look_around_m, senses.position_m().z() - level_margin_m);
+    obstacles_ = memory.near(senses.position2_m(), look_around_m, senses.position_m().z() - passes_below_m);
     threats = judgeThreats(senses, settings);
     port.publish(agent::SonarZones{threats.zones});
     scanned = log.tick(senses, airborne, settings, port);
 }
 
 double Craft::dry_m() const {
-    return settings.floor_level_m - settings.clearance_m - slightly_lower_m;
+    return dryLevel_m(settings);
 }
 
 void Craft::look(const Leg& leg) {
@@ -87,10 +89,14 @@ void Craft::look(const Leg& leg) {
 
 const EvasionDecision& Craft::decide(agent::CommandPort& port) {
     if (!decision_) {
-        decision_ = evasion_.decide(senses, threats, obstacles_, settings);
+        decision_ = evasion_.decide(senses, threats, obstacles_, settings, retreat());
         log.risks(senses, *decision_, port);
     }
     return *decision_;
+}
+
+Retreat Craft::retreat() const {
+    return {[this](const Vec2& at_m) { return routes_.wasFlown(at_m); }, overhead.hasCeiling()};
 }
 
 FlightState Craft::fly(const Leg& leg, agent::CommandPort& port) {
@@ -123,7 +129,7 @@ bool Craft::mayClimb() const {
 void Craft::findWay(const Leg& leg) {
     if (mayClimb()) {
         if (stuck_.hindered() > Seconds(settings.climb_over_after_s))
-            climb_over_.start(senses, obstacles_, settings);
+            climb_over_.start(senses, obstacles_, settings, retreat());
         return;
     }
     if (stuck_.hindered() < patience || senses.now - looked_for_way_ < patience)
@@ -151,19 +157,23 @@ FlightState Craft::perform(Maneuver maneuver, const Leg& asked, agent::CommandPo
     if (hindered && !climb_over_.active() && !detour_.active())
         findWay(leg);
     makeSafe(motion);
-    // What made it climb over something may make it climb on, such as a wall that reaches a roof.
+    // What made it climb over something may make it climb on, such as a wall that reaches a roof. So may a wall alone.
     climbs_on_ = climbs_on_ && motion.climb_m_s > 0.0;
     const bool again = climbed_at_ && senses.position_m().z() > climbed_at_->z() + over_again_m;
-    const bool maybe_roofed = climb_over_.active() || climbs_on_ || again || overhead.hasCeiling();
+    const bool maybe_roofed =
+        climb_over_.active() || climbs_on_ || again || overhead.hasCeiling() || overhead.besideWall(senses.now);
     const bool unseen = maybe_roofed && senses.position_m().z() > overhead.freeTo_m();
-    motion.climb_m_s = overhead.allowed_m_s(senses, motion.climb_m_s, unseen);
+    motion.climb_m_s = overhead.allowed_m_s(senses, motion.climb_m_s, unseen ? Overhead::gentle_m_s : motion.climb_m_s);
     command(motion, port, leg.source);
     return state;
 }
 
 void Craft::command(const Motion& motion, agent::CommandPort& port, const std::string& source) {
-    commanded_climb_m_s_ = motion.climb_m_s;
-    pilot_.fly(motion, senses, port, source, settings);
+    const auto ceiling_m = overhead.ceiling_m(senses.position2_m());
+    const bool touches = ceiling_m && senses.position_m().z() > *ceiling_m - near_roof_m;
+    const Motion safe = touches ? Motion{.climb_m_s = -Overhead::gentle_m_s} : motion;
+    commanded_climb_m_s_ = safe.climb_m_s;
+    pilot_.fly(safe, senses, port, source, settings);
 }
 
 Motion Craft::evade(const EvasionDecision& decision, const Leg& leg, FlightState& state) {
@@ -182,7 +192,7 @@ Motion Craft::evade(const EvasionDecision& decision, const Leg& leg, FlightState
 
 Motion Craft::cruise(const Leg& leg, FlightState& state) {
     const Vec2 here_m = senses.position2_m();
-    const double level_m = senses.position_m().z() - level_margin_m;
+    const double level_m = senses.position_m().z() - passes_below_m;
     const auto bearing =
         steering_.choose(obstacles_, here_m, leg.aim_m, level_m, {settings.side_clearance_m / 2.0, 3.5});
     if (!bearing) {
@@ -263,18 +273,18 @@ Vec2 Craft::awayFromTrunks_m(const Vec2& at_m) const {
 
 bool Craft::rise(double goal_z_m, const Vec2& over_m, agent::CommandPort& port) {
     ascending_ = true;
-    const Vec2 column_m = column_m_.value_or(over_m);
+    const Vec2 column_m = column_.at_m.value_or(over_m);
     const AscentStep step = ascent_.step(senses, {column_m.x(), column_m.y(), goal_z_m}, overhead, settings);
     if (step.looked_around) {
-        column_m_ = awayFromTrunks_m(over_m);
-        moving_since_ = senses.now;
+        column_.at_m = awayFromTrunks_m(over_m);
+        column_.moving_since = senses.now;
     }
-    if (column_m_ && senses.now - moving_since_ > longest_move && !there_)
-        column_m_ = senses.position2_m(); // Something is in the way.
+    if (column_.at_m && senses.now - column_.moving_since > longest_move && !column_.there)
+        column_.at_m = senses.position2_m(); // Something is in the way.
     Motion motion = holding(senses, column_m);
     makeSafe(motion);
-    there_ = (senses.position2_m() - column_m).norm() < in_column_m;
-    motion.climb_m_s = there_ ? step.climb_m_s : std::min(step.climb_m_s, 0.0);
+    column_.there = (senses.position2_m() - column_m).norm() < in_column_m;
+    motion.climb_m_s = column_.there ? step.climb_m_s : std::min(step.climb_m_s, 0.0);
     if (step.turns)
         motion.yaw_rate_rad_s = settings.turn_rate_rad_s;
     motion.sudden = step.returns;
@@ -293,8 +303,8 @@ bool Craft::descend(const Vec2& place_m, agent::CommandPort& port) {
     motion.climb_m_s = -touchdown.sinkRate_m_s(senses, settings);
     const double z_m = senses.position_m().z();
     const bool straight = (place_m - senses.position2_m()).norm() < in_column_m;
-    column_top_m_ = straight ? std::max(column_top_m_, z_m) : z_m;
-    come_down_m_ = column_top_m_ - z_m;
+    column_.top_m = straight ? std::max(column_.top_m, z_m) : z_m;
+    column_.come_down_m = column_.top_m - z_m;
     command(motion, port, "landing");
     return touchdown.touched(senses);
 }
@@ -323,9 +333,7 @@ void Craft::forgetPlaces() {
     routes_.clear();
     refuge = {};
     overhead.forgetPlaces();
-    column_top_m_ = -1e9;
-    column_m_.reset();
-    ascent_ = Ascent(std::exchange(come_down_m_, 0.0));
+    ascent_ = Ascent(std::exchange(column_, {}).come_down_m);
     crash_watch_ = {};
     reader_.forgetMotion();
     battery.forgetPosition();

@@ -2,8 +2,6 @@
 // POSH plan are built on this class (the thesis's Context, 4.3).
 #pragma once
 
-#include <string>
-
 #include "core/agent/behavior.h"
 #include "robots/airrobot/flight/altitude_hold.h"
 #include "robots/airrobot/flight/ascent.h"
@@ -14,6 +12,7 @@
 #include "robots/airrobot/flight/evasion.h"
 #include "robots/airrobot/flight/flight_log.h"
 #include "robots/airrobot/flight/landing.h"
+#include "robots/airrobot/flight/leg.h"
 #include "robots/airrobot/flight/obstacle_memory.h"
 #include "robots/airrobot/flight/overhead.h"
 #include "robots/airrobot/flight/pilot.h"
@@ -21,25 +20,6 @@
 #include "robots/airrobot/flight/stuck_watch.h"
 
 namespace usar::airrobot {
-
-/// Where and how to fly in one tick. Places are in the map frame.
-struct Leg {
-    Vec2 goal_m = Vec2::Zero(); ///< point to reach
-    Vec2 aim_m = Vec2::Zero();  ///< point to steer at on the way there
-    double speed_m_s = 1.0;
-    std::string source;         ///< named as the cause of the commands
-    Width width = Width::Usual; ///< of the ways that may be taken
-};
-
-/// The result of one tick of flight. Unreachable: the goal should be given up.
-enum class FlightState { Flying, Evading, ClimbingOver, Unreachable };
-
-/// The ways to fly in one tick.
-enum class Maneuver {
-    Cruise,   ///< along the leg, over and around known obstacles
-    Avoid,    ///< away from a high risk, around a low one, or waiting between two
-    ClimbOver ///< away from the obstacle, straight up, then across
-};
 
 /// Call `perceive` first in each tick and then at most one function that commands the robot; in flight, call `look`
 /// between the two. Owned by one behavior.
@@ -54,7 +34,7 @@ public:
     /// Whether there is a high risk, or a low one on the way.
     bool threatMatters() const { return evasion_.threatMatters(); }
     /// Whether there is a high risk and a way to escape it.
-    bool escapeOpen() const { return Evasion::escape_rad(senses, threats, obstacles_).has_value(); }
+    bool escapeOpen() const { return Evasion::escape_rad(senses, threats, obstacles_, retreat()).has_value(); }
     bool climbingOver() const { return climb_over_.active(); }
     /// Whether the robot is flying around an obstacle by way of a diversion point.
     bool diversionSet() const { return evasion_.mode() == EvasionMode::Divert; }
@@ -83,15 +63,13 @@ public:
     const EvasionDecision& decide(agent::CommandPort& port);
     /// Flies one tick of the leg. Never returns Unreachable; check `stuck` instead.
     FlightState perform(Maneuver maneuver, const Leg& leg, agent::CommandPort& port);
-    /// Looks, decides and performs in the usual order. Returns Unreachable if the robot is stuck and should give the
-    /// goal up.
+    /// Looks, decides and performs in the usual order. Returns Unreachable if the robot should give the goal up.
     FlightState fly(const Leg& leg, agent::CommandPort& port);
     /// Climbs or sinks to `goal_z_m` (map z) over the place `over_m`, with looks at what is above; returns true when
     /// the height is reached, or as much of it as a ceiling leaves.
     bool rise(double goal_z_m, const Vec2& over_m, agent::CommandPort& port);
-    /// Where the last `rise` went straight up, if that was not where it was told to; nothing has been above the robot
-    /// there.
-    const std::optional<Vec2>& column_m() const { return column_m_; }
+    /// Where the last `rise` went straight up, if it was not told to do so there; nothing has been above it there.
+    const std::optional<Vec2>& column_m() const { return column_.at_m; }
     /// Sinks onto `place_m`; returns true when the robot touches the ground.
     bool descend(const Vec2& place_m, agent::CommandPort& port);
     /// Waits over a place. This time does not count toward `stuck`.
@@ -125,6 +103,8 @@ private:
     Motion evade(const EvasionDecision& decision, const Leg& leg, FlightState& state);
     Motion cruise(const Leg& leg, FlightState& state);
     Motion climbOver(const Leg& leg, FlightState& state);
+    /// The places to flee to: in a room only those where it has flown, because no sensor looks backward.
+    Retreat retreat() const;
     /// Looks whether there is a way to a new goal, if there was none to the last one.
     void noteGoal(const Leg& leg);
     Vec2 awayFromTrunks_m(const Vec2& at_m) const;
@@ -146,11 +126,7 @@ private:
     AltitudeHold altitude_;
     ClimbOver climb_over_;
     Ascent ascent_;
-    std::optional<Vec2> column_m_; ///< place of the climb if it is not that of the take-off
-    Seconds moving_since_{0.0};    ///< when that place was chosen
-    bool there_ = false;
-    double column_top_m_ = -1e9; ///< where the straight way down began, map z
-    double come_down_m_ = 0.0;   ///< height that it has lost since then
+    Column column_;
     CrashWatch crash_watch_;
     const char* crash_ = nullptr;
     double commanded_climb_m_s_ = 0.0;

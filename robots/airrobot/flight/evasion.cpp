@@ -49,16 +49,20 @@ bool mayIgnore(const ThreatPicture& picture, double free_bearing_rad, double goa
 }
 
 std::optional<double> escapeBearing(std::span<const Obstacle> obstacles, const Vec2& from_m, double threat_bearing_rad,
-                                    double needed_m) {
+                                    double needed_m, const Retreat& retreat) {
     const double back_rad = normalizedAngle(threat_bearing_rad + pi);
+    std::optional<double> unsure;
     for (int step = 0; step <= 7; ++step) {
         for (const int side : {1, -1}) {
             const double bearing_rad = normalizedAngle(back_rad + side * step * bearing_step_rad);
-            if (clearance_m(obstacles, from_m, bearing_rad, berth_half_width_m, needed_m) >= needed_m)
+            if (clearance_m(obstacles, from_m, bearing_rad, berth_half_width_m, needed_m) < needed_m)
+                continue;
+            if (!retreat.flown || retreat.flown(from_m + needed_m * Vec2(std::cos(bearing_rad), std::sin(bearing_rad))))
                 return bearing_rad;
+            unsure = unsure.value_or(bearing_rad);
         }
     }
-    return std::nullopt;
+    return retreat.only_there ? std::nullopt : unsure;
 }
 
 void Evasion::observe(const Senses& senses, const ThreatPicture& picture, const Vec2& goal_m,
@@ -79,15 +83,16 @@ void Evasion::observe(const Senses& senses, const ThreatPicture& picture, const 
 }
 
 std::optional<double> Evasion::escape_rad(const Senses& senses, const ThreatPicture& picture,
-                                          std::span<const Obstacle> obstacles) {
+                                          std::span<const Obstacle> obstacles, const Retreat& retreat) {
     if (picture.risk != agent::Risk::High)
         return std::nullopt;
     const double threat_rad = senses.base_in_map.yaw_rad + picture.zones[*picture.greatest].bearing_rad;
-    return escapeBearing(obstacles, senses.position2_m(), threat_rad, escape_way_m);
+    return escapeBearing(obstacles, senses.position2_m(), threat_rad, escape_way_m, retreat);
 }
 
-EvasionDecision Evasion::flee(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles) {
-    const auto escape = escape_rad(senses, picture, obstacles);
+EvasionDecision Evasion::flee(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles,
+                              const Retreat& retreat) {
+    const auto escape = escape_rad(senses, picture, obstacles, retreat);
     mode_ = escape ? EvasionMode::Flee : EvasionMode::Enclosed;
     return {.mode = mode_, .flee_bearing_rad = escape.value_or(0.0), .new_high_risk = last_risk_ != agent::Risk::High};
 }
@@ -112,9 +117,9 @@ EvasionDecision Evasion::divert(const Senses& senses, const ThreatPicture& pictu
 }
 
 EvasionDecision Evasion::decide(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles,
-                                const Settings& settings) {
+                                const Settings& settings, const Retreat& retreat) {
     if (picture.risk == agent::Risk::High)
-        return flee(senses, picture, obstacles);
+        return flee(senses, picture, obstacles, retreat);
     if (matters_)
         return divert(senses, picture, obstacles, settings);
     return {.mode = mode_, .diversion_m = diversion_m_};

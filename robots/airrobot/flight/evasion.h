@@ -2,6 +2,7 @@
 // visible now.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -37,10 +38,18 @@ std::optional<double> freeBearing(const ThreatPicture& picture);
 /// There must be a greatest threat.
 bool mayIgnore(const ThreatPicture& picture, double free_bearing_rad, double goal_bearing_rad, double goal_distance_m);
 
+/// What is known of the places to which the robot may flee, besides the remembered obstacles. Nothing looks backward,
+/// so only where it has flown is it sure that no wall stands.
+struct Retreat {
+    std::function<bool(const Vec2&)> flown{}; ///< whether it has flown there (map frame); empty: nothing is known
+    bool only_there = false;                  ///< walls are likely, so it flees nowhere else
+};
+
 /// Returns the direction of flight away from `threat_bearing_rad`, both in the map frame: straight back or, if
-/// remembered obstacles are there, the nearest direction with `needed_m` of free way. Returns nullopt if there is none.
+/// remembered obstacles are there, the nearest direction with `needed_m` of free way. Directions in which the robot has
+/// flown come first. Returns nullopt if there is none.
 std::optional<double> escapeBearing(std::span<const Obstacle> obstacles, const Vec2& from_m, double threat_bearing_rad,
-                                    double needed_m);
+                                    double needed_m, const Retreat& retreat = {});
 
 /// Keeps a diversion until there has been no risk for `calm_cycles` usual ticks. Call `observe` once per tick and then
 /// `decide` at most once. Owned by one robot.
@@ -55,15 +64,16 @@ public:
     EvasionMode mode() const { return mode_; }
 
     EvasionDecision decide(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles,
-                           const Settings& settings);
+                           const Settings& settings, const Retreat& retreat = {});
     /// Returns the bearing (map frame) away from the greatest threat; nullopt if that is not a high risk or there is no
     /// way out.
     static std::optional<double> escape_rad(const Senses& senses, const ThreatPicture& picture,
-                                            std::span<const Obstacle> obstacles);
+                                            std::span<const Obstacle> obstacles, const Retreat& retreat = {});
     void reset() { *this = {}; }
 
 private:
-    EvasionDecision flee(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles);
+    EvasionDecision flee(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles,
+                         const Retreat& retreat);
     EvasionDecision divert(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles,
                            const Settings& settings);
     void calm(Seconds now, const Settings& settings);

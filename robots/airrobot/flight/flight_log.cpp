@@ -10,7 +10,8 @@ constexpr double path_step_m = 1.0;
 constexpr double goal_step_m = 0.5;
 constexpr double lowest_scan_m = 2.0;
 constexpr Seconds mean_over{4.0};
-constexpr double reach_m = 20.0; ///< height to assume if nothing below is within the scanner's reach
+constexpr double least_aside_m = 0.5; ///< less is no wind
+constexpr double reach_m = 20.0;      ///< height to assume if nothing below is within the scanner's reach
 } // namespace
 
 void Lean::note(const Senses& senses) {
@@ -28,6 +29,11 @@ double Lean::tiltFrom_rad(const Pose& pose) const {
 Vec2 Lean::slope(double yaw_rad) const {
     const Vec3 up = Pose{Vec3::Zero(), roll_rad_, pitch_rad_, yaw_rad}.rotation() * Vec3::UnitZ();
     return -up.head<2>() / up.z();
+}
+
+Vec2 Lean::scanAside_m(double yaw_rad, double altitude_m) const {
+    const Vec2 aside_m = altitude_m * slope(yaw_rad);
+    return aside_m.norm() < least_aside_m ? Vec2(Vec2::Zero()) : aside_m;
 }
 
 bool goodForMap(const Senses& senses, bool airborne, const Lean& lean, const Settings& settings) {
@@ -53,7 +59,7 @@ bool FlightLog::tick(const Senses& senses, bool airborne, const Settings& settin
         last_path_m_ = senses.position_m();
         mark(agent::MarkKind::Path, senses.position2_m(), senses, port);
     }
-    return good && senses.ground_m;
+    return good;
 }
 
 void FlightLog::risks(const Senses& senses, const EvasionDecision& decision, agent::CommandPort& port) const {

@@ -19,6 +19,9 @@ public:
     double tiltFrom_rad(const Pose& pose) const;
     /// The slope of a plane on which a robot with this yaw would stand at its mean lean, upward along the map's axes.
     Vec2 slope(double yaw_rad) const;
+    /// How far beside the robot (map frame) the line lies that its belly scanner scans at this height; zero without
+    /// wind.
+    Vec2 scanAside_m(double yaw_rad, double altitude_m) const;
 
 private:
     std::optional<Seconds> noted_;
@@ -36,8 +39,7 @@ class FlightLog {
 public:
     /// Marks a place (map frame) at the robot's present height.
     void mark(agent::MarkKind kind, const Vec2& place_m, const Senses& senses, agent::CommandPort& port) const;
-    /// Publishes the pose, a path mark every meter, and the scan if it is good for the map. Returns true if it is
-    /// and the ground is in sight: over a void, scans show only what is beside the robot.
+    /// Publishes the pose, a path mark every meter, and the scan if it is good for the map. Returns true if it is.
     bool tick(const Senses& senses, bool airborne, const Settings& settings, agent::CommandPort& port);
     /// Marks new risks and diversions.
     void risks(const Senses& senses, const EvasionDecision& decision, agent::CommandPort& port) const;

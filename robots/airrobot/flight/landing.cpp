@@ -15,6 +15,9 @@ constexpr double even_m = 0.15;
 constexpr double level_ground_m =
     0.08; ///< The belly is so low between the legs that a board of 0.1 m below it breaks it.
 constexpr double steepest_rad = radians(20.0); ///< steeper, it may slide
+/// With 14 degrees and more between its legs and the ground, the robot fell onto its last leg so hard that it broke
+/// (`tst_random_surveys_campaign`, numbers 74, 128 and 1059).
+constexpr double gentle_rad = radians(14.0);
 constexpr double ring_step_m = 1.0;
 constexpr int spots = 12;
 constexpr double seen_share = 0.8;  ///< of the ground below the body
@@ -27,7 +30,8 @@ constexpr double near_ground_m = 1.5;
 
 /// How far what is below the body departs from a plane, and more if that plane is steep for a robot that leans as much;
 /// infinite where too little is known.
-double unevenness_m(const ObstacleMemory& memory, const Vec2& place_m, const Vec2& lean = Vec2::Zero()) {
+double unevenness_m(const ObstacleMemory& memory, const Vec2& place_m, double steep_rad,
+                    const Vec2& lean = Vec2::Zero()) {
     const std::vector<Vec3> tops_m = memory.tops_m(place_m, body_radius_m);
     if (tops_m.size() < 3 || memory.knownWithin(place_m, body_radius_m) < seen_share)
         return std::numeric_limits<double>::infinity();
@@ -39,7 +43,7 @@ double unevenness_m(const ObstacleMemory& memory, const Vec2& place_m, const Vec
         height_m[row] = tops_m[i].z();
     }
     const Eigen::Vector3d plane = at.colPivHouseholderQr().solve(height_m);
-    const double steep = std::max(0.0, (plane.head<2>() - lean).norm() - std::tan(steepest_rad));
+    const double steep = std::max(0.0, (plane.head<2>() - lean).norm() - std::tan(steep_rad));
     return (at * plane - height_m).cwiseAbs().maxCoeff() + steep;
 }
 
@@ -47,12 +51,12 @@ double unevenness_m(const ObstacleMemory& memory, const Vec2& place_m, const Vec
 
 Vec2 landingPlace_m(const ObstacleMemory& memory, const Vec2& wanted_m, double radius_m, const Vec2& lean) {
     Vec2 best_m = wanted_m;
-    double best_unevenness_m = unevenness_m(memory, wanted_m, lean);
+    double best_unevenness_m = unevenness_m(memory, wanted_m, gentle_rad, lean);
     for (double ring_m = ring_step_m; ring_m <= radius_m && best_unevenness_m > level_ground_m; ring_m += ring_step_m) {
         for (int i = 0; i < spots; ++i) {
             const double bearing_rad = 2.0 * pi * i / spots;
             const Vec2 place_m = wanted_m + ring_m * Vec2(std::cos(bearing_rad), std::sin(bearing_rad));
-            const double here_m = unevenness_m(memory, place_m, lean);
+            const double here_m = unevenness_m(memory, place_m, gentle_rad, lean);
             if (here_m < best_unevenness_m) {
                 best_m = place_m;
                 best_unevenness_m = here_m;
@@ -64,7 +68,7 @@ Vec2 landingPlace_m(const ObstacleMemory& memory, const Vec2& wanted_m, double r
 
 bool canLand(const ObstacleMemory& memory, const Vec2& place_m, double dry_m) {
     const auto low_m = memory.lowest_m(place_m, body_radius_m);
-    return low_m && *low_m >= dry_m && unevenness_m(memory, place_m) <= even_m;
+    return low_m && *low_m >= dry_m && unevenness_m(memory, place_m, steepest_rad) <= even_m;
 }
 
 void Refuge::note(const Senses& senses, const ObstacleMemory& memory, double dry_m) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
 
 namespace usar::airrobot {
 
@@ -11,7 +12,7 @@ namespace {
 
 /// Hits of one ceiling agree within this height, and lie farther apart than those of a wall or of one crown.
 constexpr double flat_m = 0.12;
-constexpr double wide_m = 1.2;
+constexpr double wide_m = 2.5;
 constexpr std::size_t least_hits = 4;
 constexpr double above_m = 0.3;
 /// Where something higher than the robot stands within this distance, something may be above the robot, too: among
@@ -21,14 +22,37 @@ constexpr double crowded_m = 20.0;
 constexpr double ceiling_reach_m = 60.0;
 /// Finds nearer to one another than this are one.
 constexpr double same_place_m = 5.0;
-/// A beam that gets so far above a ceiling nearby shows that it was a crown, or wind that pressed the robot down. The
-/// attitude is not known well enough for less.
+/// Beams of two scans in a row that get so far above a ceiling nearby show that it was a crown, or wind that pressed
+/// the robot down. The attitude is not known well enough for less.
 constexpr double surely_above_m = 1.3;
-constexpr double least_push_m_s = 0.2;
+constexpr double least_push_m_s = 0.12;
 /// A climb that gains less than this share of the way in this time has met something.
 constexpr Seconds push_time{1.4};
 constexpr double pushed_share = 0.25;
+/// A robot that gets so far above a ceiling shows that there is none: on a slow link, a climb begins late.
+constexpr double through_m = 0.3;
 constexpr double lifted_m = 0.6; ///< A lower robot may not have left the ground yet.
+
+/// A wall is upright over this height, up to the robot or nearly so, in so many scans in a row: one of a trunk is not,
+/// because the robot passes it.
+constexpr double upright_m = 0.1;
+constexpr double wall_height_m = 1.5;
+constexpr double nearly_m = 0.5;
+constexpr int wall_scans = 5;
+
+/// True if the first of these hits, in the order of the beams, lie on something upright that reaches up to `level_m`
+/// (map z).
+bool startsWall(std::span<const Vec3> hits, const Vec3& from_m, double level_m) {
+    const double away_m = (hits.front() - from_m).head<2>().norm();
+    double low_m = hits.front().z();
+    double high_m = low_m;
+    std::size_t count = 0;
+    for (; count < hits.size() && std::abs((hits[count] - from_m).head<2>().norm() - away_m) < upright_m; ++count) {
+        low_m = std::min(low_m, hits[count].z());
+        high_m = std::max(high_m, hits[count].z());
+    }
+    return count >= least_hits && high_m - low_m >= wall_height_m && high_m > level_m;
+}
 
 /// The height of a ceiling that the first of these hits, in the order of the beams, lie on. Their beams turn evenly, so
 /// hits on a level plane move steadily outward or inward.
@@ -60,9 +84,15 @@ std::optional<double> ceilingFrom(std::span<const Vec3> hits, const Vec3& from_m
 
 void Overhead::observe(const Senses& senses, const Doing& doing) {
     found_.reset();
-    if (senses.scan)
+    if (senses.scan) {
         lookUp(*senses.scan, doing.ascending);
+        lookBeside(*senses.scan, senses.now);
+    }
     feelAbove(senses, doing.climb_m_s);
+    const Vec3 here_m = senses.position_m();
+    std::erase_if(ceilings_, [&](const Ceiling& one) {
+        return here_m.z() > one.z_m + through_m && (one.at_m - here_m.head<2>()).norm() < same_place_m;
+    });
 }
 
 void Overhead::lookUp(const PlacedScan& scan, bool ascending) {
@@ -70,13 +100,25 @@ void Overhead::lookUp(const PlacedScan& scan, bool ascending) {
     const bool crowded = std::ranges::any_of(scan.hits_in_map_m, [&](const Vec3& hit) {
         return hit.z() > from_m.z() + above_m && (hit - from_m).head<2>().norm() < crowded_m;
     });
-    std::erase_if(ceilings_, [&](const Ceiling& one) { return scan.highest_near_m > one.z_m + surely_above_m; });
+    const double twice_m = std::min(scan.highest_near_m, std::exchange(highest_near_m_, scan.highest_near_m));
+    std::erase_if(ceilings_, [&](const Ceiling& one) { return twice_m > one.z_m + surely_above_m; });
     if (!crowded)
         free_to_m_ = std::max(free_to_m_, scan.highest_m);
     const std::span<const Vec3> hits(scan.hits_in_map_m);
     for (std::size_t first = 0; ascending && first < hits.size(); ++first)
         if (const auto ceiling = ceilingFrom(hits.subspan(first), from_m))
             return add({from_m.head<2>(), *ceiling}, false);
+}
+
+void Overhead::lookBeside(const PlacedScan& scan, Seconds now) {
+    const Vec3 from_m = scan.scanner_in_map.position_m;
+    const std::span<const Vec3> hits(scan.hits_in_map_m);
+    bool wall = false;
+    for (std::size_t first = 0; !wall && first < hits.size(); ++first)
+        wall = startsWall(hits.subspan(first), from_m, from_m.z() - nearly_m);
+    walls_ = wall ? walls_ + 1 : 0;
+    if (walls_ >= wall_scans)
+        walled_at_ = now;
 }
 
 void Overhead::feelAbove(const Senses& senses, double commanded_climb_m_s) {
@@ -121,11 +163,11 @@ double Overhead::limit_m(const Vec2& at_m) const {
     return ceiling ? *ceiling - margin_m : std::numeric_limits<double>::infinity();
 }
 
-double Overhead::allowed_m_s(const Senses& senses, double climb_m_s, bool careful) const {
+double Overhead::allowed_m_s(const Senses& senses, double climb_m_s, double at_most_m_s) const {
     if (climb_m_s <= 0.0)
         return climb_m_s;
     const double room_m = limit_m(senses.position2_m()) - senses.position_m().z();
-    return std::min({climb_m_s, std::max(0.0, room_m), careful ? careful_m_s : climb_m_s});
+    return std::min({climb_m_s, std::max(0.0, room_m), at_most_m_s});
 }
 
 } // namespace usar::airrobot

@@ -18,6 +18,9 @@ public:
     /// A robot whose ring meets a ceiling at this speed or slower does not break: 1 kg at 0.42 m/s is 0.42 N s of the
     /// 0.5 N s that it withstands (robots-and-worlds.md 3.1). A twig in the disc of a rotor breaks it at any speed.
     static constexpr double careful_m_s = 0.42;
+    /// The same under way, where a touch is more likely than in a take-off. Some roofs met at the speed above broke it
+    /// (`tst_random_surveys_campaign`, numbers 37, 45 and 133).
+    static constexpr double gentle_m_s = 0.3;
 
     /// The part of the last command that matters here.
     struct Doing {
@@ -32,12 +35,14 @@ public:
     double freeTo_m() const { return free_to_m_ - margin_m; }
     /// True if there is a ceiling anywhere. Then there may be more of them.
     bool hasCeiling() const { return !ceilings_.empty(); }
+    /// True if a wall has stood beside the robot for a while, up to its height or higher. It may carry a roof.
+    bool besideWall(Seconds now) const { return walled_at_ && now - *walled_at_ < wall_memory; }
     /// The lowest ceiling near a place; nullopt if none is known.
     std::optional<double> ceiling_m(const Vec2& at_m) const;
     /// The greatest height to fly at there; infinite if no ceiling is known.
     double limit_m(const Vec2& at_m) const;
-    /// The climb rate for a wanted one: none at a ceiling, and slow where it must be careful.
-    double allowed_m_s(const Senses& senses, double climb_m_s, bool careful) const;
+    /// The climb rate for a wanted one: at most this one, and none at a ceiling.
+    double allowed_m_s(const Senses& senses, double climb_m_s, double at_most_m_s) const;
     /// The ceiling that was found in this tick, and how; nullopt in most ticks.
     struct Find {
         double z_m = 0.0;
@@ -54,7 +59,10 @@ private:
         double z_m = 0.0;
     };
 
+    static constexpr Seconds wall_memory{10.0};
+
     void lookUp(const PlacedScan& scan, bool ascending);
+    void lookBeside(const PlacedScan& scan, Seconds now);
     void feelAbove(const Senses& senses, double commanded_climb_m_s);
     void add(const Ceiling& ceiling, bool touched);
 
@@ -63,6 +71,9 @@ private:
     std::optional<Seconds> pushing_since_; ///< a climb is commanded since then
     double pushed_from_m_ = 0.0;           ///< height at that time
     double free_to_m_ = -1e9;              ///< map z
+    double highest_near_m_ = -1e9;         ///< PlacedScan::highest_near_m of the last scan
+    int walls_ = 0;                        ///< scans in a row with a wall in them
+    std::optional<Seconds> walled_at_;     ///< time of the last of so many that it was no trunk
 };
 
 } // namespace usar::airrobot

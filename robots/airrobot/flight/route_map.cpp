@@ -10,8 +10,6 @@ namespace usar::airrobot {
 
 namespace {
 
-/// What ends farther than this below the robot's base passes below it.
-constexpr double level_margin_m = 1.2;
 constexpr double clear_m = 1.5; ///< free space on each side of a way
 constexpr double least_clear_m = 1.0;
 /// With less space than this, sonars report risks, so such a way costs more.
@@ -177,7 +175,7 @@ RouteMap::Cell& RouteMap::at(int column, int row) {
 }
 
 auto RouteMap::blockedAt(double z_m) const {
-    return [this, z_m](int column, int row, double below_m = level_margin_m) {
+    return [this, z_m](int column, int row, double below_m = passes_below_m) {
         return blocked(column, row, z_m - below_m);
     };
 }
@@ -188,6 +186,10 @@ bool RouteMap::blocked(int column, int row, double level_m) const {
 }
 
 void RouteMap::take(const Senses& senses, double below_m) {
+    const Vec2 here_m = senses.position2_m();
+    for (int row = cellOf(here_m.y() - brushing_m); row <= cellOf(here_m.y() + brushing_m); ++row)
+        for (int column = cellOf(here_m.x() - brushing_m); column <= cellOf(here_m.x() + brushing_m); ++column)
+            at(column, row).flown = true;
     if (senses.scan)
         for (const Vec3& hit : senses.scan->hits_in_map_m)
             if (hit.z() < below_m) {
@@ -215,6 +217,13 @@ void RouteMap::takeEcho(const SonarEcho& echo) {
 
 void RouteMap::block(const Vec2& at_m, double z_m) {
     at(cellOf(at_m.x()), cellOf(at_m.y())).top_m = static_cast<float>(z_m);
+}
+
+bool RouteMap::wasFlown(const Vec2& at_m) const {
+    const int column = cellOf(at_m.x());
+    const int row = cellOf(at_m.y());
+    const Cell& cell = cells_[slotOf<side>(column, row)];
+    return cell.column == column && cell.row == row && cell.flown;
 }
 
 bool RouteMap::isStraightWayFree(const Vec2& from_m, const Vec2& to_m, double z_m) const {

@@ -12,6 +12,9 @@
 
 namespace usar::airrobot {
 
+/// What ends farther than this below the robot's base passes below it.
+inline constexpr double passes_below_m = 1.2;
+
 /// Knows to which places ways lead.
 class ReachablePlaces {
 public:
@@ -43,11 +46,13 @@ public:
 
     RouteMap();
 
-    /// Adds what the sensors saw in this tick below `below_m` (map z), where the ceiling begins.
+    /// Adds the robot's place and what the sensors saw in this tick below `below_m` (map z), where the ceiling begins.
     void take(const Senses& senses, double below_m);
     /// Adds an obstacle that reaches the height `z_m` (map z), because the robot does not get past that place.
     void block(const Vec2& at_m, double z_m);
     void clear();
+    /// True if the robot has been there or within its half width of it.
+    bool wasFlown(const Vec2& at_m) const;
 
     /// The way from one place to another at the height `z_m` (map z), as points half a meter apart. It ends within
     /// `within_m` of the goal, or where the map ends on the way there. nullopt: there is no way.
@@ -65,6 +70,7 @@ private:
         std::int16_t row = 0;
         float top_m = -1e9f;  ///< highest scanner hit, map z
         float echo_m = -1e9f; ///< height of the last sonar echo; what beams have passed through since is removed
+        bool flown = false;
     };
 
     Cell& at(int column, int row);

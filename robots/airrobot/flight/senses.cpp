@@ -1,22 +1,19 @@
 #include "robots/airrobot/flight/senses.h"
-#include "core/mapping/hit.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "core/mapping/hit.h"
 
 namespace usar::airrobot {
 
 namespace {
 
 constexpr Seconds never{1e9};
-/// A robot that is told to fly so fast cannot have the same pose twice, to the last digit.
-constexpr double moving_m_s = 0.2;
-/// No robot is faster; a reading beyond that was damaged on its way, unless as many in a row say the same.
-constexpr double fastest_m_s = 8.0;
-constexpr double fastest_turn_rad_s = 4.0;
-constexpr double jitter_m = 0.7;
-constexpr double jitter_rad = 0.3;
-constexpr int believed_after = 3;
+/// The INS's height is a random walk along the way flown: its standard deviation is 5 % of a step of 0.2 m after one
+/// step, and grows with the root of their number (robots-and-worlds.md 4.4). Three of them are allowed for.
+constexpr double doubt_per_root_m = 3.0 * 0.05 * 0.447;
+constexpr double standing_still_m = 0.03; ///< A shorter step is noise of the protocol.
 constexpr std::size_t middle_rays = 10;
 constexpr double near_m = 10.0;
 
@@ -36,12 +33,13 @@ SonarEcho echoOf(const SonarMount& mount, double range_m, const Pose& base_in_ma
     return echo;
 }
 
-/// Fills in where the beams end.
-void placeBeams(const protocol::RangeScan& scan, double maximum_m, PlacedScan& placed) {
+/// Fills in where the beams of these ranges end.
+void placeBeams(const protocol::RangeScan& scan, const std::vector<double>& ranges_m, double maximum_m,
+                PlacedScan& placed) {
     const Eigen::Isometry3d scanner_in_map = placed.scanner_in_map.isometry();
-    placed.hits_in_map_m.reserve(scan.ranges_m.size());
-    for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
-        const double range_m = scan.ranges_m[i];
+    placed.hits_in_map_m.reserve(ranges_m.size());
+    for (std::size_t i = 0; i < ranges_m.size(); ++i) {
+        const double range_m = ranges_m[i];
         const double angle_rad = scan.beamAngle_rad(i);
         const Vec3 along(std::cos(angle_rad), std::sin(angle_rad), 0.0);
         if (!(range_m > 0.0))
@@ -52,8 +50,7 @@ void placeBeams(const protocol::RangeScan& scan, double maximum_m, PlacedScan& p
         const double away_m = (end_m - from_m).head<2>().norm();
         const double share = away_m > near_m ? near_m / away_m : 1.0;
         placed.highest_near_m = std::max(placed.highest_near_m, from_m.z() + share * (end_m.z() - from_m.z()));
-        if (mapping::isHit(range_m, maximum_m))
-            placed.hits_in_map_m.push_back(end_m);
+        (mapping::isHit(range_m, maximum_m) ? placed.hits_in_map_m : placed.misses_in_map_m).push_back(end_m);
     }
 }
 
@@ -77,26 +74,12 @@ std::optional<double> groundBelow(std::vector<Vec3> hits, const Vec3& base_m) {
 
 } // namespace
 
-bool SenseReader::isDamaged(Seconds now, const Pose& told_in_map) {
-    const double since_s = ins_seen_ ? (now - *ins_seen_).count() : 0.0;
-    const auto leaps = [&](const Pose& from_in_map) {
-        return (told_in_map.position_m - from_in_map.position_m).norm() > jitter_m + fastest_m_s * since_s ||
-               std::abs(normalizedAngle(told_in_map.yaw_rad - from_in_map.yaw_rad)) >
-                   jitter_rad + fastest_turn_rad_s * since_s;
-    };
-    if (!ins_seen_ || !leaps(told_in_map_)) {
-        leaps_ = 0;
-        return false;
-    }
-    leaps_ = leaps_ == 0 || leaps(leapt_to_) ? 1 : leaps_ + 1;
-    leapt_to_ = told_in_map;
-    return leaps_ < believed_after;
-}
-
 void SenseReader::forgetMotion() {
-    ins_seen_.reset();
+    pose_check_.forget();
+    sonar_check_.forget();
     history_.clear();
     course_.reset();
+    flown_m_ = 0.0;
 }
 
 Senses SenseReader::read(Seconds now, LineNumber line, const modules::RobotModules& robot, const SensorLayout& layout,
@@ -109,6 +92,7 @@ Senses SenseReader::read(Seconds now, LineNumber line, const modules::RobotModul
     else
         readPose(now, robot.sensors.ins());
     senses.base_in_map = base_in_map_;
+    senses.height_doubt_m = by_truth_ ? 0.0 : doubt_per_root_m * std::sqrt(flown_m_);
     senses.velocity_in_map_m_s = history_.velocity_m_s();
     senses.yaw_rate_rad_s = history_.yawRate_rad_s();
     readSonars(senses, robot, layout, time_out);
@@ -125,13 +109,14 @@ void SenseReader::readPose(Seconds now, const Reading* reading) {
     if (!reading || reading->line == last_ins_)
         return;
     last_ins_ = reading->line;
-    const bool repeated = ins_seen_ && reading->value.base_in_map == told_in_map_;
-    frozen_ = repeated && (frozen_ || commanded_m_s_.norm() > moving_m_s);
-    if (frozen_ || isDamaged(now, reading->value.base_in_map))
+    const Pose& told_in_map = reading->value.base_in_map;
+    if (!pose_check_.believes(now, told_in_map, {commanded_m_s_.norm(), commanded_climb_m_s_}))
         return;
     ins_seen_ = now;
-    told_in_map_ = base_in_map_ = reading->value.base_in_map;
-    if (!by_truth_) {
+    const double step_m = (told_in_map.position_m - base_in_map_.position_m).norm();
+    flown_m_ += history_.at(now) && step_m > standing_still_m ? step_m : 0.0;
+    base_in_map_ = told_in_map;
+    if (!by_truth_ && corrects_heading_) {
         course_.update(now, base_in_map_, commanded_m_s_);
         base_in_map_.yaw_rad = normalizedAngle(base_in_map_.yaw_rad + course_.correction_rad());
     }
@@ -145,30 +130,41 @@ void SenseReader::readSonars(Senses& senses, const modules::RobotModules& robot,
         const auto* reading = robot.sensors.sonar(mount.name);
         const bool number = reading && std::isfinite(reading->value.range_m);
         auto heard = sonars_heard_.find(mount.name);
-        if (number && (heard == sonars_heard_.end() || heard->second.line != reading->line))
-            heard = sonars_heard_.insert_or_assign(mount.name, Heard{reading->line, senses.now}).first;
+        if (number && (heard == sonars_heard_.end() || heard->second.line != reading->line)) {
+            heard = sonars_heard_.try_emplace(mount.name).first;
+            heard->second.line = reading->line;
+            const double told_m = reading->value.range_m;
+            const bool echo = mapping::isHit(told_m, mount.maximum_m);
+            if (const auto range_m = sonar_check_.believed_m(mount.name, told_m, echo, {commanded_m_s_.norm(), 0.0})) {
+                heard->second.range_m = *range_m;
+                heard->second.at = senses.now;
+            }
+        }
         const Seconds age = heard == sonars_heard_.end() ? never : senses.now - heard->second.at;
         senses.sonar_age = std::max(senses.sonar_age, age);
         if (age > time_out)
             senses.silent_sonars.push_back(mount.name);
         else if (number)
-            senses.sonars.push_back(echoOf(mount, reading->value.range_m, senses.base_in_map));
+            senses.sonars.push_back(echoOf(mount, heard->second.range_m, senses.base_in_map));
     }
 }
 
 void SenseReader::readScan(Senses& senses, const modules::RobotModules& robot, const SensorLayout& layout) {
-    const auto* scan = robot.sensors.scan(layout.scanner_name);
-    if (scan && scan->line != last_scan_) {
-        last_scan_ = scan->line;
-        scan_seen_ = senses.now;
-        const auto& taken_at = scan->value.time;
-        const Pose base_in_map = taken_at ? history_.at(*taken_at).value_or(senses.base_in_map) : senses.base_in_map;
-        PlacedScan placed{scan->line, base_in_map * layout.scanner_in_base, base_in_map, {}};
-        placeBeams(scan->value, layout.scanner_maximum_m, placed);
-        ground_m_ = groundBelow(placed.hits_in_map_m, base_in_map.position_m);
-        senses.scan = std::move(placed);
-    }
     senses.ground_m = ground_m_;
+    const auto* scan = robot.sensors.scan(layout.scanner_name);
+    if (!scan || scan->line == last_scan_)
+        return;
+    last_scan_ = scan->line;
+    const std::vector<double> ranges_m = scan_check_.believed(scan->value);
+    if (ranges_m.empty())
+        return;
+    scan_seen_ = senses.now;
+    const auto& taken_at = scan->value.time;
+    const Pose base_in_map = taken_at ? history_.at(*taken_at).value_or(senses.base_in_map) : senses.base_in_map;
+    PlacedScan placed{scan->line, base_in_map * layout.scanner_in_base, base_in_map, {}};
+    placeBeams(scan->value, ranges_m, layout.scanner_maximum_m, placed);
+    senses.ground_m = ground_m_ = groundBelow(placed.hits_in_map_m, base_in_map.position_m);
+    senses.scan = std::move(placed);
 }
 
 } // namespace usar::airrobot

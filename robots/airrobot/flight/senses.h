@@ -13,6 +13,7 @@
 #include "core/modules/robot_modules.h"
 #include "core/protocol/usual_values.h"
 #include "robots/airrobot/flight/pose_estimate.h"
+#include "robots/airrobot/flight/reading_checks.h"
 #include "robots/airrobot/flight/sensor_layout.h"
 
 namespace usar::airrobot {
@@ -46,6 +47,7 @@ struct PlacedScan {
     double highest_m = -1e9;
     /// The same within 10 m of the robot, measured level.
     double highest_near_m = -1e9;
+    std::vector<Vec3> misses_in_map_m{}; ///< where the range of the beams ended that hit nothing
 };
 
 /// All perceptions of one tick, in SI units; places and heights are in the map frame, ages on the protocol clock.
@@ -57,6 +59,8 @@ struct Senses {
     Pose base_in_map; ///< from the INS, with the heading corrected by the course; or from ground truth
     /// Velocity over ground from the last INS readings; 0 after a jump of the position estimate.
     Vec3 velocity_in_map_m_s = Vec3::Zero();
+    /// How far the height in `base_in_map` may be wrong by now; 0 if it comes from ground truth.
+    double height_doubt_m = 0.0;
     /// Positive to the left.
     double yaw_rate_rad_s = 0.0;
     std::vector<SonarEcho> sonars;          ///< left to right, without silent ones
@@ -86,25 +90,28 @@ public:
     /// counts as silent.
     Senses read(Seconds now, LineNumber line, const modules::RobotModules& robot, const SensorLayout& layout,
                 Seconds time_out);
-    /// Sets the robot's last commanded velocity (robot frame), with which the course is compared. If it is never
-    /// called, the heading is not corrected.
-    void tellCommand(const Vec2& velocity_in_base_m_s) { commanded_m_s_ = velocity_in_base_m_s; }
+    /// Sets the robot's last command: its velocity (robot frame), with which the course is compared, and its rate of
+    /// climb, which is 0 where the robot may be unable to obey it (see Told).
+    void tellCommand(const Vec2& velocity_in_base_m_s, double climb_m_s = 0.0) {
+        commanded_m_s_ = velocity_in_base_m_s;
+        commanded_climb_m_s_ = climb_m_s;
+    }
+    /// Corrects the heading by the course from the next tick on, or leaves it as the INS tells it.
+    void correctHeading(bool correct) { corrects_heading_ = correct; }
     /// Takes the pose from ground truth instead of the INS from the next tick on.
     void navigateByTruth(bool truth) { by_truth_ = truth; }
     /// Forgets velocities and the heading correction, because the position estimate has jumped.
     void forgetMotion();
 
 private:
-    /// The last line with a number from one sonar, and the time at which it was received.
+    /// The last line with a number from one sonar, the time at which it was received, and the range to believe then.
     struct Heard {
         LineNumber line;
         Seconds at{0.0};
+        double range_m = 0.0;
     };
 
-    /// Whether a pose is too far from the last one to be true. One that is told again and again is believed.
-    bool isDamaged(Seconds now, const Pose& told_in_map);
-    /// Takes the pose if the reading is a new one. One that repeats itself while the robot is told to fly is none, and
-    /// neither are the same ones after it: the sensor hangs.
+    /// Takes the pose if the reading is a new one that can be believed.
     template <class Reading>
     void readPose(Seconds now, const Reading* reading);
     /// Places the echoes; notes which sonars are silent and the age of the oldest reading.
@@ -113,15 +120,17 @@ private:
     void readScan(Senses& senses, const modules::RobotModules& robot, const SensorLayout& layout);
 
     bool by_truth_ = false;
+    bool corrects_heading_ = true;
     PoseHistory history_;
     CourseFilter course_;
+    PoseCheck pose_check_;
+    ScanCheck scan_check_;
+    SonarCheck sonar_check_;
     Vec2 commanded_m_s_ = Vec2::Zero(); ///< robot frame
+    double commanded_climb_m_s_ = 0.0;
     /// The pose of the last INS reading, with corrected yaw; kept while no new one comes.
     Pose base_in_map_;
-    Pose told_in_map_; ///< the same as the sensor told it
-    bool frozen_ = false;
-    Pose leapt_to_; ///< the last pose that was not believed
-    int leaps_ = 0; ///< how often in a row it was told
+    double flown_m_ = 0.0; ///< since the estimate jumped
     LineNumber last_ins_;
     LineNumber last_scan_;
     std::optional<Seconds> ins_seen_;

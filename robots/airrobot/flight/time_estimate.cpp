@@ -106,7 +106,7 @@ void flyLane(ThoughtFlight& flight, const mapping::Lane& lane, double along_m) {
 }
 
 /// Flies all that is left.
-void flyOn(ThoughtFlight& flight, const Survey& survey, const MissionState& state) {
+void flyOn(ThoughtFlight& flight, const Survey& survey, const MissionState& state, const Settings& settings) {
     if (state.returning)
         flight.land();
     if (!state.lanes_left)
@@ -116,7 +116,7 @@ void flyOn(ThoughtFlight& flight, const Survey& survey, const MissionState& stat
     const auto& lanes = survey.plan().lanes;
     for (std::size_t i = survey.laneIndex(); i < lanes.size(); ++i) {
         const bool first = i == survey.laneIndex();
-        if (!first && lanes[i].quadrant != lanes[i - 1].quadrant) {
+        if (!first && lanes[i].quadrant != lanes[i - 1].quadrant && !settings.navigate_by_truth) {
             flight.land();
             flight.charge();
         }
@@ -176,7 +176,7 @@ agent::Pace TimeEstimate::paceSoFar(Stage stage, const Settings& settings) const
 agent::Forecast TimeEstimate::flightInThought(double detour, const Survey& survey, const MissionState& state,
                                               const Settings& settings) const {
     ThoughtFlight flight(state, detour, settings);
-    flyOn(flight, survey, state);
+    flyOn(flight, survey, state, settings);
     agent::Forecast sum{state.waiting.count(), 0.0};
     for (const Stage stage : {Stage::Lane, Stage::Way, Stage::Landing, Stage::Charge})
         sum += paceSoFar(stage, settings).forecast(flight.stage_s(stage));

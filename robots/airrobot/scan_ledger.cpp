@@ -1,0 +1,68 @@
+#include "robots/airrobot/scan_ledger.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace usar::airrobot {
+
+namespace {
+
+constexpr double ledger_cell_m = 1.0;
+/// A beam that misses looks for ground only if it is no flatter than 30 degrees; flatter ones end above it.
+constexpr double least_down = 0.5;
+/// A larger area is not watched cell by cell. This is 100 square kilometers.
+constexpr double most_cells = 1e8;
+
+} // namespace
+
+ScanLedger::ScanLedger(const Rectangle& area_in_map) : area_in_map_(area_in_map) {
+    const double columns = std::ceil(area_in_map.width_m() / ledger_cell_m);
+    const double rows = std::ceil(area_in_map.height_m() / ledger_cell_m);
+    if (columns * rows > most_cells)
+        return;
+    columns_ = static_cast<int>(columns);
+    rows_ = static_cast<int>(rows);
+    cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+}
+
+void ScanLedger::note(const Senses& senses, bool on_lane, bool for_map) {
+    if (on_lane && senses.now > last_tick_) {
+        ++lane_ticks_;
+        mapped_ticks_ += for_map && senses.ground_m ? 1 : 0; // Over a void, scans show only what is beside the robot.
+        last_tick_ = senses.now;
+    }
+    if (!for_map || !senses.scan)
+        return;
+    const Vec3 from_m = senses.scan->scanner_in_map.position_m;
+    for (const Vec3& end_m : senses.scan->misses_in_map_m) {
+        const Vec3 beam_m = end_m - from_m;
+        if (-beam_m.z() < least_down * beam_m.norm())
+            continue;
+        for (double along_m = 0.0; along_m <= beam_m.head<2>().norm(); along_m += ledger_cell_m)
+            mark(from_m.head<2>() + along_m * beam_m.head<2>().normalized(), Cell::Bottomless);
+    }
+    for (const Vec3& hit_m : senses.scan->hits_in_map_m)
+        mark(hit_m.head<2>(), Cell::Seen);
+}
+
+void ScanLedger::mark(const Vec2& at_m, Cell as) {
+    const Vec2 offset_m = (at_m - area_in_map_.min_m) / ledger_cell_m;
+    const int column = static_cast<int>(std::floor(offset_m.x()));
+    const int row = static_cast<int>(std::floor(offset_m.y()));
+    if (column < 0 || row < 0 || column >= columns_ || row >= rows_)
+        return;
+    Cell& cell =
+        cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)];
+    cell = std::max(cell, as);
+}
+
+double ScanLedger::mapped() const {
+    return lane_ticks_ == 0 ? 1.0 : static_cast<double>(mapped_ticks_) / static_cast<double>(lane_ticks_);
+}
+
+double ScanLedger::share(Cell what) const {
+    const auto count = std::ranges::count(cells_, what);
+    return cells_.empty() ? 1.0 : static_cast<double>(count) / static_cast<double>(cells_.size());
+}
+
+} // namespace usar::airrobot

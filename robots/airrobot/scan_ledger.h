@@ -1,0 +1,44 @@
+// What the scans of a survey have shown of its area, so that a survey whose map has gaps does not call itself done.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "robots/airrobot/flight/senses.h"
+
+namespace usar::airrobot {
+
+/// Keeps a coarse picture of the area: the cells of 1 m that scans for the map hit, and those above which they looked
+/// so far down without an echo that no ground is within reach. It counts the scans on the lanes as well. Works in the
+/// robot's own estimate of the map frame. Owned by one behavior.
+class ScanLedger {
+public:
+    ScanLedger() = default;
+    explicit ScanLedger(const Rectangle& area_in_map);
+
+    /// Takes a tick; call it once per tick. `for_map`: the tick's scan is good enough for the map.
+    void note(const Senses& senses, bool on_lane, bool for_map);
+
+    /// The share of the time on the lanes in which the map got scans that show ground, 0 to 1; 1 before there was any.
+    double mapped() const;
+    /// The share of the area's cells that were hit, and of those without ground within reach, 0 to 1.
+    double seen() const { return share(Cell::Seen); }
+    double bottomless() const { return share(Cell::Bottomless); }
+
+private:
+    enum class Cell : std::uint8_t { Unknown, Bottomless, Seen };
+
+    void mark(const Vec2& at_m, Cell as);
+    double share(Cell what) const;
+
+    Rectangle area_in_map_;
+    int columns_ = 0;
+    int rows_ = 0;
+    std::vector<Cell> cells_; ///< row by row
+    Seconds last_tick_{-1.0}; ///< time of the last one on a lane
+    long long lane_ticks_ = 0;
+    long long mapped_ticks_ = 0;
+};
+
+} // namespace usar::airrobot

@@ -1,0 +1,29 @@
+// Where a survey is: the phases of the mission, and what belongs to one flight between two stays on the ground.
+#pragma once
+
+#include <optional>
+
+#include "core/base/clock.h"
+#include "core/base/geometry.h"
+
+namespace usar::airrobot {
+
+/// The phase of the mission. The functions of SurveyFlight set it.
+enum class Phase { Launch, TakeOff, ToLane, Lane, Home, Landing, Ground, Finished };
+
+/// The reason why the robot is on the ground or on its way there; it determines what follows.
+enum class Errand { Start, Recharge, Quadrant, Done, GivenUp };
+
+/// What the robot has to remember from its take-off until the next one. Places are in the map frame.
+struct Sortie {
+    std::optional<Vec3> take_off_m{}; ///< nullopt until it takes off
+    Seconds took_off{0.0};
+    std::optional<Vec2> landing_m{}; ///< nullopt unless the robot is landing or on the ground after it
+    std::optional<Vec2> refuge_m{};  ///< goal on the way home if it is not the base
+    Vec2 hold_m = Vec2::Zero();      ///< place to hold while paused
+    bool looked_again = false;       ///< for a way home, after there was none
+    bool at_work = false;            ///< from reaching the scan altitude until the landing
+    Seconds landed{0.0};
+};
+
+} // namespace usar::airrobot

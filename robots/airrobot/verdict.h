@@ -1,0 +1,14 @@
+// Says whether a survey whose lanes are finished has scanned its area.
+#pragma once
+
+#include "core/agent/behavior.h"
+#include "robots/airrobot/scan_ledger.h"
+#include "robots/airrobot/survey.h"
+
+namespace usar::airrobot {
+
+/// A success only if the lanes were flown as far as ways lead, few of them were given up, and the scans show most of
+/// what the lanes lead over. The reason says what was left out.
+agent::BehaviorFinished verdictOf(const Survey& survey, const ScanLedger& ledger, const Settings& settings);
+
+} // namespace usar::airrobot
