@@ -187,6 +187,7 @@ Result<void> readAgain(JsonReading& reading, const QJsonObject& root, const QStr
             return failure("a known failure is of a variant that the campaign has not: " + one.variant,
                            file.toStdString(), "Add the variant, or remove the line");
     }
+    campaign.again_file = file;
     campaign.again = *std::move(known);
     return {};
 }

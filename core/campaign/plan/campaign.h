@@ -65,9 +65,11 @@ struct Campaign {
     std::vector<Variant> variants;   ///< at least one
     std::vector<std::string> faults; ///< of every run, in the syntax of --fault
     std::optional<Swarm> swarm;
-    std::vector<KnownFailure> again; ///< flown after all others; their missions and variants are the campaign's
-    std::optional<double> limit_h;   ///< of simulated time; absent: the missions' own
-    double wall_limit_s = 3600.0;    ///< a run that takes longer is stopped
+    QString again_file; ///< an absolute path; empty: none
+    std::vector<KnownFailure>
+        again; ///< what that file holds, flown after all others; their missions and variants are the campaign's
+    std::optional<double> limit_h; ///< of simulated time; absent: the missions' own
+    double wall_limit_s = 3600.0;  ///< a run that takes longer is stopped
     Keep keep = Keep::Failures;
     bool operator==(const Campaign&) const = default;
 };

@@ -93,6 +93,8 @@ QByteArray writeCampaign(const Campaign& campaign, const QString& folder) {
         root["faults"] = listOf(campaign.faults);
     if (campaign.swarm)
         root["swarm"] = objectOf(*campaign.swarm);
+    if (!campaign.again_file.isEmpty())
+        root["again"] = pathFrom(folder, campaign.again_file);
     if (campaign.limit_h)
         root["limit_h"] = *campaign.limit_h;
     return QJsonDocument(root).toJson();

@@ -50,6 +50,7 @@ private slots:
             {"wind speed=3"},
             Swarm{0.2, 10.0, 20.0, {"wind"}},
             {},
+            {},
             2.0,
             60.0,
             Keep::Everything};
