@@ -43,7 +43,7 @@ private slots:
     void sixtySetsOfFaultsShowNoDefect() {
         const QTemporaryDir folder;
         const Ended ended = fly(folder.path(), {USAR_SOURCE_DIR "/resources/campaigns/swarm_of_faults.json", "--out",
-                                                "results", "--check-every", "1"});
+                                                "results", "--check-every", "3"});
         QVERIFY2(ended.summary["complete"].toBool(), ended.err);
         QVERIFY(ended.summary["runs"].toInt() >= 60);
         QVERIFY2(ended.summary["unsound"].toArray().isEmpty(), ended.err);

@@ -79,6 +79,8 @@ private slots:
                            {"two", {}, "/c/p.lap", {"parameters.on=true", "parameters.w=so", "parameters.x=2.5"}}},
                           {"wind speed=3"},
                           Swarm{0.2, 10.0, 20.0, {"wind"}},
+                          "/c/again.jsonl",
+                          {},
                           2.5,
                           60.0,
                           Keep::Everything};
