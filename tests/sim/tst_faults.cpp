@@ -297,7 +297,8 @@ private slots:
     void timeWaitsForAClientThatIsSilencedForGood() {
         QFETCH(QString, fault);
         QFETCH(int, ticks);
-        const auto simulation = faultySimulation({fault.toStdString()});
+        const std::string text = fault.toStdString();
+        const auto simulation = faultySimulation({text.c_str()});
         Talker talker(*simulation);
         talker.say("LOCKSTEP {On true}");
         talker.say(init_air_robot);
