@@ -34,9 +34,10 @@ private slots:
 
     void backsAwayToWhereItHasFlown() {
         const std::vector<Obstacle> crown{wallAt(2.0, 0.0)};
-        const Retreat from_the_left{[](const Vec2& at_m) { return std::abs(at_m.x()) < 1.0 && at_m.y() > 0.0; }};
-        const Vec2 place_m = climbPlace_m(crown, {0, 0}, 3.2, from_the_left);
-        QVERIFY(place_m.y() > 1.5 && std::abs(place_m.x()) < 1.0);
+        const Retreat from_the_right{[](const Vec2& at_m) { return std::abs(at_m.x()) < 1.0 && at_m.y() < 0.0; }};
+        QVERIFY(climbPlace_m(crown, {0, 0}, 3.2).y() > -1.0);
+        const Vec2 place_m = climbPlace_m(crown, {0, 0}, 3.2, from_the_right);
+        QVERIFY(place_m.y() < -1.5 && std::abs(place_m.x()) < 1.0);
     }
 
     void staysWhereThereIsRoom() { QCOMPARE(climbPlace_m({}, {5, 6}, 3.2), Vec2(5, 6)); }

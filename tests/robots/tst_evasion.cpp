@@ -110,7 +110,7 @@ private slots:
         QTest::addColumn<double>("bearing_deg");
         QTest::newRow("it came from behind") << 180.0 << true << true << 180.0;
         QTest::newRow("it came from the side") << 90.0 << true << true << 90.0;
-        QTest::newRow("it came from the side, without walls") << 90.0 << false << true << 90.0;
+        QTest::newRow("it came from the side, without walls") << 90.0 << false << true << 180.0;
         QTest::newRow("it came from nowhere") << 0.0 << true << false << 0.0;
         QTest::newRow("it came from nowhere, without walls") << 0.0 << false << true << 180.0;
     }

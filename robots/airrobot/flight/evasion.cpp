@@ -51,18 +51,17 @@ bool mayIgnore(const ThreatPicture& picture, double free_bearing_rad, double goa
 std::optional<double> escapeBearing(std::span<const Obstacle> obstacles, const Vec2& from_m, double threat_bearing_rad,
                                     double needed_m, const Retreat& retreat) {
     const double back_rad = normalizedAngle(threat_bearing_rad + pi);
-    std::optional<double> unsure;
     for (int step = 0; step <= 7; ++step) {
         for (const int side : {1, -1}) {
             const double bearing_rad = normalizedAngle(back_rad + side * step * bearing_step_rad);
             if (clearance_m(obstacles, from_m, bearing_rad, berth_half_width_m, needed_m) < needed_m)
                 continue;
-            if (!retreat.flown || retreat.flown(from_m + needed_m * Vec2(std::cos(bearing_rad), std::sin(bearing_rad))))
+            const Vec2 along(std::cos(bearing_rad), std::sin(bearing_rad));
+            if (!retreat.only_there || retreat.flown(from_m + needed_m * along))
                 return bearing_rad;
-            unsure = unsure.value_or(bearing_rad);
         }
     }
-    return retreat.only_there ? std::nullopt : unsure;
+    return std::nullopt;
 }
 
 void Evasion::observe(const Senses& senses, const ThreatPicture& picture, const Vec2& goal_m,

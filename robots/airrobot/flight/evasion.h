@@ -42,12 +42,12 @@ bool mayIgnore(const ThreatPicture& picture, double free_bearing_rad, double goa
 /// so only where it has flown is it sure that no wall stands.
 struct Retreat {
     std::function<bool(const Vec2&)> flown{}; ///< whether it has flown there (map frame); empty: nothing is known
-    bool only_there = false;                  ///< walls are likely, so it flees nowhere else
+    bool only_there = false;                  ///< walls are likely, so it flees nowhere else; needs `flown`
 };
 
 /// Returns the direction of flight away from `threat_bearing_rad`, both in the map frame: straight back or, if
-/// remembered obstacles are there, the nearest direction with `needed_m` of free way. Directions in which the robot has
-/// flown come first. Returns nullopt if there is none.
+/// remembered obstacles are there, the nearest direction with `needed_m` of free way. Where walls are likely, only
+/// directions count in which the robot has flown. Returns nullopt if there is none.
 std::optional<double> escapeBearing(std::span<const Obstacle> obstacles, const Vec2& from_m, double threat_bearing_rad,
                                     double needed_m, const Retreat& retreat = {});
 
