@@ -92,27 +92,36 @@ private:
     campaign::DecisionWatch watch_;
 };
 
-/// Writes the runs that break an invariant into the file that the command line names, with as few faults as possible.
-Result<void> keepUnsound(const campaign::CampaignOptions& options, const campaign::CampaignRunner& runner) {
-    if (options.shrink.isEmpty())
-        return {};
+/// Adds the runs that break an invariant to the file that the command line names, each with as few faults as possible
+/// and as soon as they are known: shrinking may take longer than the campaign. Ends early once `stopped` is true.
+Result<void> keepUnsound(const campaign::CampaignOptions& options, const campaign::CampaignRunner& runner,
+                         const bool& stopped) {
     const campaign::Campaign& campaign = runner.campaign();
-    std::vector<campaign::KnownFailure> failures;
+    const QString folder =
+        options.folder +
+        QString("/shrinking-%1").arg(options.shard.value_or(campaign::Shard{}).index, 3, 10, QChar('0'));
     for (const auto& [run, result] : runner.unsound()) {
         tell("Run " + std::to_string(run.number) + " is flown with fewer faults.\n");
         campaign::PlannedRun fewer = run;
         fewer.faults = campaign::shrunk(run.faults, [&](const campaign::FaultTexts& faults) {
             campaign::PlannedRun tried = run;
             tried.faults = faults;
-            return campaign::breaksInvariants(campaign, tried, QCoreApplication::applicationFilePath(),
-                                              options.folder + "/shrinking", result.differences.has_value());
+            return !stopped &&
+                   campaign::breaksAsBefore(campaign, tried, result, QCoreApplication::applicationFilePath(), folder);
         });
-        failures.push_back(campaign::knownFailure(campaign, fewer, result));
+        if (stopped)
+            break;
+        if (auto added = campaign::addKnownFailures(options.shrink, {campaign::knownFailure(campaign, fewer, result)});
+            !added)
+            return added;
     }
-    return campaign::addKnownFailures(options.shrink, failures);
+    return {};
 }
 
 int fly(const campaign::CampaignOptions& options) {
+    if (!options.shrink.isEmpty()) // Said now, and not when the campaign is flown.
+        if (const auto writable = campaign::addKnownFailures(options.shrink, {}); !writable)
+            return refuse(writable.error());
     const auto started = campaign::startCampaign(options, hostOfCampaigns());
     if (!started)
         return refuse(started.error());
@@ -143,13 +152,20 @@ int fly(const campaign::CampaignOptions& options) {
     QObject::connect(&runner, &campaign::CampaignRunner::finished, qApp, &QCoreApplication::quit);
     server::QuitSignals signals_;
     QObject::connect(&signals_, &server::QuitSignals::quit, &runner, &campaign::CampaignRunner::interrupt);
+    bool stopped = false;
+    QObject::connect(&signals_, &server::QuitSignals::quit, &runner, [&stopped] { stopped = true; });
     runner.start();
     QCoreApplication::exec();
+    timer.stop();
     showProgress();
     if (runner.trouble())
         return refuse(*runner.trouble());
-    if (const auto kept = keepUnsound(options, runner); !kept)
-        return refuse(kept.error());
+    const bool whole = runner.progress().done == runner.progress().runs;
+    if (!options.shrink.isEmpty() && !whole)
+        tell("Nothing is shrunk, because not all runs are flown.\n");
+    else if (!options.shrink.isEmpty())
+        if (const auto kept = keepUnsound(options, runner, stopped); !kept)
+            return refuse(kept.error());
     const campaign::CampaignProgress progress = runner.progress();
     QJsonObject summary = campaign::toJson(progress, options.folder);
     if (until_decided)

@@ -70,10 +70,12 @@ void CampaignDesk::registerCommands() {
         widgets::askForFolder(window_, tr("Open the results of a campaign"), control_.resultFolder(),
                               [this](const QString& folder) { openResults(folder); });
     });
-    add("campaign.save", [this] {
-        widgets::askWhereToSave(window_, tr("Save campaign"), tr("campaign.json"), campaign_filter,
-                                [this](const QString& path) { save(path); });
-    });
+    add(
+        "campaign.save", [this] { return open_file_.isEmpty(); }, // The fields are hidden while a file is open.
+        [this] {
+            widgets::askWhereToSave(window_, tr("Save campaign"), tr("campaign.json"), campaign_filter,
+                                    [this](const QString& path) { save(path); });
+        });
     add("campaign.fly", row, [this] { flyRun(currentRun()->number); });
     add(
         "campaign.fly_pair",
@@ -107,8 +109,10 @@ void CampaignDesk::wire() {
     connect(form, &widgets::CampaignForm::ownCampaignWanted, this, [this, form] {
         open_file_.clear();
         form->setFile({});
+        proposed_.clear();
         form->setFolder({});
         showChoices();
+        commands_.refresh();
     });
     connect(panel().runs(), &widgets::RunsView::runChosen, this, &CampaignDesk::flyRun);
     connect(panel().causes(), &widgets::CauseList::runChosen, this, &CampaignDesk::flyRun);
@@ -141,12 +145,18 @@ void CampaignDesk::wireResults() {
         commands_.refresh();
     });
     connect(&results_, &CampaignResults::judged, panel().verdict(), &widgets::VerdictView::setVerdicts);
+    connect(&report_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
+        if (error != QProcess::FailedToStart)
+            return; // It has started, so it also finishes.
+        commands_.refresh();
+        panel().setTrouble(tr("The report cannot be written: %1").arg(report_.errorString()));
+    });
     connect(&report_, &QProcess::finished, this, [this](int exit_code, QProcess::ExitStatus status) {
         commands_.refresh();
         if (status != QProcess::NormalExit || exit_code == mission::BadInput)
             return panel().setTrouble(QString::fromUtf8(report_.readAllStandardError()).trimmed());
         const QString path = report_.arguments().last();
-        notices_.note("campaign-report", tr("The report is in %1.").arg(path));
+        notices_.note("campaign-report", tr("The report is in %1.").arg(path) + reported_);
         QDesktopServices::openUrl(QUrl::fromLocalFile(path));
     });
 }
@@ -171,7 +181,7 @@ void CampaignDesk::showChoices() {
     if (!form->isVisible())
         return;
     const auto basis = this->basis();
-    if (form->wish().folder.isEmpty() || form->wish().folder == proposed_) {
+    if (form->wish().folder == proposed_) { // Who empties the field is about to type another folder.
         const QString folders = QDir(control_.resultFolder()).filePath("campaigns");
         const QString name = open_file_.isEmpty() ? control_.level() : QFileInfo(open_file_).completeBaseName();
         proposed_ = open_file_.isEmpty()
@@ -204,10 +214,12 @@ void CampaignDesk::openFile(const QString& path) {
     open_file_ = path;
     form->setFile(summaryOf(*read, path));
     form->setTrouble({});
+    proposed_.clear();
     form->setFolder({});
     panel().showPage(widgets::CampaignPanel::SetUp);
     raise(views_.campaign_dock);
     showChoices();
+    commands_.refresh();
 }
 
 void CampaignDesk::openResults(const QString& folder) {
@@ -240,7 +252,6 @@ void CampaignDesk::run() {
 
 void CampaignDesk::start(const QString& file, const QString& folder, int jobs) {
     file_ = file;
-    jobs_ = jobs;
     panel().form()->setTrouble({});
     begin(folder);
     process_.start(server::missionProgram(), file, folder, jobs);
@@ -251,7 +262,7 @@ void CampaignDesk::start(const QString& file, const QString& folder, int jobs) {
 }
 
 void CampaignDesk::resume() {
-    start(file_, results_.folder(), jobs_);
+    start(file_, results_.folder(), panel().form()->wish().jobs);
 }
 
 void CampaignDesk::save(const QString& path) {
@@ -263,6 +274,10 @@ void CampaignDesk::save(const QString& path) {
     const auto files = campaignFiles(*basis, panel().form()->wish(), path, mission_path);
     if (!files)
         return complain(files.error());
+    // The dialog has asked about the campaign's file, and a campaign that is replaced takes its own mission with it.
+    if (!textOf(path).contains(QFileInfo(mission_path).fileName().toUtf8()))
+        if (const auto vacant = checkVacant(mission_path, files->mission); !vacant)
+            return complain(vacant.error());
     for (const auto& [place, text] : {std::pair(mission_path, files->mission), std::pair(path, files->campaign)})
         if (const auto kept = campaign::writeWhole(place, text); !kept)
             return complain(kept.error());
@@ -374,6 +389,11 @@ void CampaignDesk::copyCommand() {
 
 void CampaignDesk::writeReport() {
     const QString path = QDir(results_.folder()).filePath("report.html");
+    const QStringList& variants = results_.head().variants;
+    reported_ = variants.size() > 2 ? tr(" Of the %1 variants it compares the first two: %2 and %3.")
+                                          .arg(variants.size())
+                                          .arg(variants[0], variants[1])
+                                    : QString();
     report_.start(server::missionProgram(), {"compare", results_.folder(), "--html", path});
     commands_.refresh();
 }

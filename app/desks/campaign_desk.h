@@ -65,10 +65,10 @@ private:
     campaign::CampaignProcess process_;
     CampaignResults results_;
     QProcess report_;
+    QString reported_;  ///< It says which variants are in the report if others are not; else it is empty.
     QString file_;      ///< The campaign of this file is flown or looked at; empty if it is not known.
     QString open_file_; ///< The form shows the campaign of this file; empty if it is set up here.
     QString proposed_;  ///< The folder that was proposed last; what the user typed instead is left alone.
-    int jobs_ = 1;
     bool stopping_ = false;
     bool judged_ = false;          ///< The verdict is of all results that are there.
     QElapsedTimer since_start_;    ///< It runs since this start's earlier results were read.

@@ -29,6 +29,11 @@ Judgement without(const Error& error) {
     return {{}, QString::fromStdString(error.text())};
 }
 
+/// A headline gets its period where it is shown.
+QString withoutPeriod(const QString& sentence) {
+    return sentence.endsWith('.') ? sentence.chopped(1) : sentence;
+}
+
 Judgement judgeFolder(const QString& folder) {
     const auto figures = campaign::readCampaigns({folder});
     if (!figures)
@@ -40,6 +45,8 @@ Judgement judgeFolder(const QString& folder) {
         const auto comparison = campaign::compare(figures->runs, figures->variants.front(), figures->variants[i]);
         if (!comparison) {
             judgement.instead = QString::fromStdString(comparison.error().text());
+            if (figures->variants.size() > 2) // The other candidates' verdicts would hide it.
+                judgement.verdicts.push_back({withoutPeriod(judgement.instead), {}, {}});
             continue;
         }
         widgets::CampaignVerdict verdict{campaign::headline(*comparison), {}, {}};

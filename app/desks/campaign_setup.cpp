@@ -28,7 +28,7 @@ const agent::BehaviorDescription* behaviorOf(const agent::RobotDescription& robo
     return found == robot.behaviors.end() ? nullptr : &*found;
 }
 
-/// Without what follows in brackets: "C++" for "Terrain survey (C++)".
+/// What stands in brackets, or the whole name without any: "C++" for "Terrain survey (C++)".
 std::string shortTitle(const agent::BehaviorDescription& behavior) {
     const QString name = QString::fromStdString(behavior.name);
     const QString inside = name.section('(', 1, 1).section(')', 0, 0);
@@ -64,7 +64,8 @@ Result<std::vector<const agent::BehaviorDescription*>> chosenBehaviors(const Cam
     return chosen;
 }
 
-Result<void> choose(campaign::CampaignChoices& choices, const CampaignBasis& basis, const widgets::CampaignWish& wish) {
+Result<void> choose(campaign::CampaignChoices& choices, const CampaignBasis& basis,
+                    const std::vector<const agent::BehaviorDescription*>& chosen, const widgets::CampaignWish& wish) {
     if (!wish.parameter.isEmpty()) {
         auto values = campaign::readValues(wish.values);
         if (!values)
@@ -77,6 +78,10 @@ Result<void> choose(campaign::CampaignChoices& choices, const CampaignBasis& bas
         const auto spec =
             std::ranges::find(behavior->parameters, wish.parameter.toStdString(), &agent::ParameterSpec::id);
         choices.parameter_title = spec == behavior->parameters.end() ? wish.parameter.toStdString() : spec->label;
+        for (const auto* one : chosen)
+            if (!has(*one, wish.parameter.toStdString()))
+                return failure(one->name + " has no parameter " + choices.parameter_title, "Parameter",
+                               "Choose another one, or uncheck this behavior");
     }
     if (wish.faults == widgets::CampaignFaults::OfTheDock) {
         if (basis.dock_faults.empty())
@@ -88,12 +93,18 @@ Result<void> choose(campaign::CampaignChoices& choices, const CampaignBasis& bas
     return {};
 }
 
+} // namespace
+
 QByteArray textOf(const QString& path) {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-} // namespace
+Result<void> checkVacant(const QString& path, const QByteArray& text) {
+    if (QFileInfo::exists(path) && textOf(path) != text)
+        return failure("this file is there already, with another text", path.toStdString(), "Choose another folder");
+    return {};
+}
 
 std::vector<widgets::CampaignBehavior> behaviorsOf(const agent::RobotDescription& robot) {
     std::vector<widgets::CampaignBehavior> behaviors;
@@ -140,7 +151,7 @@ Result<CampaignFiles> campaignFiles(const CampaignBasis& basis, const widgets::C
         choices.behaviors.push_back({behavior->id, shortTitle(*behavior), is_own ? plan : std::string(),
                                      is_own ? own_values : std::vector<std::string>()});
     }
-    if (const auto well = choose(choices, basis, wish); !well)
+    if (const auto well = choose(choices, basis, *chosen, wish); !well)
         return tl::unexpected(well.error());
     return CampaignFiles{
         campaign::writeCampaign(campaign::campaignOf(choices), QFileInfo(campaign_path).absolutePath()),
@@ -161,6 +172,10 @@ Result<QString> keepCampaign(const CampaignBasis& basis, const widgets::Campaign
     if (folder.exists(campaign::manifest_file))
         return failure("this folder holds the results of another campaign", folder.path().toStdString(),
                        "Choose another folder, or open these results");
+    for (const auto& [path, text] :
+         {std::pair(mission_path, files->mission), std::pair(campaign_path, files->campaign)})
+        if (const auto vacant = checkVacant(path, text); !vacant)
+            return tl::unexpected(vacant.error());
     for (const auto& [path, text] :
          {std::pair(mission_path, files->mission), std::pair(campaign_path, files->campaign)})
         if (const auto kept = campaign::writeWhole(path, text); !kept)

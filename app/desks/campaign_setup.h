@@ -39,8 +39,14 @@ Result<CampaignFiles> campaignFiles(const CampaignBasis& basis, const widgets::C
                                     const QString& campaign_path, const QString& mission_path);
 
 /// Writes the files into the folder of the results, and returns the path of the campaign's file. Fails if the folder
-/// holds another campaign, and if it cannot be written.
+/// holds another campaign or other files of these names, and if it cannot be written.
 Result<QString> keepCampaign(const CampaignBasis& basis, const widgets::CampaignWish& wish);
+
+/// Text of a file; empty if it cannot be read.
+QByteArray textOf(const QString& path);
+
+/// Fails if a file with another text would be lost by writing this one.
+Result<void> checkVacant(const QString& path, const QByteArray& text);
 
 /// The first of "FOLDER/NAME", "FOLDER/NAME-2" … that holds nothing yet.
 QString freeFolder(const QString& folder, const QString& name);

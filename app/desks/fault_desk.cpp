@@ -1,5 +1,8 @@
 #include "app/desks/fault_desk.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/server/embedded/simulator_files.h"
 #include "widgets/style/empty_state.h"
 
@@ -33,6 +36,19 @@ widgets::FaultRow rowOf(const sim::FaultStatus& status) {
             widgets::faultTimes(fault.from, fault.lasts)};
 }
 
+/// Rounded for readability; infinite times stay infinite.
+Seconds roundedToMs(Seconds time) {
+    return Seconds{std::round(time.count() * 1e3) / 1e3};
+}
+
+/// What is left of a fault at `now`, with times relative to now, as a new run is to have it.
+sim::Fault restOf(sim::Fault fault, Seconds now) {
+    const Seconds begin = fault.from - now;
+    fault.from = roundedToMs(std::max(Seconds{0.0}, begin));
+    fault.lasts = roundedToMs(fault.lasts + std::min(Seconds{0.0}, begin));
+    return fault;
+}
+
 } // namespace
 
 void FaultDesk::registerCommands() {
@@ -58,6 +74,8 @@ void FaultDesk::wire() {
             showChoices();
     });
     connect(&control_.simulator(), &server::SimulatorHost::faultsChanged, this, &FaultDesk::list);
+    connect(&control_.simulator(), &server::SimulatorHost::figuresChanged, this,
+            [this](const server::SimulatorFigures& figures) { now_ = figures.now; });
     connect(&control_, &MissionControl::linkChanged, this, &FaultDesk::showChoices);
     connect(&control_, &MissionControl::worldKnown, this, &FaultDesk::showChoices);
     connect(&control_, &MissionControl::robotAdded, this, &FaultDesk::showChoices);
@@ -90,9 +108,11 @@ void FaultDesk::showChoices() {
 
 std::vector<std::string> FaultDesk::texts() const {
     std::vector<std::string> texts;
-    for (const sim::FaultStatus& one : faults_)
-        if (one.phase != sim::FaultPhase::Over)
-            texts.push_back(sim::write(one.fault));
+    for (const sim::FaultStatus& one : faults_) {
+        const sim::Fault rest = restOf(one.fault, now_);
+        if (one.phase != sim::FaultPhase::Over && rest.lasts > Seconds{0.0})
+            texts.push_back(sim::write(rest));
+    }
     return texts;
 }
 

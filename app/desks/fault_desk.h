@@ -19,7 +19,7 @@ public:
     /// Adds a mission's faults (texts in the syntax of --fault), with times relative to now. Equal faults of an earlier
     /// start that are not over are ended first, because two winds would blow twice as hard.
     void begin(const QStringList& faults);
-    /// Texts of the faults that are not over, with their times.
+    /// Texts of the faults that are not over, with times relative to now; of an active one, only the rest is told.
     std::vector<std::string> texts() const;
 
 private:
@@ -30,6 +30,7 @@ private:
     void list(const std::vector<sim::FaultStatus>& faults);
 
     std::vector<sim::FaultStatus> faults_; ///< all faults of the embedded simulator, including those that are over
+    Seconds now_{0.0};                     ///< The simulator's clock showed this when it was last told.
 };
 
 } // namespace usar::app

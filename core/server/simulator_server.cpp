@@ -89,6 +89,7 @@ void SimulatorServer::addFaults(const std::vector<sim::Fault>& faults, bool from
 void SimulatorServer::endFault(int id) {
     simulation_->endFault(id);
     emit faultsChanged(simulation_->faults());
+    advance(); // Time may have waited for a client that the fault had silenced.
 }
 
 void SimulatorServer::letOrphansGo() {

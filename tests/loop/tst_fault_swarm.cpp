@@ -6,7 +6,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/base/version.h"
 #include "core/campaign/plan/known_failures.h"
+#include "core/campaign/runs/shard_file.h"
 #include "tests/doubles/test_files.h"
 #include "tests/suite/suite.h"
 
@@ -69,6 +71,12 @@ private slots:
         QVERIFY(known->front().broke.starts_with("It ended as timed-out: "));
         const Ended second = fly(folder.path(), {"hangs.json", "--out", "second", "--runs", "3"});
         QCOMPARE(second.summary["runs"].toInt(), 4);
+        const auto results = campaign::readResults(folder.filePath("second"), std::string(version()));
+        QVERIFY2(results, results ? "" : results.error().text().c_str());
+        QCOMPARE(results->size(), std::size_t(4));
+        QCOMPARE(results->back().seed, known->front().seed);
+        QVERIFY2(!results->back().command.contains("--fault"), qPrintable(results->back().command));
+        QVERIFY(results->front().command.contains("--fault"));
     }
 };
 

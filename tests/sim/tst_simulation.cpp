@@ -2,6 +2,7 @@
 #include <QString>
 #include <QTest>
 
+#include "core/sim/robots/robot_watches.h"
 #include "tests/doubles/shipped_robots.h"
 #include "tests/sim/talker.h"
 #include "tests/sim/tiny_worlds.h"

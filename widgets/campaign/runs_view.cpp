@@ -93,11 +93,6 @@ std::optional<int> RunsView::currentRun() const {
     return index.isValid() ? std::optional(table_.row(index.row()).number) : std::nullopt;
 }
 
-void RunsView::filter(const QString& words) {
-    only_failures_->setChecked(false);
-    words_->setText(words);
-}
-
 void RunsView::setActions(QAction* fly, QAction* fly_pair, QAction* copy) {
     view_->addActions({fly, fly_pair, copy});
 }

@@ -21,8 +21,6 @@ public:
 
     /// Number of the run in the current row; nullopt if there is none.
     std::optional<int> currentRun() const;
-    /// Shows the runs with these words, whatever was typed before.
-    void filter(const QString& words);
     QTableView* view() const { return view_; }
     /// The menu of a row offers these; the actions must outlive the view.
     void setActions(QAction* fly, QAction* fly_pair, QAction* copy);

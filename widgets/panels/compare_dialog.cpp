@@ -106,6 +106,8 @@ void CompareDialog::clear() {
     runs_.clear();
     pictures_.clear();
     maps_.clear();
+    trouble_->clear();
+    trouble_->hide();
     showRuns();
     compareMaps();
 }
@@ -144,6 +146,8 @@ void CompareDialog::removeChosen() {
 }
 
 void CompareDialog::showRuns() {
+    if (maps_.size() < 2 || difference_.first != maps_[0] || difference_.second != maps_[1])
+        difference_ = {}; // It is of other runs; the pool answers later for these.
     const std::vector<ComparedRow> rows = compared(runs_);
     table_->clear();
     table_->setColumnCount(static_cast<int>(runs_.size()));
@@ -210,9 +214,12 @@ void CompareDialog::compareMaps() {
     }
     pool_.start([this, first = maps_[0], second = maps_[1]] {
         MapDifference found;
+        found.first = first;
+        found.second = second;
         if (const auto difference = mapping::differenceOf(*first, *second)) {
             const QImage picture = differencePicture(*difference, fullColorOf_m(*difference));
-            found = {picture.scaled(picture_px, Qt::KeepAspectRatio), differenceText(*difference)};
+            found.picture = picture.scaled(picture_px, Qt::KeepAspectRatio);
+            found.words = differenceText(*difference);
         }
         QMetaObject::invokeMethod(
             this,

@@ -47,6 +47,8 @@ private:
     struct MapDifference {
         QImage picture{}; ///< It is null if they cannot be compared.
         QString words{};
+        std::shared_ptr<const mapping::Raster> first{}; ///< These two maps were compared.
+        std::shared_ptr<const mapping::Raster> second{};
     };
     void lay();
     void choose();

@@ -159,7 +159,7 @@ void drawCourse(QXmlStreamWriter& xml, const RunFigures& run) {
     canvas.path(onMap(run.course.path, at), "way");
     canvas.circle(at(run.course.path.front()), 3.0, "start");
     canvas.circle(at(run.course.path.back()), 3.0, "end");
-    drawPlacesOf(canvas, run, at, "candidate");
+    drawPlacesOf(canvas, run, at, "one");
 }
 
 } // namespace usar::campaign

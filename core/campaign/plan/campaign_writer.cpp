@@ -45,7 +45,8 @@ QJsonObject objectOf(const CampaignMission& mission, const QString& folder) {
 
 /// A value of KEY=VALUE as JSON: a number or a truth value if it reads as one, else a text.
 QJsonValue valueOf(const QString& text) {
-    const QJsonValue value = QJsonDocument::fromJson('[' + text.toUtf8() + ']').array().first();
+    const QJsonArray values = QJsonDocument::fromJson('[' + text.toUtf8() + ']').array();
+    const QJsonValue value = values.size() == 1 ? values.first() : QJsonValue(text); // "3, 4" reads as two.
     return value.isDouble() || value.isBool() ? value : QJsonValue(text);
 }
 

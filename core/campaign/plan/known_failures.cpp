@@ -30,6 +30,12 @@ QByteArray lineOf(const KnownFailure& failure) {
                               {"broke", QString::fromStdString(failure.broke)}});
 }
 
+/// True for a file whose last line somebody has left without an end.
+bool lacksLineEnd(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) && file.size() > 0 && file.seek(file.size() - 1) && file.read(1) != "\n";
+}
+
 } // namespace
 
 Result<std::vector<KnownFailure>> readKnownFailures(const QString& path) {
@@ -61,12 +67,12 @@ Result<void> addKnownFailures(const QString& path, const std::vector<KnownFailur
     const auto known = readKnownFailures(path);
     if (!known)
         return tl::unexpected(known.error());
-    QByteArray lines;
-    for (const KnownFailure& one : failures)
-        if (std::ranges::find(*known, one) == known->end())
-            lines += lineOf(one);
     QFile file(path);
-    if (lines.isEmpty() || (file.open(QIODevice::Append) && file.write(lines) == lines.size() && file.flush()))
+    QByteArray lines = lacksLineEnd(path) ? "\n" : "";
+    for (auto one = failures.begin(); one != failures.end(); ++one)
+        if (std::ranges::find(*known, *one) == known->end() && std::find(failures.begin(), one, *one) == one)
+            lines += lineOf(*one);
+    if (file.open(QIODevice::Append) && file.write(lines) == lines.size() && file.flush())
         return {};
     return failure("the known failures cannot be written: " + file.errorString().toStdString(), path.toStdString(),
                    "Give another file with --shrink");

@@ -25,7 +25,7 @@ struct KnownFailure {
 /// Reads the file; one that does not exist has no lines. The error names the line that is no known failure.
 Result<std::vector<KnownFailure>> readKnownFailures(const QString& path);
 
-/// Appends those that are not in the file yet. Fails if it cannot be read or written.
+/// Appends those that are not in the file yet, which is created even for none. Fails if it cannot be read or written.
 Result<void> addKnownFailures(const QString& path, const std::vector<KnownFailure>& failures);
 
 } // namespace usar::campaign

@@ -36,7 +36,7 @@ std::vector<std::string> drawValues(const std::vector<Draw>& draws, Random& rand
     return values;
 }
 
-void addKnownFailures(const Campaign& campaign, PlannedRun next, std::vector<PlannedRun>& runs) {
+void planKnownFailures(const Campaign& campaign, PlannedRun next, std::vector<PlannedRun>& runs) {
     for (const KnownFailure& one : campaign.again) {
         const auto mission = std::ranges::find_if(
             campaign.missions, [&](const auto& candidate) { return nameOf(candidate).toStdString() == one.mission; });
@@ -84,7 +84,7 @@ std::vector<PlannedRun> planRuns(const Campaign& campaign, std::span<const Fault
             for (int i = 0; i < mission.seeds; ++i)
                 addPair(mission.first_seed + static_cast<std::uint64_t>(i), world);
     }
-    addKnownFailures(campaign, run, runs);
+    planKnownFailures(campaign, run, runs);
     return runs;
 }
 
@@ -104,6 +104,12 @@ QStringList argumentsOf(const Campaign& campaign, const PlannedRun& run) {
     if (campaign.limit_h)
         arguments << "--limit" << QString::number(*campaign.limit_h) + 'h';
     return arguments;
+}
+
+QStringList flightArgumentsOf(const Campaign& campaign, const PlannedRun& run, const QString& folder) {
+    return argumentsOf(campaign, run) << "--course"
+                                      << "--one-thread"
+                                      << "--out" << folder;
 }
 
 QString commandOf(const Campaign& campaign, const PlannedRun& run) {

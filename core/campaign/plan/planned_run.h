@@ -33,7 +33,9 @@ std::vector<PlannedRun> planRuns(const Campaign& campaign, std::span<const Fault
 
 /// Arguments for usar-mission that fly this run, without a result folder.
 QStringList argumentsOf(const Campaign& campaign, const PlannedRun& run);
-/// The same as a command for a shell.
+/// The same as a campaign flies it, with its files in `folder`.
+QStringList flightArgumentsOf(const Campaign& campaign, const PlannedRun& run, const QString& folder);
+/// What a person types to fly this run, as a command for a shell.
 QString commandOf(const Campaign& campaign, const PlannedRun& run);
 
 } // namespace usar::campaign

@@ -8,8 +8,8 @@
 
 namespace usar::campaign {
 
-/// Returns the words of a command, as a POSIX shell would hand them to a program: single quotes, double quotes and
-/// backslashes are taken away. It is the inverse of `shellWord`, and expands nothing. Fails on a quote without its end.
+/// Returns the words of a command whose words `shellWord` has written: it is the inverse of that, and no shell. Fails
+/// on a quote without its end.
 Result<QStringList> shellWords(const QString& command);
 
 } // namespace usar::campaign

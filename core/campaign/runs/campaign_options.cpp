@@ -85,6 +85,9 @@ Result<CampaignOptions> readCampaignOptions(const QStringList& arguments) {
     if (auto read = readCount(parser, "first-seed", 0, most_runs, options.first_seed); !read)
         return tl::unexpected(read.error());
     options.shrink = parser.value("shrink");
+    if (options.slurm && !options.shrink.isEmpty())
+        return failure("a job script does not shrink anything", "--slurm --shrink",
+                       "Leave out one of the two, and give --shrink to a call with --resume when all is flown");
     if (parser.isSet("shard")) {
         const auto shard = readShard(parser);
         if (!shard)

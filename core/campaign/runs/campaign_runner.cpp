@@ -99,9 +99,7 @@ void CampaignRunner::fly(std::unique_ptr<Flight> flight) {
     one.folder = folderOf(one.run) + (one.again ? "-again" : "");
     QDir(one.folder).removeRecursively(); // An interrupted campaign may have left some of its files.
     QDir().mkpath(one.folder);
-    QStringList arguments = argumentsOf(campaign_, one.run) << "--course"
-                                                            << "--one-thread"
-                                                            << "--out" << one.folder;
+    QStringList arguments = flightArgumentsOf(campaign_, one.run, one.folder);
     if (campaign_.keep == Keep::Everything && !one.again)
         arguments << "--record" << QDir(one.folder).filePath("run.usarrec");
     one.process = std::make_unique<RunProcess>();

@@ -82,6 +82,10 @@ Result<void> checkFaults(const Campaign& campaign, const CampaignHost& host) {
     for (const std::string& fault : campaign.faults)
         if (auto possible = host.check_fault(fault); !possible)
             return possible;
+    for (const KnownFailure& known : campaign.again)
+        for (const std::string& fault : known.faults)
+            if (auto possible = host.check_fault(fault); !possible)
+                return possible;
     if (!campaign.swarm)
         return {};
     for (const std::string& kind : campaign.swarm->kinds)

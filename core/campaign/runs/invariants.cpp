@@ -38,7 +38,7 @@ QStringList brokenInvariants(const RunResult& result) {
     QStringList broken;
     if (result.differences && !result.differences->isEmpty())
         broken << QString("It came out differently when it was flown again (%1).").arg(result.differences->join(", "));
-    if (result.outcome == Outcome::Killed)
+    if (result.outcome == Outcome::Killed || result.outcome == Outcome::Refused)
         return broken;
     if (result.outcome == Outcome::Done || result.outcome == Outcome::Failed) {
         checkWords(result, broken);

@@ -8,9 +8,9 @@
 namespace usar::campaign {
 
 /// Returns a sentence for each invariant that the run breaks; empty if it breaks none. A program that crashes, hangs,
-/// refuses what the campaign has checked, gives no reason in words, or tells figures that cannot be, is unsound; so is
-/// one whose second flight came out differently. That a mission fails breaks nothing, nor does a process that something
-/// else has killed.
+/// gives no reason in words, or tells figures that cannot be, is unsound; so is one whose second flight came out
+/// differently. That a mission fails breaks nothing, nor that one is refused, which is the campaign's fault, nor that
+/// something else has killed the process.
 QStringList brokenInvariants(const RunResult& result);
 
 } // namespace usar::campaign

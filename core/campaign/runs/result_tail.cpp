@@ -1,17 +1,23 @@
 #include "core/campaign/runs/result_tail.h"
 
+#include <utility>
+
 #include <QDir>
 #include <QFile>
 
 namespace usar::campaign {
 
 Result<std::vector<RunResult>> ResultTail::take(std::size_t most) {
+    if (const auto trouble = std::exchange(trouble_, std::nullopt))
+        return tl::unexpected(*trouble);
     std::vector<RunResult> results;
     const QDir folder(folder_);
     for (const QString& name : folder.entryList({"shard-*.jsonl"}, QDir::Files, QDir::Name))
-        if (const auto read_well = read(folder.filePath(name), most, results); !read_well)
-            return tl::unexpected(read_well.error());
-    return results;
+        if (const auto read_well = read(folder.filePath(name), most, results); !read_well && !trouble_)
+            trouble_ = read_well.error();
+    if (trouble_ && results.empty())
+        return tl::unexpected(*std::exchange(trouble_, std::nullopt));
+    return results; // What was read counts as seen and does not come again, so an error waits for the next call.
 }
 
 Result<void> ResultTail::read(const QString& path, std::size_t most, std::vector<RunResult>& results) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -20,7 +21,8 @@ public:
     explicit ResultTail(QString folder) : folder_(std::move(folder)) {}
 
     /// Returns new results, at most so many. A last line without its end waits for the rest of it; of a run that is
-    /// there twice, the first counts. A folder without shard files has no results. The error names file and line.
+    /// there twice, the first counts. A folder without shard files has no results. The error names file and line; it
+    /// waits for the next call if there are results to return.
     Result<std::vector<RunResult>> take(std::size_t most);
 
 private:
@@ -35,6 +37,7 @@ private:
     QString folder_;
     std::map<QString, Place> places_; ///< They are found by the path of the shard file.
     std::set<int> seen_;              ///< These runs were returned.
+    std::optional<Error> trouble_;    ///< The next call returns it.
 };
 
 } // namespace usar::campaign

@@ -23,10 +23,14 @@ RunResult flyOnce(const Campaign& campaign, const PlannedRun& run, const QString
             loop.quit();
         },
         Qt::QueuedConnection); // The process may fail to start before the loop runs.
-    process.start(program, argumentsOf(campaign, run) << "--out" << folder, Seconds{campaign.wall_limit_s});
+    process.start(program, flightArgumentsOf(campaign, run, folder), Seconds{campaign.wall_limit_s});
     loop.exec();
     QDir(folder).removeRecursively();
     return result;
+}
+
+bool endedByItself(const RunResult& result) {
+    return result.outcome == Outcome::Done || result.outcome == Outcome::Failed;
 }
 
 } // namespace
@@ -52,12 +56,13 @@ KnownFailure knownFailure(const Campaign& campaign, const PlannedRun& run, const
             run.faults,     std::move(values), brokenInvariants(result).join(' ').toStdString()};
 }
 
-bool breaksInvariants(const Campaign& campaign, const PlannedRun& run, const QString& program, const QString& folder,
-                      bool twice) {
+bool breaksAsBefore(const Campaign& campaign, const PlannedRun& run, const RunResult& before, const QString& program,
+                    const QString& folder) {
     RunResult result = flyOnce(campaign, run, program, folder);
-    if (twice)
+    if (before.differences)
         result.differences = differencesOf(result.summary, flyOnce(campaign, run, program, folder).summary);
-    return !brokenInvariants(result).isEmpty();
+    const bool ended_alike = result.outcome == before.outcome || (endedByItself(result) && endedByItself(before));
+    return ended_alike && !brokenInvariants(result).isEmpty();
 }
 
 } // namespace usar::campaign

@@ -20,10 +20,10 @@ FaultTexts shrunk(FaultTexts faults, const std::function<bool(const FaultTexts&)
 /// The line of a file of known failures for `run`, which broke what `result` breaks.
 KnownFailure knownFailure(const Campaign& campaign, const PlannedRun& run, const RunResult& result);
 
-/// Flies the run with `program`, the path of usar-mission, and says whether it breaks an invariant. `twice`: it is
-/// flown again, and must come out the same. `folder` is for its files, which are removed. Waits with an event loop of
-/// its own.
-bool breaksInvariants(const Campaign& campaign, const PlannedRun& run, const QString& program, const QString& folder,
-                      bool twice);
+/// Flies the run as a campaign does, with `program`, the path of usar-mission, and says whether it breaks an invariant
+/// and ends as `before` did: a run that hung must hang. It is flown twice if `before` was. `folder` is for its files,
+/// which are removed. Waits with an event loop of its own.
+bool breaksAsBefore(const Campaign& campaign, const PlannedRun& run, const RunResult& before, const QString& program,
+                    const QString& folder);
 
 } // namespace usar::campaign

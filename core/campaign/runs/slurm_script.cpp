@@ -40,7 +40,8 @@ QString slurmScript(const CampaignOptions& options, const QString& program) {
                "results=%4\n"
                "if [ \"$SLURM_ARRAY_TASK_ID\" = 0 ] && [ \"${SLURM_RESTART_COUNT:-0}\" = 0 ]; then\n"
                "    sbatch --job-name=usar-campaign-report --dependency=afterany:\"$SLURM_ARRAY_JOB_ID\" \\\n"
-               "        --wrap \"'$program' compare '$results' --html '$results/report.html' || [ \\$? -ne 2 ]\"\n"
+               "        --wrap \"'$program' compare '$results' --html '$results/report.html' || case \\$? in 1|3) ;; "
+               "*) exit 1 ;; esac\"\n"
                "fi\n"
                "exec \"$program\" campaign \"$campaign\" --out \"$results\" --jobs \"${SLURM_CPUS_PER_TASK:-1}\" \\\n"
                "    --shard \"$SLURM_ARRAY_TASK_ID/%5\"%6\n")

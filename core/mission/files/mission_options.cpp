@@ -89,6 +89,36 @@ Result<void> readValues(const QCommandLineParser& parser, MissionOptions& option
     return {};
 }
 
+QString furtherVerbsHelp() {
+    return QStringLiteral(
+        "\n"
+        "usar-mission campaign CAMPAIGN.json --out DIR [options]\n"
+        "\n"
+        "Flies the missions of a campaign; usar-mission campaign --help tells more.\n"
+        "\n"
+        "usar-mission compare DIR [DIR_B] [options]\n"
+        "\n"
+        "Says which variant of a campaign is better; usar-mission compare --help tells more.\n"
+        "\n"
+        "usar-mission lines FILE\n"
+        "\n"
+        "One JSON object for each protocol line of the file, or of standard input where FILE is -.\n"
+        "Exit code 0: every line was clean; 1: some had a diagnostic; 2: the file cannot be read.\n"
+        "\n"
+        "usar-mission check-plan [--robot NAME] FILE...\n"
+        "\n"
+        "One JSON object for each error and warning of the POSH plans, or of standard input where\n"
+        "FILE is -: code, severity, line, column, message, file. With the name of a robot (AirRobot)\n"
+        "also for what does not fit its senses and acts.\n"
+        "Exit code 0: no errors; 1: some plan has an error; 2: a file cannot be read.\n"
+        "\n"
+        "usar-mission plan-report [--json] FILE...\n"
+        "\n"
+        "What the runs of POSH plans in recordings and traces came to, plan by plan: what never\n"
+        "happened, what never was otherwise, what could not settle, and where the time went.\n"
+        "Exit code 0: all files were read; 2: one cannot be read.\n");
+}
+
 } // namespace
 
 Result<ServerAddress> readServerAddress(const QString& text) {
@@ -211,34 +241,7 @@ QString missionHelp() {
                "\n"
                "A progress bar goes to standard error; the last line of standard output is one JSON object.\n"
                "Exit code 0: done; 1: the mission failed; 2: bad use or input. Ctrl+C keeps what was scanned.\n") +
-           replayHelp() +
-           QStringLiteral(
-               "\n"
-               "usar-mission campaign CAMPAIGN.json --out DIR [options]\n"
-               "\n"
-               "Flies the missions of a campaign; usar-mission campaign --help tells more.\n"
-               "\n"
-               "usar-mission compare DIR [DIR_B] [options]\n"
-               "\n"
-               "Says which variant of a campaign is better; usar-mission compare --help tells more.\n"
-               "\n"
-               "usar-mission lines FILE\n"
-               "\n"
-               "One JSON object for each protocol line of the file, or of standard input where FILE is -.\n"
-               "Exit code 0: every line was clean; 1: some had a diagnostic; 2: the file cannot be read.\n"
-               "\n"
-               "usar-mission check-plan [--robot NAME] FILE...\n"
-               "\n"
-               "One JSON object for each error and warning of the POSH plans, or of standard input where\n"
-               "FILE is -: code, severity, line, column, message, file. With the name of a robot (AirRobot)\n"
-               "also for what does not fit its senses and acts.\n"
-               "Exit code 0: no errors; 1: some plan has an error; 2: a file cannot be read.\n"
-               "\n"
-               "usar-mission plan-report [--json] FILE...\n"
-               "\n"
-               "What the runs of POSH plans in recordings and traces came to, plan by plan: what never\n"
-               "happened, what never was otherwise, what could not settle, and where the time went.\n"
-               "Exit code 0: all files were read; 2: one cannot be read.\n");
+           replayHelp() + furtherVerbsHelp();
 }
 
 } // namespace usar::mission

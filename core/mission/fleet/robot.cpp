@@ -27,6 +27,7 @@ Robot::Robot() : thread_(new QThread), session_(new RobotSession(RobotView{}.cel
 }
 
 Robot::~Robot() {
+    dropWaitingStart();
     link::post(session_, [session = session_] {
         session->close();
         session->thread()->quit();
@@ -59,6 +60,30 @@ void Robot::connectSession() {
     link::connectAcross(session_, &RobotSession::recordingFlushed, this, &Robot::recordingFlushed);
     link::connectAcross(session_, &RobotSession::replayOpened, this, &Robot::replayOpened);
     link::connectAcross(session_, &RobotSession::replayFailed, this, &Robot::replayFailed);
+    connect(session_, &RobotSession::spawned, session_, [waiting = waiting_start_] {
+        if (const auto begin = std::exchange(*waiting, nullptr))
+            begin();
+    });
+    connect(session_, &RobotSession::spawnFailed, session_, [waiting = waiting_start_] { *waiting = nullptr; });
+}
+
+void Robot::dropWaitingStart() {
+    link::post(session_, [waiting = waiting_start_] { *waiting = nullptr; });
+}
+
+void Robot::open(const QString& host, quint16 port, bool lockstep) {
+    dropWaitingStart();
+    call(&RobotSession::open, host, port, lockstep);
+}
+
+void Robot::close() {
+    dropWaitingStart();
+    call(&RobotSession::close);
+}
+
+void Robot::stop() {
+    dropWaitingStart();
+    call(&RobotSession::stop);
 }
 
 void Robot::spawn(RobotId id, const SpawnRequest& request) {
@@ -86,9 +111,10 @@ Result<void> Robot::startBehavior(const agent::PluginLoader& plugins, const Star
         session->startBehavior(host, task, mission_note);
         session->control(breakpoints);
     };
-    link::post(session_, [session = session_, begin] {
+    link::post(session_, [session = session_, waiting = waiting_start_, begin] {
+        *waiting = nullptr; // The new start takes the place of one that still waits.
         if (session->figures().spawn == SpawnState::Asked)
-            connect(session, &RobotSession::spawned, session, begin, Qt::SingleShotConnection);
+            *waiting = begin;
         else
             begin();
     });

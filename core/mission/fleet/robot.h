@@ -1,6 +1,7 @@
 // One robot as the window knows it: its session in a thread of its own, and the session's newest values.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -51,12 +52,13 @@ public:
     bool isReplay() const { return !view_.recording.isEmpty(); }
 
     /// `lockstep`: ask the server to wait for our STEP after each tick.
-    void open(const QString& host, quint16 port, bool lockstep) { call(&RobotSession::open, host, port, lockstep); }
-    void close() { call(&RobotSession::close); }
+    void open(const QString& host, quint16 port, bool lockstep);
+    void close();
     void spawn(RobotId id, const SpawnRequest& request);
     /// `checked`: what the check of `start` found. `host_program`: runs a behavior that is isolated. Plugins are
     /// third-party code: if one throws or refuses, this returns an error. `mission_note`: see RobotSession. On a robot
-    /// that is being spawned the behavior begins with the robot's first line.
+    /// that is being spawned the behavior begins with the robot's first line, unless it is stopped, closed or started
+    /// again before, or cannot be spawned.
     Result<void> startBehavior(const agent::PluginLoader& plugins, const StartedBehavior& start,
                                const CheckedStart& checked, const QString& host_program,
                                const std::string& mission_note = {});
@@ -68,7 +70,7 @@ public:
     void setParameters(const agent::ParameterSet& parameters);
     /// Controls the plan of the behavior. Breakpoints are also kept for behaviors that start later.
     void control(const agent::PlanControl& control);
-    void stop() { call(&RobotSession::stop); }
+    void stop();
     /// `expected`: the server's time is stopped on purpose, so silence is not reported.
     void expectSilence(bool expected) { call(&RobotSession::expectSilence, expected); }
     /// The user drives from now on; a running behavior is paused. See RobotSession.
@@ -111,6 +113,7 @@ signals:
 
 private:
     void connectSession();
+    void dropWaitingStart();
     void take(const SessionUpdate& update);
     void take(const agent::Published& published);
     void forget();
@@ -124,6 +127,8 @@ private:
 
     QThread* thread_;       ///< outlives this object only if a plugin hangs in it
     RobotSession* session_; ///< belongs to thread_ and is deleted there
+    /// The start of a behavior that waits for its robot, or an empty function. Only the session's thread looks inside.
+    std::shared_ptr<std::function<void()>> waiting_start_ = std::make_shared<std::function<void()>>();
     RobotView view_;
     bool pause_confirmed_ = false; ///< the behavior has reported that it is paused
     agent::SetBreakpoints breakpoints_;

@@ -241,7 +241,7 @@ RunSummary MissionRunner::figuresOf(const ScanRecord& record) {
     const auto flight = behavior_ ? flightLimitsOf(start_in_map_, behavior_->parameters.values()) : std::nullopt;
     addRecord(figures, record, options_.truth ? &*options_.truth : nullptr, flight);
     if (options_.course)
-        figures.course = courseOf(record);
+        figures.course = courseOf(record, figures.score.coverage_pct);
     return figures;
 }
 

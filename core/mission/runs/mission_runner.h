@@ -44,8 +44,7 @@ struct RunOptions {
     QString result_folder;  ///< empty: the default folder
     QString recording;      ///< new file that records everything sent and received; empty: none
     bool course = false;    ///< the summary tells how the run went, see RunCourse
-    /// Callers: a behavior that hangs hangs the program.
-    agent::BehaviorThread behavior_thread = agent::BehaviorThread::Own;
+    agent::BehaviorThread behavior_thread = agent::BehaviorThread::Own; ///< Callers: one that hangs hangs all
     QString behavior_host; ///< path of usar-behavior-host, needed by a mission that isolates its behavior
     RunLimits limits;
     /// The run that this one continues: its map is taken over, and only its rest is flown. The mission is that of the

@@ -87,16 +87,19 @@ QJsonObject toJson(const RunCourse& course, const std::optional<TrueFigures>& tr
 
 } // namespace
 
-RunCourse courseOf(const ScanRecord& record, std::size_t most) {
+RunCourse courseOf(const ScanRecord& record, double coverage_pct, std::size_t most) {
     RunCourse course{record.course.points(), {}, {}};
+    if (course.coverage.empty() || course.coverage.back().elapsed < record.status.elapsed)
+        course.coverage.push_back({record.status.elapsed, coverage_pct});
     for (const agent::MapMark& mark : record.marks)
         if (mark.kind == agent::MarkKind::GoalGivenUp && course.given_up_in_map_m.size() < most)
             course.given_up_in_map_m.emplace_back(mark.position_in_map_m.head<2>());
-    const std::size_t step = record.path_m.size() / most + 1;
-    for (std::size_t i = 0; i < record.path_m.size(); i += step)
-        course.path_in_map_m.emplace_back(record.path_m[i].head<2>());
-    if (!record.path_m.empty())
-        course.path_in_map_m.emplace_back(record.path_m.back().head<2>());
+    const std::vector<Vec3>& path_m = record.path_m;
+    const std::size_t step = path_m.size() / (most - 1) + 1; // At most `most` - 1 points, and the last one.
+    for (std::size_t i = 0; i + 1 < path_m.size(); i += step)
+        course.path_in_map_m.emplace_back(path_m[i].head<2>());
+    if (!path_m.empty())
+        course.path_in_map_m.emplace_back(path_m.back().head<2>());
     return course;
 }
 

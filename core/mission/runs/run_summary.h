@@ -99,8 +99,9 @@ void judgeDamage(RunSummary& summary);
 void addRecord(RunSummary& summary, const ScanRecord& record, const Truth* truth,
                const std::optional<FlightLimits>& flight = std::nullopt);
 
-/// The course of a record: at most `most` points of its path and as many goals given up.
-RunCourse courseOf(const ScanRecord& record, std::size_t most = 200);
+/// The course of a record, whose last coverage is `coverage_pct`: at most `most` points of its path, with the first and
+/// the last one, and as many goals given up.
+RunCourse courseOf(const ScanRecord& record, double coverage_pct, std::size_t most = 200);
 
 QJsonObject toJson(const RunSummary& summary);
 

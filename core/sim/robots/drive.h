@@ -12,8 +12,8 @@
 #include "core/protocol/info/answers.h"
 #include "core/protocol/info/robot_state.h"
 #include "core/sim/physics/physics.h"
-#include "core/sim/robots/robot_figures.h"
 #include "core/sim/robots/robot_model.h"
+#include "core/sim/robots/robot_watches.h"
 #include "core/sim/world/world.h"
 
 namespace usar::sim {

@@ -16,7 +16,7 @@
 #include "core/sim/robots/gripper.h"
 #include "core/sim/robots/mission_package.h"
 #include "core/sim/robots/robot_body.h"
-#include "core/sim/robots/robot_figures.h"
+#include "core/sim/robots/robot_watches.h"
 #include "core/sim/robots/sensor_suite.h"
 
 namespace usar::sim {

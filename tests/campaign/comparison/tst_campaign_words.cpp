@@ -56,6 +56,7 @@ private slots:
         const std::vector<RunFigures> runs = doneRuns(12, Change{.duration_s = -2.0, .noise_s = 8.0});
         const std::vector<VerdictLine> lines = verdictLines(compare(runs, "old", "new").value());
         const auto duration = std::ranges::find(lines, QString("Duration"), &VerdictLine::title);
+        QVERIFY(duration != lines.end());
         QCOMPARE(duration->word, QString("undecided"));
         QVERIFY2(duration->detail.contains("decide"), qPrintable(duration->detail));
     }

@@ -31,6 +31,19 @@ private slots:
         QVERIFY(readKnownFailures(path).value() == (std::vector<KnownFailure>{vanished, cut}));
     }
 
+    void aLastLineWithoutItsEndIsEnded() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("again.jsonl");
+        doubles::writeAll(doubles::pathOf(folder) / "again.jsonl",
+                          R"({"mission": "small", "variant": "C++", "seed": 1})");
+        const KnownFailure twice{"small", "C++", 2, {}, {}, {}};
+        QVERIFY(addKnownFailures(path, {twice, twice}));
+        const auto read = readKnownFailures(path);
+        QVERIFY2(read, read ? "" : read.error().text().c_str());
+        QCOMPARE(read->size(), std::size_t(2));
+        QVERIFY(read->back() == twice);
+    }
+
     void aCampaignReadsThem() {
         const QTemporaryDir folder;
         const QString path = folder.filePath("again.jsonl");

@@ -13,9 +13,9 @@ class tst_CampaignOptions : public QObject {
     Q_OBJECT
 private slots:
     void readsWhatIsTyped() {
-        const auto options = readCampaignOptions({"campaign", "c.json", "--out", "o", "--jobs", "3", "--resume",
-                                                  "--shard", "2/5", "--slurm", "8", "--check-every", "0", "--runs",
-                                                  "50", "--first-seed", "9", "--shrink", "s.jsonl"});
+        const auto options =
+            readCampaignOptions({"campaign", "c.json", "--out", "o", "--jobs", "3", "--resume", "--shard", "2/5",
+                                 "--check-every", "0", "--runs", "50", "--first-seed", "9", "--shrink", "s.jsonl"});
         QVERIFY2(options, options ? "" : options.error().text().c_str());
         QVERIFY((*options == CampaignOptions{.file = "c.json",
                                              .folder = "o",
@@ -23,10 +23,11 @@ private slots:
                                              .resume = true,
                                              .shard = Shard{2, 5},
                                              .check_every = 0,
-                                             .slurm = 8,
                                              .runs = 50,
                                              .first_seed = 9,
                                              .shrink = "s.jsonl"}));
+        const auto script = readCampaignOptions({"campaign", "c.json", "--out", "o", "--slurm", "8"});
+        QVERIFY(script && script->slurm == 8);
         const auto least = readCampaignOptions({"campaign", "--out=o", "c.json", "--until-decided"});
         QVERIFY(least && (*least == CampaignOptions{.file = "c.json", .folder = "o", .until_decided = true}));
         QVERIFY(readCampaignOptions({"campaign", "--help"})->help);
@@ -45,6 +46,8 @@ private slots:
         QTest::newRow("a part that decides")
             << QStringList{"c", "--out", "o", "--shard", "0/2", "--until-decided"} << "cannot decide";
         QTest::newRow("no jobs") << QStringList{"c", "--out", "o", "--jobs", "0"} << "--jobs 4";
+        QTest::newRow("a script that shrinks")
+            << QStringList{"c", "--out", "o", "--slurm", "4", "--shrink", "s"} << "does not shrink";
         QTest::newRow("no runs") << QStringList{"c", "--out", "o", "--runs", "0"} << "--runs 4";
         QTest::newRow("no seed") << QStringList{"c", "--out", "o", "--first-seed", "-1"} << "--first-seed 4";
         QTest::newRow("too many tasks") << QStringList{"c", "--out", "o", "--slurm", "1001"} << "from 1 to 1000";

@@ -63,6 +63,16 @@ private slots:
         QVERIFY2(read.error().where.ends_with("shard-000.jsonl:2"), read.error().where.c_str());
     }
 
+    void resultsBeforeALineThatIsNoneAreNotLost() {
+        ResultTail tail(folder_->path());
+        write(0, lineOf(0) + lineOf(1) + "{}\n" + lineOf(2));
+        write(1, lineOf(7));
+        QCOMPARE(numbers(tail), (QList<int>{0, 1, 7}));
+        const auto read = tail.take(10);
+        QVERIFY(!read);
+        QVERIFY2(read.error().where.ends_with("shard-000.jsonl:3"), read.error().where.c_str());
+    }
+
 private:
     void write(int shard, const std::string& text) {
         doubles::writeAll(doubles::pathOf(*folder_) / ("shard-00" + std::to_string(shard) + ".jsonl"), text);

@@ -207,6 +207,21 @@ private slots:
         QCOMPARE(summary["coverage_pct"].toDouble(), std::round(shown_pct * 100.0) / 100.0);
     }
 
+    void aStopTakesBackAStartThatWaitsForItsRobot() {
+        server_->on_command = [this](const QByteArray& line) {
+            if (line.startsWith("INIT"))
+                server_->keepClient(); // The connection that comes next has no robot.
+        };
+        QVERIFY(connectNow());
+        QCOMPARE(spawnNow().value_or(RobotId{}).value, 1);
+        QCOMPARE(textOf(fleet_->startBehavior({1}, "test/hop", small, {}, {})), QString());
+        fleet_->robot({1})->stop();
+        QTRY_COMPARE(server_->heardOf("INIT").size(), 1);
+        server_->tick();
+        QTRY_VERIFY(fleet_->robot({1})->view().figures.spawned);
+        QVERIFY(!fleet_->robot({1})->view().figures.behavior_running);
+    }
+
     void aCancelledSaveIsToldAndTheScanIsKept() {
         server_->answers_init = true;
         QVERIFY(connectNow());

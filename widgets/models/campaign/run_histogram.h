@@ -19,12 +19,12 @@ struct VariantCounts {
 
 /// The bins are shared by all variants, so that their bars can stand beside each other.
 struct RunHistogram {
-    double from = 0.0;  ///< The first bin begins here.
-    double width = 1.0; ///< Every bin is that wide; a value on an edge belongs to the upper bin.
+    double from = 0.0;  ///< The first bin begins here, in the metric's unit.
+    double width = 1.0; ///< Every bin is that wide, in the same unit; a value on an edge belongs to the upper bin.
     int bins = 0;       ///< It is 0 if no run has the figure.
     std::vector<VariantCounts> variants;
 
-    /// The middle of a bin.
+    /// The middle of a bin, in the metric's unit.
     double middle(int bin) const { return from + (bin + 0.5) * width; }
     int highest() const;
     bool operator==(const RunHistogram&) const = default;

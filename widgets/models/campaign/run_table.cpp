@@ -30,10 +30,6 @@ void RunTable::append(const std::vector<CampaignRun>& runs) {
     endInsertRows();
 }
 
-int RunTable::rowOf(int number) const {
-    return find(&CampaignRun::number, number).value_or(-1);
-}
-
 int RunTable::columnCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : reasonColumn() + 1;
 }

@@ -25,8 +25,6 @@ public:
     const std::vector<CampaignRun>& runs() const { return rows_; }
     const std::vector<CampaignMetric>& metrics() const { return metrics_; }
     int reasonColumn() const { return first_metric + static_cast<int>(metrics_.size()); }
-    /// Row of the run with this number; -1 if it has no result yet.
-    int rowOf(int number) const;
 
     int columnCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
