@@ -76,7 +76,7 @@ serverFor(const mission::MissionOptions& options, const mission::Mission& plan, 
          .speed_x = options.speed_x,
          .faults = *std::move(faults),
          .battery_life = options.battery_life_s ? Seconds{*options.battery_life_s} : sim::survey_battery_life,
-         .own_thread = options.speed_x.has_value()});
+         .own_thread = options.speed_x.has_value() || !options.one_thread});
     if (!simulator)
         return tl::unexpected(mission::atValue(plan, "world", simulator.error()));
     run_options.port = (*simulator)->port();

@@ -26,8 +26,8 @@ struct HeadlessSpec {
     std::vector<sim::Fault> faults{};
     /// Life of every robot's battery; nullopt: as its file says.
     std::optional<Seconds> battery_life = sim::survey_battery_life;
-    /// The simulator has a thread of its own. A client in lockstep waits for each tick anyway; with both in one thread,
-    /// nobody has to be woken up, which takes longer than the tick.
+    /// The simulator has a thread of its own. Without one it costs least if its client thinks in that thread, too,
+    /// because nobody has to be woken up, which takes longer than a tick.
     bool own_thread = true;
 };
 
