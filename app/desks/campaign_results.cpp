@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t most_at_once = 2000; ///< The GUI thread takes so many rows in a few milliseconds.
 
-/// Of the metrics that are compared, those that tell the most about one run.
+/// These of the compared metrics tell the most about one run.
 constexpr const char* shown_metrics[] = {"duration_s", "coverage_pct", "rmse_m", "distance_m", "collisions"};
 
 struct Judgement {
@@ -61,7 +61,7 @@ Judgement judgeFolder(const QString& folder) {
 
 } // namespace
 
-/// What one look into the folder has found.
+/// One look into the folder has found this.
 struct CampaignResults::Look {
     int visit = 0;
     std::optional<CampaignHead> head;

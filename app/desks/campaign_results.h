@@ -14,7 +14,7 @@
 
 namespace usar::app {
 
-/// What the manifest says of a campaign.
+/// The manifest of a campaign says this.
 struct CampaignHead {
     QString name;
     int runs = 0;
@@ -44,7 +44,7 @@ signals:
     /// The manifest is there now.
     void begun();
     void came(const std::vector<usar::campaign::RunResult>& results);
-    /// Everything that was in the folder when it was looked at last has come.
+    /// Emitted when all results that the last look found in the folder have been delivered.
     void caughtUp();
     void failed(const QString& sentence);
     /// `instead` says why there is no verdict.

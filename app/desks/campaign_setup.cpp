@@ -28,7 +28,7 @@ const agent::BehaviorDescription* behaviorOf(const agent::RobotDescription& robo
     return found == robot.behaviors.end() ? nullptr : &*found;
 }
 
-/// What stands in brackets, or the whole name without any: "C++" for "Terrain survey (C++)".
+/// Returns the words in brackets, or the whole name if it has none: "C++" for "Terrain survey (C++)".
 std::string shortTitle(const agent::BehaviorDescription& behavior) {
     const QString name = QString::fromStdString(behavior.name);
     const QString inside = name.section('(', 1, 1).section(')', 0, 0);

@@ -17,7 +17,7 @@ std::vector<widgets::CampaignBehavior> behaviorsOf(const agent::RobotDescription
 std::vector<widgets::CampaignParameter> parametersOf(const agent::BehaviorDescription& behavior,
                                                      const mission::Mission& mission);
 
-/// What a campaign is made from.
+/// A campaign is made from these parts of what is set up in the window.
 struct CampaignBasis {
     mission::Mission mission; ///< Its parameters are in the units of its behavior.
     agent::RobotDescription robot;

@@ -41,7 +41,7 @@ Seconds roundedToMs(Seconds time) {
     return Seconds{std::round(time.count() * 1e3) / 1e3};
 }
 
-/// What is left of a fault at `now`, with times relative to now, as a new run is to have it.
+/// Returns the part of a fault that is still to come at `now`, with times relative to now, for a new run.
 sim::Fault restOf(sim::Fault fault, Seconds now) {
     const Seconds begin = fault.from - now;
     fault.from = roundedToMs(std::max(Seconds{0.0}, begin));

@@ -125,7 +125,7 @@ void RunFlights::flyPair(const campaign::RunResult& first, const campaign::RunRe
 }
 
 void RunFlights::start(Side& side, const QStringList& arguments, const QString& folder) {
-    QDir(folder).removeRecursively(); // What the last comparison left is flown anew.
+    QDir(folder).removeRecursively(); // The last comparison may have left files there.
     QDir().mkpath(folder);
     side.recording = QDir(folder).filePath(QStringLiteral("run.usarrec"));
     connect(&side.process, &campaign::RunProcess::ended, this,

@@ -6,7 +6,7 @@ namespace usar::campaign {
 
 namespace {
 
-/// What is written of one figure.
+/// These texts are shown about one figure.
 struct Amounts {
     QString baseline;
     QString candidate;
