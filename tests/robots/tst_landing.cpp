@@ -32,6 +32,26 @@ private slots:
         QVERIFY(place_m.norm() <= 4.0);
     }
 
+    void keepsAwayFromATree_data() {
+        QTest::addColumn<double>("distance_m");
+        QTest::addColumn<double>("height_m");
+        QTest::addColumn<bool>("stays");
+        QTest::newRow("a crown beside it") << 1.6 << 4.0 << false;
+        QTest::newRow("a low bush there") << 1.6 << 0.6 << true;
+        QTest::newRow("a crown farther away") << 3.0 << 4.0 << true;
+    }
+
+    /// Fell over the crown of a tree beside its base: `quick_scan`, seed 55.
+    void keepsAwayFromATree() {
+        QFETCH(double, distance_m);
+        QFETCH(double, height_m);
+        QFETCH(bool, stays);
+        const Vec3 crown_m(distance_m, 0.0, height_m);
+        const Vec2 place_m = landingPlace_m(meadow({crown_m}), {0, 0}, 4.0);
+        QCOMPARE(place_m == Vec2(0, 0), stays);
+        QVERIFY((place_m - crown_m.head<2>()).norm() > (stays ? 1.2 : 2.0));
+    }
+
     void stepsAsideForABoardThatItsBellyWouldMeet() {
         const Vec2 place_m = landingPlace_m(meadow({Vec3(0.2, 0.2, 0.1)}), {0, 0}, 4.0);
         QVERIFY((place_m - Vec2(0.2, 0.2)).norm() > 1.2);

@@ -1,5 +1,6 @@
 #include "robots/airrobot/flight/landing.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -27,6 +28,11 @@ constexpr double still_m_s = 0.06;
 /// Slightly less than a second, because printed times are rounded.
 constexpr Seconds still_needed{0.95};
 constexpr double near_ground_m = 1.5;
+/// A robot that sinks beside a crown hangs up on it: the INS is off by a meter or two when it comes home, and crowns
+/// are wider than what the scanner has seen of them.
+constexpr double clear_around_m = 2.5;
+constexpr double low_m = 1.0;           ///< Things that are lower are judged as a part of the ground.
+constexpr double crowded_worth_m = 0.5; ///< A thing in the very middle weighs as much as such uneven ground.
 
 /// How far what is below the body departs from a plane, and more if that plane is steep for a robot that leans as much;
 /// infinite where too little is known.
@@ -47,19 +53,31 @@ double unevenness_m(const ObstacleMemory& memory, const Vec2& place_m, double st
     return (at * plane - height_m).cwiseAbs().maxCoeff() + steep;
 }
 
+/// How close the nearest tall thing is, as if it made the ground uneven; 0 where none is near.
+double crowding_m(const ObstacleMemory& memory, const Vec2& place_m) {
+    const auto ground_m = memory.lowest_m(place_m, body_radius_m);
+    double nearest_m = clear_around_m;
+    for (const Obstacle& thing : memory.near(place_m, clear_around_m, ground_m.value_or(0.0) + low_m))
+        nearest_m = std::min(nearest_m, (thing.at_m - place_m).norm());
+    return ground_m ? crowded_worth_m * (1.0 - nearest_m / clear_around_m) : 0.0;
+}
+
 } // namespace
 
 Vec2 landingPlace_m(const ObstacleMemory& memory, const Vec2& wanted_m, double radius_m, const Vec2& lean) {
+    const auto badness_m = [&](const Vec2& place_m) {
+        return unevenness_m(memory, place_m, gentle_rad, lean) + crowding_m(memory, place_m);
+    };
     Vec2 best_m = wanted_m;
-    double best_unevenness_m = unevenness_m(memory, wanted_m, gentle_rad, lean);
-    for (double ring_m = ring_step_m; ring_m <= radius_m && best_unevenness_m > level_ground_m; ring_m += ring_step_m) {
+    double best_badness_m = badness_m(wanted_m);
+    for (double ring_m = ring_step_m; ring_m <= radius_m && best_badness_m > level_ground_m; ring_m += ring_step_m) {
         for (int i = 0; i < spots; ++i) {
             const double bearing_rad = 2.0 * pi * i / spots;
             const Vec2 place_m = wanted_m + ring_m * Vec2(std::cos(bearing_rad), std::sin(bearing_rad));
-            const double here_m = unevenness_m(memory, place_m, gentle_rad, lean);
-            if (here_m < best_unevenness_m) {
+            const double here_m = badness_m(place_m);
+            if (here_m < best_badness_m) {
                 best_m = place_m;
-                best_unevenness_m = here_m;
+                best_badness_m = here_m;
             }
         }
     }
