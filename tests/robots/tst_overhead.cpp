@@ -101,6 +101,18 @@ private slots:
         QCOMPARE(overhead.allowed_m_s(senses, -0.5, 0.3), -0.5);
     }
 
+    /// As flown in `tall_test` with seed 16: it sank after its lane, and the climb over a crown took a second to begin.
+    void aClimbThatBeginsWhileItSinksHasMetNothing() {
+        Overhead overhead;
+        Senses senses = sensesAt({1.0, 2.0, 14.3});
+        for (const double z_m : {14.42, 14.3, 14.23, 14.19, 14.19, 14.21, 14.25, 14.29, 14.36, 14.45, 14.6}) {
+            senses.base_in_map.position_m.z() = z_m;
+            overhead.observe(senses, {.climb_m_s = 0.5});
+            senses.now += Seconds(0.2);
+        }
+        QVERIFY(!overhead.hasCeiling());
+    }
+
     void whatTheRobotGetsPastIsNoCeiling() {
         Overhead overhead;
         Senses senses = sensesAt({1.0, 2.0, 3.0});
