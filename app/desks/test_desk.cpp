@@ -1,7 +1,5 @@
 #include "app/desks/test_desk.h"
 
-#include <utility>
-
 #include <QDir>
 
 #include "core/link/across_threads.h"
@@ -29,7 +27,7 @@ void TestDesk::registerCommands() {
 
 void TestDesk::wire() {
     connectUpdates([this](const auto&) {
-        if (std::exchange(was_recorded_, recorded()) != recorded())
+        if (action("replay.make_test")->isEnabled() != recorded())
             commands_.refresh();
     });
     pool_.setMaxThreadCount(1);

@@ -41,7 +41,6 @@ private:
     Seconds now_{0.0};        ///< The moment, on the protocol clock.
     std::optional<mission::FlightMoment> moment_;
     std::vector<mission::ClaimOffer> offers_;
-    bool was_recorded_ = false; ///< as of the last update
     QThreadPool pool_;          ///< its destructor waits
 };
 
