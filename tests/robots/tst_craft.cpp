@@ -21,6 +21,7 @@ class tst_Craft : public QObject {
     std::uint64_t line = 0;
     double now_s = 0.0;
     double z_m = 20.0;
+    bool tells_pose = true;
     std::unique_ptr<Craft> craft;
 
     void tell(protocol::InfoMessage message) { robot->take({LineNumber{++line}, "", std::move(message), {}}); }
@@ -41,7 +42,8 @@ class tst_Craft : public QObject {
         scan.ranges_m.front() = right_m;
         scan.ranges_m.back() = left_m;
         tell(scan);
-        tell(protocol::InsReading{{}, "INS", Pose{Vec3(0, 0, z_m), 0, 0, 0}});
+        if (tells_pose)
+            tell(protocol::InsReading{{}, "INS", Pose{Vec3(0, 0, z_m), 0, 0, 0}});
         protocol::RobotState state;
         state.time = Seconds(now_s);
         tell(state);
@@ -61,6 +63,7 @@ private slots:
         line = 0;
         now_s = 100.0;
         z_m = 20.0;
+        tells_pose = true;
         craft = std::make_unique<Craft>();
     }
 
@@ -146,6 +149,29 @@ private slots:
         z_m -= 0.4;
         perceive(2.6, {});
         QVERIFY(*fly().forward_m_s > 0.0);
+    }
+
+    void leavesARoofEvenWithoutAPose() {
+        const auto brace = [&] {
+            craft->brace(port, "test");
+            const auto commands = port.takeCommands();
+            return commands.empty() ? std::nullopt : std::get<protocol::AerialDrive>(commands.back().command).climb_m_s;
+        };
+        perceive(3.0, {});
+        QCOMPARE(brace(), std::optional(0.0));
+        for (int tick = 0; tick < 9; ++tick) {
+            perceive(3.0, {});
+            fly();
+        }
+        QVERIFY(craft->overhead.hasCeiling());
+        QCOMPARE(brace().value_or(-Overhead::gentle_m_s), -Overhead::gentle_m_s);
+        tells_pose = false;
+        std::optional<double> climb_m_s;
+        for (int tick = 0; tick < 40; ++tick) { // A robot that sees nothing does not sink for ever.
+            perceive(3.0, {});
+            climb_m_s = brace().value_or(climb_m_s.value_or(-Overhead::gentle_m_s));
+        }
+        QCOMPARE(climb_m_s, std::optional(0.0));
     }
 
     void fleesFromAHighRiskWithoutAChangeOfHeight() {
