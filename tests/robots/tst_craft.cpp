@@ -151,6 +151,31 @@ private slots:
         QVERIFY(*fly().forward_m_s > 0.0);
     }
 
+    void sinksStraightUnderALidAndStaysThere() {
+        craft->forgetPlaces();
+        craft->ways.startAnew(14.0);
+        perceive(6.0, {});
+        QVERIFY(!craft->ways.isNarrow());
+        craft->goUnder();
+        perceive(6.0, {});
+        protocol::AerialDrive drive = fly();
+        QCOMPARE(*drive.climb_m_s, -craft->settings.descent_speed_m_s);
+        QVERIFY(std::abs(*drive.forward_m_s) < 0.05);
+        z_m = 16.5;                                    // The lid is at 17.2 m.
+        for (int tick = 0; tick < 5; ++tick) {         // The ground asks it to climb, and the lid forbids it.
+            perceive(2.2, {{"R4", 0.9}, {"L4", 0.9}}); // It is in a door.
+            if (const auto told = fly(); told.climb_m_s)
+                drive = told;
+            QVERIFY(*drive.climb_m_s <= 0.0);
+        }
+        QVERIFY2(*drive.forward_m_s > 0.2 && *drive.forward_m_s < 1.3 * Ways::door_m_s,
+                 qPrintable(QString::number(*drive.forward_m_s)));
+        craft->comeUp();
+        perceive(2.2, {{"R4", 0.9}, {"L4", 0.9}});
+        QCOMPARE(craft->threats.risk, agent::Risk::High);
+        QVERIFY(craft->mayClimb());
+    }
+
     void leavesARoofEvenWithoutAPose() {
         const auto brace = [&] {
             craft->brace(port, "test");

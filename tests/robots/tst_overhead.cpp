@@ -279,6 +279,22 @@ private slots:
         }
         QCOMPARE(said, words);
     }
+
+    void aLidIsACeilingEverywhere() {
+        Overhead overhead;
+        QVERIFY(!overhead.hasCeiling());
+        overhead.putLid(3.0);
+        QVERIFY(overhead.hasCeiling());
+        QCOMPARE(overhead.limit_m({500.0, -500.0}), 3.0 - Overhead::margin_m);
+        Senses senses = sensesAt({0.0, 0.0, 8.0}); // A robot above it does not show that there is none.
+        overhead.observe(senses, {});
+        QCOMPARE(overhead.ceiling_m({0.0, 0.0}), std::optional(3.0));
+        overhead.putLid(std::nullopt);
+        QVERIFY(!overhead.hasCeiling());
+        overhead.putLid(3.0);
+        overhead.forgetPlaces();
+        QVERIFY(!overhead.hasCeiling());
+    }
 };
 
 USAR_TEST(tst_Overhead)
