@@ -9,8 +9,6 @@ namespace usar::airrobot {
 namespace {
 
 constexpr double look_around_m = 8.0;
-/// The visible part of a trunk (for the scanner's level rays and the sonars) ends at most this far below the robot.
-constexpr double trunk_margin_m = 0.3;
 /// If the robot needs to climb no more than this, it continues past an overhang at the same height.
 constexpr double bearable_deficit_m = 1.5;
 constexpr double path_half_width_m = 0.75;
@@ -301,7 +299,7 @@ Vec2 Craft::awayFromTrunks_m(const Vec2& at_m) const {
 bool Craft::rise(double goal_z_m, const Vec2& over_m, agent::CommandPort& port) {
     ascending_ = true;
     const Vec2 column_m = column_.at_m.value_or(over_m);
-    const AscentStep step = ascent_.step(senses, {column_m.x(), column_m.y(), goal_z_m}, overhead, settings);
+    const AscentStep step = ascent_.step(senses, {column_m.x(), column_m.y(), goal_z_m}, overhead, memory, settings);
     if (step.looked_around) {
         column_.at_m = awayFromTrunks_m(over_m);
         column_.moving_since = senses.now;
