@@ -27,6 +27,9 @@ constexpr double still_m_s = 0.06;
 /// Slightly less than a second, because printed times are rounded.
 constexpr Seconds still_needed{0.95};
 constexpr double near_ground_m = 1.5;
+/// A scanner with a bias sees the ground farther below. A robot that does not sink for so long stands on something.
+constexpr double perhaps_ground_m = 4.0;
+constexpr Seconds long_still{6.0};
 
 /// How far what is below the body departs from a plane, and more if that plane is steep for a robot that leans as much;
 /// infinite where too little is known.
@@ -102,11 +105,12 @@ double Touchdown::sinkRate_m_s(const Senses& senses, const Settings& settings) c
 
 bool Touchdown::touched(const Senses& senses) {
     const bool still = std::abs(senses.velocity_in_map_m_s.z()) < still_m_s;
-    if (!still || senses.heightOverGround_m(0.0) >= near_ground_m)
+    const double height_m = senses.heightOverGround_m(0.0);
+    if (!still || height_m >= perhaps_ground_m)
         still_since_.reset();
     else if (!still_since_)
         still_since_ = senses.now;
-    return still_since_ && senses.now - *still_since_ >= still_needed;
+    return still_since_ && senses.now - *still_since_ >= (height_m < near_ground_m ? still_needed : long_still);
 }
 
 } // namespace usar::airrobot
