@@ -178,6 +178,20 @@ private slots:
         QCOMPARE(still_ticks, ticks);
     }
 
+    /// The scanner tells ranges that are too long, so the ground seems to be farther below.
+    void noticesTheGroundWithAScannerThatHasABias() {
+        Touchdown touchdown;
+        touchdown.start();
+        int ticks = 0;
+        for (Senses senses = sensesAt({0, 0, 0.2}); ticks < 100; ++ticks) {
+            senses.ground_m = -1.6;
+            if (touchdown.touched(senses))
+                break;
+            senses.now += Seconds(0.2);
+        }
+        QVERIFY2(ticks > 20 && ticks < 40, qPrintable(QString::number(ticks)));
+    }
+
     void takesNoStillnessInTheAirForATouch() {
         Touchdown touchdown;
         touchdown.start();

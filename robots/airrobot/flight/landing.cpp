@@ -33,6 +33,9 @@ constexpr double near_ground_m = 1.5;
 constexpr double clear_around_m = 2.5;
 constexpr double low_m = 1.0;           ///< Things that are lower are judged as a part of the ground.
 constexpr double crowded_worth_m = 0.5; ///< A thing in the very middle weighs as much as such uneven ground.
+/// A scanner with a bias sees the ground farther below. A robot that does not sink for so long stands on something.
+constexpr double perhaps_ground_m = 4.0;
+constexpr Seconds long_still{6.0};
 
 /// How far what is below the body departs from a plane, and more if that plane is steep for a robot that leans as much;
 /// infinite where too little is known.
@@ -120,11 +123,12 @@ double Touchdown::sinkRate_m_s(const Senses& senses, const Settings& settings) c
 
 bool Touchdown::touched(const Senses& senses) {
     const bool still = std::abs(senses.velocity_in_map_m_s.z()) < still_m_s;
-    if (!still || senses.heightOverGround_m(0.0) >= near_ground_m)
+    const double height_m = senses.heightOverGround_m(0.0);
+    if (!still || height_m >= perhaps_ground_m)
         still_since_.reset();
     else if (!still_since_)
         still_since_ = senses.now;
-    return still_since_ && senses.now - *still_since_ >= still_needed;
+    return still_since_ && senses.now - *still_since_ >= (height_m < near_ground_m ? still_needed : long_still);
 }
 
 } // namespace usar::airrobot

@@ -36,7 +36,7 @@ private:
 bool canLand(const ObstacleMemory& memory, const Vec2& place_m, double dry_m);
 
 /// Sinks fast at first and slowly near the ground. The robot has landed if it was commanded to sink and has not sunk
-/// for about a second. Owned by one robot.
+/// for about a second, or for some seconds if its scanner has a bias. Owned by one robot.
 class Touchdown {
 public:
     void start() { still_since_.reset(); }

@@ -154,7 +154,7 @@ void Overhead::add(const Ceiling& ceiling, bool touched) {
 }
 
 std::optional<double> Overhead::ceiling_m(const Vec2& at_m) const {
-    std::optional<double> lowest_m;
+    std::optional<double> lowest_m = lid_m_;
     for (const Ceiling& one : ceilings_)
         if ((one.at_m - at_m).norm() < ceiling_reach_m)
             lowest_m = std::min(lowest_m.value_or(one.z_m), one.z_m);

@@ -15,14 +15,19 @@ constexpr double least_clear_m = 1.0;
 /// With less space than this, sonars report risks, so such a way costs more.
 constexpr double safe_m = 1.75;
 constexpr double comfortable_m = 2.75;
-constexpr double unsafe_cost = 8.0; ///< factors
+constexpr double narrowest_cost = 16.0; ///< factors; this one keeps it in the middle of a door
+constexpr double unsafe_cost = 8.0;
 constexpr double narrow_cost = 3.0;
-constexpr double surest_echo_m = 4.0; ///< a sonar does not say from where in its cone a farther echo came
+constexpr double surest_echo_m = 4.0;   ///< a sonar does not say from where in its cone a farther echo came
+constexpr double lowest_known_m = -1e8; ///< Cells that nothing was seen of are lower.
+constexpr int least_ground = 16;        ///< cells, which are 4 square meters
+constexpr double no_room_m = 10.0;      ///< so much farther a place may be that has room around it
 constexpr double passed_m = 0.7;
 /// So near to its place, the robot may pass over what ends below its belly, because it is above it already.
 constexpr double near_start_m = 3.0;
 constexpr double belly_m = 0.4;
-constexpr double brushing_m = 0.75; ///< free space there, where the robot may be near something already
+constexpr double hides_not_m = 0.75; ///< What stands so near to a place hides nothing of it.
+constexpr double brushing_m = 0.75;  ///< free space there, where the robot may be near something already
 
 constexpr int reach_cells = static_cast<int>(comfortable_m / grid_cell_m);
 constexpr double no_way = std::numeric_limits<double>::infinity();
@@ -38,7 +43,7 @@ double costAt(const Blocked& blocked, int column, int row, double needed_m = cle
                 continue;
             if (away_m < needed_m)
                 return no_way;
-            cost = std::max(cost, away_m < safe_m ? unsafe_cost : narrow_cost);
+            cost = std::max(cost, away_m < clear_m ? narrowest_cost : away_m < safe_m ? unsafe_cost : narrow_cost);
         }
     return cost;
 }
@@ -153,12 +158,26 @@ private:
 
 } // namespace
 
-bool ReachablePlaces::contains(const Vec2& at_m) const {
+bool ReachablePlaces::knows(const Vec2& at_m) const {
     const int column = cellOf(at_m.x()) - column_;
     const int row = cellOf(at_m.y()) - row_;
-    const bool known = column >= 0 && row >= 0 && column < RouteMap::side && row < RouteMap::side;
-    return inside_.empty() || !known ||
-           inside_[static_cast<std::size_t>(row) * RouteMap::side + static_cast<std::size_t>(column)];
+    return !inside_.empty() && column >= 0 && row >= 0 && column < RouteMap::side && row < RouteMap::side;
+}
+
+bool ReachablePlaces::leadsNear(const Vec2& at_m, double within_m) const {
+    for (double x_m = -within_m; x_m <= within_m; x_m += grid_cell_m)
+        for (double y_m = -within_m; y_m <= within_m; y_m += grid_cell_m)
+            if (std::hypot(x_m, y_m) <= within_m && contains(at_m + Vec2(x_m, y_m)))
+                return true;
+    return false;
+}
+
+bool ReachablePlaces::contains(const Vec2& at_m) const {
+    if (!knows(at_m))
+        return true;
+    const int column = cellOf(at_m.x()) - column_;
+    const int row = cellOf(at_m.y()) - row_;
+    return inside_[static_cast<std::size_t>(row) * RouteMap::side + static_cast<std::size_t>(column)];
 }
 
 RouteMap::RouteMap() : cells_(std::size_t(side) * side) {}
@@ -175,8 +194,8 @@ RouteMap::Cell& RouteMap::at(int column, int row) {
 }
 
 auto RouteMap::blockedAt(double z_m) const {
-    return [this, z_m](int column, int row, double below_m = passes_below_m) {
-        return blocked(column, row, z_m - below_m);
+    return [this, z_m](int column, int row, std::optional<double> below_m = {}) {
+        return blocked(column, row, z_m - below_m.value_or(passes_below_m_));
     };
 }
 
@@ -191,13 +210,17 @@ void RouteMap::take(const Senses& senses, double below_m) {
         for (int column = cellOf(here_m.x() - brushing_m); column <= cellOf(here_m.x() + brushing_m); ++column)
             at(column, row).flown = true;
     if (senses.scan)
-        for (const Vec3& hit : senses.scan->hits_in_map_m)
-            if (hit.z() < below_m) {
-                float& top_m = at(cellOf(hit.x()), cellOf(hit.y())).top_m;
-                top_m = std::max(top_m, static_cast<float>(hit.z()));
-            }
+        takeScan(*senses.scan, below_m);
     for (const SonarEcho& echo : senses.sonars)
         takeEcho(echo);
+}
+
+void RouteMap::takeScan(const PlacedScan& scan, double below_m) {
+    for (const Vec3& hit : scan.hits_in_map_m)
+        if (hit.z() < below_m) {
+            float& top_m = at(cellOf(hit.x()), cellOf(hit.y())).top_m;
+            top_m = std::max(top_m, static_cast<float>(hit.z()));
+        }
 }
 
 void RouteMap::takeEcho(const SonarEcho& echo) {
@@ -239,6 +262,17 @@ bool RouteMap::isStraightWayFree(const Vec2& from_m, const Vec2& to_m, double z_
     return true;
 }
 
+bool RouteMap::isInSight(const Vec2& from_m, const Vec2& to_m, double z_m) const {
+    const Vec2 way_m = to_m - from_m;
+    const double length_m = way_m.norm();
+    for (double along_m = 0.0; along_m < length_m - hides_not_m; along_m += grid_cell_m / 2.0) {
+        const Vec2 at_m = from_m + way_m * (along_m / length_m);
+        if (blocked(cellOf(at_m.x()), cellOf(at_m.y()), z_m))
+            return false;
+    }
+    return true;
+}
+
 std::optional<std::vector<Vec2>> RouteMap::route(const Vec2& from_m, const Vec2& to_m, double z_m, double within_m,
                                                  Width width) const {
     const auto is_blocked = blockedAt(z_m);
@@ -248,11 +282,36 @@ std::optional<std::vector<Vec2>> RouteMap::route(const Vec2& from_m, const Vec2&
     return Search(is_blocked, from_m, goal_m, std::max(within_m, grid_cell_m), needed_m).run();
 }
 
-ReachablePlaces RouteMap::reach(const Vec2& from_m, double z_m) const {
+ReachablePlaces RouteMap::reach(const Vec2& from_m, double z_m, Width width) const {
     const auto is_blocked = blockedAt(z_m);
-    Search search(is_blocked, from_m, from_m, -1.0); // No place is so near to the goal, so it goes everywhere.
+    const double needed_m = width == Width::Least ? least_clear_m : clear_m;
+    Search search(is_blocked, from_m, from_m, -1.0, needed_m); // No place is so near to the goal: it goes everywhere.
     search.run();
     return search.reach();
+}
+
+bool RouteMap::hasRoom(const Vec2& at_m, double z_m, double radius_m) const {
+    return !std::isinf(costAt(blockedAt(z_m), cellOf(at_m.x()), cellOf(at_m.y()), radius_m));
+}
+
+std::optional<Vec2> RouteMap::groundBeyond_m(const Vec2& from_m, double z_m, double floor_m,
+                                             const ReachablePlaces& other, double beyond_m) const {
+    const ReachablePlaces here = reach(from_m, z_m, Width::Least);
+    std::optional<Vec2> nearest;
+    const auto costTo = [&](const Vec2& at_m) {
+        return (at_m - from_m).norm() + (hasRoom(at_m, z_m, clear_m) ? 0.0 : no_room_m);
+    };
+    int count = 0;
+    for (const Cell& cell : cells_) {
+        const Vec2 at_m = centerOf(cell.column, cell.row);
+        if (cell.top_m < lowest_known_m || cell.top_m > floor_m || !here.knows(at_m) || !here.contains(at_m) ||
+            other.leadsNear(at_m, beyond_m))
+            continue;
+        ++count;
+        if (!nearest || costTo(at_m) < costTo(*nearest))
+            nearest = at_m;
+    }
+    return count >= least_ground ? nearest : std::nullopt;
 }
 
 } // namespace usar::airrobot
