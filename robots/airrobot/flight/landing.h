@@ -9,10 +9,10 @@
 
 namespace usar::airrobot {
 
-/// Returns a nearby even place within `radius_m` of `wanted_m` (map frame) where the scanner has seen the ground and
-/// nothing tall stands close; `wanted_m` itself if it is good enough or no better place is known. `lean` is the slope, upward along the map's
-/// axes, of the ground on which the robot would stand upright: one that leans against the wind as it comes down must
-/// not meet ground that rises toward its low side.
+/// Returns a nearby even place within `radius_m` of `wanted_m` (map frame) where the scanner has just seen the
+/// ground; `wanted_m` itself if it is even enough or no better place is known. `lean` is the slope, upward along the
+/// map's axes, of the ground on which the robot would stand upright: one that leans against the wind as it comes down
+/// must not meet ground that rises toward its low side.
 Vec2 landingPlace_m(const ObstacleMemory& memory, const Vec2& wanted_m, double radius_m,
                     const Vec2& lean = Vec2::Zero());
 
