@@ -32,29 +32,55 @@ constexpr double brushing_m = 0.75;  ///< free space there, where the robot may 
 constexpr int reach_cells = static_cast<int>(comfortable_m / grid_cell_m);
 constexpr double no_way = std::numeric_limits<double>::infinity();
 
-/// How dear a place is: `no_way` where the robot does not fit, 1 where nothing is near. `blocked` is asked about cells.
+/// A cell near another one.
+struct Neighbor {
+    int columns = 0;
+    int rows = 0;
+    double away_m = 0.0;
+};
+
+/// The cells around one that matter, the nearest first.
+const std::vector<Neighbor>& neighbors() {
+    static const std::vector<Neighbor> all = [] {
+        std::vector<Neighbor> found;
+        for (int rows = -reach_cells; rows <= reach_cells; ++rows)
+            for (int columns = -reach_cells; columns <= reach_cells; ++columns)
+                if (const double away_m = std::hypot(columns, rows) * grid_cell_m; away_m <= comfortable_m)
+                    found.push_back({columns, rows, away_m});
+        std::ranges::sort(found, {}, &Neighbor::away_m);
+        return found;
+    }();
+    return all;
+}
+
+/// How dear a place is: `no_way` where the robot does not fit, 1 where nothing is within `matters_m`. `blocked` is asked
+/// about cells.
 template <class Blocked>
-double costAt(const Blocked& blocked, int column, int row, double needed_m = clear_m) {
-    double cost = 1.0;
-    for (int dy = -reach_cells; dy <= reach_cells; ++dy)
-        for (int dx = -reach_cells; dx <= reach_cells; ++dx) {
-            const double away_m = std::hypot(dx, dy) * grid_cell_m;
-            if (away_m > comfortable_m || !blocked(column + dx, row + dy))
-                continue;
-            if (away_m < needed_m)
-                return no_way;
-            cost = std::max(cost, away_m < clear_m ? narrowest_cost : away_m < safe_m ? unsafe_cost : narrow_cost);
-        }
-    return cost;
+double costAt(const Blocked& blocked, int column, int row, double needed_m = clear_m,
+              double matters_m = comfortable_m) {
+    for (const Neighbor& neighbor : neighbors()) {
+        if (neighbor.away_m > matters_m)
+            break;
+        if (!blocked(column + neighbor.columns, row + neighbor.rows))
+            continue;
+        return neighbor.away_m < needed_m  ? no_way
+               : neighbor.away_m < clear_m ? narrowest_cost
+               : neighbor.away_m < safe_m  ? unsafe_cost
+                                           : narrow_cost;
+    }
+    return 1.0;
 }
 
 /// A* over the cells of a square around the start. Cells are counted from its corner.
 template <class Blocked>
 class Search {
 public:
-    Search(const Blocked& blocked, const Vec2& from_m, const Vec2& goal_m, double within_m, double needed_m = clear_m)
+    /// `matters_m`: things that are farther away cost nothing.
+    Search(const Blocked& blocked, const Vec2& from_m, const Vec2& goal_m, double within_m, double needed_m = clear_m,
+           double matters_m = comfortable_m)
         : blocked_(blocked)
         , needed_m_(needed_m)
+        , matters_m_(matters_m)
         , corner_column_(cellOf(from_m.x()) - half)
         , corner_row_(cellOf(from_m.y()) - half)
         , from_m_(from_m)
@@ -116,7 +142,7 @@ private:
     double beeline(int column, int row) const { return (placeOf_m(column, row) - goal_m_).norm() / grid_cell_m; }
 
     double costOf(int column, int row) const {
-        const double cost = costAt(blocked_, corner_column_ + column, corner_row_ + row, needed_m_);
+        const double cost = costAt(blocked_, corner_column_ + column, corner_row_ + row, needed_m_, matters_m_);
         const bool leaves = (placeOf_m(column, row) - from_m_).norm() < near_start_m;
         return leaves && !blocked_(corner_column_ + column, corner_row_ + row, belly_m) ? std::min(cost, narrow_cost)
                                                                                         : cost;
@@ -147,6 +173,7 @@ private:
 
     const Blocked& blocked_;
     double needed_m_; ///< free space on each side
+    double matters_m_;
     int corner_column_;
     int corner_row_;
     Vec2 from_m_;
@@ -285,13 +312,14 @@ std::optional<std::vector<Vec2>> RouteMap::route(const Vec2& from_m, const Vec2&
 ReachablePlaces RouteMap::reach(const Vec2& from_m, double z_m, Width width) const {
     const auto is_blocked = blockedAt(z_m);
     const double needed_m = width == Width::Least ? least_clear_m : clear_m;
-    Search search(is_blocked, from_m, from_m, -1.0, needed_m); // No place is so near to the goal: it goes everywhere.
+    // No place is so near to the goal: it goes everywhere, and what a way costs does not matter.
+    Search search(is_blocked, from_m, from_m, -1.0, needed_m, needed_m);
     search.run();
     return search.reach();
 }
 
 bool RouteMap::hasRoom(const Vec2& at_m, double z_m, double radius_m) const {
-    return !std::isinf(costAt(blockedAt(z_m), cellOf(at_m.x()), cellOf(at_m.y()), radius_m));
+    return !std::isinf(costAt(blockedAt(z_m), cellOf(at_m.x()), cellOf(at_m.y()), radius_m, radius_m));
 }
 
 std::optional<Vec2> RouteMap::groundBeyond_m(const Vec2& from_m, double z_m, double floor_m,
