@@ -52,7 +52,11 @@ private slots:
                                  soon_ms);
         const RobotId id = page.window().selectedRobot();
         page.window().control().robot(id)->orderReplay({.seek = page.robot(id)->figures.replay->span * 0.5});
-        QTRY_VERIFY_WITH_TIMEOUT(!page.robot(id)->behavior_id.empty(), soon_ms);
+        const auto arrived = [&] {
+            const auto& replay = page.robot(id)->figures.replay;
+            return replay && !replay->seeking && replay->position >= replay->span * 0.49;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(arrived() && !page.robot(id)->behavior_id.empty(), soon_ms);
         widgets::TestDialog* const replayed = asked(page);
         QVERIFY(replayed);
         QVERIFY(choose(*replayed, "altitude above"));

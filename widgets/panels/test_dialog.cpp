@@ -105,6 +105,7 @@ void TestDialog::setMoment(double at_s, const FlightSpan& known, const QString& 
     for_->setValue(usual_span_s);
     name_->setText(name);
     refresh();
+    list_->setFocus();
 }
 
 void TestDialog::setOffers(const std::vector<TestOffer>& offers) {
