@@ -75,6 +75,9 @@ private slots:
 private:
     /// Presses the keys; returns the dialog once it offers claims.
     static widgets::TestDialog* asked(WindowPage& page) {
+        page.window().activateWindow(); // The dialog before had the keys.
+        if (!QTest::qWaitForWindowActive(&page.window()))
+            return nullptr;
         page.pressKey(Qt::Key_T, Qt::ControlModifier | Qt::AltModifier);
         widgets::TestDialog* found = nullptr;
         const bool offers = QTest::qWaitFor(
@@ -83,6 +86,9 @@ private:
                 return found && found->isVisible() && found->chosen() >= 0;
             },
             soon_ms);
+        if (!offers)
+            qWarning("%s, the command is %s", found ? "the dialog offers nothing" : "there is no dialog",
+                     page.window().commands().action("replay.make_test")->isEnabled() ? "enabled" : "disabled");
         return offers ? found : nullptr;
     }
 
