@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QTemporaryDir>
 #include <QTimer>
 
@@ -122,20 +123,25 @@ Result<void> keepUnsound(const campaign::CampaignOptions& options, const campaig
     return {};
 }
 
+/// Whether what is only written in the end can be written: it is said now, and not when the campaign is flown.
+Result<void> checkOutputs(const campaign::CampaignOptions& options) {
+    if (!options.shrink.isEmpty())
+        if (auto writable = campaign::addKnownFailures(options.shrink, {}); !writable)
+            return writable;
+    return options.junit.isEmpty() ? Result<void>() : campaign::writeWhole(options.junit, {});
+}
+
 Result<void> writeJunit(const campaign::CampaignOptions& options) {
+    if (options.junit.isEmpty())
+        return {};
     return campaign::readCampaigns({options.folder}).and_then([&](const campaign::CampaignFigures& figures) {
         return campaign::writeWhole(options.junit, campaign::junitReport(figures.runs, figures.title));
     });
 }
 
-int fly(const campaign::CampaignOptions& typed) {
-    campaign::CampaignOptions options = typed;
-    std::optional<QTemporaryDir> scratch; // Results of tests that nobody wants to keep.
-    if (options.folder.isEmpty())
-        options.folder = scratch.emplace().path();
-    if (!options.shrink.isEmpty()) // Said now, and not when the campaign is flown.
-        if (const auto writable = campaign::addKnownFailures(options.shrink, {}); !writable)
-            return refuse(writable.error());
+int fly(const campaign::CampaignOptions& options) {
+    if (const auto possible = checkOutputs(options); !possible)
+        return refuse(possible.error());
     const auto started = campaign::startCampaign(options, hostOfCampaigns());
     if (!started)
         return refuse(started.error());
@@ -180,15 +186,24 @@ int fly(const campaign::CampaignOptions& typed) {
     else if (!options.shrink.isEmpty())
         if (const auto kept = keepUnsound(options, runner, stopped); !kept)
             return refuse(kept.error());
-    if (!options.junit.isEmpty())
-        if (const auto written = writeJunit(options); !written)
-            return refuse(written.error());
+    if (const auto written = writeJunit(options); !written)
+        return refuse(written.error());
     const campaign::CampaignProgress progress = runner.progress();
     QJsonObject summary = campaign::toJson(progress, options.folder);
     if (until_decided)
         summary["decided"] = until_decided->word();
     const bool decided = until_decided && until_decided->word() != "undecided";
     return end(campaign::exitCodeOf(progress, decided), summary);
+}
+
+/// Tests whose results nobody wants to keep are flown in a folder that is removed afterwards.
+int flyInScratch(campaign::CampaignOptions options) {
+    const QTemporaryDir scratch;
+    if (!scratch.isValid())
+        return refuse({"there is no place for the results: " + scratch.errorString().toStdString(),
+                       QDir::tempPath().toStdString(), "Make room there, or name a folder with --out"});
+    options.folder = scratch.path();
+    return fly(options);
 }
 
 } // namespace
@@ -202,7 +217,7 @@ int runCampaignVerb(const QStringList& arguments) {
     else if (options->slurm)
         std::printf("%s", qPrintable(campaign::slurmScript(*options, QCoreApplication::applicationFilePath())));
     else
-        return fly(*options);
+        return options->folder.isEmpty() ? flyInScratch(*options) : fly(*options);
     return mission::Done;
 }
 

@@ -161,6 +161,10 @@ int goOn(mission::MissionOptions options) {
     if (earlier->flown.seed && !options.seed_chosen)
         options.seed = *earlier->flown.seed;
     mission::Mission plan = earlier->flown.mission;
+    if (!plan.claims.empty())
+        return refuse({"a test cannot be continued, because its claims count from its start",
+                       options.continued.toStdString(), "Fly its mission again"},
+                      &options, &plan);
     return run(options, std::move(plan), std::make_shared<const mission::RecordedScan>(*std::move(earlier)));
 }
 

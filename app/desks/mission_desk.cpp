@@ -72,6 +72,10 @@ void MissionDesk::openMission(const QString& path) {
     if (!mission)
         return notices_.complain("mission", mission.error());
     remember(path);
+    if (!mission->claims.empty())
+        notices_.note("mission", tr("%1 is a test. The window flies its mission, but checks no claims, and a mission "
+                                    "that is saved here has none: save it under another name.")
+                                     .arg(QFileInfo(path).fileName()));
     awaiting_plugin_.reset();
     if (const QString world = worldToOpenFor(*mission); !world.isEmpty()) {
         server_.openWorld(world);

@@ -10,12 +10,25 @@ namespace usar::app {
 
 namespace {
 
-/// The text as a file's name: what no system allows in one is left out.
+/// The text as a file's name: anything but letters, digits and a few marks becomes an underscore, and it begins with no
+/// dot, because such files are hidden.
 QString fileNameOf(const QString& text) {
     QString name;
-    for (const QChar letter : text)
+    for (const QChar letter : text.trimmed())
         name += letter.isLetterOrNumber() || QString(" _-.,()").contains(letter) ? letter : QChar('_');
-    return name.trimmed();
+    return name.startsWith('.') ? '_' + name.mid(1) : name;
+}
+
+QString cautionsOf(const mission::FlightMoment& moment) {
+    QStringList cautions;
+    if (moment.by_hand)
+        cautions << TestDesk::tr("The robot was also driven by hand, which a test does not repeat.");
+    if (moment.late)
+        cautions << TestDesk::tr("The behavior started when the robot had been there for a while, so noise and drift "
+                                 "will be others.");
+    else if (!moment.flown.seed)
+        cautions << TestDesk::tr("The seed of the simulator is not known, so noise and drift will be others.");
+    return cautions.join(' ');
 }
 
 } // namespace
@@ -38,75 +51,108 @@ bool TestDesk::recorded() const {
            !robot()->view().behavior_id.empty();
 }
 
+void TestDesk::makeDialog() {
+    dialog_ = new widgets::TestDialog(window_);
+    dialog_->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog_, &widgets::TestDialog::spanChanged, this, &TestDesk::offer);
+    connect(dialog_, &widgets::TestDialog::heightChanged, this, &TestDesk::setHeight);
+    connect(dialog_, &widgets::TestDialog::makeRequested, this, &TestDesk::write);
+    connect(dialog_, &widgets::TestDialog::folderRequested, this, &TestDesk::chooseFolder);
+    connect(dialog_, &QDialog::finished, this, [this] {
+        giveUp();
+        dialog_ = nullptr; // It deletes itself.
+    });
+}
+
+void TestDesk::giveUp() {
+    *given_up_ = true;
+    ++request_;
+    disconnect(gone_);
+}
+
 void TestDesk::begin() {
     if (!recorded())
         return;
-    if (!dialog_) {
-        dialog_ = new widgets::TestDialog(window_);
-        dialog_->setAttribute(Qt::WA_DeleteOnClose);
-        connect(dialog_, &widgets::TestDialog::spanChanged, this, &TestDesk::offer);
-        connect(dialog_, &widgets::TestDialog::makeRequested, this, &TestDesk::write);
-        connect(dialog_, &widgets::TestDialog::folderRequested, this, &TestDesk::chooseFolder);
-    }
+    giveUp();
+    if (!dialog_)
+        makeDialog();
+    given_up_ = std::make_shared<std::atomic_bool>(false);
+    const int request = ++request_;
     moment_.reset();
+    robot_name_ = QString::fromStdString(robot()->view().spawn.robot_name);
     now_ = robot()->view().figures.now;
     dialog_->setFolder(folder());
-    dialog_->setReading(QString::fromStdString(robot()->view().spawn.robot_name));
+    dialog_->setReading(robot_name_);
     widgets::showInFront(dialog_);
     if (robot()->isReplay())
-        return read(robot()->view().recording);
-    awaited_ = robot();
-    connect(awaited_, &Robot::recordingFlushed, this, &TestDesk::read, Qt::SingleShotConnection);
-    awaited_->flushRecording();
+        return read(request, robot()->view().recording);
+    connect(
+        robot(), &Robot::recordingFlushed, this, [this, request](const QString& path) { read(request, path); },
+        Qt::SingleShotConnection);
+    gone_ = connect(robot(), &QObject::destroyed, this, [this] {
+        if (dialog_)
+            dialog_->complain(tr("%1 has left. Open its recording to make a test of it.").arg(robot_name_));
+    });
+    robot()->flushRecording();
 }
 
-void TestDesk::read(const QString& path) {
-    pool_.start([this, path, now = now_] {
-        link::post(this, [this, now, moment = mission::readFlightMoment(path, now)] {
-            if (now == now_) // Otherwise another moment was chosen in the meantime.
+void TestDesk::read(int request, const QString& path) {
+    if (request != request_)
+        return;
+    disconnect(gone_);
+    if (path.isEmpty())
+        return dialog_->complain(tr("The recording of %1 has ended. Open it to make a test of it.").arg(robot_name_));
+    pool_.start([this, request, path, now = now_, given_up = given_up_] {
+        link::post(this, [this, request, moment = mission::readFlightMoment(path, now, *given_up)] {
+            if (request == request_)
                 take(moment);
         });
     });
 }
 
 void TestDesk::take(const Result<mission::FlightMoment>& moment) {
-    if (!dialog_)
-        return;
     if (!moment)
         return dialog_->complain(QString::fromStdString(moment.error().text()));
     moment_ = *moment;
-    const auto& flown = moment_->flown;
-    const QString caution = moment_->by_hand ? tr("The robot was also driven by hand, which a test does not repeat.")
-                            : flown.seed
-                                ? QString()
-                                : tr("The seed of the simulator is not known, so noise and drift will be others.");
-    dialog_->setMoment(
-        moment_->at.count(), {moment_->first.count(), moment_->last.count()},
-        fileNameOf(
-            tr("%1 at %2 s").arg(QString::fromStdString(flown.mission.name)).arg(moment_->at.count(), 0, 'f', 1)),
-        caution);
+    const QString mission_name = QString::fromStdString(moment_->flown.mission.name);
+    dialog_->setMoment(moment_->at.count(), {moment_->first.count(), moment_->last.count()},
+                       fileNameOf(tr("%1 at %2 s").arg(mission_name).arg(moment_->at.count(), 0, 'f', 1)),
+                       cautionsOf(*moment_));
     offer();
 }
 
 void TestDesk::offer() {
-    if (!dialog_ || !moment_)
+    if (!moment_)
         return;
     const widgets::FlightSpan span = dialog_->span();
     offers_ = mission::claimsToOffer(*moment_, Seconds{span.from_s}, Seconds{span.to_s});
+    show();
+}
+
+void TestDesk::show() {
     std::vector<widgets::TestOffer> shown;
-    for (const mission::ClaimOffer& offer : offers_)
-        shown.push_back({QString::fromStdString(mission::wordsOf(offer.claim)), offer.held});
+    for (const mission::Claim& claim : offers_)
+        shown.push_back({QString::number(static_cast<int>(claim.kind)) + QString::fromStdString(claim.name),
+                         QString::fromStdString(mission::wordsOf(claim)), mission::heldIn(*moment_, claim),
+                         isAboutHeight(claim.kind) ? std::optional(claim.height_m) : std::nullopt});
     dialog_->setOffers(shown);
 }
 
+void TestDesk::setHeight(double height_m) {
+    if (!moment_ || dialog_->chosen() < 0)
+        return;
+    offers_.at(static_cast<std::size_t>(dialog_->chosen())).height_m = height_m;
+    show();
+}
+
 void TestDesk::write() {
-    if (!dialog_ || !moment_ || dialog_->chosen() < 0)
+    if (!moment_ || dialog_->chosen() < 0)
         return;
     const QString name = fileNameOf(dialog_->name());
     const QString path = QDir(folder()).filePath(name + ".json");
     if (QFile::exists(path))
         return dialog_->complain(tr("There is a test of this name already: %1. Choose another name.").arg(path));
-    const auto& claim = offers_.at(static_cast<std::size_t>(dialog_->chosen())).claim;
+    const mission::Claim& claim = offers_.at(static_cast<std::size_t>(dialog_->chosen()));
     const auto written = QDir().mkpath(folder())
                              ? mission::writeMissionFile(mission::testOf(*moment_, claim, name.toStdString()), {}, path)
                              : failure("the folder cannot be made", folder().toStdString(), "Choose another folder");

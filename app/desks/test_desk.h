@@ -24,24 +24,35 @@ public:
     void restore(const QSettings& settings) override { folder_ = settings.value("test_folder").toString(); }
     void save(SettingsSheet& settings) const override { settings.setValue("test_folder", folder_); }
 
+    ~TestDesk() override { giveUp(); }
+
 private:
+    /// What is asked for is not wanted any longer.
+    void giveUp();
+    void makeDialog();
     /// Opens the dialog for the moment that the selected robot shows.
     void begin();
-    void read(const QString& path);
+    /// Reads the recording for this request, unless another one has come.
+    void read(int request, const QString& path);
     void take(const Result<mission::FlightMoment>& moment);
     void offer();
+    void show();
+    void setHeight(double height_m);
     void write();
     void chooseFolder();
     QString folder() const;
     bool recorded() const;
 
     QPointer<widgets::TestDialog> dialog_;
-    QString folder_;          ///< Empty: beside the results.
-    QPointer<Robot> awaited_; ///< Its recording is being flushed.
-    Seconds now_{0.0};        ///< The moment, on the protocol clock.
+    QString folder_;                 ///< It is empty if tests go beside the results.
+    int request_ = 0;                ///< number of the newest one
+    QString robot_name_;             ///< The newest request is about this robot.
+    Seconds now_{0.0};               ///< It is about this moment, on the protocol clock.
+    QMetaObject::Connection gone_{}; ///< tells if that robot leaves
+    std::shared_ptr<std::atomic_bool> given_up_ = std::make_shared<std::atomic_bool>(false); ///< stops the reading
     std::optional<mission::FlightMoment> moment_;
-    std::vector<mission::ClaimOffer> offers_;
-    QThreadPool pool_;          ///< its destructor waits
+    std::vector<mission::Claim> offers_; ///< in the order of the dialog's list
+    QThreadPool pool_;                   ///< reads recordings; the last member, so that it ends first
 };
 
 } // namespace usar::app

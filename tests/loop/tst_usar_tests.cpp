@@ -1,5 +1,10 @@
 // Tests that are made of moments of flights: missions with claims, and folders of them.
+#include <algorithm>
+#include <atomic>
+#include <set>
+
 #include <QDir>
+#include <QJsonArray>
 #include <QTest>
 #include <QXmlStreamReader>
 
@@ -29,18 +34,19 @@ private slots:
                             "wind speed=1 from=10", "--record", "flight.usarrec"})
                      .exit_code,
                  0);
-        const auto moment = readFlightMoment(folder_->path("flight.usarrec"), Seconds{40.0});
+        const auto moment = momentOf("flight.usarrec", 40.0);
         QVERIFY2(moment, moment ? "" : moment.error().text().c_str());
         QCOMPARE(moment->flown.mission.faults, std::vector<std::string>{"wind speed=1 from=10"});
         QVERIFY(moment->flown.seed == std::uint64_t(7));
         const auto offers = claimsToOffer(*moment, moment->at, moment->at + Seconds{5.0});
         std::set<ClaimKind> kinds;
         int held = 0;
-        for (const ClaimOffer& offer : offers) {
-            if (!kinds.insert(offer.claim.kind).second)
+        for (const Claim& claim : offers) {
+            const auto known = heldIn(*moment, claim);
+            if (known == false || !kinds.insert(claim.kind).second)
                 continue; // One of a kind is enough.
-            held += offer.held == true ? 1 : 0;
-            keep(testOf(*moment, offer.claim, wordsOf(offer.claim)), kinds.size());
+            held += known ? 1 : 0;
+            keep(testOf(*moment, claim, wordsOf(claim)), kinds.size());
         }
         QCOMPARE(kinds.size(), std::size_t(6)); // No contact is among them, which the recording does not tell.
         QCOMPARE(held, 5);
@@ -48,6 +54,32 @@ private slots:
         QVERIFY2(ended.exit_code == 0, ended.err);
         QCOMPARE(ended.summary["outcomes"].toObject()["done"].toInt(), 6);
         QCOMPARE(failuresIn("tests.xml"), QStringList());
+    }
+
+    /// What did not hold, though it should, can be claimed as well: that is how a defect becomes a test.
+    void whatDidNotHoldFailsInItsTest() {
+        folder_->write("small.json", test::small_mission);
+        const QStringList flight{"run", "small.json", "--behavior", "airrobot/posh", "--record", "flight.usarrec"};
+        QCOMPARE(folder_->run(flight).exit_code, 0);
+        const auto moment = momentOf("flight.usarrec", 40.0);
+        QVERIFY(moment);
+        const auto offers = claimsToOffer(*moment, moment->at, moment->at + Seconds{5.0});
+        const auto broken = std::ranges::find_if(offers, [&](const Claim& claim) {
+            return claim.kind == ClaimKind::ElementRests && heldIn(*moment, claim) == false;
+        });
+        QVERIFY(broken != offers.end());
+        keep(testOf(*moment, *broken, "rests"), 1);
+        const auto ended = folder_->run({"campaign", "--tests", "tests", "--junit", "tests.xml"});
+        QCOMPARE(ended.exit_code, 1);
+        QCOMPARE(failuresIn("tests.xml").size(), 1);
+    }
+
+    void aMissionThatNeverFliesHoldsNothing() {
+        folder_->write("tests/one.json", with(R"({"claim": "no contact", "from_s": 1, "to_s": 2})"));
+        const auto ended = folder_->run({"run", "tests/one.json", "--connect", "127.0.0.1:1"});
+        QVERIFY(ended.exit_code != 0);
+        QVERIFY(!ended.summary["success"].toBool());
+        QVERIFY(!ended.summary["claims"].toArray().at(0).toObject()["holds"].toBool());
     }
 
     void aBrokenClaimIsAFailure() {
@@ -75,6 +107,7 @@ private slots:
         QTest::newRow("no claim") << test::small_mission << "claims nothing";
         QTest::newRow("no mission") << QByteArray("{}") << "name";
         QTest::newRow("none") << QByteArray() << "there is no test in the folder";
+        QTest::newRow("a campaign") << QByteArray("{\"name\": \"C\", \"missions\": []}") << "this is no test";
     }
 
     void aFileThatIsNoTestIsSaidBeforeAnythingIsFlown() {
@@ -90,13 +123,17 @@ private slots:
     void aMomentWithoutAMissionIsRefused() {
         folder_->write("small.json", test::small_mission);
         QCOMPARE(folder_->run({"run", "small.json", "--record", "flight.usarrec"}).exit_code, 0);
-        const auto early = readFlightMoment(folder_->path("flight.usarrec"), Seconds{-100.0});
+        const auto early = momentOf("flight.usarrec", -100.0);
         QVERIFY(!early);
         QVERIFY2(early.error().text().find("flight.usarrec") != std::string::npos, early.error().text().c_str());
-        QVERIFY(!readFlightMoment(folder_->path("none.usarrec"), Seconds{1.0}));
+        QVERIFY(!momentOf("none.usarrec", 1.0));
     }
 
 private:
+    Result<FlightMoment> momentOf(const QString& recording, double now_s) const {
+        return readFlightMoment(folder_->path(recording), Seconds{now_s}, std::atomic_bool(false));
+    }
+
     static QByteArray with(const QByteArray& claim) {
         QByteArray text = test::small_mission;
         return text.insert(text.lastIndexOf('}'), ", \"seed\": 3, \"claims\": [" + claim + "] ");

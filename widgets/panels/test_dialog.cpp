@@ -13,7 +13,8 @@ namespace usar::widgets {
 namespace {
 
 constexpr double usual_span_s = 10.0;
-constexpr double shortest_span_s = 0.2; // One tick of the simulator.
+constexpr double shortest_span_s = 0.2; // The simulator's ticks are as long.
+constexpr double farthest_m = 1000.0;
 constexpr int longest_test_name = 80;
 
 QString markOf(const std::optional<bool>& held) {
@@ -41,8 +42,13 @@ TestDialog::TestDialog(QWidget* parent)
         box->setSuffix(tr(" s"));
         connect(box, &QDoubleSpinBox::valueChanged, this, &TestDialog::spanChanged);
     }
-    named(from_, tr("Begins at"), tr("When the claim begins, in seconds since the robot appeared"));
+    named(from_, tr("Begins at"), tr("When the claim begins, in seconds since the behavior started"));
     named(for_, tr("Lasts"), tr("How long the claim must hold, or within which time it must come true once"));
+    height_->setDecimals(2);
+    height_->setSuffix(tr(" m"));
+    height_->setRange(-farthest_m, farthest_m);
+    named(height_, tr("Height"), tr("Height of the chosen claim, above the robot's place when its behavior started"));
+    connect(height_, &QDoubleSpinBox::valueChanged, this, &TestDialog::heightChanged);
     named(list_, tr("Claims"), tr("What the test checks; each says whether it held in this flight"));
     named(choose_folder_, tr("Change folder"), tr("Chooses the folder for tests"));
     named(make_, tr("Make test"), tr("Writes the mission with its seed, its faults and this claim as a file"));
@@ -53,8 +59,11 @@ TestDialog::TestDialog(QWidget* parent)
     lay();
     nothing_ =
         new EmptyState(list_->viewport(), tr("Nothing to claim"), tr("Choose a time in which the robot was recorded."));
-    connect(name_, &QLineEdit::textChanged, this, &TestDialog::refresh);
-    connect(list_, &QListWidget::currentRowChanged, this, &TestDialog::refresh);
+    connect(name_, &QLineEdit::textChanged, this, [this] {
+        complain({});
+        refresh();
+    });
+    connect(list_, &QListWidget::currentRowChanged, this, &TestDialog::choose);
     connect(choose_folder_, &QPushButton::clicked, this, &TestDialog::folderRequested);
     connect(make_, &QPushButton::clicked, this, &TestDialog::makeRequested);
     connect(close_, &QPushButton::clicked, this, &QWidget::close);
@@ -69,12 +78,17 @@ void TestDialog::lay() {
     form->addRow(tr("Lasts"), for_);
     auto* const place = laidOut(new QHBoxLayout, gap::small, {folder_, choose_folder_});
     place->setStretchFactor(folder_, 1);
+    form->addRow(tr("Height"), height_);
     form->addRow(tr("Folder"), place);
+    choose_folder_->setAutoDefault(false);
+    close_->setAutoDefault(false);
+    make_->setDefault(true);
     auto* const foot = laidOut(new QHBoxLayout, gap::small);
     foot->addStretch(1);
     foot->addWidget(make_);
     foot->addWidget(close_);
-    for (QWidget* const control : std::initializer_list<QWidget*>{name_, from_, for_, choose_folder_, make_, close_})
+    for (QWidget* const control :
+         std::initializer_list<QWidget*>{name_, from_, for_, height_, choose_folder_, make_, close_})
         control->setMinimumHeight(minimum_target);
     auto* const column =
         laidOut(new QVBoxLayout(this), {gap::medium, gap::medium, gap::medium, gap::medium}, gap::small);
@@ -109,20 +123,27 @@ void TestDialog::setMoment(double at_s, const FlightSpan& known, const QString& 
 }
 
 void TestDialog::setOffers(const std::vector<TestOffer>& offers) {
-    const QListWidgetItem* const item = list_->currentItem();
-    const QString before = item ? item->data(Qt::UserRole).toString() : QString();
+    const QString before = chosen() < 0 ? QString() : offers_[static_cast<std::size_t>(chosen())].key;
     int row = offers.empty() ? -1 : 0;
     {
         const QSignalBlocker quiet(list_);
         list_->clear();
         for (const TestOffer& offer : offers) {
-            auto* const added = new QListWidgetItem(offer.text + " — " + markOf(offer.held), list_);
-            added->setData(Qt::UserRole, offer.text);
-            if (offer.text == before)
+            new QListWidgetItem(offer.text + " — " + markOf(offer.held), list_);
+            if (offer.key == before)
                 row = list_->count() - 1;
         }
         list_->setCurrentRow(row);
+        offers_ = offers;
     }
+    choose();
+}
+
+void TestDialog::choose() {
+    const auto height_m = chosen() < 0 ? std::nullopt : offers_[static_cast<std::size_t>(chosen())].height_m;
+    const QSignalBlocker quiet(height_);
+    height_->setValue(height_m.value_or(0.0));
+    height_->setEnabled(height_m.has_value());
     refresh();
 }
 

@@ -17,8 +17,10 @@ namespace usar::widgets {
 
 /// A claim that may be chosen.
 struct TestOffer {
+    QString key; ///< It tells the offer from the others, also when its numbers change.
     QString text;
-    std::optional<bool> held; ///< Whether it held in the flight; absent: the recording does not tell.
+    std::optional<bool> held{};       ///< Whether it held in the flight; absent: the recording does not tell.
+    std::optional<double> height_m{}; ///< The user may change it; absent: the claim has no height.
     bool operator==(const TestOffer&) const = default;
 };
 
@@ -39,7 +41,7 @@ public:
     /// A test of this moment can be made: it proposes ten seconds from there, within `known`. `caution`: a sentence on
     /// what the test cannot repeat, or empty.
     void setMoment(double at_s, const FlightSpan& known, const QString& name, const QString& caution);
-    /// Lists these claims. The chosen one stays chosen if its text is among them, else the first is.
+    /// Lists these claims. The chosen one stays chosen if its key is among them, else the first is.
     void setOffers(const std::vector<TestOffer>& offers);
     void setFolder(const QString& folder);
     /// Says what went wrong, below the list; empty: nothing.
@@ -53,18 +55,23 @@ public:
 signals:
     /// Other claims are to be offered.
     void spanChanged();
+    /// The chosen claim is to have this height.
+    void heightChanged(double height_m);
     void folderRequested();
     /// The test is to be written.
     void makeRequested();
 
 private:
     void lay();
+    void choose();
     void refresh();
 
+    std::vector<TestOffer> offers_; ///< in the order of the list
     QLabel* words_;
     QLineEdit* name_ = new QLineEdit(this);
     QuantityBox* from_ = new QuantityBox(this);
     QuantityBox* for_ = new QuantityBox(this);
+    QuantityBox* height_ = new QuantityBox(this);
     QListWidget* list_ = new QListWidget(this);
     QLabel* folder_;
     QPushButton* choose_folder_ = new QPushButton(tr("Change…"), this);

@@ -13,13 +13,14 @@ Result<Campaign> campaignOfTests(const QString& folder) {
         return failure(dir.exists() ? "there is no test in the folder" : "there is no such folder",
                        folder.toStdString(), "Name a folder with missions (*.json) that have \"claims\"");
     Campaign campaign;
-    campaign.name = dir.dirName().toStdString();
+    campaign.name = QDir(dir.absolutePath()).dirName().toStdString();
     campaign.variants.push_back({tests_variant, {}, {}, {}});
     for (const QString& name : names) {
         const QString path = dir.absoluteFilePath(name);
         const auto mission = mission::readMissionFile(path);
         if (!mission)
-            return tl::unexpected(mission.error());
+            return failure("this is no test: " + mission.error().what, mission.error().where,
+                           mission.error().mend + "; a folder of tests has nothing else in it");
         if (mission->claims.empty())
             return failure("the mission claims nothing, so it is no test", path.toStdString(),
                            "Add \"claims\", or move the file to another folder");

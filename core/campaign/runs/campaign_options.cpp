@@ -58,6 +58,8 @@ Result<void> readSubject(const QCommandLineParser& parser, const QStringList& ar
                        "Fly it, then write usar-mission compare DIR --junit FILE");
     if (!are_tests)
         options.file = words.first();
+    if (are_tests && parser.isSet("resume") && options.folder.isEmpty())
+        return failure("there are no results to go on with", "--resume", "Name their folder with --out");
     for (const char* const whole : {"slurm", "shard", "runs", "first-seed", "until-decided"})
         if (are_tests && parser.isSet(whole))
             return failure("tests are flown here, all of them, with their own seeds", std::string("--") + whole,

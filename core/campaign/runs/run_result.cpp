@@ -64,7 +64,9 @@ Result<RunResult> readResultLine(const QByteArray& line, ResultPart part) {
     QJsonParseError problem;
     // In a text within quotes, the quotes of this would be escaped, so it can only begin the summary.
     const qsizetype head = part == ResultPart::Head ? line.indexOf(before_summary) : -1;
-    const QJsonObject read = QJsonDocument::fromJson(head < 0 ? line : line.left(head) + '}', &problem).object();
+    QJsonObject read = QJsonDocument::fromJson(head < 0 ? line : line.left(head) + '}', &problem).object();
+    if (head >= 0 && !read.contains("version")) // Once, the summary stood in the middle of its line.
+        read = QJsonDocument::fromJson(line, &problem).object();
     if (problem.error != QJsonParseError::NoError)
         return failure("this is not JSON: " + problem.errorString().toStdString(), {});
     const auto outcome = outcomeFrom(read["outcome"].toString());

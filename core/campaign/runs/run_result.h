@@ -44,7 +44,7 @@ struct RunResult {
     QJsonObject summary;
     /// Set if the run was flown twice: names of the figures that differed, which is nothing if all is well.
     std::optional<QStringList> differences{};
-    QStringList broken{}; ///< a sentence for each invariant that it breaks; empty if it is sound
+    QStringList broken{}; ///< It has a sentence for each invariant that the run breaks.
 };
 
 /// How much of a line is read. The summary, which is nearly all of it, comes last.

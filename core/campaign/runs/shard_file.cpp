@@ -32,25 +32,41 @@ Result<void> dropTornLine(QFile& file) {
     return {};
 }
 
+constexpr qint64 block_bytes = qint64{4} << 20; ///< Reading line by line takes twice as long.
+
+/// `place` is the file and the line.
+Result<void> takeLine(const QByteArray& line, const std::string& version, ResultPart part, const std::string& place,
+                      std::map<int, RunResult>& results) {
+    auto result = readResultLine(line, part);
+    if (!result)
+        return failure(result.error().what, place, "Remove the line; its run will be flown again with --resume");
+    if (result->version != version)
+        return failure("this result is of version " + result->version + ", and this program is " + version, place,
+                       "Use that version, or begin anew in another folder");
+    results.try_emplace(result->number, *std::move(result));
+    return {};
+}
+
 Result<void> readFile(const QString& path, const std::string& version, ResultPart part,
                       std::map<int, RunResult>& results) {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return failure("cannot read it: " + file.errorString().toStdString(), path.toStdString(),
                        "Check the permissions");
-    // Half a gigabyte is faster to map than to copy.
-    const uchar* const bytes = file.size() > 0 ? file.map(0, file.size()) : nullptr;
-    const QByteArray text =
-        bytes ? QByteArray::fromRawData(reinterpret_cast<const char*>(bytes), file.size()) : file.readAll();
-    for (qsizetype number = 1, begin = 0, end = 0; (end = text.indexOf('\n', begin)) >= 0; ++number, begin = end + 1) {
-        auto result = readResultLine(QByteArray::fromRawData(text.constData() + begin, end - begin), part);
-        const std::string place = path.toStdString() + ':' + std::to_string(number);
-        if (!result)
-            return failure(result.error().what, place, "Remove the line; its run will be flown again with --resume");
-        if (result->version != version)
-            return failure("this result is of version " + result->version + ", and this program is " + version, place,
-                           "Use that version, or begin anew in another folder");
-        results.try_emplace(result->number, *std::move(result));
+    QByteArray text;
+    int number = 0;
+    while (!file.atEnd()) {
+        const QByteArray block = file.read(block_bytes);
+        if (block.isEmpty())
+            break;
+        text += block;
+        qsizetype begin = 0;
+        for (qsizetype end = 0; (end = text.indexOf('\n', begin)) >= 0; begin = end + 1)
+            if (auto taken = takeLine(QByteArray::fromRawData(text.constData() + begin, end - begin), version, part,
+                                      path.toStdString() + ':' + std::to_string(++number), results);
+                !taken)
+                return taken;
+        text.remove(0, begin);
     }
     return {};
 }

@@ -4,27 +4,19 @@
 #include <utility>
 
 #include "core/base/numbers.h"
-#include "core/base/text.h"
 
 namespace usar::mission {
 
 namespace {
 
-/// The claim must hold all the time, and not only once.
-bool mustLast(ClaimKind kind) {
-    return kind != ClaimKind::State && kind != ClaimKind::ElementRuns;
-}
-
-bool isAboutPlan(ClaimKind kind) {
-    return kind == ClaimKind::ElementRuns || kind == ClaimKind::ElementRests;
-}
-
-bool isAboutHeight(ClaimKind kind) {
-    return kind == ClaimKind::AltitudeAbove || kind == ClaimKind::AltitudeBelow;
-}
+constexpr Seconds piece{5.0}; ///< A piece of a plan's trace comes no later than this.
 
 std::string at(Seconds time) {
     return " at " + fixed(time.count(), 1) + " s";
+}
+
+bool includes(const Claim& claim, Seconds since) {
+    return since >= claim.from && since <= claim.to;
 }
 
 } // namespace
@@ -32,21 +24,19 @@ std::string at(Seconds time) {
 ClaimWatch::ClaimWatch(std::vector<Claim> claims, CountContacts count_contacts)
     : seen_(claims.size())
     , count_contacts_(std::move(count_contacts)) {
-    for (Claim& claim : claims)
+    for (Claim& claim : claims) {
+        if (isAboutPlan(claim.kind) && !plan_)
+            plan_ = std::make_unique<PlanWatch>();
         verdicts_.push_back({.claim = std::move(claim)});
+    }
 }
 
-void ClaimWatch::take(const protocol::InfoLine& line, Seconds spawned_at, Seconds now) {
-    if (empty() || spawned_at.count() == 0.0)
+void ClaimWatch::take(const protocol::InfoLine& line, Seconds now) {
+    if (empty() || !origin_)
         return;
-    spawned_at_ = spawned_at;
-    since_ = now - spawned_at;
-    if (const auto* const truth = std::get_if<protocol::GroundTruthReading>(&line.message)) {
-        truth_known_ = true;
-        takeHeight(truth->base_in_map.position_m.z(), first_truth_m_);
-    } else if (const auto* const ins = std::get_if<protocol::InsReading>(&line.message); ins && !truth_known_) {
-        takeHeight(ins->base_in_map.position_m.z(), first_ins_m_);
-    }
+    since_ = now - *origin_;
+    if (const auto height_m = height_.take(line))
+        takeHeight(*height_m);
     for (std::size_t i = 0; i < verdicts_.size(); ++i)
         if (!verdicts_[i].holds)
             look(i);
@@ -55,34 +45,39 @@ void ClaimWatch::take(const protocol::InfoLine& line, Seconds spawned_at, Second
 void ClaimWatch::take(const agent::Published& value) {
     if (empty())
         return;
-    if (const auto* const status = std::get_if<agent::BehaviorStatus>(&value)) {
-        for (std::size_t i = 0; i < verdicts_.size(); ++i)
-            if (const Claim& claim = verdicts_[i].claim; claim.kind == ClaimKind::State && within(claim))
-                seen_[i].held |= lowerCase(status->state).find(lowerCase(claim.name)) != std::string::npos;
-    } else if (const auto* const trace = std::get_if<agent::PlanTrace>(&value)) {
-        plan_.take(trace->bytes, [this](const std::string& name, Seconds time) {
-            for (std::size_t i = 0; i < verdicts_.size(); ++i) {
-                const Claim& claim = verdicts_[i].claim;
-                const Seconds since = time - spawned_at_;
-                if (isAboutPlan(claim.kind) && claim.name == name && since >= claim.from && since <= claim.to)
-                    seen_[i].held = true;
-            }
-        });
+    if (const auto* const status = std::get_if<agent::BehaviorStatus>(&value))
+        takeStatus(*status);
+    else if (const auto* const trace = std::get_if<agent::PlanTrace>(&value); trace && plan_)
+        plan_->take(trace->bytes, [this](const std::string& element, Seconds time) { takeRun(element, time); });
+}
+
+void ClaimWatch::takeStatus(const agent::BehaviorStatus& status) {
+    if (!origin_)
+        origin_ = status.time - status.elapsed;
+    for (std::size_t i = 0; i < verdicts_.size(); ++i)
+        if (const Claim& claim = verdicts_[i].claim;
+            claim.kind == ClaimKind::State && includes(claim, status.time - *origin_))
+            seen_[i].held |= hasState(status.state, claim);
+}
+
+void ClaimWatch::takeRun(const std::string& element, Seconds time) {
+    for (std::size_t i = 0; i < verdicts_.size(); ++i) {
+        const Claim& claim = verdicts_[i].claim;
+        if (!isAboutPlan(claim.kind) || claim.name != element || !origin_ || !includes(claim, time - *origin_))
+            continue;
+        seen_[i].held = true;
+        if (claim.kind == ClaimKind::ElementRests)
+            judge(i, false, "it ran" + at(time - *origin_));
     }
 }
 
-void ClaimWatch::takeHeight(double z_m, std::optional<double>& first_z_m) {
-    if (!first_z_m)
-        first_z_m = z_m;
-    const double height_m = z_m - *first_z_m;
+void ClaimWatch::takeHeight(double height_m) {
     for (std::size_t i = 0; i < verdicts_.size(); ++i) {
         const Claim& claim = verdicts_[i].claim;
-        if (!isAboutHeight(claim.kind) || verdicts_[i].holds || !within(claim))
+        if (!isAboutHeight(claim.kind) || verdicts_[i].holds || !includes(claim, since_))
             continue;
         seen_[i].pose = true;
-        const bool holds =
-            claim.kind == ClaimKind::AltitudeAbove ? height_m > claim.height_m : height_m < claim.height_m;
-        if (!holds)
+        if (!holdsAt(height_m, claim))
             judge(i, false, "the altitude was " + fixed(height_m, 2) + " m" + at(since_));
     }
 }
@@ -91,7 +86,6 @@ void ClaimWatch::takeHeight(double z_m, std::optional<double>& first_z_m) {
 /// waits a while for the last one.
 void ClaimWatch::look(std::size_t i) {
     const Claim& claim = verdicts_[i].claim;
-    constexpr Seconds piece{5.0};
     if (since_ >= claim.from && !std::exchange(seen_[i].began, true) && claim.kind == ClaimKind::NoContact &&
         count_contacts_)
         seen_[i].contacts_before = count_contacts_();
@@ -106,16 +100,18 @@ void ClaimWatch::close(std::size_t i) {
     const Seen& seen = seen_[i];
     if (claim.kind == ClaimKind::NoContact) {
         const std::optional<int> contacts = count_contacts_ ? count_contacts_() : std::nullopt;
+        const int more = contacts.value_or(0) - seen.contacts_before.value_or(0);
         if (!contacts || !seen.contacts_before)
-            judge(i, false, "contacts are not known here: only the embedded simulator tells them");
+            judge(i, false,
+                  "nobody knows the contacts: only the embedded simulator counts them, while the robot is in it");
         else
-            judge(i, *contacts == *seen.contacts_before,
-                  std::to_string(*contacts - *seen.contacts_before) + " contacts were counted");
+            judge(i, more == 0,
+                  more == 1 ? "one contact was counted" : std::to_string(more) + " contacts were counted");
     } else if (isAboutHeight(claim.kind)) {
         judge(i, seen.pose, "the robot reported no pose within that time");
     } else if (claim.kind == ClaimKind::State) {
         judge(i, seen.held, "no such state was published");
-    } else if (!plan_.has(claim.name)) {
+    } else if (!plan_->has(claim.name)) {
         judge(i, false, "no plan with such an element ran");
     } else {
         const bool runs = claim.kind == ClaimKind::ElementRuns;
@@ -133,8 +129,9 @@ void ClaimWatch::end() {
         if (verdicts_[i].holds)
             continue;
         const Claim& claim = verdicts_[i].claim;
-        const bool over = since_ >= claim.to || (!mustLast(claim.kind) && seen_[i].held);
-        if (over)
+        // The last piece of a plan's trace may be missing, so a claim about it needs more than its own time.
+        const Seconds needed = claim.to + (isAboutPlan(claim.kind) ? piece : Seconds{0.0});
+        if (since_ >= needed || (!mustLast(claim.kind) && seen_[i].held))
             close(i);
         else
             judge(i, false, "the flight ended" + at(since_) + ", before that time was over");
@@ -148,7 +145,8 @@ bool ClaimWatch::decided() const {
 }
 
 bool ClaimWatch::allHold() const {
-    return std::ranges::all_of(verdicts_, [](const ClaimVerdict& verdict) { return verdict.holds == true; });
+    return !empty() &&
+           std::ranges::all_of(verdicts_, [](const ClaimVerdict& verdict) { return verdict.holds == true; });
 }
 
 std::string ClaimWatch::sentence() const {

@@ -1,12 +1,14 @@
-// Watches a flight, live or recorded, and judges claims about it.
+// Watches a flight and judges claims about it.
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/agent/published.h"
+#include "core/mission/claims/height_watch.h"
 #include "core/mission/claims/plan_watch.h"
 #include "core/mission/files/claim.h"
 #include "core/protocol/info_message.h"
@@ -16,14 +18,14 @@ namespace usar::mission {
 /// Counts the contacts of the robot so far; nullopt if nobody knows them.
 using CountContacts = std::function<std::optional<int>()>;
 
-/// Takes what the session takes, in its order. The altitude is that of ground truth if the robot reports it, else of
-/// INS. Contacts are asked for at the two times of a claim only. Reads no clock; belongs to one thread.
+/// Takes what the session takes, in its order. Times count from the start of the behavior, which its first status
+/// tells. Contacts are asked for at the two times of a claim only. Reads no clock; belongs to one thread.
 class ClaimWatch {
 public:
     explicit ClaimWatch(std::vector<Claim> claims = {}, CountContacts count_contacts = {});
 
-    /// Takes an info line. `spawned_at` and `now` are on the protocol clock; 0: not known yet.
-    void take(const protocol::InfoLine& line, Seconds spawned_at, Seconds now);
+    /// Takes an info line; `now` is on the protocol clock.
+    void take(const protocol::InfoLine& line, Seconds now);
     void take(const agent::Published& value);
     /// The flight is over: claims whose time is not over do not hold.
     void end();
@@ -31,7 +33,7 @@ public:
     bool empty() const { return verdicts_.empty(); }
     /// True if each claim is judged, or one is broken. False without claims.
     bool decided() const;
-    /// True if each claim is judged and holds.
+    /// True if each claim is judged and holds. False without claims.
     bool allHold() const;
     /// One sentence on the result: that of the first claim that is broken, or that all hold.
     std::string sentence() const;
@@ -46,22 +48,20 @@ private:
         bool held = false;  ///< What must hold once has held.
     };
 
-    /// Takes a height and that of the first pose from the same source, which it sets if there is none.
-    void takeHeight(double z_m, std::optional<double>& first_z_m);
+    void takeStatus(const agent::BehaviorStatus& status);
+    void takeRun(const std::string& element, Seconds time);
+    void takeHeight(double height_m);
     void look(std::size_t at);
     void close(std::size_t at);
     void judge(std::size_t at, bool holds, const std::string& why);
-    bool within(const Claim& claim) const { return since_ >= claim.from && since_ <= claim.to; }
 
     std::vector<ClaimVerdict> verdicts_;
     std::vector<Seen> seen_; ///< Their indices are those of the verdicts.
     CountContacts count_contacts_;
-    PlanWatch plan_;
-    Seconds spawned_at_{0.0};
-    Seconds since_{0.0}; ///< Time since the robot appeared.
-    bool truth_known_ = false;
-    std::optional<double> first_ins_m_;
-    std::optional<double> first_truth_m_;
+    std::unique_ptr<PlanWatch> plan_; ///< null: no claim is about a plan
+    HeightWatch height_;
+    std::optional<Seconds> origin_; ///< The behavior started then, on the protocol clock.
+    Seconds since_{0.0};            ///< Time since then.
 };
 
 } // namespace usar::mission

@@ -13,32 +13,32 @@ bool isRun(posh::TraceEvent event) {
 
 } // namespace
 
-void PlanWatch::take(std::string_view piece, const Tell& ran, const std::function<void(Seconds)>& cycled) {
-    if (piece.starts_with(posh::trace_codec::magic)) {
-        bytes_.clear();
-        file_.reset();
-        next_ = 1;
-    }
+void PlanWatch::take(std::string_view piece, const Tell& ran) {
+    if (piece.starts_with(posh::trace_codec::magic))
+        clear();
     bytes_ += piece;
-    if (file_)
+    if (file_) {
         file_->extend(bytes_);
-    else if (auto opened = posh::TraceFile::open(bytes_))
+    } else if (auto opened = posh::TraceFile::open(bytes_)) {
         file_ = *std::move(opened);
-    else
+        next_ = file_->begin();
+    } else {
         return;
-    auto cursor = file_->seek(next_);
-    while (const posh::TracedCycle* const cycle = cursor.next()) {
-        if (cycle->number < next_)
-            continue;
-        next_ = cycle->number + 1;
+    }
+    while (const posh::TracedCycle* const cycle = next_->next()) {
         program_ = cycle->program;
         const Seconds time{static_cast<double>(cycle->time_ms) / 1000.0};
         for (const posh::trace_codec::Entry& entry : cycle->events)
-            if (isRun(entry.record.event) && cycle->program && entry.record.place < cycle->program->places.size())
-                ran(posh::nameOf(*cycle->program, entry.record.place), time);
-        if (cycled)
-            cycled(time);
+            if (isRun(entry.record.event) && program_ && entry.record.place < program_->places.size())
+                ran(posh::nameOf(*program_, entry.record.place), time);
     }
+}
+
+void PlanWatch::clear() {
+    bytes_.clear();
+    next_.reset();
+    file_.reset();
+    program_.reset();
 }
 
 bool PlanWatch::has(std::string_view name) const {

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 #include "core/mission/files/json_reading.h"
 
 namespace usar::mission {
@@ -56,7 +57,7 @@ Claim readClaim(JsonReading& reading, const QJsonObject& object, const QString& 
     reading.number(object, path + ".from_s", from_s, true, "seconds");
     reading.number(object, path + ".to_s", to_s, true, "seconds");
     if (!(from_s >= 0.0 && from_s < to_s && to_s <= longest_s))
-        reading.failAt(path + ".to_s", "the times of the claim are no span after the robot has appeared",
+        reading.failAt(path + ".to_s", "the times of the claim are no span after the start",
                        "write from_s from 0 up, and to_s above it");
     claim.from = Seconds{from_s};
     claim.to = Seconds{to_s};
@@ -68,6 +69,14 @@ Claim readClaim(JsonReading& reading, const QJsonObject& object, const QString& 
 }
 
 } // namespace
+
+bool holdsAt(double height_m, const Claim& claim) {
+    return claim.kind == ClaimKind::AltitudeAbove ? height_m > claim.height_m : height_m < claim.height_m;
+}
+
+bool hasState(const std::string& state, const Claim& claim) {
+    return lowerCase(state).find(lowerCase(claim.name)) != std::string::npos;
+}
 
 std::string wordsOf(const Claim& claim) {
     switch (claim.kind) {

@@ -14,23 +14,34 @@ namespace usar::mission {
 
 class JsonReading;
 
-/// What is claimed. The first three hold if they hold all the time between the claim's two times, the others if they
-/// hold at one moment at least, and ElementRests if its element never runs.
+/// What is claimed. State and ElementRuns hold if they hold at one moment at least between the claim's two times, the
+/// others if they hold all that time.
 enum class ClaimKind {
     NoContact,     ///< The robot touches nothing; only an embedded simulator knows it.
     AltitudeAbove, ///< The robot is higher than `height_m`.
     AltitudeBelow, ///< The robot is lower than `height_m`.
-    State,         ///< The state that the behavior publishes has the words of `name` in it.
+    State,         ///< The state that the behavior publishes contains the text `name`, in upper or lower case.
     ElementRuns,   ///< The drive, element, competence or act `name` of the POSH plan runs.
     ElementRests,  ///< It does not run.
 };
 
-/// One claim. Times count from the robot's first message, on the protocol clock; 0 <= from < to.
+/// True for claims that must hold all the time, and not only once.
+constexpr bool mustLast(ClaimKind kind) {
+    return kind != ClaimKind::State && kind != ClaimKind::ElementRuns;
+}
+constexpr bool isAboutPlan(ClaimKind kind) {
+    return kind == ClaimKind::ElementRuns || kind == ClaimKind::ElementRests;
+}
+constexpr bool isAboutHeight(ClaimKind kind) {
+    return kind == ClaimKind::AltitudeAbove || kind == ClaimKind::AltitudeBelow;
+}
+
+/// One claim. Times count from the start of the behavior, on the protocol clock; 0 <= from < to.
 struct Claim {
     ClaimKind kind = ClaimKind::NoContact;
     Seconds from{0.0};
     Seconds to{0.0};
-    double height_m = 0.0; ///< It is above the place where the robot appeared, z up.
+    double height_m = 0.0; ///< It is above the robot's place when the behavior started, z up.
     std::string name{};
     bool operator==(const Claim&) const = default;
 };
@@ -42,6 +53,11 @@ struct ClaimVerdict {
     std::string why{};           ///< It says in words what was seen; empty if the claim holds.
     bool operator==(const ClaimVerdict&) const = default;
 };
+
+/// True if a claim about heights holds at this one.
+bool holdsAt(double height_m, const Claim& claim);
+/// True if a claim about states holds in this one.
+bool hasState(const std::string& state, const Claim& claim);
 
 /// The claim without its times, in words: "no contact", "altitude above 2.00 m", "plan element evade runs".
 std::string wordsOf(const Claim& claim);

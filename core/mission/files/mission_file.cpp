@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include <QDir>
@@ -55,16 +56,21 @@ void readLimit(JsonReading& reading, const QJsonObject& root, std::optional<doub
                        "write hours of simulated time, such as 20, or leave it out: then there is no limit");
 }
 
-/// Larger seeds are written as texts, because a number in JSON has 53 bits.
+/// Larger seeds than a number in JSON can hold exactly are written as texts.
 void readSeed(JsonReading& reading, const QJsonObject& root, std::optional<std::uint64_t>& seed) {
     const QJsonValue value = root["seed"];
     if (value.isUndefined())
         return;
-    bool is_whole = false;
-    const QString written = value.isString() ? value.toString() : QString::number(value.toDouble(-1.0), 'f', 0);
-    seed = written.toULongLong(&is_whole);
-    if (!is_whole || (value.isDouble() && value.toDouble() != static_cast<double>(*seed)))
-        reading.failAt("seed", "the seed is no whole number from 0 up", "write for example 7");
+    const double number = value.toDouble(-1.0);
+    bool is_whole = value.isString();
+    if (is_whole)
+        seed = value.toString().toULongLong(&is_whole);
+    else if (is_whole = number >= 0.0 && number < static_cast<double>(largest_exact) && number == std::trunc(number);
+             is_whole)
+        seed = static_cast<std::uint64_t>(number);
+    if (!is_whole || *seed > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()))
+        reading.failAt("seed", "the seed is no whole number from 0 up to 9223372036854775807",
+                       "write for example 7, and one above 9007199254740991 in quotes");
 }
 
 void readParameters(JsonReading& reading, const QJsonObject& root, Mission& mission) {

@@ -11,6 +11,7 @@
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/link/replay.h"
+#include "core/mission/claims/height_watch.h"
 #include "core/mission/claims/plan_watch.h"
 #include "core/mission/session/stream_name.h"
 #include "core/modules/state.h"
@@ -20,40 +21,82 @@ namespace usar::mission {
 
 namespace {
 
-/// Text of the fault in a sentence such as "60.2 s: fault begins: wind speed=5 from=60"; empty if none begins.
-std::string faultIn(const std::string& sentence) {
-    constexpr std::string_view begins = "fault begins: ";
-    const auto found = sentence.find(begins);
-    return found == std::string::npos ? std::string() : sentence.substr(found + begins.size());
+constexpr Seconds at_once{1.0}; ///< Without a window, less than this passes before the behavior starts.
+constexpr std::string_view from_key = " from=";
+
+/// A fault that was made to happen, as its sentences tell it; times are those of the simulation.
+struct MadeFault {
+    std::string text;
+    Seconds begun{0.0};
+    std::optional<Seconds> ended{};
+};
+
+/// The number after the key in a fault's text.
+std::optional<double> numberOf(const std::string& fault, std::string_view key) {
+    const auto found = fault.find(key);
+    if (found == std::string::npos)
+        return std::nullopt;
+    const auto begin = found + key.size();
+    return readNumber(fault.substr(begin, fault.find(' ', begin) - begin));
 }
 
-/// The fault as a simulator makes it whose time began with the robot. Less than a second passes in a mission without a
-/// window before the robot appears, and there the times stay as they are.
-std::string shifted(const std::string& fault, Seconds spawned_at) {
-    constexpr Seconds at_once{1.0};
-    constexpr std::string_view key = " from=";
-    const auto found = fault.find(key);
-    if (found == std::string::npos || spawned_at < at_once)
-        return fault;
-    const auto begin = found + key.size();
-    const auto end = std::min(fault.find(' ', begin), fault.size());
-    const double from_s = readNumber(fault.substr(begin, end - begin)).value_or(0.0) - spawned_at.count();
-    return fault.substr(0, found) + (from_s > 0.0 ? std::string(key) + fixed(from_s, 2) : std::string()) +
-           fault.substr(end);
+/// The text without this key and its value.
+std::string without(std::string_view key, std::string fault) {
+    if (const auto found = fault.find(key); found != std::string::npos)
+        fault.erase(found, fault.find(' ', found + key.size()) - found);
+    return fault;
+}
+
+/// Takes a sentence such as "60.2 s: fault begins: wind speed=5 from=60".
+void takeFault(const std::string& sentence, std::vector<MadeFault>& faults) {
+    const auto colon = sentence.find(" s: ");
+    const auto text = sentence.find(": ", colon + 4);
+    const auto time_s = colon == std::string::npos ? std::nullopt : readNumber(sentence.substr(0, colon));
+    if (!time_s || text == std::string::npos)
+        return;
+    const std::string fault = sentence.substr(text + 2);
+    if (sentence.substr(colon + 4, text - colon - 4) == "fault begins") {
+        faults.push_back({fault, Seconds{*time_s}});
+        return;
+    }
+    const auto same =
+        std::ranges::find_if(faults, [&](const MadeFault& one) { return one.text == fault && !one.ended; });
+    if (same != faults.end())
+        same->ended = Seconds{*time_s};
+}
+
+/// The fault as a simulator makes it whose time begins with the behavior.
+std::string shifted(const MadeFault& fault, Seconds origin) {
+    std::string text = without(" robot=", fault.text); // A test has one robot.
+    if (origin >= at_once) {
+        const Seconds from = fault.begun - origin;
+        text = without(from_key, text) + (from.count() > 0.0 ? std::string(from_key) + fixed(from.count(), 2) : "");
+    }
+    if (fault.ended && text.find(" for=") == std::string::npos)
+        text += " for=" + fixed((*fault.ended - fault.begun).count(), 2);
+    return text;
 }
 
 /// Plays a recording and keeps what belongs to the moment.
 class MomentPlayer : private link::ReplayTaker {
 public:
-    MomentPlayer(std::unique_ptr<link::RecordingReader> recording, Seconds now, Seconds reach)
+    MomentPlayer(std::unique_ptr<link::RecordingReader> recording, Seconds now, const std::atomic_bool& given_up,
+                 Seconds reach)
         : path_(QString::fromStdString(recording->path()))
+        , robot_name_(nameIn(recording->survey().facts))
         , wanted_(now)
         , reach_(reach)
+        , given_up_(given_up)
         , replayer_(std::move(recording), *this) {}
 
     Result<FlightMoment> play();
 
 private:
+    static std::string nameIn(const std::map<std::string, std::string>& facts) {
+        const auto found = facts.find("robot");
+        return found == facts.end() ? std::string() : found->second;
+    }
+
     void rewound() override {}
     void opened(std::string_view) override { beginConnection(); }
     void closed(std::string_view) override {}
@@ -62,38 +105,62 @@ private:
     void note(const link::Record& record) override;
     void quiet(bool) override {}
 
+    void stop();
     void beginConnection();
+    void beginMission(std::string_view note);
     void takePublished(const agent::Published& value);
-    void takeHeight(double z_m);
-    Seconds since(Seconds now) const { return now - spawned_at_; }
+    void takeStatus(const agent::BehaviorStatus& status);
+    FlightMoment result(FlownMission flown);
+    std::vector<std::string> faultsOf(const Mission& mission) const;
+    Seconds since(Seconds now) const { return now - origin_.value_or(now); }
     bool near(Seconds now) const { return now >= wanted_ - reach_ && now <= wanted_ + reach_; }
     bool before() const { return state_->now() <= wanted_; }
 
     const QString path_;
+    const std::string robot_name_;
     const Seconds wanted_;
     const Seconds reach_;
-    QEventLoop loop_; ///< before the replayer, whose timer needs the event loop of this thread
+    const std::atomic_bool& given_up_;
+    QEventLoop loop_;   ///< before the replayer, whose timer needs the event loop of this thread
+    bool done_ = false; ///< What is still played is not looked at.
     protocol::Reader reader_;
     std::optional<modules::StateModule> state_{std::in_place};
-    Seconds spawned_at_{0.0};
-    bool robot_heard_ = false;
-    bool truth_known_ = false;
-    std::optional<double> first_z_m_;
-    std::vector<std::string> faults_;
+    std::optional<Seconds> heard_at_; ///< The robot's first message came then.
+    std::optional<Seconds> origin_;   ///< The behavior started then.
+    HeightWatch height_;
+    std::vector<MadeFault> faults_;
     std::optional<std::string> mission_;
     PlanWatch plan_;
     FlightMoment moment_;
     link::Replayer replayer_;
 };
 
+void MomentPlayer::stop() {
+    done_ = true;
+    loop_.quit();
+}
+
+/// A connection after the moment ends what can be told about it.
 void MomentPlayer::beginConnection() {
+    if (mission_ && !before())
+        return stop();
     state_.emplace();
-    spawned_at_ = Seconds{0.0};
-    robot_heard_ = false;
-    truth_known_ = false;
-    first_z_m_.reset();
+    heard_at_.reset();
     faults_.clear();
+    mission_.reset();
     moment_ = {};
+}
+
+void MomentPlayer::beginMission(std::string_view note) {
+    if (mission_ && !before())
+        return stop();
+    mission_ = note;
+    origin_.reset();
+    height_ = {};
+    plan_.clear();
+    const bool by_hand = moment_.by_hand;
+    moment_ = {};
+    moment_.by_hand = by_hand;
 }
 
 Result<FlightMoment> MomentPlayer::play() {
@@ -101,46 +168,53 @@ Result<FlightMoment> MomentPlayer::play() {
     replayer_.setSpeed(std::numeric_limits<double>::infinity());
     replayer_.setPlaying(true);
     loop_.exec();
-    const auto flown = mission_
-                           ? readFlownMission(*mission_, path_)
-                           : Result<FlownMission>(failure("no mission was flown at that moment", path_.toStdString(),
-                                                          "Choose a moment after a behavior was started"));
+    if (given_up_)
+        return failure("the recording is not wanted any longer", path_.toStdString());
+    if (!mission_ || !origin_)
+        return failure("no mission was flown at that moment", path_.toStdString(),
+                       "Choose a moment after a behavior was started");
+    auto flown = readFlownMission(*mission_, path_);
     if (!flown)
         return tl::unexpected(flown.error());
-    moment_.flown = *flown;
-    std::vector<std::string>& faults = moment_.flown.mission.faults;
-    faults.clear(); // Those that had begun are told below, those of the mission among them.
-    for (const std::string& fault : faults_)
-        faults.push_back(shifted(fault, spawned_at_));
+    return result(*std::move(flown));
+}
+
+FlightMoment MomentPlayer::result(FlownMission flown) {
+    moment_.flown = std::move(flown);
+    moment_.flown.mission.faults = faultsOf(moment_.flown.mission);
     moment_.at = since(wanted_);
     moment_.first = std::max(Seconds{0.0}, since(wanted_ - reach_));
     moment_.last = std::min(since(state_->now()), since(wanted_ + reach_));
-    return moment_;
+    moment_.late = heard_at_ && *origin_ - *heard_at_ >= at_once;
+    return std::move(moment_);
+}
+
+/// Those that had begun, and those of the mission that were still to come.
+std::vector<std::string> MomentPlayer::faultsOf(const Mission& mission) const {
+    std::vector<std::string> faults;
+    for (const MadeFault& fault : faults_)
+        if (fault.text.find(" robot=") == std::string::npos ||
+            fault.text.find(" robot=" + robot_name_) != std::string::npos)
+            faults.push_back(shifted(fault, *origin_));
+    for (const std::string& fault : mission.faults)
+        if (numberOf(fault, from_key).value_or(0.0) > since(state_->now()).count())
+            faults.push_back(fault);
+    return faults;
 }
 
 void MomentPlayer::line(std::string_view text, LineNumber number) {
+    if (done_ || given_up_)
+        return stop();
     reader_.continueAfter({number.value - 1});
     const protocol::InfoLine& line = reader_.read(text);
     state_->take(line);
-    robot_heard_ = robot_heard_ || isRobotData(line.message);
-    if (robot_heard_ && spawned_at_.count() == 0.0)
-        spawned_at_ = state_->now();
-    if (const auto* const truth = std::get_if<protocol::GroundTruthReading>(&line.message)) {
-        if (!std::exchange(truth_known_, true))
-            first_z_m_.reset();
-        takeHeight(truth->base_in_map.position_m.z());
-    } else if (const auto* const ins = std::get_if<protocol::InsReading>(&line.message); ins && !truth_known_) {
-        takeHeight(ins->base_in_map.position_m.z());
-    }
+    if (!heard_at_ && isRobotData(line.message) && state_->now().count() > 0.0)
+        heard_at_ = state_->now();
+    const auto height_m = origin_ ? height_.take(line) : std::nullopt;
+    if (height_m && near(state_->now()))
+        moment_.heights_m.push_back({since(state_->now()), *height_m});
     if (state_->now() > wanted_ + reach_)
-        loop_.quit();
-}
-
-void MomentPlayer::takeHeight(double z_m) {
-    if (!first_z_m_)
-        first_z_m_ = z_m;
-    if (near(state_->now()))
-        moment_.heights_m.push_back({since(state_->now()), z_m - *first_z_m_});
+        stop();
 }
 
 void MomentPlayer::sent(const link::Record& record) {
@@ -151,97 +225,120 @@ void MomentPlayer::sent(const link::Record& record) {
 }
 
 void MomentPlayer::note(const link::Record& record) {
-    if (record.name == "mission" && before()) {
-        mission_ = record.bytes;
-        moment_.states.clear();
-        moment_.by_hand = false;
-    } else if (record.name == "fault") {
-        if (std::string fault = faultIn(std::string(record.bytes)); !fault.empty())
-            faults_.push_back(std::move(fault));
-    } else if (record.name == "published") {
-        if (const auto value = agent::readPublished(record.bytes))
-            takePublished(*value);
-    }
+    if (done_)
+        return;
+    if (record.name == "mission")
+        beginMission(record.bytes);
+    else if (record.name == "fault")
+        takeFault(std::string(record.bytes), faults_);
+    else if (const auto value = record.name == "published" ? agent::readPublished(record.bytes) : std::nullopt)
+        takePublished(*value);
 }
 
 void MomentPlayer::takePublished(const agent::Published& value) {
-    if (const auto* const status = std::get_if<agent::BehaviorStatus>(&value)) {
-        const Seconds time = since(status->time);
-        if (status->time > wanted_ + reach_)
-            return;
-        if (moment_.states.empty() || moment_.states.back().value != status->state)
-            moment_.states.push_back({time, status->state});
-    } else if (const auto* const trace = std::get_if<agent::PlanTrace>(&value)) {
+    if (const auto* const status = std::get_if<agent::BehaviorStatus>(&value))
+        takeStatus(*status);
+    else if (const auto* const trace = std::get_if<agent::PlanTrace>(&value))
         plan_.take(trace->bytes, [this](const std::string& name, Seconds time) {
             std::vector<Seconds>& runs = moment_.element_runs[name];
             if (near(time))
                 runs.push_back(since(time));
         });
-    }
 }
 
-/// Half meters, and at least 0.1 m away from what was flown.
+void MomentPlayer::takeStatus(const agent::BehaviorStatus& status) {
+    if (!origin_)
+        origin_ = status.time - status.elapsed;
+    std::vector<Since<std::string>>& states = moment_.states;
+    if (status.time <= wanted_ + reach_ && (states.empty() || states.back().value != status.state))
+        states.push_back({since(status.time), status.state});
+}
+
+/// Half a meter or more below, which is never less than 0.1 m.
 double roundedDown(double height_m) {
     return std::floor((height_m - 0.1) * 2.0) / 2.0;
 }
 
-void offerHeights(const FlightMoment& moment, Claim claim, std::vector<ClaimOffer>& offers) {
+void offerHeights(const FlightMoment& moment, Claim claim, std::vector<Claim>& offers) {
     double least_m = std::numeric_limits<double>::infinity(), most_m = -least_m;
     for (const auto& [time, height_m] : moment.heights_m)
         if (time >= claim.from && time <= claim.to) {
             least_m = std::min(least_m, height_m);
             most_m = std::max(most_m, height_m);
         }
-    if (least_m > most_m)
-        return;
+    const bool known = least_m <= most_m;
     claim.kind = ClaimKind::AltitudeAbove;
-    claim.height_m = roundedDown(least_m);
-    offers.push_back({claim, true});
+    claim.height_m = known ? roundedDown(least_m) : 2.0;
+    offers.push_back(claim);
     claim.kind = ClaimKind::AltitudeBelow;
-    claim.height_m = -roundedDown(-most_m);
-    offers.push_back({claim, true});
+    claim.height_m = known ? -roundedDown(-most_m) : 20.0;
+    offers.push_back(claim);
+}
+
+/// Whether the claim held in what was recorded of its time.
+bool heldSoFar(const FlightMoment& moment, const Claim& claim) {
+    const auto within = [&](Seconds time) { return time >= claim.from && time <= claim.to; };
+    if (isAboutHeight(claim.kind))
+        return std::ranges::all_of(
+            moment.heights_m, [&](const Since<double>& one) { return !within(one.time) || holdsAt(one.value, claim); });
+    if (claim.kind == ClaimKind::State) {
+        for (std::size_t i = 0; i < moment.states.size(); ++i) {
+            const bool over = i + 1 < moment.states.size() && moment.states[i + 1].time < claim.from;
+            if (!over && moment.states[i].time <= claim.to && hasState(moment.states[i].value, claim))
+                return true;
+        }
+        return false;
+    }
+    const auto runs = moment.element_runs.find(claim.name);
+    const bool ran = runs != moment.element_runs.end() && std::ranges::any_of(runs->second, within);
+    return ran == (claim.kind == ClaimKind::ElementRuns);
 }
 
 } // namespace
 
-Result<FlightMoment> readFlightMoment(const QString& path, Seconds now, Seconds reach) {
+Result<FlightMoment> readFlightMoment(const QString& path, Seconds now, const std::atomic_bool& given_up,
+                                      Seconds reach) {
     auto recording = link::RecordingReader::open(path);
     if (!recording)
         return tl::unexpected(recording.error());
-    return MomentPlayer(*std::move(recording), now, reach).play();
+    return MomentPlayer(*std::move(recording), now, given_up, reach).play();
 }
 
-std::vector<ClaimOffer> claimsToOffer(const FlightMoment& moment, Seconds from, Seconds to) {
+std::optional<bool> heldIn(const FlightMoment& moment, const Claim& claim) {
+    if (claim.kind == ClaimKind::NoContact)
+        return std::nullopt;
+    const bool held = heldSoFar(moment, claim);
+    const bool decided = mustLast(claim.kind) ? !held : held; // What comes later does not change it.
+    const bool whole = claim.from >= moment.first && claim.to <= moment.last;
+    return decided || whole ? std::optional(held) : std::nullopt;
+}
+
+std::vector<Claim> claimsToOffer(const FlightMoment& moment, Seconds from, Seconds to) {
     const Claim about{.from = from, .to = to};
-    std::vector<ClaimOffer> offers;
+    std::vector<Claim> offers{about};
     offerHeights(moment, about, offers);
-    for (std::size_t i = 0; i < moment.states.size(); ++i) {
-        const bool over = i + 1 < moment.states.size() && moment.states[i + 1].time < from;
-        const Claim claim{ClaimKind::State, from, to, 0.0, moment.states[i].value};
-        const ClaimOffer offer{claim, true};
-        if (!over && moment.states[i].time <= to && !claim.name.empty() &&
-            std::ranges::find(offers, offer) == offers.end())
-            offers.push_back(offer);
+    for (const Since<std::string>& state : moment.states) {
+        const Claim claim{ClaimKind::State, from, to, 0.0, state.value};
+        if (!state.value.empty() && heldSoFar(moment, claim) && std::ranges::find(offers, claim) == offers.end())
+            offers.push_back(claim);
     }
-    std::vector<ClaimOffer> resting;
-    for (const auto& [name, times] : moment.element_runs) {
-        const bool ran = std::ranges::any_of(times, [&](Seconds time) { return time >= from && time <= to; });
-        (ran ? offers : resting)
-            .push_back({{ran ? ClaimKind::ElementRuns : ClaimKind::ElementRests, from, to, 0.0, name}, true});
-    }
-    if (to > moment.last) // The rest of the time is not flown yet, or not recorded.
-        for (ClaimOffer& offer : offers)
-            if (offer.claim.kind != ClaimKind::State && offer.claim.kind != ClaimKind::ElementRuns)
-                offer.held.reset();
-    offers.push_back({about, std::nullopt});
-    offers.insert(offers.end(), resting.begin(), resting.end());
+    for (const auto& [name, times] : moment.element_runs)
+        for (const ClaimKind kind : {ClaimKind::ElementRuns, ClaimKind::ElementRests})
+            offers.push_back({kind, from, to, 0.0, name});
+    std::ranges::stable_sort(offers, {}, [&](const Claim& claim) {
+        const auto held = heldIn(moment, claim);
+        return held == true ? 0 : held ? 2 : 1;
+    });
     return offers;
 }
 
 Mission testOf(const FlightMoment& moment, const Claim& claim, const std::string& name) {
+    constexpr std::uint64_t largest_typed = std::numeric_limits<std::int64_t>::max();
     Mission mission = moment.flown.mission;
     mission.name = name;
     mission.seed = moment.flown.seed;
+    if (mission.seed && *mission.seed > largest_typed)
+        mission.seed.reset(); // No command line can name it.
     mission.claims = {claim};
     return mission;
 }

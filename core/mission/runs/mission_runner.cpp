@@ -51,6 +51,10 @@ MissionRunner::~MissionRunner() {
 
 void MissionRunner::start() {
     since_start_.start();
+    session_.setClaims(mission_.claims, [this]() -> std::optional<int> {
+        const auto truth = options_.true_figures ? options_.true_figures() : std::nullopt;
+        return truth ? std::optional(truth->collisions) : std::nullopt;
+    });
     if (const auto prepared = prepare(); !prepared)
         return conclude(false, prepared.error().text(), BadInput);
     if (options_.earlier)
@@ -142,10 +146,6 @@ void MissionRunner::takeRobot() {
         return conclude(false, made.error().text(), BadInput);
     phase_ = Phase::Flying;
     since_flight_.start();
-    session_.setClaims(mission_.claims, [this]() -> std::optional<int> {
-        const auto truth = options_.true_figures ? options_.true_figures() : std::nullopt;
-        return truth ? std::optional(truth->collisions) : std::nullopt;
-    });
     session_.startBehavior(*made, task, missionNote());
 }
 

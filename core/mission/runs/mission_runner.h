@@ -125,8 +125,7 @@ private:
     void conclude(bool success, const std::string& reason, int exit_code);
     void judgeClaims(RunSummary& figures);
     RunSummary figuresOf(const ScanRecord& record);
-    /// Writes the results. If that fails, because the disk has filled up since the check, the scan is saved to the
-    /// folder for temporary files instead.
+    /// Writes the results, into the folder for temporary files if the disk has filled up since the check.
     Result<QStringList> save(const ScanRecord& record, const RunSummary& figures);
 
     Mission mission_;
@@ -145,8 +144,7 @@ private:
     QJsonObject summary_;
 };
 
-/// Returns a summary with the reason and whatever is known about the run; a null pointer stands for an argument that
-/// could not be read.
+/// Returns a summary with the reason and whatever is known; a null pointer stands for what could not be read.
 RunSummary refusedRun(const Error& error, const MissionOptions* options = nullptr, const Mission* mission = nullptr);
 
 } // namespace usar::mission

@@ -94,7 +94,7 @@ void RobotSession::Private::takeLine(std::string_view text) {
     spawning.passed(incoming.now());
     updates.addLine(line); // First, so that the frame of a finished behavior contains its last line.
     helm.answer(line);
-    claims.take(line, spawning.spawnedAt(), incoming.now());
+    claims.take(line, incoming.now());
     endAtLimit();
     endWithClaims();
     updates.touched();

@@ -12,12 +12,13 @@ using namespace usar::mission;
 
 namespace {
 
-constexpr Seconds spawned_at{2.0};
+constexpr Seconds started_at{2.0};
 
 /// A robot that appeared at a height of 10 m, watched from then on.
 struct Flight {
     explicit Flight(std::vector<Claim> claims, CountContacts contacts = {})
         : watch(std::move(claims), std::move(contacts)) {
+        status(0.0, "starting");
         pose(0.0, 0.0);
     }
 
@@ -34,12 +35,17 @@ struct Flight {
         take(since_s, reading);
     }
     void take(double since_s, const protocol::InfoMessage& message) {
-        watch.take(protocol::InfoLine{{++line}, "SEN", message, {}}, spawned_at, spawned_at + Seconds{since_s});
+        watch.take(protocol::InfoLine{{++line}, "SEN", message, {}}, started_at + Seconds{since_s});
+    }
+    void status(double since_s, const std::string& state) {
+        agent::BehaviorStatus status;
+        status.time = started_at + Seconds{since_s};
+        status.elapsed = Seconds{since_s};
+        status.state = state;
+        watch.take(agent::Published(status));
     }
     void state(double since_s, const std::string& words) {
-        agent::BehaviorStatus status;
-        status.state = words;
-        watch.take(agent::Published(status));
+        status(since_s, words);
         pose(since_s, 3.0);
     }
 
@@ -135,7 +141,8 @@ private slots:
         QTest::addColumn<double>("from_s");
         QTest::addColumn<bool>("runs");
         QTest::addColumn<bool>("rests");
-        // The drive danger runs in the first three of twenty cycles, that is, until 0.6 s on the clock of the protocol.
+        // The drive danger runs in the first twelve of twenty cycles, which is until 2.4 s on the clock of the
+        // protocol.
         QTest::newRow("a drive while it runs") << "danger" << 0.0 << true << false;
         QTest::newRow("a drive when it is over") << "danger" << 1.0 << false << true;
         QTest::newRow("an act") << "go" << 1.0 << true << false;
@@ -148,17 +155,15 @@ private slots:
         QFETCH(bool, runs);
         QFETCH(bool, rests);
         for (const auto& [kind, holds] : {std::pair(ClaimKind::ElementRuns, runs), {ClaimKind::ElementRests, rests}}) {
-            ClaimWatch watch({within(kind, from_s, from_s + 1.0, 0.0, element.toStdString())});
-            const auto hear = [&](double now_s) {
-                watch.take(protocol::InfoLine{{1}, "SEN", protocol::InsReading{}, {}}, Seconds{0.01}, Seconds{now_s});
-            };
-            hear(0.1);
+            Flight flight({within(kind, from_s, from_s + 1.0, 0.0, element.toStdString())});
             const std::string plan = "((DC rover (drives ((danger (trigger ((near))) back)) ((way go)))))";
-            for (const std::string& piece : test::piecesOf(plan, 20, 3))
-                watch.take(agent::Published(agent::PlanTrace{piece}));
-            hear(from_s + 9.0);
-            QVERIFY(watch.decided());
-            QCOMPARE(watch.allHold(), holds);
+            for (const std::string& piece : test::piecesOf(plan, 20, 12))
+                flight.watch.take(agent::Published(agent::PlanTrace{piece}));
+            flight.pose(from_s + 1.1, 3.0);
+            QCOMPARE(flight.watch.decided(), runs); // The last piece of a trace may come late, so that it rests is not.
+            flight.pose(from_s + 9.0, 3.0);
+            QVERIFY(flight.watch.decided());
+            QCOMPARE(flight.watch.allHold(), holds);
         }
     }
 
@@ -183,6 +188,14 @@ private slots:
         Flight flight({});
         flight.pose(2.0, 3.0);
         QVERIFY(!flight.watch.decided() && flight.watch.empty());
+        flight.watch.end();
+        QVERIFY(!flight.watch.allHold());
+    }
+
+    void aFlightThatNeverBeganBreaksTheClaim() {
+        ClaimWatch watch({within(ClaimKind::NoContact, 5.0, 8.0)});
+        watch.end();
+        QVERIFY(watch.decided() && !watch.allHold());
     }
 };
 

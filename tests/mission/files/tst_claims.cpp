@@ -33,7 +33,7 @@ private slots:
         Mission mission;
         mission.name = "Test";
         mission.claims = {claim, {.to = Seconds{1.0}}};
-        mission.seed = 18446744073709551615ULL;
+        mission.seed = 9223372036854775807ULL;
         const auto read = readMission(writeMission(mission, {}), "test.json");
         QVERIFY2(read, read ? "" : read.error().text().c_str());
         QVERIFY(read->claims == mission.claims);
@@ -74,6 +74,9 @@ private slots:
             "t.json:1:22", "element");
         row("seed", "{\"name\":\"T\",\"seed\":1.5}", "t.json:1:20", "seed");
         row("negative seed", "{\"name\":\"T\",\"seed\":-1}", "t.json:1:20", "seed");
+        row("a seed that would be rounded", "{\"name\":\"T\",\"seed\":9007199254740993}", "t.json:1:20", "in quotes");
+        row("a seed that no option can name", "{\"name\":\"T\",\"seed\":\"18446744073709551615\"}", "t.json:1:20",
+            "seed");
         row("seed in words", "{\"name\":\"T\",\"seed\":\"seven\"}", "t.json:1:20", "seed");
     }
 

@@ -1,0 +1,215 @@
+// Moments of recordings: what a test of them flies, and what they say about claims.
+#include <algorithm>
+#include <atomic>
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/agent/published_text.h"
+#include "core/link/recording_writer.h"
+#include "core/mission/runs/flight_moment.h"
+#include "tests/doubles/plan_trace.h"
+#include "tests/suite/suite.h"
+
+namespace tst_flight_moment {
+
+using namespace usar;
+using namespace usar::mission;
+
+namespace {
+
+const std::string rover = "((DC rover (drives ((danger (trigger ((near))) back)) ((way go)))))";
+
+/// A recording that a test writes record by record.
+class Tape {
+public:
+    Tape() : writer_(*link::RecordingWriter::create(path(), {{"robot", "R1"}}, {})) { opened(); }
+
+    QString path() const { return folder_.filePath("r.usarrec"); }
+    void opened() { writer_->write({.kind = link::RecordKind::Opened, .bytes = "localhost:3000"}); }
+    /// The robot reports this time and, by INS, this height.
+    void at(double now_s, double z_m) {
+        const std::string text = "STA {Type AerialVehicle} {Time " + std::to_string(now_s) + "} {Battery 1200}\r\n" +
+                                 "SEN {Type INS} {Name INS} {Location 0,0," + std::to_string(-z_m) +
+                                 "} {Orientation 0,0,0}\r\n";
+        writer_->write({.kind = link::RecordKind::In, .bytes = text});
+    }
+    /// From one time to the other, five times a second, at one height.
+    void fly(double from_s, double to_s, double z_m) {
+        for (double now_s = from_s; now_s <= to_s; now_s += 0.2)
+            at(now_s, z_m);
+    }
+    void note(const char* name, const std::string& text) {
+        writer_->write({.kind = link::RecordKind::Note, .name = name, .bytes = text});
+    }
+    void begin(double now_s, std::vector<std::string> faults = {}) {
+        FlownMission flown;
+        flown.mission.name = "Flight";
+        flown.mission.faults = std::move(faults);
+        flown.seed = 7;
+        note("mission", noteOf(flown));
+        state(now_s, 0.0, "starting");
+    }
+    void state(double now_s, double elapsed_s, const std::string& words) {
+        agent::BehaviorStatus status;
+        status.time = Seconds{now_s};
+        status.elapsed = Seconds{elapsed_s};
+        status.state = words;
+        publish(status);
+    }
+    void publish(const agent::Published& value) {
+        std::string text;
+        agent::appendText(text, value);
+        note("published", text);
+    }
+    void drive(const char* who) {
+        writer_->write({.kind = link::RecordKind::Out, .name = who, .bytes = "DRIVE {Left 1}\r\n"});
+    }
+
+    Result<FlightMoment> moment(double now_s) {
+        writer_.reset();
+        return readFlightMoment(path(), Seconds{now_s}, std::atomic_bool(false));
+    }
+
+private:
+    QTemporaryDir folder_;
+    std::unique_ptr<link::RecordingWriter> writer_;
+};
+
+Claim claim(ClaimKind kind, double from_s, double to_s, double height_m = 0.0, const std::string& name = {}) {
+    return {kind, Seconds{from_s}, Seconds{to_s}, height_m, name};
+}
+
+bool offers(const FlightMoment& moment, const Claim& wanted) {
+    const auto all = claimsToOffer(moment, wanted.from, wanted.to);
+    return std::ranges::find(all, wanted) != all.end();
+}
+
+} // namespace
+
+class tst_FlightMoment : public QObject {
+    Q_OBJECT
+private slots:
+    /// Somebody spawned the robot, waited for a minute, and pressed Start.
+    void timesAndHeightsCountFromTheStartOfTheBehavior() {
+        Tape tape;
+        tape.fly(1.0, 60.0, 10.0);
+        tape.begin(60.0);
+        tape.fly(60.2, 70.0, 12.0);
+        tape.fly(70.2, 90.0, 15.0);
+        const auto moment = tape.moment(80.0);
+        QVERIFY2(moment, moment ? "" : moment.error().text().c_str());
+        QCOMPARE(moment->at.count(), 20.0);
+        QVERIFY(moment->late && !moment->by_hand);
+        QVERIFY(heldIn(*moment, claim(ClaimKind::AltitudeAbove, 15.0, 20.0, 2.9)) == true);
+        QVERIFY(heldIn(*moment, claim(ClaimKind::AltitudeAbove, 15.0, 20.0, 3.1)) == false);
+        QVERIFY(offers(*moment, claim(ClaimKind::AltitudeAbove, 15.0, 20.0, 2.5)));
+        QVERIFY(offers(*moment, claim(ClaimKind::AltitudeBelow, 15.0, 20.0, 3.5)));
+        const Mission test = testOf(*moment, claim(ClaimKind::NoContact, 20.0, 30.0), "One");
+        QCOMPARE(test.name, std::string("One"));
+        QVERIFY(test.seed == std::uint64_t(7) && test.claims.size() == 1);
+    }
+
+    void faultsAreThoseOfTheTestsOwnTime() {
+        Tape tape;
+        tape.fly(1.0, 60.0, 10.0);
+        tape.note("fault", "30.0 s: fault begins: fog from=30");
+        tape.begin(60.0, {"late from=500"});
+        tape.fly(60.2, 70.0, 12.0);
+        tape.note("fault", "70.0 s: fault begins: wind speed=5 from=70");
+        tape.fly(70.2, 75.0, 12.0);
+        tape.note("fault", "75.0 s: fault ends: wind speed=5 from=70");
+        tape.note("fault", "75.0 s: fault begins: rotor robot=R2 from=75");
+        tape.note("fault", "75.0 s: fault begins: hang robot=R1 sensor=INS from=75 for=3");
+        tape.fly(75.2, 90.0, 12.0);
+        const auto moment = tape.moment(80.0);
+        QVERIFY(moment);
+        const std::vector<std::string> expected{"fog", "wind speed=5 from=10.00 for=5.00",
+                                                "hang sensor=INS for=3 from=15.00", "late from=500"};
+        QCOMPARE(moment->flown.mission.faults, expected);
+    }
+
+    void whatWasNotFlownIsNotSaidToHaveHeld() {
+        Tape tape;
+        tape.begin(1.0);
+        tape.fly(1.2, 20.0, 10.0);
+        for (const std::string& piece : test::piecesOf(rover, 50))
+            tape.publish(agent::PlanTrace{piece});
+        const auto moment = tape.moment(20.0); // The flight goes on; this is all that is recorded.
+        QVERIFY(moment);
+        for (const Claim& one : claimsToOffer(*moment, Seconds{19.0}, Seconds{29.0}))
+            QVERIFY2(!heldIn(*moment, one), sentenceOf(one).c_str());
+        QVERIFY(heldIn(*moment, claim(ClaimKind::ElementRuns, 1.0, 9.0, 0.0, "go")) == true);
+        QVERIFY(heldIn(*moment, claim(ClaimKind::ElementRests, 1.0, 9.0, 0.0, "go")) == false);
+        QVERIFY(heldIn(*moment, claim(ClaimKind::ElementRests, 1.0, 9.0, 0.0, "danger")) == true);
+        QVERIFY(!heldIn(*moment, claim(ClaimKind::NoContact, 1.0, 9.0)));
+    }
+
+    void aStateLastsUntilTheNextOne() {
+        Tape tape;
+        tape.begin(1.0);
+        tape.fly(1.2, 5.0, 10.0);
+        tape.state(5.0, 4.0, "scanning lane 1");
+        tape.fly(5.2, 15.0, 10.0);
+        tape.state(15.0, 14.0, "landing");
+        tape.fly(15.2, 20.0, 10.0);
+        const auto moment = tape.moment(10.0);
+        QVERIFY(moment);
+        QVERIFY(heldIn(*moment, claim(ClaimKind::State, 8.0, 12.0, 0.0, "Lane 1")) == true);
+        QVERIFY(heldIn(*moment, claim(ClaimKind::State, 15.0, 17.0, 0.0, "Lane 1")) == false);
+        QVERIFY(offers(*moment, claim(ClaimKind::State, 8.0, 12.0, 0.0, "scanning lane 1")));
+        QVERIFY(!offers(*moment, claim(ClaimKind::State, 8.0, 12.0, 0.0, "landing")));
+    }
+
+    void theMissionIsThatOfTheMoment_data() {
+        QTest::addColumn<double>("now_s");
+        QTest::addColumn<double>("at_s");
+        QTest::newRow("the first") << 15.0 << 14.0;
+        QTest::newRow("the second") << 30.0 << 10.0;
+    }
+
+    void theMissionIsThatOfTheMoment() {
+        QFETCH(double, now_s);
+        QFETCH(double, at_s);
+        Tape tape;
+        tape.begin(1.0);
+        tape.fly(1.2, 18.0, 10.0);
+        tape.drive("by hand: keys");
+        tape.fly(18.2, 20.0, 10.0);
+        tape.begin(20.0);
+        tape.fly(20.2, 40.0, 10.0);
+        const auto moment = tape.moment(now_s);
+        QVERIFY(moment);
+        QCOMPARE(moment->at.count(), at_s);
+        QCOMPARE(moment->by_hand, now_s > 18.0);
+        QVERIFY(moment->last.count() >= at_s && moment->last.count() < 21.0);
+    }
+
+    void aConnectionAfterTheMomentChangesNothing() {
+        Tape tape;
+        tape.begin(1.0);
+        tape.fly(1.2, 20.0, 10.0);
+        tape.opened();
+        tape.fly(0.2, 5.0, 30.0);
+        const auto moment = tape.moment(15.0);
+        QVERIFY(moment);
+        QCOMPARE(moment->at.count(), 14.0);
+        QVERIFY(heldIn(*moment, claim(ClaimKind::AltitudeBelow, 5.0, 15.0, 5.0)) == true);
+    }
+
+    void aMomentWithoutAMissionIsRefused() {
+        Tape tape;
+        tape.fly(1.0, 10.0, 10.0);
+        tape.begin(10.0);
+        tape.fly(10.2, 20.0, 10.0);
+        const auto moment = tape.moment(5.0);
+        QVERIFY(!moment);
+        QVERIFY2(moment.error().text().find("r.usarrec") != std::string::npos, moment.error().text().c_str());
+    }
+};
+
+USAR_TEST(tst_FlightMoment)
+
+} // namespace tst_flight_moment
+
+#include "tst_flight_moment.moc"
