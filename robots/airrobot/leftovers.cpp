@@ -40,6 +40,7 @@ void Leftovers::startAnew() {
 
 bool Leftovers::addLanes(Craft& craft, Survey& survey, const ScanLedger& ledger, const Vec2& base_m,
                          agent::CommandPort& port) {
+    begun_ = true;
     return closeGaps(craft, survey, ledger, port) || tryDoor(craft, survey, base_m, port);
 }
 

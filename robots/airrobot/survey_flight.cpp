@@ -135,6 +135,11 @@ void SurveyFlight::perceive(const agent::Tick& tick, agent::CommandPort& port) {
                craft_.settings);
     if (planned() && !finished())
         time_.update(tick.now, survey_, missionState(), craft_.settings);
+    if ((phase_ == Phase::ToLane || phase_ == Phase::Lane) && !silent_ && time_.overdue()) {
+        end_reason_ = "The survey took far longer than was to be expected and was not done.";
+        goHome(leftovers_.begun() ? Errand::Done : Errand::GivenUp, "The survey takes too long; the robot goes home.",
+               port);
+    }
 }
 
 void SurveyFlight::noteCeiling(agent::CommandPort& port) {
