@@ -11,6 +11,7 @@ namespace {
 /// was planned.
 constexpr int most_left_out = 3;
 constexpr double most_added = 0.5;
+constexpr int most_tries = 3; ///< to get through the door
 constexpr double at_base_m = 2.0;
 constexpr double stub_m = 0.5;      ///< length of a lane that is only a place to go to
 constexpr double beyond_m = 3.3;    ///< so far from all places that it could reach before, it is beyond the door
@@ -36,6 +37,7 @@ void note(agent::CommandPort& port, const std::string& words) {
 void Leftovers::startAnew() {
     state_ = Door::Unknown;
     door_m_.reset();
+    tries_ = 0;
 }
 
 bool Leftovers::addLanes(Craft& craft, Survey& survey, const ScanLedger& ledger, const Vec2& base_m,
@@ -66,10 +68,18 @@ bool Leftovers::closeGaps(Craft& craft, Survey& survey, const ScanLedger& ledger
 bool Leftovers::tryDoor(Craft& craft, Survey& survey, const Vec2& base_m, agent::CommandPort& port) {
     const Vec2 here_m = craft.senses.position2_m();
     const bool at_base = (here_m - base_m).norm() < at_base_m;
-    if (!craft.overhead.hasCeiling() || survey.cutOff_m() == 0.0 || state_ >= Door::Outward ||
-        (state_ == Door::ToBase && !at_base))
+    const bool under = state_ == Door::Outward && craft.ways.isUnder();
+    if (!craft.overhead.hasCeiling() || survey.cutOff_m() == 0.0 || (state_ >= Door::Outward && !under) ||
+        (state_ == Door::ToBase && !at_base) || tries_ >= most_tries)
         return false;
-    const auto ground_m = craft.ways.groundBehindDoor_m(craft.senses);
+    if (under) { // Its estimate of the pose has drifted, so its map may show the door where it is not.
+        craft.ways.clear();
+        ++tries_;
+        survey.add({laneTo(here_m, ground_m_)});
+        return true;
+    }
+    reach_ = craft.ways.reach(craft.senses);
+    const auto ground_m = craft.ways.groundBehindDoor_m(craft.senses, reach_);
     if (!ground_m)
         return false;
     if (!at_base) {
@@ -78,7 +88,7 @@ bool Leftovers::tryDoor(Craft& craft, Survey& survey, const Vec2& base_m, agent:
         return true;
     }
     state_ = Door::Outward;
-    reach_ = craft.ways.reach(craft.senses);
+    ++tries_;
     ground_m_ = *ground_m;
     craft.goUnder();
     survey.add({laneTo(here_m, *ground_m)});

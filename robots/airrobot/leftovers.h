@@ -40,6 +40,7 @@ private:
     int gaps_left_out_ = 0; ///< Survey::addedLeftOut when the search for gaps began
     double gaps_m_ = 0.0;   ///< length of the lanes past gaps
     Door state_ = Door::Unknown;
+    int tries_ = 0;
     ReachablePlaces reach_;        ///< before it sank
     Vec2 ground_m_ = Vec2::Zero(); ///< behind the door
     std::optional<Vec2> door_m_;

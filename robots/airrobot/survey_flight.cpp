@@ -319,7 +319,7 @@ void SurveyFlight::skipGoal(agent::CommandPort& port) {
     craft_.log.mark(agent::MarkKind::GoalGivenUp, leg().goal_m, craft_.senses, port);
     if (!cut_off)
         port.publish(agent::BehaviorEvent{Severity::Warning, "A goal could not be reached in time and is left out."});
-    else if (survey_.cutOff_m() == 0.0)
+    else if (survey_.cutOff_m() == 0.0 && survey_.addedLeftOut() == 0)
         port.publish(agent::BehaviorEvent{Severity::Warning,
                                           "No way leads to a goal. It is left out, like all goals to "
                                           "which no way leads."});

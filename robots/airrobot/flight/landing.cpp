@@ -11,6 +11,8 @@ namespace usar::airrobot {
 namespace {
 
 constexpr double body_radius_m = 1.2;
+/// The base is known to be fit, but another place may have an edge that the drift of the pose makes it meet.
+constexpr double roomy_radius_m = 2.2;
 constexpr double even_m = 0.15;
 constexpr double level_ground_m =
     0.08; ///< The belly is so low between the legs that a board of 0.1 m below it breaks it.
@@ -34,9 +36,9 @@ constexpr Seconds long_still{6.0};
 /// How far what is below the body departs from a plane, and more if that plane is steep for a robot that leans as much;
 /// infinite where too little is known.
 double unevenness_m(const ObstacleMemory& memory, const Vec2& place_m, double steep_rad,
-                    const Vec2& lean = Vec2::Zero()) {
-    const std::vector<Vec3> tops_m = memory.tops_m(place_m, body_radius_m);
-    if (tops_m.size() < 3 || memory.knownWithin(place_m, body_radius_m) < seen_share)
+                    const Vec2& lean = Vec2::Zero(), double radius_m = body_radius_m) {
+    const std::vector<Vec3> tops_m = memory.tops_m(place_m, radius_m);
+    if (tops_m.size() < 3 || memory.knownWithin(place_m, radius_m) < seen_share)
         return std::numeric_limits<double>::infinity();
     Eigen::MatrixX3d at(tops_m.size(), 3);
     Eigen::VectorXd height_m(tops_m.size());
@@ -55,14 +57,17 @@ double unevenness_m(const ObstacleMemory& memory, const Vec2& place_m, double st
 Vec2 landingPlace_m(const ObstacleMemory& memory, const Vec2& wanted_m, double radius_m, const Vec2& lean) {
     Vec2 best_m = wanted_m;
     double best_unevenness_m = unevenness_m(memory, wanted_m, gentle_rad, lean);
-    for (double ring_m = ring_step_m; ring_m <= radius_m && best_unevenness_m > level_ground_m; ring_m += ring_step_m) {
-        for (int i = 0; i < spots; ++i) {
-            const double bearing_rad = 2.0 * pi * i / spots;
-            const Vec2 place_m = wanted_m + ring_m * Vec2(std::cos(bearing_rad), std::sin(bearing_rad));
-            const double here_m = unevenness_m(memory, place_m, gentle_rad, lean);
-            if (here_m < best_unevenness_m) {
-                best_m = place_m;
-                best_unevenness_m = here_m;
+    for (const double needed_m : {roomy_radius_m, body_radius_m}) {
+        for (double ring_m = ring_step_m; ring_m <= radius_m && best_unevenness_m > level_ground_m;
+             ring_m += ring_step_m) {
+            for (int i = 0; i < spots; ++i) {
+                const double bearing_rad = 2.0 * pi * i / spots;
+                const Vec2 place_m = wanted_m + ring_m * Vec2(std::cos(bearing_rad), std::sin(bearing_rad));
+                const double here_m = unevenness_m(memory, place_m, gentle_rad, lean, needed_m);
+                if (here_m < best_unevenness_m) {
+                    best_m = place_m;
+                    best_unevenness_m = here_m;
+                }
             }
         }
     }

@@ -28,9 +28,9 @@ void Ways::take(const Senses& senses, double below_m, bool sure, bool roofed) {
         low_.takeScan(*senses.scan, lid_m_ - below_lid_m);
 }
 
-std::optional<Vec2> Ways::groundBehindDoor_m(const Senses& senses) const {
+std::optional<Vec2> Ways::groundBehindDoor_m(const Senses& senses, const ReachablePlaces& higher_up) const {
     return low_.groundBeyond_m(senses.position2_m(), lid_m_ - Overhead::margin_m, lid_m_ - low_room_m + on_floor_m,
-                               reach(senses), beyond_door_m);
+                               higher_up, beyond_door_m);
 }
 
 void Ways::goUnder(const Vec2& here_m, Overhead& overhead) {

@@ -32,8 +32,9 @@ public:
     ReachablePlaces reach(const Senses& senses) const {
         return map().reach(senses.position2_m(), senses.position_m().z());
     }
-    /// Ground to which no way leads at this height, but one does near the ground, as through a door.
-    std::optional<Vec2> groundBehindDoor_m(const Senses& senses) const;
+    /// Ground to which a way leads near the ground, as through a door, but none higher up, where the robot reaches
+    /// these places.
+    std::optional<Vec2> groundBehindDoor_m(const Senses& senses, const ReachablePlaces& higher_up) const;
 
     /// Puts a lid over the robot, under which it has to sink at its present place, or takes it away.
     void goUnder(const Vec2& here_m, Overhead& overhead);
