@@ -12,7 +12,7 @@ namespace {
 constexpr int most_left_out = 3;
 constexpr double most_added = 0.5;
 constexpr int most_tries = 3; ///< to get through the door
-constexpr double at_base_m = 2.0;
+constexpr double at_base_m = 4.0;
 constexpr double stub_m = 0.5;      ///< length of a lane that is only a place to go to
 constexpr double beyond_m = 3.3;    ///< so far from all places that it could reach before, it is beyond the door
 constexpr double room_m = 1.25;     ///< It comes up where it has so much around it,
@@ -38,6 +38,14 @@ void Leftovers::startAnew() {
     state_ = Door::Unknown;
     door_m_.reset();
     tries_ = 0;
+    walled_ = false;
+}
+
+void Leftovers::noteWall(const ReachablePlaces& reach) {
+    if (state_ != Door::Unknown)
+        return;
+    reach_ = reach;
+    walled_ = true;
 }
 
 bool Leftovers::addLanes(Craft& craft, Survey& survey, const ScanLedger& ledger, const Vec2& base_m,
@@ -69,7 +77,7 @@ bool Leftovers::tryDoor(Craft& craft, Survey& survey, const Vec2& base_m, agent:
     const Vec2 here_m = craft.senses.position2_m();
     const bool at_base = (here_m - base_m).norm() < at_base_m;
     const bool under = state_ == Door::Outward && craft.ways.isUnder();
-    if (!craft.overhead.hasCeiling() || survey.cutOff_m() == 0.0 || (state_ >= Door::Outward && !under) ||
+    if (!walled_ || !craft.overhead.hasCeiling() || survey.cutOff_m() == 0.0 || (state_ >= Door::Outward && !under) ||
         (state_ == Door::ToBase && !at_base) || tries_ >= most_tries)
         return false;
     if (under) { // Its estimate of the pose has drifted, so its map may show the door where it is not.
@@ -78,8 +86,7 @@ bool Leftovers::tryDoor(Craft& craft, Survey& survey, const Vec2& base_m, agent:
         survey.add({laneTo(here_m, ground_m_)});
         return true;
     }
-    reach_ = craft.ways.reach(craft.senses);
-    const auto ground_m = craft.ways.groundBehindDoor_m(craft.senses, reach_);
+    const auto ground_m = craft.ways.groundBehindDoor_m(base_m, reach_);
     if (!ground_m)
         return false;
     if (!at_base) {
@@ -90,7 +97,7 @@ bool Leftovers::tryDoor(Craft& craft, Survey& survey, const Vec2& base_m, agent:
     state_ = Door::Outward;
     ++tries_;
     ground_m_ = *ground_m;
-    craft.goUnder();
+    craft.goUnder(base_m);
     survey.add({laneTo(here_m, *ground_m)});
     note(port, "Ground was seen behind a wall; the robot looks for a door to it near the ground.");
     return true;
@@ -102,7 +109,7 @@ bool Leftovers::passDoor(Craft& craft, Survey& survey, bool returning, agent::Co
     craft.ways.comeNear(to_door_m < near_door_m); // Higher up, there is a wall beside it.
     if (to_door_m < before_door_m) {
         state_ = Door::Homeward;
-        craft.goUnder();
+        craft.goUnder(*door_m_);
         door_m_.reset();
     }
     const bool there = (here_m - ground_m_).norm() < at_ground_m ||

@@ -316,6 +316,8 @@ void SurveyFlight::skipGoal(agent::CommandPort& port) {
         craft_.ways.clear();
         return craft_.startAnew();
     }
+    if (cut_off)
+        leftovers_.noteWall(reach);
     craft_.log.mark(agent::MarkKind::GoalGivenUp, leg().goal_m, craft_.senses, port);
     if (!cut_off)
         port.publish(agent::BehaviorEvent{Severity::Warning, "A goal could not be reached in time and is left out."});
