@@ -56,8 +56,8 @@ bool Leftovers::addLanes(Craft& craft, Survey& survey, const ScanLedger& ledger,
 
 bool Leftovers::closeGaps(Craft& craft, Survey& survey, const ScanLedger& ledger, agent::CommandPort& port) {
     // After a charge, the robot does not know any more where the walls are.
-    if (craft.battery.charges() > 0 || survey.addedLeftOut() - gaps_left_out_ > most_left_out ||
-        gaps_m_ > most_added * survey.plannedLength_m())
+    if (craft.battery.charges() > 0 || GapSearch::isNeedless(ledger) ||
+        survey.addedLeftOut() - gaps_left_out_ > most_left_out || gaps_m_ > most_added * survey.plannedLength_m())
         return false;
     const auto in_sight = [&craft](const Vec2& from_m, const Vec2& to_m) {
         return craft.ways.map().isInSight(from_m, to_m, craft.senses.position_m().z());
@@ -112,9 +112,10 @@ bool Leftovers::passDoor(Craft& craft, Survey& survey, bool returning, agent::Co
         craft.goUnder(*door_m_);
         door_m_.reset();
     }
-    const bool there = (here_m - ground_m_).norm() < at_ground_m ||
-                       craft.ways.map().hasRoom(here_m, craft.senses.position_m().z(), room_m);
-    if (state_ != Door::Outward || !there || reach_.leadsNear(here_m, beyond_m))
+    if (state_ != Door::Outward || reach_.leadsNear(here_m, beyond_m))
+        return false;
+    if ((here_m - ground_m_).norm() > at_ground_m &&
+        !craft.ways.map().hasRoom(here_m, craft.senses.position_m().z(), room_m))
         return false;
     state_ = Door::Through;
     door_m_ = here_m;
