@@ -128,6 +128,12 @@ void orderFrom(Vec2 from_m, std::vector<mapping::Lane>& lanes) {
 
 } // namespace
 
+bool GapSearch::isNeedless(const ScanLedger& ledger) {
+    const double seen = ledger.seen();
+    const double unknown = 1.0 - seen - ledger.bottomless();
+    return unknown < least_share * (seen + unknown);
+}
+
 std::vector<mapping::Lane> GapSearch::lanes(const ScanLedger& ledger, const Surroundings& surroundings,
                                             const Vec2& from_m) {
     const std::size_t cells = std::size_t(ledger.columns()) * std::size_t(ledger.rows());

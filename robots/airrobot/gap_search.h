@@ -22,6 +22,8 @@ public:
         std::function<bool(const Vec2& from_m, const Vec2& to_m)> in_sight;
     };
 
+    /// True if all that was not seen is too little to matter.
+    static bool isNeedless(const ScanLedger& ledger);
     /// Returns short lanes past the gaps, each of which is nearest to the end of the one before, from `from_m` on; none
     /// if the gaps are too small to matter. Each gap is tried once.
     std::vector<mapping::Lane> lanes(const ScanLedger& ledger, const Surroundings& surroundings, const Vec2& from_m);

@@ -11,7 +11,8 @@ namespace {
 /// was planned.
 constexpr int most_left_out = 3;
 constexpr double most_added = 0.5;
-constexpr double at_base_m = 2.0;
+constexpr int most_tries = 3; ///< to get through the door
+constexpr double at_base_m = 4.0;
 constexpr double stub_m = 0.5;      ///< length of a lane that is only a place to go to
 constexpr double beyond_m = 3.3;    ///< so far from all places that it could reach before, it is beyond the door
 constexpr double room_m = 1.25;     ///< It comes up where it has so much around it,
@@ -36,17 +37,27 @@ void note(agent::CommandPort& port, const std::string& words) {
 void Leftovers::startAnew() {
     state_ = Door::Unknown;
     door_m_.reset();
+    tries_ = 0;
+    walled_ = false;
+}
+
+void Leftovers::noteWall(const ReachablePlaces& reach) {
+    if (state_ != Door::Unknown)
+        return;
+    reach_ = reach;
+    walled_ = true;
 }
 
 bool Leftovers::addLanes(Craft& craft, Survey& survey, const ScanLedger& ledger, const Vec2& base_m,
                          agent::CommandPort& port) {
+    begun_ = true;
     return closeGaps(craft, survey, ledger, port) || tryDoor(craft, survey, base_m, port);
 }
 
 bool Leftovers::closeGaps(Craft& craft, Survey& survey, const ScanLedger& ledger, agent::CommandPort& port) {
     // After a charge, the robot does not know any more where the walls are.
-    if (craft.battery.charges() > 0 || survey.addedLeftOut() - gaps_left_out_ > most_left_out ||
-        gaps_m_ > most_added * survey.plannedLength_m())
+    if (craft.battery.charges() > 0 || GapSearch::isNeedless(ledger) ||
+        survey.addedLeftOut() - gaps_left_out_ > most_left_out || gaps_m_ > most_added * survey.plannedLength_m())
         return false;
     const auto in_sight = [&craft](const Vec2& from_m, const Vec2& to_m) {
         return craft.ways.map().isInSight(from_m, to_m, craft.senses.position_m().z());
@@ -65,10 +76,17 @@ bool Leftovers::closeGaps(Craft& craft, Survey& survey, const ScanLedger& ledger
 bool Leftovers::tryDoor(Craft& craft, Survey& survey, const Vec2& base_m, agent::CommandPort& port) {
     const Vec2 here_m = craft.senses.position2_m();
     const bool at_base = (here_m - base_m).norm() < at_base_m;
-    if (!craft.overhead.hasCeiling() || survey.cutOff_m() == 0.0 || state_ >= Door::Outward ||
-        (state_ == Door::ToBase && !at_base))
+    const bool under = state_ == Door::Outward && craft.ways.isUnder();
+    if (!walled_ || !craft.overhead.hasCeiling() || survey.cutOff_m() == 0.0 || (state_ >= Door::Outward && !under) ||
+        (state_ == Door::ToBase && !at_base) || tries_ >= most_tries)
         return false;
-    const auto ground_m = craft.ways.groundBehindDoor_m(craft.senses);
+    if (under) { // Its estimate of the pose has drifted, so its map may show the door where it is not.
+        craft.ways.clear();
+        ++tries_;
+        survey.add({laneTo(here_m, ground_m_)});
+        return true;
+    }
+    const auto ground_m = craft.ways.groundBehindDoor_m(base_m, reach_);
     if (!ground_m)
         return false;
     if (!at_base) {
@@ -77,9 +95,9 @@ bool Leftovers::tryDoor(Craft& craft, Survey& survey, const Vec2& base_m, agent:
         return true;
     }
     state_ = Door::Outward;
-    reach_ = craft.ways.reach(craft.senses);
+    ++tries_;
     ground_m_ = *ground_m;
-    craft.goUnder();
+    craft.goUnder(base_m);
     survey.add({laneTo(here_m, *ground_m)});
     note(port, "Ground was seen behind a wall; the robot looks for a door to it near the ground.");
     return true;
@@ -91,12 +109,13 @@ bool Leftovers::passDoor(Craft& craft, Survey& survey, bool returning, agent::Co
     craft.ways.comeNear(to_door_m < near_door_m); // Higher up, there is a wall beside it.
     if (to_door_m < before_door_m) {
         state_ = Door::Homeward;
-        craft.goUnder();
+        craft.goUnder(*door_m_);
         door_m_.reset();
     }
-    const bool there = (here_m - ground_m_).norm() < at_ground_m ||
-                       craft.ways.map().hasRoom(here_m, craft.senses.position_m().z(), room_m);
-    if (state_ != Door::Outward || !there || reach_.leadsNear(here_m, beyond_m))
+    if (state_ != Door::Outward || reach_.leadsNear(here_m, beyond_m))
+        return false;
+    if ((here_m - ground_m_).norm() > at_ground_m &&
+        !craft.ways.map().hasRoom(here_m, craft.senses.position_m().z(), room_m))
         return false;
     state_ = Door::Through;
     door_m_ = here_m;

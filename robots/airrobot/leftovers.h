@@ -24,6 +24,10 @@ public:
     bool passDoor(Craft& craft, Survey& survey, bool returning, agent::CommandPort& port);
     /// The place before the door to which it must go first on its way home; nullopt if it has not come through one.
     const std::optional<Vec2>& door_m() const { return door_m_; }
+    /// Takes all places to which ways lead when none leads to a goal.
+    void noteWall(const ReachablePlaces& reach);
+    /// Whether the lanes that were planned are done.
+    bool begun() const { return begun_; }
     /// Forgets the door, because the robot takes off anew and its map of the walls is empty.
     void startAnew();
 
@@ -33,11 +37,14 @@ private:
 
     enum class Door { Unknown, ToBase, Outward, Through, Homeward };
 
+    bool begun_ = false;
     GapSearch gaps_;
     int gaps_left_out_ = 0; ///< Survey::addedLeftOut when the search for gaps began
     double gaps_m_ = 0.0;   ///< length of the lanes past gaps
     Door state_ = Door::Unknown;
-    ReachablePlaces reach_;        ///< before it sank
+    int tries_ = 0;
+    ReachablePlaces reach_;        ///< when no way led to a goal, at the usual height
+    bool walled_ = false;          ///< that is known
     Vec2 ground_m_ = Vec2::Zero(); ///< behind the door
     std::optional<Vec2> door_m_;
 };

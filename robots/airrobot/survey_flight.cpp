@@ -135,6 +135,11 @@ void SurveyFlight::perceive(const agent::Tick& tick, agent::CommandPort& port) {
                craft_.settings);
     if (planned() && !finished())
         time_.update(tick.now, survey_, missionState(), craft_.settings);
+    if ((phase_ == Phase::ToLane || phase_ == Phase::Lane) && !silent_ && time_.overdue()) {
+        end_reason_ = "The survey took far longer than was to be expected and was not done.";
+        goHome(leftovers_.begun() ? Errand::Done : Errand::GivenUp, "The survey takes too long; the robot goes home.",
+               port);
+    }
 }
 
 void SurveyFlight::noteCeiling(agent::CommandPort& port) {
@@ -311,10 +316,12 @@ void SurveyFlight::skipGoal(agent::CommandPort& port) {
         craft_.ways.clear();
         return craft_.startAnew();
     }
+    if (cut_off)
+        leftovers_.noteWall(reach);
     craft_.log.mark(agent::MarkKind::GoalGivenUp, leg().goal_m, craft_.senses, port);
     if (!cut_off)
         port.publish(agent::BehaviorEvent{Severity::Warning, "A goal could not be reached in time and is left out."});
-    else if (survey_.cutOff_m() == 0.0)
+    else if (survey_.cutOff_m() == 0.0 && survey_.addedLeftOut() == 0)
         port.publish(agent::BehaviorEvent{Severity::Warning,
                                           "No way leads to a goal. It is left out, like all goals to "
                                           "which no way leads."});

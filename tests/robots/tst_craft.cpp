@@ -156,7 +156,7 @@ private slots:
         craft->ways.startAnew(14.0);
         perceive(6.0, {});
         QVERIFY(!craft->ways.isNarrow());
-        craft->goUnder();
+        craft->goUnder({0.0, 0.0});
         perceive(6.0, {});
         protocol::AerialDrive drive = fly();
         QCOMPARE(*drive.climb_m_s, -craft->settings.descent_speed_m_s);

@@ -55,6 +55,16 @@ private slots:
         QVERIFY((place_m - Vec2(0.2, 0.2)).norm() > 1.2);
     }
 
+    void stepsAsideWellClearOfAnEdge() {
+        std::vector<Vec3> things{Vec3(0.1, 0.1, 0.9)};
+        for (double x_m = 3.6; x_m < 6.0; x_m += 0.25) // 1.2 m away from (2, 0), which is the first place to look at
+            for (double y_m = -6.0; y_m < 6.0; y_m += 0.25)
+                things.emplace_back(x_m, y_m, 1.0);
+        const Vec2 place_m = landingPlace_m(meadow(things), {0, 0}, 4.0);
+        QVERIFY((place_m - Vec2(0.1, 0.1)).norm() > 1.2);
+        QVERIFY2(place_m.x() < 1.6, qPrintable(QString::number(place_m.x())));
+    }
+
     void leaningAgainstTheWindItAvoidsGroundThatRisesTowardIt() {
         ObstacleMemory memory;
         Senses senses = sensesAt({0, 0, 6});

@@ -182,6 +182,26 @@ private slots:
         estimate.update(Seconds(2.5), survey, {.waiting = Seconds(50.0)}, settings);
         QCOMPARE(estimate.left(Seconds(2.5))->mean, first_s + 50.0);
     }
+
+    void knowsWhenTheMissionTakesFarTooLong() {
+        const Survey survey = surveyOver({{-30, -20}, {30, 20}}, settings, Vec2::Zero());
+        TimeEstimate estimate;
+        QVERIFY(!estimate.overdue());
+        const double whole_s = estimate.whole(survey, Vec2::Zero(), settings).count();
+        double now_s = 0.0;
+        const auto fly = [&](double until_s, Stage stage, bool holding) {
+            for (; now_s < until_s; now_s += 1.0) {
+                estimate.note({.now = Seconds(now_s), .stage = stage, .holding = holding}, settings);
+                estimate.update(Seconds(now_s), survey, {}, settings);
+            }
+        };
+        fly(1e5, Stage::None, false); // It has not taken off.
+        fly(2e5, Stage::Way, true);   // A person has told it to wait.
+        fly(2e5 + 2.0 * whole_s, Stage::Way, false);
+        QVERIFY(!estimate.overdue());
+        fly(2e5 + 3.0 * whole_s + 1500.0, Stage::Way, false);
+        QVERIFY(estimate.overdue());
+    }
 };
 
 USAR_TEST(tst_TimeEstimate)

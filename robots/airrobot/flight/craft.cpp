@@ -186,8 +186,8 @@ bool Craft::touchesRoof() const {
     return ceiling_m && senses.position_m().z() > *ceiling_m - near_roof_m;
 }
 
-void Craft::goUnder() {
-    ways.goUnder(senses.position2_m(), overhead);
+void Craft::goUnder(const Vec2& place_m) {
+    ways.goUnder(place_m, overhead);
     memory.clear();
     startAnew();
 }

@@ -50,8 +50,8 @@ public:
     bool mayClimb() const;
     /// How far below its base something must end for the robot to pass over it at its present height.
     double passesBelow_m() const { return mayClimb() ? passes_below_m : passes_closer_m; }
-    /// Sinks where it is and stays so low that it gets through doors, until it comes up; call `rise` then.
-    void goUnder();
+    /// Sinks at this place nearby and stays so low that it gets through doors, until it comes up; call `rise` then.
+    void goUnder(const Vec2& place_m);
     void comeUp();
     /// Ground lower than this (map z) may be the bed of water, so that the robot must not land on it in need.
     double dry_m() const;

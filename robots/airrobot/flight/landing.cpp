@@ -12,6 +12,8 @@ namespace usar::airrobot {
 namespace {
 
 constexpr double body_radius_m = 1.2;
+/// The base is known to be fit, but another place may have an edge that the drift of the pose makes it meet.
+constexpr double roomy_radius_m = 2.2;
 constexpr double even_m = 0.15;
 constexpr double level_ground_m =
     0.08; ///< The belly is so low between the legs that a board of 0.1 m below it breaks it.
@@ -35,11 +37,11 @@ constexpr Seconds fresh{30.0};
 constexpr double perhaps_ground_m = 4.0;
 constexpr Seconds long_still{6.0};
 
-/// How far these cells, which are below the body, depart from a plane, and more if that plane is steep for a robot that
-/// leans as much; infinite where too little is known.
+/// How far these cells, within `radius_m`, depart from a plane, and more if that plane is steep for a robot that leans
+/// as much; infinite where too little is known.
 double unevenness_m(const std::vector<Vec3>& tops_m, const Vec2& place_m, double steep_rad,
-                    const Vec2& lean = Vec2::Zero()) {
-    const double disc_m2 = pi * body_radius_m * body_radius_m;
+                    const Vec2& lean = Vec2::Zero(), double radius_m = body_radius_m) {
+    const double disc_m2 = pi * radius_m * radius_m;
     const double seen_m2 = static_cast<double>(tops_m.size()) * ObstacleMemory::cell_m * ObstacleMemory::cell_m;
     if (tops_m.size() < 3 || seen_m2 < seen_share * disc_m2)
         return std::numeric_limits<double>::infinity();
@@ -58,18 +60,21 @@ double unevenness_m(const std::vector<Vec3>& tops_m, const Vec2& place_m, double
 } // namespace
 
 Vec2 landingPlace_m(const ObstacleMemory& memory, const Vec2& wanted_m, double radius_m, const Vec2& lean) {
-    const auto uneven_m = [&](const Vec2& place_m) {
-        return unevenness_m(memory.freshTops_m(place_m, body_radius_m, fresh), place_m, gentle_rad, lean);
+    const auto uneven_m = [&](const Vec2& place_m, double needed_m) {
+        return unevenness_m(memory.freshTops_m(place_m, needed_m, fresh), place_m, gentle_rad, lean, needed_m);
     };
     Vec2 best_m = wanted_m;
-    double best_unevenness_m = uneven_m(wanted_m);
-    for (double ring_m = ring_step_m; ring_m <= radius_m && best_unevenness_m > level_ground_m; ring_m += ring_step_m) {
-        for (int i = 0; i < spots; ++i) {
-            const double bearing_rad = 2.0 * pi * i / spots;
-            const Vec2 place_m = wanted_m + ring_m * Vec2(std::cos(bearing_rad), std::sin(bearing_rad));
-            if (const double there_m = uneven_m(place_m); there_m < best_unevenness_m) {
-                best_m = place_m;
-                best_unevenness_m = there_m;
+    double best_unevenness_m = uneven_m(wanted_m, body_radius_m);
+    for (const double needed_m : {roomy_radius_m, body_radius_m}) {
+        for (double ring_m = ring_step_m; ring_m <= radius_m && best_unevenness_m > level_ground_m;
+             ring_m += ring_step_m) {
+            for (int i = 0; i < spots; ++i) {
+                const double bearing_rad = 2.0 * pi * i / spots;
+                const Vec2 place_m = wanted_m + ring_m * Vec2(std::cos(bearing_rad), std::sin(bearing_rad));
+                if (const double there_m = uneven_m(place_m, needed_m); there_m < best_unevenness_m) {
+                    best_m = place_m;
+                    best_unevenness_m = there_m;
+                }
             }
         }
     }

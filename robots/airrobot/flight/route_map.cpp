@@ -53,8 +53,8 @@ const std::vector<Neighbor>& neighbors() {
     return all;
 }
 
-/// How dear a place is: `no_way` where the robot does not fit, 1 where nothing is within `matters_m`. `blocked` is asked
-/// about cells.
+/// How dear a place is: `no_way` where the robot does not fit, 1 where nothing is within `matters_m`. `blocked` is
+/// asked about cells.
 template <class Blocked>
 double costAt(const Blocked& blocked, int column, int row, double needed_m = clear_m,
               double matters_m = comfortable_m) {
@@ -108,13 +108,6 @@ public:
                         visit(number, column + dx, row + dy, std::hypot(dx, dy));
         }
         return std::nullopt;
-    }
-    /// Where it has been; everywhere that a way leads to, if run() has found none to the goal.
-    ReachablePlaces reach() const {
-        std::vector<bool> inside(visits_.size());
-        for (std::size_t i = 0; i < visits_.size(); ++i)
-            inside[i] = visits_[i].cost < no_way;
-        return {corner_column_, corner_row_, std::move(inside)};
     }
 
 private:
@@ -309,13 +302,51 @@ std::optional<std::vector<Vec2>> RouteMap::route(const Vec2& from_m, const Vec2&
     return Search(is_blocked, from_m, goal_m, std::max(within_m, grid_cell_m), needed_m).run();
 }
 
+std::vector<bool> RouteMap::closedAround(const Vec2& from_m, double z_m, double needed_m) const {
+    const int first_column = cellOf(from_m.x()) - side / 2;
+    const int first_row = cellOf(from_m.y()) - side / 2;
+    std::vector<bool> closed(cells_.size());
+    const auto at = [&](int column, int row) {
+        return static_cast<std::size_t>(row - first_row) * side + static_cast<std::size_t>(column - first_column);
+    };
+    const auto isInside = [&](int column, int row) {
+        return column >= first_column && row >= first_row && column < first_column + side && row < first_row + side;
+    };
+    for (const Cell& cell : cells_) {
+        if (std::max(cell.top_m, cell.echo_m) <= z_m - passes_below_m_)
+            continue;
+        for (int dy = -reach_cells; dy <= reach_cells; ++dy)
+            for (int dx = -reach_cells; dx <= reach_cells; ++dx)
+                if (std::hypot(dx, dy) * grid_cell_m < needed_m && isInside(cell.column + dx, cell.row + dy))
+                    closed[at(cell.column + dx, cell.row + dy)] = true;
+    }
+    const auto near_cells = static_cast<int>(near_start_m / grid_cell_m) + 1;
+    for (int row = cellOf(from_m.y()) - near_cells; row <= cellOf(from_m.y()) + near_cells; ++row)
+        for (int column = cellOf(from_m.x()) - near_cells; column <= cellOf(from_m.x()) + near_cells; ++column)
+            if ((centerOf(column, row) - from_m).norm() < near_start_m && !blocked(column, row, z_m - belly_m))
+                closed[at(column, row)] = false;
+    return closed;
+}
+
 ReachablePlaces RouteMap::reach(const Vec2& from_m, double z_m, Width width) const {
-    const auto is_blocked = blockedAt(z_m);
-    const double needed_m = width == Width::Least ? least_clear_m : clear_m;
-    // No place is so near to the goal: it goes everywhere, and what a way costs does not matter.
-    Search search(is_blocked, from_m, from_m, -1.0, needed_m, needed_m);
-    search.run();
-    return search.reach();
+    const std::vector<bool> closed = closedAround(from_m, z_m, width == Width::Least ? least_clear_m : clear_m);
+    std::vector<bool> inside(closed.size());
+    std::vector<std::size_t> open{std::size_t(side / 2) * side + side / 2};
+    inside[open.front()] = true;
+    while (!open.empty()) {
+        const auto column = static_cast<int>(open.back() % side);
+        const auto row = static_cast<int>(open.back() / side);
+        open.pop_back();
+        for (int y = std::max(0, row - 1); y <= std::min(side - 1, row + 1); ++y)
+            for (int x = std::max(0, column - 1); x <= std::min(side - 1, column + 1); ++x) {
+                const std::size_t next = static_cast<std::size_t>(y) * side + static_cast<std::size_t>(x);
+                if (closed[next] || inside[next])
+                    continue;
+                inside[next] = true;
+                open.push_back(next);
+            }
+    }
+    return {cellOf(from_m.x()) - side / 2, cellOf(from_m.y()) - side / 2, std::move(inside)};
 }
 
 bool RouteMap::hasRoom(const Vec2& at_m, double z_m, double radius_m) const {

@@ -98,6 +98,9 @@ private:
     /// A question about cells: does something stand there that ends less than some way below `z_m` (map z)?
     auto blockedAt(double z_m) const;
     void takeEcho(const SonarEcho& echo);
+    /// By cell of a square around the place, row by row: something stands nearer than `needed_m`. The way off a place
+    /// next to which something stands is not closed.
+    std::vector<bool> closedAround(const Vec2& from_m, double z_m, double needed_m) const;
 
     std::vector<Cell> cells_;
     double passes_below_m_ = passes_below_m;

@@ -17,7 +17,10 @@ namespace {
 constexpr double transit_pace = 1.1;
 constexpr double turn_s = 2.0;
 constexpr double start_up_s = 4.0; ///< the rotors need it before the climb
-constexpr double piece_s = 20.0;   ///< of a lane, at scan speed, after which it is noted
+/// A survey of rooms and doors may well take twice as long as one of open ground, and a small one longer than that.
+constexpr double most_times = 3.0;
+constexpr Seconds time_to_spare{900.0};
+constexpr double piece_s = 20.0; ///< of a lane, at scan speed, after which it is noted
 
 double planned_s(Stage stage, double way_m, const Settings& settings) {
     switch (stage) {
@@ -137,6 +140,7 @@ void TimeEstimate::note(const MissionMoment& moment, const Settings& settings) {
     }
     const Seconds passed = moment.holding ? Seconds{0.0} : moment.now - last_->now;
     took_ += passed;
+    spent_ += moment.stage == Stage::None ? Seconds{0.0} : passed;
     if (moment.stage == Stage::Lane)
         noteLane(moment, passed, settings);
     last_ = moment;
@@ -216,6 +220,12 @@ void TimeEstimate::update(Seconds now, const Survey& survey, const MissionState&
         return;
     estimated_ = now;
     forecast_ = forecast(survey, state, settings);
+    if (!expected_)
+        expected_ = Seconds(forecast_.mean);
+}
+
+bool TimeEstimate::overdue() const {
+    return expected_ && spent_ > most_times * *expected_ + time_to_spare;
 }
 
 std::optional<agent::Forecast> TimeEstimate::left(Seconds now) const {

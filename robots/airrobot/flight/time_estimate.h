@@ -54,6 +54,9 @@ public:
     Seconds whole(const Survey& survey, const Vec2& base_m, const Settings& settings) const;
     /// Estimates when the mission ends, at most once a second, because a long survey has many lanes.
     void update(Seconds now, const Survey& survey, const MissionState& state, const Settings& settings);
+    /// True if the mission has taken so much longer than was expected at its start that it will hardly come to an end.
+    /// Time on purpose (see MissionMoment::holding) does not count.
+    bool overdue() const;
     /// Time in seconds until the end by the last estimate; nullopt before the first.
     std::optional<agent::Forecast> left(Seconds now) const;
     /// The pace of a kind of stage, which must not be None.
@@ -88,6 +91,8 @@ private:
     Seconds took_{0.0};          ///< in the present stage
     Vec2 from_m_ = Vec2::Zero(); ///< where the present stage began
     Piece piece_;
+    Seconds spent_{0.0};               ///< since the first take-off
+    std::optional<Seconds> expected_;  ///< time of the whole mission by the first estimate
     std::optional<Seconds> estimated_; ///< time of the last estimate
     agent::Forecast forecast_;         ///< its result
 };

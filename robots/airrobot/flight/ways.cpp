@@ -28,14 +28,14 @@ void Ways::take(const Senses& senses, double below_m, bool sure, bool roofed) {
         low_.takeScan(*senses.scan, lid_m_ - below_lid_m);
 }
 
-std::optional<Vec2> Ways::groundBehindDoor_m(const Senses& senses) const {
-    return low_.groundBeyond_m(senses.position2_m(), lid_m_ - Overhead::margin_m, lid_m_ - low_room_m + on_floor_m,
-                               reach(senses), beyond_door_m);
+std::optional<Vec2> Ways::groundBehindDoor_m(const Vec2& from_m, const ReachablePlaces& higher_up) const {
+    return low_.groundBeyond_m(from_m, lid_m_ - Overhead::margin_m, lid_m_ - low_room_m + on_floor_m, higher_up,
+                               beyond_door_m);
 }
 
-void Ways::goUnder(const Vec2& here_m, Overhead& overhead) {
+void Ways::goUnder(const Vec2& place_m, Overhead& overhead) {
     under_ = true;
-    sink_at_m_ = here_m;
+    sink_at_m_ = place_m;
     overhead.putLid(lid_m_);
 }
 

@@ -32,11 +32,12 @@ public:
     ReachablePlaces reach(const Senses& senses) const {
         return map().reach(senses.position2_m(), senses.position_m().z());
     }
-    /// Ground to which no way leads at this height, but one does near the ground, as through a door.
-    std::optional<Vec2> groundBehindDoor_m(const Senses& senses) const;
+    /// Ground to which a way leads from there near the ground, as through a door, but none higher up, where the robot
+    /// reaches these places.
+    std::optional<Vec2> groundBehindDoor_m(const Vec2& from_m, const ReachablePlaces& higher_up) const;
 
-    /// Puts a lid over the robot, under which it has to sink at its present place, or takes it away.
-    void goUnder(const Vec2& here_m, Overhead& overhead);
+    /// Puts a lid over the robot, under which it has to sink at this place, or takes it away.
+    void goUnder(const Vec2& place_m, Overhead& overhead);
     void comeUp(Overhead& overhead);
     /// The motion by which it sinks under the lid; nullopt where it need not.
     std::optional<Motion> sink(const Senses& senses, const Settings& settings) const;
