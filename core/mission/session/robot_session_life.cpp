@@ -167,6 +167,7 @@ void RobotSession::Private::writeLine(const agent::CausedCommand& command, std::
     if (connected())
         records.sent(command.cause, text);
     link.send(text);
+    book.takeSent(command.command);
     updates.addCommand(command, std::move(text), incoming.newest(), incoming.now());
 }
 
@@ -241,6 +242,7 @@ void RobotSession::Private::replayLine(std::string_view text, LineNumber number)
 
 void RobotSession::Private::replayCommand(const agent::CausedCommand& command, std::string text, LineNumber after) {
     helm.sawSent(command.command);
+    book.takeSent(command.command);
     if (const auto* asked = std::get_if<protocol::Init>(&command.command))
         spawning.sawInit(*asked);
     updates.addCommand(command, std::move(text), after, incoming.now());

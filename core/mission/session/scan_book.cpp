@@ -69,6 +69,8 @@ void ScanBook::take(const protocol::InfoLine& line) {
         mapper_.takeScan(*scan, line.number);
     else if (const auto* configuration = std::get_if<protocol::ConfigurationInfo>(&line.message))
         mapper_.takeConfiguration(*configuration);
+    else if (const auto* geometry = std::get_if<protocol::GeometryInfo>(&line.message))
+        mapper_.takeGeometry(*geometry);
     else if (const auto* game = std::get_if<protocol::GameInfo>(&line.message))
         record_.level = game->level;
 }
@@ -79,6 +81,7 @@ void ScanBook::take(const agent::Published& value) {
     } else if (const auto* status = std::get_if<agent::BehaviorStatus>(&value)) {
         takeStatus(*status);
     } else if (const auto* pose = std::get_if<agent::PoseEstimate>(&value)) {
+        mapper_.takePose(*pose);
         takePose(pose->base_in_map.position_m);
     } else if (const auto* mark = std::get_if<agent::MapMark>(&value)) {
         record_.marks.push_back(*mark);

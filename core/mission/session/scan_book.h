@@ -32,6 +32,8 @@ public:
 
     void take(const protocol::InfoLine& line);
     void take(const agent::Published& value);
+    /// Takes a command that was sent, now or in a replay.
+    void takeSent(const protocol::Command& command) { mapper_.takeSent(command); }
     /// Keeps a status that is only passed on the way to another moment of a replay.
     void passStatus(const agent::BehaviorStatus& status) { record_.status = status; }
     void noteFault(const std::string& sentence) { record_.faults.push_back(sentence); }

@@ -2,9 +2,17 @@
 
 #include <algorithm>
 
+#include "core/base/text.h"
 #include "core/protocol/info/configurations.h"
 
 namespace usar::mission {
+
+namespace {
+
+/// The rounding of the wire on both axes, twice.
+constexpr double set_there_m = 0.03;
+
+} // namespace
 
 ScanMapper::Scanner& ScanMapper::scannerNamed(const std::string& name) {
     const auto found = scanners_.find(name);
@@ -28,6 +36,32 @@ void ScanMapper::takeConfiguration(const protocol::ConfigurationInfo& configurat
             maximum_m_[sensor.name] = *sensor.range_max_m;
 }
 
+void ScanMapper::takeGeometry(const protocol::GeometryInfo& geometry) {
+    for (const protocol::MountedItem& item : geometry.items)
+        if (mounts_.size() < mount_limit && sameWord(item.mount, "HARD"))
+            mounts_[item.name] = item.item_in_mount;
+}
+
+void ScanMapper::takeSent(const protocol::Command& command) {
+    if (const auto* set = std::get_if<protocol::SetInsPose>(&command))
+        set_in_map_m_ = set->base_in_map.position_m;
+}
+
+void ScanMapper::takePose(const agent::PoseEstimate& estimate) {
+    if (set_in_map_m_ && (estimate.base_in_map.position_m - *set_in_map_m_).norm() < set_there_m) {
+        set_in_map_m_.reset();
+        level_flight_.insWasSet();
+    }
+    level_flight_.take(estimate.time, estimate.base_in_map);
+}
+
+Pose ScanMapper::leveled(const std::string& scanner, const Pose& scanner_in_map) const {
+    const auto mount = mounts_.find(scanner);
+    if (!corrects_attitude_ || mount == mounts_.end())
+        return scanner_in_map;
+    return level_flight_.corrected(scanner_in_map * inverse(mount->second)) * mount->second;
+}
+
 double ScanMapper::maximumOf(const std::string& scanner) const {
     const auto found = maximum_m_.find(scanner);
     return found == maximum_m_.end() ? mapping::Beams{}.maximum_m : found->second;
@@ -46,7 +80,7 @@ bool ScanMapper::place(const agent::ScanPlacement& placement) {
                                       .resolution_rad = scan.step_rad(),
                                       .fov_rad = scan.fov_rad,
                                       .maximum_m = maximumOf(scan.name)},
-                                     placement.scanner_in_map, placement.scan_line, map_);
+                                     leveled(scan.name, placement.scanner_in_map), placement.scan_line, map_);
         last_hits_ = scanner.integrator.lastHits();
         return true;
     }
@@ -56,6 +90,8 @@ bool ScanMapper::place(const agent::ScanPlacement& placement) {
 void ScanMapper::forgetScans() {
     scanners_.clear();
     maximum_m_.clear();
+    mounts_.clear();
+    level_flight_ = {};
 }
 
 void ScanMapper::clearMap(std::optional<double> cell_size_m) {

@@ -9,7 +9,9 @@
 
 #include "core/agent/published.h"
 #include "core/mapping/height_map.h"
+#include "core/mapping/level_flight.h"
 #include "core/mapping/scan_integrator.h"
+#include "core/protocol/command.h"
 #include "core/protocol/info_message.h"
 
 namespace usar::mission {
@@ -20,6 +22,7 @@ class ScanMapper {
 public:
     static constexpr std::size_t shelf_size = 8;
     static constexpr std::size_t scanner_limit = 16;
+    static constexpr std::size_t mount_limit = 64;
 
     /// `cell_size_m` is the size of the map's cells.
     explicit ScanMapper(double cell_size_m) : map_(cell_size_m) {}
@@ -29,6 +32,15 @@ public:
     /// Learns the maximum range of scanners from CONF; at and beyond it, a beam hit nothing. It is 20 m until it is
     /// known.
     void takeConfiguration(const protocol::ConfigurationInfo& configuration);
+    /// Learns from GEO how scanners are mounted on the robot. Scans are placed as the behavior says until it is known.
+    void takeGeometry(const protocol::GeometryInfo& geometry);
+    /// Takes the robot's own estimate of its pose, from which the drift of roll and pitch is learned.
+    void takePose(const agent::PoseEstimate& estimate);
+    /// Takes a command that was sent, because one that sets the INS ends its drift as soon as the estimates agree.
+    void takeSent(const protocol::Command& command);
+    /// Whether scans are placed with the roll and pitch of LevelFlight instead of the INS's own; they are unless this
+    /// is called.
+    void correctAttitude(bool correct) { corrects_attitude_ = correct; }
     /// Writes a kept scan into the map. False if the scan is not kept, or no longer. Scans that do not follow one
     /// another are not joined.
     bool place(const agent::ScanPlacement& placement);
@@ -55,12 +67,18 @@ private:
         std::uint64_t last_placed = 0;
     };
     Scanner& scannerNamed(const std::string& name);
+    /// The scanner's pose without the drift of the INS's roll and pitch.
+    Pose leveled(const std::string& scanner, const Pose& scanner_in_map) const;
     /// Maximum range in meters.
     double maximumOf(const std::string& scanner) const;
 
     mapping::HeightMap map_;
     std::map<std::string, Scanner> scanners_;
     std::map<std::string, double> maximum_m_; ///< by scanner
+    std::map<std::string, Pose> mounts_;      ///< poses of scanners in the robot's frame
+    std::optional<Vec3> set_in_map_m_;        ///< where the INS was told to be, until it is there
+    mapping::LevelFlight level_flight_;
+    bool corrects_attitude_ = true;
     std::vector<Vec3> last_hits_;
 };
 
