@@ -1,5 +1,6 @@
 #include "core/mapping/level_flight.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace usar::mapping {
@@ -19,8 +20,12 @@ constexpr double set_variance_rad2 = 0.003 * 0.003;
 /// What is left of accelerations, and the rounding of one reading.
 constexpr double reading_variance_rad2 = 0.008 * 0.008;
 constexpr double outlier_sigmas2 = 16.0;
-/// So many readings in a row that no drift explains, mean wind.
-constexpr int windy_outliers = 20;
+/// So many readings in a row that no drift explains are no chance.
+constexpr int surprising_outliers = 15;
+constexpr int most_surprises = 2;
+constexpr double largest_jump_rad = 0.1;
+/// The rounding of the wire stays the same while an angle does, so that many equal readings are no better than this.
+constexpr double least_variance_rad2 = 0.003 * 0.003;
 
 } // namespace
 
@@ -28,7 +33,7 @@ void LevelFlight::insWasSet() {
     recent_.clear();
     steady_ = false;
     calm_ = true;
-    steady_outliers_ = 0;
+    steady_outliers_ = surprises_ = 0;
     drift_rad_.setZero();
     variance_rad2_.setConstant(set_variance_rad2);
 }
@@ -96,10 +101,15 @@ void LevelFlight::learn(const Vec2& shown_rad) {
         }
         const double gain = variance_rad2_[angle] / variance_rad2;
         drift_rad_[angle] += gain * error_rad;
-        variance_rad2_[angle] *= 1.0 - gain;
+        variance_rad2_[angle] = std::max(least_variance_rad2, (1.0 - gain) * variance_rad2_[angle]);
     }
     steady_outliers_ = outlier ? steady_outliers_ + 1 : 0;
-    calm_ = steady_outliers_ < windy_outliers;
+    if (steady_outliers_ < surprising_outliers)
+        return;
+    const Vec2 jump_rad = shown_rad - drift_rad_;
+    steady_outliers_ = 0;
+    calm_ = ++surprises_ <= most_surprises && jump_rad.cwiseAbs().maxCoeff() < largest_jump_rad;
+    variance_rad2_ += jump_rad.cwiseAbs2();
 }
 
 Pose LevelFlight::corrected(const Pose& base_in_map) const {

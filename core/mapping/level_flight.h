@@ -18,7 +18,9 @@ namespace usar::mapping {
 /// what passes quickly: the corrected pitch is the INS's, high-passed, plus what the dynamics give at that speed.
 ///
 /// A flight is steady if it has not turned, climbed or accelerated for a second. In wind the robot leans for another
-/// reason: a lean that the drift cannot explain, for some seconds, ends the corrections until the INS is set again.
+/// reason: a lean that the drift cannot explain, for some seconds, is taken for a jump of the drift the first times, as
+/// after a collision; when it is large or comes again, as it does with each turn in wind, it ends the corrections until
+/// the INS is set again.
 /// Uses nothing but the robot's own estimates. A plain value; its owner hands in the time.
 class LevelFlight {
 public:
@@ -57,6 +59,7 @@ private:
     bool steady_ = false;
     bool calm_ = true;
     int steady_outliers_ = 0;
+    int surprises_ = 0; ///< how often the drift has jumped since the INS was set
     Vec2 drift_rad_ = Vec2::Zero();
     Vec2 variance_rad2_ = Vec2::Zero();
 };
