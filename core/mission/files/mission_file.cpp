@@ -20,8 +20,9 @@ namespace usar::mission {
 
 namespace {
 
-const std::vector<std::string> mission_keys{"name", "world",      "robot",       "start",   "behavior", "plan",
-                                            "area", "parameters", "cell_size_m", "limit_h", "faults",   "isolate"};
+const std::vector<std::string> mission_keys{"name",   "world",   "robot",      "start",       "behavior",
+                                            "plan",   "area",    "parameters", "cell_size_m", "limit_h",
+                                            "faults", "isolate", "adjust"};
 const std::vector<std::string> area_keys{"x", "y", "width", "height"};
 constexpr double farthest_m = 1e6;
 
@@ -114,6 +115,7 @@ Result<Mission> readMission(const QByteArray& json, const QString& file_name) {
     readLimit(reading, root, mission.limit_h);
     mission.faults = reading.texts(root, "faults", "a fault", "wind speed=5");
     reading.flag(root, "isolate", mission.isolate);
+    reading.flag(root, "adjust", mission.adjust);
     if (!(mission.cell_size_m >= smallest_cell_m && mission.cell_size_m <= largest_cell_m))
         reading.failAt("cell_size_m", "the cell size is out of range", "choose 0.02 to 10 m; 0.25 m is the usual one");
     if (reading.error())
@@ -181,6 +183,8 @@ QByteArray writeMission(const Mission& mission, const std::vector<agent::Paramet
         all["limit_h"] = *mission.limit_h;
     if (mission.isolate)
         all["isolate"] = true;
+    if (!mission.adjust)
+        all["adjust"] = false;
     if (!mission.faults.empty())
         all["faults"] = QJsonArray::fromStringList(textsOf(mission.faults));
     return QJsonDocument(all).toJson(QJsonDocument::Indented);

@@ -144,6 +144,7 @@ void RobotSession::Private::finishBehavior(const agent::BehaviorFinished& finish
         records.noteFinished(end);
     records.forgetBehavior();
     const bool broke = helm.dismiss();
+    book.endTask();
     behavior_running = false;
     updates.lookForObservers();
     if (!is_published)

@@ -153,7 +153,7 @@ private slots:
         QFETCH(double, hit_y_m);
         const Pose mount{.pitch_rad = pi / 2};
         ScanMapper mapper(0.25);
-        mapper.correctAttitude(wanted);
+        mapper.improve(wanted);
         if (mount_known)
             mapper.takeGeometry({"RangeScanner", {{"Scanner1", mount, "HARD"}}});
         Pose base{.position_m = {0.0, 0.0, 5.0}};
