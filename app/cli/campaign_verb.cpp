@@ -3,11 +3,15 @@
 #include <chrono>
 
 #include <QCoreApplication>
+#include <QTemporaryDir>
 #include <QTimer>
 
 #include "app/cli/console.h"
 #include "core/base/version.h"
+#include "core/campaign/comparison/campaign_figures.h"
+#include "core/campaign/comparison/junit_report.h"
 #include "core/campaign/comparison/until_decided.h"
+#include "core/campaign/plan/campaign_writer.h"
 #include "core/campaign/runs/campaign_start.h"
 #include "core/campaign/runs/campaign_words.h"
 #include "core/campaign/runs/shrinking.h"
@@ -118,7 +122,17 @@ Result<void> keepUnsound(const campaign::CampaignOptions& options, const campaig
     return {};
 }
 
-int fly(const campaign::CampaignOptions& options) {
+Result<void> writeJunit(const campaign::CampaignOptions& options) {
+    return campaign::readCampaigns({options.folder}).and_then([&](const campaign::CampaignFigures& figures) {
+        return campaign::writeWhole(options.junit, campaign::junitReport(figures.runs, figures.title));
+    });
+}
+
+int fly(const campaign::CampaignOptions& typed) {
+    campaign::CampaignOptions options = typed;
+    std::optional<QTemporaryDir> scratch; // Results of tests that nobody wants to keep.
+    if (options.folder.isEmpty())
+        options.folder = scratch.emplace().path();
     if (!options.shrink.isEmpty()) // Said now, and not when the campaign is flown.
         if (const auto writable = campaign::addKnownFailures(options.shrink, {}); !writable)
             return refuse(writable.error());
@@ -166,6 +180,9 @@ int fly(const campaign::CampaignOptions& options) {
     else if (!options.shrink.isEmpty())
         if (const auto kept = keepUnsound(options, runner, stopped); !kept)
             return refuse(kept.error());
+    if (!options.junit.isEmpty())
+        if (const auto written = writeJunit(options); !written)
+            return refuse(written.error());
     const campaign::CampaignProgress progress = runner.progress();
     QJsonObject summary = campaign::toJson(progress, options.folder);
     if (until_decided)

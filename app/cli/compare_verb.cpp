@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include <QJsonDocument>
-#include <QSaveFile>
 
 #include "app/cli/console.h"
 #include "core/campaign/comparison/campaign_figures.h"
@@ -12,6 +11,7 @@
 #include "core/campaign/comparison/json_report.h"
 #include "core/campaign/comparison/junit_report.h"
 #include "core/campaign/comparison/text_report.h"
+#include "core/campaign/plan/campaign_writer.h"
 #include "core/mission/runs/mission_runner.h"
 
 namespace usar::app {
@@ -19,13 +19,7 @@ namespace usar::app {
 namespace {
 
 Result<void> writeReport(const QString& path, const QByteArray& text) {
-    if (path.isEmpty())
-        return {};
-    QSaveFile file(path);
-    if (file.open(QIODevice::WriteOnly) && file.write(text) == text.size() && file.commit())
-        return {};
-    return failure("the report cannot be written: " + file.errorString().toStdString(), path.toStdString(),
-                   "Give another place");
+    return path.isEmpty() ? Result<void>() : campaign::writeWhole(path, text);
 }
 
 /// The first variant, and the first of the others; with two campaigns the first of the second one.

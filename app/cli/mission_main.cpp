@@ -191,5 +191,10 @@ int main(int argc, char** argv) {
     if (!options->continued.isEmpty())
         return goOn(*options);
     auto plan = mission::readMissionFile(options->mission_file);
-    return plan ? run(*options, *std::move(plan)) : refuse(plan.error(), &*options);
+    if (!plan)
+        return refuse(plan.error(), &*options);
+    mission::MissionOptions flown = *options;
+    if (!flown.seed_chosen)
+        flown.seed = plan->seed.value_or(flown.seed);
+    return run(flown, *std::move(plan));
 }

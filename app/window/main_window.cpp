@@ -61,8 +61,8 @@ void MainWindow::registerCommands() {
         desk->registerCommands();
     commands_.add(widgets::commandSpec("file.quit"), [this](bool) { close(); });
     for (Desk* desk :
-         std::initializer_list<Desk*>{&robots_, &view_, &server_, &time_, &messages_, &replay_, &faults_, &workshop_,
-                                      &plan_, &camera_, &drive_, &plugins_, &world_, &radio_, &campaign_})
+         std::initializer_list<Desk*>{&robots_, &view_, &server_, &time_, &messages_, &replay_, &tests_, &faults_,
+                                      &workshop_, &plan_, &camera_, &drive_, &plugins_, &world_, &radio_, &campaign_})
         desk->registerCommands();
 }
 
@@ -99,10 +99,10 @@ void MainWindow::wire() {
 
 void MainWindow::wireDesks() {
     // The desks receive each event in this order: a task is set before it is shown, and the title comes last.
-    for (Desk* desk :
-         std::initializer_list<Desk*>{&plugins_, &server_, &task_,    &mission_,  &robots_,  &plan_,     &workshop_,
-                                      &time_,    &drive_,  &camera_,  &world_,    &files_,   &replay_,   &messages_,
-                                      &faults_,  &radio_,  &flights_, &campaign_, &results_, &recovery_, &view_})
+    for (Desk* desk : std::initializer_list<Desk*>{&plugins_,  &server_,  &task_,     &mission_, &robots_, &plan_,
+                                                   &workshop_, &time_,    &drive_,    &camera_,  &world_,  &files_,
+                                                   &replay_,   &tests_,   &messages_, &faults_,  &radio_,  &flights_,
+                                                   &campaign_, &results_, &recovery_, &view_})
         desk->wire();
     connect(&selection_, &Selection::changed, this, &MainWindow::showTitle);
     connect(&control_, &MissionControl::behaviorFinished, this, [this] {
@@ -171,14 +171,14 @@ void MainWindow::dropEvent(QDropEvent* event) {
 void MainWindow::restoreSettings() {
     const QSettings settings;
     for (Desk* desk : std::initializer_list<Desk*>{&view_, &messages_, &workshop_, &server_, &replay_, &plan_, &task_,
-                                                   &camera_, &files_})
+                                                   &camera_, &files_, &tests_})
         desk->restore(settings);
 }
 
 void MainWindow::saveSettings() {
     SettingsSheet sheet;
     for (const Desk* desk : std::initializer_list<const Desk*>{&view_, &plugins_, &messages_, &workshop_, &server_,
-                                                               &replay_, &plan_, &task_, &camera_, &files_})
+                                                               &replay_, &plan_, &task_, &camera_, &files_, &tests_})
         desk->save(sheet);
     const QVariantMap changed = sheet.changedSince(saved_);
     saved_ = sheet;

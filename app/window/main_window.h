@@ -21,6 +21,7 @@
 #include "app/desks/run_flights.h"
 #include "app/desks/server_desk.h"
 #include "app/desks/task_desk.h"
+#include "app/desks/test_desk.h"
 #include "app/desks/time_desk.h"
 #include "app/desks/view_desk.h"
 #include "app/desks/world_editor.h"
@@ -115,6 +116,7 @@ private:
     WorldEditor world_{desk_};
     FileDesk files_{desk_, server_, mission_, workshop_, options_.result_folder.isEmpty()};
     ReplayDesk replay_{desk_};
+    TestDesk tests_{desk_};
     MessageDesk messages_{desk_};
     FaultDesk faults_{desk_};
     RadioDesk radio_{desk_};

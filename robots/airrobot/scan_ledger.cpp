@@ -7,7 +7,6 @@ namespace usar::airrobot {
 
 namespace {
 
-constexpr double ledger_cell_m = 1.0;
 /// A beam that misses looks for ground only if it is no flatter than 30 degrees; flatter ones end above it.
 constexpr double least_down = 0.5;
 /// A larger area is not watched cell by cell. This is 100 square kilometers.
@@ -16,8 +15,8 @@ constexpr double most_cells = 1e8;
 } // namespace
 
 ScanLedger::ScanLedger(const Rectangle& area_in_map) : area_in_map_(area_in_map) {
-    const double columns = std::ceil(area_in_map.width_m() / ledger_cell_m);
-    const double rows = std::ceil(area_in_map.height_m() / ledger_cell_m);
+    const double columns = std::ceil(area_in_map.width_m() / cell_m);
+    const double rows = std::ceil(area_in_map.height_m() / cell_m);
     if (columns * rows > most_cells)
         return;
     columns_ = static_cast<int>(columns);
@@ -38,22 +37,30 @@ void ScanLedger::note(const Senses& senses, bool on_lane, bool for_map) {
         const Vec3 beam_m = end_m - from_m;
         if (-beam_m.z() < least_down * beam_m.norm())
             continue;
-        for (double along_m = 0.0; along_m <= beam_m.head<2>().norm(); along_m += ledger_cell_m)
+        for (double along_m = 0.0; along_m <= beam_m.head<2>().norm(); along_m += cell_m)
             mark(from_m.head<2>() + along_m * beam_m.head<2>().normalized(), Cell::Bottomless);
     }
     for (const Vec3& hit_m : senses.scan->hits_in_map_m)
         mark(hit_m.head<2>(), Cell::Seen);
 }
 
-void ScanLedger::mark(const Vec2& at_m, Cell as) {
-    const Vec2 offset_m = (at_m - area_in_map_.min_m) / ledger_cell_m;
+std::optional<std::size_t> ScanLedger::cellAt(const Vec2& at_m) const {
+    const Vec2 offset_m = (at_m - area_in_map_.min_m) / cell_m;
     const int column = static_cast<int>(std::floor(offset_m.x()));
     const int row = static_cast<int>(std::floor(offset_m.y()));
     if (column < 0 || row < 0 || column >= columns_ || row >= rows_)
-        return;
-    Cell& cell =
-        cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)];
-    cell = std::max(cell, as);
+        return std::nullopt;
+    return indexOf(column, row);
+}
+
+void ScanLedger::mark(const Vec2& at_m, Cell as) {
+    if (const auto index = cellAt(at_m))
+        cells_[*index] = std::max(cells_[*index], as);
+}
+
+bool ScanLedger::isSeen(const Vec2& at_m) const {
+    const auto index = cellAt(at_m);
+    return index && cells_[*index] == Cell::Seen;
 }
 
 double ScanLedger::mapped() const {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "robots/airrobot/flight/senses.h"
@@ -26,9 +27,22 @@ public:
     double seen() const { return share(Cell::Seen); }
     double bottomless() const { return share(Cell::Bottomless); }
 
-private:
     enum class Cell : std::uint8_t { Unknown, Bottomless, Seen };
+    static constexpr double cell_m = 1.0;    ///< size of a cell
+    int columns() const { return columns_; } ///< 0 if the area is too large to be watched
+    int rows() const { return rows_; }
+    /// The cell must be in the area.
+    Cell at(int column, int row) const { return cells_[indexOf(column, row)]; }
+    Vec2 centerOf_m(int column, int row) const { return area_in_map_.min_m + cell_m * Vec2(column + 0.5, row + 0.5); }
+    /// True if a scan hit something in the cell of this place; false outside the area.
+    bool isSeen(const Vec2& at_m) const;
 
+private:
+    std::size_t indexOf(int column, int row) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+    }
+    /// The index of the cell of this place; nullopt outside the area.
+    std::optional<std::size_t> cellAt(const Vec2& at_m) const;
     void mark(const Vec2& at_m, Cell as);
     double share(Cell what) const;
 

@@ -21,6 +21,8 @@ struct Sortie {
     std::optional<Vec2> landing_m{}; ///< nullopt unless the robot is landing or on the ground after it
     std::optional<Vec2> refuge_m{};  ///< goal on the way home if it is not the base
     Vec2 hold_m = Vec2::Zero();      ///< place to hold while paused
+    bool beyond_door = false;        ///< it has flown through a door and rises, or has risen, beyond it
+    bool doubted_map = false;        ///< it has looked anew for ways to a goal once
     bool looked_again = false;       ///< for a way home, after there was none
     bool at_work = false;            ///< from reaching the scan altitude until the landing
     Seconds landed{0.0};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace usar::airrobot {
 
@@ -104,17 +105,48 @@ SurveyEvent Survey::nextLane() {
     return plan_.lanes[lane_].quadrant != quadrant ? SurveyEvent::QuadrantDone : SurveyEvent::LaneDone;
 }
 
+void Survey::leaveOut(double from_m, double to_m, LeftOut why) {
+    const double left_out_m = std::max(0.0, to_m - from_m);
+    if (!counts_[lane_]) {
+        ++added_left_out_;
+        return;
+    }
+    goals_given_up_ += why == LeftOut::Late ? 1 : 0;
+    (why == LeftOut::Late ? given_up_m_ : cut_off_m_) += left_out_m;
+    if (why == LeftOut::NoWayFound && left_out_m > 0.0)
+        cut_off_.push_back({pointAt_m(from_m), pointAt_m(to_m), 0});
+}
+
+void Survey::append(mapping::Lane lane, bool counts) {
+    lane.quadrant = plan_.lanes.empty() ? 0 : plan_.lanes.back().quadrant; // No flight home is due before it.
+    const double length_m = (lane.end_m - lane.start_m).norm();
+    plan_.lanes.push_back(lane);
+    plan_.lane_length_m += length_m;
+    added_m_ += length_m;
+    counts_.push_back(counts);
+}
+
+void Survey::add(const std::vector<mapping::Lane>& lanes) {
+    for (const mapping::Lane& lane : lanes)
+        append(lane, false);
+}
+
+void Survey::retryCutOff() {
+    const auto again = std::exchange(cut_off_, {});
+    for (const mapping::Lane& lane : again)
+        append(lane, true);
+    cut_off_m_ = 0.0;
+}
+
 SurveyEvent Survey::giveUp(const Settings& settings, LeftOut why) {
     if (done())
         return SurveyEvent::AllDone;
-    goals_given_up_ += why == LeftOut::Late ? 1 : 0;
-    double& left_out_m = why == LeftOut::Late ? given_up_m_ : cut_off_m_;
     if (on_lane_) {
-        left_out_m += std::max(0.0, pieceEnd_m(settings) - std::max(piece_start_m_, reached_m_));
+        leaveOut(std::max(piece_start_m_, reached_m_), pieceEnd_m(settings), why);
         return endPiece(settings);
     }
     piece_start_m_ = entry_along_m_;
-    left_out_m += pieceEnd_m(settings) - entry_along_m_;
+    leaveOut(entry_along_m_, pieceEnd_m(settings), why);
     entry_along_m_ = pieceEnd_m(settings);
     return entry_along_m_ < length_m() ? SurveyEvent::GoalReached : nextLane();
 }
@@ -137,7 +169,8 @@ SurveyEvent Survey::cutOff(const Settings& settings, const std::function<bool(co
     double along_m = here_m + look_every_m;
     while (along_m < length_m() && !can_reach(pointAt_m(along_m)))
         along_m += look_every_m;
-    cut_off_m_ += std::min(along_m, length_m()) - here_m;
+    along_m = std::min(along_m, length_m());
+    leaveOut(here_m, along_m, LeftOut::NoWayFound);
     if (along_m > length_m() - worth_a_flight_m)
         return nextLane();
     on_lane_ = false;

@@ -25,7 +25,7 @@ enum class LeftOut { Late, NoWayFound };
 class Survey {
 public:
     Survey() = default;
-    explicit Survey(mapping::CoveragePlan plan) : plan_(std::move(plan)) {}
+    explicit Survey(mapping::CoveragePlan plan) : plan_(std::move(plan)), counts_(plan_.lanes.size(), true) {}
     /// Plans lanes over the area of the task, starting near its start pose. Returns an error if none fit into the area.
     static Result<Survey> make(const agent::Task& task, const Settings& settings);
 
@@ -40,13 +40,13 @@ public:
     /// was left out with them, as a share of what can be reached of all lanes.
     int goalsGivenUp() const { return goals_given_up_; }
     double givenUp_pct() const {
-        const double within_reach_m = totalLength_m() - cut_off_m_;
+        const double within_reach_m = plannedLength_m() - cut_off_m_;
         return within_reach_m > 0.0 ? 100.0 * given_up_m_ / within_reach_m : 0.0;
     }
     /// The length of the lanes to which no way was found.
     double cutOff_m() const { return cut_off_m_; }
-    /// The share of all lanes that was left out for whatever reason, 0 to 1.
-    double leftOut() const { return totalLength_m() > 0.0 ? (given_up_m_ + cut_off_m_) / totalLength_m() : 0.0; }
+    /// The share of the planned lanes that was left out for whatever reason, 0 to 1.
+    double leftOut() const { return plannedLength_m() > 0.0 ? (given_up_m_ + cut_off_m_) / plannedLength_m() : 0.0; }
 
     /// The point to reach next: where the lane is entered, or the end of its present piece. The survey must not be
     /// done.
@@ -66,6 +66,14 @@ public:
     /// Moves on to the farthest point of the present piece to which a way leads, or to where a way leads to the lane,
     /// or to the next lane.
     SurveyEvent cutOff(const Settings& settings, const std::function<bool(const Vec2&)>& can_reach);
+    /// Adds lanes that are flown after the others. What of them is left out is no loss for the survey, so it does not
+    /// count as given up or cut off.
+    void add(const std::vector<mapping::Lane>& lanes);
+    /// How many of the added lanes were not flown to their ends.
+    int addedLeftOut() const { return added_left_out_; }
+    /// Adds what was cut off of the lanes once more, because another way was found; it does not count as cut off until
+    /// it is again.
+    void retryCutOff();
     /// Moves the lanes from the next one on (m, map frame), because a robot that leans scans what is beside it. Nothing
     /// changes while the robot is on a lane.
     void shift(const Vec2& by_m) { shift_m_ = on_lane_ ? shift_m_ : by_m; }
@@ -78,6 +86,8 @@ public:
     /// The length of the lanes that is finished, including parts that were given up.
     double doneLength_m() const;
     double totalLength_m() const { return plan_.lane_length_m; }
+    /// The same without the lanes that were added.
+    double plannedLength_m() const { return plan_.lane_length_m - added_m_; }
     /// The start and end of each lane, in the order of the flight.
     std::vector<Vec2> corners_m() const;
 
@@ -91,6 +101,9 @@ private:
     Vec2 pointAt_m(double along_m) const;
     double pieceEnd_m(const Settings& settings) const;
     SurveyEvent endPiece(const Settings& settings);
+    void append(mapping::Lane lane, bool counts);
+    /// Notes that the present lane is left out between these distances along it.
+    void leaveOut(double from_m, double to_m, LeftOut why);
     SurveyEvent nextLane();
 
     mapping::CoveragePlan plan_;
@@ -105,6 +118,10 @@ private:
     Vec2 shift_m_ = Vec2::Zero();
     double given_up_m_ = 0.0;
     double cut_off_m_ = 0.0;
+    std::vector<bool> counts_; ///< by lane: what of it is left out counts
+    std::vector<mapping::Lane> cut_off_;
+    double added_m_ = 0.0;
+    int added_left_out_ = 0;
 };
 
 } // namespace usar::airrobot

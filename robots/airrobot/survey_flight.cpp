@@ -12,6 +12,7 @@ namespace usar::airrobot {
 namespace {
 
 constexpr double over_base_m = 0.8;
+constexpr double near_base_m = 2.5; ///< A way that leads so near to the base leads home.
 constexpr Seconds lost_after{15.0};
 /// A take-off may take this long, and in addition twice the time of a careful climb, because of the looks on its way.
 constexpr Seconds spare_for_take_off{60.0};
@@ -94,7 +95,7 @@ bool SurveyFlight::returning() const {
 }
 
 bool SurveyFlight::atBase() const {
-    return landing() || (home_m() - craft_.senses.position2_m()).norm() < over_base_m;
+    return landing() || (!door_m() && (home_m() - craft_.senses.position2_m()).norm() < over_base_m);
 }
 
 double SurveyFlight::batteryMargin() const {
@@ -127,6 +128,8 @@ void SurveyFlight::perceive(const agent::Tick& tick, agent::CommandPort& port) {
     ledger_.note(craft_.senses, phase_ == Phase::Lane, craft_.scanned);
     if (phase_ == Phase::ToLane || phase_ == Phase::Lane)
         survey_.note(craft_.senses.position2_m());
+    if (leftovers_.passDoor(craft_, survey_, phase_ == Phase::Home, port))
+        riseBeyondDoor();
     time_.note({tick.now, stageOf(phase_, errand_ == Errand::Start), phase_ == Phase::Home, paused_ || silent_,
                 craft_.senses.position2_m(), survey_.doneLength_m(), craft_.battery.flown_m()},
                craft_.settings);
@@ -201,6 +204,7 @@ bool SurveyFlight::stepReset(const agent::Tick& tick, agent::CommandPort& port) 
 
 void SurveyFlight::setOut() {
     craft_.forgetPlaces();
+    leftovers_.startAnew();
     phase_ = Phase::TakeOff;
     launched_ = true;
     sortie_ = {};
@@ -216,9 +220,12 @@ bool SurveyFlight::climb(double altitude_m, agent::CommandPort& port) {
         if (errand_ == Errand::Start)
             chooseFloor(port);
     }
-    const double goal_z_m = std::max(sortie_.take_off_m->z() + altitude_m, craft_.settings.floor_level_m);
-    if (craft_.rise(goal_z_m, sortie_.take_off_m->head<2>(), port)) {
-        if (craft_.column_m())
+    const Vec2 over_m = sortie_.take_off_m->head<2>();
+    double goal_z_m = std::max(sortie_.take_off_m->z() + altitude_m, craft_.settings.floor_level_m);
+    if (sortie_.beyond_door) // It is as high there as it can be, because racks may stand beside it.
+        goal_z_m = std::min(goal_z_m, craft_.overhead.limit_m(over_m));
+    if (craft_.rise(goal_z_m, over_m, port)) {
+        if (craft_.column_m() && !sortie_.beyond_door)
             base_in_map_.position_m.head<2>() = *craft_.column_m();
         return true;
     }
@@ -236,6 +243,14 @@ bool SurveyFlight::climb(double altitude_m, agent::CommandPort& port) {
                " s. Is something on it, or is its battery empty?",
            port);
     return false;
+}
+
+void SurveyFlight::riseBeyondDoor() {
+    sortie_.take_off_m = craft_.senses.position_m();
+    sortie_.took_off = craft_.senses.now;
+    sortie_.at_work = false;
+    sortie_.beyond_door = true;
+    phase_ = Phase::TakeOff;
 }
 
 void SurveyFlight::chooseFloor(agent::CommandPort& port) {
@@ -261,12 +276,14 @@ void SurveyFlight::beginWork() {
 Leg SurveyFlight::leg() const {
     const Settings& settings = craft_.settings;
     if (returning()) {
-        return {home_m(), home_m(), settings.transit_speed_m_s, words(), Width::Least};
+        const Vec2 to_m = door_m().value_or(home_m());
+        return {to_m, to_m, settings.transit_speed_m_s, words(), Width::Least};
     }
     if (survey_.done())
         return {craft_.senses.position2_m(), craft_.senses.position2_m(), settings.transit_speed_m_s, words()};
     return {survey_.goal_m(settings), survey_.aim_m(craft_.senses.position2_m(), settings),
-            survey_.onLane() ? settings.scan_speed_m_s : settings.transit_speed_m_s, words()};
+            survey_.onLane() ? settings.scan_speed_m_s : settings.transit_speed_m_s, words(),
+            craft_.ways.isUnder() ? Width::Least : Width::Usual};
 }
 
 Leg SurveyFlight::takeLeg() {
@@ -279,9 +296,21 @@ Leg SurveyFlight::takeLeg() {
     return next;
 }
 
+/// A map in which no way leads home is wrong, because the robot came from there.
+bool SurveyFlight::doubtsMap(const ReachablePlaces& reach) {
+    const bool came_straight = !sortie_.beyond_door && !craft_.ways.isUnder();
+    return came_straight && !reach.leadsNear(base_in_map_.position_m.head<2>(), near_base_m) &&
+           !std::exchange(sortie_.doubted_map, true);
+}
+
 void SurveyFlight::skipGoal(agent::CommandPort& port) {
     const bool cut_off = craft_.walledOff();
     const bool room = !craft_.mayClimb();
+    const ReachablePlaces reach = cut_off ? craft_.ways.reach(craft_.senses) : ReachablePlaces();
+    if (cut_off && doubtsMap(reach)) {
+        craft_.ways.clear();
+        return craft_.startAnew();
+    }
     craft_.log.mark(agent::MarkKind::GoalGivenUp, leg().goal_m, craft_.senses, port);
     if (!cut_off)
         port.publish(agent::BehaviorEvent{Severity::Warning, "A goal could not be reached in time and is left out."});
@@ -289,7 +318,6 @@ void SurveyFlight::skipGoal(agent::CommandPort& port) {
         port.publish(agent::BehaviorEvent{Severity::Warning,
                                           "No way leads to a goal. It is left out, like all goals to "
                                           "which no way leads."});
-    const ReachablePlaces reach = cut_off ? craft_.reach() : ReachablePlaces();
     craft_.startAnew();
     afterGoal(cut_off ? survey_.cutOff(craft_.settings, [&](const Vec2& at_m) { return reach.contains(at_m); })
                       : survey_.giveUp(craft_.settings, room ? LeftOut::NoWayFound : LeftOut::Late),
@@ -298,7 +326,8 @@ void SurveyFlight::skipGoal(agent::CommandPort& port) {
 
 void SurveyFlight::afterGoal(SurveyEvent event, agent::CommandPort& port) {
     survey_.shift(-craft_.log.lean().scanAside_m(craft_.senses.base_in_map.yaw_rad, craft_.settings.scan_altitude_m));
-    if (event == SurveyEvent::AllDone)
+    if (event == SurveyEvent::AllDone &&
+        !leftovers_.addLanes(craft_, survey_, ledger_, base_in_map_.position_m.head<2>(), port))
         goHome(Errand::Done, "", port);
     else if (event == SurveyEvent::QuadrantDone && !craft_.settings.navigate_by_truth)
         goHome(Errand::Quadrant, "A quadrant is done; home to set the INS and to charge.", port);
@@ -347,7 +376,7 @@ void SurveyFlight::landAt(const Vec2& near_m) {
 
 void SurveyFlight::landHere(agent::CommandPort& port) {
     if (!std::exchange(sortie_.looked_again, true)) { // What stood in the way may be gone, or was never there.
-        craft_.forgetWays();
+        craft_.ways.clear();
         return craft_.startAnew();
     }
     end_reason_ = "The way home was blocked.";
@@ -430,7 +459,7 @@ std::string SurveyFlight::words() const {
     case Phase::Launch:
         return checklist_.words();
     case Phase::TakeOff:
-        return "taking off";
+        return sortie_.beyond_door ? "coming up beyond a door" : "taking off";
     case Phase::ToLane:
         return "flying to " + lane;
     case Phase::Lane:

@@ -7,7 +7,7 @@
 #include "robots/airrobot/flight/ins_reset.h"
 #include "robots/airrobot/flight/launch_checklist.h"
 #include "robots/airrobot/flight/time_estimate.h"
-#include "robots/airrobot/scan_ledger.h"
+#include "robots/airrobot/leftovers.h"
 #include "robots/airrobot/sortie.h"
 #include "robots/airrobot/survey.h"
 
@@ -35,13 +35,11 @@ public:
     bool planned() const { return survey_.laneCount() > 0; } ///< the lanes are known
     /// The number of the lane that is being scanned or approached, counting from 1.
     std::size_t lane() const { return survey_.laneIndex() + 1; }
-    bool launched() const { return launched_; } ///< the launch is complete
-    /// Whether the scan altitude has been reached since the last landing.
-    bool atWork() const { return sortie_.at_work; }
+    bool launched() const { return launched_; }     ///< the launch is complete
+    bool atWork() const { return sortie_.at_work; } ///< it has risen since the last landing
     /// True from the choice of a landing place until the robot takes off again.
     bool landing() const { return sortie_.landing_m.has_value(); }
-    /// Whether the base is the goal.
-    bool returning() const;
+    bool returning() const; ///< the base is the goal
     /// Whether the robot is over the base, or where it is to land instead.
     bool atBase() const;
     bool goalReached() const { return survey_.goalReached(craft_.senses.position2_m(), craft_.settings); }
@@ -53,8 +51,7 @@ public:
     bool robotBatteryLow() const;
     /// False from a recharge until a lane is flown. If the battery runs low in between, the lane is out of reach.
     bool resumedGoalReached() const { return had_lane_since_charge_; }
-    /// Whether the robot has been on the ground for as long as charging takes.
-    bool charged() const;
+    bool charged() const; ///< it has been on the ground for as long as charging takes
     const Craft& craft() const { return craft_; }
     const LaunchChecklist& checklist() const { return checklist_; }
 
@@ -106,9 +103,10 @@ public:
     void finish(bool success, const std::string& reason, agent::CommandPort& port);
 
 private:
-    /// Chooses the floor level if nobody has set one.
-    void putFloor();
+    void putFloor(); ///< chooses the floor level if nobody has set one
     void chooseFloor(agent::CommandPort& port);
+    void riseBeyondDoor();
+    bool doubtsMap(const ReachablePlaces& reach);
     Leg leg() const;
     Leg takeLeg();
     void noteSilence(agent::CommandPort& port);
@@ -119,6 +117,7 @@ private:
     /// Lands at the nearest place that is fit for it, after a flight there if it is not here; false if none is known.
     bool landNearby(double dry_m, agent::CommandPort& port);
     Vec2 home_m() const { return sortie_.refuge_m.value_or(base_in_map_.position_m.head<2>()); }
+    std::optional<Vec2> door_m() const { return sortie_.refuge_m ? std::nullopt : leftovers_.door_m(); }
     void endPause(const std::string& why, agent::CommandPort& port);
     double beelineHome_m() const { return (craft_.senses.position_m() - base_in_map_.position_m).norm(); }
     std::string words() const;
@@ -134,6 +133,7 @@ private:
     Errand errand_ = Errand::Start;
     std::string end_reason_;
     ScanLedger ledger_;
+    Leftovers leftovers_;
     std::optional<agent::BehaviorFinished> ending_;
     bool paused_ = false;
     bool silent_ = false;

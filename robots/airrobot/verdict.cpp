@@ -30,7 +30,7 @@ std::string rounded(double number) {
 
 agent::BehaviorFinished verdictOf(const Survey& survey, const ScanLedger& ledger, const Settings& settings) {
     const double cut_off_m = survey.cutOff_m();
-    if (cut_off_m > most_cut_off * survey.totalLength_m())
+    if (cut_off_m > most_cut_off * survey.plannedLength_m())
         return failed("No way was found into the area.");
     if (ledger.mapped() < least_mapped)
         return failed("The lanes were flown, but few scans of them came and show ground. Is the area in the world, and "
@@ -50,7 +50,7 @@ agent::BehaviorFinished verdictOf(const Survey& survey, const ScanLedger& ledger
     std::string scanned = settings.navigate_by_truth ? "The area is scanned by ground truth" : "The area is scanned";
     if (cut_off_m > 0.0)
         scanned += " as far as a way was found; none was found to " + fixed(cut_off_m, 0) + " m of the lanes (" +
-                   fixed(100.0 * cut_off_m / survey.totalLength_m(), 0) + " %)";
+                   fixed(100.0 * cut_off_m / survey.plannedLength_m(), 0) + " %)";
     return {true, scanned + (survey.goalsGivenUp() == 0 ? "." : "; " + goals + ".")};
 }
 

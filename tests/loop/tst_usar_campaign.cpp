@@ -4,24 +4,21 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
-#include <QTemporaryDir>
 #include <QTest>
 
 #include "core/base/version.h"
 #include "core/campaign/runs/shard_file.h"
+#include "tests/loop/program_folder.h"
 #include "tests/suite/suite.h"
 
 namespace tst_usar_campaign {
 
 using namespace usar;
 using namespace usar::campaign;
+using test::ProgramFolder;
 
 namespace {
 
-const QString program = QString(USAR_BINARY_DIR) + "/bin/usar-mission";
-constexpr int patience_ms = 100000;
-
-const QByteArray small = R"({ "name": "Small", "area": { "x": -8, "y": -6, "width": 16, "height": 12 } })";
 const QByteArray two_behaviors = R"({ "name": "Two", "missions": ["small.json"], "seeds": 3, "variants": [
     { "name": "C++", "behavior": "airrobot/cpp" }, { "name": "POSH", "behavior": "airrobot/posh" }] })";
 
@@ -32,17 +29,17 @@ class tst_UsarCampaign : public QObject {
     Q_OBJECT
 private slots:
     void init() {
-        folder_ = std::make_unique<QTemporaryDir>();
-        write("small.json", small);
+        folder_ = std::make_unique<ProgramFolder>();
+        folder_->write("small.json", test::small_mission);
     }
 
     void fliesItsMissionsAndTellsTheCommandOfEach() {
-        write("two.json", two_behaviors);
-        const Ended ended = run({"campaign", "two.json", "--out", "results"});
+        folder_->write("two.json", two_behaviors);
+        const ProgramFolder::Ended ended = folder_->run({"campaign", "two.json", "--out", "results"});
         QVERIFY2(ended.exit_code == 0, ended.err);
         QCOMPARE(ended.summary["outcomes"].toObject()["done"].toInt(), 6);
         QVERIFY(ended.summary["complete"].toBool());
-        const auto results = readResults(folder_->filePath("results"), versionOf());
+        const auto results = readResults(folder_->path("results"), versionOf());
         QVERIFY2(results, results ? "" : results.error().text().c_str());
         QCOMPARE(results->size(), std::size_t(6));
         QVERIFY(results->front().differences == QStringList{});
@@ -51,39 +48,41 @@ private slots:
         QCOMPARE(last.seed, std::uint64_t(3));
         QProcess again;
         again.setWorkingDirectory(folder_->path());
-        again.start("/bin/sh", {"-c", QString(last.command).replace("usar-mission", program) + " --out again"});
-        QVERIFY(again.waitForFinished(patience_ms));
+        again.start("/bin/sh",
+                    {"-c", QString(last.command).replace("usar-mission", ProgramFolder::program()) + " --out again"});
+        QVERIFY(again.waitForFinished(ProgramFolder::patience_ms));
         const QByteArray out = again.readAllStandardOutput().trimmed();
         const QJsonObject summary = QJsonDocument::fromJson(out.mid(out.lastIndexOf('\n') + 1)).object();
         QCOMPARE(differencesOf(last.summary, summary), QStringList());
     }
 
     void whatWasFlownIsCompared() {
-        write("two.json", two_behaviors);
-        QCOMPARE(run({"campaign", "two.json", "--out", "results"}).exit_code, 0);
-        const Ended compared = run({"compare", "results", "--json", "--html", "report.html", "--junit", "runs.xml"});
+        folder_->write("two.json", two_behaviors);
+        QCOMPARE(folder_->run({"campaign", "two.json", "--out", "results"}).exit_code, 0);
+        const ProgramFolder::Ended compared =
+            folder_->run({"compare", "results", "--json", "--html", "report.html", "--junit", "runs.xml"});
         QCOMPARE(compared.exit_code, 3); // Three pairs decide nothing.
         QCOMPARE(compared.summary["baseline"].toString(), QString("C++"));
         QCOMPARE(compared.summary["candidate"].toString(), QString("POSH"));
         QCOMPARE(compared.summary["pairs"].toInt(), 3);
         QCOMPARE(compared.summary["facts"].toObject()["runs"].toString(), QString("6 of 6"));
         for (const char* file : {"report.html", "runs.xml"})
-            QVERIFY2(QFile(folder_->filePath(file)).size() > 300, file);
-        const Ended unknown = run({"compare", "results", "--candidate", "Lisp"});
+            QVERIFY2(QFile(folder_->path(file)).size() > 300, file);
+        const ProgramFolder::Ended unknown = folder_->run({"compare", "results", "--candidate", "Lisp"});
         QCOMPARE(unknown.exit_code, 2);
         QVERIFY2(unknown.err.contains("Lisp"), unknown.err);
     }
 
     void faultsDoNotMakeEqualSeedsDiffer() {
-        write("cut.json",
-              R"({ "name": "Cut", "missions": ["small.json"], "seeds": 3, "faults": ["link_cut from=40"] })");
+        folder_->write("cut.json",
+                       R"({ "name": "Cut", "missions": ["small.json"], "seeds": 3, "faults": ["link_cut from=40"] })");
         for (const char* results : {"one", "two"}) {
-            const Ended ended = run({"campaign", "cut.json", "--out", results});
+            const ProgramFolder::Ended ended = folder_->run({"campaign", "cut.json", "--out", results});
             QCOMPARE(ended.exit_code, 1);
             QCOMPARE(ended.summary["outcomes"].toObject()["failed"].toInt(), 3);
         }
-        const auto one = readResults(folder_->filePath("one"), versionOf());
-        const auto two = readResults(folder_->filePath("two"), versionOf());
+        const auto one = readResults(folder_->path("one"), versionOf());
+        const auto two = readResults(folder_->path("two"), versionOf());
         QVERIFY(one && two);
         for (std::size_t i = 0; i < 3; ++i) {
             QVERIFY(!one->at(i).summary["collisions"].isNull());
@@ -92,26 +91,27 @@ private slots:
     }
 
     void shardsAndAResumeAfterAKillGiveEachRunOnce() {
-        write("two.json", two_behaviors);
+        folder_->write("two.json", two_behaviors);
         QProcess killed;
         killed.setWorkingDirectory(folder_->path());
-        killed.start(program, {"campaign", "two.json", "--out", "results", "--jobs", "1", "--shard", "0/2"});
-        const QString shard = folder_->filePath("results/shard-000.jsonl");
-        QTRY_VERIFY_WITH_TIMEOUT(QFile(shard).size() > 0, patience_ms);
+        killed.start(ProgramFolder::program(),
+                     {"campaign", "two.json", "--out", "results", "--jobs", "1", "--shard", "0/2"});
+        const QString shard = folder_->path("results/shard-000.jsonl");
+        QTRY_VERIFY_WITH_TIMEOUT(QFile(shard).size() > 0, ProgramFolder::patience_ms);
         killed.kill();
-        QVERIFY(killed.waitForFinished(patience_ms));
-        QCOMPARE(run({"campaign", "two.json", "--out", "results", "--shard", "1/2"}).exit_code, 0);
-        const Ended without = run({"campaign", "two.json", "--out", "results"});
+        QVERIFY(killed.waitForFinished(ProgramFolder::patience_ms));
+        QCOMPARE(folder_->run({"campaign", "two.json", "--out", "results", "--shard", "1/2"}).exit_code, 0);
+        const ProgramFolder::Ended without = folder_->run({"campaign", "two.json", "--out", "results"});
         QCOMPARE(without.exit_code, 2);
         QVERIFY(without.err.contains("--resume"));
-        const Ended ended = run({"campaign", "two.json", "--out", "results", "--shard", "0/2"});
+        const ProgramFolder::Ended ended = folder_->run({"campaign", "two.json", "--out", "results", "--shard", "0/2"});
         QVERIFY2(ended.exit_code == 0, ended.err);
-        const auto results = readResults(folder_->filePath("results"), versionOf());
+        const auto results = readResults(folder_->path("results"), versionOf());
         QVERIFY(results);
         QCOMPARE(results->size(), std::size_t(6));
         qsizetype lines = 0;
         for (const char* name : {"results/shard-000.jsonl", "results/shard-001.jsonl"}) {
-            QFile file(folder_->filePath(name));
+            QFile file(folder_->path(name));
             QVERIFY(file.open(QIODevice::ReadOnly));
             lines += file.readAll().count('\n');
         }
@@ -137,41 +137,18 @@ private slots:
     void wrongInputIsSaidBeforeAnythingIsFlown() {
         QFETCH(QByteArray, campaign);
         QFETCH(QString, words);
-        write("bad.json", campaign);
-        const Ended ended = run({"campaign", "bad.json", "--out", "results"});
+        folder_->write("bad.json", campaign);
+        const ProgramFolder::Ended ended = folder_->run({"campaign", "bad.json", "--out", "results"});
         QCOMPARE(ended.exit_code, 2);
         QVERIFY2(ended.err.contains(words.toUtf8()), ended.err);
         QVERIFY(!ended.summary["reason"].toString().isEmpty());
-        QVERIFY(!QFile::exists(folder_->filePath("results")));
+        QVERIFY(!QFile::exists(folder_->path("results")));
     }
 
 private:
-    struct Ended {
-        int exit_code = -1;
-        QJsonObject summary; ///< last line of standard output
-        QByteArray err;
-    };
-
-    Ended run(const QStringList& arguments) const {
-        QProcess process;
-        process.setWorkingDirectory(folder_->path());
-        process.start(program, arguments);
-        if (!process.waitForFinished(patience_ms))
-            return {};
-        const QByteArray out = process.readAllStandardOutput().trimmed();
-        return {process.exitCode(), QJsonDocument::fromJson(out.mid(out.lastIndexOf('\n') + 1)).object(),
-                process.readAllStandardError()};
-    }
-
-    void write(const char* name, const QByteArray& text) const {
-        QFile file(folder_->filePath(name));
-        if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size())
-            qFatal("%s cannot be written", name);
-    }
-
     static std::string versionOf() { return std::string(version()); }
 
-    std::unique_ptr<QTemporaryDir> folder_;
+    std::unique_ptr<ProgramFolder> folder_;
 };
 
 USAR_TEST(tst_UsarCampaign)

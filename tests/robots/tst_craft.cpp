@@ -21,6 +21,7 @@ class tst_Craft : public QObject {
     std::uint64_t line = 0;
     double now_s = 0.0;
     double z_m = 20.0;
+    bool tells_pose = true;
     std::unique_ptr<Craft> craft;
 
     void tell(protocol::InfoMessage message) { robot->take({LineNumber{++line}, "", std::move(message), {}}); }
@@ -41,7 +42,8 @@ class tst_Craft : public QObject {
         scan.ranges_m.front() = right_m;
         scan.ranges_m.back() = left_m;
         tell(scan);
-        tell(protocol::InsReading{{}, "INS", Pose{Vec3(0, 0, z_m), 0, 0, 0}});
+        if (tells_pose)
+            tell(protocol::InsReading{{}, "INS", Pose{Vec3(0, 0, z_m), 0, 0, 0}});
         protocol::RobotState state;
         state.time = Seconds(now_s);
         tell(state);
@@ -61,6 +63,7 @@ private slots:
         line = 0;
         now_s = 100.0;
         z_m = 20.0;
+        tells_pose = true;
         craft = std::make_unique<Craft>();
     }
 
@@ -146,6 +149,54 @@ private slots:
         z_m -= 0.4;
         perceive(2.6, {});
         QVERIFY(*fly().forward_m_s > 0.0);
+    }
+
+    void sinksStraightUnderALidAndStaysThere() {
+        craft->forgetPlaces();
+        craft->ways.startAnew(14.0);
+        perceive(6.0, {});
+        QVERIFY(!craft->ways.isNarrow());
+        craft->goUnder();
+        perceive(6.0, {});
+        protocol::AerialDrive drive = fly();
+        QCOMPARE(*drive.climb_m_s, -craft->settings.descent_speed_m_s);
+        QVERIFY(std::abs(*drive.forward_m_s) < 0.05);
+        z_m = 16.5;                                    // The lid is at 17.2 m.
+        for (int tick = 0; tick < 5; ++tick) {         // The ground asks it to climb, and the lid forbids it.
+            perceive(2.2, {{"R4", 0.9}, {"L4", 0.9}}); // It is in a door.
+            if (const auto told = fly(); told.climb_m_s)
+                drive = told;
+            QVERIFY(*drive.climb_m_s <= 0.0);
+        }
+        QVERIFY2(*drive.forward_m_s > 0.2 && *drive.forward_m_s < 1.3 * Ways::door_m_s,
+                 qPrintable(QString::number(*drive.forward_m_s)));
+        craft->comeUp();
+        perceive(2.2, {{"R4", 0.9}, {"L4", 0.9}});
+        QCOMPARE(craft->threats.risk, agent::Risk::High);
+        QVERIFY(craft->mayClimb());
+    }
+
+    void leavesARoofEvenWithoutAPose() {
+        const auto brace = [&] {
+            craft->brace(port, "test");
+            const auto commands = port.takeCommands();
+            return commands.empty() ? std::nullopt : std::get<protocol::AerialDrive>(commands.back().command).climb_m_s;
+        };
+        perceive(3.0, {});
+        QCOMPARE(brace(), std::optional(0.0));
+        for (int tick = 0; tick < 9; ++tick) {
+            perceive(3.0, {});
+            fly();
+        }
+        QVERIFY(craft->overhead.hasCeiling());
+        QCOMPARE(brace().value_or(-Overhead::gentle_m_s), -Overhead::gentle_m_s);
+        tells_pose = false;
+        std::optional<double> climb_m_s;
+        for (int tick = 0; tick < 40; ++tick) { // A robot that sees nothing does not sink for ever.
+            perceive(3.0, {});
+            climb_m_s = brace().value_or(climb_m_s.value_or(-Overhead::gentle_m_s));
+        }
+        QCOMPARE(climb_m_s, std::optional(0.0));
     }
 
     void fleesFromAHighRiskWithoutAChangeOfHeight() {

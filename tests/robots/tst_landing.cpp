@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <QObject>
 #include <QTest>
 
@@ -30,6 +32,22 @@ private slots:
         const Vec2 place_m = landingPlace_m(meadow({Vec3(0.2, 0.2, 0.9)}), {0, 0}, 4.0);
         QVERIFY((place_m - Vec2(0.2, 0.2)).norm() > 1.2);
         QVERIFY(place_m.norm() <= 4.0);
+    }
+
+    /// What it saw minutes ago is off by the drift since then: it took a brink for the plateau above it.
+    void believesItsNewestLookAtTheGround() {
+        ObstacleMemory memory;
+        Senses senses = sensesAt({0, 0, 6});
+        setFlatScan(senses, {0, 0}, 10.0, 0.0);
+        memory.take(senses, {});
+        const auto look = [&](double now_s) {
+            senses.now = Seconds(now_s);
+            for (Vec3& hit : senses.scan->hits_in_map_m)
+                hit.z() = -0.5 * std::max(0.0, hit.y() + 2.0);
+            memory.take(senses, {});
+        };
+        look(300.0);
+        QVERIFY(landingPlace_m(memory, {0, 0}, 4.0).y() < -2.0);
     }
 
     void stepsAsideForABoardThatItsBellyWouldMeet() {
@@ -156,6 +174,20 @@ private slots:
         while (!touchedAfterTick() && still_ticks < 100)
             ++still_ticks;
         QCOMPARE(still_ticks, ticks);
+    }
+
+    /// The scanner tells ranges that are too long, so the ground seems to be farther below.
+    void noticesTheGroundWithAScannerThatHasABias() {
+        Touchdown touchdown;
+        touchdown.start();
+        int ticks = 0;
+        for (Senses senses = sensesAt({0, 0, 0.2}); ticks < 100; ++ticks) {
+            senses.ground_m = -1.6;
+            if (touchdown.touched(senses))
+                break;
+            senses.now += Seconds(0.2);
+        }
+        QVERIFY2(ticks > 20 && ticks < 40, qPrintable(QString::number(ticks)));
     }
 
     void takesNoStillnessInTheAirForATouch() {

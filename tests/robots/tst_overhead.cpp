@@ -101,6 +101,18 @@ private slots:
         QCOMPARE(overhead.allowed_m_s(senses, -0.5, 0.3), -0.5);
     }
 
+    /// As flown in `tall_test` with seed 16: it sank after its lane, and the climb over a crown took a second to begin.
+    void aClimbThatBeginsWhileItSinksHasMetNothing() {
+        Overhead overhead;
+        Senses senses = sensesAt({1.0, 2.0, 14.3});
+        for (const double z_m : {14.42, 14.3, 14.23, 14.19, 14.19, 14.21, 14.25, 14.29, 14.36, 14.45, 14.6}) {
+            senses.base_in_map.position_m.z() = z_m;
+            overhead.observe(senses, {.climb_m_s = 0.5});
+            senses.now += Seconds(0.2);
+        }
+        QVERIFY(!overhead.hasCeiling());
+    }
+
     void whatTheRobotGetsPastIsNoCeiling() {
         Overhead overhead;
         Senses senses = sensesAt({1.0, 2.0, 3.0});
@@ -186,14 +198,14 @@ private slots:
         Ascent first;
         Ascent again(5.0);
         Senses senses = sensesAt({0.0, 0.0, 0.3});
-        first.step(senses, {0.0, 0.0, 6.3}, overhead, settings);
-        again.step(senses, {0.0, 0.0, 6.3}, overhead, settings);
+        first.step(senses, {0.0, 0.0, 6.3}, overhead, {}, settings);
+        again.step(senses, {0.0, 0.0, 6.3}, overhead, {}, settings);
         senses.base_in_map.position_m.z() = 3.0;
         overhead.observe(sensesWith(scanBelow(100.0, 100.0, radians(14.0), {0.0, 0.0, 3.0})), {});
-        QVERIFY(first.step(senses, {0.0, 0.0, 6.3}, overhead, settings).climb_m_s <= Overhead::careful_m_s);
-        QCOMPARE(again.step(senses, {0.0, 0.0, 6.3}, overhead, settings).climb_m_s, settings.climb_speed_m_s);
+        QVERIFY(first.step(senses, {0.0, 0.0, 6.3}, overhead, {}, settings).climb_m_s <= Overhead::careful_m_s);
+        QCOMPARE(again.step(senses, {0.0, 0.0, 6.3}, overhead, {}, settings).climb_m_s, settings.climb_speed_m_s);
         senses.base_in_map.position_m.z() = 4.8;
-        QVERIFY(again.step(senses, {0.0, 0.0, 6.3}, overhead, settings).climb_m_s <= Overhead::careful_m_s);
+        QVERIFY(again.step(senses, {0.0, 0.0, 6.3}, overhead, {}, settings).climb_m_s <= Overhead::careful_m_s);
     }
 
     /// A robot that goes where it is told and rolls as it sets off, in a hall with this ceiling.
@@ -218,7 +230,7 @@ private slots:
             senses.now = Seconds(0.2 * tick);
             senses.base_in_map.yaw_rad = yaw_rad;
             overhead.observe(senses, {climb_m_s, true});
-            const AscentStep step = ascent.step(senses, {0.0, 0.0, 6.3}, overhead, settings);
+            const AscentStep step = ascent.step(senses, {0.0, 0.0, 6.3}, overhead, {}, settings);
             yaw_rad = normalizedAngle(yaw_rad + (step.turns ? 0.1 : 0.0));
             looked_around = looked_around || step.looked_around;
             QVERIFY2(looked_around || at_m.z() < 3.2, qPrintable(QString::number(at_m.z())));
@@ -232,6 +244,32 @@ private slots:
             QVERIFY2(at_m.z() < ceiling_m - 0.3, qPrintable(QString::number(at_m.z())));
         }
         QFAIL("It never arrives.");
+    }
+
+    /// Beside a rack that it cannot see in this plane, a roll to the side would end in it.
+    void doesNotRollBesideWhatMayReachItsHeight_data() {
+        QTest::addColumn<double>("aside_m");
+        QTest::addColumn<double>("top_m");
+        QTest::addColumn<bool>("rolls");
+        QTest::newRow("nothing near") << 8.0 << 2.95 << true;
+        QTest::newRow("a rack whose top it could not see from below") << 1.6 << 2.95 << false;
+        QTest::newRow("a pallet") << 1.6 << 1.0 << true;
+    }
+    void doesNotRollBesideWhatMayReachItsHeight() {
+        QFETCH(double, aside_m);
+        QFETCH(double, top_m);
+        QFETCH(bool, rolls);
+        Ascent ascent;
+        Overhead overhead;
+        ObstacleMemory memory;
+        Senses seen = sensesAt({0.0, 0.0, 3.0});
+        setFlatScan(seen, {0.0, aside_m}, 0.3, top_m);
+        memory.take(seen, {});
+        ascent.step(sensesAt({0.0, 0.0, 0.3}), {0.0, 0.0, 6.3}, overhead, memory, settings);
+        for (double yaw_rad = 0.0; yaw_rad < 3.3; yaw_rad += 0.1) // It looks around.
+            ascent.step(sensesAt({0.0, 0.0, 2.9}, yaw_rad), {0.0, 0.0, 6.3}, overhead, memory, settings);
+        const Senses senses = sensesWith(scanBelow(100.0, 100.0, 0.0, {0.0, 0.0, 4.8}));
+        QCOMPARE(ascent.step(senses, {0.0, 0.0, 6.3}, overhead, memory, settings).left_m_s != 0.0, rolls);
     }
 
     void whatNeverFlewHasNotCrashed() {
@@ -278,6 +316,22 @@ private slots:
             senses.now += Seconds(0.2);
         }
         QCOMPARE(said, words);
+    }
+
+    void aLidIsACeilingEverywhere() {
+        Overhead overhead;
+        QVERIFY(!overhead.hasCeiling());
+        overhead.putLid(3.0);
+        QVERIFY(overhead.hasCeiling());
+        QCOMPARE(overhead.limit_m({500.0, -500.0}), 3.0 - Overhead::margin_m);
+        Senses senses = sensesAt({0.0, 0.0, 8.0}); // A robot above it does not show that there is none.
+        overhead.observe(senses, {});
+        QCOMPARE(overhead.ceiling_m({0.0, 0.0}), std::optional(3.0));
+        overhead.putLid(std::nullopt);
+        QVERIFY(!overhead.hasCeiling());
+        overhead.putLid(3.0);
+        overhead.forgetPlaces();
+        QVERIFY(!overhead.hasCeiling());
     }
 };
 

@@ -117,7 +117,7 @@ private slots:
         QVERIFY(senses.velocity_in_map_m_s.norm() < 0.15);
         QVERIFY(pilot.wantedInBase_m_s().norm() < 0.3); // The heading is compared with what was wanted over ground.
         senses.now += Seconds(2.0);
-        pilot.brace(senses, port, "test"); // Without a look at its senses, it still leans against the wind.
+        pilot.brace(senses, 0.0, port, "test"); // Without a look at its senses, it still leans against the wind.
         const auto last = port.takeCommands();
         const auto& drive = std::get<protocol::AerialDrive>(last.at(0).command);
         const Vec2 braced_m_s = Eigen::Rotation2Dd(0.7) * Vec2(*drive.forward_m_s, *drive.left_m_s);

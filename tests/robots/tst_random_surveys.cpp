@@ -17,6 +17,18 @@ private slots:
         test::tryRandomSurvey(number);
     }
 
+    void scansWhatLanesAloneDoNotShow_data() {
+        QTest::addColumn<int>("number");
+        QTest::newRow("between shelves and walls") << 809;
+        QTest::newRow("behind doors that are lower than it flies, by POSH") << 701;
+        QTest::newRow("behind doors that are lower than it flies, by C++") << 821;
+    }
+    void scansWhatLanesAloneDoNotShow() {
+        QFETCH(int, number);
+        const test::SurveyOutcome outcome = test::fly(test::drawSurvey(number));
+        QVERIFY2(!outcome.broken && outcome.reachable_coverage_pct.value_or(0.0) >= 97.0, outcome.text().c_str());
+    }
+
     void tellsTheTruthOfAFault_data() { test::surveyRows(13, 20); }
     void tellsTheTruthOfAFault() {
         QFETCH(int, number);

@@ -65,6 +65,17 @@ private slots:
         }
     }
 
+    // It has pressed against a roof for longer than a descent may take to begin.
+    void aDescentAfterAClimbHasTimeToBegin() {
+        PoseCheck check;
+        double now_s = 10.0;
+        for (int tick = 0; tick < 10; ++tick)
+            QVERIFY(check.believes(Seconds(now_s += 0.2), at(1.0), {0.0, 0.5}));
+        for (int tick = 0; tick < 5; ++tick)
+            QVERIFY(check.believes(Seconds(now_s += 0.2), at(1.0), {0.0, -0.3}));
+        QVERIFY(!check.believes(Seconds(now_s + 0.4), at(1.0), {0.0, -0.3}));
+    }
+
     // The robot stops then, and that must not make it believe the pose again.
     void damagedLinesDoNotWakeASensorThatHangs() {
         PoseCheck check;

@@ -116,6 +116,68 @@ private slots:
         QVERIFY(map.isStraightWayFree({0.0, 0.0}, {10.0, 0.0}, 5.0));
     }
 
+    void passesCloserOverThingsWhereItIsTold() {
+        RouteMap map;
+        addWall(map, 5.0, -50.0, 50.0, 5.0);
+        QVERIFY(!map.isStraightWayFree({0.0, 0.0}, {10.0, 0.0}, 6.0));
+        map.passOver(passes_closer_m);
+        QVERIFY(map.isStraightWayFree({0.0, 0.0}, {10.0, 0.0}, 6.0));
+        QVERIFY(!map.isStraightWayFree({0.0, 0.0}, {10.0, 0.0}, 5.6));
+    }
+
+    void seesOverWhatIsLow_data() {
+        QTest::addColumn<double>("top_m");
+        QTest::addColumn<double>("to_x_m");
+        QTest::addColumn<bool>("in_sight");
+        QTest::newRow("a wall") << 8.0 << 7.0 << false;
+        QTest::newRow("the wall itself") << 8.0 << 5.2 << true;
+        QTest::newRow("a shelf") << 5.5 << 7.0 << true;
+    }
+    void seesOverWhatIsLow() {
+        QFETCH(double, top_m);
+        QFETCH(double, to_x_m);
+        QFETCH(bool, in_sight);
+        RouteMap map;
+        addWall(map, 5.0, -8.0, 8.0, top_m);
+        QCOMPARE(map.isInSight({3.0, 0.0}, {to_x_m, 0.0}, 6.0), in_sight);
+    }
+
+    void findsGroundBehindADoor_data() {
+        QTest::addColumn<double>("door_m");
+        QTest::addColumn<double>("ground_to_x_m");
+        QTest::addColumn<bool>("found");
+        QTest::newRow("a door and ground beyond it") << 3.0 << 18.0 << true;
+        QTest::newRow("a door, and hardly any ground") << 3.0 << 13.0 << false;
+        QTest::newRow("too narrow") << 1.0 << 18.0 << false;
+        QTest::newRow("no door") << 0.0 << 18.0 << false;
+    }
+    void findsGroundBehindADoor() {
+        QFETCH(double, door_m);
+        QFETCH(double, ground_to_x_m);
+        QFETCH(bool, found);
+        RouteMap low = room(door_m); // as it is near the ground
+        Senses senses = sensesAt({0.0, 0.0, 6.0});
+        senses.scan = PlacedScan{{1}, {}, {}, {}};
+        for (double x_m = -9.0; x_m <= ground_to_x_m; x_m += 0.25)
+            for (double y_m = -1.0; y_m <= 1.0; y_m += 0.25)
+                if (std::abs(x_m - 10.0) > 0.5)
+                    senses.scan->hits_in_map_m.emplace_back(x_m, y_m, 0.0);
+        low.takeScan(*senses.scan, 2.9);
+        const ReachablePlaces high = room(0.0).reach({0.0, 0.0}, 6.0);
+        const auto ground_m = low.groundBeyond_m({0.0, 0.0}, 2.4, 0.6, high, 4.0);
+        QCOMPARE(ground_m.has_value(), found);
+        QVERIFY(!found || (ground_m->x() > 12.0 && ground_m->x() < 13.5));
+        QVERIFY(high.leadsNear({10.0, 0.0}, 2.5));
+        QVERIFY(!high.leadsNear({13.0, 0.0}, 2.5));
+    }
+
+    void keepsToTheMiddleOfADoor() {
+        const auto way = room(3.0).route({0.0, -6.0}, {20.0, -6.0}, 6.0, 1.0, Width::Least);
+        QVERIFY(way);
+        for (const Vec2& point_m : *way)
+            QVERIFY(std::abs(point_m.x() - 10.0) > 0.4 || std::abs(point_m.y()) < 0.4);
+    }
+
     /// A robot above a shelf gets off it, though it would not fly over one.
     void leavesWhatItIsAbove() {
         RouteMap map;

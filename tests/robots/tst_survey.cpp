@@ -178,6 +178,44 @@ private slots:
         QCOMPARE(survey.cutOff(settings, nowhere), SurveyEvent::AllDone);
     }
 
+    void addedLanesCostNothingIfTheyFail() {
+        Survey survey = twoLanes(1);
+        flyAll(survey, {0, 0});
+        survey.add({{{10, 5}, {14, 5}, 0}, {{20, 5}, {26, 5}, 0}});
+        QVERIFY(!survey.done());
+        QCOMPARE(survey.totalLength_m(), 130.0);
+        QCOMPARE(survey.plannedLength_m(), 120.0);
+        QCOMPARE(survey.doneLength_m(), 120.0);
+        QCOMPARE(survey.giveUp(settings, LeftOut::Late),
+                 SurveyEvent::LaneDone); // There is no flight home between them.
+        QCOMPARE(survey.cutOff(settings, [](const Vec2&) { return false; }), SurveyEvent::AllDone);
+        QCOMPARE(survey.addedLeftOut(), 2);
+        QCOMPARE(survey.goalsGivenUp(), 0);
+        QCOMPARE(survey.leftOut(), 0.0);
+    }
+
+    void triesAgainWhatWasCutOff() {
+        Survey survey = twoLanes();
+        arrive(survey, {0, 0});
+        const auto up_to_13m = [](const Vec2& at_m) { return at_m.x() < 13.5; };
+        survey.cutOff(settings, up_to_13m);
+        arrive(survey, {13, 0});
+        survey.cutOff(settings, up_to_13m);
+        survey.giveUp(settings, LeftOut::Late); // 20 m of the second lane
+        QCOMPARE(survey.cutOff_m(), 47.0);
+        flyAll(survey, {40, 10});
+        survey.retryCutOff();
+        QCOMPARE(survey.cutOff_m(), 0.0);
+        QCOMPARE(survey.goal_m(settings), Vec2(13, 0));
+        QCOMPARE(survey.givenUp_pct(), 100.0 * 20.0 / 120.0);
+        QCOMPARE(survey.cutOff(settings, [](const Vec2&) { return false; }), SurveyEvent::AllDone);
+        QCOMPARE(survey.cutOff_m(), 47.0);
+        survey.retryCutOff();
+        flyAll(survey, {13, 0});
+        QCOMPARE(survey.cutOff_m(), 0.0);
+        QVERIFY(survey.done());
+    }
+
     void endsWhenEverythingIsGivenUp() {
         Survey survey = twoLanes();
         int times = 0;

@@ -20,8 +20,11 @@ std::string worldOf(const std::string& world, std::uint64_t seed) {
                                      : world;
 }
 
-std::vector<std::string> drawValues(const std::vector<Draw>& draws, Random& random) {
+std::vector<std::string> drawValues(const std::vector<Draw>& draws, std::uint64_t seed) {
     std::vector<std::string> values;
+    if (draws.empty())
+        return values; // Seeding an engine costs more than the rest of a run's plan.
+    Random random = seeded(seed, Values);
     for (const Draw& draw : draws) {
         std::string value;
         if (draw.choices.empty()) {
@@ -60,15 +63,15 @@ std::vector<PlannedRun> planRuns(const Campaign& campaign, std::span<const Fault
     PlannedRun run;
     const auto addPair = [&](std::uint64_t seed, const std::string& world) {
         const CampaignMission& mission = campaign.missions[run.mission];
-        Random value_random = seeded(seed, Values);
-        Random fault_random = seeded(seed, Faults);
-        std::vector<std::string> values = drawValues(mission.draws, value_random);
+        std::vector<std::string> values = drawValues(mission.draws, seed);
         if (!world.empty())
             values.insert(values.begin(), "world=" + worldOf(world, seed));
         run.seed = seed;
         run.faults = campaign.faults;
-        if (campaign.swarm)
-            std::ranges::move(drawFaults(*campaign.swarm, choices, fault_random), std::back_inserter(run.faults));
+        if (campaign.swarm) {
+            Random random = seeded(seed, Faults);
+            std::ranges::move(drawFaults(*campaign.swarm, choices, random), std::back_inserter(run.faults));
+        }
         for (run.variant = 0; run.variant < campaign.variants.size(); ++run.variant) {
             run.values = values;
             std::ranges::copy(campaign.variants[run.variant].values, std::back_inserter(run.values));

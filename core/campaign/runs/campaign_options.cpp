@@ -7,7 +7,8 @@ namespace usar::campaign {
 
 namespace {
 
-const std::string usage = "Write usar-mission campaign CAMPAIGN.json --out DIR; --help tells more";
+const std::string usage =
+    "Write usar-mission campaign CAMPAIGN.json --out DIR, or usar-mission campaign --tests FOLDER; --help tells more";
 
 constexpr int most_runs = 10'000'000;
 
@@ -41,12 +42,37 @@ Result<void> readCount(const QCommandLineParser& parser, const QString& option, 
     return {};
 }
 
+/// Reads what is flown, and where the results go.
+Result<void> readSubject(const QCommandLineParser& parser, const QStringList& arguments, CampaignOptions& options) {
+    const QStringList words = parser.positionalArguments();
+    options.tests = parser.value("tests");
+    options.junit = parser.value("junit");
+    options.folder = parser.value("out");
+    const bool are_tests = parser.isSet("tests");
+    if (words.size() != (are_tests ? 0 : 1) || (are_tests && options.tests.isEmpty()))
+        return failure("this is not how to call it", arguments.join(' ').toStdString(), usage);
+    if (!are_tests && options.folder.isEmpty())
+        return failure("--out is missing", arguments.join(' ').toStdString(), usage);
+    if (!are_tests && parser.isSet("junit"))
+        return failure("a campaign that is no folder of tests has no such report yet", "--junit",
+                       "Fly it, then write usar-mission compare DIR --junit FILE");
+    if (!are_tests)
+        options.file = words.first();
+    for (const char* const whole : {"slurm", "shard", "runs", "first-seed", "until-decided"})
+        if (are_tests && parser.isSet(whole))
+            return failure("tests are flown here, all of them, with their own seeds", std::string("--") + whole,
+                           "Leave it out");
+    return {};
+}
+
 } // namespace
 
 Result<CampaignOptions> readCampaignOptions(const QStringList& arguments) {
     QCommandLineParser parser;
     const auto parsed = mission::parseArguments(parser,
                                                 {{"out", {}, "DIR"},
+                                                 {"tests", {}, "FOLDER"},
+                                                 {"junit", {}, "FILE"},
                                                  {"jobs", {}, "N"},
                                                  {"shard", {}, "I/N"},
                                                  {"slurm", {}, "TASKS"},
@@ -64,12 +90,8 @@ Result<CampaignOptions> readCampaignOptions(const QStringList& arguments) {
         return options;
     if (!parsed)
         return tl::unexpected(parsed.error());
-    const QStringList words = parser.positionalArguments();
-    if (words.size() != 1 || !parser.isSet("out"))
-        return failure(words.size() == 1 ? "--out is missing" : "this is not how to call it",
-                       arguments.join(' ').toStdString(), usage);
-    options.file = words.first();
-    options.folder = parser.value("out");
+    if (auto read = readSubject(parser, arguments, options); !read)
+        return tl::unexpected(read.error());
     options.resume = parser.isSet("resume");
     options.until_decided = parser.isSet("until-decided");
     if (options.until_decided && parser.isSet("shard"))
@@ -100,8 +122,11 @@ Result<CampaignOptions> readCampaignOptions(const QStringList& arguments) {
 QString campaignHelp() {
     return QStringLiteral(
         "usar-mission campaign CAMPAIGN.json --out DIR [options]\n"
+        "usar-mission campaign --tests FOLDER [--junit FILE] [options]\n"
         "\n"
         "Flies the missions of a campaign, with all its seeds and variants, and writes one line for each.\n"
+        "With --tests, every mission in FOLDER is a test, flown with its own seed; its \"claims\" say what must hold.\n"
+        "--junit writes the results to FILE as JUnit XML.\n"
         "\n"
         "  --jobs N       missions at a time (as many as there are processors)\n"
         "  --resume       go on with the results in DIR: only what is missing is flown\n"

@@ -14,7 +14,9 @@ namespace usar::campaign {
 /// Options of `usar-mission campaign`, with their defaults.
 struct CampaignOptions {
     QString file;
-    QString folder;
+    QString tests{};                 ///< a folder whose missions are flown as tests, instead of a campaign's file
+    QString junit{};                 ///< file for the results of the tests; empty: none
+    QString folder;                  ///< for the results; empty: tests need none
     int jobs = 0;                    ///< processes at a time; 0: as many as there are processors
     bool resume = false;             ///< go on with the results that are in the folder
     std::optional<Shard> shard{};    ///< absent: all runs

@@ -139,6 +139,7 @@ void CampaignRunner::take(Flight& flight, const ProcessEnd& end) {
         QDir(flight.folder).removeRecursively();
         now.summary.remove("files");
     }
+    now.broken = brokenInvariants(now);
     if (auto written = file_.append(now); !written) {
         trouble_ = written.error();
         return interrupt();
@@ -154,7 +155,7 @@ void CampaignRunner::count(const PlannedRun& run, const RunResult& result) {
     ++progress_.outcomes[result.outcome];
     if (result.differences && !result.differences->isEmpty())
         progress_.different.push_back(result.number);
-    if (!brokenInvariants(result).isEmpty()) {
+    if (!result.broken.isEmpty()) {
         progress_.unsound.push_back(result.number);
         unsound_.emplace_back(run, result);
     }

@@ -6,6 +6,7 @@
 #include <QDir>
 #include <QThread>
 
+#include "core/campaign/plan/test_folder.h"
 #include "core/mission/files/mission_file.h"
 #include "core/mission/files/mission_value.h"
 
@@ -125,7 +126,7 @@ Result<Manifest> manifestOf(const Campaign& campaign, const CampaignHost& host) 
 }
 
 Result<std::unique_ptr<CampaignRunner>> startCampaign(const CampaignOptions& options, const CampaignHost& host) {
-    auto campaign = readCampaignFile(options.file);
+    auto campaign = options.tests.isEmpty() ? readCampaignFile(options.file) : campaignOfTests(options.tests);
     if (!campaign)
         return tl::unexpected(campaign.error());
     applyTo(*campaign, options);
@@ -138,7 +139,9 @@ Result<std::unique_ptr<CampaignRunner>> startCampaign(const CampaignOptions& opt
     auto file = ShardFile::open(options.folder, shard);
     if (!file)
         return tl::unexpected(file.error());
-    const auto earlier = readResults(options.folder, host.version);
+    // Whether a campaign is decided depends on the figures; to go on with it, half a gigabyte need not be parsed.
+    const ResultPart part = options.until_decided ? ResultPart::Whole : ResultPart::Head;
+    const auto earlier = readResults(options.folder, host.version, part);
     if (!earlier)
         return tl::unexpected(earlier.error());
     if (!earlier->empty() && !options.resume && !options.shard)

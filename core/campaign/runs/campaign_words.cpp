@@ -39,8 +39,8 @@ std::string progressLine(const CampaignProgress& progress, std::optional<std::si
 
 std::string sentenceOf(const RunResult& result) {
     std::string said;
-    if (const QStringList broken = brokenInvariants(result); !broken.isEmpty())
-        said = "shows a defect of the program. " + broken.join(' ').toStdString();
+    if (!result.broken.isEmpty())
+        said = "shows a defect of the program. " + result.broken.join(' ').toStdString();
     else if (result.outcome != Outcome::Done)
         said = wordOf(result.outcome).toStdString() + ": " + result.reason;
     else

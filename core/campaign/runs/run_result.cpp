@@ -21,6 +21,8 @@ constexpr std::array<std::pair<Outcome, const char*>, 7> words{{{Outcome::Done, 
                                                                 {Outcome::TimedOut, "timed-out"},
                                                                 {Outcome::OutOfMemory, "out-of-memory"}}};
 
+const QByteArray before_summary = ",\"summary\":";
+
 } // namespace
 
 QString wordOf(Outcome outcome) {
@@ -47,16 +49,22 @@ QByteArray toLine(const RunResult& result) {
                      {"command", result.command}};
     if (result.limit_s)
         line["limit_s"] = *result.limit_s;
-    if (!result.summary.isEmpty())
-        line["summary"] = result.summary;
     if (result.differences)
         line["differences"] = QJsonArray::fromStringList(*result.differences);
-    return mission::jsonLine(line);
+    if (!result.broken.isEmpty())
+        line["broken"] = QJsonArray::fromStringList(result.broken);
+    QByteArray text = mission::jsonLine(line);
+    if (!result.summary.isEmpty())
+        text.replace(text.lastIndexOf('}'), 1,
+                     before_summary + QJsonDocument(result.summary).toJson(QJsonDocument::Compact) + '}');
+    return text;
 }
 
-Result<RunResult> readResultLine(const QByteArray& line) {
+Result<RunResult> readResultLine(const QByteArray& line, ResultPart part) {
     QJsonParseError problem;
-    const QJsonObject read = QJsonDocument::fromJson(line, &problem).object();
+    // In a text within quotes, the quotes of this would be escaped, so it can only begin the summary.
+    const qsizetype head = part == ResultPart::Head ? line.indexOf(before_summary) : -1;
+    const QJsonObject read = QJsonDocument::fromJson(head < 0 ? line : line.left(head) + '}', &problem).object();
     if (problem.error != QJsonParseError::NoError)
         return failure("this is not JSON: " + problem.errorString().toStdString(), {});
     const auto outcome = outcomeFrom(read["outcome"].toString());
@@ -76,6 +84,8 @@ Result<RunResult> readResultLine(const QByteArray& line) {
                      read["command"].toString(),
                      read["limit_s"].isDouble() ? std::optional(read["limit_s"].toDouble()) : std::nullopt,
                      read["summary"].toObject()};
+    for (const QJsonValue sentence : read["broken"].toArray())
+        result.broken << sentence.toString();
     if (read.contains("differences"))
         for (const QJsonValue name : result.differences.emplace(), read["differences"].toArray())
             *result.differences << name.toString();

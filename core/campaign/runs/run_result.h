@@ -44,11 +44,16 @@ struct RunResult {
     QJsonObject summary;
     /// Set if the run was flown twice: names of the figures that differed, which is nothing if all is well.
     std::optional<QStringList> differences{};
+    QStringList broken{}; ///< a sentence for each invariant that it breaks; empty if it is sound
 };
 
+/// How much of a line is read. The summary, which is nearly all of it, comes last.
+enum class ResultPart { Head, Whole };
+
 QByteArray toLine(const RunResult& result);
-/// Reads a line, with or without its line end. The error says what is wrong with it, without a place.
-Result<RunResult> readResultLine(const QByteArray& line);
+/// Reads a line, with or without its line end; without the summary if only the head is wanted. The error says what is
+/// wrong with it, without a place.
+Result<RunResult> readResultLine(const QByteArray& line, ResultPart part = ResultPart::Whole);
 
 /// Names of the figures in which the summaries of two equal runs differ, apart from wall time and names of files.
 QStringList differencesOf(const QJsonObject& summary, const QJsonObject& again);

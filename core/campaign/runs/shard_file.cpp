@@ -32,16 +32,18 @@ Result<void> dropTornLine(QFile& file) {
     return {};
 }
 
-Result<void> readFile(const QString& path, const std::string& version, std::map<int, RunResult>& results) {
+Result<void> readFile(const QString& path, const std::string& version, ResultPart part,
+                      std::map<int, RunResult>& results) {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return failure("cannot read it: " + file.errorString().toStdString(), path.toStdString(),
                        "Check the permissions");
-    for (int number = 1; !file.atEnd(); ++number) {
-        const QByteArray line = file.readLine();
-        if (!line.endsWith('\n'))
-            break;
-        auto result = readResultLine(line);
+    // Half a gigabyte is faster to map than to copy.
+    const uchar* const bytes = file.size() > 0 ? file.map(0, file.size()) : nullptr;
+    const QByteArray text =
+        bytes ? QByteArray::fromRawData(reinterpret_cast<const char*>(bytes), file.size()) : file.readAll();
+    for (qsizetype number = 1, begin = 0, end = 0; (end = text.indexOf('\n', begin)) >= 0; ++number, begin = end + 1) {
+        auto result = readResultLine(QByteArray::fromRawData(text.constData() + begin, end - begin), part);
         const std::string place = path.toStdString() + ':' + std::to_string(number);
         if (!result)
             return failure(result.error().what, place, "Remove the line; its run will be flown again with --resume");
@@ -78,11 +80,11 @@ Result<void> ShardFile::append(const RunResult& result) {
                    "Make room and go on with --resume; this run will be flown again");
 }
 
-Result<std::vector<RunResult>> readResults(const QString& folder, const std::string& version) {
+Result<std::vector<RunResult>> readResults(const QString& folder, const std::string& version, ResultPart part) {
     std::map<int, RunResult> results;
     const QDir dir(folder);
     for (const QString& name : dir.entryList({"shard-*.jsonl"}, QDir::Files, QDir::Name))
-        if (const auto read = readFile(dir.filePath(name), version, results); !read)
+        if (const auto read = readFile(dir.filePath(name), version, part, results); !read)
             return tl::unexpected(read.error());
     std::vector<RunResult> all;
     for (auto& [number, result] : results)

@@ -39,6 +39,7 @@ private:
 /// Reads the shard files of a folder, in the order of the runs' numbers; of a run that is there twice, the first
 /// counts. A last line without its end is left out. Fails on any other line that is no result, with file and line, and
 /// on results of another version than `version`.
-Result<std::vector<RunResult>> readResults(const QString& folder, const std::string& version);
+Result<std::vector<RunResult>> readResults(const QString& folder, const std::string& version,
+                                           ResultPart part = ResultPart::Whole);
 
 } // namespace usar::campaign

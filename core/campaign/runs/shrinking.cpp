@@ -53,7 +53,7 @@ KnownFailure knownFailure(const Campaign& campaign, const PlannedRun& run, const
     std::vector<std::string> values = run.values;
     values.resize(values.size() - campaign.variants[run.variant].values.size()); // The variant's own are the last.
     return {result.mission, result.variant,    run.seed,
-            run.faults,     std::move(values), brokenInvariants(result).join(' ').toStdString()};
+            run.faults,     std::move(values), result.broken.join(' ').toStdString()};
 }
 
 bool breaksAsBefore(const Campaign& campaign, const PlannedRun& run, const RunResult& before, const QString& program,

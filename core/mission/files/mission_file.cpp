@@ -22,9 +22,10 @@ namespace {
 
 const std::vector<std::string> mission_keys{"name",   "world",   "robot",      "start",       "behavior",
                                             "plan",   "area",    "parameters", "cell_size_m", "limit_h",
-                                            "faults", "isolate", "adjust"};
+                                            "faults", "isolate", "seed",       "claims",      "adjust"};
 const std::vector<std::string> area_keys{"x", "y", "width", "height"};
 constexpr double farthest_m = 1e6;
+constexpr std::uint64_t largest_exact = std::uint64_t{1} << 53; ///< Whole numbers in JSON are exact below it.
 
 void readArea(JsonReading& reading, const QJsonObject& root, Rectangle& area_in_map) {
     if (!reading.isObject(root, "area"))
@@ -52,6 +53,18 @@ void readLimit(JsonReading& reading, const QJsonObject& root, std::optional<doub
     if (!(*limit_h > 0.0))
         reading.failAt("limit_h", "the limit is no time above 0",
                        "write hours of simulated time, such as 20, or leave it out: then there is no limit");
+}
+
+/// Larger seeds are written as texts, because a number in JSON has 53 bits.
+void readSeed(JsonReading& reading, const QJsonObject& root, std::optional<std::uint64_t>& seed) {
+    const QJsonValue value = root["seed"];
+    if (value.isUndefined())
+        return;
+    bool is_whole = false;
+    const QString written = value.isString() ? value.toString() : QString::number(value.toDouble(-1.0), 'f', 0);
+    seed = written.toULongLong(&is_whole);
+    if (!is_whole || (value.isDouble() && value.toDouble() != static_cast<double>(*seed)))
+        reading.failAt("seed", "the seed is no whole number from 0 up", "write for example 7");
 }
 
 void readParameters(JsonReading& reading, const QJsonObject& root, Mission& mission) {
@@ -101,7 +114,7 @@ Result<Mission> readMission(const QByteArray& json, const QString& file_name) {
         return tl::unexpected(object.error());
     const QJsonObject& root = *object;
     JsonReading reading(json, file_name, "the mission");
-    reading.checkKeys({{"", mission_keys}, {"area", area_keys}});
+    reading.checkKeys({{"", mission_keys}, {"area", area_keys}, {"claims[]", claimKeys()}});
     Mission mission;
     reading.text(root, "name", mission.name, true);
     reading.text(root, "world", mission.world);
@@ -116,6 +129,8 @@ Result<Mission> readMission(const QByteArray& json, const QString& file_name) {
     mission.faults = reading.texts(root, "faults", "a fault", "wind speed=5");
     reading.flag(root, "isolate", mission.isolate);
     reading.flag(root, "adjust", mission.adjust);
+    readSeed(reading, root, mission.seed);
+    mission.claims = readClaims(reading, root);
     if (!(mission.cell_size_m >= smallest_cell_m && mission.cell_size_m <= largest_cell_m))
         reading.failAt("cell_size_m", "the cell size is out of range", "choose 0.02 to 10 m; 0.25 m is the usual one");
     if (reading.error())
@@ -185,6 +200,11 @@ QByteArray writeMission(const Mission& mission, const std::vector<agent::Paramet
         all["isolate"] = true;
     if (!mission.adjust)
         all["adjust"] = false;
+    if (mission.seed)
+        all["seed"] = *mission.seed < largest_exact ? QJsonValue(static_cast<qint64>(*mission.seed))
+                                                    : QJsonValue(QString::number(*mission.seed));
+    if (!mission.claims.empty())
+        all["claims"] = claimsToJson(mission.claims);
     if (!mission.faults.empty())
         all["faults"] = QJsonArray::fromStringList(textsOf(mission.faults));
     return QJsonDocument(all).toJson(QJsonDocument::Indented);

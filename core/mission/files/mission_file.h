@@ -2,6 +2,7 @@
 // flown again.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@
 #include "core/agent/parameters.h"
 #include "core/base/geometry.h"
 #include "core/base/result.h"
+#include "core/mission/files/claim.h"
 
 namespace usar::mission {
 
@@ -31,8 +33,10 @@ inline constexpr double largest_cell_m = 10.0;
 /// (lowest corner and size, meters, map frame: x forward, y left; width along x), parameters {}, cell_size_m, limit_h
 /// (hours of simulated time after which the run is given up), faults [] (texts, as for the simulator's --fault; their
 /// times count from the beginning of the mission), isolate (true: the behavior runs in a process of its own), adjust
-/// (false: the height map stays that of the thesis). Only the name is required, and an area if the behavior needs one.
-/// Angles in the file are in degrees if the parameter's unit is rad.
+/// (false: the height map stays that of the thesis), seed (of the embedded simulator, a whole number), claims [] (what
+/// a test of the flight checks, see readClaims: the mission is then stopped as soon as they are decided, and they alone
+/// say whether it has succeeded). Only the name is required, and an area if the behavior needs one. Angles in the file
+/// are in degrees if the parameter's unit is rad.
 struct Mission {
     std::string name;
     std::string world = "tall_test";
@@ -47,6 +51,8 @@ struct Mission {
     std::vector<std::string> faults;                         ///< for the embedded simulator, in its --fault syntax
     bool isolate = false;                                    ///< the behavior runs in a process of its own
     bool adjust = true;                                      ///< see ScanBook::setAdjust
+    std::optional<std::uint64_t> seed;                       ///< of the embedded simulator; absent: any
+    std::vector<Claim> claims;
     /// Places in the file by path ("area.width", "parameters.scan_altitude_m"), for errors that are found later. Empty
     /// if no file was read. Code that replaces a value must also remove its place.
     std::map<std::string, KeyPlace> places;

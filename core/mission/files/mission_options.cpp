@@ -224,7 +224,7 @@ QString missionHelp() {
                "  --behavior ID        another behavior than the file's, for example airrobot/cpp\n"
                "  --plan FILE          a POSH plan of your own for a behavior that a plan decides, such as "
                "airrobot/posh\n"
-               "  --seed N             noise and drift of the embedded simulator (1)\n"
+               "  --seed N             noise and drift of the embedded simulator (the file's, or 1)\n"
                "  --speed N|max        simulated seconds per second (max)\n"
                "  --battery S          life of the robots' batteries in the embedded simulator, in seconds (a day)\n"
                "  --limit TIME         give the mission up after this simulated time, such as 90min or 20h\n"

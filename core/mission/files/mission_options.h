@@ -23,13 +23,13 @@ struct ServerAddress {
 
 /// Options of `usar-mission run`, with their defaults.
 struct MissionOptions {
-    QString mission_file;                 ///< empty: that of the recording in `continued`
-    QString continued;                    ///< recording of a run that was cut off, whose rest is to be flown; or empty
-    QString behavior;                     ///< empty: the one in the mission file
-    QString plan;                         ///< file of a POSH plan; empty: the mission's plan, or the robot's own
-    std::uint64_t seed = 1;               ///< of the embedded simulator's noise and drift
-    bool seed_chosen = false;             ///< the seed was typed; without that, a continued run keeps its own
-    std::optional<double> speed_x;        ///< simulated per real seconds; absent: as fast as possible
+    QString mission_file;          ///< empty: that of the recording in `continued`
+    QString continued;             ///< recording of a run that was cut off, whose rest is to be flown; or empty
+    QString behavior;              ///< empty: the one in the mission file
+    QString plan;                  ///< file of a POSH plan; empty: the mission's plan, or the robot's own
+    std::uint64_t seed = 1;        ///< of the embedded simulator's noise and drift; the mission's own is not put here
+    bool seed_chosen = false;      ///< the seed was typed; without that, a continued run keeps its own
+    std::optional<double> speed_x; ///< simulated per real seconds; absent: as fast as possible
     std::optional<ServerAddress> server;  ///< absent: the embedded simulator
     std::optional<double> battery_life_s; ///< of the embedded simulator's robots; absent: a day
     std::optional<Seconds> limit; ///< the run is given up after this simulated time; absent: the mission's limit

@@ -143,6 +143,10 @@ void MissionRunner::takeRobot() {
         return conclude(false, made.error().text(), BadInput);
     phase_ = Phase::Flying;
     since_flight_.start();
+    session_.setClaims(mission_.claims, [this]() -> std::optional<int> {
+        const auto truth = options_.true_figures ? options_.true_figures() : std::nullopt;
+        return truth ? std::optional(truth->collisions) : std::nullopt;
+    });
     session_.startBehavior(*made, task, missionNote());
 }
 
@@ -212,9 +216,12 @@ void MissionRunner::conclude(bool success, const std::string& reason, int exit_c
     figures.success = success;
     figures.reason = reason;
     judgeDamage(figures);
+    judgeClaims(figures);
     for (const QString& warning : figures.warnings)
         emit noticed({Severity::Warning, warning.toStdString()});
-    if (success && !figures.success)
+    if (!figures.claims.empty() && exit_code != BadInput)
+        exit_code = figures.success ? Done : MissionFailed;
+    else if (success && !figures.success)
         exit_code = std::max<int>(exit_code, MissionFailed);
     session_.close();
     if (auto files = save(record, figures)) {
@@ -227,6 +234,17 @@ void MissionRunner::conclude(bool success, const std::string& reason, int exit_c
     summary_ = toJson(figures);
     QMetaObject::invokeMethod(
         this, [this, exit_code] { emit finished(exit_code); }, Qt::QueuedConnection);
+}
+
+/// A mission with claims is judged by them alone: it is stopped as soon as they are decided.
+void MissionRunner::judgeClaims(RunSummary& figures) {
+    if (mission_.claims.empty())
+        return;
+    const ClaimWatch& claims = session_.endClaims();
+    figures.claims = claims.verdicts();
+    figures.success = claims.allHold();
+    if (figures.reason != claims.sentence())
+        figures.reason = claims.sentence() + ' ' + figures.reason;
 }
 
 RunSummary MissionRunner::figuresOf(const ScanRecord& record) {

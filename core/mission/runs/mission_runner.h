@@ -55,7 +55,7 @@ struct RunOptions {
     std::optional<Truth> truth;
     std::optional<Rectangle> world_extent; ///< meters, map frame
     std::optional<double> dry_above_m;     ///< see agent::Task
-    /// True figures of our robot so far; called once, before the connection closes.
+    /// True figures of our robot so far; called before the connection closes.
     std::function<std::optional<TrueFigures>()> true_figures;
 };
 
@@ -123,6 +123,7 @@ private:
     /// The mission for the recording.
     std::string missionNote() const;
     void conclude(bool success, const std::string& reason, int exit_code);
+    void judgeClaims(RunSummary& figures);
     RunSummary figuresOf(const ScanRecord& record);
     /// Writes the results. If that fails, because the disk has filled up since the check, the scan is saved to the
     /// folder for temporary files instead.

@@ -107,6 +107,14 @@ QJsonObject toJson(const RunCourse& course, const std::optional<TrueFigures>& tr
             {"collisions", collisions}};
 }
 
+QJsonArray verdictsOf(const std::vector<ClaimVerdict>& verdicts) {
+    QJsonArray list;
+    for (const ClaimVerdict& verdict : verdicts)
+        list << QJsonObject{
+            {"claim", text(sentenceOf(verdict.claim))}, {"holds", verdict.holds == true}, {"why", text(verdict.why)}};
+    return list;
+}
+
 } // namespace
 
 RunCourse courseOf(const ScanRecord& record, double coverage_pct, std::size_t most) {
@@ -187,6 +195,8 @@ QJsonObject toJson(const RunSummary& summary) {
         {"faults", QJsonArray::fromStringList(summary.faults)},
         {"files", QJsonArray::fromStringList(summary.files)}};
     addTruth(json, summary.truth);
+    if (!summary.claims.empty())
+        json["claims"] = verdictsOf(summary.claims);
     if (summary.course)
         json["course"] = toJson(*summary.course, summary.truth);
     return json;

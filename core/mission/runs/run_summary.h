@@ -11,6 +11,7 @@
 #include <QStringList>
 
 #include "core/base/clock.h"
+#include "core/mission/files/claim.h"
 #include "core/mission/files/scan_record.h"
 #include "core/mission/runs/mission_score.h"
 #include "core/mission/session/session_update.h"
@@ -78,6 +79,7 @@ struct RunSummary {
     std::optional<MapAdjustment> adjustment{}; ///< key adjustment: null, or an object; without its path and deviation
     QStringList faults;                        ///< injected faults, with their times
     QStringList files;                         ///< full paths of the saved files
+    std::vector<ClaimVerdict> claims{};        ///< of the mission; the JSON has the key only if there are any
     std::optional<RunCourse> course{};         ///< absent: nobody has asked for it, and the JSON has no such key
 };
 

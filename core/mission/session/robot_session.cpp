@@ -180,6 +180,15 @@ void RobotSession::noteFault(const std::string& sentence) {
     d_->noteFault(sentence);
 }
 
+void RobotSession::setClaims(std::vector<Claim> claims, CountContacts count_contacts) {
+    d_->claims = ClaimWatch(std::move(claims), std::move(count_contacts));
+}
+
+const ClaimWatch& RobotSession::endClaims() {
+    d_->claims.end();
+    return d_->claims;
+}
+
 Result<void> RobotSession::startRecording(const QString& path, const RecordingFacts& facts) {
     stopRecording();
     Result<void> begun;

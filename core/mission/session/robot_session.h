@@ -9,6 +9,7 @@
 #include "core/agent/running_behavior.h"
 #include "core/link/tcp_link.h"
 #include "core/mapping/height_map.h"
+#include "core/mission/claims/claim_watch.h"
 #include "core/mission/files/scan_record.h"
 #include "core/mission/session/earlier_scan.h"
 #include "core/mission/session/session_orders.h"
@@ -39,6 +40,11 @@ public:
     /// Adjusts the map with everything that was scanned; takes up to some seconds, so it is for headless use.
     void finishMap();
     const link::LinkStatus& linkStatus() const;
+
+    /// The behavior is stopped as soon as these claims are decided; to be called before it starts.
+    void setClaims(std::vector<Claim> claims, CountContacts count_contacts);
+    /// Judges what is not judged yet as if the flight were over.
+    const ClaimWatch& endClaims();
 
     /// Records every byte from now on, with its time and cause, in a new file (resources/docs/recording-format.md),
     /// until `stopRecording` or the end of the session. `facts` are stored with it. Problems are also notices with the

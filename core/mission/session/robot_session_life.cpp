@@ -94,7 +94,9 @@ void RobotSession::Private::takeLine(std::string_view text) {
     spawning.passed(incoming.now());
     updates.addLine(line); // First, so that the frame of a finished behavior contains its last line.
     helm.answer(line);
+    claims.take(line, spawning.spawnedAt(), incoming.now());
     endAtLimit();
+    endWithClaims();
     updates.touched();
 }
 
@@ -108,6 +110,11 @@ void RobotSession::Private::endAtLimit() {
     helm.stopBehavior(by::Session{"time limit"},
                       "The mission took longer than its limit of " + limit +
                           ". Raise it with --limit or \"limit_h\", or make the area smaller.");
+}
+
+void RobotSession::Private::endWithClaims() {
+    if (helm.hasBehavior() && claims.decided())
+        helm.stopBehavior(by::Session{"claims"}, claims.sentence());
 }
 
 void RobotSession::Private::watch() {
@@ -128,6 +135,7 @@ void RobotSession::Private::takePublished(const std::vector<agent::Published>& p
     for (const agent::Published& value : published) {
         records.notePublished(value, helm.hasBehavior());
         book.take(value);
+        claims.take(value);
         if (const auto* event = std::get_if<agent::BehaviorEvent>(&value)) {
             notices.say(event->severity, Topic::Behavior, event->text, event->text);
         } else if (const auto* finished = std::get_if<agent::BehaviorFinished>(&value)) {

@@ -34,6 +34,7 @@ struct RobotSession::Private : SpawnOwner, HelmOwner, ReplayStage {
     /// Takes one line without its line end, live or replayed.
     void takeLine(std::string_view text);
     void endAtLimit();
+    void endWithClaims();
     /// Called regularly while connected, to notice silence and overdue answers.
     void watch();
     /// The figures of the next update.
@@ -94,6 +95,7 @@ struct RobotSession::Private : SpawnOwner, HelmOwner, ReplayStage {
     UpdateFeed updates;
     Incoming incoming;
     ScanBook book;
+    ClaimWatch claims;
     Vigil vigil;
     SpawnLife spawning;
     RecordKeeping records;

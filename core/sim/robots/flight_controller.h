@@ -69,8 +69,19 @@ public:
 
 private:
     void lead(const VelocityCommand& command, double dt_s);
-    Vec3 wantedAcceleration(const BodyState& state, double dt_s);
-    void tiltToward(const Vec3& acceleration_m_s2, double yaw_rad, double dt_s);
+    /// Turns vectors between the map frame and a level frame that has the robot's yaw.
+    struct Heading {
+        double cos_yaw = 1.0;
+        double sin_yaw = 0.0;
+        Vec3 turned(const Vec3& level) const {
+            return {cos_yaw * level.x() - sin_yaw * level.y(), sin_yaw * level.x() + cos_yaw * level.y(), level.z()};
+        }
+        Vec3 leveled(const Vec3& in_map) const { return Heading{cos_yaw, -sin_yaw}.turned(in_map); }
+    };
+
+    Vec3 wantedAcceleration(const BodyState& state, const Heading& heading, double dt_s);
+    /// `level_m_s2`: wanted acceleration in the level frame.
+    void tiltToward(const Vec3& level_m_s2, double dt_s);
     Vec3 torque(const BodyState& state) const;
 
     AirRobotParameters parameters_;

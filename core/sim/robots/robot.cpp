@@ -230,7 +230,7 @@ void Robot::discharge(Seconds dt) {
         return;
     battery_left_ = std::max(Seconds{0.0}, battery_left_ - dt);
     const bool swims = body_.model().kind == protocol::VehicleKind::Nautic;
-    if (!swims && world_.water && body_.base_in_map().position_m.z() < world_.water->surface_z_m)
+    if (!swims && world_.water && body_.link_in_map(-1).translation().z() < world_.water->surface_z_m)
         battery_left_ = Seconds{0.0};
     if (!alive())
         switchOff();

@@ -24,16 +24,22 @@ constexpr double level_m = 1.5; ///< above or below the robot
 constexpr double tolerance_m = 0.3;
 constexpr double early_m = 0.3; ///< A look begins so much below the height up to which the air is known.
 
-bool hasRoom(const Senses& senses) {
+/// True if nothing beside the robot is known to be in its way as it rolls. The scan shows only what is exactly beside
+/// it; what reached as high as the robot when it looked around, at most at `seen_from_m` (map z), may be as high as it
+/// is now.
+bool hasRoom(const Senses& senses, const ObstacleMemory& memory, double seen_from_m) {
     const Vec3 here_m = senses.position_m();
-    return senses.scan && std::ranges::none_of(senses.scan->hits_in_map_m, [&](const Vec3& hit) {
+    const auto near = memory.near(here_m.head<2>(), room_m, std::min(here_m.z(), seen_from_m) - trunk_margin_m);
+    return senses.scan && std::ranges::none_of(near, [](const Obstacle& one) { return one.top_known; }) &&
+           std::ranges::none_of(senses.scan->hits_in_map_m, [&](const Vec3& hit) {
                return std::abs(hit.z() - here_m.z()) < level_m && (hit - here_m).head<2>().norm() < room_m;
            });
 }
 
 } // namespace
 
-AscentStep Ascent::step(const Senses& senses, const Vec3& goal_m, const Overhead& overhead, const Settings& settings) {
+AscentStep Ascent::step(const Senses& senses, const Vec3& goal_m, const Overhead& overhead,
+                        const ObstacleMemory& memory, const Settings& settings) {
     const double z_m = senses.position_m().z();
     if (!from_z_m_) {
         from_z_m_ = z_m;
@@ -58,7 +64,8 @@ AscentStep Ascent::step(const Senses& senses, const Vec3& goal_m, const Overhead
         return {.reached = true};
     const double known_to_m = *from_z_m_ + std::max(first_look_m, known_m_ - Overhead::margin_m);
     const double free_to_m = std::max(overhead.freeTo_m(), known_to_m);
-    if (z_m >= next_look_m_ && goal_z_m > free_to_m && z_m > free_to_m - early_m && hasRoom(senses)) {
+    if (z_m >= next_look_m_ && goal_z_m > free_to_m && z_m > free_to_m - early_m &&
+        hasRoom(senses, memory, *from_z_m_ + turn_below_m)) {
         looking_since_ = senses.now;
         return {.left_m_s = set_off_m_s};
     }

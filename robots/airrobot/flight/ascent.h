@@ -3,10 +3,14 @@
 
 #include <optional>
 
+#include "robots/airrobot/flight/obstacle_memory.h"
 #include "robots/airrobot/flight/overhead.h"
 #include "robots/airrobot/settings.h"
 
 namespace usar::airrobot {
+
+/// The visible part of a trunk (for the scanner's level rays and the sonars) ends at most this far below the robot.
+inline constexpr double trunk_margin_m = 0.3;
 
 /// Where the robot goes straight up from the ground or down to it, in the map frame.
 struct Column {
@@ -39,7 +43,8 @@ public:
 
     /// Call it once per tick. The caller holds the robot over the goal. The height counts as reached below a ceiling,
     /// too.
-    AscentStep step(const Senses& senses, const Vec3& goal_m, const Overhead& overhead, const Settings& settings);
+    AscentStep step(const Senses& senses, const Vec3& goal_m, const Overhead& overhead, const ObstacleMemory& memory,
+                    const Settings& settings);
 
 private:
     bool lookAround(const Senses& senses, AscentStep& step);

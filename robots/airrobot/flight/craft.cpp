@@ -9,8 +9,6 @@ namespace usar::airrobot {
 namespace {
 
 constexpr double look_around_m = 8.0;
-/// The visible part of a trunk (for the scanner's level rays and the sonars) ends at most this far below the robot.
-constexpr double trunk_margin_m = 0.3;
 /// If the robot needs to climb no more than this, it continues past an overhang at the same height.
 constexpr double bearable_deficit_m = 1.5;
 constexpr double path_half_width_m = 0.75;
@@ -19,6 +17,7 @@ constexpr double over_way_m = 12.0;
 /// A robot that is so much higher than where it ended a climb is climbing again.
 constexpr double over_again_m = 0.7;
 constexpr double least_climb_m = 1.0; ///< A climb over an obstacle needs this much room below a ceiling.
+constexpr double stands_m_s = 0.05;   ///< A slower robot does not get past what is before it.
 constexpr Seconds longest_move{12.0};
 constexpr double crown_m = 4.5; ///< Crowns reach so far from their trunks.
 constexpr double hold_still_m = 0.5;
@@ -28,6 +27,8 @@ constexpr double detour_m_s = 1.0;
 constexpr double below_ceiling_m = 0.5; ///< Scanner hits higher than this are on the ceiling.
 /// So near to a roof, the robot does nothing but sink: a turn or a lean makes a rotor scrape along it, which breaks it.
 constexpr double near_roof_m = 0.35;
+/// A robot without a pose sinks away from a roof for so long and no longer, because it does not see how far it sinks.
+constexpr Seconds longest_press{6.0};
 constexpr double sure_of_walls_m = 2.5; ///< Lower down, sonars hear the ground.
 /// Lower than this, the robot may stand on the ground, or its rotors may still be gathering speed.
 constexpr double surely_aloft_m = 2.0;
@@ -61,17 +62,17 @@ void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool a
         overhead.observe(senses, {commanded_climb_m_s_, std::exchange(ascending_, false)});
         if (overhead.found()) { // What was seen of this ceiling before was taken for walls.
             memory.clear();
-            routes_.clear();
+            ways.map().clear();
         }
         const double below_m = overhead.ceiling_m(senses.position2_m()).value_or(1e9) - below_ceiling_m;
         memory.take(senses, {Seconds(settings.scan_memory_s), Seconds(settings.sonar_memory_s), below_m});
-        if (senses.heightOverGround_m(1e9) > sure_of_walls_m)
-            routes_.take(senses, below_m);
+        ways.take(senses, below_m, senses.heightOverGround_m(1e9) > sure_of_walls_m, overhead.hasCeiling());
         refuge.note(senses, memory, dry_m());
         battery.moveTo(senses.position_m());
     }
-    obstacles_ = memory.near(senses.position2_m(), look_around_m, senses.position_m().z() - passes_below_m);
-    threats = judgeThreats(senses, settings);
+    ways.map().passOver(passesBelow_m());
+    obstacles_ = memory.near(senses.position2_m(), look_around_m, senses.position_m().z() - passesBelow_m());
+    threats = judgeThreats(senses, ways.forThreats(settings));
     port.publish(agent::SonarZones{threats.zones});
     scanned = log.tick(senses, airborne, settings, port);
 }
@@ -82,7 +83,7 @@ double Craft::dry_m() const {
 
 void Craft::look(const Leg& leg) {
     noteGoal(leg);
-    detour_aim_m_ = detour_.active() ? detour_.aim_m(routes_, senses) : leg.aim_m;
+    detour_aim_m_ = detour_.active() ? detour_.aim_m(ways.map(), senses) : leg.aim_m;
     evasion_.observe(senses, threats, detour_aim_m_, settings);
     decision_.reset();
 }
@@ -96,7 +97,7 @@ const EvasionDecision& Craft::decide(agent::CommandPort& port) {
 }
 
 Retreat Craft::retreat() const {
-    return {[this](const Vec2& at_m) { return routes_.wasFlown(at_m); }, overhead.hasCeiling()};
+    return {[this](const Vec2& at_m) { return ways.map().wasFlown(at_m); }, overhead.hasCeiling()};
 }
 
 FlightState Craft::fly(const Leg& leg, agent::CommandPort& port) {
@@ -117,8 +118,8 @@ void Craft::noteGoal(const Leg& leg) {
         no_way_before_ = false; // The last goal was reached.
     no_way_ = false;
     detour_.end();
-    if (no_way_before_ && !routes_.isStraightWayFree(senses.position2_m(), goal_m, senses.position_m().z()))
-        no_way_ = !detour_.start(routes_, senses, goal_m, leg.width) && !mayClimb();
+    if (no_way_before_ && !ways.map().isStraightWayFree(senses.position2_m(), goal_m, senses.position_m().z()))
+        no_way_ = !detour_.start(ways.map(), senses, goal_m, leg.width) && !mayClimb();
 }
 
 bool Craft::mayClimb() const {
@@ -135,7 +136,7 @@ void Craft::findWay(const Leg& leg) {
     if (stuck_.hindered() < patience || senses.now - looked_for_way_ < patience)
         return;
     looked_for_way_ = senses.now;
-    no_way_ = !detour_.start(routes_, senses, leg.goal_m, leg.width);
+    no_way_ = !detour_.start(ways.map(), senses, leg.goal_m, leg.width);
 }
 
 FlightState Craft::perform(Maneuver maneuver, const Leg& asked, agent::CommandPort& port) {
@@ -145,18 +146,23 @@ FlightState Craft::perform(Maneuver maneuver, const Leg& asked, agent::CommandPo
         leg.aim_m = detour_aim_m_;
         leg.speed_m_s = std::min(leg.speed_m_s, detour_m_s);
     }
+    if (ways.isNarrow())
+        leg.speed_m_s = std::min(leg.speed_m_s, Ways::door_m_s);
     log.goal(Vec3(leg.goal_m.x(), leg.goal_m.y(), senses.position_m().z()), port);
     Motion motion = maneuver == Maneuver::Avoid       ? evade(decide(port), leg, state)
                     : maneuver == Maneuver::ClimbOver ? climbOver(leg, state)
                                                       : cruise(leg, state);
-    const bool hindered = state != FlightState::Flying;
+    const bool hindered = state != FlightState::Flying || blocked_;
     if (detour_.active())
         stuck_.wait(senses.now); // A detour has a time limit of its own.
     else
         stuck_.update(senses.now, senses.position2_m(), leg.goal_m, hindered);
     if (hindered && !climb_over_.active() && !detour_.active())
         findWay(leg);
+    const double wanted_m_s = motion.velocity_in_map_m_s.norm();
     makeSafe(motion);
+    // Steering counts on the robot to climb on its way; where it stands instead, it must look for another way.
+    blocked_ = wanted_m_s > stands_m_s && motion.velocity_in_map_m_s.norm() < stands_m_s;
     // What made it climb over something may make it climb on, such as a wall that reaches a roof. So may a wall alone.
     climbs_on_ = climbs_on_ && motion.climb_m_s > 0.0;
     const bool again = climbed_at_ && senses.position_m().z() > climbed_at_->z() + over_again_m;
@@ -169,11 +175,29 @@ FlightState Craft::perform(Maneuver maneuver, const Leg& asked, agent::CommandPo
 }
 
 void Craft::command(const Motion& motion, agent::CommandPort& port, const std::string& source) {
-    const auto ceiling_m = overhead.ceiling_m(senses.position2_m());
-    const bool touches = ceiling_m && senses.position_m().z() > *ceiling_m - near_roof_m;
-    const Motion safe = touches ? Motion{.climb_m_s = -Overhead::gentle_m_s} : motion;
+    const Motion away = touchesRoof() ? Motion{.climb_m_s = -Overhead::gentle_m_s} : motion;
+    const Motion safe = ways.sink(senses, settings).value_or(away);
     commanded_climb_m_s_ = safe.climb_m_s;
     pilot_.fly(safe, senses, port, source, settings);
+}
+
+bool Craft::touchesRoof() const {
+    const auto ceiling_m = overhead.ceiling_m(senses.position2_m());
+    return ceiling_m && senses.position_m().z() > *ceiling_m - near_roof_m;
+}
+
+void Craft::goUnder() {
+    ways.goUnder(senses.position2_m(), overhead);
+    memory.clear();
+    startAnew();
+}
+
+void Craft::comeUp() {
+    ways.comeUp(overhead);
+    memory.clear();
+    column_ = {};
+    ascent_ = Ascent(sure_of_walls_m); // It has seen what is around.
+    startAnew();
 }
 
 Motion Craft::evade(const EvasionDecision& decision, const Leg& leg, FlightState& state) {
@@ -192,9 +216,10 @@ Motion Craft::evade(const EvasionDecision& decision, const Leg& leg, FlightState
 
 Motion Craft::cruise(const Leg& leg, FlightState& state) {
     const Vec2 here_m = senses.position2_m();
-    const double level_m = senses.position_m().z() - passes_below_m;
-    const auto bearing =
-        steering_.choose(obstacles_, here_m, leg.aim_m, level_m, {settings.side_clearance_m / 2.0, 3.5});
+    const double level_m = senses.position_m().z() - passesBelow_m();
+    const double half_width_m = ways.isNarrow() ? std::min(Ways::door_half_width_m, settings.side_clearance_m / 2.0)
+                                                : settings.side_clearance_m / 2.0;
+    const auto bearing = steering_.choose(obstacles_, here_m, leg.aim_m, level_m, {half_width_m, 3.5});
     if (!bearing) {
         state = FlightState::Evading;
         Motion motion = holding(senses, here_m);
@@ -274,7 +299,7 @@ Vec2 Craft::awayFromTrunks_m(const Vec2& at_m) const {
 bool Craft::rise(double goal_z_m, const Vec2& over_m, agent::CommandPort& port) {
     ascending_ = true;
     const Vec2 column_m = column_.at_m.value_or(over_m);
-    const AscentStep step = ascent_.step(senses, {column_m.x(), column_m.y(), goal_z_m}, overhead, settings);
+    const AscentStep step = ascent_.step(senses, {column_m.x(), column_m.y(), goal_z_m}, overhead, memory, settings);
     if (step.looked_around) {
         column_.at_m = awayFromTrunks_m(over_m);
         column_.moving_since = senses.now;
@@ -318,8 +343,10 @@ void Craft::hover(const Vec2& place_m, agent::CommandPort& port, const std::stri
 
 void Craft::brace(agent::CommandPort& port, const std::string& source) {
     stuck_.wait(senses.now);
-    commanded_climb_m_s_ = 0.0;
-    pilot_.brace(senses, port, source);
+    // A robot that has pressed against a roof keeps its place for a moment, as if its pose were hanging.
+    const bool pressed = touchesRoof() && senses.ins_age < longest_press;
+    commanded_climb_m_s_ = pressed ? -Overhead::gentle_m_s : 0.0;
+    pilot_.brace(senses, commanded_climb_m_s_, port, source);
 }
 
 void Craft::rest(agent::CommandPort& port, const std::string& source) {
@@ -330,7 +357,7 @@ void Craft::rest(agent::CommandPort& port, const std::string& source) {
 
 void Craft::forgetPlaces() {
     memory.clear();
-    routes_.clear();
+    ways.startAnew(senses.position_m().z());
     refuge = {};
     overhead.forgetPlaces();
     ascent_ = Ascent(std::exchange(column_, {}).come_down_m);

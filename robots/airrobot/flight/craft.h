@@ -18,6 +18,7 @@
 #include "robots/airrobot/flight/pilot.h"
 #include "robots/airrobot/flight/steering.h"
 #include "robots/airrobot/flight/stuck_watch.h"
+#include "robots/airrobot/flight/ways.h"
 
 namespace usar::airrobot {
 
@@ -25,8 +26,7 @@ namespace usar::airrobot {
 /// between the two. Owned by one behavior.
 class Craft {
 public:
-    /// Updates senses, memory, threats and battery; publishes pose, scan, path and threat zones. Memory and battery are
-    /// updated only if `airborne`.
+    /// Updates senses and threats and, if `airborne`, memory and battery; publishes pose, scan, path and threat zones.
     void perceive(const agent::Tick& tick, const SensorLayout& layout, bool airborne, agent::CommandPort& port);
 
     /// Judges the threats on the way of this tick. The functions below use the result.
@@ -40,8 +40,7 @@ public:
     bool diversionSet() const { return evasion_.mode() == EvasionMode::Divert; }
     /// Whether something is in the way or was a moment ago.
     bool avoiding() const { return threatMatters() || evasion_.mode() != EvasionMode::None || climbingOver(); }
-    /// Whether no way leads to the goal, or the robot has made no progress toward it for longer than the settings
-    /// allow.
+    /// Whether no way leads to the goal, or there was no progress toward it for longer than the settings allow.
     bool stuck() const {
         return no_way_ || detour_.late(senses.now) || stuck_.withoutProgress() > Seconds(settings.give_up_after_s);
     }
@@ -49,8 +48,11 @@ public:
     bool walledOff() const { return no_way_; }
     /// False below a ceiling that leaves no room, and where a person forbids it.
     bool mayClimb() const;
-    /// All places to which ways lead from here at this height.
-    ReachablePlaces reach() const { return routes_.reach(senses.position2_m(), senses.position_m().z()); }
+    /// How far below its base something must end for the robot to pass over it at its present height.
+    double passesBelow_m() const { return mayClimb() ? passes_below_m : passes_closer_m; }
+    /// Sinks where it is and stays so low that it gets through doors, until it comes up; call `rise` then.
+    void goUnder();
+    void comeUp();
     /// Ground lower than this (map z) may be the bed of water, so that the robot must not land on it in need.
     double dry_m() const;
     /// Says what has become of a robot that has crashed, such as "it falls"; nullptr while it flies or stands.
@@ -58,8 +60,7 @@ public:
     /// Time spent avoiding obstacles since the last progress toward the goal.
     Seconds hindered() const { return stuck_.hindered(); }
 
-    /// Decides what to do about the threats judged by `look`, and marks risks on the map. Only the first call in a tick
-    /// decides; later ones return the same decision.
+    /// Decides about the threats judged by `look` and marks risks on the map. Only the first call in a tick decides.
     const EvasionDecision& decide(agent::CommandPort& port);
     /// Flies one tick of the leg. Never returns Unreachable; check `stuck` instead.
     FlightState perform(Maneuver maneuver, const Leg& leg, agent::CommandPort& port);
@@ -74,17 +75,14 @@ public:
     bool descend(const Vec2& place_m, agent::CommandPort& port);
     /// Waits over a place. This time does not count toward `stuck`.
     void hover(const Vec2& place_m, agent::CommandPort& port, const std::string& source);
-    /// Stops where it is without its senses, and leans against the wind. This time does not count toward `stuck`.
+    /// Stops without its senses and leans against the wind; below a roof, it sinks a little. Not counted by `stuck`.
     void brace(agent::CommandPort& port, const std::string& source);
     /// Sends a zero DRIVE. This time does not count toward `stuck`.
     void rest(agent::CommandPort& port, const std::string& source);
 
     /// Forgets everything that depends on the old position estimate; call it after an INS reset.
     void forgetPlaces();
-    /// Forgets what it has learned about ways, so that it looks for one anew.
-    void forgetWays() { routes_.clear(); }
-    /// Forgets evasion, steering and progress; call it before a goal of another kind (home, a new lane) and when a goal
-    /// is given up.
+    /// Forgets evasion, steering and progress; call it before a goal of another kind and when a goal is given up.
     void startAnew();
 
     Settings settings;
@@ -96,10 +94,13 @@ public:
     bool scanned = false; ///< the map got something in this tick
     Touchdown touchdown;
     Overhead overhead;
+    Ways ways;
     Refuge refuge;
 
 private:
     void command(const Motion& motion, agent::CommandPort& port, const std::string& source);
+    /// Whether the robot is so near to a ceiling that its ring may touch it.
+    bool touchesRoof() const;
     Motion evade(const EvasionDecision& decision, const Leg& leg, FlightState& state);
     Motion cruise(const Leg& leg, FlightState& state);
     Motion climbOver(const Leg& leg, FlightState& state);
@@ -111,8 +112,7 @@ private:
     /// Starts a climb over what is in the way, or a detour around it where the robot may not climb.
     void findWay(const Leg& leg);
     double climbRate(double way_bearing_rad, double speed_m_s);
-    /// Returns whether a nearby obstacle reaches the robot's height and may be wider above, like a trunk under its
-    /// crown.
+    /// Returns whether a nearby obstacle reaches the robot's height and may be wider above, like a trunk.
     bool besideOverhang() const;
     /// Reduces the speed so that the robot can stop before the obstacles on its way.
     void makeSafe(Motion& motion) const;
@@ -133,7 +133,6 @@ private:
     bool ascending_ = false;   ///< the last command was one of `rise`
     double fastest_m_s_ = 0.0; ///< level speed that the robot is capable of
     StuckWatch stuck_;
-    RouteMap routes_;
     Detour detour_;
     Vec2 detour_aim_m_ = Vec2::Zero();
     std::optional<Vec2> goal_m_; ///< of the last tick; nullopt after startAnew()
@@ -142,6 +141,7 @@ private:
     Seconds looked_for_way_{0.0};
     Pilot pilot_;
     std::vector<Obstacle> obstacles_; ///< nearby obstacles that reach the present height
+    bool blocked_ = false;            ///< in the last tick, something before the robot stopped it
     bool climb_forbidden_ = false;    ///< the robot must climb a lot but cannot do so safely here
     bool climbs_on_ = false;          ///< since the end of the last climb over something
     std::optional<Vec3> climbed_at_;  ///< place of the last climb, whose height is kept for some distance

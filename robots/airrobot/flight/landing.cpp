@@ -1,5 +1,6 @@
 #include "robots/airrobot/flight/landing.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -27,13 +28,20 @@ constexpr double still_m_s = 0.06;
 /// Slightly less than a second, because printed times are rounded.
 constexpr Seconds still_needed{0.95};
 constexpr double near_ground_m = 1.5;
+/// Older tops are not those of this estimate: it has drifted meanwhile, by a decimeter or two in this time. The brink
+/// of a slope was hidden by them (`quick_scan`, seed 55).
+constexpr Seconds fresh{30.0};
+/// A scanner with a bias sees the ground farther below. A robot that does not sink for so long stands on something.
+constexpr double perhaps_ground_m = 4.0;
+constexpr Seconds long_still{6.0};
 
-/// How far what is below the body departs from a plane, and more if that plane is steep for a robot that leans as much;
-/// infinite where too little is known.
-double unevenness_m(const ObstacleMemory& memory, const Vec2& place_m, double steep_rad,
+/// How far these cells, which are below the body, depart from a plane, and more if that plane is steep for a robot that
+/// leans as much; infinite where too little is known.
+double unevenness_m(const std::vector<Vec3>& tops_m, const Vec2& place_m, double steep_rad,
                     const Vec2& lean = Vec2::Zero()) {
-    const std::vector<Vec3> tops_m = memory.tops_m(place_m, body_radius_m);
-    if (tops_m.size() < 3 || memory.knownWithin(place_m, body_radius_m) < seen_share)
+    const double disc_m2 = pi * body_radius_m * body_radius_m;
+    const double seen_m2 = static_cast<double>(tops_m.size()) * ObstacleMemory::cell_m * ObstacleMemory::cell_m;
+    if (tops_m.size() < 3 || seen_m2 < seen_share * disc_m2)
         return std::numeric_limits<double>::infinity();
     Eigen::MatrixX3d at(tops_m.size(), 3);
     Eigen::VectorXd height_m(tops_m.size());
@@ -50,16 +58,18 @@ double unevenness_m(const ObstacleMemory& memory, const Vec2& place_m, double st
 } // namespace
 
 Vec2 landingPlace_m(const ObstacleMemory& memory, const Vec2& wanted_m, double radius_m, const Vec2& lean) {
+    const auto uneven_m = [&](const Vec2& place_m) {
+        return unevenness_m(memory.freshTops_m(place_m, body_radius_m, fresh), place_m, gentle_rad, lean);
+    };
     Vec2 best_m = wanted_m;
-    double best_unevenness_m = unevenness_m(memory, wanted_m, gentle_rad, lean);
+    double best_unevenness_m = uneven_m(wanted_m);
     for (double ring_m = ring_step_m; ring_m <= radius_m && best_unevenness_m > level_ground_m; ring_m += ring_step_m) {
         for (int i = 0; i < spots; ++i) {
             const double bearing_rad = 2.0 * pi * i / spots;
             const Vec2 place_m = wanted_m + ring_m * Vec2(std::cos(bearing_rad), std::sin(bearing_rad));
-            const double here_m = unevenness_m(memory, place_m, gentle_rad, lean);
-            if (here_m < best_unevenness_m) {
+            if (const double there_m = uneven_m(place_m); there_m < best_unevenness_m) {
                 best_m = place_m;
-                best_unevenness_m = here_m;
+                best_unevenness_m = there_m;
             }
         }
     }
@@ -68,7 +78,8 @@ Vec2 landingPlace_m(const ObstacleMemory& memory, const Vec2& wanted_m, double r
 
 bool canLand(const ObstacleMemory& memory, const Vec2& place_m, double dry_m) {
     const auto low_m = memory.lowest_m(place_m, body_radius_m);
-    return low_m && *low_m >= dry_m && unevenness_m(memory, place_m, steepest_rad) <= even_m;
+    return low_m && *low_m >= dry_m &&
+           unevenness_m(memory.tops_m(place_m, body_radius_m), place_m, steepest_rad) <= even_m;
 }
 
 void Refuge::note(const Senses& senses, const ObstacleMemory& memory, double dry_m) {
@@ -102,11 +113,12 @@ double Touchdown::sinkRate_m_s(const Senses& senses, const Settings& settings) c
 
 bool Touchdown::touched(const Senses& senses) {
     const bool still = std::abs(senses.velocity_in_map_m_s.z()) < still_m_s;
-    if (!still || senses.heightOverGround_m(0.0) >= near_ground_m)
+    const double height_m = senses.heightOverGround_m(0.0);
+    if (!still || height_m >= perhaps_ground_m)
         still_since_.reset();
     else if (!still_since_)
         still_since_ = senses.now;
-    return still_since_ && senses.now - *still_since_ >= still_needed;
+    return still_since_ && senses.now - *still_since_ >= (height_m < near_ground_m ? still_needed : long_still);
 }
 
 } // namespace usar::airrobot

@@ -9,10 +9,10 @@
 
 namespace usar::airrobot {
 
-/// Returns a nearby even place within `radius_m` of `wanted_m` (map frame) where the scanner has seen the ground;
-/// `wanted_m` itself if it is even enough or no better place is known. `lean` is the slope, upward along the map's
-/// axes, of the ground on which the robot would stand upright: one that leans against the wind as it comes down must
-/// not meet ground that rises toward its low side.
+/// Returns a nearby even place within `radius_m` of `wanted_m` (map frame) where the scanner has just seen the
+/// ground; `wanted_m` itself if it is even enough or no better place is known. `lean` is the slope, upward along the
+/// map's axes, of the ground on which the robot would stand upright: one that leans against the wind as it comes down
+/// must not meet ground that rises toward its low side.
 Vec2 landingPlace_m(const ObstacleMemory& memory, const Vec2& wanted_m, double radius_m,
                     const Vec2& lean = Vec2::Zero());
 
@@ -36,7 +36,7 @@ private:
 bool canLand(const ObstacleMemory& memory, const Vec2& place_m, double dry_m);
 
 /// Sinks fast at first and slowly near the ground. The robot has landed if it was commanded to sink and has not sunk
-/// for about a second. Owned by one robot.
+/// for about a second, or for some seconds if its scanner has a bias. Owned by one robot.
 class Touchdown {
 public:
     void start() { still_since_.reset(); }

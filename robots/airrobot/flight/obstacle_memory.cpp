@@ -43,9 +43,16 @@ void ObstacleMemory::takeScan(std::span<const Vec3> hits_m) {
         const int column = cellOf(hit.x());
         const int row = cellOf(hit.y());
         const float top_m = static_cast<float>(hit.z());
-        const Cell* old = known(column, row);
-        if (!old || top_m >= old->top_m)
-            cells_[slotOf<side>(column, row)] = {column, row, top_m, static_cast<float>(now_.count())};
+        const auto now_s = static_cast<float>(now_.count());
+        Cell& cell = cells_[slotOf<side>(column, row)];
+        if (!known(column, row))
+            cell = {column, row, top_m, now_s, top_m, now_s};
+        if (top_m >= cell.top_m) {
+            cell.top_m = top_m;
+            cell.time_s = now_s;
+        }
+        cell.last_m = cell.last_s == now_s ? std::max(cell.last_m, top_m) : top_m;
+        cell.last_s = now_s;
     }
 }
 
@@ -116,14 +123,13 @@ std::vector<Vec3> ObstacleMemory::tops_m(const Vec2& at_m, double radius_m) cons
     return tops;
 }
 
-double ObstacleMemory::knownWithin(const Vec2& at_m, double radius_m) const {
-    int total = 0;
-    int seen = 0;
-    visitDisc(at_m, radius_m, [&](const Vec2&, const Cell* cell) {
-        ++total;
-        seen += cell ? 1 : 0;
+std::vector<Vec3> ObstacleMemory::freshTops_m(const Vec2& at_m, double radius_m, Seconds fresh) const {
+    std::vector<Vec3> tops;
+    visitDisc(at_m, radius_m, [&](const Vec2& center_m, const Cell* cell) {
+        if (cell && now_.count() - cell->last_s <= fresh.count())
+            tops.emplace_back(center_m.x(), center_m.y(), cell->last_m);
     });
-    return total == 0 ? 0.0 : static_cast<double>(seen) / total;
+    return tops;
 }
 
 std::optional<double> ObstacleMemory::lowest_m(const Vec2& at_m, double radius_m) const {

@@ -54,8 +54,9 @@ public:
                                          double length_m) const;
     /// Returns the middles of the cells in the disc that the scanner has seen, as high as their tops.
     std::vector<Vec3> tops_m(const Vec2& at_m, double radius_m) const;
-    /// Returns the share of the disc's cells that the scanner has seen, 0 to 1.
-    double knownWithin(const Vec2& at_m, double radius_m) const;
+    /// The same of cells that were seen within `fresh`, as high as they were then. Older tops were seen with another
+    /// drift: where the ground falls off, they hide the brink.
+    std::vector<Vec3> freshTops_m(const Vec2& at_m, double radius_m, Seconds fresh) const;
     /// Returns the lowest cell in the disc that the scanner has seen; nullopt if none is known.
     std::optional<double> lowest_m(const Vec2& at_m, double radius_m) const;
     /// Returns the share of the corridor's cells that the scanner has seen, 0 to 1.
@@ -66,7 +67,9 @@ private:
         int column = 0;
         int row = 0;
         float top_m = 0.0f;
-        float time_s = -1e9f;
+        float time_s = -1e9f; ///< when that was seen
+        float last_m = 0.0f;  ///< highest hit of the newest scan that has reached it
+        float last_s = -1e9f; ///< time of that scan
     };
     struct Echo {
         Vec3 at_m;

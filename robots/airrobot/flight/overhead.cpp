@@ -29,6 +29,7 @@ constexpr double least_push_m_s = 0.12;
 /// A climb that gains less than this share of the way in this time has met something.
 constexpr Seconds push_time{1.4};
 constexpr double pushed_share = 0.25;
+constexpr double sinks_m = 0.03; ///< An estimate that wavers by less than this does not show that the robot sinks.
 /// A robot that gets so far above a ceiling shows that there is none: on a slow link, a climb begins late.
 constexpr double through_m = 0.3;
 constexpr double lifted_m = 0.6; ///< A lower robot may not have left the ground yet.
@@ -128,7 +129,9 @@ void Overhead::feelAbove(const Senses& senses, double commanded_climb_m_s) {
         pushing_since_.reset();
         return;
     }
-    if (!pushing_since_ || z_m - pushed_from_m_ > pushed_share * commanded_climb_m_s * push_time.count()) {
+    const double gained_m = z_m - pushed_from_m_;
+    const bool still_sinks = gained_m < -sinks_m; // The climb has not begun yet, and nothing above holds it up.
+    if (!pushing_since_ || still_sinks || gained_m > pushed_share * commanded_climb_m_s * push_time.count()) {
         pushing_since_ = senses.now;
         pushed_from_m_ = z_m;
     } else if (senses.now - *pushing_since_ >= push_time) {
@@ -151,7 +154,7 @@ void Overhead::add(const Ceiling& ceiling, bool touched) {
 }
 
 std::optional<double> Overhead::ceiling_m(const Vec2& at_m) const {
-    std::optional<double> lowest_m;
+    std::optional<double> lowest_m = lid_m_;
     for (const Ceiling& one : ceilings_)
         if ((one.at_m - at_m).norm() < ceiling_reach_m)
             lowest_m = std::min(lowest_m.value_or(one.z_m), one.z_m);

@@ -34,7 +34,10 @@ public:
     /// that is wide enough would have met that beam.
     double freeTo_m() const { return free_to_m_ - margin_m; }
     /// True if there is a ceiling anywhere. Then there may be more of them.
-    bool hasCeiling() const { return !ceilings_.empty(); }
+    bool hasCeiling() const { return !ceilings_.empty() || lid_m_; }
+    /// Has the robot stay below this height (map z) everywhere as if a ceiling were there, so that it flies under what
+    /// stands in its way higher up; nullopt: no more.
+    void putLid(std::optional<double> lid_m) { lid_m_ = lid_m; }
     /// True if a wall has stood beside the robot for a while, up to its height or higher. It may carry a roof.
     bool besideWall(Seconds now) const { return walled_at_ && now - *walled_at_ < wall_memory; }
     /// The lowest ceiling near a place; nullopt if none is known.
@@ -67,6 +70,7 @@ private:
     void add(const Ceiling& ceiling, bool touched);
 
     std::vector<Ceiling> ceilings_;
+    std::optional<double> lid_m_;
     std::optional<Find> found_;
     std::optional<Seconds> pushing_since_; ///< a climb is commanded since then
     double pushed_from_m_ = 0.0;           ///< height at that time

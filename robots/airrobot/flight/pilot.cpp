@@ -84,10 +84,10 @@ void Pilot::send(const Motion& motion, const Senses& senses, agent::CommandPort&
     port.send(drive, source);
 }
 
-void Pilot::brace(const Senses& senses, agent::CommandPort& port, const std::string& source) {
+void Pilot::brace(const Senses& senses, double climb_m_s, agent::CommandPort& port, const std::string& source) {
     commanded_m_s_ = Vec2::Zero();
     last_at_.reset();
-    send({}, senses, port, source);
+    send({.climb_m_s = climb_m_s}, senses, port, source);
 }
 
 void Pilot::learnDrift(const Senses& senses, double dt_s) {

@@ -36,9 +36,9 @@ public:
              const Settings& settings);
     /// Commands zero speed without a ramp.
     void stop(agent::CommandPort& port, const std::string& source);
-    /// Commands rest without a ramp and without a look at the senses, which may be silent: the robot leans against the
-    /// wind as far as it knows it.
-    void brace(const Senses& senses, agent::CommandPort& port, const std::string& source);
+    /// Commands level rest without a ramp and without a look at the senses, which may be silent: the robot leans
+    /// against the wind as far as it knows it. `climb_m_s` is positive upward.
+    void brace(const Senses& senses, double climb_m_s, agent::CommandPort& port, const std::string& source);
     /// The horizontal velocity over ground that was wanted last, in the robot's frame.
     Vec2 wantedInBase_m_s() const { return wanted_in_base_m_s_; }
     /// Never commands a greater level speed.

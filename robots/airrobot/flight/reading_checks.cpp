@@ -82,10 +82,12 @@ bool PoseCheck::hangs(Seconds now, const Pose& pose_in_map, const Told& told) {
         return true;
     hanging_ = false;
     const bool repeated = pose_in_map == last_->pose_in_map;
+    const bool turned = told.climb_m_s * vertical_m_s_ < 0.0; // A robot that leaves a roof has climbed a moment ago.
     if (!repeated || std::abs(told.climb_m_s) <= moving_m_s)
         vertical_since_.reset();
-    else if (!vertical_since_)
+    else if (!vertical_since_ || turned)
         vertical_since_ = last_->at;
+    vertical_m_s_ = told.climb_m_s;
     const Seconds patience = told.climb_m_s > 0.0 ? climb_patience : descent_patience;
     hanging_ = repeated && (told.speed_m_s > moving_m_s || (vertical_since_ && now - *vertical_since_ >= patience));
     if (hanging_) {

@@ -43,6 +43,7 @@ private:
     bool hanging_ = false;
     int others_ = 0;                        ///< poses in a row that differ from that one
     std::optional<Seconds> vertical_since_; ///< when the pose began to repeat itself in a climb or descent
+    double vertical_m_s_ = 0.0;             ///< rate of climb that the robot was told when the last reading came
     Pose leapt_to_;                         ///< the last pose that was not believed
     int leaps_ = 0;                         ///< how often in a row it was told
 };

@@ -15,41 +15,72 @@ constexpr double least_clear_m = 1.0;
 /// With less space than this, sonars report risks, so such a way costs more.
 constexpr double safe_m = 1.75;
 constexpr double comfortable_m = 2.75;
-constexpr double unsafe_cost = 8.0; ///< factors
+constexpr double narrowest_cost = 16.0; ///< factors; this one keeps it in the middle of a door
+constexpr double unsafe_cost = 8.0;
 constexpr double narrow_cost = 3.0;
-constexpr double surest_echo_m = 4.0; ///< a sonar does not say from where in its cone a farther echo came
+constexpr double surest_echo_m = 4.0;   ///< a sonar does not say from where in its cone a farther echo came
+constexpr double lowest_known_m = -1e8; ///< Cells that nothing was seen of are lower.
+constexpr int least_ground = 16;        ///< cells, which are 4 square meters
+constexpr double no_room_m = 10.0;      ///< so much farther a place may be that has room around it
 constexpr double passed_m = 0.7;
 /// So near to its place, the robot may pass over what ends below its belly, because it is above it already.
 constexpr double near_start_m = 3.0;
 constexpr double belly_m = 0.4;
-constexpr double brushing_m = 0.75; ///< free space there, where the robot may be near something already
+constexpr double hides_not_m = 0.75; ///< What stands so near to a place hides nothing of it.
+constexpr double brushing_m = 0.75;  ///< free space there, where the robot may be near something already
 
 constexpr int reach_cells = static_cast<int>(comfortable_m / grid_cell_m);
 constexpr double no_way = std::numeric_limits<double>::infinity();
 
-/// How dear a place is: `no_way` where the robot does not fit, 1 where nothing is near. `blocked` is asked about cells.
+/// A cell near another one.
+struct Neighbor {
+    int columns = 0;
+    int rows = 0;
+    double away_m = 0.0;
+};
+
+/// The cells around one that matter, the nearest first.
+const std::vector<Neighbor>& neighbors() {
+    static const std::vector<Neighbor> all = [] {
+        std::vector<Neighbor> found;
+        for (int rows = -reach_cells; rows <= reach_cells; ++rows)
+            for (int columns = -reach_cells; columns <= reach_cells; ++columns)
+                if (const double away_m = std::hypot(columns, rows) * grid_cell_m; away_m <= comfortable_m)
+                    found.push_back({columns, rows, away_m});
+        std::ranges::sort(found, {}, &Neighbor::away_m);
+        return found;
+    }();
+    return all;
+}
+
+/// How dear a place is: `no_way` where the robot does not fit, 1 where nothing is within `matters_m`. `blocked` is asked
+/// about cells.
 template <class Blocked>
-double costAt(const Blocked& blocked, int column, int row, double needed_m = clear_m) {
-    double cost = 1.0;
-    for (int dy = -reach_cells; dy <= reach_cells; ++dy)
-        for (int dx = -reach_cells; dx <= reach_cells; ++dx) {
-            const double away_m = std::hypot(dx, dy) * grid_cell_m;
-            if (away_m > comfortable_m || !blocked(column + dx, row + dy))
-                continue;
-            if (away_m < needed_m)
-                return no_way;
-            cost = std::max(cost, away_m < safe_m ? unsafe_cost : narrow_cost);
-        }
-    return cost;
+double costAt(const Blocked& blocked, int column, int row, double needed_m = clear_m,
+              double matters_m = comfortable_m) {
+    for (const Neighbor& neighbor : neighbors()) {
+        if (neighbor.away_m > matters_m)
+            break;
+        if (!blocked(column + neighbor.columns, row + neighbor.rows))
+            continue;
+        return neighbor.away_m < needed_m  ? no_way
+               : neighbor.away_m < clear_m ? narrowest_cost
+               : neighbor.away_m < safe_m  ? unsafe_cost
+                                           : narrow_cost;
+    }
+    return 1.0;
 }
 
 /// A* over the cells of a square around the start. Cells are counted from its corner.
 template <class Blocked>
 class Search {
 public:
-    Search(const Blocked& blocked, const Vec2& from_m, const Vec2& goal_m, double within_m, double needed_m = clear_m)
+    /// `matters_m`: things that are farther away cost nothing.
+    Search(const Blocked& blocked, const Vec2& from_m, const Vec2& goal_m, double within_m, double needed_m = clear_m,
+           double matters_m = comfortable_m)
         : blocked_(blocked)
         , needed_m_(needed_m)
+        , matters_m_(matters_m)
         , corner_column_(cellOf(from_m.x()) - half)
         , corner_row_(cellOf(from_m.y()) - half)
         , from_m_(from_m)
@@ -111,7 +142,7 @@ private:
     double beeline(int column, int row) const { return (placeOf_m(column, row) - goal_m_).norm() / grid_cell_m; }
 
     double costOf(int column, int row) const {
-        const double cost = costAt(blocked_, corner_column_ + column, corner_row_ + row, needed_m_);
+        const double cost = costAt(blocked_, corner_column_ + column, corner_row_ + row, needed_m_, matters_m_);
         const bool leaves = (placeOf_m(column, row) - from_m_).norm() < near_start_m;
         return leaves && !blocked_(corner_column_ + column, corner_row_ + row, belly_m) ? std::min(cost, narrow_cost)
                                                                                         : cost;
@@ -142,6 +173,7 @@ private:
 
     const Blocked& blocked_;
     double needed_m_; ///< free space on each side
+    double matters_m_;
     int corner_column_;
     int corner_row_;
     Vec2 from_m_;
@@ -153,12 +185,26 @@ private:
 
 } // namespace
 
-bool ReachablePlaces::contains(const Vec2& at_m) const {
+bool ReachablePlaces::knows(const Vec2& at_m) const {
     const int column = cellOf(at_m.x()) - column_;
     const int row = cellOf(at_m.y()) - row_;
-    const bool known = column >= 0 && row >= 0 && column < RouteMap::side && row < RouteMap::side;
-    return inside_.empty() || !known ||
-           inside_[static_cast<std::size_t>(row) * RouteMap::side + static_cast<std::size_t>(column)];
+    return !inside_.empty() && column >= 0 && row >= 0 && column < RouteMap::side && row < RouteMap::side;
+}
+
+bool ReachablePlaces::leadsNear(const Vec2& at_m, double within_m) const {
+    for (double x_m = -within_m; x_m <= within_m; x_m += grid_cell_m)
+        for (double y_m = -within_m; y_m <= within_m; y_m += grid_cell_m)
+            if (std::hypot(x_m, y_m) <= within_m && contains(at_m + Vec2(x_m, y_m)))
+                return true;
+    return false;
+}
+
+bool ReachablePlaces::contains(const Vec2& at_m) const {
+    if (!knows(at_m))
+        return true;
+    const int column = cellOf(at_m.x()) - column_;
+    const int row = cellOf(at_m.y()) - row_;
+    return inside_[static_cast<std::size_t>(row) * RouteMap::side + static_cast<std::size_t>(column)];
 }
 
 RouteMap::RouteMap() : cells_(std::size_t(side) * side) {}
@@ -175,8 +221,8 @@ RouteMap::Cell& RouteMap::at(int column, int row) {
 }
 
 auto RouteMap::blockedAt(double z_m) const {
-    return [this, z_m](int column, int row, double below_m = passes_below_m) {
-        return blocked(column, row, z_m - below_m);
+    return [this, z_m](int column, int row, std::optional<double> below_m = {}) {
+        return blocked(column, row, z_m - below_m.value_or(passes_below_m_));
     };
 }
 
@@ -191,13 +237,17 @@ void RouteMap::take(const Senses& senses, double below_m) {
         for (int column = cellOf(here_m.x() - brushing_m); column <= cellOf(here_m.x() + brushing_m); ++column)
             at(column, row).flown = true;
     if (senses.scan)
-        for (const Vec3& hit : senses.scan->hits_in_map_m)
-            if (hit.z() < below_m) {
-                float& top_m = at(cellOf(hit.x()), cellOf(hit.y())).top_m;
-                top_m = std::max(top_m, static_cast<float>(hit.z()));
-            }
+        takeScan(*senses.scan, below_m);
     for (const SonarEcho& echo : senses.sonars)
         takeEcho(echo);
+}
+
+void RouteMap::takeScan(const PlacedScan& scan, double below_m) {
+    for (const Vec3& hit : scan.hits_in_map_m)
+        if (hit.z() < below_m) {
+            float& top_m = at(cellOf(hit.x()), cellOf(hit.y())).top_m;
+            top_m = std::max(top_m, static_cast<float>(hit.z()));
+        }
 }
 
 void RouteMap::takeEcho(const SonarEcho& echo) {
@@ -239,6 +289,17 @@ bool RouteMap::isStraightWayFree(const Vec2& from_m, const Vec2& to_m, double z_
     return true;
 }
 
+bool RouteMap::isInSight(const Vec2& from_m, const Vec2& to_m, double z_m) const {
+    const Vec2 way_m = to_m - from_m;
+    const double length_m = way_m.norm();
+    for (double along_m = 0.0; along_m < length_m - hides_not_m; along_m += grid_cell_m / 2.0) {
+        const Vec2 at_m = from_m + way_m * (along_m / length_m);
+        if (blocked(cellOf(at_m.x()), cellOf(at_m.y()), z_m))
+            return false;
+    }
+    return true;
+}
+
 std::optional<std::vector<Vec2>> RouteMap::route(const Vec2& from_m, const Vec2& to_m, double z_m, double within_m,
                                                  Width width) const {
     const auto is_blocked = blockedAt(z_m);
@@ -248,11 +309,37 @@ std::optional<std::vector<Vec2>> RouteMap::route(const Vec2& from_m, const Vec2&
     return Search(is_blocked, from_m, goal_m, std::max(within_m, grid_cell_m), needed_m).run();
 }
 
-ReachablePlaces RouteMap::reach(const Vec2& from_m, double z_m) const {
+ReachablePlaces RouteMap::reach(const Vec2& from_m, double z_m, Width width) const {
     const auto is_blocked = blockedAt(z_m);
-    Search search(is_blocked, from_m, from_m, -1.0); // No place is so near to the goal, so it goes everywhere.
+    const double needed_m = width == Width::Least ? least_clear_m : clear_m;
+    // No place is so near to the goal: it goes everywhere, and what a way costs does not matter.
+    Search search(is_blocked, from_m, from_m, -1.0, needed_m, needed_m);
     search.run();
     return search.reach();
+}
+
+bool RouteMap::hasRoom(const Vec2& at_m, double z_m, double radius_m) const {
+    return !std::isinf(costAt(blockedAt(z_m), cellOf(at_m.x()), cellOf(at_m.y()), radius_m, radius_m));
+}
+
+std::optional<Vec2> RouteMap::groundBeyond_m(const Vec2& from_m, double z_m, double floor_m,
+                                             const ReachablePlaces& other, double beyond_m) const {
+    const ReachablePlaces here = reach(from_m, z_m, Width::Least);
+    std::optional<Vec2> nearest;
+    const auto costTo = [&](const Vec2& at_m) {
+        return (at_m - from_m).norm() + (hasRoom(at_m, z_m, clear_m) ? 0.0 : no_room_m);
+    };
+    int count = 0;
+    for (const Cell& cell : cells_) {
+        const Vec2 at_m = centerOf(cell.column, cell.row);
+        if (cell.top_m < lowest_known_m || cell.top_m > floor_m || !here.knows(at_m) || !here.contains(at_m) ||
+            other.leadsNear(at_m, beyond_m))
+            continue;
+        ++count;
+        if (!nearest || costTo(at_m) < costTo(*nearest))
+            nearest = at_m;
+    }
+    return count >= least_ground ? nearest : std::nullopt;
 }
 
 } // namespace usar::airrobot

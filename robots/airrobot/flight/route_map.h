@@ -14,6 +14,8 @@ namespace usar::airrobot {
 
 /// What ends farther than this below the robot's base passes below it.
 inline constexpr double passes_below_m = 1.2;
+/// The same for a robot that can get no higher, as below a ceiling.
+inline constexpr double passes_closer_m = 0.8;
 
 /// Knows to which places ways lead.
 class ReachablePlaces {
@@ -26,6 +28,10 @@ public:
         , inside_(std::move(inside)) {}
     /// True also beyond the square, of which nothing is known.
     bool contains(const Vec2& at_m) const;
+    /// True within the square.
+    bool knows(const Vec2& at_m) const;
+    /// True if a way leads to within `within_m` of the place; true also if nothing is known of some place there.
+    bool leadsNear(const Vec2& at_m, double within_m) const;
 
 private:
     int column_ = 0;
@@ -46,8 +52,12 @@ public:
 
     RouteMap();
 
+    /// Sets how far below the robot's base a thing must end to pass below it, from now on.
+    void passOver(double below_m) { passes_below_m_ = below_m; }
     /// Adds the robot's place and what the sensors saw in this tick below `below_m` (map z), where the ceiling begins.
     void take(const Senses& senses, double below_m);
+    /// Adds only what a scan saw below `below_m` (map z), as for a height at which the robot does not fly.
+    void takeScan(const PlacedScan& scan, double below_m);
     /// Adds an obstacle that reaches the height `z_m` (map z), because the robot does not get past that place.
     void block(const Vec2& at_m, double z_m);
     void clear();
@@ -59,10 +69,20 @@ public:
     std::optional<std::vector<Vec2>> route(const Vec2& from_m, const Vec2& to_m, double z_m, double within_m,
                                            Width width = Width::Usual) const;
     /// All places to which ways lead at this height.
-    ReachablePlaces reach(const Vec2& from_m, double z_m) const;
+    ReachablePlaces reach(const Vec2& from_m, double z_m, Width width = Width::Usual) const;
+    /// True if nothing known that reaches the height `z_m` (map z) stands within `radius_m`.
+    bool hasRoom(const Vec2& at_m, double z_m, double radius_m) const;
+    /// The nearest place to `from_m`, with room around it if there is one, on ground not higher than `floor_m` (map z)
+    /// that can be reached at the height `z_m`, and that is `beyond_m` or more from all `other` places; nullopt if less
+    /// of such ground was seen than a robot needs to stand on.
+    std::optional<Vec2> groundBeyond_m(const Vec2& from_m, double z_m, double floor_m, const ReachablePlaces& other,
+                                       double beyond_m) const;
     /// True if nothing known stands within the robot's half width of the straight line. On the first meters less is
     /// enough, because the robot may be near something already.
     bool isStraightWayFree(const Vec2& from_m, const Vec2& to_m, double z_m) const;
+    /// True if nothing known that reaches the height `z_m` (map z) stands between the places. What stands at `to_m`
+    /// does not count.
+    bool isInSight(const Vec2& from_m, const Vec2& to_m, double z_m) const;
 
 private:
     struct Cell {
@@ -80,6 +100,7 @@ private:
     void takeEcho(const SonarEcho& echo);
 
     std::vector<Cell> cells_;
+    double passes_below_m_ = passes_below_m;
 };
 
 } // namespace usar::airrobot

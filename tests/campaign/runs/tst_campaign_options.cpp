@@ -31,6 +31,9 @@ private slots:
         const auto least = readCampaignOptions({"campaign", "--out=o", "c.json", "--until-decided"});
         QVERIFY(least && (*least == CampaignOptions{.file = "c.json", .folder = "o", .until_decided = true}));
         QVERIFY(readCampaignOptions({"campaign", "--help"})->help);
+        const auto tests = readCampaignOptions({"campaign", "--tests", "t", "--junit", "j.xml"});
+        QVERIFY2(tests, tests ? "" : tests.error().text().c_str());
+        QVERIFY((*tests == CampaignOptions{.file = {}, .tests = "t", .junit = "j.xml", .folder = {}}));
     }
 
     void rejectsTheRestAndSaysHow_data() {
@@ -50,6 +53,10 @@ private slots:
             << QStringList{"c", "--out", "o", "--slurm", "4", "--shrink", "s"} << "does not shrink";
         QTest::newRow("no runs") << QStringList{"c", "--out", "o", "--runs", "0"} << "--runs 4";
         QTest::newRow("no seed") << QStringList{"c", "--out", "o", "--first-seed", "-1"} << "--first-seed 4";
+        QTest::newRow("tests and a file") << QStringList{"c", "--tests", "t"} << "not how to call it";
+        QTest::newRow("tests in parts") << QStringList{"--tests", "t", "--shard", "0/2"} << "--shard: tests are flown";
+        QTest::newRow("tests with other seeds") << QStringList{"--tests", "t", "--first-seed", "2"} << "own seeds";
+        QTest::newRow("JUnit of a campaign") << QStringList{"c", "--out", "o", "--junit", "j"} << "compare DIR --junit";
         QTest::newRow("too many tasks") << QStringList{"c", "--out", "o", "--slurm", "1001"} << "from 1 to 1000";
     }
 

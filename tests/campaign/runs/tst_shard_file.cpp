@@ -50,6 +50,32 @@ private slots:
         QVERIFY(read->summary == resultOf(4).summary && read->differences == resultOf(4).differences);
     }
 
+    void aHeadIsAllButTheSummary_data() {
+        QTest::addColumn<QString>("reason");
+        QTest::addColumn<bool>("flew");
+        QTest::newRow("usual") << QString("It fell.") << true;
+        QTest::newRow("a reason like the file") << QString("It said {\"a\":1,\"summary\":{\"success\":true}}.") << true;
+        QTest::newRow("without a summary") << QString("It crashed.") << false;
+    }
+
+    void aHeadIsAllButTheSummary() {
+        QFETCH(QString, reason);
+        QFETCH(bool, flew);
+        RunResult result = resultOf(4);
+        result.reason = reason.toStdString();
+        result.broken = QStringList{"Its \"summary\":{} is odd."};
+        if (!flew)
+            result.summary = {};
+        const QByteArray line = toLine(result);
+        const auto head = readResultLine(line, ResultPart::Head);
+        const auto whole = readResultLine(line);
+        QVERIFY(head && whole);
+        QVERIFY(head->summary.isEmpty() && whole->summary == result.summary);
+        result.summary = {};
+        QCOMPARE(toLine(*head), toLine(result));
+        QCOMPARE(whole->broken, result.broken);
+    }
+
     void outcomesHaveWordsOfTheirOwn() {
         for (int i = 0; i <= static_cast<int>(Outcome::OutOfMemory); ++i)
             QVERIFY(outcomeFrom(wordOf(static_cast<Outcome>(i))) == static_cast<Outcome>(i));

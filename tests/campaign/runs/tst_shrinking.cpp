@@ -58,6 +58,7 @@ private slots:
         result.variant = "high";
         result.outcome = Outcome::Crashed;
         result.reason = "The program crashed.";
+        result.broken = QStringList{"It ended as crashed: The program crashed."};
         const KnownFailure expected{
             "a", "high", 5, {"vanish from=3.0"}, {"world=town"}, "It ended as crashed: The program crashed."};
         QVERIFY(knownFailure(campaign, run, result) == expected);

@@ -9,10 +9,7 @@
 #include "core/link/recording_writer.h"
 #include "core/mission/reports/recorded_runs.h"
 #include "core/mission/reports/run_report_text.h"
-#include "core/posh/language/plan_reader.h"
-#include "core/posh/run/engine.h"
-#include "core/posh/trace/trace_encoder.h"
-#include "tests/doubles/stub_host.h"
+#include "tests/doubles/plan_trace.h"
 #include "tests/suite/suite.h"
 
 namespace tst_recorded_runs {
@@ -25,25 +22,9 @@ namespace {
 const std::string rover = "((DC rover (drives ((danger (trigger ((near))) back)) ((way go)))))";
 const std::string other = "((DC other (drives ((way go)))))";
 
-/// What a run of so many cycles, five a second, leaves; `near` for the first of them.
-std::vector<std::string> piecesOf(const std::string& plan, int cycles, int near = 0) {
-    test::StubHost host;
-    posh::TraceEncoder encoder(plan);
-    posh::Engine engine(host, *posh::compile(posh::readPlan(plan).plan));
-    engine.watch(&encoder);
-    std::vector<std::string> pieces;
-    for (int cycle = 1; cycle <= cycles; ++cycle) {
-        host.setSense("near", cycle <= near);
-        engine.cycle(posh::Milliseconds(200 * cycle));
-        pieces.push_back(encoder.takeBytes());
-    }
-    engine.watch(nullptr);
-    return pieces;
-}
-
 std::string traceOf(const std::string& plan, int cycles, int near = 0) {
     std::string trace;
-    for (const std::string& piece : piecesOf(plan, cycles, near))
+    for (const std::string& piece : test::piecesOf(plan, cycles, near))
         trace += piece;
     return trace;
 }
@@ -65,7 +46,7 @@ private slots:
             auto writer = link::RecordingWriter::create(path("two.usarrec"), {}, {});
             QVERIFY(writer);
             for (const std::string& plan : {rover, other})
-                for (const std::string& piece : piecesOf(plan, 7)) {
+                for (const std::string& piece : test::piecesOf(plan, 7)) {
                     std::string text;
                     appendText(text, agent::PlanTrace{piece});
                     (*writer)->write({.kind = link::RecordKind::Note, .name = "published", .bytes = text});

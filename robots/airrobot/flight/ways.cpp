@@ -1,0 +1,64 @@
+#include "robots/airrobot/flight/ways.h"
+
+namespace usar::airrobot {
+
+namespace {
+
+/// Doors are higher than this, from the base of a robot that stands. It flies a margin lower through them.
+constexpr double low_room_m = 3.2;
+constexpr double on_floor_m = 0.4;    ///< Ground is not higher than this over the base of a robot that stands.
+constexpr double beyond_door_m = 4.0; ///< behind what ends the ways higher up
+constexpr double below_lid_m = 0.5;   ///< Scanner hits that are higher are over the robot.
+/// A robot that flies slowly may come so much nearer than the settings say.
+constexpr double nearness = 0.55;
+
+} // namespace
+
+void Ways::startAnew(double base_z_m) {
+    high_.clear();
+    low_.clear();
+    lid_m_ = base_z_m + low_room_m;
+    under_ = near_ = false;
+}
+
+void Ways::take(const Senses& senses, double below_m, bool sure, bool roofed) {
+    if (sure)
+        map().take(senses, below_m);
+    if (senses.scan && roofed && !under_)
+        low_.takeScan(*senses.scan, lid_m_ - below_lid_m);
+}
+
+std::optional<Vec2> Ways::groundBehindDoor_m(const Senses& senses) const {
+    return low_.groundBeyond_m(senses.position2_m(), lid_m_ - Overhead::margin_m, lid_m_ - low_room_m + on_floor_m,
+                               reach(senses), beyond_door_m);
+}
+
+void Ways::goUnder(const Vec2& here_m, Overhead& overhead) {
+    under_ = true;
+    sink_at_m_ = here_m;
+    overhead.putLid(lid_m_);
+}
+
+void Ways::comeUp(Overhead& overhead) {
+    under_ = false;
+    overhead.putLid(std::nullopt);
+}
+
+std::optional<Motion> Ways::sink(const Senses& senses, const Settings& settings) const {
+    if (!under_ || senses.position_m().z() < lid_m_)
+        return std::nullopt;
+    Motion motion = holding(senses, sink_at_m_);
+    motion.climb_m_s = -settings.descent_speed_m_s;
+    return motion;
+}
+
+Settings Ways::forThreats(Settings settings) const {
+    for (double* range_m :
+         {&settings.low_risk_0_m, &settings.low_risk_1_m, &settings.low_risk_2_m, &settings.low_risk_3_m,
+          &settings.low_risk_4_m, &settings.high_risk_0_m, &settings.high_risk_1_m, &settings.high_risk_2_m,
+          &settings.high_risk_3_m, &settings.high_risk_4_m})
+        *range_m *= isNarrow() ? nearness : 1.0;
+    return settings;
+}
+
+} // namespace usar::airrobot

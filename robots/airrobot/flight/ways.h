@@ -1,0 +1,59 @@
+// The maps of ways at the height of the flight and near the ground, and flights through doors by the second one.
+#pragma once
+
+#include <optional>
+
+#include "robots/airrobot/flight/overhead.h"
+#include "robots/airrobot/flight/pilot.h"
+#include "robots/airrobot/flight/route_map.h"
+
+namespace usar::airrobot {
+
+/// A robot that flies below a ceiling may be higher than the doors. While it does, a second map keeps what its scanner
+/// sees near the ground. Under a lid the robot stays so low that it gets through doors, takes its ways from that map,
+/// and goes nearer to things, but slowly. Owned by one robot; clear it when the INS was set.
+class Ways {
+public:
+    static constexpr double door_m_s = 0.5;          ///< greatest speed where it goes nearer
+    static constexpr double door_half_width_m = 0.9; ///< of the free way that it needs there
+
+    /// Forgets all places; `base_z_m` is the height of the robot on the ground (map z).
+    void startAnew(double base_z_m);
+    /// Forgets the ways at the present height.
+    void clear() { map().clear(); }
+    /// The map for the present height.
+    RouteMap& map() { return under_ ? low_ : high_; }
+    const RouteMap& map() const { return under_ ? low_ : high_; }
+    /// Adds what the sensors see in this tick below the ceiling `below_m` (map z). `sure`: it flies so high that its
+    /// sonars do not hear the ground. `roofed`: there is a ceiling somewhere.
+    void take(const Senses& senses, double below_m, bool sure, bool roofed);
+
+    /// All places to which ways lead from here at this height.
+    ReachablePlaces reach(const Senses& senses) const {
+        return map().reach(senses.position2_m(), senses.position_m().z());
+    }
+    /// Ground to which no way leads at this height, but one does near the ground, as through a door.
+    std::optional<Vec2> groundBehindDoor_m(const Senses& senses) const;
+
+    /// Puts a lid over the robot, under which it has to sink at its present place, or takes it away.
+    void goUnder(const Vec2& here_m, Overhead& overhead);
+    void comeUp(Overhead& overhead);
+    /// The motion by which it sinks under the lid; nullopt where it need not.
+    std::optional<Motion> sink(const Senses& senses, const Settings& settings) const;
+    /// Has it go nearer to things from now on or no more; under a lid it does anyway.
+    void comeNear(bool near) { near_ = near; }
+    bool isUnder() const { return under_; }
+    bool isNarrow() const { return near_ || under_; }
+    /// The settings with which threats are judged: in a door of 3 m, every sonar to the side would hear a high risk.
+    Settings forThreats(Settings settings) const;
+
+private:
+    RouteMap high_;
+    RouteMap low_;
+    double lid_m_ = 1e9; ///< map z
+    bool under_ = false;
+    bool near_ = false;
+    Vec2 sink_at_m_ = Vec2::Zero();
+};
+
+} // namespace usar::airrobot

@@ -1,0 +1,151 @@
+#include "robots/airrobot/gap_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <Eigen/Eigenvalues>
+
+namespace usar::airrobot {
+
+namespace {
+
+constexpr double view_within_m = 2.5; ///< Nothing that is farther from the robot counts as a gap that it can see.
+constexpr double look_step_m = 0.5;
+/// Fewer cells are left alone: a flight costs more than they are worth, and so it does if all of them together are less
+/// than this share of what was seen.
+constexpr std::size_t least_cells = 3;
+constexpr double least_share = 0.015;
+constexpr int near_cells = 2;      ///< Cells so near to one another belong to one gap,
+constexpr double longest_m = 6.0;  ///< but not if they are farther than this from its first one.
+constexpr double shortest_m = 3.0; ///< A gap that is shorter has no direction of its own.
+constexpr double past_m = 2.0;     ///< The robot flies so far past the middle of such a gap.
+constexpr double sideways_m = 0.5;
+
+/// Places beside the origin, nearest first.
+std::vector<Vec2> placesBeside() {
+    std::vector<Vec2> places;
+    for (double x_m = -view_within_m; x_m <= view_within_m; x_m += look_step_m)
+        for (double y_m = -view_within_m; y_m <= view_within_m; y_m += look_step_m)
+            if (std::hypot(x_m, y_m) <= view_within_m)
+                places.emplace_back(x_m, y_m);
+    std::ranges::sort(places, {}, [](const Vec2& place) { return place.norm(); });
+    return places;
+}
+
+/// A point from `middle_m` on along `along`, as far as a way leads, but not farther than `length_m`.
+Vec2 farthestReached_m(const ReachablePlaces& reach, const Vec2& middle_m, const Vec2& along, double length_m) {
+    while (length_m > 0.0 && !reach.contains(middle_m + length_m * along))
+        length_m -= look_step_m;
+    return middle_m + std::max(length_m, look_step_m) * along;
+}
+
+} // namespace
+
+GapSearch::Gaps GapSearch::gapsIn(const ScanLedger& ledger, const Surroundings& surroundings) const {
+    static const std::vector<Vec2> beside = placesBeside();
+    Gaps gaps;
+    for (int row = 0; row < ledger.rows(); ++row)
+        for (int column = 0; column < ledger.columns(); ++column) {
+            const std::size_t index = std::size_t(row) * std::size_t(ledger.columns()) + std::size_t(column);
+            if (tried_[index] || ledger.at(column, row) != ScanLedger::Cell::Unknown)
+                continue;
+            const Vec2 center_m = ledger.centerOf_m(column, row);
+            const auto place = std::ranges::find_if(beside, [&](const Vec2& offset_m) {
+                const Vec2 view_m = center_m + offset_m;
+                return ledger.isSeen(view_m) && surroundings.reach.knows(view_m) &&
+                       surroundings.reach.contains(view_m) && surroundings.in_sight(view_m, center_m);
+            });
+            if (place != beside.end())
+                gaps.push_back({column, row, center_m, center_m + *place});
+        }
+    return gaps;
+}
+
+namespace {
+
+/// Takes the gaps that belong to the last one out of `gaps`.
+template <class Gaps>
+Gaps takeGroup(Gaps& gaps) {
+    Gaps group{gaps.back()};
+    gaps.pop_back();
+    for (std::size_t next = 0; next < group.size(); ++next) {
+        const auto one = group[next];
+        const auto first = group.front();
+        const auto belongs = [&](const auto& other) {
+            return std::max(std::abs(other.column - one.column), std::abs(other.row - one.row)) <= near_cells &&
+                   (other.center_m - first.center_m).norm() <= longest_m;
+        };
+        const auto rest = std::ranges::stable_partition(gaps, [&](const auto& other) { return !belongs(other); });
+        group.insert(group.end(), rest.begin(), rest.end());
+        gaps.erase(rest.begin(), rest.end());
+    }
+    return group;
+}
+
+/// A lane past all gaps of a group.
+template <class Gaps>
+mapping::Lane lanePast(const Gaps& group, const ReachablePlaces& reach) {
+    Vec2 mean_m = Vec2::Zero();
+    Vec2 sight_m = Vec2::Zero();
+    for (const auto& gap : group) {
+        mean_m += gap.view_m / static_cast<double>(group.size());
+        sight_m += (gap.center_m - gap.view_m) / static_cast<double>(group.size());
+    }
+    Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+    for (const auto& gap : group)
+        spread += (gap.view_m - mean_m) * (gap.view_m - mean_m).transpose();
+    Vec2 along = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvectors().col(1);
+    double low_m = 0.0;
+    double high_m = 0.0;
+    const Vec2 middle_m =
+        std::ranges::min_element(group, {}, [&](const auto& gap) { return (gap.view_m - mean_m).norm(); })->view_m;
+    for (const auto& gap : group) {
+        low_m = std::min(low_m, along.dot(gap.view_m - middle_m));
+        high_m = std::max(high_m, along.dot(gap.view_m - middle_m));
+    }
+    if (high_m - low_m < shortest_m) { // The scanner looks to the sides.
+        if (sight_m.norm() > sideways_m)
+            along = Vec2(-sight_m.y(), sight_m.x()).normalized();
+        low_m = -past_m;
+        high_m = past_m;
+    }
+    return {farthestReached_m(reach, middle_m, -along, -low_m), farthestReached_m(reach, middle_m, along, high_m), 0};
+}
+
+/// Puts the lanes into the order in which they are flown.
+void orderFrom(Vec2 from_m, std::vector<mapping::Lane>& lanes) {
+    for (auto next = lanes.begin(); next != lanes.end(); ++next) {
+        const auto away_m = [&](const mapping::Lane& lane) {
+            return std::min((lane.start_m - from_m).norm(), (lane.end_m - from_m).norm());
+        };
+        std::iter_swap(next, std::ranges::min_element(next, lanes.end(), {}, away_m));
+        if ((next->end_m - from_m).norm() < (next->start_m - from_m).norm())
+            std::swap(next->start_m, next->end_m);
+        from_m = next->end_m;
+    }
+}
+
+} // namespace
+
+std::vector<mapping::Lane> GapSearch::lanes(const ScanLedger& ledger, const Surroundings& surroundings,
+                                            const Vec2& from_m) {
+    const std::size_t cells = std::size_t(ledger.columns()) * std::size_t(ledger.rows());
+    tried_.resize(cells);
+    Gaps gaps = gapsIn(ledger, surroundings);
+    const double seen = ledger.seen() * static_cast<double>(cells);
+    if (static_cast<double>(gaps.size()) < least_share * (seen + static_cast<double>(gaps.size())))
+        return {};
+    std::vector<mapping::Lane> lanes;
+    while (!gaps.empty()) {
+        const Gaps group = takeGroup(gaps);
+        for (const Gap& gap : group)
+            tried_[std::size_t(gap.row) * std::size_t(ledger.columns()) + std::size_t(gap.column)] = true;
+        if (group.size() >= least_cells)
+            lanes.push_back(lanePast(group, surroundings.reach));
+    }
+    orderFrom(from_m, lanes);
+    return lanes;
+}
+
+} // namespace usar::airrobot

@@ -1,0 +1,112 @@
+#include "robots/airrobot/leftovers.h"
+
+#include <string>
+#include <vector>
+
+namespace usar::airrobot {
+
+namespace {
+
+/// So many lanes past gaps may fail before no more are flown, and all together may have this share of the length that
+/// was planned.
+constexpr int most_left_out = 3;
+constexpr double most_added = 0.5;
+constexpr double at_base_m = 2.0;
+constexpr double stub_m = 0.5;      ///< length of a lane that is only a place to go to
+constexpr double beyond_m = 3.3;    ///< so far from all places that it could reach before, it is beyond the door
+constexpr double room_m = 1.25;     ///< It comes up where it has so much around it,
+constexpr double at_ground_m = 1.0; ///< or so near to the ground that was seen.
+constexpr double before_door_m = 0.4;
+constexpr double near_door_m = 4.0;
+constexpr double never_m = 1e9;
+
+/// A lane that leads to a place.
+mapping::Lane laneTo(const Vec2& from_m, const Vec2& to_m) {
+    const Vec2 way_m = to_m - from_m;
+    const Vec2 along = way_m.norm() > stub_m ? Vec2(way_m.normalized()) : Vec2(Vec2::UnitX());
+    return {to_m - stub_m * along, to_m, 0};
+}
+
+void note(agent::CommandPort& port, const std::string& words) {
+    port.publish(agent::BehaviorEvent{Severity::Note, words});
+}
+
+} // namespace
+
+void Leftovers::startAnew() {
+    state_ = Door::Unknown;
+    door_m_.reset();
+}
+
+bool Leftovers::addLanes(Craft& craft, Survey& survey, const ScanLedger& ledger, const Vec2& base_m,
+                         agent::CommandPort& port) {
+    return closeGaps(craft, survey, ledger, port) || tryDoor(craft, survey, base_m, port);
+}
+
+bool Leftovers::closeGaps(Craft& craft, Survey& survey, const ScanLedger& ledger, agent::CommandPort& port) {
+    // After a charge, the robot does not know any more where the walls are.
+    if (craft.battery.charges() > 0 || survey.addedLeftOut() - gaps_left_out_ > most_left_out ||
+        gaps_m_ > most_added * survey.plannedLength_m())
+        return false;
+    const auto in_sight = [&craft](const Vec2& from_m, const Vec2& to_m) {
+        return craft.ways.map().isInSight(from_m, to_m, craft.senses.position_m().z());
+    };
+    const auto lanes = gaps_.lanes(ledger, {craft.ways.reach(craft.senses), in_sight}, craft.senses.position2_m());
+    if (lanes.empty())
+        return false;
+    for (const mapping::Lane& lane : lanes)
+        gaps_m_ += (lane.end_m - lane.start_m).norm();
+    survey.add(lanes);
+    port.publish(agent::PlannedPath{survey.corners_m()});
+    note(port, "The map has gaps that can be reached; lanes past them: " + std::to_string(lanes.size()) + ".");
+    return true;
+}
+
+bool Leftovers::tryDoor(Craft& craft, Survey& survey, const Vec2& base_m, agent::CommandPort& port) {
+    const Vec2 here_m = craft.senses.position2_m();
+    const bool at_base = (here_m - base_m).norm() < at_base_m;
+    if (!craft.overhead.hasCeiling() || survey.cutOff_m() == 0.0 || state_ >= Door::Outward ||
+        (state_ == Door::ToBase && !at_base))
+        return false;
+    const auto ground_m = craft.ways.groundBehindDoor_m(craft.senses);
+    if (!ground_m)
+        return false;
+    if (!at_base) {
+        state_ = Door::ToBase;
+        survey.add({laneTo(here_m, base_m)}); // There the robot may sink: it has stood there.
+        return true;
+    }
+    state_ = Door::Outward;
+    reach_ = craft.ways.reach(craft.senses);
+    ground_m_ = *ground_m;
+    craft.goUnder();
+    survey.add({laneTo(here_m, *ground_m)});
+    note(port, "Ground was seen behind a wall; the robot looks for a door to it near the ground.");
+    return true;
+}
+
+bool Leftovers::passDoor(Craft& craft, Survey& survey, bool returning, agent::CommandPort& port) {
+    const Vec2 here_m = craft.senses.position2_m();
+    const double to_door_m = returning && door_m_ ? (here_m - *door_m_).norm() : never_m;
+    craft.ways.comeNear(to_door_m < near_door_m); // Higher up, there is a wall beside it.
+    if (to_door_m < before_door_m) {
+        state_ = Door::Homeward;
+        craft.goUnder();
+        door_m_.reset();
+    }
+    const bool there = (here_m - ground_m_).norm() < at_ground_m ||
+                       craft.ways.map().hasRoom(here_m, craft.senses.position_m().z(), room_m);
+    if (state_ != Door::Outward || !there || reach_.leadsNear(here_m, beyond_m))
+        return false;
+    state_ = Door::Through;
+    door_m_ = here_m;
+    gaps_left_out_ = survey.addedLeftOut();
+    craft.comeUp();
+    survey.interrupt();
+    survey.retryCutOff();
+    port.publish(agent::PlannedPath{survey.corners_m()});
+    note(port, "The robot is through the door and flies the lanes that were cut off.");
+    return true;
+}
+
+} // namespace usar::airrobot

@@ -1,0 +1,45 @@
+// What a survey does once its lanes are flown, before it goes home: it flies past gaps in its map, and through a door.
+#pragma once
+
+#include <optional>
+
+#include "core/agent/command_port.h"
+#include "robots/airrobot/flight/craft.h"
+#include "robots/airrobot/gap_search.h"
+#include "robots/airrobot/survey.h"
+
+namespace usar::airrobot {
+
+/// Adds lanes to a survey, so that a decider needs no act for them. Where lanes were cut off by a wall, and the scanner
+/// has seen ground beyond it to which a way leads near the ground, the robot goes back to its base, sinks, flies
+/// through the door, comes up again and tries these lanes once more; on its way home it does the same the other way
+/// round. Owned by one behavior.
+class Leftovers {
+public:
+    /// Adds the next lanes over what the others have not shown; returns false if nothing is left that is worth it. Call
+    /// it when all lanes are done.
+    bool addLanes(Craft& craft, Survey& survey, const ScanLedger& ledger, const Vec2& base_m, agent::CommandPort& port);
+    /// Sinks before the door on the way home. Returns true in the tick in which the robot has come through on its way
+    /// out and must rise. Call it once per tick in the air.
+    bool passDoor(Craft& craft, Survey& survey, bool returning, agent::CommandPort& port);
+    /// The place before the door to which it must go first on its way home; nullopt if it has not come through one.
+    const std::optional<Vec2>& door_m() const { return door_m_; }
+    /// Forgets the door, because the robot takes off anew and its map of the walls is empty.
+    void startAnew();
+
+private:
+    bool closeGaps(Craft& craft, Survey& survey, const ScanLedger& ledger, agent::CommandPort& port);
+    bool tryDoor(Craft& craft, Survey& survey, const Vec2& base_m, agent::CommandPort& port);
+
+    enum class Door { Unknown, ToBase, Outward, Through, Homeward };
+
+    GapSearch gaps_;
+    int gaps_left_out_ = 0; ///< Survey::addedLeftOut when the search for gaps began
+    double gaps_m_ = 0.0;   ///< length of the lanes past gaps
+    Door state_ = Door::Unknown;
+    ReachablePlaces reach_;        ///< before it sank
+    Vec2 ground_m_ = Vec2::Zero(); ///< behind the door
+    std::optional<Vec2> door_m_;
+};
+
+} // namespace usar::airrobot
