@@ -120,8 +120,9 @@ void StripAdjustment::judge() {
 }
 
 void StripAdjustment::bridgeOrDecline(const std::string& reason) {
-    const bool known =
-        std::ranges::any_of(sorties_, [](const Sortie& sortie) { return sortie.closing_error_m.has_value(); });
+    bool known = false; // An end of a flight without scans would correct nothing.
+    for (std::size_t i = 0; i < std::min(scan_count_, store_->scans().size()); ++i)
+        known = known || sorties_[store_->scans()[i].sortie].closing_error_m.has_value();
     decline(reason);
     if (!known || (residual_bridged_m_ && *residual_bridged_m_ > *result_.residual_before_m))
         return;

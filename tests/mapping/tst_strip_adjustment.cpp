@@ -171,6 +171,15 @@ private slots:
         QVERIFY(knots.at(knots.size() / 2).sigma_m.x() > 2.0 * knots.front().sigma_m.x());
     }
 
+    void isNotBridgedByAFlightWithoutScans() {
+        FlownStrips flown = fly({.ground_m = plane, .lanes = 0, .lands = true});
+        flown.store.move(Seconds(100.0), Vec3::Zero());
+        flown.store.insWasSet(Vec3::Ones(), Vec3::Zero());
+        flown.store.move(Seconds(101.0), Vec3::Zero());
+        flown.store.keep(fly({.ground_m = plane}).store.scans().front());
+        QCOMPARE(adjust(flown.store).verdict, AdjustmentVerdict::Declined);
+    }
+
     void saysWhyItHasNothingToWorkOn_data() {
         QTest::addColumn<int>("lanes");
         QTest::addColumn<double>("spacing_m");
