@@ -179,9 +179,9 @@ QByteArray worldFile(const mapping::Raster& raster) {
         .toLatin1();
 }
 
-void writeRaw(Writing& writing, const QString& part, const mapping::Raster& raster) {
+void writeRaw(Writing& writing, const QString& part, const mapping::Raster& raster, const QString& ending = ".bil") {
     const std::vector<char> heights = mapping::bilBytes(raster);
-    writing.bytes(part + ".bil", heights.data(), static_cast<qsizetype>(heights.size()));
+    writing.bytes(part + ending, heights.data(), static_cast<qsizetype>(heights.size()));
     writing.bytes(part + ".hdr", QByteArray::fromStdString(mapping::bilHeader(raster)));
 }
 
@@ -221,7 +221,7 @@ QByteArray correctedPath(const std::vector<CorrectedPoint>& path) {
 void writeAdjustment(Writing& writing, const MapAdjustment& adjustment) {
     writing.bytes("_path.csv", correctedPath(adjustment.path));
     if (!writing.stopped())
-        writeRaw(writing, "_deviation", adjustment.deviation);
+        writeRaw(writing, "_deviation", adjustment.deviation, ".flt"); // A .bil is a map of heights.
 }
 
 void writeMap(Writing& writing, const ScanRecord& record, const mapping::HeightLook& look) {

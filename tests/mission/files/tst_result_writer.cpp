@@ -95,7 +95,7 @@ private slots:
         QCOMPARE(path.readLine(), QByteArray("time_s,estimated_x_m,estimated_y_m,estimated_z_m,x_m,y_m,z_m,"
                                              "sigma_x_m,sigma_y_m,sigma_z_m\n"));
         QCOMPARE(path.readAll(), QByteArray("1.50,1.000,2.000,3.000,1.250,2.000,2.500,0.100,0.200,0.050\n"));
-        QCOMPARE(QFileInfo(ending(*files, "_deviation.bil")).size(), qint64(record.raster.heights_m.size()) * 4);
+        QCOMPARE(QFileInfo(ending(*files, "_deviation.flt")).size(), qint64(record.raster.heights_m.size()) * 4);
         QVERIFY(!ending(*files, "_deviation.hdr").isEmpty());
     }
 
