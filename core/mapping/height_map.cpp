@@ -109,9 +109,18 @@ void HeightMap::record(GridIndex cell, float height_m, LineNumber line, bool mea
         ++hits;
     slot.tile.preview_m[offset] = height_m;
     slot.tile.line[offset] = line.value;
+    noteChange(slot);
+}
+
+void HeightMap::noteChange(Slot& slot) {
     if (!std::exchange(slot.changed, true))
         changed_.push_back(slot.tile.index);
     slot.range_old = true;
+}
+
+void HeightMap::addTile(GridIndex tile_index) {
+    constexpr std::int32_t side = HeightTile::side;
+    noteChange(slotFor({tile_index.column * side, tile_index.row * side}));
 }
 
 std::optional<HeightRange> HeightMap::range() const {

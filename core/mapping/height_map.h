@@ -81,6 +81,10 @@ public:
     /// of the old and the new value. Ignores values that are not finite.
     void fill(GridIndex cell, float height_m, LineNumber line) { record(cell, height_m, line, false); }
 
+    /// Makes sure that there is a tile, which counts as written: so that whoever has a tile of an earlier map learns
+    /// that nothing is known there now.
+    void addTile(GridIndex tile_index);
+
     /// Values of a cell as in HeightTile; nullopt or 0 if the cell is unknown.
     std::optional<float> height_m(GridIndex cell) const;
     std::optional<float> preview_m(GridIndex cell) const;
@@ -112,6 +116,7 @@ private:
     /// Finds or makes the slot. Tries the slot of the last write first, because neighboring cells are written in
     /// sequence.
     Slot& slotFor(GridIndex cell);
+    void noteChange(Slot& slot);
     void record(GridIndex cell, float height_m, LineNumber line, bool measured);
 
     double cell_size_m_;

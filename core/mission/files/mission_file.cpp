@@ -23,7 +23,7 @@ namespace {
 
 const std::vector<std::string> mission_keys{"name",   "world",   "robot",      "start",       "behavior",
                                             "plan",   "area",    "parameters", "cell_size_m", "limit_h",
-                                            "faults", "isolate", "seed",       "claims"};
+                                            "faults", "isolate", "seed",       "claims",      "adjust"};
 const std::vector<std::string> area_keys{"x", "y", "width", "height"};
 constexpr double farthest_m = 1e6;
 constexpr std::uint64_t largest_exact = std::uint64_t{1} << 53; ///< Whole numbers in JSON are exact below it.
@@ -134,6 +134,7 @@ Result<Mission> readMission(const QByteArray& json, const QString& file_name) {
     readLimit(reading, root, mission.limit_h);
     mission.faults = reading.texts(root, "faults", "a fault", "wind speed=5");
     reading.flag(root, "isolate", mission.isolate);
+    reading.flag(root, "adjust", mission.adjust);
     readSeed(reading, root, mission.seed);
     mission.claims = readClaims(reading, root);
     if (!(mission.cell_size_m >= smallest_cell_m && mission.cell_size_m <= largest_cell_m))
@@ -203,6 +204,8 @@ QByteArray writeMission(const Mission& mission, const std::vector<agent::Paramet
         all["limit_h"] = *mission.limit_h;
     if (mission.isolate)
         all["isolate"] = true;
+    if (!mission.adjust)
+        all["adjust"] = false;
     if (mission.seed)
         all["seed"] = *mission.seed < largest_exact ? QJsonValue(static_cast<qint64>(*mission.seed))
                                                     : QJsonValue(QString::number(*mission.seed));

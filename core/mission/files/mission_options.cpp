@@ -29,6 +29,7 @@ QList<QCommandLineOption> runOptions() {
             {"plugins", {}, "FOLDER"},
             {"battery", {}, "S"},
             {"limit", {}, "TIME"},
+            {"adjust", {}, "on|off"},
             QCommandLineOption("isolate"),
             QCommandLineOption("course"),
             QCommandLineOption("one-thread"),
@@ -79,6 +80,12 @@ Result<void> readValues(const QCommandLineParser& parser, MissionOptions& option
         if (!options.limit)
             return failure("the limit is no time above 0", asWritten(parser, "limit"),
                            "A number with s, min or h, for example --limit 20h");
+    }
+    if (const QString text = parser.value("adjust"); parser.isSet("adjust")) {
+        if (text != "on" && text != "off")
+            return failure("whether to adjust the map is neither on nor off", asWritten(parser, "adjust"),
+                           "For example --adjust off");
+        options.adjust = text == "on";
     }
     if (parser.isSet("connect")) {
         auto server = readServerAddress(parser.value("connect"));
@@ -190,6 +197,7 @@ Result<void> applyTo(Mission& mission, const MissionOptions& options) {
         mission.places.erase("plan");
     }
     mission.isolate = mission.isolate || options.isolate;
+    mission.adjust = options.adjust.value_or(mission.adjust);
     return {};
 }
 
@@ -237,6 +245,10 @@ QString missionHelp() {
                "                       gave goals up\n"
                "  --one-thread         simulator and behavior have no threads of their own, which costs least; a\n"
                "                       behavior that hangs then hangs the program\n"
+               "  --adjust on|off      on: the map is corrected where strips overlap (the mission's adjust, or on); "
+               "off: "
+               "the\n"
+               "                       thesis's map\n"
                "  --isolate            the behavior runs in a separate process, so that only that can crash\n"
                "\n"
                "A progress bar goes to standard error; the last line of standard output is one JSON object.\n"

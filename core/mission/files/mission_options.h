@@ -39,6 +39,7 @@ struct MissionOptions {
     QStringList values;           ///< KEY=VALUE to put over the mission's; see setValue
     QStringList plugin_folders;   ///< in addition to the plugins that come with the program
     bool isolate = false;         ///< on even if the mission does not ask for it
+    std::optional<bool> adjust;   ///< whether the map is adjusted; absent: as the mission says
     bool one_thread = false;      ///< the behavior has no thread of its own
     bool course = false;          ///< the summary tells how the run went, see RunCourse
     bool help = false;            ///< only the help is wanted

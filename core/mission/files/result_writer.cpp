@@ -179,9 +179,9 @@ QByteArray worldFile(const mapping::Raster& raster) {
         .toLatin1();
 }
 
-void writeRaw(Writing& writing, const QString& part, const mapping::Raster& raster) {
+void writeRaw(Writing& writing, const QString& part, const mapping::Raster& raster, const QString& ending = ".bil") {
     const std::vector<char> heights = mapping::bilBytes(raster);
-    writing.bytes(part + ".bil", heights.data(), static_cast<qsizetype>(heights.size()));
+    writing.bytes(part + ending, heights.data(), static_cast<qsizetype>(heights.size()));
     writing.bytes(part + ".hdr", QByteArray::fromStdString(mapping::bilHeader(raster)));
 }
 
@@ -206,10 +206,30 @@ void writePicture(Writing& writing, const ScanRecord& record, const mapping::Hei
     writing.image("_legend.png", legendPicture(record, look));
 }
 
+QByteArray correctedPath(const std::vector<CorrectedPoint>& path) {
+    QByteArray text = "time_s,estimated_x_m,estimated_y_m,estimated_z_m,x_m,y_m,z_m,sigma_x_m,sigma_y_m,sigma_z_m\n";
+    for (const CorrectedPoint& point : path) {
+        text += QByteArray::number(point.time.count(), 'f', 2);
+        for (const Vec3& place_m : {point.estimated_m, point.corrected_m, point.sigma_m})
+            for (const double value_m : place_m)
+                text += ',' + QByteArray::number(value_m, 'f', 3);
+        text += '\n';
+    }
+    return text;
+}
+
+void writeAdjustment(Writing& writing, const MapAdjustment& adjustment) {
+    writing.bytes("_path.csv", correctedPath(adjustment.path));
+    if (!writing.stopped())
+        writeRaw(writing, "_deviation", adjustment.deviation, ".flt"); // A .bil is a map of heights.
+}
+
 void writeMap(Writing& writing, const ScanRecord& record, const mapping::HeightLook& look) {
     writeRaw(writing, {}, record.raster);
     if (!writing.stopped())
         writeText(writing, record.raster);
+    if (record.adjustment && !record.adjustment->path.empty() && !writing.stopped())
+        writeAdjustment(writing, *record.adjustment);
     for (std::size_t i = 0; i < record.far_rasters.size() && !writing.stopped(); ++i)
         writeRaw(writing, QString("_far%1").arg(i + 1), record.far_rasters[i]);
     if (!writing.stopped())

@@ -13,6 +13,7 @@
 
 #include "core/agent/published.h"
 #include "core/mapping/raster_export.h"
+#include "core/mapping/strip_result.h"
 #include "core/mission/files/coverage_course.h"
 
 namespace usar::mission {
@@ -24,6 +25,29 @@ struct ContinuedRun {
     double distance_m = 0.0;
     int charges = 0;
     std::size_t cells = 0; ///< known cells that were taken over
+};
+
+/// A point of the corrected path: a scan's place as it was estimated and as it is now believed, with its standard
+/// deviation. Meters, map frame.
+struct CorrectedPoint {
+    Seconds time{0.0}; ///< since the first scan of the session
+    Vec3 estimated_m = Vec3::Zero();
+    Vec3 corrected_m = Vec3::Zero();
+    Vec3 sigma_m = Vec3::Zero();
+};
+
+/// What an adjustment of the strips has done to the map, see mapping::StripResult.
+struct MapAdjustment {
+    mapping::AdjustmentVerdict verdict = mapping::AdjustmentVerdict::Declined;
+    std::string reason{};
+    std::optional<double> residual_before_m{};
+    std::optional<double> residual_after_m{};
+    std::size_t overlaps = 0;
+    // The rest is filled only when the record is handed out, and empty if the adjustment was declined.
+    std::vector<CorrectedPoint> path{}; ///< at least a cell apart
+    /// Standard deviation of the heights as far as it comes from that of the path, on the grid of the record's raster;
+    /// NaN where the height is unknown.
+    mapping::Raster deviation{};
 };
 
 /// A plain value that crosses threads. Positions in meters, map frame. The height map itself stays with its session;
@@ -39,7 +63,8 @@ struct ScanRecord {
     /// Faults that were made to happen during the scan, in words: "60.2 s: fault begins: wind speed=5".
     std::vector<std::string> faults;
     CoverageCourse course;
-    std::optional<ContinuedRun> continues{}; ///< absent: the scan began with this run
+    std::optional<ContinuedRun> continues{};   ///< absent: the scan began with this run
+    std::optional<MapAdjustment> adjustment{}; ///< absent: nobody wanted it, or nothing was adjusted yet
     /// Grows with every change worth saving: map, path, marks, and in the status its words, charges and distance. With
     /// an empty map nothing is worth saving, so it begins at 0.
     std::uint64_t revision = 0;

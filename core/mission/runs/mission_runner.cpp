@@ -33,6 +33,7 @@ MissionRunner::MissionRunner(Mission mission, const agent::PluginLoader& plugins
     if (options_.result_folder.isEmpty())
         options_.result_folder = defaultResultFolder();
     session_.setLimits(options_.limits.session);
+    session_.setAdjust(mission_.adjust);
     timer_.setInterval(progress_period);
     connect(&timer_, &QTimer::timeout, this, &MissionRunner::look);
     connect(&session_, &RobotSession::noticed, this, &MissionRunner::noticed);
@@ -209,6 +210,7 @@ void MissionRunner::conclude(bool success, const std::string& reason, int exit_c
         return;
     timer_.stop();
     QCoreApplication::sendPostedEvents(this, QEvent::MetaCall); // The fault that ended the run may still be queued.
+    session_.finishMap();
     const ScanRecord record = session_.snapshot();
     RunSummary figures = figuresOf(record);
     figures.success = success;

@@ -95,10 +95,11 @@ void ScanPlayer::line(std::string_view text, LineNumber number) {
 }
 
 void ScanPlayer::takeCommand(std::string_view text) {
-    if (!text.starts_with("INIT"))
+    if (!text.starts_with("INIT") && !text.starts_with("SET"))
         return;
     Diagnostics ignored;
     const protocol::Command command = protocol::readCommand(text.substr(0, text.find_last_not_of("\r\n") + 1), ignored);
+    book_.takeSent(command);
     const auto* init = std::get_if<protocol::Init>(&command);
     if (!init)
         return;
@@ -134,6 +135,7 @@ void ScanPlayer::takeMission(std::string_view text) {
     recorded_.finished = false;
     recorded_.flown = *std::move(flown);
     const Mission& mission = recorded_.flown.mission;
+    book_.setAdjust(mission.adjust);
     book_.setCellSize(mission.cell_size_m); // It may have been chosen after the recording began.
     if (const QString& before = recorded_.flown.continues; !before.isEmpty()) {
         const auto earlier = playRecording(foundBeside(before, path_), chain_ + 1);
@@ -146,6 +148,7 @@ void ScanPlayer::takeMission(std::string_view text) {
 }
 
 RecordedScan ScanPlayer::result() {
+    book_.finishAdjustment();
     const ScanRecord& record = book_.record();
     RecordedScan result = std::move(recorded_);
     result.flown.mission.cell_size_m = book_.cellSize_m();

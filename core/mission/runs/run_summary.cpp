@@ -36,6 +36,28 @@ QJsonValue continuedBy(const std::optional<ContinuedRun>& run) {
                        {"cells", static_cast<qint64>(run->cells)}};
 }
 
+const char* wordOf(mapping::AdjustmentVerdict verdict) {
+    switch (verdict) {
+    case mapping::AdjustmentVerdict::Declined:
+        return "declined";
+    case mapping::AdjustmentVerdict::Bridged:
+        return "bridged";
+    case mapping::AdjustmentVerdict::Adjusted:
+        return "adjusted";
+    }
+    return "";
+}
+
+QJsonValue adjustedBy(const std::optional<MapAdjustment>& adjustment) {
+    if (!adjustment)
+        return QJsonValue::Null;
+    return QJsonObject{{"verdict", wordOf(adjustment->verdict)},
+                       {"reason", text(adjustment->reason)},
+                       {"residual_before_m", number(adjustment->residual_before_m, 4)},
+                       {"residual_after_m", number(adjustment->residual_after_m, 4)},
+                       {"overlaps", static_cast<qint64>(adjustment->overlaps)}};
+}
+
 QJsonValue seedOf(const RunSummary& summary) {
     return summary.seed ? QJsonValue(static_cast<qint64>(*summary.seed)) : QJsonValue(QJsonValue::Null);
 }
@@ -133,6 +155,7 @@ void addRecord(RunSummary& summary, const ScanRecord& record, const Truth* truth
     summary.heights = record.raster.range();
     summary.faults += textsOf(record.faults);
     summary.continues = record.continues;
+    summary.adjustment = record.adjustment;
     if (truth && flight)
         summary.reach = areaReach(record.raster, record.area_in_map, *truth, *flight);
     const std::string warning = summary.reach ? unreachableNotice(*summary.reach)
@@ -167,6 +190,7 @@ QJsonObject toJson(const RunSummary& summary) {
         {"lines_malformed", static_cast<qint64>(summary.lines_malformed)},
         {"lockstep", summary.lockstep},
         {"continues", continuedBy(summary.continues)},
+        {"adjustment", adjustedBy(summary.adjustment)},
         {"warnings", QJsonArray::fromStringList(summary.warnings)},
         {"faults", QJsonArray::fromStringList(summary.faults)},
         {"files", QJsonArray::fromStringList(summary.files)}};

@@ -75,11 +75,12 @@ struct RunSummary {
     std::uint64_t lines_received = 0;
     std::uint64_t lines_malformed = 0;
     bool lockstep = false;
-    std::optional<ContinuedRun> continues{}; ///< key continues: null, or an object with the keys of its fields
-    QStringList faults;                      ///< injected faults, with their times
-    QStringList files;                       ///< full paths of the saved files
-    std::vector<ClaimVerdict> claims{};      ///< of the mission; the JSON has the key only if there are any
-    std::optional<RunCourse> course{};       ///< absent: nobody has asked for it, and the JSON has no such key
+    std::optional<ContinuedRun> continues{};   ///< key continues: null, or an object with the keys of its fields
+    std::optional<MapAdjustment> adjustment{}; ///< key adjustment: null, or an object; without its path and deviation
+    QStringList faults;                        ///< injected faults, with their times
+    QStringList files;                         ///< full paths of the saved files
+    std::vector<ClaimVerdict> claims{};        ///< of the mission; the JSON has the key only if there are any
+    std::optional<RunCourse> course{};         ///< absent: nobody has asked for it, and the JSON has no such key
 };
 
 /// Facts about a run that only the owner of the simulator knows.

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <utility>
 
+#include <QTimer>
+
 #include "core/link/across_threads.h"
 #include "core/mission/files/result_writer.h"
 #include "core/mission/session/robot_session_private.h"
@@ -147,10 +149,23 @@ void RobotSession::sendCommand(const protocol::Command& command, const by::Sourc
 }
 
 void RobotSession::requestRecord() {
+    if (d_->book.adjustPart()) { // In parts, so that lines and orders are taken in between.
+        QTimer::singleShot(0, this, &RobotSession::requestRecord);
+        return;
+    }
+    d_->touched();
     const auto record = std::make_shared<const ScanRecord>(snapshot());
     if (const std::string notice = farPartsNotice(*record); !notice.empty())
         d_->notices.say(Severity::Warning, Topic::FarParts, notice);
     emit recordReady(record);
+}
+
+void RobotSession::setAdjust(bool on) {
+    d_->book.setAdjust(on);
+}
+
+void RobotSession::finishMap() {
+    d_->book.finishAdjustment();
 }
 
 void RobotSession::setCellSize(double cell_size_m) {

@@ -37,6 +37,8 @@ public:
     ScanRecord snapshot() const;
     SessionFigures figures() const;
     const mapping::HeightMap& map() const;
+    /// Adjusts the map with everything that was scanned; takes up to some seconds, so it is for headless use.
+    void finishMap();
     const link::LinkStatus& linkStatus() const;
 
     /// The behavior is stopped as soon as these claims are decided; to be called before it starts.
@@ -78,7 +80,10 @@ public slots:
     /// Ends the hold but not the control; `reason` is a part of a sentence.
     void stopDriving(const QString& reason);
     void sendCommand(const usar::protocol::Command& command, const usar::by::Source& source);
-    /// Emits `recordReady` with a copy of everything that was scanned, for the export pool.
+    /// Whether the map is adjusted at each landing and at the end, see ScanBook::setAdjust.
+    void setAdjust(bool on);
+    /// Emits `recordReady` with a copy of everything that was scanned, for the export pool, once an adjustment of the
+    /// map that is under way is done.
     void requestRecord();
     /// Cell size of the height map, 0.02 .. 10 m. Refused with a notice once the map has heights.
     void setCellSize(double cell_size_m);

@@ -152,6 +152,7 @@ void RobotSession::Private::finishBehavior(const agent::BehaviorFinished& finish
         records.noteFinished(end);
     records.forgetBehavior();
     const bool broke = helm.dismiss();
+    book.endTask();
     behavior_running = false;
     updates.lookForObservers();
     if (!is_published)
@@ -175,6 +176,7 @@ void RobotSession::Private::writeLine(const agent::CausedCommand& command, std::
     if (connected())
         records.sent(command.cause, text);
     link.send(text);
+    book.takeSent(command.command);
     updates.addCommand(command, std::move(text), incoming.newest(), incoming.now());
 }
 
@@ -249,6 +251,7 @@ void RobotSession::Private::replayLine(std::string_view text, LineNumber number)
 
 void RobotSession::Private::replayCommand(const agent::CausedCommand& command, std::string text, LineNumber after) {
     helm.sawSent(command.command);
+    book.takeSent(command.command);
     if (const auto* asked = std::get_if<protocol::Init>(&command.command))
         spawning.sawInit(*asked);
     updates.addCommand(command, std::move(text), after, incoming.now());

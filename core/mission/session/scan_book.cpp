@@ -5,6 +5,7 @@
 
 #include "core/base/numbers.h"
 #include "core/mapping/area_cells.h"
+#include "core/mapping/deviation.h"
 #include "core/mapping/raster_export.h"
 
 namespace usar::mission {
@@ -29,6 +30,8 @@ void addCells(const mapping::HeightTile& tile, mapping::HeightMap& map) {
 
 void ScanBook::rewind() {
     mapper_.clearMap();
+    adjuster_.forget();
+    earlier_tiles_.clear();
     whole_area_in_map_.reset();
     ScanRecord empty;
     empty.level = std::move(record_.level);
@@ -38,6 +41,8 @@ void ScanBook::rewind() {
 
 void ScanBook::beginReplay(std::optional<double> cell_size_m, const std::string& level) {
     mapper_.clearMap(cell_size_m);
+    adjuster_.forget();
+    earlier_tiles_.clear();
     record_.level = level;
 }
 
@@ -53,8 +58,8 @@ void ScanBook::continueScan(const EarlierScan& earlier) {
     whole_area_in_map_ = earlier.record.area_in_map;
     if (mapper_.map().knownCellCount() > 0)
         return;
-    for (const auto& [index, tile] : earlier.tiles)
-        addCells(*tile, mapper_.map());
+    earlier_tiles_ = earlier.tiles;
+    mapper_.replaceMap(emptyMap());
     const std::string level = record_.level.empty() ? earlier.record.level : record_.level;
     record_ = earlier.record;
     record_.level = level;
@@ -69,8 +74,11 @@ void ScanBook::take(const protocol::InfoLine& line) {
         mapper_.takeScan(*scan, line.number);
     else if (const auto* configuration = std::get_if<protocol::ConfigurationInfo>(&line.message))
         mapper_.takeConfiguration(*configuration);
+    else if (const auto* geometry = std::get_if<protocol::GeometryInfo>(&line.message))
+        mapper_.takeGeometry(*geometry);
     else if (const auto* game = std::get_if<protocol::GameInfo>(&line.message))
         record_.level = game->level;
+    adjustPart();
 }
 
 void ScanBook::take(const agent::Published& value) {
@@ -79,7 +87,7 @@ void ScanBook::take(const agent::Published& value) {
     } else if (const auto* status = std::get_if<agent::BehaviorStatus>(&value)) {
         takeStatus(*status);
     } else if (const auto* pose = std::get_if<agent::PoseEstimate>(&value)) {
-        takePose(pose->base_in_map.position_m);
+        takePose(*pose);
     } else if (const auto* mark = std::get_if<agent::MapMark>(&value)) {
         record_.marks.push_back(*mark);
         worthSaving();
@@ -106,7 +114,10 @@ void ScanBook::takeStatus(const agent::BehaviorStatus& status) {
         record_.course.add({status.elapsed, *covered_pct});
 }
 
-void ScanBook::takePose(const Vec3& point_m) {
+void ScanBook::takePose(const agent::PoseEstimate& estimate) {
+    if (mapper_.takePose(estimate)) // It has landed, and stands still for a while.
+        beginAdjustment();
+    const Vec3& point_m = estimate.base_in_map.position_m;
     if (record_.path_m.empty() || (point_m - record_.path_m.back()).norm() >= cellSize_m()) {
         record_.path_m.push_back(point_m);
         worthSaving();
@@ -124,6 +135,57 @@ void ScanBook::setCellSize(double cell_size_m) {
                      fixed(cell_size_m, 2) + " m.");
 }
 
+void ScanBook::setAdjust(bool on) {
+    adjusts_ = on;
+    mapper_.improve(on);
+}
+
+void ScanBook::beginAdjustment() {
+    if (adjusts_ && adjuster_.hasNews())
+        adjuster_.begin();
+}
+
+bool ScanBook::adjustPart() {
+    if (!adjuster_.step())
+        return false;
+    const auto& result = adjuster_.result();
+    if (!result || adjuster_.busy())
+        return true;
+    record_.adjustment = MapAdjustment{result->verdict, result->reason, result->residual_before_m,
+                                       result->residual_after_m, result->overlaps};
+    worthSaving();
+    return true;
+}
+
+void ScanBook::finishAdjustment() {
+    beginAdjustment();
+    while (adjustPart()) {
+    }
+}
+
+mapping::HeightMap ScanBook::emptyMap() const {
+    mapping::HeightMap map(cellSize_m());
+    for (const auto& [index, tile] : earlier_tiles_)
+        addCells(*tile, map);
+    return map;
+}
+
+void ScanBook::describeAdjustment(ScanRecord& copy) const {
+    const auto& result = adjuster_.result();
+    if (!copy.adjustment || !result || result->correction.sorties.empty())
+        return;
+    const mapping::ScanStore& store = mapper_.store();
+    for (const mapping::KeptScan& scan : store.scans()) {
+        const Vec3& at_m = scan.scanner_in_map.position_m;
+        std::vector<CorrectedPoint>& path = copy.adjustment->path;
+        if (!path.empty() && (at_m - path.back().estimated_m).norm() < cellSize_m())
+            continue;
+        const mapping::PathKnot knot = result->correction.at(scan.sortie, scan.time);
+        path.push_back({scan.time - store.scans().front().time, at_m, at_m - knot.error_m, knot.sigma_m});
+    }
+    copy.adjustment->deviation = mapping::deviationOf(copy.raster, mapper_.map(), store, result->correction);
+}
+
 ScanRecord ScanBook::snapshot() const {
     ScanRecord copy = record_;
     copy.raster.cell_size_m = cellSize_m();
@@ -132,6 +194,7 @@ ScanRecord ScanBook::snapshot() const {
         copy.raster = std::move(copy.far_rasters.front());
         copy.far_rasters.erase(copy.far_rasters.begin());
     }
+    describeAdjustment(copy);
     copy.cells_left_out = mapper_.map().knownCellCount() - knownCellCount(copy);
     return copy;
 }

@@ -6,6 +6,7 @@
 
 #include "core/mission/files/scan_record.h"
 #include "core/mission/session/earlier_scan.h"
+#include "core/mission/session/map_adjuster.h"
 #include "core/mission/session/notices.h"
 #include "core/mission/session/scan_mapper.h"
 
@@ -16,7 +17,10 @@ namespace usar::mission {
 class ScanBook {
 public:
     /// `notices` must outlive this object.
-    ScanBook(double cell_size_m, Notices& notices) : notices_(notices), mapper_(cell_size_m) {}
+    ScanBook(double cell_size_m, Notices& notices)
+        : notices_(notices)
+        , mapper_(cell_size_m)
+        , adjuster_(mapper_, [this] { return emptyMap(); }) {}
 
     /// Forgets unplaced scans: on a new connection they can no longer be matched with their placements.
     void beginConnection() { mapper_.forgetScans(); }
@@ -30,11 +34,23 @@ public:
     /// that run's: the record keeps the area of the whole.
     void continueScan(const EarlierScan& earlier);
 
+    /// Also does a part of an adjustment that is under way.
     void take(const protocol::InfoLine& line);
     void take(const agent::Published& value);
+    /// Takes a command that was sent, now or in a replay.
+    void takeSent(const protocol::Command& command) { mapper_.takeSent(command); }
     /// Keeps a status that is only passed on the way to another moment of a replay.
     void passStatus(const agent::BehaviorStatus& status) { record_.status = status; }
     void noteFault(const std::string& sentence) { record_.faults.push_back(sentence); }
+    /// Whether the map is adjusted (MapAdjuster) at each landing and at the end of each task; otherwise it is that of
+    /// the thesis. It is unless this is called before the first scan.
+    void setAdjust(bool on);
+    /// The task is over: begins to adjust the map. A part follows with each line, or with `adjustPart`.
+    void endTask() { beginAdjustment(); }
+    /// Does a part of an adjustment that is under way; returns false if there is none.
+    bool adjustPart();
+    /// Adjusts the map with all scans that are there, which may take some seconds.
+    void finishAdjustment();
     /// Refused with a notice once the map has heights.
     void setCellSize(double cell_size_m);
 
@@ -47,11 +63,19 @@ public:
 private:
     void takePlacement(const agent::ScanPlacement& placement);
     void takeStatus(const agent::BehaviorStatus& status);
-    void takePose(const Vec3& point_m);
+    void takePose(const agent::PoseEstimate& estimate);
+    void beginAdjustment();
+    /// The map without the scans of this run.
+    mapping::HeightMap emptyMap() const;
+    /// Fills in the corrected path and the deviation of a copy with its raster.
+    void describeAdjustment(ScanRecord& copy) const;
     void worthSaving() { record_.revision += mapper_.map().knownCellCount() > 0 ? 1 : 0; }
 
     Notices& notices_;
     ScanMapper mapper_;
+    MapAdjuster adjuster_;
+    bool adjusts_ = true;
+    mapping::HeightTiles earlier_tiles_; ///< what an earlier run has scanned
     ScanRecord record_;
     std::optional<Rectangle> whole_area_in_map_; ///< area of the next task's record; absent: that of the task
     bool unplaced_said_ = false;

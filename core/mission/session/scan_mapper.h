@@ -9,7 +9,10 @@
 
 #include "core/agent/published.h"
 #include "core/mapping/height_map.h"
+#include "core/mapping/level_flight.h"
 #include "core/mapping/scan_integrator.h"
+#include "core/mapping/scan_store.h"
+#include "core/protocol/command.h"
 #include "core/protocol/info_message.h"
 
 namespace usar::mission {
@@ -20,6 +23,7 @@ class ScanMapper {
 public:
     static constexpr std::size_t shelf_size = 8;
     static constexpr std::size_t scanner_limit = 16;
+    static constexpr std::size_t mount_limit = 64;
 
     /// `cell_size_m` is the size of the map's cells.
     explicit ScanMapper(double cell_size_m) : map_(cell_size_m) {}
@@ -29,14 +33,29 @@ public:
     /// Learns the maximum range of scanners from CONF; at and beyond it, a beam hit nothing. It is 20 m until it is
     /// known.
     void takeConfiguration(const protocol::ConfigurationInfo& configuration);
+    /// Learns from GEO how scanners are mounted on the robot. Scans are placed as the behavior says until it is known.
+    void takeGeometry(const protocol::GeometryInfo& geometry);
+    /// Takes the robot's own estimate of its pose, from which the drift of roll and pitch is learned. True if it shows
+    /// that the INS was set, as a command had told it.
+    bool takePose(const agent::PoseEstimate& estimate);
+    /// Takes a command that was sent, because one that sets the INS ends its drift as soon as the estimates agree.
+    void takeSent(const protocol::Command& command);
+    /// Whether placed scans get the roll and pitch of LevelFlight instead of the INS's own, and are kept so that the
+    /// map can be made again. They do and are unless this is called; to be called before the first scan.
+    void improve(bool on) { improves_ = on; }
     /// Writes a kept scan into the map. False if the scan is not kept, or no longer. Scans that do not follow one
     /// another are not joined.
     bool place(const agent::ScanPlacement& placement);
     /// Forgets all scans, to be called for a new connection, on which old line numbers mean nothing. The map stays.
     void forgetScans();
-    /// Empties the map; without `cell_size_m` the size of its cells stays the same.
+    /// Empties the map and forgets the scans that it was made of; without `cell_size_m` the size of its cells stays the
+    /// same.
     void clearMap(std::optional<double> cell_size_m = {});
 
+    /// Replaces the map by one that was made from the kept scans.
+    void replaceMap(mapping::HeightMap map);
+
+    const mapping::ScanStore& store() const { return store_; }
     mapping::HeightMap& map() { return map_; }
     const mapping::HeightMap& map() const { return map_; }
     /// Points hit by the newest placed scan of any scanner, map frame, NaN = no hit.
@@ -53,14 +72,24 @@ private:
         std::array<Shelved, shelf_size> shelf;
         std::uint64_t scans_taken = 0;
         std::uint64_t last_placed = 0;
+        std::uint32_t number = 0; ///< KeptScan::scanner
     };
     Scanner& scannerNamed(const std::string& name);
+    /// The scanner's pose without the drift of the INS's roll and pitch.
+    Pose leveled(const std::string& scanner, const Pose& scanner_in_map) const;
     /// Maximum range in meters.
     double maximumOf(const std::string& scanner) const;
 
     mapping::HeightMap map_;
     std::map<std::string, Scanner> scanners_;
     std::map<std::string, double> maximum_m_; ///< by scanner
+    std::map<std::string, Pose> mounts_;      ///< poses of scanners in the robot's frame
+    std::optional<Vec3> set_in_map_m_;        ///< where the INS was told to be, until it is there
+    int estimates_since_set_ = 0;
+    std::optional<Vec3> last_base_in_map_m_;
+    mapping::LevelFlight level_flight_;
+    mapping::ScanStore store_;
+    bool improves_ = true;
     std::vector<Vec3> last_hits_;
 };
 

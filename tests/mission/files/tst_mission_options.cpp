@@ -58,6 +58,11 @@ private slots:
         of_campaign.one_thread = true;
         of_campaign.course = true;
         QTest::newRow("as a campaign flies") << QStringList{"run", "a.json", "--course", "--one-thread"} << of_campaign;
+        for (const auto& [text, on] : {std::pair("on", true), {"off", false}}) {
+            MissionOptions told = plain;
+            told.adjust = on;
+            QTest::addRow("the map adjusted: %s", text) << QStringList{"run", "a.json", "--adjust", text} << told;
+        }
         MissionOptions rest;
         rest.continued = "r.usarrec";
         QTest::newRow("the rest of a mission") << QStringList{"run", "--continue", "r.usarrec"} << rest;
@@ -106,6 +111,8 @@ private slots:
         QTest::newRow("joined value empty") << QStringList{"run", "a.json", "--seed="} << "the seed is not";
         QTest::newRow("seed no number") << QStringList{"run", "a.json", "--seed", "x"} << "--seed x: the seed is not";
         QTest::newRow("seed negative") << QStringList{"run", "a.json", "--seed", "-1"} << "--seed -1: the seed is not";
+        QTest::newRow("adjust a little") << QStringList{"run", "a.json", "--adjust", "little"}
+                                         << "--adjust little: whether to adjust the map is neither on nor off";
         QTest::newRow("speed zero") << QStringList{"run", "a.json", "--speed", "0"}
                                     << "--speed 0: the speed is neither";
         QTest::newRow("speed with a comma") << QStringList{"run", "a.json", "--speed", "1,5"} << "the speed is neither";

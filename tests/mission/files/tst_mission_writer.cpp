@@ -45,6 +45,7 @@ Mission anyMission(std::mt19937& random) {
     if (random() % 2)
         mission.limit_h = 0.5 + static_cast<double>(random() % 50);
     mission.isolate = true;
+    mission.adjust = random() % 2 == 0;
     return mission;
 }
 
@@ -66,6 +67,7 @@ private slots:
             QCOMPARE(back->faults, mission.faults);
             QCOMPARE(back->limit_h, mission.limit_h);
             QVERIFY(back->isolate);
+            QCOMPARE(back->adjust, mission.adjust);
             auto parameters = withAnglesInRadians(back->parameters, specs);
             const double turn_rad = std::get<double>(parameters.at("turn_rad"));
             QVERIFY(std::abs(turn_rad - std::get<double>(mission.parameters.at("turn_rad"))) < 1e-12);

@@ -81,6 +81,24 @@ private slots:
         QCOMPARE(found, expected);
     }
 
+    void addsThePathAndTheDeviationOfAnAdjustedMap() {
+        QTemporaryDir folder;
+        ScanRecord record = sampleScan(30);
+        record.adjustment =
+            MapAdjustment{.verdict = mapping::AdjustmentVerdict::Adjusted,
+                          .path = {{Seconds(1.5), Vec3(1.0, 2.0, 3.0), Vec3(1.25, 2.0, 2.5), Vec3(0.1, 0.2, 0.05)}},
+                          .deviation = record.raster};
+        const auto files = writeResults(record, {}, folder.path());
+        QVERIFY(files.has_value());
+        QFile path(ending(*files, "_path.csv"));
+        QVERIFY(path.open(QIODevice::ReadOnly));
+        QCOMPARE(path.readLine(), QByteArray("time_s,estimated_x_m,estimated_y_m,estimated_z_m,x_m,y_m,z_m,"
+                                             "sigma_x_m,sigma_y_m,sigma_z_m\n"));
+        QCOMPARE(path.readAll(), QByteArray("1.50,1.000,2.000,3.000,1.250,2.000,2.500,0.100,0.200,0.050\n"));
+        QCOMPARE(QFileInfo(ending(*files, "_deviation.flt")).size(), qint64(record.raster.heights_m.size()) * 4);
+        QVERIFY(!ending(*files, "_deviation.hdr").isEmpty());
+    }
+
     void gdalOpensTheRawHeights() {
         QTemporaryDir folder;
         const ScanRecord record = sampleScan(64, 0.5);

@@ -34,12 +34,38 @@ private slots:
         flown.truth = TrueFigures{3, 12.5, Seconds(4.0), 1, 2, Seconds(7.5), HeightOverGround{0.5, 4.0, 0.25}};
         flown.seed = 7;
         QCOMPARE(toJson(flown).keys(), refused.keys());
-        QCOMPARE(refused.size(), 33);
+        QCOMPARE(refused.size(), 34);
         for (const char* key :
              {"mission", "behavior", "plan", "seed", "speed_x", "rmse_m", "rmse_surface_m", "collisions",
               "true_distance_m", "least_height_m", "first_touch_s", "reachable_coverage_pct", "unreachable_m2"})
             QVERIFY2(refused[key].isNull(), key);
         QCOMPARE(toJson(flown)["seed"].toInt(), 7);
+    }
+
+    void tellsWhatTheAdjustmentHasDone_data() {
+        QTest::addColumn<int>("verdict");
+        QTest::addColumn<QString>("word");
+        QTest::newRow("declined") << int(mapping::AdjustmentVerdict::Declined) << "declined";
+        QTest::newRow("bridged") << int(mapping::AdjustmentVerdict::Bridged) << "bridged";
+        QTest::newRow("adjusted") << int(mapping::AdjustmentVerdict::Adjusted) << "adjusted";
+    }
+    void tellsWhatTheAdjustmentHasDone() {
+        QFETCH(int, verdict);
+        QFETCH(QString, word);
+        ScanRecord record = sampleScan(20);
+        record.adjustment = MapAdjustment{.verdict = mapping::AdjustmentVerdict(verdict),
+                                          .reason = "Because.",
+                                          .residual_before_m = 0.43219,
+                                          .overlaps = 7};
+        RunSummary summary;
+        QVERIFY(toJson(summary)["adjustment"].isNull());
+        addRecord(summary, record, nullptr);
+        const QJsonObject told = toJson(summary)["adjustment"].toObject();
+        QCOMPARE(told["verdict"].toString(), word);
+        QCOMPARE(told["reason"].toString(), QString("Because."));
+        QCOMPARE(told["residual_before_m"].toDouble(), 0.4322);
+        QVERIFY(told["residual_after_m"].isNull());
+        QCOMPARE(told["overlaps"].toInt(), 7);
     }
 
     void theCourseIsToldOnlyToThoseWhoAsk() {

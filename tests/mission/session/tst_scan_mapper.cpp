@@ -138,6 +138,35 @@ private slots:
         QCOMPARE(mapper.map().knownCellCount(), std::size_t(0));
         QCOMPARE(mapper.map().cellSize_m(), 0.5);
     }
+
+    void placesAScanWithoutTheDriftOfTheRoll_data() {
+        QTest::addColumn<bool>("mount_known");
+        QTest::addColumn<bool>("wanted");
+        QTest::addColumn<double>("hit_y_m");
+        QTest::newRow("as the dynamics say") << true << true << 0.0;
+        QTest::newRow("as the INS says, if nobody wants it") << true << false << 0.5;
+        QTest::newRow("as the INS says, if the mount is unknown") << false << true << 0.5;
+    }
+    void placesAScanWithoutTheDriftOfTheRoll() {
+        QFETCH(bool, mount_known);
+        QFETCH(bool, wanted);
+        QFETCH(double, hit_y_m);
+        const Pose mount{.pitch_rad = pi / 2};
+        ScanMapper mapper(0.25);
+        mapper.improve(wanted);
+        if (mount_known)
+            mapper.takeGeometry({"RangeScanner", {{"Scanner1", mount, "HARD"}}});
+        Pose base{.position_m = {0.0, 0.0, 5.0}};
+        for (int tick = 1; tick <= 300; ++tick) { // A roll of 0.1 rad creeps in while the robot flies straight ahead.
+            base.position_m.x() = 0.2 * tick;
+            base.roll_rad = std::min(0.1, 0.0005 * tick) + (tick % 2 ? 0.02 : -0.02);
+            mapper.takePose({Seconds(0.2 * tick), base});
+        }
+        base.roll_rad = 0.1;
+        mapper.takeScan(scanOf(5.0), {41});
+        QVERIFY(mapper.place({{41}, base * mount}));
+        QVERIFY(std::abs(mapper.lastHits().at(1).y() - hit_y_m) < 0.1);
+    }
 };
 
 USAR_TEST(tst_ScanMapper)

@@ -1,0 +1,43 @@
+// Makes a height map again from kept scans, with a corrected path.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "core/mapping/height_map.h"
+#include "core/mapping/path_correction.h"
+#include "core/mapping/scan_integrator.h"
+#include "core/mapping/scan_store.h"
+
+namespace usar::mapping {
+
+/// Writes the scans in the order in which they came, so that without a correction the map is the same again up to the
+/// rounding of ranges to 32 bits. Works in steps, so that whoever owns it can do something else in between; a step
+/// writes `scans_per_step` scans and takes about 10 ms.
+class MapRebuild {
+public:
+    static constexpr std::size_t scans_per_step = 200;
+
+    /// `map` is what was known before the first scan, usually nothing. `store` must outlive this object and may grow
+    /// meanwhile: new scans are written, too.
+    MapRebuild(const ScanStore& store, PathCorrection correction, HeightMap map)
+        : store_(&store)
+        , correction_(std::move(correction))
+        , map_(std::move(map)) {}
+
+    /// Writes some scans; returns false if there are no more.
+    bool step();
+    HeightMap takeMap() { return std::move(map_); }
+
+private:
+    const ScanStore* store_;
+    PathCorrection correction_;
+    HeightMap map_;
+    std::map<std::uint32_t, ScanIntegrator> integrators_; ///< by scanner
+    std::vector<double> ranges_m_;
+    std::size_t next_ = 0;
+};
+
+} // namespace usar::mapping

@@ -1,0 +1,50 @@
+// Makes the height map of a session again when the path of its robot is known better.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+
+#include "core/mapping/map_rebuild.h"
+#include "core/mapping/strip_adjustment.h"
+#include "core/mission/session/scan_mapper.h"
+
+namespace usar::mission {
+
+/// Adjusts the strips of the kept scans (mapping::StripAdjustment), writes all scans into a new map and replaces the
+/// mapper's map by it. The work is done in parts, so that the session can take lines in between: a part for each line
+/// does not depend on how fast the machine is, and equal lines give equal maps. A part takes a tenth of a second at
+/// most; a flight of two hours has some 200. Scans that are placed meanwhile get into the new map, too. Belongs to a
+/// session and its thread.
+class MapAdjuster {
+public:
+    /// `mapper` must outlive this object. `emptyMap` makes the map without any scan.
+    MapAdjuster(ScanMapper& mapper, std::function<mapping::HeightMap()> emptyMap)
+        : mapper_(mapper)
+        , emptyMap_(std::move(emptyMap)) {}
+
+    /// Begins to adjust all scans so far; a work that is under way is dropped.
+    void begin();
+    /// True if scans were kept since the last `begin`.
+    bool hasNews() const { return mapper_.store().scans().size() != scans_begun_ || mapper_.store().overfull(); }
+    bool busy() const { return adjustment_ || rebuild_; }
+    /// Does a part of the work; returns false if there was none.
+    bool step();
+    /// Forgets everything, to be called when the mapper's map is emptied.
+    void forget();
+    /// The result that the mapper's map has; absent: it has not been adjusted yet.
+    const std::optional<mapping::StripResult>& result() const { return result_; }
+
+private:
+    void conclude();
+
+    ScanMapper& mapper_;
+    std::function<mapping::HeightMap()> emptyMap_;
+    std::size_t scans_begun_ = 0;
+    std::optional<mapping::StripAdjustment> adjustment_;
+    std::optional<mapping::StripResult> adjusted_; ///< of the map that is being made
+    std::optional<mapping::MapRebuild> rebuild_;
+    std::optional<mapping::StripResult> result_;
+};
+
+} // namespace usar::mission

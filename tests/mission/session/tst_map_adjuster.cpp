@@ -1,0 +1,212 @@
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "core/mission/session/scan_book.h"
+#include "tests/suite/suite.h"
+
+namespace tst_map_adjuster {
+
+using namespace usar;
+using mapping::AdjustmentVerdict;
+using mission::ScanBook;
+
+namespace {
+
+double hills(double x_m, double y_m) {
+    return std::sin(0.7 * x_m) + std::sin(0.6 * y_m + 0.3);
+}
+
+/// A session's book and a robot that flies over hills, with a scanner that looks straight down.
+class Flight {
+public:
+    explicit Flight(bool adjust = true) {
+        book.setAdjust(adjust);
+        book.beginTask("b", "R1", {{0.0, 0.0}, {30.0, 20.0}});
+    }
+
+    /// A lane along x at this y, with an error of the estimate.
+    void lane(double y_m, const Vec3& error_m) {
+        for (double x_m = 0.0; x_m < 30.0; x_m += 0.2)
+            scan({x_m, y_m, 6.0}, error_m);
+    }
+    /// The INS is set where it stands, and the robot waits for a line or so.
+    void setIns(const Vec3& at_m, const Vec3& error_m) {
+        estimate(at_m + error_m);
+        book.takeSent(protocol::SetInsPose{.base_in_map = {.position_m = at_m}});
+        estimate(at_m);
+    }
+    void wait(int lines) {
+        for (int i = 0; i < lines; ++i)
+            book.take(protocol::InfoLine{{++line_}, "NFO", protocol::GameInfo{.level = "hills"}, {}});
+    }
+    double error_m() {
+        const mapping::HeightMap& map = book.mapper().map();
+        double sum_m2 = 0.0, cells = 0.0;
+        for (double x_m = 1.0; x_m < 29.0; x_m += 0.25)
+            for (double y_m = 1.0; y_m < 17.0; y_m += 0.25)
+                if (const auto height_m = map.height_m(map.cellAt({x_m + 0.1, y_m + 0.1}))) {
+                    const Vec2 center_m = map.center_m(map.cellAt({x_m + 0.1, y_m + 0.1}));
+                    sum_m2 += std::pow(double(*height_m) - hills(center_m.x(), center_m.y()), 2);
+                    cells += 1.0;
+                }
+        return std::sqrt(sum_m2 / cells);
+    }
+
+    mission::Notices notices{[](const mission::Notice&) {}};
+    ScanBook book{0.25, notices};
+
+private:
+    void estimate(const Vec3& at_m) {
+        now_ += Seconds(0.2);
+        book.take(agent::Published(agent::PoseEstimate{now_, {.position_m = at_m}}));
+    }
+    void scan(const Vec3& at_m, const Vec3& error_m) {
+        const Pose down{.position_m = at_m + error_m, .pitch_rad = pi / 2};
+        protocol::RangeScan scan{.name = "Scanner1", .resolution_rad = radians(2.0), .fov_rad = radians(120.0)};
+        for (int k = 0; k <= 60; ++k) {
+            const double angle_rad = radians(2.0 * k - 60.0);
+            double near_m = 0.0, far_m = 20.0;
+            for (int i = 0; i < 16; ++i) {
+                const double range_m = (near_m + far_m) / 2.0;
+                const bool above = at_m.z() - range_m * std::cos(angle_rad) >
+                                   hills(at_m.x(), at_m.y() + range_m * std::sin(angle_rad));
+                (above ? near_m : far_m) = range_m;
+            }
+            scan.ranges_m.push_back(near_m);
+        }
+        estimate(at_m + error_m);
+        book.take(protocol::InfoLine{{++line_}, "SEN", scan, {}});
+        book.take(agent::Published(agent::ScanPlacement{{line_}, down}));
+    }
+
+    std::uint64_t line_ = 0;
+    Seconds now_{0.0};
+};
+
+/// Three lanes of which the middle one is misplaced, more than a random walk is likely to do.
+void flyThreeLanes(Flight& flight) {
+    flight.setIns({0.0, 0.0, 6.0}, Vec3::Zero());
+    flight.lane(3.0, Vec3::Zero());
+    flight.lane(9.0, {0.3, -0.2, 0.25});
+    flight.lane(15.0, {0.1, 0.1, 0.1});
+}
+
+} // namespace
+
+class tst_MapAdjuster : public QObject {
+    Q_OBJECT
+private slots:
+    void adjustsTheMapWhenTheInsIsSet() {
+        Flight flight;
+        flyThreeLanes(flight);
+        const double before_m = flight.error_m();
+        const auto revision = flight.book.record().revision;
+        flight.setIns({0.0, 15.0, 6.0}, {0.1, 0.1, 0.1});
+        QVERIFY(!flight.book.record().adjustment);
+        flight.wait(30);
+        QVERIFY(flight.book.record().adjustment);
+        QCOMPARE(flight.book.record().adjustment->verdict, AdjustmentVerdict::Adjusted);
+        QVERIFY2(flight.error_m() < 0.7 * before_m,
+                 qPrintable(QString("%1 m, was %2 m").arg(flight.error_m()).arg(before_m)));
+        QVERIFY(flight.book.record().revision > revision);
+        QVERIFY(!flight.book.adjustPart());
+    }
+
+    void adjustsTheMapAtTheEndOfTheTask_data() {
+        QTest::addColumn<bool>("with_lines");
+        QTest::newRow("a part for each line") << true;
+        QTest::newRow("all at once") << false;
+    }
+    void adjustsTheMapAtTheEndOfTheTask() {
+        QFETCH(bool, with_lines);
+        Flight flight, other;
+        flyThreeLanes(flight);
+        flyThreeLanes(other);
+        flight.book.endTask();
+        if (with_lines)
+            flight.wait(30);
+        else
+            flight.book.finishAdjustment();
+        other.book.finishAdjustment();
+        const mission::ScanRecord a = flight.book.snapshot(), b = other.book.snapshot();
+        QCOMPARE(a.adjustment->verdict, AdjustmentVerdict::Adjusted);
+        QVERIFY(std::memcmp(a.raster.heights_m.data(), b.raster.heights_m.data(), a.raster.heights_m.size() * 4) == 0);
+        QVERIFY(a.adjustment->path.size() > 200);
+        QCOMPARE(a.adjustment->path.front().time, Seconds(0.0));
+        QCOMPARE(a.adjustment->deviation.heights_m.size(), a.raster.heights_m.size());
+    }
+
+    void keepsTheThesissMapIfNobodyWantsAnother() {
+        Flight flight(false);
+        flyThreeLanes(flight);
+        const double before_m = flight.error_m();
+        flight.book.finishAdjustment();
+        QVERIFY(!flight.book.record().adjustment);
+        QCOMPARE(flight.error_m(), before_m);
+        QCOMPARE(flight.book.mapper().store().memoryBytes(), std::size_t(0));
+    }
+
+    void takesScansInThatComeMeanwhile() {
+        Flight flight;
+        flyThreeLanes(flight);
+        flight.book.endTask();
+        flight.wait(3);
+        flight.lane(60.0, Vec3::Zero());
+        flight.wait(30);
+        QCOMPARE(flight.book.record().adjustment->verdict, AdjustmentVerdict::Adjusted);
+        QVERIFY(flight.book.mapper().map().height_m(flight.book.mapper().map().cellAt({10.0, 60.0})));
+    }
+
+    void clearsTilesOfWhichNothingIsLeft() {
+        Flight flight;
+        flyThreeLanes(flight);
+        const auto tiles = flight.book.mapper().map().tileIndices();
+        flight.book.mapper().map().takeChangedTiles();
+        flight.book.finishAdjustment();
+        const auto changed = flight.book.mapper().map().takeChangedTiles();
+        for (const mapping::GridIndex& index : tiles)
+            QVERIFY(std::ranges::any_of(changed, [&](const auto& tile) { return tile->index == index; }));
+    }
+
+    void keepsWhatAnEarlierRunHasScanned() {
+        Flight earlier(false), flight;
+        earlier.lane(60.0, Vec3::Zero());
+        mission::EarlierScan scan{.record = earlier.book.record(), .tiles = {}, .run = {}};
+        for (const auto& tile : earlier.book.mapper().map().takeChangedTiles())
+            scan.tiles[tile->index] = tile;
+        flight.book.continueScan(scan);
+        flyThreeLanes(flight);
+        flight.book.finishAdjustment();
+        QCOMPARE(flight.book.record().adjustment->verdict, AdjustmentVerdict::Adjusted);
+        QVERIFY(flight.book.mapper().map().height_m(flight.book.mapper().map().cellAt({10.0, 60.0})));
+    }
+
+    void forgetsEverythingWithTheMap() {
+        Flight flight;
+        flyThreeLanes(flight);
+        flight.book.endTask();
+        flight.wait(1);
+        flight.book.rewind();
+        QVERIFY(!flight.book.adjustPart());
+        QVERIFY(flight.book.mapper().store().scans().empty());
+        flight.book.finishAdjustment();
+        QCOMPARE(flight.book.mapper().map().knownCellCount(), std::size_t(0));
+    }
+
+    void believesThatTheInsWasSetOnlyIfTheEstimateShowsIt() {
+        Flight flight;
+        flight.lane(3.0, Vec3::Zero());
+        flight.book.takeSent(protocol::SetInsPose{.base_in_map = {.position_m = {500.0, 0.0, 0.0}}});
+        flight.lane(9.0, Vec3::Zero());
+        QCOMPARE(flight.book.mapper().store().sorties().size(), std::size_t(1));
+    }
+};
+
+USAR_TEST(tst_MapAdjuster)
+
+} // namespace tst_map_adjuster
+
+#include "tst_map_adjuster.moc"
