@@ -22,8 +22,9 @@ namespace usar::mapping {
 /// in at least one horizontal direction: over flat ground all positions give the same heights. Where the ground holds
 /// one direction only, as in a straight valley, the error in the other one is the most likely one without overlaps.
 ///
-/// Works in steps, so that whoever owns it can do something else in between. A step takes 0.1 s for a flight of two
-/// hours. Uses nothing but what the robot has told; equal scans give equal results.
+/// Works in steps, so that whoever owns it can do something else in between. For a flight of two
+/// hours a step takes a quarter of a second, and the last one three quarters. Uses nothing but what the robot has told;
+/// equal scans give equal results.
 class StripAdjustment {
 public:
     /// `store` must outlive this object, and may grow meanwhile; what comes later is not adjusted.

@@ -13,9 +13,9 @@ namespace usar::mission {
 
 /// Adjusts the strips of the kept scans (mapping::StripAdjustment), writes all scans into a new map and replaces the
 /// mapper's map by it. The work is done in parts, so that the session can take lines in between: a part for each line
-/// does not depend on how fast the machine is, and equal lines give equal maps. A part takes a tenth of a second at
-/// most; a flight of two hours has some 200. Scans that are placed meanwhile get into the new map, too. Belongs to a
-/// session and its thread.
+/// does not depend on how fast the machine is, and equal lines give equal maps. A part takes some hundredths of a
+/// second, those of the adjustment up to three quarters after a flight of two hours, which has some 200 parts. Scans
+/// that are placed meanwhile get into the new map, too. Belongs to a session and its thread.
 class MapAdjuster {
 public:
     /// `mapper` must outlive this object. `emptyMap` makes the map without any scan.
