@@ -140,9 +140,9 @@ void MomentPlayer::stop() {
     loop_.quit();
 }
 
-/// A connection after the moment ends what can be told about it.
+/// A connection or a mission after the moment ends what can be told about it.
 void MomentPlayer::beginConnection() {
-    if (mission_ && !before())
+    if (!before())
         return stop();
     state_.emplace();
     heard_at_.reset();
@@ -152,7 +152,7 @@ void MomentPlayer::beginConnection() {
 }
 
 void MomentPlayer::beginMission(std::string_view note) {
-    if (mission_ && !before())
+    if (!before())
         return stop();
     mission_ = note;
     origin_.reset();
