@@ -9,7 +9,7 @@ namespace usar::mapping {
 
 namespace {
 
-/// Standard deviations of the path by the line of a scan.
+/// Standard deviations of the path by the line of a scan; NaN for a line of which nothing is known.
 class SigmaOfLine {
 public:
     SigmaOfLine(const ScanStore& store, const PathCorrection& correction) {
@@ -19,7 +19,8 @@ public:
     }
     Vec3 at(LineNumber line) const {
         const auto found = std::ranges::lower_bound(sigmas_, line, {}, &Entry::first);
-        return found == sigmas_.end() || found->first != line ? Vec3(Vec3::Zero()) : found->second;
+        const bool known = found != sigmas_.end() && found->first == line;
+        return known ? found->second : Vec3(Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
     }
 
 private:

@@ -46,7 +46,8 @@ const LevelFlight::Estimate* LevelFlight::before(Seconds age) const {
 }
 
 void LevelFlight::take(Seconds now, const Pose& base_in_map) {
-    if (!base_in_map.position_m.allFinite() || (!recent_.empty() && now <= recent_.back().time))
+    if (!base_in_map.position_m.allFinite() || !base_in_map.rotation().coeffs().allFinite() ||
+        (!recent_.empty() && now <= recent_.back().time))
         return;
     if (!recent_.empty()) {
         const Pose& last = recent_.back().base_in_map;

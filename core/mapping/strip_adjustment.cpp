@@ -124,7 +124,8 @@ void StripAdjustment::bridgeOrDecline(const std::string& reason) {
     for (std::size_t i = 0; i < std::min(scan_count_, store_->scans().size()); ++i)
         known = known || sorties_[store_->scans()[i].sortie].closing_error_m.has_value();
     decline(reason);
-    if (!known || (residual_bridged_m_ && *residual_bridged_m_ > *result_.residual_before_m))
+    const auto& before_m = result_.residual_before_m; // Strips may overlap only where the path is bridged.
+    if (!known || (residual_bridged_m_ && before_m && *residual_bridged_m_ > *before_m))
         return;
     accept(AdjustmentVerdict::Bridged, bridged_, residual_bridged_m_, bridged_covariances_);
     result_.reason = reason + " The path was corrected only by what the settings of the INS have shown.";

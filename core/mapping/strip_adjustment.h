@@ -14,7 +14,7 @@ namespace usar::mapping {
 /// The method is that of the adjustment of laser scanning strips (Ressl et al., 2011, "Applying 3D affine
 /// transformation and least squares matching for airborne laser scanning strips adjustment without GNSS/IMU trajectory
 /// data"), with the errors of a path instead of those of whole strips: unknown is the error of the position, x, y and
-/// z, at knots that are 4 s apart (StripSolver); observed are differences in height between looks at one cell
+/// z, at knots that are 5 s apart (StripSolver); observed are differences in height between looks at one cell
 /// (StripHits), linearized by the slope of the map. The grids become finer, from 2 m to 0.5 m, as the errors become
 /// smaller. Roll, pitch and yaw are taken as they are.
 ///

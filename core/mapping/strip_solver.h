@@ -27,7 +27,7 @@ public:
     StripSolver(const std::vector<Sortie>& sorties, std::span<const KeptScan* const> scans, const KnotTimes& knots);
 
     /// The most likely errors, given overlaps on a grid of cells of `cell_size_m` that were found at `at`.
-    /// Differences have a Cauchy distribution of the width `width_m`, wider on slopes; two rounds of reweighting.
+    /// Differences have a Cauchy distribution of the width `width_m`, wider on slopes.
     /// Without overlaps, the errors of a sortie whose end is known are on the straight line, over the walk, from zero
     /// to the end's.
     KnotErrors solve(std::span<const Overlap> overlaps, const KnotErrors& at, double cell_size_m, double width_m);

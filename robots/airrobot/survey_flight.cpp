@@ -128,7 +128,8 @@ void SurveyFlight::perceive(const agent::Tick& tick, agent::CommandPort& port) {
     ledger_.note(craft_.senses, phase_ == Phase::Lane, craft_.scanned);
     if (phase_ == Phase::ToLane || phase_ == Phase::Lane)
         survey_.note(craft_.senses.position2_m());
-    if (leftovers_.passDoor(craft_, survey_, phase_ == Phase::Home, port))
+    const bool travels = phase_ == Phase::ToLane || phase_ == Phase::Lane || phase_ == Phase::Home;
+    if (travels && leftovers_.passDoor(craft_, survey_, phase_ == Phase::Home, port))
         riseBeyondDoor();
     time_.note({tick.now, stageOf(phase_, errand_ == Errand::Start), phase_ == Phase::Home, paused_ || silent_,
                 craft_.senses.position2_m(), survey_.doneLength_m(), craft_.battery.flown_m()},
@@ -137,6 +138,8 @@ void SurveyFlight::perceive(const agent::Tick& tick, agent::CommandPort& port) {
         time_.update(tick.now, survey_, missionState(), craft_.settings);
     if ((phase_ == Phase::ToLane || phase_ == Phase::Lane) && !silent_ && time_.overdue()) {
         end_reason_ = "The survey took far longer than was to be expected and was not done.";
+        while (leftovers_.begun() && !survey_.done()) // What is left of it counts as not scanned.
+            survey_.giveUp(craft_.settings, LeftOut::Late);
         goHome(leftovers_.begun() ? Errand::Done : Errand::GivenUp, "The survey takes too long; the robot goes home.",
                port);
     }

@@ -28,7 +28,7 @@ private slots:
         page.pressKey(Qt::Key_A);
         page.drawArea({{-15, -10}, {15, 10}});
         page.press("Start");
-        QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->figures.behavior_running && page.robot(1)->figures.recording, soon_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->status && page.robot(1)->figures.recording, soon_ms);
         widgets::TestDialog* const live = asked(page);
         QVERIFY(live);
         page.screenshot("test_of_a_moment");

@@ -41,16 +41,47 @@ QJsonArray textsOf(const std::vector<std::string>& texts) {
     return QJsonArray::fromStringList(mission::textsOf(texts));
 }
 
-QByteArray lineOf(const PlannedRun& run, const Manifest& manifest, const Campaign& campaign) {
-    return mission::jsonLine({{"run", run.number},
-                              {"pair", run.pair},
-                              {"mission", QString::fromStdString(manifest.missions[run.mission])},
-                              {"variant", QString::fromStdString(manifest.variants[run.variant])},
-                              {"seed", static_cast<qint64>(run.seed)},
-                              {"faults", textsOf(run.faults)},
-                              {"values", textsOf(run.values)},
-                              {"behavior", QString::fromStdString(campaign.variants[run.variant].behavior)}});
+QByteArray jsonList(const std::vector<std::string>& texts) {
+    return texts.empty() ? QByteArray("[]") : QJsonDocument(textsOf(texts)).toJson(QJsonDocument::Compact);
 }
+
+/// Each text in quotes, as JSON has it.
+std::vector<QByteArray> quoted(const std::vector<std::string>& texts) {
+    std::vector<QByteArray> all;
+    for (const std::string& text : texts) {
+        const QByteArray list = jsonList({text});
+        all.push_back(list.sliced(1, list.size() - 2));
+    }
+    return all;
+}
+
+/// Writes the lines of runs. What many of them share is turned into JSON once: a manifest may have a hundred thousand,
+/// and is written again to be compared when its campaign goes on.
+class RunLines {
+public:
+    RunLines(const Manifest& manifest, const Campaign& campaign)
+        : missions_(quoted(manifest.missions))
+        , variants_(quoted(manifest.variants)) {
+        std::vector<std::string> behaviors;
+        for (const Variant& variant : campaign.variants)
+            behaviors.push_back(variant.behavior);
+        behaviors_ = quoted(behaviors);
+    }
+
+    /// The keys are in the order of the alphabet, as in all our JSON.
+    void append(const PlannedRun& run, QByteArray& text) const {
+        text += "{\"behavior\":" + behaviors_[run.variant] + ",\"faults\":" + jsonList(run.faults) +
+                ",\"mission\":" + missions_[run.mission] + ",\"pair\":" + QByteArray::number(run.pair) +
+                ",\"run\":" + QByteArray::number(run.number) +
+                ",\"seed\":" + QByteArray::number(static_cast<qint64>(run.seed)) +
+                ",\"values\":" + jsonList(run.values) + ",\"variant\":" + variants_[run.variant] + "}\n";
+    }
+
+private:
+    std::vector<QByteArray> missions_;
+    std::vector<QByteArray> variants_;
+    std::vector<QByteArray> behaviors_; ///< of the variants
+};
 
 /// Says what is not the same in two first lines.
 std::string differenceOf(const QJsonObject& old_head, const QJsonObject& new_head) {
@@ -100,8 +131,9 @@ QByteArray toText(const Manifest& manifest, const Campaign& campaign) {
                            {"wall_limit_s", campaign.wall_limit_s},
                            {"runs", static_cast<qint64>(manifest.runs.size())},
                            {"inputs", inputs}});
+    const RunLines lines(manifest, campaign);
     for (const PlannedRun& run : manifest.runs)
-        text += lineOf(run, manifest, campaign);
+        lines.append(run, text);
     return text;
 }
 

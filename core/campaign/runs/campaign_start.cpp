@@ -141,14 +141,14 @@ Result<std::unique_ptr<CampaignRunner>> startCampaign(const CampaignOptions& opt
         return tl::unexpected(file.error());
     // Whether a campaign is decided depends on the figures; to go on with it, half a gigabyte need not be parsed.
     const ResultPart part = options.until_decided ? ResultPart::Whole : ResultPart::Head;
-    const auto earlier = readResults(options.folder, host.version, part);
+    auto earlier = readResults(options.folder, host.version, part);
     if (!earlier)
         return tl::unexpected(earlier.error());
     if (!earlier->empty() && !options.resume && !options.shard)
         return failure("there are results already", options.folder.toStdString(),
                        "Go on with them by --resume, or give another folder with --out");
     const int jobs = options.jobs > 0 ? options.jobs : QThread::idealThreadCount();
-    return std::make_unique<CampaignRunner>(*campaign, std::move(manifest->runs), *earlier,
+    return std::make_unique<CampaignRunner>(*campaign, std::move(manifest->runs), *std::move(earlier),
                                             RunnerOptions{.program = host.program,
                                                           .folder = options.folder,
                                                           .shard = shard,

@@ -204,8 +204,8 @@ QByteArray writeMission(const Mission& mission, const std::vector<agent::Paramet
         all["limit_h"] = *mission.limit_h;
     if (mission.isolate)
         all["isolate"] = true;
-    if (!mission.adjust)
-        all["adjust"] = false;
+    if (mission.adjust)
+        all["adjust"] = true;
     if (mission.seed)
         all["seed"] = *mission.seed < largest_exact ? QJsonValue(static_cast<qint64>(*mission.seed))
                                                     : QJsonValue(QString::number(*mission.seed));

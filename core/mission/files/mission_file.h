@@ -33,10 +33,10 @@ inline constexpr double largest_cell_m = 10.0;
 /// (lowest corner and size, meters, map frame: x forward, y left; width along x), parameters {}, cell_size_m, limit_h
 /// (hours of simulated time after which the run is given up), faults [] (texts, as for the simulator's --fault; their
 /// times count from the beginning of the mission), isolate (true: the behavior runs in a process of its own), adjust
-/// (false: the height map stays that of the thesis), seed (of the embedded simulator, a whole number), claims [] (what
-/// a test of the flight checks, see readClaims: the mission is then stopped as soon as they are decided, and they alone
-/// say whether it has succeeded). Only the name is required, and an area if the behavior needs one. Angles in the file
-/// are in degrees if the parameter's unit is rad.
+/// (true: the height map is corrected where its strips overlap), seed (of the embedded simulator, a whole number),
+/// claims [] (what a test of the flight checks, see readClaims: the mission is then stopped as soon as they are
+/// decided, and they alone say whether it has succeeded). Only the name is required, and an area if the behavior needs
+/// one. Angles in the file are in degrees if the parameter's unit is rad.
 struct Mission {
     std::string name;
     std::string world = "tall_test";
@@ -50,7 +50,7 @@ struct Mission {
     std::optional<double> limit_h;                           ///< above 0; absent: no limit
     std::vector<std::string> faults;                         ///< for the embedded simulator, in its --fault syntax
     bool isolate = false;                                    ///< the behavior runs in a process of its own
-    bool adjust = true;                                      ///< see ScanBook::setAdjust
+    bool adjust = false;                                     ///< see ScanBook::setAdjust
     std::optional<std::uint64_t> seed;                       ///< of the embedded simulator; absent: any
     std::vector<Claim> claims;
     /// Places in the file by path ("area.width", "parameters.scan_altitude_m"), for errors that are found later. Empty

@@ -245,7 +245,7 @@ QString missionHelp() {
                "                       gave goals up\n"
                "  --one-thread         simulator and behavior have no threads of their own, which costs least; a\n"
                "                       behavior that hangs then hangs the program\n"
-               "  --adjust on|off      on: the map is corrected where strips overlap (the mission's adjust, or on); "
+               "  --adjust on|off      on: the map is corrected where strips overlap (the mission's adjust, or off); "
                "off: "
                "the\n"
                "                       thesis's map\n"

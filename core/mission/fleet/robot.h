@@ -88,6 +88,8 @@ public:
     void stopRecording() { call(&RobotSession::stopRecording); }
     /// `recordingFlushed` follows once everything up to now is in the file.
     void flushRecording() { call(&RobotSession::flushRecording); }
+    /// Whether strips are adjusted by their overlap; see ScanBook::setAdjust.
+    void setAdjust(bool on) { call(&RobotSession::setAdjust, on); }
     void noteFault(const QString& sentence) { call(&RobotSession::noteFault, sentence.toStdString()); }
     /// Replaces `open`; `replayOpened` or `replayFailed` follows. `looks_back_on`: see RobotView.
     void openRecording(const QString& path, ConnectionId looks_back_on = {});

@@ -66,6 +66,8 @@ void ScanBook::continueScan(const EarlierScan& earlier) {
     record_.status = {};
     record_.faults.clear();
     record_.continues = earlier.run;
+    record_.adjustment.reset(); // It is that of the earlier run.
+    adjuster_.forget();
     worthSaving();
 }
 
@@ -127,8 +129,10 @@ void ScanBook::takePose(const agent::PoseEstimate& estimate) {
 void ScanBook::setCellSize(double cell_size_m) {
     if (cellSize_m() == cell_size_m)
         return;
-    if (mapper_.map().tileCount() == 0)
+    if (mapper_.map().tileCount() == 0) {
+        adjuster_.forget(); // It would look for scans that are gone.
         return mapper_.clearMap(cell_size_m);
+    }
     notices_.say(Severity::Warning, Topic::CellSize,
                  "The height map keeps its cells of " + fixed(cellSize_m(), 2) +
                      " m, because it already has heights. Remove the robot and spawn it again to map with cells of " +

@@ -74,7 +74,7 @@ private:
     Notices& notices_;
     ScanMapper mapper_;
     MapAdjuster adjuster_;
-    bool adjusts_ = true;
+    bool adjusts_ = false;
     mapping::HeightTiles earlier_tiles_; ///< what an earlier run has scanned
     ScanRecord record_;
     std::optional<Rectangle> whole_area_in_map_; ///< area of the next task's record; absent: that of the task

@@ -89,7 +89,7 @@ private:
     std::optional<Vec3> last_base_in_map_m_;
     mapping::LevelFlight level_flight_;
     mapping::ScanStore store_;
-    bool improves_ = true;
+    bool improves_ = false;
     std::vector<Vec3> last_hits_;
 };
 

@@ -63,8 +63,13 @@ Vec2 landingPlace_m(const ObstacleMemory& memory, const Vec2& wanted_m, double r
     const auto uneven_m = [&](const Vec2& place_m, double needed_m) {
         return unevenness_m(memory.freshTops_m(place_m, needed_m, fresh), place_m, gentle_rad, lean, needed_m);
     };
+    const auto long_known_m = [&] {
+        return unevenness_m(memory.tops_m(wanted_m, body_radius_m), wanted_m, gentle_rad, lean);
+    };
     Vec2 best_m = wanted_m;
     double best_unevenness_m = uneven_m(wanted_m, body_radius_m);
+    if (std::isinf(best_unevenness_m)) // The robot comes from one side, and may not have seen the place just now.
+        best_unevenness_m = long_known_m();
     for (const double needed_m : {roomy_radius_m, body_radius_m}) {
         for (double ring_m = ring_step_m; ring_m <= radius_m && best_unevenness_m > level_ground_m;
              ring_m += ring_step_m) {
