@@ -51,8 +51,7 @@ void Leftovers::noteWall(const ReachablePlaces& reach) {
 bool Leftovers::addLanes(Craft& craft, Survey& survey, const ScanLedger& ledger, const Vec2& base_m,
                          agent::CommandPort& port) {
     begun_ = true;
-    // From the base it must go on to the door: no lane may lead away from there before.
-    return (state_ != Door::ToBase && closeGaps(craft, survey, ledger, port)) || tryDoor(craft, survey, base_m, port);
+    return closeGaps(craft, survey, ledger, port) || tryDoor(craft, survey, base_m, port);
 }
 
 bool Leftovers::closeGaps(Craft& craft, Survey& survey, const ScanLedger& ledger, agent::CommandPort& port) {
@@ -113,7 +112,7 @@ bool Leftovers::passDoor(Craft& craft, Survey& survey, bool returning, agent::Co
         craft.goUnder(*door_m_);
         door_m_.reset();
     }
-    if (returning || state_ != Door::Outward || reach_.leadsNear(here_m, beyond_m))
+    if (state_ != Door::Outward || reach_.leadsNear(here_m, beyond_m))
         return false;
     if ((here_m - ground_m_).norm() > at_ground_m &&
         !craft.ways.map().hasRoom(here_m, craft.senses.position_m().z(), room_m))

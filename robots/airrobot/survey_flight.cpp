@@ -128,8 +128,7 @@ void SurveyFlight::perceive(const agent::Tick& tick, agent::CommandPort& port) {
     ledger_.note(craft_.senses, phase_ == Phase::Lane, craft_.scanned);
     if (phase_ == Phase::ToLane || phase_ == Phase::Lane)
         survey_.note(craft_.senses.position2_m());
-    const bool travels = phase_ == Phase::ToLane || phase_ == Phase::Lane || phase_ == Phase::Home;
-    if (travels && leftovers_.passDoor(craft_, survey_, phase_ == Phase::Home, port))
+    if (leftovers_.passDoor(craft_, survey_, phase_ == Phase::Home, port))
         riseBeyondDoor();
     time_.note({tick.now, stageOf(phase_, errand_ == Errand::Start), phase_ == Phase::Home, paused_ || silent_,
                 craft_.senses.position2_m(), survey_.doneLength_m(), craft_.battery.flown_m()},
