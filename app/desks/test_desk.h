@@ -27,12 +27,12 @@ public:
     ~TestDesk() override { giveUp(); }
 
 private:
-    /// What is asked for is not wanted any longer.
+    /// Drops the request that is under way, because nobody waits for its answer any longer.
     void giveUp();
     void makeDialog();
     /// Opens the dialog for the moment that the selected robot shows.
     void begin();
-    /// Reads the recording for this request, unless another one has come.
+    /// Reads the recording in the pool; does nothing if a newer request than this one has come.
     void read(int request, const QString& path);
     void take(const Result<mission::FlightMoment>& moment);
     void offer();

@@ -17,7 +17,7 @@ constexpr double slowest_m_s = 0.3; ///< Slower, the robot may stand on the grou
 constexpr double walk_share = 0.05;
 /// The wire has two decimals, so an angle that was set is wrong by up to 0.005 rad.
 constexpr double set_variance_rad2 = 0.003 * 0.003;
-/// What is left of accelerations, and the rounding of one reading.
+/// One reading has this variance from rounding and from accelerations that pass for steady flight.
 constexpr double reading_variance_rad2 = 0.008 * 0.008;
 constexpr double outlier_sigmas2 = 16.0;
 /// So many readings in a row that no drift explains are no chance.

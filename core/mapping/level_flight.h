@@ -55,7 +55,7 @@ private:
     Vec2 lean_rad() const;
 
     std::deque<Estimate> recent_;
-    Vec2 velocity_m_s_ = Vec2::Zero(); ///< of the steady flight
+    Vec2 velocity_m_s_ = Vec2::Zero(); ///< The steady flight has it.
     bool steady_ = false;
     bool calm_ = true;
     int steady_outliers_ = 0;

@@ -28,7 +28,7 @@ struct Sortie {
 
 /// A scan of the map with everything that is needed to write it again.
 struct KeptScan {
-    Seconds time{0.0};     ///< of the robot's estimate with which it was placed, on the store's clock
+    Seconds time{0.0};     ///< The estimate that placed it is of this time, on the store's clock.
     Pose scanner_in_map{}; ///< as it was placed
     LineNumber line{};     ///< info line in which it came
     double walk_m2 = 0.0;  ///< Sortie::walk_m2 at that time

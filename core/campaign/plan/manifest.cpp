@@ -80,7 +80,7 @@ public:
 private:
     std::vector<QByteArray> missions_;
     std::vector<QByteArray> variants_;
-    std::vector<QByteArray> behaviors_; ///< of the variants
+    std::vector<QByteArray> behaviors_; ///< They are in the order of the variants.
 };
 
 /// Says what is not the same in two first lines.

@@ -36,9 +36,9 @@ Result<void> dropTornLine(QFile& file) {
     return {};
 }
 
-constexpr qint64 block_bytes = qint64{4} << 20; ///< Reading line by line takes longer.
+constexpr qint64 block_bytes = qint64{4} << 20;
 
-/// Reads the lines on all processors, because that takes most of the time.
+/// Reads the lines on all processors, because no other step of going on with a campaign takes as long.
 std::vector<Result<RunResult>> readLines(const std::vector<QByteArray>& lines, ResultPart part) {
     std::vector<Result<RunResult>> results(lines.size());
     const std::size_t parts = std::max(1u, std::thread::hardware_concurrency());

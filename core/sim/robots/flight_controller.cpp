@@ -36,7 +36,7 @@ Eigen::Quaterniond rotationOf(const Vec2& tilt_rad, double yaw_rad) {
     return Pose{Vec3::Zero(), tilt_rad.x(), tilt_rad.y(), yaw_rad}.rotation();
 }
 
-/// As Pose::from, but the two angles that nobody asks for cost a third of a step.
+/// Returns the yaw as Pose::from does, without the two other angles, which nobody asks for in each step.
 double yawOf(const Eigen::Quaterniond& rotation) {
     const Eigen::Matrix3d r = rotation.normalized().toRotationMatrix();
     return std::atan2(r(1, 0), r(0, 0));
