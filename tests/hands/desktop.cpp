@@ -39,7 +39,9 @@ Desktop::Desktop(const QSize& size_px) : size_px_(size_px), environment_(QProces
     environment_.remove("QT_QPA_PLATFORM");
     QFile::setPermissions(folder_.path(), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
 
-    QProcess* const screen = start("Xvfb", {"-displayfd", "1", "-screen", "0",
+    // Without -noreset the server starts over when its last client leaves, as the accessibility bus does after a
+    // moment, and throws out a window manager that has just come.
+    QProcess* const screen = start("Xvfb", {"-noreset", "-displayfd", "1", "-screen", "0",
                                             QStringLiteral("%1x%2x24").arg(size_px.width()).arg(size_px.height()),
                                             "-nolisten", "tcp", "-fbdir", folder_.path()});
     if (!screen)

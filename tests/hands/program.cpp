@@ -25,7 +25,9 @@ Program::Program(const QSize& screen_px, const QStringList& arguments)
     process_.start(qEnvironmentVariable("USAR_PROGRAM", USAR_BINARY_DIR "/bin/mission-control"),
                    QStringList{"--port", "0", "--wireless-port", "0", "--out", results_} + arguments);
     process_.waitForStarted();
-    reader_->find("frame", "Mission Control", patience_ms);
+    // A window is on the screen before the window manager gives it the keyboard; keys would be lost until then.
+    has_keyboard_ =
+        reader_->find([](const Seen& seen) { return seen.role == "frame" && seen.active(); }, patience_ms).has_value();
 }
 
 Program::~Program() {
@@ -38,8 +40,9 @@ Program::~Program() {
 QString Program::trouble() const {
     if (!desktop_.trouble().isEmpty())
         return desktop_.trouble();
-    return process_.state() == QProcess::Running ? QString()
-                                                 : "Mission Control does not run: " + process_.errorString();
+    if (process_.state() != QProcess::Running)
+        return "Mission Control does not run: " + process_.errorString();
+    return has_keyboard_ ? QString() : QStringLiteral("No window of Mission Control gets the keyboard.");
 }
 
 std::optional<Seen> Program::settled(const ScreenReader::Wanted& wanted) const {

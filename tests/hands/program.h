@@ -15,7 +15,8 @@ public:
     ~Program();
     Q_DISABLE_COPY_MOVE(Program)
 
-    /// Empty while program and desktop run; otherwise a sentence that says what does not.
+    /// Empty while program and desktop run and a window of the program took keys; otherwise a sentence that says what
+    /// does not.
     QString trouble() const;
     Desktop& desk() { return desktop_; }
     const ScreenReader& read() const { return *reader_; }
@@ -64,6 +65,7 @@ private:
     QString results_;
     QProcess process_;
     std::optional<ScreenReader> reader_;
+    bool has_keyboard_ = false;
 };
 
 } // namespace usar::hands
