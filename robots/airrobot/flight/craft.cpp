@@ -17,6 +17,11 @@ constexpr double over_way_m = 12.0;
 /// A robot that is so much higher than where it ended a climb is climbing again.
 constexpr double over_again_m = 0.7;
 constexpr double least_climb_m = 1.0; ///< A climb over an obstacle needs this much room below a ceiling.
+/// A robot that climbs faster than this toward something within this distance and bearing flies no faster than that.
+constexpr double rising_m_s = 0.2;
+constexpr double toward_m = 6.0;
+constexpr double toward_rad = radians(60.0);
+constexpr double rising_speed_m_s = 0.8;
 constexpr double stands_m_s = 0.05;   ///< A slower robot does not get past what is before it.
 constexpr Seconds longest_move{12.0};
 constexpr double crown_m = 4.5; ///< Crowns reach so far from their trunks.
@@ -231,6 +236,8 @@ Motion Craft::cruise(const Leg& leg, FlightState& state) {
     const double speed_m_s = std::min(leg.speed_m_s, 0.2 + stoppingSpeed_m_s(distance_m, settings.braking_m_s2 / 2.0));
     Motion motion = toward(senses, *bearing, speed_m_s, settings);
     motion.climb_m_s = climbRate(*bearing, motion.velocity_in_map_m_s.norm());
+    if (const double now_m_s = motion.velocity_in_map_m_s.norm(); now_m_s > rising_speed_m_s && risesToward(motion))
+        motion.velocity_in_map_m_s *= rising_speed_m_s / now_m_s;
     if (!climb_forbidden_)
         return motion;
     state = FlightState::Evading; // Waits until it backs away and climbs where there is room
@@ -268,6 +275,14 @@ double Craft::climbRate(double way_bearing_rad, double speed_m_s) {
     const bool overhang = rate_m_s > 0.0 && besideOverhang();
     climb_forbidden_ = overhang && goal_m - senses.position_m().z() > bearable_deficit_m;
     return overhang ? 0.0 : rate_m_s;
+}
+
+bool Craft::risesToward(const Motion& motion) const {
+    const double way_rad = bearingOf(motion.velocity_in_map_m_s);
+    return motion.climb_m_s > rising_m_s && std::ranges::any_of(obstacles_, [&](const Obstacle& obstacle) {
+        const Vec2 offset_m = obstacle.at_m - senses.position2_m();
+        return offset_m.norm() < toward_m && std::abs(normalizedAngle(bearingOf(offset_m) - way_rad)) < toward_rad;
+    });
 }
 
 bool Craft::besideOverhang() const {

@@ -7,6 +7,9 @@ namespace usar::airrobot {
 
 namespace {
 
+/// An echo of which no more than so much of its height is left came from nothing that still matters.
+constexpr double certain_m = 0.1;
+
 Vec2 unit(double bearing_rad) {
     return {std::cos(bearing_rad), std::sin(bearing_rad)};
 }
@@ -59,17 +62,21 @@ void ObstacleMemory::takeScan(std::span<const Vec3> hits_m) {
 void ObstacleMemory::takeEcho(const SonarEcho& echo) {
     const Vec2 ray_m = (echo.center_in_map_m - echo.origin_in_map_m).head<2>();
     const double range_m = std::max(0.01, ray_m.norm());
-    // Removes echoes that the beam has passed through. Only the middle of the cone counts, because its edge may have
-    // passed the obstacle on either side.
-    std::erase_if(echoes_, [&](const Echo& old) {
+    // The beam has passed through older echoes. Only the middle of the cone counts, because its edge may have passed
+    // the obstacle on either side; and nearer to the sonar the cone is lower, so that an obstacle may still be below
+    // it.
+    const double slope = (echo.low_m - echo.origin_in_map_m.z()) / range_m;
+    std::erase_if(echoes_, [&](Echo& old) {
         const Vec2 offset_m = old.at_m.head<2>() - echo.origin_in_map_m.head<2>();
         const double along_m = offset_m.dot(ray_m) / range_m;
         const double aside_m = (offset_m - ray_m / range_m * along_m).norm();
-        const bool at_its_level = old.at_m.z() > echo.low_m;
-        return at_its_level && along_m > 0.0 && along_m < range_m - 0.5 && aside_m < 0.08 * along_m;
+        if (along_m <= 0.0 || along_m >= range_m - 0.5 || aside_m >= 0.08 * along_m)
+            return false;
+        old.at_m.z() = std::min(old.at_m.z(), echo.origin_in_map_m.z() + slope * along_m);
+        return old.at_m.z() < old.low_m + certain_m;
     });
     if (echo.hit)
-        echoes_.push_back({Vec3(echo.center_in_map_m.x(), echo.center_in_map_m.y(), echo.high_m), now_});
+        echoes_.push_back({Vec3(echo.center_in_map_m.x(), echo.center_in_map_m.y(), echo.high_m), echo.low_m, now_});
 }
 
 const ObstacleMemory::Cell* ObstacleMemory::known(int column, int row) const {

@@ -29,7 +29,8 @@ struct MemorySpans {
 
 /// Prevents the two ways in which the thesis's robot crashed (4.6): flying backward without seeing, and sinking onto
 /// peaks. A grid that moves along with the robot stores the highest scanner hit of each cell. Sonar echoes are points
-/// that expire, or are removed when a later beam passes through them. Works in the map frame and drifts with the INS,
+/// that expire. A later beam that passes through one leaves of it only the part that was in the first beam and is
+/// below the later one. Works in the map frame and drifts with the INS,
 /// so it must be cleared when the INS is reset. Owned by one robot.
 class ObstacleMemory {
 public:
@@ -72,7 +73,8 @@ private:
         float last_s = -1e9f; ///< time of that scan
     };
     struct Echo {
-        Vec3 at_m;
+        Vec3 at_m;          ///< its z is the highest that the obstacle can be
+        double low_m = 0.0; ///< and this the lowest
         Seconds time;
     };
 

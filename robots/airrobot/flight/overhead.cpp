@@ -124,19 +124,23 @@ void Overhead::lookBeside(const PlacedScan& scan, Seconds now) {
 
 void Overhead::feelAbove(const Senses& senses, double commanded_climb_m_s) {
     const double z_m = senses.position_m().z();
+    const Seconds since_last = senses.now - std::exchange(felt_at_, senses.now);
     const bool on_ground = senses.heightOverGround_m(lifted_m) < lifted_m;
     if (commanded_climb_m_s < least_push_m_s || on_ground) {
         pushing_since_.reset();
         return;
     }
+    pushed_m_ += commanded_climb_m_s * since_last.count();
     const double gained_m = z_m - pushed_from_m_;
     const bool still_sinks = gained_m < -sinks_m; // The climb has not begun yet, and nothing above holds it up.
     if (!pushing_since_ || still_sinks || gained_m > pushed_share * commanded_climb_m_s * push_time.count()) {
         pushing_since_ = senses.now;
         pushed_from_m_ = z_m;
+        pushed_m_ = 0.0;
     } else if (senses.now - *pushing_since_ >= push_time) {
         pushing_since_.reset();
-        add({senses.position2_m(), z_m}, true);
+        if (gained_m < pushed_share * pushed_m_) // A command that grew meanwhile has not had its time yet.
+            add({senses.position2_m(), z_m}, true);
     }
 }
 

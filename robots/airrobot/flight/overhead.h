@@ -74,6 +74,8 @@ private:
     std::optional<Find> found_;
     std::optional<Seconds> pushing_since_; ///< a climb is commanded since then
     double pushed_from_m_ = 0.0;           ///< height at that time
+    double pushed_m_ = 0.0;                ///< the climb that was commanded since then
+    Seconds felt_at_{0.0};                 ///< time of the last tick
     double free_to_m_ = -1e9;              ///< map z
     double highest_near_m_ = -1e9;         ///< PlacedScan::highest_near_m of the last scan
     int walls_ = 0;                        ///< scans in a row with a wall in them
