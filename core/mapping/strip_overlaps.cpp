@@ -11,7 +11,7 @@ namespace usar::mapping {
 
 namespace {
 
-constexpr double steepest_cosine = 0.5; ///< 60 degrees off the vertical
+constexpr double flattest_cosine = 0.25; ///< 75 degrees off the vertical
 constexpr double look_knots = 2.0;      ///< length of a look
 constexpr double apart_knots = 25.0 / KnotTimes::spacing.count();
 constexpr float most_difference_m = 3.0f;
@@ -64,6 +64,7 @@ public:
         , rows_(static_cast<std::int64_t>(std::ceil((extent.height_m() + 2.0 * reach_m) / cell_size_m)) + 1) {}
 
     bool tooLarge() const { return columns_ * rows_ > static_cast<std::int64_t>(StripHits::most_cells); }
+    /// To be called before anything else.
     void allocate() { cells_.resize(static_cast<std::size_t>(columns_ * rows_)); }
 
     void add(const Vec3& hit_m, const Vec3& arm_m, double moment) {
@@ -108,7 +109,7 @@ public:
     }
 
 private:
-    float uneven_m() const { return cell_m_ > 1.0 ? 0.6f : 0.3f; }
+    float uneven_m() const { return cell_m_ > 1.0 ? 1.2f : 0.6f; }
 
     void finish(std::size_t at) {
         const CellSums& sums = cells_[at];
@@ -256,7 +257,7 @@ StripHits::StripHits(std::span<const KeptScan* const> scans, const KnotTimes& kn
         for (std::size_t k = 0; k < rays.size(); ++k) {
             const float range_m = scan->ranges_m[k];
             const Eigen::Vector3f ray = turn.leftCols<2>() * rays[k];
-            if (range_m > 0.0f && isHit(double(range_m), scan->maximum_m) && ray.z() < -steepest_cosine)
+            if (range_m > 0.0f && isHit(double(range_m), scan->maximum_m) && ray.z() < -flattest_cosine)
                 hits_m_.emplace_back(range_m * ray);
         }
     }
@@ -264,9 +265,16 @@ StripHits::StripHits(std::span<const KeptScan* const> scans, const KnotTimes& kn
         origins_.push_back({Vec3::Zero(), 0.0, hits_m_.size()});
 }
 
+double StripHits::finest_m() const {
+    double cell_size_m = 0.5;
+    while (LookGrid(extent_, cell_size_m).tooLarge())
+        cell_size_m *= 2.0;
+    return cell_size_m;
+}
+
 std::vector<Overlap> StripHits::overlaps(double cell_size_m, const KnotErrors& errors) const {
     LookGrid grid(extent_, cell_size_m);
-    if (empty() || grid.tooLarge())
+    if (empty() || grid.tooLarge()) // Whoever asks for cells finer than the finest finds nothing.
         return {};
     grid.allocate();
     const std::size_t scans_apart = cell_size_m > 1.5 ? 3 : cell_size_m > 0.75 ? 2 : 1;
