@@ -75,6 +75,8 @@ void StripAdjustment::begin() {
         return decline("The flight was too long for all its scans to be kept.");
     if (scan_count_ == 0)
         return decline("There are no scans.");
+    if (store_->exact())
+        return decline("The robot knew where it was, so its path has no errors.");
     std::vector<const KeptScan*> scans;
     for (std::size_t i = 0; i < scan_count_; ++i)
         if (const KeptScan& scan = store_->scans()[i];

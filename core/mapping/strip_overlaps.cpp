@@ -16,7 +16,7 @@ constexpr double look_knots = 2.0;      ///< length of a look
 constexpr double apart_knots = 25.0 / KnotTimes::spacing.count();
 constexpr float most_difference_m = 3.0f;
 /// A smaller slope may as well be noise of the heights or of the attitude.
-constexpr float least_slope = 0.04f;
+constexpr float least_slope = 0.08f;
 /// A larger slope is that of a crown or a wall, which is not the same within a cell.
 constexpr float steep_slope = 2.0f;
 constexpr double reach_m = 25.0;

@@ -12,7 +12,7 @@ namespace usar::mapping {
 /// Adjusted: by the overlaps. Bridged: only by what the settings of the INS have shown. Declined: not at all.
 enum class AdjustmentVerdict { Declined, Bridged, Adjusted };
 
-/// The result of a strip adjustment. Without a correction the map stays as it is.
+/// The result of a strip adjustment. Without a correction the path stays as it is.
 struct StripResult {
     AdjustmentVerdict verdict = AdjustmentVerdict::Declined;
     std::string reason; ///< a sentence

@@ -31,7 +31,7 @@ constexpr double least_turn_rad = 0.004;
 constexpr std::size_t unknowns = 4; ///< of a knot
 constexpr int yaw_axis = 3;
 /// Neighboring cells see the same things and err alike, so each counts less than one of its own.
-constexpr double share_of_cell = 0.5;
+constexpr double share_of_cell = 0.3;
 /// How much wider the distribution is on a slope: part of the difference in height across a cell.
 constexpr double share_of_slope = 0.3;
 constexpr int rounds = 1;
