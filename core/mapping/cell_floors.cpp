@@ -144,16 +144,26 @@ float CellFloors::height_m(const Cell& cell, const Window& window, std::size_t a
 
 void CellFloors::settle(HeightMap& map) const {
     constexpr std::int32_t side = HeightTile::side;
+    std::vector<std::pair<GridIndex, float>> settled; // They are written at the end, because windows read filled cells.
     for (const auto& [index, tile] : tiles_) {
+        const HeightTile* const heights = map.tile(index);
         const Window window = windowAround(index, map);
-        for (std::int32_t row = 0; row < side; ++row)
+        for (std::int32_t row = 0; heights && row < side; ++row)
             for (std::int32_t column = 0; column < side; ++column) {
-                const Cell& cell = (*tile)[offsetOf(column, row)];
+                const std::size_t offset = offsetOf(column, row);
+                Cell cell = (*tile)[offset];
+                if (std::isnan(heights->height_m[offset]))
+                    continue;
+                if (heights->hits[offset] == 0) // Whatever it is filled with ends at the center as likely as not.
+                    cell = {.low = {heights->height_m[offset], 1.0f, 1.0f, 1.0f}, .high = {}};
                 const auto at = static_cast<std::size_t>((row + reach) * window_side + column + reach);
                 if (cell.low.weight > 0.0f)
-                    map.settle({index.column * side + column, index.row * side + row}, height_m(cell, window, at));
+                    settled.emplace_back(GridIndex{index.column * side + column, index.row * side + row},
+                                         height_m(cell, window, at));
             }
     }
+    for (const auto& [cell, height_m] : settled)
+        map.settle(cell, height_m);
 }
 
 } // namespace usar::mapping

@@ -30,7 +30,8 @@ public:
 
     /// Takes a hit of a beam that came from `scanner_m`; map frame. Ignores points that are not finite.
     void add(const Vec3& scanner_m, const Vec3& hit_m);
-    /// Gives the cells of `map` that were hit the heights that the hits tell. Cells that are only filled in stay.
+    /// Gives the cells of `map` that were hit the heights that the hits tell. Cells that are only filled in stay,
+    /// unless they are at an edge: there the neighbors tell.
     void settle(HeightMap& map) const;
 
 private:

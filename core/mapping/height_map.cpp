@@ -113,7 +113,7 @@ void HeightMap::record(GridIndex cell, float height_m, LineNumber line, bool mea
 }
 
 void HeightMap::settle(GridIndex cell, float height_m) {
-    if (!std::isfinite(height_m) || hits(cell) == 0)
+    if (!std::isfinite(height_m) || !this->height_m(cell))
         return;
     Slot& slot = slotFor(cell);
     slot.tile.height_m[offsetOf(cell)] = height_m;

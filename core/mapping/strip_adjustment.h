@@ -19,9 +19,10 @@ namespace usar::mapping {
 /// (StripHits), linearized by the slope of the map. The grids become finer, from 2 m to 0.5 m, as the errors become
 /// smaller; those of an area of more than a square kilometer stay coarser. Roll, pitch and yaw are taken as they are.
 ///
-/// A correction is accepted only if the differences in height become smaller by it (StripResidual), and only if the ground gives hold
-/// in at least one horizontal direction: over flat ground all positions give the same heights. Where the ground holds
-/// one direction only, as in a straight valley, the error in the other one is the most likely one without overlaps.
+/// A correction is accepted only if the differences in height become smaller by it (StripResidual), and only if the
+/// ground gives hold in at least one horizontal direction: over flat ground all positions give the same heights. Where
+/// the ground holds one direction only, as in a straight valley, the error in the other one is the most likely one
+/// without overlaps.
 ///
 /// Works in steps, so that whoever owns it can do something else in between. For a flight of two
 /// hours a step takes a quarter of a second, and the last one three quarters. Uses nothing but what the robot has told;

@@ -12,7 +12,7 @@ namespace usar::mapping {
 namespace {
 
 constexpr double flattest_cosine = 0.25; ///< 75 degrees off the vertical
-constexpr double look_knots = 2.0;      ///< length of a look
+constexpr double look_knots = 2.0;       ///< length of a look
 constexpr double apart_knots = 25.0 / KnotTimes::spacing.count();
 constexpr float most_difference_m = 3.0f;
 /// A smaller slope may as well be noise of the heights or of the attitude.

@@ -17,18 +17,20 @@ constexpr double cell_m = 0.25;
 
 /// A beam in the plane of x and z that hits the cell (0, 0).
 struct Beam {
-    double x_m;      ///< of the hit, from the center of the cell
-    double z_m;      ///< of the hit
-    double slope;    ///< rise over run, toward where it came from; positive: it flies toward +x
+    double x_m;   ///< of the hit, from the center of the cell
+    double z_m;   ///< of the hit
+    double slope; ///< rise over run, toward where it came from; positive: it flies toward +x
 };
 using Beams = std::vector<Beam>;
 
 namespace {
 
-/// The height that the cell (0, 0) gets when all of its neighbors have the heights of `around`.
-float settled_m(const Beams& beams, const std::function<float(int column)>& around) {
+/// The height that the cell (0, 0) gets when its neighbors have the heights of `around`; `filled_m` is what it is
+/// filled with.
+float settled_m(const Beams& beams, const std::function<float(int column)>& around, float filled_m = 0.0f) {
     CellFloors floors(cell_m);
     HeightMap map(cell_m);
+    map.fill({0, 0}, filled_m, {1});
     const auto hit = [&](const Vec3& at_m, const Vec3& from_m) {
         floors.add(from_m, at_m);
         map.write(map.cellAt(at_m.head<2>()), static_cast<float>(at_m.z()), {1});
@@ -121,7 +123,8 @@ private slots:
             beams.insert(beams.end(), more.begin(), more.end());
             return beams;
         };
-        QTest::newRow("one floor has the mean of its hits") << Beams{{-0.1, 1.0, 3.0}, {0.1, 1.2, 3.0}} << 1.1f << 1.1f << 1.1f;
+        QTest::newRow("one floor has the mean of its hits")
+            << Beams{{-0.1, 1.0, 3.0}, {0.1, 1.2, 3.0}} << 1.1f << 1.1f << 1.1f;
         QTest::newRow("steep beams see the ground before a crown")
             << with(steep_ground, {{0.1, 5.0, 1.0}, {0.11, 5.2, 1.0}}) << 0.0f << 5.0f << 0.0f;
         QTest::newRow("in whichever order they come")
@@ -142,14 +145,28 @@ private slots:
         QVERIFY2(std::abs(is_m - expected_m) < 0.15f, qPrintable(QString::number(double(is_m))));
     }
 
-    void leavesCellsAloneThatWereNotMeasured() {
+    void lowersFilledCellsOnlyAtAnEdge_data() {
+        QTest::addColumn<float>("left_m");
+        QTest::addColumn<float>("least_m");
+        QTest::addColumn<float>("most_m");
+        QTest::newRow("in the midst of a crown") << 5.0f << 5.2f << 5.2f;
+        QTest::newRow("at its edge") << 0.0f << 0.5f << 3.0f;
+    }
+    void lowersFilledCellsOnlyAtAnEdge() {
+        QFETCH(float, left_m);
+        QFETCH(float, least_m);
+        QFETCH(float, most_m);
+        const float is_m = settled_m(
+            {}, [&](int column) { return column < 1 ? left_m : 5.0f; }, 5.2f);
+        QVERIFY2(is_m >= least_m && is_m <= most_m, qPrintable(QString::number(double(is_m))));
+    }
+
+    void leavesUnknownCellsUnknown() {
         CellFloors floors(cell_m);
         HeightMap map(cell_m);
-        map.fill({0, 0}, 7.0f, {1});
-        floors.add({0.1, 0.1, 9.0}, {0.1, 0.1, 1.0});
+        map.write({0, 0}, 1.0f, {1});
         floors.add({0.4, 0.1, 9.0}, {0.4, 0.1, 1.0});
         floors.settle(map);
-        QCOMPARE(*map.height_m({0, 0}), 7.0f);
         QVERIFY(!map.height_m({1, 0}));
         QCOMPARE(map.knownCellCount(), std::size_t(1));
     }

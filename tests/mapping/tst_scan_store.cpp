@@ -93,7 +93,8 @@ private slots:
     }
 
     void knowsTheSameCellsAgainWithoutACorrection() {
-        const auto flown = made_up::fly({.ground_m = [](double x_m, double) { return 0.1 * x_m; }, .walk_share = 0.0, .lanes = 2});
+        const auto flown =
+            made_up::fly({.ground_m = [](double x_m, double) { return 0.1 * x_m; }, .walk_share = 0.0, .lanes = 2});
         HeightMap written(0.25);
         ScanIntegrator integrator;
         std::vector<double> ranges_m;

@@ -29,7 +29,8 @@ private slots:
     }
 
     void comparesOnlyWhatOverlapsWithBothPaths() {
-        const StripResidual before(std::vector{overlap(0.1, 9.2, 0.4f), overlap(0.7, 9.9, 0.4f), overlap(3.0, 9.0, 0.0f)});
+        const StripResidual before(
+            std::vector{overlap(0.1, 9.2, 0.4f), overlap(0.7, 9.9, 0.4f), overlap(3.0, 9.0, 0.0f)});
         const StripResidual after(std::vector{overlap(0.3, 9.5, 0.2f), overlap(5.0, 9.0, 0.9f)});
         const auto compared_m = StripResidual::compared_m(before, after);
         QVERIFY(compared_m);
@@ -38,9 +39,10 @@ private slots:
     }
 
     void weighsPairsOfIntervalsByTheSmallerNumber() {
-        const StripResidual before(std::vector{overlap(0.0, 9.0, 0.6f), overlap(1.0, 9.0, 0.2f), overlap(1.5, 9.0, 0.2f),
-                                               overlap(1.7, 9.0, 0.2f)});
-        const StripResidual after(std::vector{overlap(0.0, 9.0, 0.0f), overlap(0.5, 9.0, 0.0f), overlap(1.0, 9.0, 0.1f)});
+        const StripResidual before(std::vector{overlap(0.0, 9.0, 0.6f), overlap(1.0, 9.0, 0.2f),
+                                               overlap(1.5, 9.0, 0.2f), overlap(1.7, 9.0, 0.2f)});
+        const StripResidual after(
+            std::vector{overlap(0.0, 9.0, 0.0f), overlap(0.5, 9.0, 0.0f), overlap(1.0, 9.0, 0.1f)});
         const auto compared_m = StripResidual::compared_m(before, after);
         QVERIFY(std::abs(compared_m->first - std::sqrt((0.36 + 0.04) / 2.0)) < 1e-6);
         QVERIFY(std::abs(compared_m->second - std::sqrt(0.01 / 2.0)) < 1e-6);

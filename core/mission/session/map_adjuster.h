@@ -12,10 +12,11 @@
 namespace usar::mission {
 
 /// Adjusts the strips of the kept scans (mapping::StripAdjustment), writes all scans into a new map with better cells
-/// (mapping::MapRebuild) and replaces the mapper's map by it. The work is done in parts, so that the session can take lines in between: a part for each line
-/// does not depend on how fast the machine is, and equal lines give equal maps. A part takes some hundredths of a
-/// second, those of the adjustment up to three quarters after a flight of two hours, which has some 200 parts. Scans
-/// that are placed meanwhile get into the new map, too. Belongs to a session and its thread.
+/// (mapping::MapRebuild) and replaces the mapper's map by it. The work is done in parts, so that the session can take
+/// lines in between: a part for each line does not depend on how fast the machine is, and equal lines give equal maps.
+/// A part takes some hundredths of a second, those of the adjustment up to three quarters after a flight of two hours,
+/// which has some 200 parts. Scans that are placed meanwhile get into the new map, too. Belongs to a session and its
+/// thread.
 class MapAdjuster {
 public:
     /// `mapper` must outlive this object. `emptyMap` makes the map without any scan.

@@ -73,9 +73,8 @@ void ScanMapper::takeTruth(const protocol::GroundTruthReading& reading) {
 
 bool ScanMapper::takePose(const agent::PoseEstimate& estimate) {
     const Vec3& base_in_map_m = estimate.base_in_map.position_m;
-    errs_ = errs_ || std::ranges::none_of(truths_m_, [&](const Vec3& true_m) {
-                return (true_m - base_in_map_m).norm() < same_m;
-            });
+    errs_ = errs_ || std::ranges::none_of(truths_m_,
+                                          [&](const Vec3& true_m) { return (true_m - base_in_map_m).norm() < same_m; });
     store_.setExact(!errs_);
     const double there_m = set_confirmed_ ? confirmed_there_m : set_there_m;
     const bool set = set_in_map_m_ && (base_in_map_m - *set_in_map_m_).norm() < there_m;

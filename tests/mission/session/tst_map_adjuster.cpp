@@ -40,8 +40,11 @@ public:
     }
     /// The server tells where the robot is.
     void tellTruth(const Vec3& at_m) {
-        book.take(protocol::InfoLine{
-            {++line_}, "SEN", protocol::GroundTruthReading{.name = "GroundTruth", .base_in_map = {.position_m = at_m}}, {}});
+        book.take(
+            protocol::InfoLine{{++line_},
+                               "SEN",
+                               protocol::GroundTruthReading{.name = "GroundTruth", .base_in_map = {.position_m = at_m}},
+                               {}});
     }
     void tellsTruth(bool on) { tells_truth_ = on; }
     /// Scans so large that the store has no room for them, which hit nothing.
