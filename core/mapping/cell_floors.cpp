@@ -12,7 +12,7 @@ namespace {
 
 constexpr float floor_gap_m = 0.5f; ///< Hits that are farther from the mean of a floor are on another one.
 constexpr float edge_m = 1.0f;      ///< A neighbor that is so much lower makes a cell an edge.
-constexpr double near_m = 0.1;      ///< Votes fall with the distance from the center like a bell of this width.
+constexpr double near_m = 0.1;      ///< At this distance from the center a vote counts half.
 constexpr float flat_weight = 0.02f;
 /// How much more a vertical beam to the lower floor counts than a vote for the higher one.
 constexpr float down_weight = 10.0f;
@@ -61,7 +61,7 @@ void CellFloors::add(const Vec3& scanner_m, const Vec3& hit_m) {
     const Vec2 cell = place.array().floor().matrix();
     const GridIndex index{static_cast<std::int32_t>(cell.x()), static_cast<std::int32_t>(cell.y())};
     const Vec2 from_center_m = (place - cell - Vec2::Constant(0.5)) * cell_size_m_;
-    const auto near = static_cast<float>(std::exp(-from_center_m.squaredNorm() / (2.0 * near_m * near_m)));
+    const auto near = static_cast<float>(1.0 / (1.0 + from_center_m.squaredNorm() / (near_m * near_m)));
     const auto steepness = static_cast<float>(std::max(0.0, -ray_m.z() / ray_m.norm()));
     const float vote = near * steepness;
     const bool passed = from_center_m.dot(ray_m.head<2>()) >= 0.0;

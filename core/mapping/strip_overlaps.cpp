@@ -59,6 +59,7 @@ class LookGrid {
 public:
     LookGrid(const Rectangle& extent, double cell_size_m)
         : cell_m_(cell_size_m)
+        , cells_per_m_(1.0 / cell_size_m)
         , low_m_(extent.min_m - Vec2::Constant(reach_m))
         , columns_(static_cast<std::int64_t>(std::ceil((extent.width_m() + 2.0 * reach_m) / cell_size_m)) + 1)
         , rows_(static_cast<std::int64_t>(std::ceil((extent.height_m() + 2.0 * reach_m) / cell_size_m)) + 1) {}
@@ -67,15 +68,16 @@ public:
     /// To be called before anything else.
     void allocate() { cells_.resize(static_cast<std::size_t>(columns_ * rows_)); }
 
-    void add(const Vec3& hit_m, const Vec3& arm_m, double moment) {
-        const double column = (hit_m.x() - low_m_.x()) / cell_m_, row = (hit_m.y() - low_m_.y()) / cell_m_;
+    /// `arm_m` is from the scanner to the hit, level.
+    void add(const Vec3& scanner_m, const Eigen::Vector2f& arm_m, float z_m, double moment) {
+        const double column = (scanner_m.x() - low_m_.x() + double(arm_m.x())) * cells_per_m_;
+        const double row = (scanner_m.y() - low_m_.y() + double(arm_m.y())) * cells_per_m_;
         if (!(column >= 0.0 && row >= 0.0 && column < double(columns_) && row < double(rows_)))
             return;
         const auto at =
             static_cast<std::size_t>(static_cast<std::int64_t>(row) * columns_ + static_cast<std::int64_t>(column));
         CellSums& sums = cells_[at];
         const int look = static_cast<int>(moment / look_knots);
-        const auto z_m = static_cast<float>(hit_m.z());
         if (sums.look != look) {
             finish(at);
             sums = {.look = look, .first_m = z_m, .first_moment = moment};
@@ -84,8 +86,8 @@ public:
         ++sums.hits;
         sums.sum_m += above_m;
         sums.sum_m2 += above_m * above_m;
-        sums.arm_x_m += static_cast<float>(arm_m.x());
-        sums.arm_y_m += static_cast<float>(arm_m.y());
+        sums.arm_x_m += arm_m.x();
+        sums.arm_y_m += arm_m.y();
         sums.x_m += static_cast<float>((column - std::floor(column)) * cell_m_);
         sums.y_m += static_cast<float>((row - std::floor(row)) * cell_m_);
         sums.moments += static_cast<float>(moment - sums.first_moment);
@@ -189,6 +191,7 @@ private:
     }
 
     double cell_m_;
+    double cells_per_m_;
     Vec2 low_m_;
     std::int64_t columns_;
     std::int64_t rows_;
@@ -284,10 +287,12 @@ std::vector<Overlap> StripHits::overlaps(double cell_size_m, const KnotErrors& e
         const double part = origin.moment - double(knot);
         const KnotError error = (1.0 - part) * errors[knot] + part * errors[knot + 1];
         const Vec3 from_m = origin.position_m - error.head<3>();
-        const Eigen::Matrix3d turn = Eigen::AngleAxisd(-error.w(), Vec3::UnitZ()).toRotationMatrix();
+        const auto cosine = static_cast<float>(std::cos(error.w())), sine = static_cast<float>(std::sin(error.w()));
+        const auto from_z_m = static_cast<float>(from_m.z());
         for (std::size_t hit = origin.first_hit; hit < origins_[i + 1].first_hit; ++hit) {
-            const Vec3 arm_m = turn * hits_m_[hit].cast<double>();
-            grid.add(from_m + arm_m, arm_m, origin.moment);
+            const Eigen::Vector3f& hit_m = hits_m_[hit];
+            const Eigen::Vector2f arm_m(cosine * hit_m.x() + sine * hit_m.y(), cosine * hit_m.y() - sine * hit_m.x());
+            grid.add(from_m, arm_m, from_z_m + hit_m.z(), origin.moment);
         }
     }
     return grid.pairs();
