@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <utility>
 
 #include "core/mapping/height_map.h"
 
@@ -23,8 +24,7 @@ namespace usar::mapping {
 /// of something whose hits are all on the far side of the center; then the height is that of its neighbors below.
 /// The weights were chosen by comparison with true heights in one wooded world: they make open ground more exact, and
 /// crowns, too, where most of the ground is seen twice; where it is not, crowns end too early and become less exact.
-/// Takes 36 bytes a cell. A plain value
-/// that can be moved.
+/// Takes 36 bytes a cell. A plain value that can be moved.
 class CellFloors {
 public:
     /// `cell_size_m` is that of the map that will be settled.
