@@ -112,6 +112,14 @@ void HeightMap::record(GridIndex cell, float height_m, LineNumber line, bool mea
     noteChange(slot);
 }
 
+void HeightMap::settle(GridIndex cell, float height_m) {
+    if (!std::isfinite(height_m) || !this->height_m(cell))
+        return;
+    Slot& slot = slotFor(cell);
+    slot.tile.height_m[offsetOf(cell)] = height_m;
+    noteChange(slot);
+}
+
 void HeightMap::noteChange(Slot& slot) {
     if (!std::exchange(slot.changed, true))
         changed_.push_back(slot.tile.index);

@@ -81,6 +81,9 @@ public:
     /// of the old and the new value. Ignores values that are not finite.
     void fill(GridIndex cell, float height_m, LineNumber line) { record(cell, height_m, line, false); }
 
+    /// Replaces the height of a known cell; others stay unknown. Ignores values that are not finite.
+    void settle(GridIndex cell, float height_m);
+
     /// Makes sure that there is a tile, which counts as written: so that whoever has a tile of an earlier map learns
     /// that nothing is known there now.
     void addTile(GridIndex tile_index);

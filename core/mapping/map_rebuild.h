@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/mapping/cell_floors.h"
 #include "core/mapping/height_map.h"
 #include "core/mapping/path_correction.h"
 #include "core/mapping/scan_integrator.h"
@@ -13,9 +14,10 @@
 
 namespace usar::mapping {
 
-/// Writes the scans in the order in which they came, so that without a correction the map is the same again up to the
-/// rounding of ranges to 32 bits. Works in steps, so that whoever owns it can do something else in between; a step
-/// writes `scans_per_step` scans and takes about 10 ms.
+/// Writes the scans in the order in which they came, so that without a correction the same cells are known again. At
+/// the end, each measured height becomes the one that CellFloors tells, instead of the running mean of the thesis,
+/// which a map has while it is flown and as long as nobody asks for an adjustment. Works in steps, so that whoever owns
+/// it can do something else in between; a step writes `scans_per_step` scans and takes about 10 ms.
 class MapRebuild {
 public:
     static constexpr std::size_t scans_per_step = 200;
@@ -25,7 +27,8 @@ public:
     MapRebuild(const ScanStore& store, PathCorrection correction, HeightMap map)
         : store_(&store)
         , correction_(std::move(correction))
-        , map_(std::move(map)) {}
+        , map_(std::move(map))
+        , floors_(map_.cellSize_m()) {}
 
     /// Writes some scans; returns false if there are no more.
     bool step();
@@ -35,6 +38,7 @@ private:
     const ScanStore* store_;
     PathCorrection correction_;
     HeightMap map_;
+    CellFloors floors_;
     std::map<std::uint32_t, ScanIntegrator> integrators_; ///< by scanner
     std::vector<double> ranges_m_;
     std::size_t next_ = 0;

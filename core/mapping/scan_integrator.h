@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/base/cause.h"
@@ -40,9 +41,14 @@ public:
     const std::vector<Vec3>& lastHits() const { return hits_; }
 
 private:
+    /// Computes `rays_` unless they are those of these beams already, as those of the scan before usually are.
+    void aim(const Beams& beams);
+
     double gap_limit_m_;
     std::vector<Vec3> hits_;
     std::vector<Vec3> previous_hits_;
+    std::vector<Vec2> rays_;                 ///< directions of the beams, in the scanner's plane
+    std::pair<double, double> directions_{}; ///< resolution and field of view, in rad, that `rays_` have
     bool strip_broken_ = true;
 };
 

@@ -61,6 +61,9 @@ public:
     /// Keeps a scan that was placed now; fills in its time, sortie and walk.
     void keep(KeptScan scan);
     void clear() { *this = {}; }
+    /// Whether the estimates have no errors, as those of a robot that is told where it really is.
+    void setExact(bool exact) { exact_ = exact; }
+    bool exact() const { return exact_; }
 
     /// Valid until the store is cleared or overfull; kept scans stay where they are.
     const std::deque<KeptScan>& scans() const { return scans_; }
@@ -76,6 +79,7 @@ private:
     bool new_clock_ = false;
     bool new_sortie_ = true;
     bool overfull_ = false;
+    bool exact_ = false;
     std::size_t bytes_ = 0;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 #include <Eigen/Eigenvalues>
 
@@ -17,10 +18,9 @@ struct Level {
     double cell_size_m;
     double width_m;
 };
-constexpr std::array<Level, 5> levels{{{2.0, 0.5}, {1.0, 0.4}, {1.0, 0.25}, {0.5, 0.15}, {0.5, 0.1}}};
-constexpr double finest_m = 0.5;
+constexpr std::array<Level, 7> levels{
+    {{2.0, 0.5}, {1.0, 0.4}, {1.0, 0.25}, {0.5, 0.15}, {0.5, 0.1}, {0.5, 0.1}, {0.5, 0.1}}};
 constexpr std::size_t fewest_overlaps = 200;
-constexpr double most_counted_m = 1.0;
 /// The correction must explain differences of so much (root mean square). A path without any drift has smaller ones,
 /// because of the noise of the ranges and because two looks at a cell hit different places in it.
 constexpr double least_gain_m = 0.08;
@@ -76,6 +76,8 @@ void StripAdjustment::begin() {
         return decline("The flight was too long for all its scans to be kept.");
     if (scan_count_ == 0)
         return decline("There are no scans.");
+    if (store_->exact())
+        return decline("The robot knew where it was, so its path has no errors.");
     std::vector<const KeptScan*> scans;
     for (std::size_t i = 0; i < scan_count_; ++i)
         if (const KeptScan& scan = store_->scans()[i];
@@ -85,21 +87,27 @@ void StripAdjustment::begin() {
     solver_.emplace(sorties_, scans, knots_);
 }
 
+StripResidual StripAdjustment::residualWith(const KnotErrors& errors) const {
+    return StripResidual(hits_.overlaps(finest_m_, errors));
+}
+
 void StripAdjustment::look() {
-    const std::vector<Overlap> overlaps = hits_.overlaps(finest_m, KnotErrors(knots_.count(), KnotError::Zero()));
-    result_.overlaps = overlaps.size();
-    result_.residual_before_m = residual_m(overlaps);
-    errors_ = bridged_ = solver_->solve({}, KnotErrors(knots_.count(), KnotError::Zero()), finest_m, finest_m);
+    const KnotErrors none(knots_.count(), KnotError::Zero());
+    finest_m_ = hits_.finest_m();
+    residual_ = residualWith(none);
+    result_.overlaps = residual_.overlaps();
+    result_.residual_before_m = residual_.all_m();
+    errors_ = bridged_ = solver_->solve({}, none, finest_m_, finest_m_);
     bridged_covariances_ = solver_->covariances();
-    residual_bridged_m_ = residual_m(hits_.overlaps(finest_m, errors_));
-    if (overlaps.size() < fewest_overlaps)
+    residual_bridged_ = residualWith(bridged_);
+    if (std::max(residual_.overlaps(), residual_bridged_.overlaps()) < fewest_overlaps)
         bridgeOrDecline("Hardly any ground was seen twice, half a minute apart.");
 }
 
 void StripAdjustment::refine() {
     const Level& level = levels[next_ - 3];
-    const std::vector<Overlap> overlaps = hits_.overlaps(level.cell_size_m, errors_);
-    errors_ = solver_->solve(overlaps, errors_, level.cell_size_m, level.width_m);
+    const double cell_size_m = std::max(level.cell_size_m, finest_m_);
+    errors_ = solver_->solve(hits_.overlaps(cell_size_m, errors_), errors_, cell_size_m, level.width_m);
 }
 
 void StripAdjustment::judge() {
@@ -107,14 +115,16 @@ void StripAdjustment::judge() {
     const Eigen::Vector2d held = holdOf(covariances, bridged_covariances_);
     if (held.x() < least_hold)
         return bridgeOrDecline("The ground is too flat to tell where a strip lies.");
-    const auto residual = residual_m(hits_.overlaps(finest_m, errors_));
-    const double before_m = *result_.residual_before_m;
-    if (!residual || before_m * before_m - *residual * *residual < least_gain_m * least_gain_m ||
-        (residual_bridged_m_ && *residual > *residual_bridged_m_))
+    const StripResidual residual = residualWith(errors_);
+    const bool overlapped = residual_.overlaps() >= fewest_overlaps; // Else only the bridged path has overlaps.
+    const auto compared_m = StripResidual::compared_m(overlapped ? residual_ : residual_bridged_, residual);
+    const auto with_bridged_m = StripResidual::compared_m(residual_bridged_, residual);
+    if (!compared_m || !(std::hypot(compared_m->second, least_gain_m) <= compared_m->first) ||
+        (with_bridged_m && with_bridged_m->second > with_bridged_m->first))
         return bridgeOrDecline("The heights where strips overlap do not agree much better with a corrected path.");
     accept(AdjustmentVerdict::Adjusted, errors_, residual, covariances);
-    result_.reason = "The heights where strips overlap differ by " + fixed(*residual, 2) + " m instead of " +
-                     fixed(*result_.residual_before_m, 2) + " m.";
+    result_.reason = "The heights where strips overlap differ by " + fixed(compared_m->second, 2) + " m instead of " +
+                     fixed(compared_m->first, 2) + " m.";
     if (held.y() < least_hold)
         result_.reason += " The ground holds one horizontal direction only.";
 }
@@ -124,34 +134,25 @@ void StripAdjustment::bridgeOrDecline(const std::string& reason) {
     for (std::size_t i = 0; i < std::min(scan_count_, store_->scans().size()); ++i)
         known = known || sorties_[store_->scans()[i].sortie].closing_error_m.has_value();
     decline(reason);
-    const auto& before_m = result_.residual_before_m; // Strips may overlap only where the path is bridged.
-    if (!known || (residual_bridged_m_ && before_m && *residual_bridged_m_ > *before_m))
+    const auto compared_m = StripResidual::compared_m(residual_, residual_bridged_);
+    if (!known || (compared_m && compared_m->second > compared_m->first))
         return;
-    accept(AdjustmentVerdict::Bridged, bridged_, residual_bridged_m_, bridged_covariances_);
+    accept(AdjustmentVerdict::Bridged, bridged_, residual_bridged_, bridged_covariances_);
     result_.reason = reason + " The path was corrected only by what the settings of the INS have shown.";
 }
 
-void StripAdjustment::accept(AdjustmentVerdict verdict, const KnotErrors& errors, std::optional<double> residual_m,
+void StripAdjustment::accept(AdjustmentVerdict verdict, const KnotErrors& errors, const StripResidual& residual,
                              const std::vector<Eigen::Matrix4d>& covariances) {
     result_.verdict = verdict;
-    result_.residual_after_m = residual_m;
+    result_.residual_after_m = residual.all_m();
+    if (const auto compared_m = StripResidual::compared_m(residual_, residual))
+        std::tie(result_.residual_before_m, result_.residual_after_m) = *compared_m;
     result_.correction.sorties.resize(sorties_.size());
     for (std::size_t sortie = 0; sortie < sorties_.size(); ++sortie)
         for (std::size_t knot = knots_.first(sortie); knot < knots_.first(sortie + 1); ++knot)
             result_.correction.sorties[sortie].push_back(
                 {knots_.time(sortie, knot), errors[knot].head<3>(),
                  covariances[knot].diagonal().head<3>().cwiseMax(0.0).cwiseSqrt(), errors[knot].w()});
-}
-
-std::optional<double> StripAdjustment::residual_m(const std::vector<Overlap>& overlaps) {
-    if (overlaps.empty())
-        return std::nullopt;
-    double sum_m2 = 0.0;
-    for (const Overlap& overlap : overlaps) {
-        const double counted_m = std::min(std::abs(double(overlap.difference_m)), most_counted_m);
-        sum_m2 += counted_m * counted_m;
-    }
-    return std::sqrt(sum_m2 / double(overlaps.size()));
 }
 
 } // namespace usar::mapping

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/mapping/strip_overlaps.h"
+#include "core/mapping/strip_residual.h"
 #include "core/mapping/strip_result.h"
 #include "core/mapping/strip_solver.h"
 
@@ -16,11 +17,12 @@ namespace usar::mapping {
 /// data"), with the errors of a path instead of those of whole strips: unknown is the error of the position, x, y and
 /// z, at knots that are 5 s apart (StripSolver); observed are differences in height between looks at one cell
 /// (StripHits), linearized by the slope of the map. The grids become finer, from 2 m to 0.5 m, as the errors become
-/// smaller. Roll, pitch and yaw are taken as they are.
+/// smaller; those of an area of more than a square kilometer stay coarser. Roll, pitch and yaw are taken as they are.
 ///
-/// A correction is accepted only if the differences in height become smaller by it, and only if the ground gives hold
-/// in at least one horizontal direction: over flat ground all positions give the same heights. Where the ground holds
-/// one direction only, as in a straight valley, the error in the other one is the most likely one without overlaps.
+/// A correction is accepted only if the differences in height become smaller by it (StripResidual), and only if the
+/// ground gives hold in at least one horizontal direction: over flat ground all positions give the same heights. Where
+/// the ground holds one direction only, as in a straight valley, the error in the other one is the most likely one
+/// without overlaps.
 ///
 /// Works in steps, so that whoever owns it can do something else in between. For a flight of two
 /// hours a step takes a quarter of a second, and the last one three quarters. Uses nothing but what the robot has told;
@@ -35,14 +37,13 @@ public:
     const StripResult& result() const { return result_; }
 
 private:
-    /// Root mean square of the differences of these overlaps, each at most 1 m.
-    static std::optional<double> residual_m(const std::vector<Overlap>& overlaps);
     void begin();
     void look();
     void refine();
     void judge();
-    void accept(AdjustmentVerdict verdict, const KnotErrors& errors, std::optional<double> residual_m,
+    void accept(AdjustmentVerdict verdict, const KnotErrors& errors, const StripResidual& residual,
                 const std::vector<Eigen::Matrix4d>& covariances);
+    StripResidual residualWith(const KnotErrors& errors) const;
     void decline(const std::string& reason);
     void bridgeOrDecline(const std::string& reason);
 
@@ -52,11 +53,13 @@ private:
     std::size_t next_ = 0; ///< number of the next step
     KnotTimes knots_;
     StripHits hits_;
+    double finest_m_ = 0.0; ///< side of the smallest cells
     std::optional<StripSolver> solver_;
     KnotErrors errors_;
     KnotErrors bridged_;                               ///< errors without any overlap
     std::vector<Eigen::Matrix4d> bridged_covariances_; ///< their covariances
-    std::optional<double> residual_bridged_m_;
+    StripResidual residual_;                           ///< with the path as it was estimated
+    StripResidual residual_bridged_;
     StripResult result_;
 };
 

@@ -11,12 +11,12 @@ namespace usar::mapping {
 
 namespace {
 
-constexpr double steepest_cosine = 0.5; ///< 60 degrees off the vertical
-constexpr double look_knots = 2.0;      ///< length of a look
+constexpr double flattest_cosine = 0.25; ///< 75 degrees off the vertical
+constexpr double look_knots = 2.0;       ///< length of a look
 constexpr double apart_knots = 25.0 / KnotTimes::spacing.count();
 constexpr float most_difference_m = 3.0f;
 /// A smaller slope may as well be noise of the heights or of the attitude.
-constexpr float least_slope = 0.04f;
+constexpr float least_slope = 0.08f;
 /// A larger slope is that of a crown or a wall, which is not the same within a cell.
 constexpr float steep_slope = 2.0f;
 constexpr double reach_m = 25.0;
@@ -59,22 +59,25 @@ class LookGrid {
 public:
     LookGrid(const Rectangle& extent, double cell_size_m)
         : cell_m_(cell_size_m)
+        , cells_per_m_(1.0 / cell_size_m)
         , low_m_(extent.min_m - Vec2::Constant(reach_m))
         , columns_(static_cast<std::int64_t>(std::ceil((extent.width_m() + 2.0 * reach_m) / cell_size_m)) + 1)
         , rows_(static_cast<std::int64_t>(std::ceil((extent.height_m() + 2.0 * reach_m) / cell_size_m)) + 1) {}
 
     bool tooLarge() const { return columns_ * rows_ > static_cast<std::int64_t>(StripHits::most_cells); }
+    /// To be called before anything else.
     void allocate() { cells_.resize(static_cast<std::size_t>(columns_ * rows_)); }
 
-    void add(const Vec3& hit_m, const Vec3& arm_m, double moment) {
-        const double column = (hit_m.x() - low_m_.x()) / cell_m_, row = (hit_m.y() - low_m_.y()) / cell_m_;
+    /// `arm_m` is from the scanner to the hit, level.
+    void add(const Vec3& scanner_m, const Eigen::Vector2f& arm_m, float z_m, double moment) {
+        const double column = (scanner_m.x() - low_m_.x() + double(arm_m.x())) * cells_per_m_;
+        const double row = (scanner_m.y() - low_m_.y() + double(arm_m.y())) * cells_per_m_;
         if (!(column >= 0.0 && row >= 0.0 && column < double(columns_) && row < double(rows_)))
             return;
         const auto at =
             static_cast<std::size_t>(static_cast<std::int64_t>(row) * columns_ + static_cast<std::int64_t>(column));
         CellSums& sums = cells_[at];
         const int look = static_cast<int>(moment / look_knots);
-        const auto z_m = static_cast<float>(hit_m.z());
         if (sums.look != look) {
             finish(at);
             sums = {.look = look, .first_m = z_m, .first_moment = moment};
@@ -83,8 +86,8 @@ public:
         ++sums.hits;
         sums.sum_m += above_m;
         sums.sum_m2 += above_m * above_m;
-        sums.arm_x_m += static_cast<float>(arm_m.x());
-        sums.arm_y_m += static_cast<float>(arm_m.y());
+        sums.arm_x_m += arm_m.x();
+        sums.arm_y_m += arm_m.y();
         sums.x_m += static_cast<float>((column - std::floor(column)) * cell_m_);
         sums.y_m += static_cast<float>((row - std::floor(row)) * cell_m_);
         sums.moments += static_cast<float>(moment - sums.first_moment);
@@ -108,7 +111,7 @@ public:
     }
 
 private:
-    float uneven_m() const { return cell_m_ > 1.0 ? 0.6f : 0.3f; }
+    float uneven_m() const { return cell_m_ > 1.0 ? 1.2f : 0.6f; }
 
     void finish(std::size_t at) {
         const CellSums& sums = cells_[at];
@@ -188,6 +191,7 @@ private:
     }
 
     double cell_m_;
+    double cells_per_m_;
     Vec2 low_m_;
     std::int64_t columns_;
     std::int64_t rows_;
@@ -256,7 +260,7 @@ StripHits::StripHits(std::span<const KeptScan* const> scans, const KnotTimes& kn
         for (std::size_t k = 0; k < rays.size(); ++k) {
             const float range_m = scan->ranges_m[k];
             const Eigen::Vector3f ray = turn.leftCols<2>() * rays[k];
-            if (range_m > 0.0f && isHit(double(range_m), scan->maximum_m) && ray.z() < -steepest_cosine)
+            if (range_m > 0.0f && isHit(double(range_m), scan->maximum_m) && ray.z() < -flattest_cosine)
                 hits_m_.emplace_back(range_m * ray);
         }
     }
@@ -264,9 +268,16 @@ StripHits::StripHits(std::span<const KeptScan* const> scans, const KnotTimes& kn
         origins_.push_back({Vec3::Zero(), 0.0, hits_m_.size()});
 }
 
+double StripHits::finest_m() const {
+    double cell_size_m = 0.5;
+    while (LookGrid(extent_, cell_size_m).tooLarge())
+        cell_size_m *= 2.0;
+    return cell_size_m;
+}
+
 std::vector<Overlap> StripHits::overlaps(double cell_size_m, const KnotErrors& errors) const {
     LookGrid grid(extent_, cell_size_m);
-    if (empty() || grid.tooLarge())
+    if (empty() || grid.tooLarge()) // Whoever asks for cells finer than the finest finds nothing.
         return {};
     grid.allocate();
     const std::size_t scans_apart = cell_size_m > 1.5 ? 3 : cell_size_m > 0.75 ? 2 : 1;
@@ -276,10 +287,12 @@ std::vector<Overlap> StripHits::overlaps(double cell_size_m, const KnotErrors& e
         const double part = origin.moment - double(knot);
         const KnotError error = (1.0 - part) * errors[knot] + part * errors[knot + 1];
         const Vec3 from_m = origin.position_m - error.head<3>();
-        const Eigen::Matrix3d turn = Eigen::AngleAxisd(-error.w(), Vec3::UnitZ()).toRotationMatrix();
+        const auto cosine = static_cast<float>(std::cos(error.w())), sine = static_cast<float>(std::sin(error.w()));
+        const auto from_z_m = static_cast<float>(from_m.z());
         for (std::size_t hit = origin.first_hit; hit < origins_[i + 1].first_hit; ++hit) {
-            const Vec3 arm_m = turn * hits_m_[hit].cast<double>();
-            grid.add(from_m + arm_m, arm_m, origin.moment);
+            const Eigen::Vector3f& hit_m = hits_m_[hit];
+            const Eigen::Vector2f arm_m(cosine * hit_m.x() + sine * hit_m.y(), cosine * hit_m.y() - sine * hit_m.x());
+            grid.add(from_m, arm_m, from_z_m + hit_m.z(), origin.moment);
         }
     }
     return grid.pairs();

@@ -45,8 +45,13 @@ struct Overlap {
     Eigen::Vector2f late_arm_m = Eigen::Vector2f::Zero();
 };
 
-/// The hits of kept scans, relative to the scanner. Scans of up to 60 degrees off the vertical are used, because
-/// flatter beams show the sides of things. Built once for an adjustment; 12 bytes a hit. A plain value.
+/// A number that is the same for overlaps whose looks are from the same two intervals between knots.
+inline std::uint64_t intervalsOf(const Overlap& overlap) {
+    return (static_cast<std::uint64_t>(overlap.early) << 32) | static_cast<std::uint64_t>(overlap.late);
+}
+
+/// The hits of kept scans, relative to the scanner. Beams of up to 75 degrees off the vertical are used, because
+/// flatter ones show the sides of things. Built once for an adjustment; 12 bytes a hit. A plain value.
 class StripHits {
 public:
     StripHits() = default;
@@ -57,10 +62,13 @@ public:
     const Rectangle& extent() const { return extent_; }
     /// Overlaps on a grid of cells of this size, with the path corrected by `errors`. A look at a cell is the
     /// mean of what was hit in it within ten seconds. Looks are left out where the heights in it disagree, as at a
-    /// wall, and pairs of looks that are less than 25 s apart or that differ by 3 m and more. Empty if the grid were
-    /// too large (`most_cells`).
+    /// wall, and pairs of looks that are less than 25 s apart or that differ by 3 m and more. `cell_size_m` is
+    /// at least `finest_m`.
     std::vector<Overlap> overlaps(double cell_size_m, const KnotErrors& errors) const;
 
+    /// The side of the smallest cells that a grid over all scans can have, for which there is room for `most_cells`:
+    /// 0.5 m up to an area of one square kilometer, and twice that for each fourfold area.
+    double finest_m() const;
     static constexpr std::size_t most_cells = std::size_t(1) << 22;
 
 private:

@@ -31,7 +31,7 @@ constexpr double least_turn_rad = 0.004;
 constexpr std::size_t unknowns = 4; ///< of a knot
 constexpr int yaw_axis = 3;
 /// Neighboring cells see the same things and err alike, so each counts less than one of its own.
-constexpr double share_of_cell = 0.15;
+constexpr double share_of_cell = 0.3;
 /// How much wider the distribution is on a slope: part of the difference in height across a cell.
 constexpr double share_of_slope = 0.3;
 constexpr int rounds = 1;
@@ -80,10 +80,7 @@ Eigen::VectorXd flat(const KnotErrors& errors) {
 /// Overlaps of the same two intervals between knots follow one another.
 std::vector<Overlap> grouped(std::span<const Overlap> overlaps) {
     std::vector<Overlap> sorted(overlaps.begin(), overlaps.end());
-    const auto intervals = [](const Overlap& overlap) {
-        return (static_cast<std::uint64_t>(overlap.early) << 32) | static_cast<std::uint64_t>(overlap.late);
-    };
-    std::ranges::stable_sort(sorted, {}, intervals);
+    std::ranges::stable_sort(sorted, {}, intervalsOf);
     return sorted;
 }
 

@@ -23,6 +23,9 @@ struct MadeUpFlight {
     double spacing_m = 6.0;
     double height_m = 6.0; ///< over z = 0
     bool lands = false;    ///< after the last lane the INS is set
+    double creep = 0.0;    ///< meters by which the estimate drifts along y for each meter of the way; needs `sidles`
+    bool sidles = false;   ///< It also flies from lane to lane in small steps, instead of in one.
+    double yaw_error_rad = 0.0; ///< of every other lane; the rest have its opposite
 };
 
 /// The scans as a session keeps them, and where they really were taken.
@@ -67,10 +70,13 @@ inline FlownStrips fly(const MadeUpFlight& flight) {
         last_m = at_m;
         for (int axis = 0; axis < 3; ++axis)
             drift_m[axis] += flight.walk_share * step_m * gaussian(random);
+        drift_m.y() += flight.creep * step_m;
         flown.store.move(Seconds(time_s += 0.2), at_m + drift_m);
     };
     for (int lane = 0; lane < flight.lanes; ++lane) {
         const double sign = lane % 2 == 0 ? 1.0 : -1.0, y_m = lane * flight.spacing_m;
+        for (double from_m = y_m - flight.spacing_m; flight.sidles && lane > 0 && from_m < y_m; from_m += 0.2)
+            estimated({sign > 0.0 ? 0.0 : flight.lane_m, from_m, flight.height_m});
         for (double along_m = 0.0; along_m < flight.lane_m; along_m += 0.2) {
             const Vec3 at_m(sign > 0.0 ? along_m : flight.lane_m - along_m, y_m, flight.height_m);
             estimated(at_m);
@@ -85,6 +91,7 @@ inline FlownStrips fly(const MadeUpFlight& flight) {
                 const double range_m = rangeDown_m(flight.ground_m, at_m, angle_rad, turn.col(1).head<2>());
                 scan.ranges_m.push_back(float(range_m + (range_m < 20.0 ? flight.noise_m * gaussian(random) : 0.0)));
             }
+            scan.scanner_in_map.yaw_rad += sign * flight.yaw_error_rad;
             flown.store.keep(std::move(scan));
             flown.true_in_map_m.push_back(at_m);
         }

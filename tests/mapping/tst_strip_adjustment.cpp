@@ -8,6 +8,7 @@
 #include "tests/suite/suite.h"
 
 Q_DECLARE_METATYPE(usar::mapping::made_up::Ground)
+Q_DECLARE_METATYPE(usar::mapping::AdjustmentVerdict)
 
 namespace tst_strip_adjustment {
 
@@ -97,6 +98,73 @@ private slots:
         QVERIFY(mapError_m(flown.store, result.correction, ground_m) < mapError_m(flown.store, {}, ground_m));
     }
 
+    void findsTheErrorOfTheYaw_data() {
+        QTest::addColumn<int>("seed");
+        for (int seed = 1; seed <= 3; ++seed)
+            QTest::newRow(rowName("hills", seed)) << seed;
+    }
+    void findsTheErrorOfTheYaw() {
+        QFETCH(int, seed);
+        const double error_rad = 0.04;
+        const FlownStrips flown = fly({.ground_m = hills,
+                                       .walk_share = 0.02,
+                                       .seed = std::uint64_t(seed),
+                                       .lanes = 6,
+                                       .yaw_error_rad = error_rad});
+        const StripResult result = adjust(flown.store);
+        QVERIFY2(result.verdict == AdjustmentVerdict::Adjusted, result.reason.c_str());
+        double sum_rad2 = 0.0;
+        for (const KeptScan& scan : flown.store.scans()) {
+            const double is_rad = result.correction.at(scan.sortie, scan.time).yaw_error_rad;
+            const double true_rad = std::cos(scan.scanner_in_map.yaw_rad) > 0.0 ? error_rad : -error_rad;
+            sum_rad2 += std::pow(is_rad - true_rad, 2);
+        }
+        const double left_rad = std::sqrt(sum_rad2 / double(flown.store.scans().size()));
+        QVERIFY2(left_rad < 0.6 * error_rad, qPrintable(QString::number(left_rad)));
+    }
+
+    void adjustsStripsThatOverlapOnlyOnceThePathIsBridged_data() {
+        QTest::addColumn<double>("walk_share");
+        QTest::addColumn<AdjustmentVerdict>("verdict");
+        QTest::newRow("bridging is enough") << 0.0 << AdjustmentVerdict::Bridged;
+        QTest::newRow("bridging leaves errors") << 0.12 << AdjustmentVerdict::Adjusted;
+    }
+    void adjustsStripsThatOverlapOnlyOnceThePathIsBridged() {
+        QFETCH(double, walk_share);
+        QFETCH(AdjustmentVerdict, verdict);
+        const FlownStrips flown = fly({.ground_m = hills,
+                                       .walk_share = walk_share,
+                                       .spacing_m = 8.0,
+                                       .height_m = 4.0,
+                                       .lands = true,
+                                       .creep = 0.25,
+                                       .sidles = true});
+        const StripResult result = adjust(flown.store);
+        QVERIFY2(result.verdict == verdict, result.reason.c_str());
+        QVERIFY(result.overlaps < 200);
+        const auto corrected = [&](const KeptScan& scan) {
+            return result.correction.at(scan.sortie, scan.time).error_m;
+        };
+        QVERIFY(flown.left_m(corrected).norm() < 0.1 * flown.left_m(nothing).norm());
+    }
+
+    void adjustsAreasOfMoreThanASquareKilometer() {
+        FlownStrips flown = fly({.ground_m = hills, .walk_share = 0.08});
+        KeptScan far = flown.store.scans().front();
+        far.scanner_in_map.position_m += Vec3(1100.0, 1100.0, 0.0);
+        flown.store.keep(far);
+        const StripResult result = adjust(flown.store);
+        QVERIFY2(result.verdict == AdjustmentVerdict::Adjusted, result.reason.c_str());
+    }
+
+    void declinesIfTheRobotKnowsWhereItIs() {
+        FlownStrips flown = fly({.ground_m = hills, .walk_share = 0.08, .lands = true});
+        flown.store.setExact(true);
+        const StripResult result = adjust(flown.store);
+        QCOMPARE(result.verdict, AdjustmentVerdict::Declined);
+        QCOMPARE(result.reason, std::string("The robot knew where it was, so its path has no errors."));
+    }
+
     void declinesWhereTheGroundGivesNone_data() {
         QTest::addColumn<Ground>("ground_m");
         QTest::addColumn<int>("seed");
@@ -128,12 +196,13 @@ private slots:
         const StripResult result = adjust(flown.store);
         QVERIFY2(result.verdict == AdjustmentVerdict::Adjusted, result.reason.c_str());
         QVERIFY2(result.reason.ends_with("The ground holds one horizontal direction only."), result.reason.c_str());
-        double most_m = 0.0; // No more than the standard deviation that the prior has at the end.
-        for (const PathKnot& knot : result.correction.sorties.at(0))
-            most_m = std::max(most_m, std::abs(knot.error_m.x()));
         const PathKnot& last = result.correction.sorties.at(0).back();
         QVERIFY(last.sigma_m.x() > 1.3 * last.sigma_m.y());
-        QVERIFY2(most_m < 0.25, qPrintable(QString::number(most_m)));
+        const Vec3 before_m = flown.left_m(nothing);
+        const Vec3 after_m =
+            flown.left_m([&](const KeptScan& scan) { return result.correction.at(scan.sortie, scan.time).error_m; });
+        QVERIFY2(after_m.x() < 1.1 * before_m.x(), qPrintable(QString::number(after_m.x())));
+        QVERIFY2(after_m.y() < 0.6 * before_m.y(), qPrintable(QString::number(after_m.y())));
     }
 
     void neverMakesAMapWorseThatHasNoDrift_data() {

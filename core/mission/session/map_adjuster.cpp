@@ -30,15 +30,19 @@ bool MapAdjuster::step() {
     return true;
 }
 
-/// A map that is as it was flown need not be made again.
+/// Also a map whose path is not corrected is made again, because its cells become better.
 void MapAdjuster::conclude() {
     adjusted_ = adjustment_->result();
     adjustment_.reset();
-    const bool is_corrected = result_ && result_->verdict != AdjustmentVerdict::Declined;
-    if (!mapper_.store().overfull() && (adjusted_->verdict != AdjustmentVerdict::Declined || is_corrected))
+    if (!mapper_.store().scans().empty()) {
         rebuild_.emplace(mapper_.store(), adjusted_->correction, emptyMap_());
-    else
+        return;
+    }
+    const bool is_corrected = result_ && result_->verdict != AdjustmentVerdict::Declined;
+    if (!is_corrected)
         result_ = std::move(adjusted_);
+    else if (!result_->reason.ends_with(adjusted_->reason)) // The map stays corrected without the scans.
+        result_->reason += " The rest is as it was flown. " + adjusted_->reason;
 }
 
 void MapAdjuster::forget() {

@@ -11,11 +11,12 @@
 
 namespace usar::mission {
 
-/// Adjusts the strips of the kept scans (mapping::StripAdjustment), writes all scans into a new map and replaces the
-/// mapper's map by it. The work is done in parts, so that the session can take lines in between: a part for each line
-/// does not depend on how fast the machine is, and equal lines give equal maps. A part takes some hundredths of a
-/// second, those of the adjustment up to three quarters after a flight of two hours, which has some 200 parts. Scans
-/// that are placed meanwhile get into the new map, too. Belongs to a session and its thread.
+/// Adjusts the strips of the kept scans (mapping::StripAdjustment), writes all scans into a new map with better cells
+/// (mapping::MapRebuild) and replaces the mapper's map by it. The work is done in parts, so that the session can take
+/// lines in between: a part for each line does not depend on how fast the machine is, and equal lines give equal maps.
+/// A part takes some hundredths of a second, those of the adjustment up to three quarters after a flight of two hours,
+/// which has some 200 parts. Scans that are placed meanwhile get into the new map, too. Belongs to a session and its
+/// thread.
 class MapAdjuster {
 public:
     /// `mapper` must outlive this object. `emptyMap` makes the map without any scan.
@@ -27,6 +28,10 @@ public:
     void begin();
     /// True if scans were kept since the last `begin`.
     bool hasNews() const { return mapper_.store().scans().size() != scans_begun_ || mapper_.store().overfull(); }
+    /// True if half of all scans or more were kept since the last `begin`. A robot that lands again and again would
+    /// otherwise spend most of the time on adjusting what was adjusted before; now that is at most as much as the last
+    /// adjustment takes.
+    bool hasManyNews() const { return hasNews() && mapper_.store().scans().size() >= 2 * scans_begun_; }
     bool busy() const { return adjustment_ || rebuild_; }
     /// Does a part of the work; returns false if there was none.
     bool step();

@@ -78,6 +78,10 @@ void ScanBook::take(const protocol::InfoLine& line) {
         mapper_.takeConfiguration(*configuration);
     else if (const auto* geometry = std::get_if<protocol::GeometryInfo>(&line.message))
         mapper_.takeGeometry(*geometry);
+    else if (const auto* truth = std::get_if<protocol::GroundTruthReading>(&line.message))
+        mapper_.takeTruth(*truth);
+    else if (const auto* response = std::get_if<protocol::Response>(&line.message))
+        mapper_.takeResponse(*response);
     else if (const auto* game = std::get_if<protocol::GameInfo>(&line.message))
         record_.level = game->level;
     adjustPart();
@@ -117,7 +121,7 @@ void ScanBook::takeStatus(const agent::BehaviorStatus& status) {
 }
 
 void ScanBook::takePose(const agent::PoseEstimate& estimate) {
-    if (mapper_.takePose(estimate)) // It has landed, and stands still for a while.
+    if (mapper_.takePose(estimate) && adjuster_.hasManyNews()) // It has landed, and stands still for a while.
         beginAdjustment();
     const Vec3& point_m = estimate.base_in_map.position_m;
     if (record_.path_m.empty() || (point_m - record_.path_m.back()).norm() >= cellSize_m()) {

@@ -42,8 +42,8 @@ public:
     /// Keeps a status that is only passed on the way to another moment of a replay.
     void passStatus(const agent::BehaviorStatus& status) { record_.status = status; }
     void noteFault(const std::string& sentence) { record_.faults.push_back(sentence); }
-    /// Whether the map is adjusted (MapAdjuster) at each landing and at the end of each task; otherwise it is that of
-    /// the thesis. It is unless this is called before the first scan.
+    /// Whether the map is adjusted (MapAdjuster) at the end of each task, and at each landing before which half of all
+    /// scans or more were new; otherwise it is that of the thesis. It is unless this is called before the first scan.
     void setAdjust(bool on);
     /// The task is over: begins to adjust the map. A part follows with each line, or with `adjustPart`.
     void endTask() { beginAdjustment(); }

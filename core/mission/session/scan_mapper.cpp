@@ -11,6 +11,10 @@ namespace {
 
 /// The rounding of the wire on both axes, twice.
 constexpr double set_there_m = 0.03;
+constexpr double confirmed_there_m = 0.5;
+/// A behavior may be some readings behind.
+constexpr std::size_t truths_kept = 8;
+constexpr double same_m = 1e-6;
 /// A server that sets the INS has done so after this many estimates, which are a few seconds.
 constexpr int longest_setting = 25;
 
@@ -54,11 +58,26 @@ void ScanMapper::takeSent(const protocol::Command& command) {
         return;
     set_in_map_m_ = set->base_in_map.position_m;
     estimates_since_set_ = 0;
+    set_confirmed_ = false;
+}
+
+void ScanMapper::takeResponse(const protocol::Response& response) {
+    set_confirmed_ = set_confirmed_ || (response.ok && sameWord(response.type, "INS"));
+}
+
+void ScanMapper::takeTruth(const protocol::GroundTruthReading& reading) {
+    truths_m_.push_back(reading.base_in_map.position_m);
+    if (truths_m_.size() > truths_kept)
+        truths_m_.pop_front();
 }
 
 bool ScanMapper::takePose(const agent::PoseEstimate& estimate) {
     const Vec3& base_in_map_m = estimate.base_in_map.position_m;
-    const bool set = set_in_map_m_ && (base_in_map_m - *set_in_map_m_).norm() < set_there_m;
+    errs_ = errs_ || std::ranges::none_of(truths_m_,
+                                          [&](const Vec3& true_m) { return (true_m - base_in_map_m).norm() < same_m; });
+    store_.setExact(!errs_);
+    const double there_m = set_confirmed_ ? confirmed_there_m : set_there_m;
+    const bool set = set_in_map_m_ && (base_in_map_m - *set_in_map_m_).norm() < there_m;
     if (set) {
         level_flight_.insWasSet();
         store_.insWasSet(last_base_in_map_m_.value_or(*set_in_map_m_), *set_in_map_m_);
@@ -73,7 +92,7 @@ bool ScanMapper::takePose(const agent::PoseEstimate& estimate) {
 
 Pose ScanMapper::leveled(const std::string& scanner, const Pose& scanner_in_map) const {
     const auto mount = mounts_.find(scanner);
-    if (!improves_ || mount == mounts_.end())
+    if (!improves_ || !errs_ || mount == mounts_.end())
         return scanner_in_map;
     return level_flight_.corrected(scanner_in_map * inverse(mount->second)) * mount->second;
 }
@@ -119,6 +138,7 @@ void ScanMapper::forgetScans() {
     maximum_m_.clear();
     mounts_.clear();
     level_flight_ = {};
+    truths_m_.clear();
     store_.interrupt();
 }
 

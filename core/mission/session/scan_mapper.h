@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <deque>
 #include <map>
 #include <optional>
 #include <string>
@@ -38,8 +39,13 @@ public:
     /// Takes the robot's own estimate of its pose, from which the drift of roll and pitch is learned. True if it shows
     /// that the INS was set, as a command had told it.
     bool takePose(const agent::PoseEstimate& estimate);
-    /// Takes a command that was sent, because one that sets the INS ends its drift as soon as the estimates agree.
+    /// Takes a command that was sent, because one that sets the INS ends its drift as soon as the estimates agree: to
+    /// the rounding of the wire, or, once the server has confirmed it, to the noise that an INS may have at rest.
     void takeSent(const protocol::Command& command);
+    /// Takes an answer of the server, which may confirm that the INS was set.
+    void takeResponse(const protocol::Response& response);
+    /// Learns whether the robot flies by the ground truth. Nothing else is taken from it.
+    void takeTruth(const protocol::GroundTruthReading& reading);
     /// Whether placed scans get the roll and pitch of LevelFlight instead of the INS's own, and are kept so that the
     /// map can be made again. They do and are unless this is called; to be called before the first scan.
     void improve(bool on) { improves_ = on; }
@@ -86,6 +92,9 @@ private:
     std::map<std::string, Pose> mounts_;      ///< poses of scanners in the robot's frame
     std::optional<Vec3> set_in_map_m_;        ///< where the INS was told to be, until it is there
     int estimates_since_set_ = 0;
+    bool set_confirmed_ = false;
+    std::deque<Vec3> truths_m_; ///< the newest true positions
+    bool errs_ = false;         ///< An estimate was none of them.
     std::optional<Vec3> last_base_in_map_m_;
     mapping::LevelFlight level_flight_;
     mapping::ScanStore store_;

@@ -38,6 +38,26 @@ public:
         book.takeSent(protocol::SetInsPose{.base_in_map = {.position_m = at_m}});
         estimate(at_m);
     }
+    /// The server tells where the robot is.
+    void tellTruth(const Vec3& at_m) {
+        book.take(
+            protocol::InfoLine{{++line_},
+                               "SEN",
+                               protocol::GroundTruthReading{.name = "GroundTruth", .base_in_map = {.position_m = at_m}},
+                               {}});
+    }
+    void tellsTruth(bool on) { tells_truth_ = on; }
+    /// Scans so large that the store has no room for them, which hit nothing.
+    void overfill() {
+        const Pose down{.position_m = {0.0, 0.0, 6.0}, .pitch_rad = pi / 2};
+        protocol::RangeScan scan{.name = "Scanner1", .resolution_rad = 1e-6, .fov_rad = 2.0};
+        scan.ranges_m.assign(std::size_t(1) << 21, 20.0);
+        while (!book.mapper().store().overfull()) {
+            estimate(down.position_m);
+            book.take(protocol::InfoLine{{++line_}, "SEN", scan, {}});
+            book.take(agent::Published(agent::ScanPlacement{{line_}, down}));
+        }
+    }
     void wait(int lines) {
         for (int i = 0; i < lines; ++i)
             book.take(protocol::InfoLine{{++line_}, "NFO", protocol::GameInfo{.level = "hills"}, {}});
@@ -77,6 +97,8 @@ private:
             }
             scan.ranges_m.push_back(near_m);
         }
+        if (tells_truth_)
+            tellTruth(at_m);
         estimate(at_m + error_m);
         book.take(protocol::InfoLine{{++line_}, "SEN", scan, {}});
         book.take(agent::Published(agent::ScanPlacement{{line_}, down}));
@@ -84,6 +106,7 @@ private:
 
     std::uint64_t line_ = 0;
     Seconds now_{0.0};
+    bool tells_truth_ = false;
 };
 
 /// Three lanes of which the middle one is misplaced, more than a random walk is likely to do.
@@ -137,6 +160,57 @@ private slots:
         QVERIFY(a.adjustment->path.size() > 200);
         QCOMPARE(a.adjustment->path.front().time, Seconds(0.0));
         QCOMPARE(a.adjustment->deviation.heights_m.size(), a.raster.heights_m.size());
+    }
+
+    void waitsAtALandingUntilHalfOfAllScansAreNew() {
+        Flight flight;
+        flyThreeLanes(flight);
+        flight.setIns({0.0, 15.0, 6.0}, {0.1, 0.1, 0.1});
+        flight.wait(30);
+        const std::size_t overlaps = flight.book.record().adjustment->overlaps;
+        flight.lane(12.0, Vec3::Zero());
+        flight.setIns({0.0, 15.0, 6.0}, Vec3::Zero());
+        QVERIFY(!flight.book.adjustPart());
+        flight.lane(6.0, Vec3::Zero());
+        flight.lane(0.0, Vec3::Zero());
+        flight.setIns({0.0, 15.0, 6.0}, Vec3::Zero());
+        flight.wait(30);
+        QVERIFY(flight.book.record().adjustment->overlaps > overlaps);
+    }
+
+    void correctsNothingIfTheRobotFliesByTheTruth_data() {
+        QTest::addColumn<double>("error_m");
+        QTest::addColumn<AdjustmentVerdict>("verdict");
+        QTest::newRow("by the truth") << 0.0 << AdjustmentVerdict::Declined;
+        QTest::newRow("by its INS") << 1.0 << AdjustmentVerdict::Adjusted;
+    }
+    void correctsNothingIfTheRobotFliesByTheTruth() {
+        QFETCH(double, error_m);
+        QFETCH(AdjustmentVerdict, verdict);
+        Flight flight;
+        flight.tellsTruth(true);
+        flight.lane(3.0, Vec3::Zero());
+        flight.lane(9.0, error_m * Vec3(0.3, -0.2, 0.25));
+        flight.lane(15.0, error_m * Vec3(0.1, 0.1, 0.1));
+        flight.book.finishAdjustment();
+        QVERIFY2(flight.book.record().adjustment->verdict == verdict, flight.book.record().adjustment->reason.c_str());
+    }
+
+    void staysCorrectedWhenTheScansNoLongerFit() {
+        Flight flight;
+        flyThreeLanes(flight);
+        flight.book.finishAdjustment();
+        const double error_m = flight.error_m();
+        const std::string reason = flight.book.record().adjustment->reason;
+        flight.overfill();
+        for (int i = 0; i < 2; ++i) {
+            flight.book.finishAdjustment();
+            const auto& adjustment = *flight.book.record().adjustment;
+            QCOMPARE(adjustment.verdict, AdjustmentVerdict::Adjusted);
+            QCOMPARE(adjustment.reason, reason + " The rest is as it was flown. The flight was too long for all its "
+                                                 "scans to be kept.");
+        }
+        QCOMPARE(flight.error_m(), error_m);
     }
 
     void keepsTheThesissMapIfNobodyWantsAnother() {
@@ -196,12 +270,28 @@ private slots:
         QCOMPARE(flight.book.mapper().map().knownCellCount(), std::size_t(0));
     }
 
+    void believesThatTheInsWasSetOnlyIfTheEstimateShowsIt_data() {
+        QTest::addColumn<double>("to_x_m");
+        QTest::addColumn<bool>("confirmed");
+        QTest::addColumn<int>("sorties");
+        QTest::newRow("far from it") << 500.0 << false << 1;
+        QTest::newRow("far from it, whatever the server says") << 500.0 << true << 1;
+        QTest::newRow("as far as an INS may err at rest") << 0.2 << false << 1;
+        QTest::newRow("as far as an INS may err at rest, and the server has set it") << 0.2 << true << 2;
+        QTest::newRow("there") << 0.01 << false << 2;
+    }
     void believesThatTheInsWasSetOnlyIfTheEstimateShowsIt() {
+        QFETCH(double, to_x_m);
+        QFETCH(bool, confirmed);
+        QFETCH(int, sorties);
         Flight flight;
         flight.lane(3.0, Vec3::Zero());
-        flight.book.takeSent(protocol::SetInsPose{.base_in_map = {.position_m = {500.0, 0.0, 0.0}}});
+        flight.book.takeSent(protocol::SetInsPose{.base_in_map = {.position_m = {-to_x_m, 9.0, 6.0}}});
+        if (confirmed)
+            flight.book.take(
+                protocol::InfoLine{{1000000}, "RES", protocol::Response{.type = "INS", .name = "INS", .ok = true}, {}});
         flight.lane(9.0, Vec3::Zero());
-        QCOMPARE(flight.book.mapper().store().sorties().size(), std::size_t(1));
+        QCOMPARE(flight.book.mapper().store().sorties().size(), std::size_t(sorties));
     }
 };
 
