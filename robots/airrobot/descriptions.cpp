@@ -138,7 +138,7 @@ AirRobot::AirRobot() : ListedRobot("USARBot.AirRobot", "AirRobot", {"INS", "Grou
 }
 
 Result<agent::TaskPreview> AirRobot::preview(const std::string&, const agent::BehaviorContext& context) const {
-    const Settings settings = Settings::parameters.settings(context.parameters);
+    const Settings settings = Settings::parameters.settings(context.parameters).asAsked();
     const auto survey = Survey::make(context.task, settings);
     if (!survey)
         return tl::unexpected(survey.error());

@@ -6,6 +6,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "robots/airrobot/cross_lanes.h"
+
 namespace usar::airrobot {
 
 namespace {
@@ -111,19 +113,6 @@ mapping::Lane lanePast(const Gaps& group, const ReachablePlaces& reach) {
         high_m = past_m;
     }
     return {farthestReached_m(reach, middle_m, -along, -low_m), farthestReached_m(reach, middle_m, along, high_m), 0};
-}
-
-/// Puts the lanes into the order in which they are flown.
-void orderFrom(Vec2 from_m, std::vector<mapping::Lane>& lanes) {
-    for (auto next = lanes.begin(); next != lanes.end(); ++next) {
-        const auto away_m = [&](const mapping::Lane& lane) {
-            return std::min((lane.start_m - from_m).norm(), (lane.end_m - from_m).norm());
-        };
-        std::iter_swap(next, std::ranges::min_element(next, lanes.end(), {}, away_m));
-        if ((next->end_m - from_m).norm() < (next->start_m - from_m).norm())
-            std::swap(next->start_m, next->end_m);
-        from_m = next->end_m;
-    }
 }
 
 } // namespace

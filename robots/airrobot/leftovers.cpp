@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "robots/airrobot/cross_lanes.h"
+
 namespace usar::airrobot {
 
 namespace {
@@ -11,7 +13,8 @@ namespace {
 /// was planned.
 constexpr int most_left_out = 3;
 constexpr double most_added = 0.5;
-constexpr int most_tries = 3; ///< to get through the door
+constexpr int most_crossings = 2; ///< Of what the first crossing leaves, the second one sees a little.
+constexpr int most_tries = 3;     ///< to get through the door
 constexpr double at_base_m = 4.0;
 constexpr double stub_m = 0.5;      ///< length of a lane that is only a place to go to
 constexpr double beyond_m = 3.3;    ///< so far from all places that it could reach before, it is beyond the door
@@ -51,7 +54,30 @@ void Leftovers::noteWall(const ReachablePlaces& reach) {
 bool Leftovers::addLanes(Craft& craft, Survey& survey, const ScanLedger& ledger, const Vec2& base_m,
                          agent::CommandPort& port) {
     begun_ = true;
+    if (!craft.overhead.hasCeiling() && craft.mayClimb() && survey.cutOff_m() == 0.0)
+        return crossOnce(craft, survey, ledger, port);
     return closeGaps(craft, survey, ledger, port) || tryDoor(craft, survey, base_m, port);
+}
+
+bool Leftovers::crossOnce(const Craft& craft, Survey& survey, const ScanLedger& ledger, agent::CommandPort& port) {
+    if (crossings_ >= most_crossings)
+        return false;
+    ++crossings_;
+    const double most_m = most_added * survey.plannedLength_m() - gaps_m_;
+    return fly(crossLanes(ledger, {craft.settings.least_gain_m, most_m}, craft.senses.position2_m()), survey,
+               "Lanes across the others show ground that was hidden: ", port);
+}
+
+bool Leftovers::fly(const std::vector<mapping::Lane>& lanes, Survey& survey, const std::string& why,
+                    agent::CommandPort& port) {
+    if (lanes.empty())
+        return false;
+    for (const mapping::Lane& lane : lanes)
+        gaps_m_ += (lane.end_m - lane.start_m).norm();
+    survey.add(lanes);
+    port.publish(agent::PlannedPath{survey.corners_m()});
+    note(port, why + std::to_string(lanes.size()) + ".");
+    return true;
 }
 
 bool Leftovers::closeGaps(Craft& craft, Survey& survey, const ScanLedger& ledger, agent::CommandPort& port) {
@@ -63,14 +89,7 @@ bool Leftovers::closeGaps(Craft& craft, Survey& survey, const ScanLedger& ledger
         return craft.ways.map().isInSight(from_m, to_m, craft.senses.position_m().z());
     };
     const auto lanes = gaps_.lanes(ledger, {craft.ways.reach(craft.senses), in_sight}, craft.senses.position2_m());
-    if (lanes.empty())
-        return false;
-    for (const mapping::Lane& lane : lanes)
-        gaps_m_ += (lane.end_m - lane.start_m).norm();
-    survey.add(lanes);
-    port.publish(agent::PlannedPath{survey.corners_m()});
-    note(port, "The map has gaps that can be reached; lanes past them: " + std::to_string(lanes.size()) + ".");
-    return true;
+    return fly(lanes, survey, "The map has gaps that can be reached; lanes past them: ", port);
 }
 
 bool Leftovers::tryDoor(Craft& craft, Survey& survey, const Vec2& base_m, agent::CommandPort& port) {

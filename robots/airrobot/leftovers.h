@@ -32,12 +32,17 @@ public:
     void startAnew();
 
 private:
+    /// Under an open sky: lanes across the others.
+    bool crossOnce(const Craft& craft, Survey& survey, const ScanLedger& ledger, agent::CommandPort& port);
+    /// Adds these lanes and says why; false if there are none.
+    bool fly(const std::vector<mapping::Lane>& lanes, Survey& survey, const std::string& why, agent::CommandPort& port);
     bool closeGaps(Craft& craft, Survey& survey, const ScanLedger& ledger, agent::CommandPort& port);
     bool tryDoor(Craft& craft, Survey& survey, const Vec2& base_m, agent::CommandPort& port);
 
     enum class Door { Unknown, ToBase, Outward, Through, Homeward };
 
     bool begun_ = false;
+    int crossings_ = 0; ///< how often lanes across the others were sought
     GapSearch gaps_;
     int gaps_left_out_ = 0; ///< Survey::addedLeftOut when the search for gaps began
     double gaps_m_ = 0.0;   ///< length of the lanes past gaps

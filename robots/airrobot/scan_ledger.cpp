@@ -1,6 +1,7 @@
 #include "robots/airrobot/scan_ledger.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace usar::airrobot {
@@ -11,6 +12,22 @@ namespace {
 constexpr double least_down = 0.5;
 /// A larger area is not watched cell by cell. This is 100 square kilometers.
 constexpr double most_cells = 1e8;
+
+constexpr std::uint8_t all_quarters = 0b1111;
+constexpr std::uint8_t bottomless_bit = 0b10000;
+
+/// The bit of the quarter of a cell in which a place is, given its offset in cells.
+std::uint8_t quarterBit(const Vec2& offset) {
+    const int right = offset.x() - std::floor(offset.x()) < 0.5 ? 0 : 1;
+    const int upper = offset.y() - std::floor(offset.y()) < 0.5 ? 0 : 1;
+    return static_cast<std::uint8_t>(1 << (right + 2 * upper));
+}
+
+ScanLedger::Cell cellOfBits(std::uint8_t bits) {
+    return bits & all_quarters     ? ScanLedger::Cell::Seen
+           : bits & bottomless_bit ? ScanLedger::Cell::Bottomless
+                                   : ScanLedger::Cell::Unknown;
+}
 
 } // namespace
 
@@ -38,10 +55,10 @@ void ScanLedger::note(const Senses& senses, bool on_lane, bool for_map) {
         if (-beam_m.z() < least_down * beam_m.norm())
             continue;
         for (double along_m = 0.0; along_m <= beam_m.head<2>().norm(); along_m += cell_m)
-            mark(from_m.head<2>() + along_m * beam_m.head<2>().normalized(), Cell::Bottomless);
+            mark(from_m.head<2>() + along_m * beam_m.head<2>().normalized(), bottomless_bit);
     }
     for (const Vec3& hit_m : senses.scan->hits_in_map_m)
-        mark(hit_m.head<2>(), Cell::Seen);
+        mark(hit_m.head<2>(), quarterBit((hit_m.head<2>() - area_in_map_.min_m) / cell_m));
 }
 
 std::optional<std::size_t> ScanLedger::cellAt(const Vec2& at_m) const {
@@ -53,14 +70,23 @@ std::optional<std::size_t> ScanLedger::cellAt(const Vec2& at_m) const {
     return indexOf(column, row);
 }
 
-void ScanLedger::mark(const Vec2& at_m, Cell as) {
+void ScanLedger::mark(const Vec2& at_m, std::uint8_t bits) {
     if (const auto index = cellAt(at_m))
-        cells_[*index] = std::max(cells_[*index], as);
+        cells_[*index] |= bits;
+}
+
+ScanLedger::Cell ScanLedger::at(int column, int row) const {
+    return cellOfBits(cells_[indexOf(column, row)]);
+}
+
+double ScanLedger::hidden(int column, int row) const {
+    const std::uint8_t bits = cells_[indexOf(column, row)];
+    return bits == bottomless_bit ? 0.0 : 1.0 - std::popcount<unsigned>(bits & all_quarters) / 4.0;
 }
 
 bool ScanLedger::isSeen(const Vec2& at_m) const {
     const auto index = cellAt(at_m);
-    return index && cells_[*index] == Cell::Seen;
+    return index && cellOfBits(cells_[*index]) == Cell::Seen;
 }
 
 double ScanLedger::mapped() const {
@@ -68,7 +94,7 @@ double ScanLedger::mapped() const {
 }
 
 double ScanLedger::share(Cell what) const {
-    const auto count = std::ranges::count(cells_, what);
+    const auto count = std::ranges::count(cells_, what, cellOfBits);
     return cells_.empty() ? 1.0 : static_cast<double>(count) / static_cast<double>(cells_.size());
 }
 

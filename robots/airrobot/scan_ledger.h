@@ -32,7 +32,10 @@ public:
     int columns() const { return columns_; } ///< 0 if the area is too large to be watched
     int rows() const { return rows_; }
     /// The cell must be in the area.
-    Cell at(int column, int row) const { return cells_[indexOf(column, row)]; }
+    Cell at(int column, int row) const;
+    /// The share of the cell that no scan has hit, in quarters, 0 to 1; 0 where there is no ground within reach. The
+    /// cell must be in the area.
+    double hidden(int column, int row) const;
     Vec2 centerOf_m(int column, int row) const { return area_in_map_.min_m + cell_m * Vec2(column + 0.5, row + 0.5); }
     /// True if a scan hit something in the cell of this place; false outside the area.
     bool isSeen(const Vec2& at_m) const;
@@ -43,14 +46,15 @@ private:
     }
     /// The index of the cell of this place; nullopt outside the area.
     std::optional<std::size_t> cellAt(const Vec2& at_m) const;
-    void mark(const Vec2& at_m, Cell as);
+    /// Adds these bits to the cell of this place.
+    void mark(const Vec2& at_m, std::uint8_t bits);
     double share(Cell what) const;
 
     Rectangle area_in_map_;
     int columns_ = 0;
     int rows_ = 0;
-    std::vector<Cell> cells_; ///< row by row
-    Seconds last_tick_{-1.0}; ///< time of the last one on a lane
+    std::vector<std::uint8_t> cells_; ///< row by row: a bit for each quarter that was hit, and one for bottomless
+    Seconds last_tick_{-1.0};         ///< time of the last one on a lane
     long long lane_ticks_ = 0;
     long long mapped_ticks_ = 0;
 };

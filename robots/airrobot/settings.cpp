@@ -1,12 +1,19 @@
 #include "robots/airrobot/settings.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace usar::airrobot {
 
 namespace {
 
 using S = Settings;
+
+constexpr double most_scan_speed_m_s = 2.0;
+constexpr double least_scan_speed_m_s = 0.1;
+constexpr double most_spacing_m = 40.0;
+constexpr double least_spacing_m = 2.0;
 
 constexpr agent::ParameterRow<Settings> rows[]{
     {&S::scan_altitude_m, "scan_altitude_m", "Scan altitude", "Flight", "m", 2, 15,
@@ -22,8 +29,11 @@ constexpr agent::ParameterRow<Settings> rows[]{
      "Objects within this distance count as below the robot."},
     {&S::maximum_height_m, "maximum_height_m", "Highest climb", "Flight", "m", 8, 100,
      "The robot climbs over an obstacle only up to this height above the ground."},
-    {&S::scan_speed_m_s, "scan_speed_m_s", "Scan speed", "Flight", "m/s", 0.1, 2,
-     "Speed along the lanes. Flying slowly makes a denser map."},
+    {&S::scan_speed_m_s, "scan_speed_m_s", "Scan speed", "Flight", "m/s", S::by_resolution, most_scan_speed_m_s,
+     "Speed along the lanes. Flying slowly makes a denser map. Left to the resolution (0 in files), two scans are as "
+     "far "
+     "apart as it says.",
+     "by the resolution"},
     {&S::transit_speed_m_s, "transit_speed_m_s", "Transit speed", "Flight", "m/s", 0.1, 2,
      "Speed to the area, between lanes and on the way home."},
     {&S::climb_speed_m_s, "climb_speed_m_s", "Climb speed", "Flight", "m/s", 0.2, 2, "Greatest rate of climb."},
@@ -37,8 +47,19 @@ constexpr agent::ParameterRow<Settings> rows[]{
      "Deceleration from which safe speeds are computed."},
     {&S::safety_margin_m, "safety_margin_m", "Safety margin", "Flight", "m", 0.6, 3,
      "The robot stops at this distance from its center to an obstacle."},
-    {&S::lane_spacing_m, "lane_spacing_m", "Lane spacing", "Survey", "m", 2, 40,
-     "Greatest distance between lanes. Takes effect when a survey is planned."},
+    {&S::ground_resolution_m, "ground_resolution_m", "Ground resolution", "Survey", "m", 0.15, 2,
+     "Greatest distance between two points of the map on level ground, where lane spacing and scan speed are left to "
+     "it. "
+     "Takes effect when a survey is planned."},
+    {&S::overlap_pct, "overlap_pct", "Overlap", "Survey", "%", 0, 80,
+     "Share of the width of a lane's strip that the next lane's strip shows, too, where the lane spacing is left to "
+     "the "
+     "resolution. Overlap fills what crowns hide, and lets strips be compared."},
+    {&S::lane_spacing_m, "lane_spacing_m", "Lane spacing", "Survey", "m", S::by_resolution, most_spacing_m,
+     "Greatest distance between lanes. Left to the resolution (0 in files), it follows from that and the overlap. "
+     "Takes "
+     "effect when a survey is planned.",
+     "by the resolution"},
     {&S::quadrant_limit_m, "quadrant_limit_m", "Quadrant limit", "Survey", "m", 20, 1000,
      "An area with a longer side is divided into quadrants. Takes effect when a survey is planned."},
     {&S::goal_distance_m, "goal_distance_m", "Goal distance", "Survey", "m", 5, 200,
@@ -46,6 +67,9 @@ constexpr agent::ParameterRow<Settings> rows[]{
     {&S::goal_reached_m, "goal_reached_m", "Goal reached within", "Survey", "m", 0.5, 10,
      "A goal counts as reached within this distance."},
     {&S::lookahead_m, "lookahead_m", "Look-ahead", "Survey", "m", 1, 20, "How far ahead on the lane the robot aims."},
+    {&S::least_gain_m, "least_gain_m", "Gain of extra lanes", "Survey", "m", 0.1, 1000,
+     "After its lanes, the robot flies extra ones across them that show at least so many square meters per meter. The "
+     "greatest value means none."},
     {&S::most_left_out_pct, "most_left_out_pct", "Left out at most", "Survey", "%", 0, 100,
      "A survey still succeeds if at most this share of its lanes is given up."},
     {&S::maximum_scan_tilt_rad, "maximum_scan_tilt_rad", "Largest tilt for the map", "Survey", "rad", 0.02, 0.8,
@@ -127,6 +151,22 @@ double Settings::lowRisk_m(std::size_t ring) const {
 
 double Settings::highRisk_m(std::size_t ring) const {
     return std::array{high_risk_0_m, high_risk_1_m, high_risk_2_m, high_risk_3_m, high_risk_4_m}.at(ring);
+}
+
+Settings Settings::asAsked() const {
+    constexpr double beam_step_rad = radians(1.0);
+    constexpr double scans_per_s = 5.0;
+    Settings settings = *this;
+    if (scan_speed_m_s <= by_resolution)
+        settings.scan_speed_m_s = ground_resolution_m * scans_per_s;
+    if (lane_spacing_m <= by_resolution) {
+        const double square_cosine = std::min(1.0, scan_altitude_m * beam_step_rad / ground_resolution_m);
+        const double strip_m = 2.0 * scan_altitude_m * std::sqrt(1.0 / square_cosine - 1.0);
+        settings.lane_spacing_m = strip_m * (1.0 - overlap_pct / 100.0);
+    }
+    settings.scan_speed_m_s = std::clamp(settings.scan_speed_m_s, least_scan_speed_m_s, most_scan_speed_m_s);
+    settings.lane_spacing_m = std::clamp(settings.lane_spacing_m, least_spacing_m, most_spacing_m);
+    return settings;
 }
 
 constinit const agent::ParameterTable<Settings> Settings::parameters{rows};

@@ -13,6 +13,9 @@ struct Settings {
     /// As a floor level: the robot chooses it (SurveyFlight::putFloor).
     static constexpr double chosen_floor_m = -500.0;
 
+    /// As a lane spacing or a scan speed: it follows from what the map shall show.
+    static constexpr double by_resolution = 0.0;
+
     // Flight. Heights without another word are over the ground; speeds are limited to what the robot can do.
     double scan_altitude_m = 6.0; ///< [T] height over the ground below
     /// Map z below which the robot never sinks, except to land. [T] has such a level, for water and ravines.
@@ -20,7 +23,7 @@ struct Settings {
     double clearance_m = 2.5;        ///< height over the highest known object below and ahead
     double footprint_radius_m = 1.8; ///< radius within which objects count as below the robot
     double maximum_height_m = 19.0;  ///< greatest height over ground; at most the scanner's reach
-    /// Speed along the lanes. Flying slowly makes a denser map.
+    /// Speed along the lanes; 0 in the parameters: as the resolution asks (see asAsked).
     double scan_speed_m_s = 1.0;
     /// Speed to the area, between lanes and on the way home.
     double transit_speed_m_s = 1.6;
@@ -35,11 +38,18 @@ struct Settings {
     double safety_margin_m = 0.9; ///< distance from the robot's center to an obstacle at which it must stand
 
     // Survey. Spacing and quadrants take effect when the lanes are planned, the others at once.
+    /// Greatest distance between points on level ground, along the lanes and across them.
+    double ground_resolution_m = 0.5;
+    /// Share of the width that is scanned from a lane and from the next one, too.
+    double overlap_pct = 25.0;
+    /// 0 in the parameters: as resolution and overlap ask (see asAsked).
     double lane_spacing_m = 9.0;
     double quadrant_limit_m = 150.0; ///< [T] an area with a longer side is divided into quadrants
     double goal_distance_m = 20.0;   ///< greatest distance between goals on a lane
     double goal_reached_m = 1.5;     ///< distance at which a goal is reached
     double lookahead_m = 5.0;        ///< distance ahead on the lane at which the robot aims
+    /// New area that an extra lane must show per length of lane and of the way to it.
+    double least_gain_m = 0.6;
     double most_left_out_pct = 10.0; ///< share of the lanes that may be given up in a successful survey
     /// Scans taken at a greater tilt or during a faster turn are not added to the map.
     double maximum_scan_tilt_rad = 0.2;
@@ -96,6 +106,12 @@ struct Settings {
     /// The risk ranges by ring (see ringOf), which must be 0 to 4.
     double lowRisk_m(std::size_t ring) const;
     double highRisk_m(std::size_t ring) const;
+
+    /// The same with a lane spacing and a scan speed where they are to follow from resolution, overlap and scan
+    /// altitude. Over level ground, the beam at angle t from straight down meets the ground h pi/180 / cos^2 t from its
+    /// neighbor, for a height h and the stock scanner's degree between beams (survey.md, design, 1); a scan comes every
+    /// 0.2 s. Limits of the two parameters hold.
+    Settings asAsked() const;
 
     /// The parameters that the user can set, with their limits and help texts.
     static const agent::ParameterTable<Settings> parameters;

@@ -71,7 +71,6 @@ public:
     void beginWork();
     /// Looks along the present leg (see Craft::look).
     void look() { craft_.look(leg()); }
-    /// Decides about threats (see Craft::decide).
     void decide(agent::CommandPort& port) { craft_.decide(port); }
     void perform(Maneuver maneuver, agent::CommandPort& port) { craft_.perform(maneuver, takeLeg(), port); }
     /// Looks, decides and performs in the usual order.
@@ -111,6 +110,7 @@ private:
     Leg takeLeg();
     void noteSilence(agent::CommandPort& port);
     void noteCeiling(agent::CommandPort& port);
+    void shiftLanes();
     void afterGoal(SurveyEvent event, agent::CommandPort& port);
     void goHome(Errand errand, const std::string& why, agent::CommandPort& port);
     void landAt(const Vec2& near_m);

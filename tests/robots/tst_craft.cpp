@@ -20,6 +20,7 @@ class tst_Craft : public QObject {
     SensorLayout layout;
     std::uint64_t line = 0;
     double now_s = 0.0;
+    double x_m = 0.0;
     double z_m = 20.0;
     bool tells_pose = true;
     std::unique_ptr<Craft> craft;
@@ -43,14 +44,14 @@ class tst_Craft : public QObject {
         scan.ranges_m.back() = left_m;
         tell(scan);
         if (tells_pose)
-            tell(protocol::InsReading{{}, "INS", Pose{Vec3(0, 0, z_m), 0, 0, 0}});
+            tell(protocol::InsReading{{}, "INS", Pose{Vec3(x_m, 0, z_m), 0, 0, 0}});
         protocol::RobotState state;
         state.time = Seconds(now_s);
         tell(state);
         craft->perceive({Seconds(now_s), LineNumber{line}, *robot}, layout, true, port);
     }
-    protocol::AerialDrive fly() {
-        craft->fly({Vec2(30, 0), Vec2(5, 0), 1.0, "test"}, port);
+    protocol::AerialDrive fly(double speed_m_s = 1.0) {
+        craft->fly({Vec2(x_m + 30, 0), Vec2(x_m + 8, 0), speed_m_s, "test"}, port);
         const auto commands = port.takeCommands();
         return commands.empty() ? protocol::AerialDrive{} : std::get<protocol::AerialDrive>(commands.back().command);
     }
@@ -62,6 +63,7 @@ private slots:
         layout = stockLayout();
         line = 0;
         now_s = 100.0;
+        x_m = 0.0;
         z_m = 20.0;
         tells_pose = true;
         craft = std::make_unique<Craft>();
@@ -86,6 +88,35 @@ private slots:
         const auto drive = fly();
         QCOMPARE(*drive.climb_m_s, 0.0);
         QVERIFY(*drive.forward_m_s > 0.0); // but goes on: the ground is far enough
+    }
+
+    /// At 2 m/s, it once stopped so deep among crowns that it climbed into one.
+    void isFastOnlyInTheOpen_data() {
+        QTest::addColumn<std::string>("sonar");
+        QTest::addColumn<double>("range_m");
+        QTest::addColumn<double>("height_m");
+        QTest::addColumn<double>("speed_m_s");
+        QTest::newRow("in the open") << std::string("R2") << 5.0 << 6.0 << 2.0;
+        QTest::newRow("in the open, climbing") << std::string("R2") << 5.0 << 4.0 << 2.0;
+        QTest::newRow("beside something") << std::string("R2") << 4.0 << 6.0 << 1.2;
+        QTest::newRow("beside something, climbing") << std::string("R2") << 4.0 << 4.0 << 1.0;
+        QTest::newRow("beside something on the left") << std::string("L2") << 4.0 << 6.0 << 1.2;
+    }
+    void isFastOnlyInTheOpen() {
+        QFETCH(std::string, sonar);
+        QFETCH(double, range_m);
+        QFETCH(double, height_m);
+        QFETCH(double, speed_m_s);
+        protocol::AerialDrive drive; // An unchanged command is not sent again.
+        for (int tick = 0; tick < 40; ++tick) {
+            perceive(height_m, {{sonar, range_m - 0.01 * (tick % 2)}}); // One that repeats itself to the digit hangs.
+            const auto sent = fly(2.0);
+            drive = sent.forward_m_s ? sent : drive;
+            x_m += 0.2 * drive.forward_m_s.value_or(0.0);
+            z_m += 0.2 * drive.climb_m_s.value_or(0.0);
+        }
+        const double forward_m_s = drive.forward_m_s.value_or(0.0);
+        QVERIFY2(std::abs(forward_m_s - speed_m_s) < 0.05, qPrintable(QString::number(forward_m_s)));
     }
 
     void waitsWhenMuchClimbIsWantingThere() {

@@ -87,6 +87,38 @@ private slots:
         QVERIFY(near[0].at_m.x() > 4.5);
     }
 
+    /// As flown in `tall_test` at 2 m/s: a crown's top was heard 3.8 m ahead, and a beam from 1.5 m passed over it.
+    void keepsWhatANearerBeamPassesOver_data() {
+        QTest::addColumn<double>("x_m");
+        QTest::addColumn<double>("z_m");
+        QTest::addColumn<bool>("in_room");
+        QTest::addColumn<bool>("kept");
+        QTest::newRow("as high, as far: the beam was there") << 0.2 << 6.0 << false << false;
+        QTest::newRow("as high, nearer") << 2.5 << 6.0 << false << true;
+        QTest::newRow("lower, nearer: the beam was there") << 2.5 << 5.6 << false << false;
+        QTest::newRow("higher, nearer") << 2.5 << 6.3 << false << true;
+        QTest::newRow("as high, nearer, in a room") << 2.5 << 6.0 << true << false;
+    }
+    void keepsWhatANearerBeamPassesOver() {
+        QFETCH(double, x_m);
+        QFETCH(double, z_m);
+        QFETCH(bool, in_room);
+        QFETCH(bool, kept);
+        ObstacleMemory memory;
+        MemorySpans here = spans;
+        here.in_room = in_room;
+        Senses senses = sensesAt({0, 0, 6}, 0.0, 100.0);
+        setSonars(senses, {{"M0", 3.8}});
+        memory.take(senses, here);
+        Senses later = sensesAt({x_m, 0, z_m}, 0.0, 102.0);
+        setSonars(later, {});
+        memory.take(later, here);
+        const auto near = memory.near({x_m, 0}, 8.0, 4.5);
+        QCOMPARE(!near.empty(), kept);
+        if (kept) // It is no higher than the beam's lower edge there.
+            QVERIFY(near[0].top_m < z_m && near[0].top_m > z_m - 0.6);
+    }
+
     void rememberWhatIsBehind() {
         ObstacleMemory memory;
         Senses senses = sensesAt({0, 0, 6}, 0.0, 100.0);

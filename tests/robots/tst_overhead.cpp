@@ -113,6 +113,25 @@ private slots:
         QVERIFY(!overhead.hasCeiling());
     }
 
+    /// As flown in `tall_test` with seed 3: it climbed slowly, as it was told, until it was told to climb fast.
+    void aCommandThatHasJustGrownHasMetNothing() {
+        Overhead overhead;
+        Senses senses = sensesAt({1.0, 2.0, 6.61});
+        const std::vector<std::pair<double, double>> told_and_risen{
+            {0.21, 6.61}, {0.25, 6.61}, {0.27, 6.63}, {0.26, 6.66}, {0.24, 6.7}, {1.0, 6.74}, {1.0, 6.79}, {1.0, 6.84}};
+        for (const auto& [climb_m_s, z_m] : told_and_risen) {
+            senses.base_in_map.position_m.z() = z_m;
+            overhead.observe(senses, {.climb_m_s = climb_m_s});
+            senses.now += Seconds(0.2);
+        }
+        QVERIFY(!overhead.hasCeiling());
+        for (int tick = 0; tick < 8; ++tick) { // But one that had its time and got nowhere has.
+            overhead.observe(senses, {.climb_m_s = 1.0});
+            senses.now += Seconds(0.2);
+        }
+        QVERIFY(overhead.hasCeiling());
+    }
+
     void whatTheRobotGetsPastIsNoCeiling() {
         Overhead overhead;
         Senses senses = sensesAt({1.0, 2.0, 3.0});

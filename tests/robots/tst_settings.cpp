@@ -57,6 +57,45 @@ private slots:
         QCOMPARE(settings.scan_speed_m_s, Settings{}.scan_speed_m_s);
     }
 
+    /// By hand: at 6 m and 0.5 m, the outermost beam is 62.8 degrees from straight down and meets the ground 11.7 m
+    /// aside.
+    void followsWhatTheMapShallShow_data() {
+        QTest::addColumn<double>("resolution_m");
+        QTest::addColumn<double>("overlap_pct");
+        QTest::addColumn<double>("altitude_m");
+        QTest::addColumn<double>("spacing_m");
+        QTest::addColumn<double>("speed_m_s");
+        QTest::newRow("half a meter") << 0.5 << 25.0 << 6.0 << 17.5 << 2.0;
+        QTest::newRow("without an overlap") << 0.5 << 0.0 << 6.0 << 23.3 << 2.0;
+        QTest::newRow("finer") << 0.25 << 25.0 << 6.0 << 10.6 << 1.25;
+        QTest::newRow("lower") << 0.5 << 25.0 << 3.0 << 13.2 << 2.0;
+        QTest::newRow("finer than the beams straight down") << 0.15 << 25.0 << 15.0 << 2.0 << 0.75;
+        QTest::newRow("coarse") << 2.0 << 0.0 << 15.0 << 40.0 << 2.0;
+    }
+    void followsWhatTheMapShallShow() {
+        QFETCH(double, resolution_m);
+        QFETCH(double, overlap_pct);
+        QFETCH(double, altitude_m);
+        QFETCH(double, spacing_m);
+        QFETCH(double, speed_m_s);
+        Settings settings;
+        settings.lane_spacing_m = settings.scan_speed_m_s = Settings::by_resolution;
+        settings.ground_resolution_m = resolution_m;
+        settings.overlap_pct = overlap_pct;
+        settings.scan_altitude_m = altitude_m;
+        const Settings asked = settings.asAsked();
+        QVERIFY2(std::abs(asked.lane_spacing_m - spacing_m) < 0.1, qPrintable(QString::number(asked.lane_spacing_m)));
+        QVERIFY(std::abs(asked.scan_speed_m_s - speed_m_s) < 1e-9);
+        QVERIFY(asked.asAsked() == asked);
+    }
+
+    void leavesWhatAPersonSet() {
+        Settings settings;
+        settings.lane_spacing_m = 9.0;
+        settings.scan_speed_m_s = 1.0;
+        QVERIFY(settings.asAsked() == settings);
+    }
+
     void shapesTheZonesAsTheThesisDraws() {
         const Settings settings;
         for (std::size_t ring = 0; ring < 5; ++ring)

@@ -89,4 +89,8 @@ bool Ascent::lookAround(const Senses& senses, AscentStep& step) {
     return step.looked_around;
 }
 
+double carefulClimb_m_s(const Settings& settings) {
+    return std::min(settings.climb_speed_m_s, Overhead::careful_m_s);
+}
+
 } // namespace usar::airrobot

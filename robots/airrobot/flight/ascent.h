@@ -57,4 +57,7 @@ private:
     std::optional<double> last_yaw_rad_;
 };
 
+/// The rate of climb where nobody has been yet.
+double carefulClimb_m_s(const Settings& settings);
+
 } // namespace usar::airrobot

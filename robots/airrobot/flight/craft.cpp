@@ -17,12 +17,14 @@ constexpr double over_way_m = 12.0;
 /// A robot that is so much higher than where it ended a climb is climbing again.
 constexpr double over_again_m = 0.7;
 constexpr double least_climb_m = 1.0; ///< A climb over an obstacle needs this much room below a ceiling.
-/// A robot that climbs faster than this toward something within this distance and bearing flies no faster than that.
+/// Among things within this distance and bearing, the robot is slow, and slower while it climbs faster than
+/// `rising_m_s`: trunks carry crowns, and no sensor looks at what is higher.
+constexpr double near_m = 6.0;
+constexpr double ahead_rad = radians(75.0);
+constexpr double crowded_m_s = 1.2;
 constexpr double rising_m_s = 0.2;
-constexpr double toward_m = 6.0;
-constexpr double toward_rad = radians(60.0);
-constexpr double rising_speed_m_s = 0.8;
-constexpr double stands_m_s = 0.05;   ///< A slower robot does not get past what is before it.
+constexpr double rising_speed_m_s = 1.0;
+constexpr double stands_m_s = 0.05; ///< A slower robot does not get past what is before it.
 constexpr Seconds longest_move{12.0};
 constexpr double crown_m = 4.5; ///< Crowns reach so far from their trunks.
 constexpr double hold_still_m = 0.5;
@@ -49,6 +51,14 @@ Settings withinLimits(Settings settings, const SensorLayout& layout) {
     return settings;
 }
 
+/// True if something before the robot reaches its height.
+bool nearsSomething(const std::vector<Obstacle>& obstacles, const Vec2& here_m, double bearing_rad) {
+    return std::ranges::any_of(obstacles, [&](const Obstacle& obstacle) {
+        const Vec2 offset_m = obstacle.at_m - here_m;
+        return offset_m.norm() < near_m && std::abs(normalizedAngle(bearingOf(offset_m) - bearing_rad)) < ahead_rad;
+    });
+}
+
 } // namespace
 
 void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool airborne, agent::CommandPort& port) {
@@ -70,7 +80,8 @@ void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool a
             ways.map().clear();
         }
         const double below_m = overhead.ceiling_m(senses.position2_m()).value_or(1e9) - below_ceiling_m;
-        memory.take(senses, {Seconds(settings.scan_memory_s), Seconds(settings.sonar_memory_s), below_m});
+        memory.take(senses, {Seconds(settings.scan_memory_s), Seconds(settings.sonar_memory_s), below_m,
+                             overhead.hasCeiling()});
         ways.take(senses, below_m, senses.heightOverGround_m(1e9) > sure_of_walls_m, overhead.hasCeiling());
         refuge.note(senses, memory, dry_m());
         battery.moveTo(senses.position_m());
@@ -233,11 +244,13 @@ Motion Craft::cruise(const Leg& leg, FlightState& state) {
         return motion;
     }
     const double distance_m = (leg.aim_m - here_m).norm();
-    const double speed_m_s = std::min(leg.speed_m_s, 0.2 + stoppingSpeed_m_s(distance_m, settings.braking_m_s2 / 2.0));
+    const bool crowded = nearsSomething(obstacles_, here_m, *bearing);
+    const double most_m_s = crowded ? std::min(leg.speed_m_s, crowded_m_s) : leg.speed_m_s;
+    const double speed_m_s = std::min(most_m_s, 0.2 + stoppingSpeed_m_s(distance_m, settings.braking_m_s2 / 2.0));
     Motion motion = toward(senses, *bearing, speed_m_s, settings);
     motion.climb_m_s = climbRate(*bearing, motion.velocity_in_map_m_s.norm());
-    if (const double now_m_s = motion.velocity_in_map_m_s.norm(); now_m_s > rising_speed_m_s && risesToward(motion))
-        motion.velocity_in_map_m_s *= rising_speed_m_s / now_m_s;
+    if (crowded && motion.climb_m_s > rising_m_s)
+        motion.velocity_in_map_m_s *= rising_speed_m_s / std::max(speed_m_s, rising_speed_m_s);
     if (!climb_forbidden_)
         return motion;
     state = FlightState::Evading; // Waits until it backs away and climbs where there is room
@@ -275,14 +288,6 @@ double Craft::climbRate(double way_bearing_rad, double speed_m_s) {
     const bool overhang = rate_m_s > 0.0 && besideOverhang();
     climb_forbidden_ = overhang && goal_m - senses.position_m().z() > bearable_deficit_m;
     return overhang ? 0.0 : rate_m_s;
-}
-
-bool Craft::risesToward(const Motion& motion) const {
-    const double way_rad = bearingOf(motion.velocity_in_map_m_s);
-    return motion.climb_m_s > rising_m_s && std::ranges::any_of(obstacles_, [&](const Obstacle& obstacle) {
-        const Vec2 offset_m = obstacle.at_m - senses.position2_m();
-        return offset_m.norm() < toward_m && std::abs(normalizedAngle(bearingOf(offset_m) - way_rad)) < toward_rad;
-    });
 }
 
 bool Craft::besideOverhang() const {

@@ -112,9 +112,6 @@ private:
     /// Starts a climb over what is in the way, or a detour around it where the robot may not climb.
     void findWay(const Leg& leg);
     double climbRate(double way_bearing_rad, double speed_m_s);
-    /// Returns whether the robot climbs toward something that reaches its height. Crowns are wider higher up, and no
-    /// sensor looks there.
-    bool risesToward(const Motion& motion) const;
     /// Returns whether a nearby obstacle reaches the robot's height and may be wider above, like a trunk.
     bool besideOverhang() const;
     /// Reduces the speed so that the robot can stop before the obstacles on its way.

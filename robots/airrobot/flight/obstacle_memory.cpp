@@ -72,6 +72,8 @@ void ObstacleMemory::takeEcho(const SonarEcho& echo) {
         const double aside_m = (offset_m - ray_m / range_m * along_m).norm();
         if (along_m <= 0.0 || along_m >= range_m - 0.5 || aside_m >= 0.08 * along_m)
             return false;
+        if (spans_.in_room)
+            return old.at_m.z() > echo.low_m;
         old.at_m.z() = std::min(old.at_m.z(), echo.origin_in_map_m.z() + slope * along_m);
         return old.at_m.z() < old.low_m + certain_m;
     });

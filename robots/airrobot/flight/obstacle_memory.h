@@ -25,6 +25,8 @@ struct MemorySpans {
     Seconds scan{600.0};
     Seconds sonar{20.0};
     double below_m = 1e9; ///< map z; higher hits are on a ceiling
+    /// In a room, things are upright: where a beam gets through, nothing is left below it.
+    bool in_room = false;
 };
 
 /// Prevents the two ways in which the thesis's robot crashed (4.6): flying backward without seeing, and sinking onto

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "robots/airrobot/flight/ascent.h"
 #include "robots/airrobot/flight/battery_model.h"
-#include "robots/airrobot/flight/overhead.h"
 
 namespace usar::airrobot {
 
@@ -210,7 +210,7 @@ agent::Forecast TimeEstimate::forecast(const Survey& survey, const MissionState&
 }
 
 Seconds TimeEstimate::whole(const Survey& survey, const Vec2& base_m, const Settings& settings) const {
-    const double climb_m_s = std::min(settings.climb_speed_m_s, Overhead::careful_m_s); // Nobody has been up there yet.
+    const double climb_m_s = carefulClimb_m_s(settings); // Nobody has been up there yet.
     const Seconds take_off(settings.rest_time_s + start_up_s + settings.scan_altitude_m / climb_m_s);
     return Seconds(forecast(survey, {.position_m = base_m, .base_m = base_m, .waiting = take_off}, settings).mean);
 }

@@ -1,0 +1,105 @@
+// Lanes across those of a survey, past what crowns hid from them.
+#include <QObject>
+#include <QTest>
+
+#include "robots/airrobot/cross_lanes.h"
+#include "tests/robots/robot_samples.h"
+#include "tests/suite/suite.h"
+
+namespace tst_cross_lanes {
+
+using namespace usar;
+using namespace usar::airrobot;
+using namespace usar::test;
+
+class tst_CrossLanes : public QObject {
+    Q_OBJECT
+
+    const Rectangle area{{-50, -30}, {50, 30}};
+
+    /// A ledger whose quarters were all hit but those whose middles are in one of these rectangles.
+    ScanLedger ledgerWithout(const std::vector<Rectangle>& hidden) const {
+        ScanLedger ledger(area);
+        Senses senses = sensesAt({0, 0, 6});
+        senses.scan = PlacedScan{senses.line, senses.base_in_map, senses.base_in_map, {}};
+        for (double x_m = area.min_m.x() + 0.25; x_m < area.max_m.x(); x_m += 0.5)
+            for (double y_m = area.min_m.y() + 0.25; y_m < area.max_m.y(); y_m += 0.5)
+                if (std::ranges::none_of(hidden, [&](const Rectangle& one) { return one.contains({x_m, y_m}); }))
+                    senses.scan->hits_in_map_m.emplace_back(x_m, y_m, 0.0);
+        ledger.note(senses, true, true);
+        return ledger;
+    }
+
+private slots:
+    void leadsPastWhatIsHidden_data() {
+        QTest::addColumn<QList<Rectangle>>("hidden");
+        QTest::addColumn<int>("lanes");
+        QTest::addColumn<bool>("along_x");
+        QTest::newRow("nothing") << QList<Rectangle>{} << 0 << false;
+        QTest::newRow("too little") << QList<Rectangle>{{{0, 0}, {2, 4}}} << 0 << false;
+        QTest::newRow("a strip across") << QList<Rectangle>{{{10, -28}, {14, 28}}} << 1 << false;
+        QTest::newRow("a strip along") << QList<Rectangle>{{{-40, 6}, {40, 9}}} << 1 << true;
+        QTest::newRow("half of each cell of a strip") << QList<Rectangle>{} << 1 << true;
+        QTest::newRow("where the robot did not get") << QList<Rectangle>{{{-50, -30}, {-10, 30}}} << 0 << false;
+        QTest::newRow("two strips far apart")
+            << QList<Rectangle>{{{-40, -28}, {-36, 28}}, {{36, -28}, {40, 28}}} << 2 << false;
+    }
+    void leadsPastWhatIsHidden() {
+        QFETCH(QList<Rectangle>, hidden);
+        QFETCH(int, lanes);
+        QFETCH(bool, along_x);
+        if (lanes == 1 && hidden.isEmpty())
+            for (double x_m = -40.0; x_m < 40.0; x_m += 1.0)
+                hidden << Rectangle{{x_m, 4.0}, {x_m + 0.5, 10.0}};
+        const auto found = crossLanes(ledgerWithout({hidden.begin(), hidden.end()}), {0.6, 1000.0}, {0, 0});
+        QCOMPARE(static_cast<int>(found.size()), lanes);
+        for (const mapping::Lane& lane : found) {
+            const Vec2 way_m = lane.end_m - lane.start_m;
+            QCOMPARE(std::abs(way_m.x()) > std::abs(way_m.y()), along_x);
+            QVERIFY(std::ranges::any_of(hidden, [&](const Rectangle& one) {
+                return one.contains(lane.start_m + way_m / 2.0) || hidden.size() > 2;
+            }));
+            QVERIFY(way_m.norm() > 50.0);
+        }
+    }
+
+    /// What a lane shows counts once, the lanes are flown on from one another, and their length is limited.
+    void choosesTheBestFirst() {
+        const std::vector<Rectangle> hidden{{{-40, -28}, {-36, 28}}, {{30, -28}, {38, 28}}};
+        const ScanLedger ledger = ledgerWithout(hidden);
+        const auto both = crossLanes(ledger, {0.6, 1000.0}, {50, -30});
+        QCOMPARE(both.size(), std::size_t(2));
+        QVERIFY(both[0].start_m.x() > 0.0 && both[1].start_m.x() < 0.0); // the nearer one first
+        QVERIFY((both[0].start_m - Vec2(50, -30)).norm() < (both[0].end_m - Vec2(50, -30)).norm());
+        QVERIFY((both[1].start_m - both[0].end_m).norm() < (both[1].end_m - both[0].end_m).norm());
+        const auto one = crossLanes(ledger, {0.6, 70.0}, {-50, -30});
+        QCOMPARE(one.size(), std::size_t(1));
+        QVERIFY(one[0].start_m.x() > 0.0); // the wider one
+    }
+
+    /// The more a lane must show, the fewer there are.
+    void asksForAGain_data() {
+        QTest::addColumn<double>("gain_m");
+        QTest::addColumn<int>("lanes");
+        QTest::newRow("little") << 0.3 << 1;
+        QTest::newRow("as much as there is") << 1.4 << 1;
+        QTest::newRow("more") << 4.0 << 0;
+        QTest::newRow("none") << 1000.0 << 0;
+    }
+    void asksForAGain() {
+        QFETCH(double, gain_m);
+        QFETCH(int, lanes);
+        const ScanLedger ledger = ledgerWithout({{{10, -28}, {12, 28}}});
+        QCOMPARE(static_cast<int>(crossLanes(ledger, {gain_m, 1000.0}, {0, 0}).size()), lanes);
+    }
+
+    void doesNotWatchWhatIsTooLarge() {
+        QVERIFY(crossLanes(ScanLedger({{0, 0}, {20000, 20000}}), {0.6, 1000.0}, {0, 0}).empty());
+    }
+};
+
+USAR_TEST(tst_CrossLanes)
+
+} // namespace tst_cross_lanes
+
+#include "tst_cross_lanes.moc"
