@@ -109,8 +109,8 @@ struct Settings {
 
     /// The same with a lane spacing and a scan speed where they are to follow from resolution, overlap and scan
     /// altitude. Over level ground, the beam at angle t from straight down meets the ground h pi/180 / cos^2 t from its
-    /// neighbor, for a height h and the stock scanner's degree between beams (survey.md, design, 1); a scan comes every
-    /// 0.2 s. Limits of the two parameters hold.
+    /// neighbor, for a height h and the stock scanner's degree between beams; a scan comes every 0.2 s. Limits of the
+    /// two parameters hold.
     Settings asAsked() const;
 
     /// The parameters that the user can set, with their limits and help texts.
