@@ -57,6 +57,11 @@ void TaskDesk::wire() {
     });
     connect(panel, &widgets::BehaviorPanel::isolationChosen, this,
             [this](bool isolated) { plugins_.setIsolated(plugins_.pluginOf(drafts_.shown().behavior_id), isolated); });
+    connect(panel, &widgets::BehaviorPanel::adjustChosen, this, [this](bool adjust) {
+        const mission::TaskDraft before = drafts_.shown();
+        drafts_.shown().adjust = adjust;
+        edits_.replaced(before, tr("correct the map"));
+    });
     connect(&plugins_, &PluginDesk::isolationChanged, this, &TaskDesk::showIsolation);
     connect(views_.parameters, &widgets::ParameterForm::changed, this, &TaskDesk::applyParameters);
     connect(&selection_, &Selection::changed, this, &TaskDesk::show);
@@ -160,6 +165,7 @@ void TaskDesk::show(RobotId robot_id) {
     drafts_.shown() = draft;
     panel->chooseBehavior(draft.behavior_id);
     showChosenBehavior();
+    panel->setAdjust(draft.adjust);
     panel->setArea(draft.area_in_map);
     views_.map->setArea(draft.area_in_map);
     refreshRunState();
@@ -303,6 +309,7 @@ bool TaskDesk::startOne(Robot& robot) {
     const RobotId id = robot.view().id;
     const mission::TaskDraft& draft = drafts_.of(id);
     robot.setCellSize(draft.cell_size_m);
+    robot.setAdjust(draft.adjust);
     const auto started = control_.startBehavior(id, draft.behavior_id, draft.area(), draft.values,
                                                 QString::fromStdString(draft.plan_path),
                                                 plugins_.isolates(plugins_.pluginOf(draft.behavior_id)));

@@ -27,6 +27,10 @@ void addFiles(widgets::MissionOutcome& outcome, const mission::RunSummary& summa
     outcome.error_m = summary.score.rmse_m;
     if (summary.heights)
         outcome.heights_m = {double(summary.heights->minimum_m), double(summary.heights->maximum_m)};
+    if (const auto& adjustment = summary.adjustment; adjustment && adjustment->residual_before_m &&
+                                                     adjustment->residual_after_m &&
+                                                     adjustment->verdict != mapping::AdjustmentVerdict::Declined)
+        outcome.overlaps_m = {*adjustment->residual_before_m, *adjustment->residual_after_m};
     outcome.files = summary.files;
 }
 

@@ -16,7 +16,7 @@ constexpr double near_m = 0.1;      ///< At this distance from the center a vote
 constexpr float flat_weight = 0.02f;
 /// How much more a vertical beam to the lower floor counts than a vote for the higher one.
 constexpr float down_weight = 10.0f;
-constexpr std::int32_t reach = 2; ///< cells to each side that are neighbors
+constexpr std::int32_t reach = 2; ///< Cells so near to each side are neighbors.
 constexpr std::int32_t window_side = HeightTile::side + 2 * reach;
 
 float square(float value) {
@@ -55,7 +55,7 @@ CellFloors::Tile& CellFloors::tileFor(GridIndex tile_index) {
 void CellFloors::add(const Vec3& scanner_m, const Vec3& hit_m) {
     const Vec3 ray_m = hit_m - scanner_m;
     const Vec2 place = hit_m.head<2>() / cell_size_m_;
-    // The comparison is false for NaN.
+    // The length is not above 0 for NaN, and the place is too large for infinity.
     if (!(ray_m.squaredNorm() > 0.0 && std::isfinite(hit_m.z()) && place.cwiseAbs().maxCoeff() < double(1 << 30)))
         return;
     const Vec2 cell = place.array().floor().matrix();

@@ -51,7 +51,7 @@ private:
         float down = 0.0f; ///< votes of steep beams that hit the low floor
     };
     using Tile = std::array<Cell, HeightTile::cell_count>;
-    /// The lower and the higher floor of a cell and its neighbors, from which those who look around read.
+    /// It holds the heights of both floors of a tile's cells and of a margin of two cells around the tile.
     struct Window;
 
     Tile& tileFor(GridIndex tile_index);

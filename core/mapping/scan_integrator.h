@@ -41,7 +41,7 @@ public:
     const std::vector<Vec3>& lastHits() const { return hits_; }
 
 private:
-    /// Computes `rays_` unless they are those of these beams already, as those of the scan before usually are.
+    /// Computes `rays_` for these beams. Usually they are those of the scan before, and nothing is done.
     void aim(const Beams& beams);
 
     double gap_limit_m_;

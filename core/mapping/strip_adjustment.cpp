@@ -123,8 +123,9 @@ void StripAdjustment::judge() {
         (with_bridged_m && with_bridged_m->second > with_bridged_m->first))
         return bridgeOrDecline("The heights where strips overlap do not agree much better with a corrected path.");
     accept(AdjustmentVerdict::Adjusted, errors_, residual, covariances);
+    std::tie(result_.residual_before_m, result_.residual_after_m) = *compared_m;
     result_.reason = "The heights where strips overlap differ by " + fixed(compared_m->second, 2) + " m instead of " +
-                     fixed(compared_m->first, 2) + " m.";
+                     fixed(compared_m->first, 2) + (overlapped ? " m." : " m with the landings alone.");
     if (held.y() < least_hold)
         result_.reason += " The ground holds one horizontal direction only.";
 }

@@ -58,7 +58,7 @@ private:
     KnotErrors errors_;
     KnotErrors bridged_;                               ///< errors without any overlap
     std::vector<Eigen::Matrix4d> bridged_covariances_; ///< their covariances
-    StripResidual residual_;                           ///< with the path as it was estimated
+    StripResidual residual_;                           ///< It belongs to the path as it was estimated.
     StripResidual residual_bridged_;
     StripResult result_;
 };

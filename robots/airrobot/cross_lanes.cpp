@@ -16,6 +16,9 @@ constexpr int step_cells = 2; ///< distance between lines
 /// The way to a lane costs about as much as a lane of this length, and one that shows less than this is left out.
 constexpr double way_m = 12.0;
 constexpr double least_m2 = 12.0;
+constexpr double least_lane_m = 5.0; ///< If less is left of the length of all lanes, no more are added.
+/// A coarser map may well miss cells of a meter that nothing hides.
+constexpr double coarsest_m = 0.75;
 
 /// Where nothing was seen in a square of this half width, there is no shadow: the robot did not get there.
 constexpr int shadow_cells = 5;
@@ -114,7 +117,10 @@ public:
         const int last = std::min(size_[1 - lane.axis] - 1, lane.across + side_cells);
         for (int across = first; across <= last; ++across)
             for (int along = lane.piece.from; along < lane.piece.to; ++along)
-                lane.axis == 0 ? set(along, across, 0.0) : set(across, along, 0.0);
+                if (lane.axis == 0)
+                    set(along, across, 0.0);
+                else
+                    set(across, along, 0.0);
     }
 
 private:
@@ -178,18 +184,19 @@ private:
 } // namespace
 
 std::vector<mapping::Lane> crossLanes(const ScanLedger& ledger, const LaneTerms& terms, const Vec2& from_m) {
-    HiddenCells hidden(ledger, terms.least_gain_m);
     std::vector<mapping::Lane> lanes;
-    double length_m = 0.0;
-    for (auto found = hidden.best(); found; found = hidden.best()) {
+    if (terms.resolution_m > coarsest_m)
+        return lanes;
+    HiddenCells hidden(ledger, terms.least_gain_m);
+    double left_m = terms.most_m;
+    for (auto found = hidden.best(); found && left_m > least_lane_m; found = hidden.best()) {
+        const auto most_cells = static_cast<int>(left_m / ScanLedger::cell_m);
+        found->piece.to = std::min(found->piece.to, found->piece.from + most_cells);
         const auto at = [&](int along) {
             return found->axis == 0 ? ledger.centerOf_m(along, found->across) : ledger.centerOf_m(found->across, along);
         };
-        const mapping::Lane lane{at(found->piece.from), at(found->piece.to - 1), 0};
-        length_m += (lane.end_m - lane.start_m).norm();
-        if (length_m > terms.most_m)
-            break;
-        lanes.push_back(lane);
+        lanes.push_back({at(found->piece.from), at(found->piece.to - 1), 0});
+        left_m -= (found->piece.to - found->piece.from) * ScanLedger::cell_m;
         hidden.fly(*found);
     }
     orderFrom(from_m, lanes);

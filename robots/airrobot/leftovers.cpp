@@ -9,8 +9,8 @@ namespace usar::airrobot {
 
 namespace {
 
-/// So many lanes past gaps may fail before no more are flown, and all together may have this share of the length that
-/// was planned.
+/// So many lanes past gaps may fail before no more are flown. All lanes that are added have at most this share of the
+/// length that was planned.
 constexpr int most_left_out = 3;
 constexpr double most_added = 0.5;
 constexpr int most_crossings = 2; ///< Of what the first crossing leaves, the second one sees a little.
@@ -63,9 +63,12 @@ bool Leftovers::crossOnce(const Craft& craft, Survey& survey, const ScanLedger& 
     if (crossings_ >= most_crossings)
         return false;
     ++crossings_;
-    const double most_m = most_added * survey.plannedLength_m() - gaps_m_;
-    return fly(crossLanes(ledger, {craft.settings.least_gain_m, most_m}, craft.senses.position2_m()), survey,
-               "Lanes across the others show ground that was hidden: ", port);
+    gaps_left_out_ = survey.addedLeftOut(); // Only lanes past gaps count for those.
+    const double most_m = most_added * survey.plannedLength_m() - added_m_;
+    const Settings& settings = craft.settings;
+    const LaneTerms terms{settings.least_gain_m, most_m, settings.ground_resolution_m};
+    return fly(crossLanes(ledger, terms, craft.senses.position2_m()), survey,
+               "More lanes show ground that was hidden: ", port);
 }
 
 bool Leftovers::fly(const std::vector<mapping::Lane>& lanes, Survey& survey, const std::string& why,
@@ -73,7 +76,7 @@ bool Leftovers::fly(const std::vector<mapping::Lane>& lanes, Survey& survey, con
     if (lanes.empty())
         return false;
     for (const mapping::Lane& lane : lanes)
-        gaps_m_ += (lane.end_m - lane.start_m).norm();
+        added_m_ += (lane.end_m - lane.start_m).norm();
     survey.add(lanes);
     port.publish(agent::PlannedPath{survey.corners_m()});
     note(port, why + std::to_string(lanes.size()) + ".");
@@ -83,7 +86,7 @@ bool Leftovers::fly(const std::vector<mapping::Lane>& lanes, Survey& survey, con
 bool Leftovers::closeGaps(Craft& craft, Survey& survey, const ScanLedger& ledger, agent::CommandPort& port) {
     // After a charge, the robot does not know any more where the walls are.
     if (craft.battery.charges() > 0 || GapSearch::isNeedless(ledger) ||
-        survey.addedLeftOut() - gaps_left_out_ > most_left_out || gaps_m_ > most_added * survey.plannedLength_m())
+        survey.addedLeftOut() - gaps_left_out_ > most_left_out || added_m_ > most_added * survey.plannedLength_m())
         return false;
     const auto in_sight = [&craft](const Vec2& from_m, const Vec2& to_m) {
         return craft.ways.map().isInSight(from_m, to_m, craft.senses.position_m().z());

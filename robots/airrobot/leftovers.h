@@ -1,4 +1,4 @@
-// What a survey does once its lanes are flown, before it goes home: it flies past gaps in its map, and through a door.
+// Adds what a survey flies after its lanes: lanes past hidden ground and gaps, and a way through a door.
 #pragma once
 
 #include <optional>
@@ -45,7 +45,7 @@ private:
     int crossings_ = 0; ///< how often lanes across the others were sought
     GapSearch gaps_;
     int gaps_left_out_ = 0; ///< Survey::addedLeftOut when the search for gaps began
-    double gaps_m_ = 0.0;   ///< length of the lanes past gaps
+    double added_m_ = 0.0;  ///< All lanes that were added are so long together.
     Door state_ = Door::Unknown;
     int tries_ = 0;
     ReachablePlaces reach_;        ///< when no way led to a goal, at the usual height

@@ -33,7 +33,8 @@ public:
     int rows() const { return rows_; }
     /// The cell must be in the area.
     Cell at(int column, int row) const;
-    /// The share of the cell that no scan has hit, in quarters, 0 to 1; 0 where there is no ground within reach. The
+    /// The share of the cell that no scan has hit, in quarters, 0 to 1; 0 where beams met nothing
+    /// but an end of their reach. From high up, some of them end above ground that others hit. The
     /// cell must be in the area.
     double hidden(int column, int row) const;
     Vec2 centerOf_m(int column, int row) const { return area_in_map_.min_m + cell_m * Vec2(column + 0.5, row + 0.5); }

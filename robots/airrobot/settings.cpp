@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/protocol/usual_values.h"
+
 namespace usar::airrobot {
 
 namespace {
@@ -31,8 +33,7 @@ constexpr agent::ParameterRow<Settings> rows[]{
      "The robot climbs over an obstacle only up to this height above the ground."},
     {&S::scan_speed_m_s, "scan_speed_m_s", "Scan speed", "Flight", "m/s", S::by_resolution, most_scan_speed_m_s,
      "Speed along the lanes. Flying slowly makes a denser map. Left to the resolution (0 in files), two scans are as "
-     "far "
-     "apart as it says.",
+     "far apart as it says; otherwise 0.1 m/s at least.",
      "by the resolution"},
     {&S::transit_speed_m_s, "transit_speed_m_s", "Transit speed", "Flight", "m/s", 0.1, 2,
      "Speed to the area, between lanes and on the way home."},
@@ -49,16 +50,13 @@ constexpr agent::ParameterRow<Settings> rows[]{
      "The robot stops at this distance from its center to an obstacle."},
     {&S::ground_resolution_m, "ground_resolution_m", "Ground resolution", "Survey", "m", 0.15, 2,
      "Greatest distance between two points of the map on level ground, where lane spacing and scan speed are left to "
-     "it. "
-     "Takes effect when a survey is planned."},
+     "it. The speed follows at once, the spacing when a survey is planned."},
     {&S::overlap_pct, "overlap_pct", "Overlap", "Survey", "%", 0, 80,
      "Share of the width of a lane's strip that the next lane's strip shows, too, where the lane spacing is left to "
-     "the "
-     "resolution. Overlap fills what crowns hide, and lets strips be compared."},
+     "the resolution. Overlap fills what crowns hide, and lets strips be compared."},
     {&S::lane_spacing_m, "lane_spacing_m", "Lane spacing", "Survey", "m", S::by_resolution, most_spacing_m,
-     "Greatest distance between lanes. Left to the resolution (0 in files), it follows from that and the overlap. "
-     "Takes "
-     "effect when a survey is planned.",
+     "Greatest distance between lanes. Left to the resolution (0 in files), it follows from that and the overlap; "
+     "otherwise 2 m at least. Takes effect when a survey is planned.",
      "by the resolution"},
     {&S::quadrant_limit_m, "quadrant_limit_m", "Quadrant limit", "Survey", "m", 20, 1000,
      "An area with a longer side is divided into quadrants. Takes effect when a survey is planned."},
@@ -68,8 +66,8 @@ constexpr agent::ParameterRow<Settings> rows[]{
      "A goal counts as reached within this distance."},
     {&S::lookahead_m, "lookahead_m", "Look-ahead", "Survey", "m", 1, 20, "How far ahead on the lane the robot aims."},
     {&S::least_gain_m, "least_gain_m", "Gain of extra lanes", "Survey", "m", 0.1, 1000,
-     "After its lanes, the robot flies extra ones across them that show at least so many square meters per meter. The "
-     "greatest value means none."},
+     "After its lanes, the robot flies extra ones past what is hidden, each of which shows at least so many square "
+     "meters per meter; the way to it counts as 12 m. The greatest value means none."},
     {&S::most_left_out_pct, "most_left_out_pct", "Left out at most", "Survey", "%", 0, 100,
      "A survey still succeeds if at most this share of its lanes is given up."},
     {&S::maximum_scan_tilt_rad, "maximum_scan_tilt_rad", "Largest tilt for the map", "Survey", "rad", 0.02, 0.8,
@@ -156,13 +154,15 @@ double Settings::highRisk_m(std::size_t ring) const {
 Settings Settings::asAsked() const {
     constexpr double beam_step_rad = radians(1.0);
     constexpr double scans_per_s = 5.0;
+    constexpr double most_range_m = 0.95 * protocol::usual_scanner_maximum_m; // Ground is not quite level.
     Settings settings = *this;
     if (scan_speed_m_s <= by_resolution)
         settings.scan_speed_m_s = ground_resolution_m * scans_per_s;
     if (lane_spacing_m <= by_resolution) {
         const double square_cosine = std::min(1.0, scan_altitude_m * beam_step_rad / ground_resolution_m);
-        const double strip_m = 2.0 * scan_altitude_m * std::sqrt(1.0 / square_cosine - 1.0);
-        settings.lane_spacing_m = strip_m * (1.0 - overlap_pct / 100.0);
+        const double aside_m = scan_altitude_m * std::sqrt(1.0 / square_cosine - 1.0);
+        const double reach_m = std::sqrt(most_range_m * most_range_m - scan_altitude_m * scan_altitude_m);
+        settings.lane_spacing_m = 2.0 * std::min(aside_m, reach_m) * (1.0 - overlap_pct / 100.0);
     }
     settings.scan_speed_m_s = std::clamp(settings.scan_speed_m_s, least_scan_speed_m_s, most_scan_speed_m_s);
     settings.lane_spacing_m = std::clamp(settings.lane_spacing_m, least_spacing_m, most_spacing_m);

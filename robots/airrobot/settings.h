@@ -37,10 +37,11 @@ struct Settings {
     double braking_m_s2 = 1.0;    ///< deceleration with which safe speeds are computed
     double safety_margin_m = 0.9; ///< distance from the robot's center to an obstacle at which it must stand
 
-    // Survey. Spacing and quadrants take effect when the lanes are planned, the others at once.
+    // Survey. Spacing and quadrants take effect when the lanes are planned, the others at once; so do resolution and
+    // overlap for the spacing.
     /// Greatest distance between points on level ground, along the lanes and across them.
     double ground_resolution_m = 0.5;
-    /// Share of the width that is scanned from a lane and from the next one, too.
+    /// The next lane's strip shows this share of a strip's width, too.
     double overlap_pct = 25.0;
     /// 0 in the parameters: as resolution and overlap ask (see asAsked).
     double lane_spacing_m = 9.0;
@@ -107,10 +108,10 @@ struct Settings {
     double lowRisk_m(std::size_t ring) const;
     double highRisk_m(std::size_t ring) const;
 
-    /// The same with a lane spacing and a scan speed where they are to follow from resolution, overlap and scan
-    /// altitude. Over level ground, the beam at angle t from straight down meets the ground h pi/180 / cos^2 t from its
-    /// neighbor, for a height h and the stock scanner's degree between beams; a scan comes every 0.2 s. Limits of the
-    /// two parameters hold.
+    /// Returns these settings with a lane spacing and a scan speed that follow from resolution, overlap and scan
+    /// altitude if they are 0. Over level ground, the beam at angle t from straight down meets the ground h pi/180 /
+    /// cos^2 t from its neighbor, for a height h and the stock scanner's degree between beams; a scan comes every 0.2
+    /// s. The scanner's reach and the limits of the two parameters hold.
     Settings asAsked() const;
 
     /// The parameters that the user can set, with their limits and help texts.

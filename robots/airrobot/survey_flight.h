@@ -71,7 +71,7 @@ public:
     void beginWork();
     /// Looks along the present leg (see Craft::look).
     void look() { craft_.look(leg()); }
-    void decide(agent::CommandPort& port) { craft_.decide(port); }
+    void decide(agent::CommandPort& port) { craft_.decide(port); } ///< about threats, see Craft::decide
     void perform(Maneuver maneuver, agent::CommandPort& port) { craft_.perform(maneuver, takeLeg(), port); }
     /// Looks, decides and performs in the usual order.
     FlightState fly(agent::CommandPort& port) { return craft_.fly(takeLeg(), port); }

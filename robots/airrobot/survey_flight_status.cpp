@@ -1,4 +1,4 @@
-// What a survey says of itself: its state in words, its figures, and where it is in its mission.
+// Tells the state of a survey in words, its figures, and where it is in its mission.
 #include <algorithm>
 #include <string>
 

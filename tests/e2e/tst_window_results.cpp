@@ -1,4 +1,5 @@
 // The end of a mission in the real window: a card tells it, and leads to the files and to the next flight.
+#include <QCheckBox>
 #include <QDir>
 #include <QLabel>
 #include <QLockFile>
@@ -7,6 +8,7 @@
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/e2e/window_page.h"
 #include "tests/suite/suite.h"
+#include "widgets/panels/behavior_panel.h"
 #include "widgets/panels/compare_dialog.h"
 
 namespace tst_window_results {
@@ -54,6 +56,35 @@ private slots:
         page.press("Fly again");
         QTRY_VERIFY_WITH_TIMEOUT(page.window().control().robot({1})->running(), soon_ms);
         QVERIFY(card->isHidden());
+    }
+
+    /// With the box ticked, the map is made again at the end, and the card tells how much better its strips agree.
+    void aCorrectedMapTellsBeforeAndAfter() {
+        WindowPage page;
+        QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+        QVERIFY(page.spawnAt("PlayerStart"));
+        page.pressKey(Qt::Key_A);
+        page.drawArea({{-20, -15}, {20, 15}});
+        auto* const panel = page.window().views().behavior;
+        QVERIFY(!panel->adjusts());
+        for (QCheckBox* box : panel->findChildren<QCheckBox*>())
+            if (box->isVisible() && box->text() == "Correct the map where strips overlap")
+                QTest::mouseClick(box, Qt::LeftButton, {}, {10, box->height() / 2});
+        QVERIFY(panel->adjusts());
+        page.pressKey(Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(!panel->adjusts());
+        page.window().commands().action("edit.redo")->trigger(); // Its key differs between platforms.
+        QVERIFY(panel->adjusts());
+        page.pressKey(Qt::Key_0, Qt::ControlModifier);
+        page.press("Start");
+        auto* const card = page.window().views().result;
+        QTRY_VERIFY_WITH_TIMEOUT(card->isVisible(), flight_ms);
+        QVERIFY(!page.notified("The map was corrected.").isEmpty());
+        QStringList figures;
+        for (const QLabel* label : card->findChildren<QLabel*>())
+            figures << QString(label->text()).replace("&nbsp;", " ");
+        QVERIFY2(figures.join(' ').contains("Overlaps <b>"), qPrintable(figures.join('\n')));
+        page.screenshot("result_card_corrected");
     }
 
     void aLongSaveIsSaidAndCanBeCancelled() {

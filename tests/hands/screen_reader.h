@@ -22,7 +22,7 @@ struct Seen {
 
     bool showing() const { return states >> 25 & 1 && !at.isEmpty(); }
     bool enabled() const { return states >> 8 & 1; }
-    /// Of a window: it has the keyboard.
+    /// True for a window that has the keyboard.
     bool active() const { return states >> 1 & 1; }
     bool checked() const { return states >> 4 & 1; }
     bool focused() const { return states >> 12 & 1; }

@@ -16,8 +16,7 @@ private slots:
 private:
     /// Text of the command line.
     static QString typed(const Program& program) {
-        const auto line =
-            program.read().find([](const Seen& seen) { return seen.role == "text" && seen.name == "Raw command"; }, 0);
+        const auto line = program.read().find("text", "Raw command", 0);
         return line ? program.read().textOf(*line) : QStringLiteral("(no command line)");
     }
 };

@@ -25,7 +25,7 @@ struct MadeUpFlight {
     bool lands = false;    ///< after the last lane the INS is set
     double creep = 0.0;    ///< meters by which the estimate drifts along y for each meter of the way; needs `sidles`
     bool sidles = false;   ///< It also flies from lane to lane in small steps, instead of in one.
-    double yaw_error_rad = 0.0; ///< of every other lane; the rest have its opposite
+    double yaw_error_rad = 0.0; ///< Every other lane has this error; the rest have its opposite.
 };
 
 /// The scans as a session keeps them, and where they really were taken.

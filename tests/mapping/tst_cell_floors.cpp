@@ -17,8 +17,8 @@ constexpr double cell_m = 0.25;
 
 /// A beam in the plane of x and z that hits the cell (0, 0).
 struct Beam {
-    double x_m;   ///< of the hit, from the center of the cell
-    double z_m;   ///< of the hit
+    double x_m;   ///< The hit is so far from the center of the cell.
+    double z_m;   ///< It is so high.
     double slope; ///< rise over run, toward where it came from; positive: it flies toward +x
 };
 using Beams = std::vector<Beam>;
@@ -177,6 +177,7 @@ private slots:
         QTest::newRow("no place") << std::nan("") << 0.0;
         QTest::newRow("far away") << 1e300 << 0.0;
         QTest::newRow("no height") << 0.1 << std::nan("");
+        QTest::newRow("endlessly deep") << 0.1 << -std::numeric_limits<double>::infinity();
         QTest::newRow("at the scanner itself") << 0.1 << 9.0;
     }
     void ignoresGarbledHits() {
@@ -186,8 +187,9 @@ private slots:
         HeightMap map(cell_m);
         map.write({0, 0}, 1.0f, {1});
         floors.add({0.1, 0.1, 9.0}, {x_m, 0.1, z_m});
+        floors.add({0.1, 0.1, 9.0}, {0.1, 0.1, 2.0}); // One that is whole comes through all the same.
         floors.settle(map);
-        QCOMPARE(*map.height_m({0, 0}), 1.0f);
+        QCOMPARE(*map.height_m({0, 0}), 2.0f);
     }
 
     void isNearerToTheTruthAtAnEdgeThanTheRunningMean() {

@@ -94,23 +94,29 @@ private slots:
     void isFastOnlyInTheOpen_data() {
         QTest::addColumn<std::string>("sonar");
         QTest::addColumn<double>("range_m");
+        QTest::addColumn<double>("left_m");
         QTest::addColumn<double>("height_m");
+        QTest::addColumn<double>("asked_m_s");
         QTest::addColumn<double>("speed_m_s");
-        QTest::newRow("in the open") << std::string("R2") << 5.0 << 6.0 << 2.0;
-        QTest::newRow("in the open, climbing") << std::string("R2") << 5.0 << 4.0 << 2.0;
-        QTest::newRow("beside something") << std::string("R2") << 4.0 << 6.0 << 1.2;
-        QTest::newRow("beside something, climbing") << std::string("R2") << 4.0 << 4.0 << 1.0;
-        QTest::newRow("beside something on the left") << std::string("L2") << 4.0 << 6.0 << 1.2;
+        QTest::newRow("in the open") << std::string("R2") << 5.0 << 20.0 << 6.0 << 2.0 << 2.0;
+        QTest::newRow("in the open, climbing") << std::string("R2") << 5.0 << 20.0 << 4.0 << 2.0 << 2.0;
+        QTest::newRow("beside something") << std::string("R2") << 4.0 << 20.0 << 6.0 << 2.0 << 1.2;
+        QTest::newRow("beside something, climbing") << std::string("R2") << 4.0 << 20.0 << 4.0 << 2.0 << 1.0;
+        QTest::newRow("beside something on the left") << std::string("L2") << 4.0 << 20.0 << 6.0 << 2.0 << 1.2;
+        QTest::newRow("beside something, in no hurry") << std::string("R2") << 4.0 << 20.0 << 6.0 << 1.6 << 1.6;
+        QTest::newRow("past something abeam") << std::string("R2") << 5.0 << 4.5 << 6.0 << 2.0 << 2.0;
     }
     void isFastOnlyInTheOpen() {
         QFETCH(std::string, sonar);
         QFETCH(double, range_m);
+        QFETCH(double, left_m);
         QFETCH(double, height_m);
+        QFETCH(double, asked_m_s);
         QFETCH(double, speed_m_s);
         protocol::AerialDrive drive; // An unchanged command is not sent again.
         for (int tick = 0; tick < 40; ++tick) {
-            perceive(height_m, {{sonar, range_m - 0.01 * (tick % 2)}}); // One that repeats itself to the digit hangs.
-            const auto sent = fly(2.0);
+            perceive(height_m, {{sonar, range_m - 0.01 * (tick % 2)}}, left_m); // One that repeats itself hangs.
+            const auto sent = fly(asked_m_s);
             drive = sent.forward_m_s ? sent : drive;
             x_m += 0.2 * drive.forward_m_s.value_or(0.0);
             z_m += 0.2 * drive.climb_m_s.value_or(0.0);

@@ -51,13 +51,15 @@ private slots:
         if (lanes == 1 && hidden.isEmpty())
             for (double x_m = -40.0; x_m < 40.0; x_m += 1.0)
                 hidden << Rectangle{{x_m, 4.0}, {x_m + 0.5, 10.0}};
-        const auto found = crossLanes(ledgerWithout({hidden.begin(), hidden.end()}), {0.6, 1000.0}, {0, 0});
+        const auto found = crossLanes(ledgerWithout({hidden.begin(), hidden.end()}), {0.6, 1000.0, 0.5}, {0, 0});
         QCOMPARE(static_cast<int>(found.size()), lanes);
         for (const mapping::Lane& lane : found) {
             const Vec2 way_m = lane.end_m - lane.start_m;
             QCOMPARE(std::abs(way_m.x()) > std::abs(way_m.y()), along_x);
+            const Vec2 middle_m = lane.start_m + way_m / 2.0;
             QVERIFY(std::ranges::any_of(hidden, [&](const Rectangle& one) {
-                return one.contains(lane.start_m + way_m / 2.0) || hidden.size() > 2;
+                return one.contains(along_x ? Vec2(one.center_m().x(), middle_m.y())
+                                            : Vec2(middle_m.x(), one.center_m().y()));
             }));
             QVERIFY(way_m.norm() > 50.0);
         }
@@ -67,14 +69,16 @@ private slots:
     void choosesTheBestFirst() {
         const std::vector<Rectangle> hidden{{{-40, -28}, {-36, 28}}, {{30, -28}, {38, 28}}};
         const ScanLedger ledger = ledgerWithout(hidden);
-        const auto both = crossLanes(ledger, {0.6, 1000.0}, {50, -30});
+        const auto both = crossLanes(ledger, {0.6, 1000.0, 0.5}, {50, -30});
         QCOMPARE(both.size(), std::size_t(2));
         QVERIFY(both[0].start_m.x() > 0.0 && both[1].start_m.x() < 0.0); // the nearer one first
         QVERIFY((both[0].start_m - Vec2(50, -30)).norm() < (both[0].end_m - Vec2(50, -30)).norm());
         QVERIFY((both[1].start_m - both[0].end_m).norm() < (both[1].end_m - both[0].end_m).norm());
-        const auto one = crossLanes(ledger, {0.6, 70.0}, {-50, -30});
+        const auto one = crossLanes(ledger, {0.6, 40.0, 0.5}, {-50, -30});
         QCOMPARE(one.size(), std::size_t(1));
-        QVERIFY(one[0].start_m.x() > 0.0); // the wider one
+        QVERIFY(one[0].start_m.x() > 0.0); // the wider one, as far as it may go
+        QVERIFY((one[0].end_m - one[0].start_m).norm() < 40.0);
+        QVERIFY((one[0].end_m - one[0].start_m).norm() > 35.0);
     }
 
     /// The more a lane must show, the fewer there are.
@@ -90,11 +94,34 @@ private slots:
         QFETCH(double, gain_m);
         QFETCH(int, lanes);
         const ScanLedger ledger = ledgerWithout({{{10, -28}, {12, 28}}});
-        QCOMPARE(static_cast<int>(crossLanes(ledger, {gain_m, 1000.0}, {0, 0}).size()), lanes);
+        QCOMPARE(static_cast<int>(crossLanes(ledger, {gain_m, 1000.0, 0.5}, {0, 0}).size()), lanes);
+    }
+
+    /// A map with points 2 m apart has cells without any, which nothing hides.
+    void addsNothingToACoarseMap() {
+        const ScanLedger ledger = ledgerWithout({{{10, -28}, {14, 28}}});
+        QVERIFY(!crossLanes(ledger, {0.6, 1000.0, 0.5}, {0, 0}).empty());
+        QVERIFY(crossLanes(ledger, {0.6, 1000.0, 2.0}, {0, 0}).empty());
+    }
+
+    void nothingIsHiddenWhereThereIsNoGround() {
+        ScanLedger ledger = ledgerWithout({{{10, -28}, {14, 28}}});
+        Senses senses = sensesAt({12, 0, 6});
+        senses.scan = PlacedScan{senses.line, senses.base_in_map, senses.base_in_map, {}};
+        senses.scan->scanner_in_map.position_m = {12.5, 0.0, 6.0};
+        senses.scan->misses_in_map_m.emplace_back(12.5, 0.1, -14.0);
+        QVERIFY(ledger.hidden(62, 30) > 0.9);
+        ledger.note(senses, true, true);
+        QCOMPARE(ledger.hidden(62, 30), 0.0);
+        senses.scan->misses_in_map_m.clear();
+        senses.scan->hits_in_map_m.emplace_back(12.2, 0.2, 0.0);
+        ledger.note(senses, true, true);
+        QCOMPARE(ledger.hidden(62, 30), 0.75); // The beam ended above ground that is there.
+        QCOMPARE(ledger.at(62, 30), ScanLedger::Cell::Seen);
     }
 
     void doesNotWatchWhatIsTooLarge() {
-        QVERIFY(crossLanes(ScanLedger({{0, 0}, {20000, 20000}}), {0.6, 1000.0}, {0, 0}).empty());
+        QVERIFY(crossLanes(ScanLedger({{0, 0}, {20000, 20000}}), {0.6, 1000.0, 0.5}, {0, 0}).empty());
     }
 };
 

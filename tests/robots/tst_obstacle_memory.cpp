@@ -91,22 +91,22 @@ private slots:
     void keepsWhatANearerBeamPassesOver_data() {
         QTest::addColumn<double>("x_m");
         QTest::addColumn<double>("z_m");
-        QTest::addColumn<bool>("in_room");
+        QTest::addColumn<bool>("lower_parts");
         QTest::addColumn<bool>("kept");
-        QTest::newRow("as high, as far: the beam was there") << 0.2 << 6.0 << false << false;
-        QTest::newRow("as high, nearer") << 2.5 << 6.0 << false << true;
-        QTest::newRow("lower, nearer: the beam was there") << 2.5 << 5.6 << false << false;
-        QTest::newRow("higher, nearer") << 2.5 << 6.3 << false << true;
-        QTest::newRow("as high, nearer, in a room") << 2.5 << 6.0 << true << false;
+        QTest::newRow("as high, as far: the beam was there") << 0.2 << 6.0 << true << false;
+        QTest::newRow("as high, nearer") << 2.5 << 6.0 << true << true;
+        QTest::newRow("lower, nearer: the beam was there") << 2.5 << 5.6 << true << false;
+        QTest::newRow("higher, nearer") << 2.5 << 6.3 << true << true;
+        QTest::newRow("as high, nearer, by a robot in no hurry") << 2.5 << 6.0 << false << false;
     }
     void keepsWhatANearerBeamPassesOver() {
         QFETCH(double, x_m);
         QFETCH(double, z_m);
-        QFETCH(bool, in_room);
+        QFETCH(bool, lower_parts);
         QFETCH(bool, kept);
         ObstacleMemory memory;
         MemorySpans here = spans;
-        here.in_room = in_room;
+        here.lower_parts = lower_parts;
         Senses senses = sensesAt({0, 0, 6}, 0.0, 100.0);
         setSonars(senses, {{"M0", 3.8}});
         memory.take(senses, here);

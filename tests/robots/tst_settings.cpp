@@ -70,7 +70,7 @@ private slots:
         QTest::newRow("finer") << 0.25 << 25.0 << 6.0 << 10.6 << 1.25;
         QTest::newRow("lower") << 0.5 << 25.0 << 3.0 << 13.2 << 2.0;
         QTest::newRow("finer than the beams straight down") << 0.15 << 25.0 << 15.0 << 2.0 << 0.75;
-        QTest::newRow("coarse") << 2.0 << 0.0 << 15.0 << 40.0 << 2.0;
+        QTest::newRow("as far as the scanner reaches") << 2.0 << 0.0 << 15.0 << 23.3 << 2.0;
     }
     void followsWhatTheMapShallShow() {
         QFETCH(double, resolution_m);
@@ -87,6 +87,8 @@ private slots:
         QVERIFY2(std::abs(asked.lane_spacing_m - spacing_m) < 0.1, qPrintable(QString::number(asked.lane_spacing_m)));
         QVERIFY(std::abs(asked.scan_speed_m_s - speed_m_s) < 1e-9);
         QVERIFY(asked.asAsked() == asked);
+        QVERIFY(asked.lane_spacing_m <
+                2.0 * std::sqrt(20.0 * 20.0 - altitude_m * altitude_m)); // No stripe is out of reach.
     }
 
     void leavesWhatAPersonSet() {

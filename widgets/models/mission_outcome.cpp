@@ -57,6 +57,12 @@ std::vector<OutcomeFigure> figuresOf(const MissionOutcome& outcome) {
     if (outcome.error_m)
         figures.push_back({QObject::tr("Error"), QObject::tr("%1 m").arg(figure(*outcome.error_m, 2)),
                            QObject::tr("Root mean square difference to the simulator's true heights, on open ground")});
+    if (outcome.overlaps_m)
+        figures.push_back({QObject::tr("Overlaps"),
+                           QObject::tr("%1 m, before %2 m")
+                               .arg(figure(outcome.overlaps_m->second, 2), figure(outcome.overlaps_m->first, 2)),
+                           QObject::tr("Root mean square difference of the heights where strips overlap, in the "
+                                       "corrected map and as it was flown")});
     if (outcome.charges > 0)
         figures.push_back({QObject::tr("Charges"), QString::number(outcome.charges),
                            QObject::tr("How often the battery was charged")});

@@ -27,7 +27,9 @@ struct MissionOutcome {
     int charges = 0;
     std::optional<std::pair<double, double>> heights_m{}; ///< lowest and highest of the map
     std::optional<double> error_m{};                      ///< of the map on open ground, root mean square
-    QStringList files{};                                  ///< full paths; empty: nothing was scanned
+    /// Difference of the heights where strips overlap, root mean square, as flown and in the corrected map.
+    std::optional<std::pair<double, double>> overlaps_m{};
+    QStringList files{}; ///< full paths; empty: nothing was scanned
 };
 
 /// What a behavior has told of its mission: how it ended and its last status. What only the files tell is left out.

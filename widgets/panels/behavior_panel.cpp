@@ -31,14 +31,19 @@ BehaviorPanel::BehaviorPanel(QWidget* parameter_form, QWidget* parent) : QWidget
     isolated_->setToolTip(
         tr("If a behavior crashes or hangs in its own process, only its robot stops; you are told where it failed, and "
            "nothing else is affected. Costs well under a millisecond per tick"));
-    isolated_->setMinimumHeight(minimum_target);
+    adjust_->setToolTip(
+        tr("At landings and at the end, what was scanned twice shows how the INS has drifted, and the map "
+           "is made again with the corrected path. Otherwise it is the thesis's map, as it was flown"));
+    for (QCheckBox* box : {isolated_, adjust_})
+        box->setMinimumHeight(minimum_target);
+    connect(adjust_, &QCheckBox::clicked, this, &BehaviorPanel::adjustChosen);
     connect(isolated_, &QCheckBox::clicked, this, &BehaviorPanel::isolationChosen);
     makeAreaBox();
     auto* column = laidOut(new QVBoxLayout(content_), {}, gap::small, {robot_label_});
     auto* row = laidOut(new QHBoxLayout, gap::tiny, {behavior_box_, rescan_});
     row->setStretchFactor(behavior_box_, 1);
     column->addLayout(row);
-    laidOut(column, gap::small, {help_label_, plan_, isolated_, area_box_, summary_label_, parameter_form});
+    laidOut(column, gap::small, {help_label_, plan_, isolated_, adjust_, area_box_, summary_label_, parameter_form});
     column->setStretchFactor(parameter_form, 1);
     // Start must be seen in the smallest window, so the rest scrolls above it.
     laidOut(new QVBoxLayout(this), {gap::small, gap::small, gap::small, gap::small}, gap::small,
@@ -161,6 +166,7 @@ void BehaviorPanel::setBehaviors(const std::vector<agent::BehaviorDescription>& 
     }
     behavior_box_->setEnabled(!busy() && !behaviors_.empty());
     isolated_->setEnabled(behavior_box_->isEnabled());
+    adjust_->setEnabled(behavior_box_->isEnabled());
     const auto old = std::ranges::find(before, behaviorId(), &agent::BehaviorDescription::id);
     if (old == before.end() || !looksLike(*old, behaviors_[static_cast<std::size_t>(behavior_box_->currentIndex())]))
         showBehavior();
@@ -172,6 +178,7 @@ void BehaviorPanel::setBehaviors(const std::vector<agent::BehaviorDescription>& 
 void BehaviorPanel::showBehavior() {
     const int row = behavior_box_->currentIndex();
     area_box_->setVisible(needsArea());
+    adjust_->setVisible(needsArea()); // Others make no map.
     if (row < 0) {
         help_label_->setText(
             tr("No plugin has a behavior for this kind of robot. You can drive it with Messages > Type "
@@ -228,6 +235,7 @@ bool BehaviorPanel::setRunState(RunState state, const QString& robot_name) {
     pause_->setText(state == RunState::Paused ? tr("Resume") : tr("Pause"));
     behavior_box_->setEnabled(!busy() && behavior_box_->count() > 0);
     isolated_->setEnabled(behavior_box_->isEnabled());
+    adjust_->setEnabled(behavior_box_->isEnabled());
     return true;
 }
 

@@ -49,6 +49,9 @@ public:
     /// True if the chosen behavior should run in a process of its own. Setting it emits nothing.
     bool isolated() const { return isolated_->isChecked(); }
     void setIsolated(bool isolated) { isolated_->setChecked(isolated); }
+    /// True if the height map is to be corrected where its strips overlap. Setting it emits nothing.
+    bool adjusts() const { return adjust_->isChecked(); }
+    void setAdjust(bool adjust) { adjust_->setChecked(adjust); }
 
     /// Area in meters of the map frame; nullopt: not drawn yet. Emits nothing. The form is hidden for behaviors that
     /// need no area.
@@ -87,6 +90,7 @@ signals:
     void areaToolToggled(bool active);
     /// By the user only.
     void isolationChosen(bool isolated);
+    void adjustChosen(bool adjust);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -110,6 +114,7 @@ private:
     QToolButton* rescan_ = new QToolButton;
     QLabel* help_label_ = mutedLabel();
     QCheckBox* isolated_ = new QCheckBox(tr("Run in a separate process"));
+    QCheckBox* adjust_ = new QCheckBox(tr("Correct the map where strips overlap"));
     PlanChoice* plan_ = new PlanChoice;
     QWidget* area_box_ = new QWidget;
     AreaForm* area_form_ = new AreaForm;

@@ -16,6 +16,7 @@ void TaskDraft::take(const Mission& mission, const std::map<std::string, agent::
     area_in_map = mission.area_in_map;
     values = mission_values;
     cell_size_m = mission.cell_size_m;
+    adjust = mission.adjust;
     limit_h = mission.limit_h;
     faults = mission.faults;
 }
@@ -27,6 +28,7 @@ Mission TaskDraft::mission() const {
     mission.area_in_map = area();
     mission.parameters = values;
     mission.cell_size_m = cell_size_m;
+    mission.adjust = adjust;
     mission.limit_h = limit_h;
     mission.faults = faults;
     return mission;

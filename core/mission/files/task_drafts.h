@@ -20,6 +20,7 @@ struct TaskDraft {
     std::optional<Rectangle> area_in_map;                ///< meters; absent: not drawn yet
     std::map<std::string, agent::ParameterValue> values; ///< SI units and radians
     double cell_size_m = Mission{}.cell_size_m;          ///< edge of a height map cell
+    bool adjust = false;                                 ///< correct the height map where its strips overlap
     std::optional<double> limit_h;                       ///< hours of simulated time for usar-mission; absent: none
     std::vector<std::string> faults;                     ///< faults for the embedded simulator, as texts
     bool operator==(const TaskDraft&) const = default;

@@ -28,9 +28,9 @@ public:
     void begin();
     /// True if scans were kept since the last `begin`.
     bool hasNews() const { return mapper_.store().scans().size() != scans_begun_ || mapper_.store().overfull(); }
-    /// True if half of all scans or more were kept since the last `begin`. A robot that lands again and again would
-    /// otherwise spend most of the time on adjusting what was adjusted before; now that is at most as much as the last
-    /// adjustment takes.
+    /// True if half of all scans or more were kept since the last `begin`. Otherwise a robot that lands again and
+    /// again would spend most of the time on adjusting what was adjusted before. All adjustments before a landing
+    /// together take no longer than the one at that landing.
     bool hasManyNews() const { return hasNews() && mapper_.store().scans().size() >= 2 * scans_begun_; }
     bool busy() const { return adjustment_ || rebuild_; }
     /// Does a part of the work; returns false if there was none.

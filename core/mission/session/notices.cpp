@@ -11,9 +11,9 @@ namespace {
 
 /// Words of the topics, in their order; a word ends with ": " if a further word follows.
 constexpr std::array<std::string_view, std::size_t(Topic::StartPoses) + 1> topic_words{
-    "behavior: ", "cell size",     "clock",    "control",  "lines: ",   "far parts",  "fault",
-    "link",       "no connection", "no robot", "overlong", "placement", "queue",      "recording",
-    "replay",     "second robot",  "sensor: ", "silence",  "spawn",     "start poses"};
+    "adjustment", "behavior: ", "cell size",     "clock",    "control",  "lines: ",   "far parts",
+    "fault",      "link",       "no connection", "no robot", "overlong", "placement", "queue",
+    "recording",  "replay",     "second robot",  "sensor: ", "silence",  "spawn",     "start poses"};
 
 std::string_view wordOf(Topic topic) {
     return topic_words[static_cast<std::size_t>(topic)];

@@ -14,6 +14,7 @@ namespace usar::mission {
 /// Subject of a notice. Topics that can occur several times at once (a sensor, a kind of damaged line, an event of a
 /// behavior) are distinguished by a further word.
 enum class Topic {
+    Adjustment,
     Behavior,
     CellSize,
     Clock,

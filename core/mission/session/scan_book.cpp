@@ -161,6 +161,9 @@ bool ScanBook::adjustPart() {
         return true;
     record_.adjustment = MapAdjustment{result->verdict, result->reason, result->residual_before_m,
                                        result->residual_after_m, result->overlaps};
+    const bool declined = result->verdict == mapping::AdjustmentVerdict::Declined;
+    notices_.say(Severity::Note, Topic::Adjustment,
+                 (declined ? "The map was not corrected. " : "The map was corrected. ") + result->reason);
     worthSaving();
     return true;
 }

@@ -15,6 +15,8 @@ constexpr double confirmed_there_m = 0.5;
 /// A behavior may be some readings behind.
 constexpr std::size_t truths_kept = 8;
 constexpr double same_m = 1e-6;
+/// A reading may be late or refused now and then also in a flight by ground truth.
+constexpr int surely_unlike = 5;
 /// A server that sets the INS has done so after this many estimates, which are a few seconds.
 constexpr int longest_setting = 25;
 
@@ -73,8 +75,10 @@ void ScanMapper::takeTruth(const protocol::GroundTruthReading& reading) {
 
 bool ScanMapper::takePose(const agent::PoseEstimate& estimate) {
     const Vec3& base_in_map_m = estimate.base_in_map.position_m;
-    errs_ = errs_ || std::ranges::none_of(truths_m_,
-                                          [&](const Vec3& true_m) { return (true_m - base_in_map_m).norm() < same_m; });
+    const bool is_true =
+        std::ranges::any_of(truths_m_, [&](const Vec3& true_m) { return (true_m - base_in_map_m).norm() < same_m; });
+    unlike_ = is_true ? 0 : unlike_ + 1;
+    errs_ = errs_ || unlike_ >= surely_unlike;
     store_.setExact(!errs_);
     const double there_m = set_confirmed_ ? confirmed_there_m : set_there_m;
     const bool set = set_in_map_m_ && (base_in_map_m - *set_in_map_m_).norm() < there_m;
@@ -144,6 +148,8 @@ void ScanMapper::forgetScans() {
 
 void ScanMapper::clearMap(std::optional<double> cell_size_m) {
     store_.clear();
+    errs_ = false;
+    unlike_ = 0;
     map_ = mapping::HeightMap(cell_size_m.value_or(map_.cellSize_m()));
     for (auto& [name, scanner] : scanners_)
         scanner.integrator.breakStrip();

@@ -94,7 +94,8 @@ private:
     int estimates_since_set_ = 0;
     bool set_confirmed_ = false;
     std::deque<Vec3> truths_m_; ///< the newest true positions
-    bool errs_ = false;         ///< An estimate was none of them.
+    bool errs_ = false;         ///< So many estimates in a row were none of them that the robot flies by the INS.
+    int unlike_ = 0;            ///< so many so far
     std::optional<Vec3> last_base_in_map_m_;
     mapping::LevelFlight level_flight_;
     mapping::ScanStore store_;

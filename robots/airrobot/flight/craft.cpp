@@ -17,8 +17,10 @@ constexpr double over_way_m = 12.0;
 /// A robot that is so much higher than where it ended a climb is climbing again.
 constexpr double over_again_m = 0.7;
 constexpr double least_climb_m = 1.0; ///< A climb over an obstacle needs this much room below a ceiling.
-/// Among things within this distance and bearing, the robot is slow, and slower while it climbs faster than
-/// `rising_m_s`: trunks carry crowns, and no sensor looks at what is higher.
+/// A robot that is to fly faster than this is slow among things within this distance and bearing, and slower while it
+/// climbs faster than `rising_m_s`: trunks carry crowns, and no sensor looks at what is higher. Up to this speed, it
+/// stops early enough without that.
+constexpr double unhurried_m_s = 1.6;
 constexpr double near_m = 6.0;
 constexpr double ahead_rad = radians(75.0);
 constexpr double crowded_m_s = 1.2;
@@ -51,7 +53,7 @@ Settings withinLimits(Settings settings, const SensorLayout& layout) {
     return settings;
 }
 
-/// True if something before the robot reaches its height.
+/// True if something before the robot reaches the level above which it flies over things (Craft::passesBelow_m).
 bool nearsSomething(const std::vector<Obstacle>& obstacles, const Vec2& here_m, double bearing_rad) {
     return std::ranges::any_of(obstacles, [&](const Obstacle& obstacle) {
         const Vec2 offset_m = obstacle.at_m - here_m;
@@ -80,8 +82,8 @@ void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool a
             ways.map().clear();
         }
         const double below_m = overhead.ceiling_m(senses.position2_m()).value_or(1e9) - below_ceiling_m;
-        memory.take(senses, {Seconds(settings.scan_memory_s), Seconds(settings.sonar_memory_s), below_m,
-                             overhead.hasCeiling()});
+        const bool hurried = std::max(settings.scan_speed_m_s, settings.transit_speed_m_s) > unhurried_m_s;
+        memory.take(senses, {Seconds(settings.scan_memory_s), Seconds(settings.sonar_memory_s), below_m, hurried});
         ways.take(senses, below_m, senses.heightOverGround_m(1e9) > sure_of_walls_m, overhead.hasCeiling());
         refuge.note(senses, memory, dry_m());
         battery.moveTo(senses.position_m());
@@ -244,7 +246,7 @@ Motion Craft::cruise(const Leg& leg, FlightState& state) {
         return motion;
     }
     const double distance_m = (leg.aim_m - here_m).norm();
-    const bool crowded = nearsSomething(obstacles_, here_m, *bearing);
+    const bool crowded = leg.speed_m_s > unhurried_m_s && nearsSomething(obstacles_, here_m, *bearing);
     const double most_m_s = crowded ? std::min(leg.speed_m_s, crowded_m_s) : leg.speed_m_s;
     const double speed_m_s = std::min(most_m_s, 0.2 + stoppingSpeed_m_s(distance_m, settings.braking_m_s2 / 2.0));
     Motion motion = toward(senses, *bearing, speed_m_s, settings);

@@ -7,7 +7,7 @@ namespace usar::airrobot {
 
 namespace {
 
-/// An echo of which no more than so much of its height is left came from nothing that still matters.
+/// If a beam leaves less than this of an echo's height, the echo is dropped.
 constexpr double certain_m = 0.1;
 
 Vec2 unit(double bearing_rad) {
@@ -72,10 +72,13 @@ void ObstacleMemory::takeEcho(const SonarEcho& echo) {
         const double aside_m = (offset_m - ray_m / range_m * along_m).norm();
         if (along_m <= 0.0 || along_m >= range_m - 0.5 || aside_m >= 0.08 * along_m)
             return false;
-        if (spans_.in_room)
+        if (!spans_.lower_parts)
             return old.at_m.z() > echo.low_m;
-        old.at_m.z() = std::min(old.at_m.z(), echo.origin_in_map_m.z() + slope * along_m);
-        return old.at_m.z() < old.low_m + certain_m;
+        const double edge_m = echo.origin_in_map_m.z() + slope * along_m;
+        if (edge_m >= old.at_m.z())
+            return false; // All of it is below the beam.
+        old.at_m.z() = edge_m;
+        return edge_m < old.low_m + certain_m;
     });
     if (echo.hit)
         echoes_.push_back({Vec3(echo.center_in_map_m.x(), echo.center_in_map_m.y(), echo.high_m), echo.low_m, now_});

@@ -25,15 +25,15 @@ struct MemorySpans {
     Seconds scan{600.0};
     Seconds sonar{20.0};
     double below_m = 1e9; ///< map z; higher hits are on a ceiling
-    /// In a room, things are upright: where a beam gets through, nothing is left below it.
-    bool in_room = false;
+    /// Keeps of an echo what is below a later beam that passes over it from nearer. Otherwise it is removed, which is
+    /// right for walls, racks and trunks, and leaves a slow robot time to hear a crown once more.
+    bool lower_parts = false;
 };
 
 /// Prevents the two ways in which the thesis's robot crashed (4.6): flying backward without seeing, and sinking onto
 /// peaks. A grid that moves along with the robot stores the highest scanner hit of each cell. Sonar echoes are points
-/// that expire. A later beam that passes through one leaves of it only the part that was in the first beam and is
-/// below the later one. Works in the map frame and drifts with the INS,
-/// so it must be cleared when the INS is reset. Owned by one robot.
+/// that expire. A later beam that passes through one removes it, or leaves the part below (see MemorySpans). Works in
+/// the map frame and drifts with the INS, so it must be cleared when the INS is reset. Owned by one robot.
 class ObstacleMemory {
 public:
     static constexpr double cell_m = grid_cell_m; ///< size of a cell

@@ -30,6 +30,7 @@ private slots:
         const auto row = [](Topic topic, const char* which, const char* text) {
             QTest::newRow(text) << int(topic) << QString(which) << QString(text);
         };
+        row(Topic::Adjustment, "", "adjustment");
         row(Topic::Behavior, "it rains", "behavior: it rains");
         row(Topic::CellSize, "", "cell size");
         row(Topic::Control, "", "control");
