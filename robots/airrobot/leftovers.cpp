@@ -13,7 +13,7 @@ namespace {
 /// length that was planned.
 constexpr int most_left_out = 3;
 constexpr double most_added = 0.5;
-constexpr int most_crossings = 2; ///< Of what the first crossing leaves, the second one sees a little.
+constexpr int most_crossings = 2; ///< The second one sees a little of what the first one leaves.
 constexpr int most_tries = 3;     ///< to get through the door
 constexpr double at_base_m = 4.0;
 constexpr double stub_m = 0.5;      ///< length of a lane that is only a place to go to

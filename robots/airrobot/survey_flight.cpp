@@ -133,7 +133,7 @@ void SurveyFlight::perceive(const agent::Tick& tick, agent::CommandPort& port) {
         time_.update(tick.now, survey_, missionState(), craft_.settings);
     if ((phase_ == Phase::ToLane || phase_ == Phase::Lane) && !silent_ && time_.overdue()) {
         end_reason_ = "The survey took far longer than was to be expected and was not done.";
-        while (leftovers_.begun() && !survey_.done()) // What is left of it counts as not scanned.
+        while (leftovers_.begun() && !survey_.done()) // The rest of it counts as not scanned.
             survey_.giveUp(craft_.settings, LeftOut::Late);
         goHome(leftovers_.begun() ? Errand::Done : Errand::GivenUp, "The survey takes too long; the robot goes home.",
                port);

@@ -65,7 +65,7 @@ private slots:
         }
     }
 
-    /// What a lane shows counts once, the lanes are flown on from one another, and their length is limited.
+    /// Ground that two lanes show counts once, the lanes are flown on from one another, and their length is limited.
     void choosesTheBestFirst() {
         const std::vector<Rectangle> hidden{{{-40, -28}, {-36, 28}}, {{30, -28}, {38, 28}}};
         const ScanLedger ledger = ledgerWithout(hidden);

@@ -1,4 +1,4 @@
-// What is added to a survey once its lanes are flown.
+// Tests which lanes are added to a survey once its own are flown.
 #include <QObject>
 #include <QTest>
 
