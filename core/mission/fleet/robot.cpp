@@ -280,6 +280,7 @@ void Robot::take(const agent::Published& published) {
                           [this](const agent::CurrentGoal& goal) { view_.goal_m = goal.goal_in_map_m; },
                           [this](const agent::BehaviorFinished& finished) {
                               view_.finished = finished;
+                              view_.figures_at_end = view_.figures;
                               view_.halted.reset();
                           },
                           [this](const agent::PlanHalted& halted) { view_.halted = halted; },

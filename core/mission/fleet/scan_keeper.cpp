@@ -22,7 +22,7 @@ RunSummary summaryOf(const Robot& robot, const SimulatorFacts& facts) {
     summary.seed = facts.seed;
     summary.truth = facts.truth;
     summary.wall = robot.wallTime();
-    addSession(summary, view.figures);
+    addSession(summary, view.finished ? view.figures_at_end : view.figures);
     judgeDamage(summary);
     return summary;
 }
