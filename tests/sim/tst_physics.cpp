@@ -33,6 +33,14 @@ World furnishedWorld() {
     return world;
 }
 
+/// Place, rotation, velocity and rate of turn.
+std::vector<double> bitsOf(const BodyState& state) {
+    std::vector<double> bits(state.rotation.coeffs().begin(), state.rotation.coeffs().end());
+    for (const Vec3& vector : {state.position_m, state.velocity_m_s, state.rate_rad_s})
+        bits.insert(bits.end(), vector.begin(), vector.end());
+    return bits;
+}
+
 } // namespace
 
 class tst_Physics : public QObject {
@@ -253,6 +261,65 @@ private slots:
         run(*physics, Seconds{30.0});
         const auto asleep = std::ranges::count_if(crates, [&](BodyId id) { return physics->isAsleep(id); });
         QCOMPARE(asleep, 100);
+    }
+
+    // A body that never rests makes Bullet do each step. It is too far away to matter otherwise.
+    void aRobotFliesAloneAsItDoesWhereBulletDoesEachStep() {
+        Flight alone(furnishedWorld(), inTheAir({0.0, 0.0, 6.0}));
+        Flight other(furnishedWorld(), inTheAir({0.0, 0.0, 6.0}));
+        BodyDescription belt = ball();
+        belt.still = true;
+        other.physics->add(belt, at(25.0, 25.0, 1.0));
+        for (const auto& [forward_m_s, left_m_s, climb_m_s, yaw_rad_s] :
+             {std::array{1.5, 0.0, 0.3, 0.4}, std::array{-1.0, 0.5, -0.5, -0.8}, std::array{0.0, 2.0, 0.6, 0.0},
+              std::array{0.0, 0.0, -1.0, 0.2}}) {
+            alone.drive(forward_m_s, left_m_s, climb_m_s, yaw_rad_s);
+            other.drive(forward_m_s, left_m_s, climb_m_s, yaw_rad_s);
+            for (int i = 0; i < 250; ++i) {
+                alone.run(physics_dt);
+                other.run(physics_dt);
+                QCOMPARE(bitsOf(alone.robot.state()), bitsOf(other.robot.state()));
+            }
+        }
+        alone.run(Seconds{20.0}); // down to the ground
+        other.run(Seconds{20.0});
+        QCOMPARE(alone.atRest(), other.atRest());
+        QVERIFY((alone.pose().position_m - other.pose().position_m).norm() < 1e-6);
+    }
+
+    void whatMeetsInTheAirMeetsAsInBullet_data() {
+        QTest::addColumn<Vec3>("from_m");
+        QTest::addColumn<Vec3>("push_n_s");
+        QTest::newRow("head on") << Vec3(4.0, 0.0, 30.0) << Vec3(-8.0, 0.0, 0.0);
+        QTest::newRow("from above") << Vec3(0.0, 0.0, 34.0) << Vec3(0.0, 0.0, -6.0);
+        QTest::newRow("one overtakes the other") << Vec3(-5.0, 0.0, 30.0) << Vec3(9.0, 0.0, 0.0);
+        QTest::newRow("they pass by") << Vec3(4.0, 0.3, 30.0) << Vec3(-8.0, 0.0, 0.0);
+    }
+    void whatMeetsInTheAirMeetsAsInBullet() {
+        QFETCH(Vec3, from_m);
+        QFETCH(Vec3, push_n_s);
+        const auto fall = [&](bool belt_beside) {
+            const World world = flatWorld();
+            const auto physics = makePhysics(world);
+            const BodyId one = physics->add(ball(), at(0.0, 0.0, 30.0));
+            const BodyId two = physics->add(ball(), Pose{from_m, 0.0, 0.0, 0.0});
+            BodyDescription belt = ball();
+            belt.still = true;
+            if (belt_beside)
+                physics->add(belt, at(-25.0, 25.0, 1.0));
+            physics->apply(one, Vec3(1.0, 0.0, 0.0) / physics_dt.count(), Vec3::Zero());
+            physics->apply(two, push_n_s / physics_dt.count(), Vec3::Zero());
+            std::vector<double> met;
+            for (int i = 0; i < 500; ++i) {
+                physics->step(physics_dt);
+                if (!physics->contacts(one).empty())
+                    met.push_back(i);
+            }
+            const auto state = bitsOf(physics->state(two));
+            met.insert(met.end(), state.begin(), state.end());
+            return met;
+        };
+        QCOMPARE(fall(false), fall(true));
     }
 
     void groundEndsAtTheEdgeWithoutHarm() {

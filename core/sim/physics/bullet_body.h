@@ -46,6 +46,13 @@ struct BulletPiece {
     double radius_m = 0.0; ///< radius of a sphere around its origin, see BulletShape
 };
 
+/// The space in which a body is known to touch nothing; see FreeFlight.
+struct FreeSpace {
+    bool known = false;
+    btVector3 center{0.0, 0.0, 0.0};
+    int steps_to_wait = 0; ///< until it is worth looking around again
+};
+
 /// Adds itself to the dynamics world when constructed and removes itself when destroyed. Link -1 is the base.
 class BulletBody {
 public:
@@ -59,6 +66,8 @@ public:
     virtual void letSleep(bool allowed) = 0;
     /// Wakes the body because what it leaned on may be gone.
     virtual void wake() = 0;
+    /// The body in Bullet if it is rigid, moves and never sleeps, as that of a robot in the air; otherwise null.
+    virtual btRigidBody* flying() { return nullptr; }
     bool asleep() const { return pieces_.front().object->getActivationState() == ISLAND_SLEEPING; }
     virtual BodyState state(int link) const = 0;
     /// Rigid bodies have no joints and ignore motors; articulated ones have no running surface.
@@ -79,7 +88,8 @@ public:
 
     std::vector<Contact> contacts; ///< contacts of the last step
     bool placed = false;           ///< placed since the last step, so it is where its caller wants it
-    double restitution = 0.0;      ///< restitution that BulletPhysics::bounce applies instead of Bullet
+    FreeSpace free_space;
+    double restitution = 0.0; ///< restitution that BulletPhysics::bounce applies instead of Bullet
 
 protected:
     std::vector<BulletPiece> pieces_; ///< base first

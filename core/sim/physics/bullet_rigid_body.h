@@ -67,6 +67,10 @@ public:
         rigid_->activate();
         in_place_ = Seconds{0.0};
     }
+    btRigidBody* flying() override {
+        const bool flies = !rigid_->isStaticOrKinematicObject() && rigid_->getActivationState() == DISABLE_DEACTIVATION;
+        return flies ? rigid_.get() : nullptr;
+    }
     /// A rigid body has no links, so the number is ignored.
     BodyState state(int /*link*/) const override {
         return bodyState(rigid_->getWorldTransform(), rigid_->getLinearVelocity(), rigid_->getAngularVelocity());

@@ -11,6 +11,7 @@
 #include "core/sim/physics/bullet_rigid_body.h"
 #include "core/sim/physics/bullet_world.h"
 #include "core/sim/physics/flat_ground.h"
+#include "core/sim/physics/free_flight.h"
 #include "core/sim/rays/body_index.h"
 
 namespace usar::sim {
@@ -48,6 +49,7 @@ public:
         const BodyId id{++last_.value};
         moved_ = true;
         bodies_.emplace(id, std::make_unique<BulletRigidBody>(dynamics_, description, body_in_map, id));
+        lookAroundAgain();
         return id;
     }
 
@@ -57,6 +59,7 @@ public:
         const BodyId id{++last_.value};
         moved_ = true;
         bodies_.emplace(id, std::make_unique<BulletMultiBody>(dynamics_, description, base_in_map, id));
+        lookAroundAgain();
         return id;
     }
 
@@ -73,6 +76,7 @@ public:
         body.place(body_in_map);
         body.placed = true;
         moved_ = true;
+        lookAroundAgain();
         body.wake();
         wakeIn(left);
         wakeIn(spaceOf(body));
@@ -127,11 +131,18 @@ public:
         moved_ = true;
         for (BulletBody* const body : awake_)
             body->beforeStep(dt);
-        dynamics_.stepSimulation(dt.count(), 0);
-        collectContacts();
+        const bool flew = free_flight_.step(awake_, dt);
+        boxes_are_old_ |= flew;
+        if (!flew) {
+            dynamics_.stepSimulation(dt.count(), 0);
+            boxes_are_old_ = false;
+            collectContacts();
+        }
         for (BulletBody* const body : awake_) {
             body->afterStep();
-            keepAboveGround(*body);
+            if (!flew)
+                keepAboveGround(*body);
+            body->placed = false;
         }
     }
 
@@ -237,6 +248,8 @@ private:
     }
 
     std::vector<btCollisionObject*> objectsIn(const Space& space) {
+        if (std::exchange(boxes_are_old_, false))
+            dynamics_.updateAabbs();
         struct Finder : btBroadphaseAabbCallback {
             bool process(const btBroadphaseProxy* proxy) override {
                 found.push_back(static_cast<btCollisionObject*>(proxy->m_clientObject));
@@ -260,12 +273,16 @@ private:
     // for example by a car that rolls over it, is lifted out again. A body that was just placed is left where it is.
     void keepAboveGround(BulletBody& body) {
         const Vec3 at_m = fromBullet(body.position());
-        const bool carried = std::exchange(body.placed, false);
-        if (carried || terrain_.empty() || !terrain_.extent().contains(at_m.head<2>()))
+        if (body.placed || terrain_.empty() || !terrain_.extent().contains(at_m.head<2>()))
             return;
         const double under_m = terrain_.height_m(at_m.head<2>()) - at_m.z();
         if (under_m > 0.0)
             body.lift(under_m);
+    }
+
+    void lookAroundAgain() {
+        for (const auto& [id, body] : bodies_)
+            body->free_space = {};
     }
 
     static bool moves(const btCollisionObject& object) {
@@ -343,6 +360,8 @@ private:
     btSequentialImpulseConstraintSolver rigid_solver_;
     BulletSolver link_solver_;
     BulletWorld dynamics_{dispatcher_, broadphase_, rigid_solver_, link_solver_, configuration_};
+    FreeFlight free_flight_{dynamics_, broadphase_, terrain_};
+    bool boxes_are_old_ = false; ///< Bodies have flown without the broadphase's knowledge.
     std::map<BodyId, std::unique_ptr<BulletBody>> bodies_;
     BodyId last_;
     std::vector<BulletBody*> awake_; ///< bodies that the current step may move

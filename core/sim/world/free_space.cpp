@@ -14,7 +14,9 @@ namespace usar::sim {
 namespace {
 
 constexpr double detour_m = 100.0; ///< the way to a part of the area may lead this far around it
-constexpr double lowest_m = 1.0;   ///< least height over ground in flight
+/// Nearly always no way has to leave the area by more than this, which takes a fraction of the time to find out.
+constexpr double near_m = 10.0;
+constexpr double lowest_m = 1.0; ///< least height over ground in flight
 constexpr double half_height_m = 0.25;
 constexpr double finest_m = 0.25;
 constexpr double coarsest_m = 1.0; ///< a wall, widened by the body, must not fall between two columns
@@ -33,6 +35,13 @@ struct Columns {
         const double step_m = std::clamp(std::sqrt(part_m.area_m2() / most_columns), finest_m, coarsest_m);
         return {part_m.min_m, step_m, static_cast<std::int32_t>(std::ceil(part_m.width_m() / step_m)),
                 static_cast<std::int32_t>(std::ceil(part_m.height_m() / step_m))};
+    }
+    /// The columns over a part, which must be within these.
+    Columns within(const Rectangle& part_m) const {
+        const std::int32_t first_x = indexOn(0, part_m.min_m.x());
+        const std::int32_t first_y = indexOn(1, part_m.min_m.y());
+        return {low_m + step_m * Vec2(first_x, first_y), step_m, indexOn(0, part_m.max_m.x()) - first_x + 1,
+                indexOn(1, part_m.max_m.y()) - first_y + 1};
     }
     std::uint32_t count() const { return static_cast<std::uint32_t>(across * along); }
     std::int32_t indexOn(int axis, double at_m) const {
@@ -207,13 +216,13 @@ std::vector<Place> startIn(const Air& air, const Columns& columns, const FlightL
     return best ? std::vector<Place>{*best} : std::vector<Place>{};
 }
 
-/// The part of the world to look at.
-Rectangle surroundings(const World& world, const FlightLimits& flight, const Rectangle& area_in_map) {
+/// The part of the world that is at most `detour` away from start and area.
+Rectangle surroundings(const World& world, const FlightLimits& flight, const Rectangle& area_in_map, double detour) {
     const Vec2 start_m = flight.start_in_map_m.head<2>();
-    const Vec2 detour = Vec2::Constant(detour_m);
+    const Vec2 around_m = Vec2::Constant(detour);
     const Rectangle extent = extentOf(world);
-    return {(area_in_map.min_m.cwiseMin(start_m) - detour).cwiseMax(extent.min_m),
-            (area_in_map.max_m.cwiseMax(start_m) + detour).cwiseMin(extent.max_m)};
+    return {(area_in_map.min_m.cwiseMin(start_m) - around_m).cwiseMax(extent.min_m),
+            (area_in_map.max_m.cwiseMax(start_m) + around_m).cwiseMin(extent.max_m)};
 }
 
 /// The result of filling the air: it says which columns a flight reaches.
@@ -222,7 +231,17 @@ struct Filled {
     Columns columns;
     std::vector<bool> water;   ///< the ground is so deep under water that a flight at the scan altitude would get wet
     std::vector<bool> reached; ///< empty: all are
+    bool has_start = true;     ///< there is air at the start
 
+    /// Nothing in this part of the columns is shut off.
+    bool reachesAll(const Rectangle& part_m) const {
+        const Columns part = columns.within(part_m);
+        for (std::int32_t y = 0; y < part.along && !reached.empty(); ++y)
+            for (std::int32_t x = 0; x < part.across; ++x)
+                if (!reached[columns.columnAt(part.center_m(x, y))])
+                    return false;
+        return true;
+    }
     Reach at(const Vec2& point_m) const {
         if (!extent.contains(point_m))
             return Reach::OutsideWorld;
@@ -297,21 +316,29 @@ std::vector<bool> reachedColumns(const World& world, const FlightLimits& flight,
     return reached;
 }
 
+Filled fill(const World& world, const FlightLimits& flight, const Rectangle& part_m, const Columns& columns) {
+    Filled filled{.extent = part_m, .columns = columns, .water = {}, .reached = {}};
+    const std::vector<Span> whole = heightsOfFlight(world, flight, columns, filled.water);
+    if (!world.boxes.empty()) {
+        filled.reached = reachedColumns(world, flight, columns, whole);
+        filled.has_start = !filled.reached.empty();
+    }
+    return filled;
+}
+
 } // namespace
 
 ReachMap reachFrom(const World& world, const FlightLimits& flight, const Rectangle& area_in_map) {
-    const Rectangle part_m = surroundings(world, flight, area_in_map);
+    const Rectangle part_m = surroundings(world, flight, area_in_map, detour_m);
     if (part_m.empty() || part_m.area_m2() > largest_m2 || !part_m.contains(Vec2(flight.start_in_map_m.head<2>())))
         return {};
-    auto filled = std::make_shared<Filled>();
-    filled->extent = part_m;
-    filled->columns = Columns::over(part_m);
-    const std::vector<Span> whole = heightsOfFlight(world, flight, filled->columns, filled->water);
-    if (!world.boxes.empty()) {
-        filled->reached = reachedColumns(world, flight, filled->columns, whole);
-        if (filled->reached.empty())
-            return {};
-    }
+    const Columns columns = Columns::over(part_m);
+    const Rectangle near_part_m = surroundings(world, flight, area_in_map, near_m);
+    auto filled = std::make_shared<Filled>(fill(world, flight, near_part_m, columns.within(near_part_m)));
+    if (filled->has_start && !filled->reachesAll(area_in_map))
+        *filled = fill(world, flight, part_m, columns);
+    if (!filled->has_start)
+        return {};
     return [filled = std::shared_ptr<const Filled>(std::move(filled))](const Vec2& point_m) {
         return filled->at(point_m);
     };
