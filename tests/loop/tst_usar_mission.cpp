@@ -9,6 +9,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/campaign/runs/run_request.h"
 #include "tests/suite/suite.h"
 
 namespace tst_usar_mission {
@@ -22,6 +23,7 @@ private slots:
 
     void fliesAMissionToItsEnd();
     void equalSeedsGiveEqualMaps();
+    void copiesOfAWorkerFlyAsNewProcessesDo();
     void faultsComeWithTheMissionAndAreToldInItsResults();
     void aVanishedRobotIsToldAtOnce();
     void rejectsTheRestAndSaysWhere_data();
@@ -43,6 +45,8 @@ private:
     };
     static Ended read(QProcess& process);
     static Ended run(const QStringList& arguments);
+    /// Those of `run` for a small mission.
+    QStringList argumentsFor(const QString& seed) const;
     /// Writes a mission and gives its path.
     QString missionFile(const QByteArray& json) const;
 
@@ -61,6 +65,14 @@ constexpr const char* promised_keys[] = {
     "coverage_pct",  "rmse_m",         "collisions",      "mission",         "behavior", "lines_received",
     "seed",          "files",          "true_distance_m", "longest_stay_s",  "falls",    "touches",
     "first_touch_s", "least_height_m", "mean_height_m",   "height_spread_m", "cpu_s"};
+
+/// The bytes of the map that a run has written.
+QByteArray heightsOf(const QJsonObject& summary) {
+    for (const QJsonValue name : summary["files"].toArray())
+        if (QFile file(name.toString()); name.toString().endsWith(".bil") && file.open(QIODevice::ReadOnly))
+            return file.readAll();
+    return {};
+}
 
 } // namespace
 
@@ -96,6 +108,10 @@ tst_UsarMission::Ended tst_UsarMission::run(const QStringList& arguments) {
     return read(process);
 }
 
+QStringList tst_UsarMission::argumentsFor(const QString& seed) const {
+    return {"run", missionFile(small), "--seed", seed, "--out", folder_->filePath("results")};
+}
+
 void tst_UsarMission::fliesAMissionToItsEnd() {
     const QString out = folder_->filePath("results");
     const Ended ended = run({"run", missionFile(small), "--seed", "4", "--out", out});
@@ -114,12 +130,7 @@ void tst_UsarMission::fliesAMissionToItsEnd() {
 
 void tst_UsarMission::equalSeedsGiveEqualMaps() {
     const auto mapOf = [&](const QString& seed, const QStringList& further = {}) {
-        const Ended ended = run(
-            QStringList{"run", missionFile(small), "--seed", seed, "--out", folder_->filePath("results")} + further);
-        for (const QJsonValue name : ended.summary["files"].toArray())
-            if (QFile file(name.toString()); name.toString().endsWith(".bil") && file.open(QIODevice::ReadOnly))
-                return file.readAll();
-        return QByteArray();
+        return heightsOf(run(argumentsFor(seed) + further).summary);
     };
     const QByteArray first = mapOf("9");
     QVERIFY(!first.isEmpty());
@@ -127,6 +138,33 @@ void tst_UsarMission::equalSeedsGiveEqualMaps() {
     QVERIFY2(first == mapOf("9", {"--one-thread"}), "simulator, mission and behavior in one thread");
     QVERIFY2(first == mapOf("9", {"--speed", "500"}), "each in a thread of its own");
     QVERIFY(first != mapOf("10"));
+}
+
+void tst_UsarMission::copiesOfAWorkerFlyAsNewProcessesDo() {
+    QProcess worker;
+    worker.start(program, {usar::campaign::worker_verb});
+    for (const char* const seed : {"9", "10", "9"})
+        worker.write(usar::campaign::writeRunRequest(argumentsFor(seed) + QStringList{"--one-thread"}));
+    worker.write(usar::campaign::writeRunRequest({"run", folder_->filePath("gone.json")}));
+    worker.closeWriteChannel();
+    const Ended ended = read(worker);
+    QCOMPARE(ended.exit_code, 0);
+    std::vector<QJsonObject> summaries;
+    QByteArrayList ends;
+    for (const QByteArray& line : ended.out.split('\n')) {
+        if (line.startsWith('{'))
+            summaries.push_back(QJsonDocument::fromJson(line).object());
+        else if (!line.isEmpty())
+            ends << line;
+    }
+    QCOMPARE(ends, (QByteArrayList{"ended 0", "ended 0", "ended 0", "ended 2"}));
+    QCOMPARE(summaries.size(), std::size_t(4));
+    const QByteArray alone = heightsOf(run(argumentsFor("9")).summary);
+    QVERIFY(!alone.isEmpty());
+    QVERIFY(heightsOf(summaries[0]) == alone);
+    QVERIFY(heightsOf(summaries[1]) != alone);
+    QVERIFY(heightsOf(summaries[2]) == alone);
+    QVERIFY(summaries[3]["reason"].toString().contains("gone.json"));
 }
 
 void tst_UsarMission::faultsComeWithTheMissionAndAreToldInItsResults() {

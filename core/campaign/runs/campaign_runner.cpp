@@ -102,22 +102,26 @@ void CampaignRunner::fly(std::unique_ptr<Flight> flight) {
     QStringList arguments = flightArgumentsOf(campaign_, one.run, one.folder);
     if (campaign_.keep == Keep::Everything && !one.again)
         arguments << "--record" << QDir(one.folder).filePath("run.usarrec");
-    one.process = std::make_unique<RunProcess>();
+    one.process = idle_.empty() ? std::make_unique<RunProcess>() : std::move(idle_.back());
+    if (!idle_.empty())
+        idle_.pop_back();
     connect(
         one.process.get(), &RunProcess::ended, this, [this, &one](const ProcessEnd& end) { take(one, end); },
-        Qt::QueuedConnection); // The process must not be deleted while it emits.
+        static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection)); // It may be started again.
     flying_[one.run.number] = std::move(flight);
     one.process->start(options_.program, arguments, Seconds{campaign_.wall_limit_s});
 }
 
 void CampaignRunner::take(Flight& flight, const ProcessEnd& end) {
     const auto owned = std::move(flying_.extract(flight.run.number).mapped());
+    const Seconds wall = flight.process->wall();
+    idle_.push_back(std::move(flight.process));
     if (end.stopped) {
         QDir(flight.folder).removeRecursively();
         return startNext();
     }
     RunResult now = flight.result;
-    now.wall_s = std::round(flight.process->wall().count() * 1000.0) / 1000.0;
+    now.wall_s = std::round(wall.count() * 1000.0) / 1000.0;
     judge(now, end);
     const bool checked = options_.check_every > 0 && flight.run.number % options_.check_every == 0;
     if (checked && !flight.again && now.outcome != Outcome::TimedOut && !interrupted_) {

@@ -86,6 +86,7 @@ private:
     RunnerOptions options_;
     ShardFile file_;
     std::map<int, std::unique_ptr<Flight>> flying_; ///< by the number of the run
+    std::vector<std::unique_ptr<RunProcess>> idle_; ///< workers that have nothing to fly
     CampaignProgress progress_;
     std::vector<std::pair<PlannedRun, RunResult>> unsound_;
     QElapsedTimer since_start_;

@@ -72,12 +72,13 @@ RunProcess::RunProcess(QObject* parent) : QObject(parent) {
         end_.timed_out = true;
         process_.kill();
     });
-    connect(&process_, &QProcess::finished, this, [this] { finish(true); });
+    connect(&process_, &QProcess::readyReadStandardOutput, this, &RunProcess::read);
+    connect(&process_, &QProcess::readyReadStandardError, this, &RunProcess::read);
+    connect(&process_, &QProcess::finished, this, [this] { workerEnded(true); });
     connect(&process_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
         if (error == QProcess::FailedToStart)
-            finish(false);
+            workerEnded(false);
     });
-    process_.setStandardInputFile(QProcess::nullDevice());
     process_.setChildProcessModifier([] {
         ::prctl(PR_SET_PDEATHSIG, SIGKILL);
         ::setpgid(0, 0); // Ctrl+C is for the campaign, which does not count a run that it interrupts.
@@ -91,10 +92,14 @@ RunProcess::~RunProcess() {
 }
 
 void RunProcess::start(const QString& program, const QStringList& arguments, Seconds wall_limit) {
+    flying_ = true;
+    end_ = {};
     since_start_.start();
     constexpr double longest_ms = std::numeric_limits<int>::max();
     limit_.start(static_cast<int>(std::min(longest_ms, wall_limit.count() * 1000.0)));
-    process_.start(program, arguments);
+    if (process_.state() == QProcess::NotRunning)
+        process_.start(program, {worker_verb});
+    process_.write(writeRunRequest(arguments));
 }
 
 void RunProcess::stop() {
@@ -102,13 +107,33 @@ void RunProcess::stop() {
     process_.kill();
 }
 
-void RunProcess::finish(bool started) {
+/// The run has ended when both streams say so.
+void RunProcess::read() {
+    end_.output += process_.readAllStandardOutput();
+    end_.complaints += process_.readAllStandardError();
+    QByteArray output = end_.output;
+    QByteArray complaints = end_.complaints;
+    const auto how = takeRunEnd(output);
+    if (!flying_ || !how || !takeRunEnd(complaints))
+        return;
+    end_.output = output;
+    end_.complaints = complaints;
+    finish(*how);
+}
+
+void RunProcess::workerEnded(bool started) {
+    if (!flying_)
+        return;
+    end_.output += process_.readAllStandardOutput();
+    end_.complaints += started ? process_.readAllStandardError() : process_.errorString().toUtf8();
+    finish({started && process_.exitStatus() == QProcess::CrashExit, process_.exitCode()});
+}
+
+void RunProcess::finish(const RunEnd& how) {
     limit_.stop();
+    flying_ = false;
     wall_ = Seconds{static_cast<double>(since_start_.nsecsElapsed()) * 1e-9};
-    end_.by_signal = started && process_.exitStatus() == QProcess::CrashExit;
-    end_.code = process_.exitCode();
-    end_.output = process_.readAllStandardOutput();
-    end_.complaints = started ? process_.readAllStandardError() : process_.errorString().toUtf8();
+    static_cast<RunEnd&>(end_) = how;
     emit ended(end_);
 }
 

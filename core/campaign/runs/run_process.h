@@ -1,4 +1,4 @@
-// One run of a campaign in a process of its own, so that a crash, or too little memory, ends nothing else.
+// Runs of a campaign, each in a process of its own, so that a crash, or too little memory, ends nothing else.
 #pragma once
 
 #include <QElapsedTimer>
@@ -7,14 +7,13 @@
 #include <QTimer>
 
 #include "core/base/clock.h"
+#include "core/campaign/runs/run_request.h"
 #include "core/campaign/runs/run_result.h"
 
 namespace usar::campaign {
 
-/// How a process ended, as far as its system tells.
-struct ProcessEnd {
-    bool by_signal = false;
-    int code = 0; ///< the exit code, or the number of the signal
+/// How a run ended, with all that it wrote.
+struct ProcessEnd : RunEnd {
     bool timed_out = false;
     bool stopped = false; ///< by `stop`: there is no result
     QByteArray output;
@@ -24,30 +23,37 @@ struct ProcessEnd {
 /// Judges a run by its process: fills outcome, reason and summary of `result`.
 void judge(RunResult& result, const ProcessEnd& end);
 
-/// Starts `usar-mission` and emits `ended` once. Lives in its owner's thread, which needs an event loop. Its process
-/// ends with this object, and also if this program is killed.
+/// Has `usar-mission worker` fly runs, one at a time, and emits `ended` once for each. The worker loads what the runs
+/// need once, and makes a copy of its process for each. It is started when it is needed and ends with this object, also
+/// if this program is killed. Lives in its owner's thread, which needs an event loop.
 class RunProcess : public QObject {
     Q_OBJECT
 public:
     explicit RunProcess(QObject* parent = nullptr);
     ~RunProcess() override;
 
+    /// `program`: path of usar-mission, the same one each time; `arguments`: those of the run. Another run must not be
+    /// under way.
     void start(const QString& program, const QStringList& arguments, Seconds wall_limit);
-    /// Ends the process; `ended` follows.
+    /// Ends the run; `ended` follows.
     void stop();
-    Seconds wall() const { return wall_; } ///< of the process; valid after `ended`
+    Seconds wall() const { return wall_; } ///< of the last run; valid after `ended`
 
 signals:
     void ended(const usar::campaign::ProcessEnd& end);
 
 private:
-    void finish(bool started);
+    void read();
+    /// The worker itself has ended, or could not be started.
+    void workerEnded(bool started);
+    void finish(const RunEnd& how);
 
     QProcess process_;
     QTimer limit_;
     QElapsedTimer since_start_;
     Seconds wall_{0.0};
-    ProcessEnd end_;
+    bool flying_ = false;
+    ProcessEnd end_; ///< of the run that is under way
 };
 
 } // namespace usar::campaign

@@ -34,10 +34,11 @@ private slots:
     }
 
     void everyEndHasItsOwnOutcome() {
+        campaign_.missions.front().seeds = 11;
         const auto runner = runAll(3, 0);
         const auto results = readResults(folder_->path(), "1.0");
         QVERIFY(results);
-        QCOMPARE(results->size(), std::size_t(8));
+        QCOMPARE(results->size(), std::size_t(11));
         const std::vector<std::pair<Outcome, const char*>> expected{{Outcome::Done, "Well."},
                                                                     {Outcome::Failed, "It fell."},
                                                                     {Outcome::Refused, "No such world."},
@@ -45,12 +46,15 @@ private slots:
                                                                     {Outcome::Killed, "Killed"},
                                                                     {Outcome::OutOfMemory, "memory"},
                                                                     {Outcome::TimedOut, "limit of"},
-                                                                    {Outcome::Crashed, "without a result: no plugin"}};
+                                                                    {Outcome::Crashed, "without a result: no plugin"},
+                                                                    {Outcome::Done, "Chance."},
+                                                                    {Outcome::Killed, "Killed"}, // with its worker
+                                                                    {Outcome::Done, "Well."}};
         for (std::size_t i = 0; i < expected.size(); ++i) {
             QCOMPARE(wordOf((*results)[i].outcome), wordOf(expected[i].first));
             QVERIFY2((*results)[i].reason.find(expected[i].second) != std::string::npos, (*results)[i].reason.c_str());
         }
-        QCOMPARE(runner->progress().failures(), 7);
+        QCOMPARE(runner->progress().failures(), 8);
         QCOMPARE(exitCodeOf(runner->progress()), 1);
         QVERIFY(!(*results)[0].summary.contains("files"));
     }
