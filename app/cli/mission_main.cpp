@@ -12,6 +12,7 @@
 #include "app/cli/campaign_verb.h"
 #include "app/cli/compare_verb.h"
 #include "app/cli/console.h"
+#include "app/cli/mission_program.h"
 #include "app/host/true_figures.h"
 #include "core/base/version.h"
 #include "core/mission/files/mission_options.h"
@@ -22,6 +23,7 @@
 #include "core/server/embedded/quiet_qt.h"
 #include "core/server/embedded/quit_signals.h"
 #include "core/server/embedded/simulator_files.h"
+#include "core/usage/help_text.h"
 
 namespace {
 
@@ -178,6 +180,10 @@ int main(int argc, char** argv) {
         qputenv("QT_QPA_PLATFORM", "offscreen"); // pictures contain text, which needs a QGuiApplication
     QGuiApplication application(argc, argv);
     QCoreApplication::setApplicationName("usar-mission");
+    if (const auto help = usage::answerToHelp(app::missionProgram(), QCoreApplication::arguments().mid(1))) {
+        std::printf("%s", qPrintable(*help));
+        return 0;
+    }
     if (const auto exit_code = runVerb(QCoreApplication::arguments().mid(1)))
         return *exit_code;
     const QString verb = QCoreApplication::arguments().value(1);
@@ -188,10 +194,6 @@ int main(int argc, char** argv) {
     const auto options = mission::readMissionOptions(QCoreApplication::arguments().mid(1));
     if (!options)
         return refuse(options.error());
-    if (options->help) {
-        std::printf("%s", qPrintable(mission::missionHelp()));
-        return 0;
-    }
     if (!options->continued.isEmpty())
         return goOn(*options);
     auto plan = mission::readMissionFile(options->mission_file);

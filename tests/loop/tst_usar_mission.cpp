@@ -258,7 +258,7 @@ void tst_UsarMission::aProgramWithoutItsFilesSaysWhatIsMissing() {
 }
 
 void tst_UsarMission::helpGoesToStandardOutput() {
-    const Ended ended = run({"--help"});
+    const Ended ended = run({"run", "--help"});
     QCOMPARE(ended.exit_code, 0);
     QVERIFY(ended.out.contains("--connect HOST:PORT"));
 }

@@ -11,6 +11,7 @@
 #include "core/base/result.h"
 #include "core/mission/files/mission_file.h"
 #include "core/protocol/usual_values.h"
+#include "core/usage/program.h"
 
 namespace usar::mission {
 
@@ -42,7 +43,6 @@ struct MissionOptions {
     std::optional<bool> adjust;   ///< whether the map is adjusted; absent: as the mission says
     bool one_thread = false;      ///< the behavior has no thread of its own
     bool course = false;          ///< the summary tells how the run went, see RunCourse
-    bool help = false;            ///< only the help is wanted
     bool operator==(const MissionOptions&) const = default;
 };
 
@@ -65,7 +65,7 @@ Seconds limitOf(const MissionOptions& options, const Mission& mission);
 /// Fails if faults are requested together with a server: only the embedded simulator can make them.
 Result<void> checkFaultsArePossible(const MissionOptions& options, const Mission& mission);
 
-/// The text that `--help` prints.
-QString missionHelp();
+/// The verb and its options in words.
+usage::Verb runVerb();
 
 } // namespace usar::mission

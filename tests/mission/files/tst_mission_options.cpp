@@ -75,10 +75,6 @@ private slots:
             QTest::addRow("a limit of %s", text) << QStringList{"run", "a.json", "--limit", text} << limited;
         }
         QTest::newRow("the battery's life") << QStringList{"run", "a.json", "--battery", "90.5"} << short_lived;
-        MissionOptions help;
-        help.help = true;
-        QTest::newRow("help") << QStringList{"--help"} << help;
-        QTest::newRow("help, whatever else is said") << QStringList{"run", "a.json", "--seed", "7", "-h"} << help;
         MissionOptions odd = plain;
         odd.behavior = "--speed";
         odd.result_folder = "-3";
@@ -296,12 +292,6 @@ private slots:
         QCOMPARE(checked.has_value(), possible);
         if (!checked)
             QVERIFY(checked.error().text().starts_with("10.0.0.5: faults are possible only in the embedded simulator"));
-    }
-
-    void helpNamesEveryOption() {
-        for (const char* option : {"--behavior", "--seed", "--speed", "--connect", "--out", "--record", "replay FILE",
-                                   "--from", "--to", "text-to-recording", "lines FILE"})
-            QVERIFY2(missionHelp().contains(option), option);
     }
 
     void progressLinesTellStateSpeedAndTimeLeft() {
