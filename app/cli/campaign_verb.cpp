@@ -212,12 +212,9 @@ int runCampaignVerb(const QStringList& arguments) {
     const auto options = campaign::readCampaignOptions(arguments);
     if (!options)
         return refuse(options.error());
-    if (options->help)
-        std::printf("%s", qPrintable(campaign::campaignHelp()));
-    else if (options->slurm)
-        std::printf("%s", qPrintable(campaign::slurmScript(*options, QCoreApplication::applicationFilePath())));
-    else
+    if (!options->slurm)
         return options->folder.isEmpty() ? flyInScratch(*options) : fly(*options);
+    std::printf("%s", qPrintable(campaign::slurmScript(*options, QCoreApplication::applicationFilePath())));
     return mission::Done;
 }
 

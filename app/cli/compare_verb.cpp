@@ -60,10 +60,6 @@ Result<int> report(const campaign::CompareOptions& typed) {
 
 int runCompareVerb(const QStringList& arguments) {
     const auto options = campaign::readCompareOptions(arguments);
-    if (options && options->help) {
-        std::printf("%s", qPrintable(campaign::compareHelp()));
-        return mission::Done;
-    }
     const Result<int> exit_code = options.and_then(report);
     if (exit_code)
         return *exit_code;

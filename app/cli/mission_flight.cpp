@@ -1,7 +1,6 @@
 #include "app/cli/mission_flight.h"
 
 #include <cmath>
-#include <cstdio>
 #include <ctime>
 #include <memory>
 #include <optional>
@@ -93,6 +92,7 @@ int run(const mission::MissionOptions& options, mission::Mission plan, Preloaded
     mission::RunOptions run_options;
     run_options.seed = options.seed;
     run_options.result_folder = options.result_folder;
+    run_options.files = options.files;
     run_options.recording = options.recording;
     run_options.course = options.course;
     if (options.one_thread)
@@ -179,10 +179,6 @@ int flyMission(const QStringList& arguments, Preloaded& loaded) {
     const auto options = mission::readMissionOptions(arguments);
     if (!options)
         return refuse(options.error(), nullptr);
-    if (options->help) {
-        std::printf("%s", qPrintable(mission::missionHelp()));
-        return 0;
-    }
     if (!options->continued.isEmpty())
         return goOn(*options, loaded);
     auto plan = mission::readMissionFile(options->mission_file);

@@ -9,6 +9,7 @@
 #include "app/cli/compare_verb.h"
 #include "app/cli/console.h"
 #include "app/cli/mission_flight.h"
+#include "app/cli/mission_program.h"
 #include "app/cli/run_worker.h"
 #include "core/base/version.h"
 #include "core/campaign/runs/run_request.h"
@@ -18,6 +19,7 @@
 #include "core/server/embedded/program_files.h"
 #include "core/server/embedded/quiet_qt.h"
 #include "core/server/embedded/quit_signals.h"
+#include "core/usage/help_text.h"
 
 namespace {
 
@@ -58,6 +60,10 @@ int main(int argc, char** argv) {
         qputenv("QT_QPA_PLATFORM", "offscreen"); // pictures contain text, which needs a QGuiApplication
     QGuiApplication application(argc, argv);
     QCoreApplication::setApplicationName("usar-mission");
+    if (const auto help = usage::answerToHelp(app::missionProgram(), QCoreApplication::arguments().mid(1))) {
+        std::printf("%s", qPrintable(*help));
+        return 0;
+    }
     if (const auto exit_code = runVerb(QCoreApplication::arguments().mid(1)))
         return *exit_code;
     const QString verb = QCoreApplication::arguments().value(1);

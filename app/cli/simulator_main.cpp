@@ -8,6 +8,7 @@
 #include "core/base/version.h"
 #include "core/server/embedded/simulator_files.h"
 #include "core/server/embedded/simulator_program.h"
+#include "core/usage/help_text.h"
 
 namespace {
 
@@ -27,16 +28,15 @@ int main(int argc, char** argv) {
         return 0;
     QCoreApplication application(argc, argv);
     QCoreApplication::setApplicationName("usar-sim");
+    if (const auto help =
+            usar::usage::answerToHelp(usar::server::simulatorProgram(), QCoreApplication::arguments().mid(1))) {
+        std::printf("%s", qPrintable(*help));
+        return 0;
+    }
     QCommandLineParser parser;
-    parser.addHelpOption();
-    parser.addVersionOption();
-    parser.setApplicationDescription("Simulates a world for USARSim clients on loopback TCP.\n\n" +
-                                     usar::server::faultHelp());
-    usar::server::addSimulatorOptions(parser);
+    parser.addOptions(usar::server::simulatorOptions());
     if (!parser.parse(QCoreApplication::arguments()))
         return complain({parser.errorText().toStdString(), "", "See usar-sim --help"});
-    if (parser.isSet("help"))
-        parser.showHelp();
     const auto settings = usar::server::readSimulatorSettings(parser);
     if (!settings)
         return complain(settings.error());

@@ -12,14 +12,16 @@
 #include "core/server/embedded/quiet_qt.h"
 #include "core/server/embedded/quit_signals.h"
 #include "core/server/embedded/simulator_files.h"
+#include "core/usage/help_text.h"
 
 namespace {
 
-/// True for arguments that are answered without a window.
-bool asksForHelp(int argc, const char* const* argv) {
-    return std::ranges::any_of(std::span(argv, static_cast<std::size_t>(argc)), [](std::string_view argument) {
-        return argument == "--help" || argument == "-h" || argument == "-v";
-    });
+/// The arguments before there is an application, which would need a display.
+QStringList textsOf(int argc, const char* const* argv) {
+    QStringList texts;
+    for (const char* const text : std::span(argv, static_cast<std::size_t>(argc)))
+        texts << QString::fromLocal8Bit(text);
+    return texts;
 }
 
 /// True if Qt would find no screen to show a window on.
@@ -35,11 +37,8 @@ int main(int argc, char** argv) {
     usar::server::keepQtQuiet();
     if (usar::answersVersion(argc, argv))
         return 0;
-    if (asksForHelp(argc, argv)) {
-        QCoreApplication without_window(argc, argv);
-        QCoreApplication::setApplicationName("mission-control");
-        QCoreApplication::setApplicationVersion(USAR_VERSION);
-        usar::server::readWindowOptions(QCoreApplication::arguments()); // Prints the help and exits.
+    if (const auto help = usar::usage::answerToHelp(usar::server::windowProgram(), textsOf(argc, argv).mid(1))) {
+        std::printf("%s", qPrintable(*help));
         return 0;
     }
     if (lacksDisplay(argc, argv)) {

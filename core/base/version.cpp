@@ -13,7 +13,8 @@ std::string_view version() {
 
 bool answersVersion(int argc, const char* const* argv) {
     const std::span arguments(argv, static_cast<std::size_t>(argc));
-    if (arguments.empty() || std::ranges::count(arguments, std::string_view("--version")) == 0)
+    const auto asks = [](std::string_view argument) { return argument == "--version" || argument == "-v"; };
+    if (arguments.empty() || std::ranges::none_of(arguments.subspan(1), asks))
         return false;
     const std::string_view path = arguments.front();
     std::printf("%s %s\n", std::string(path.substr(path.rfind('/') + 1)).c_str(), USAR_VERSION);

@@ -24,6 +24,7 @@ const QStringList sdk{"core/base", "core/protocol", "core/modules", "core/posh",
 
 const std::map<QString, Rule> rules{
     {"core/base", {{}, {}}},
+    {"core/usage", {{"core/base"}, {"QtCore"}}},
     {"core/protocol", {{"core/base"}, {}}},
     {"core/posh", {{"core/base"}, {}}},
     {"core/mapping", {{"core/base"}, {}}},
@@ -31,9 +32,10 @@ const std::map<QString, Rule> rules{
     {"core/sim", {{"core/base", "core/protocol"}, {}}},
     {"core/agent", {sdk, {"QtCore"}}},
     {"core/link", {{"core/base", "core/protocol"}, {"QtCore", "QtNetwork"}}},
-    {"core/server", {{"core/base", "core/protocol", "core/link", "core/sim"}, {"QtCore", "QtGui", "QtNetwork"}}},
-    {"core/mission", {sdk + QStringList{"core/agent", "core/link"}, {"QtCore", "QtGui", "QtNetwork"}}},
-    {"core/campaign", {{"core/base", "core/mission"}, {"QtCore"}}},
+    {"core/server",
+     {{"core/base", "core/usage", "core/protocol", "core/link", "core/sim"}, {"QtCore", "QtGui", "QtNetwork"}}},
+    {"core/mission", {sdk + QStringList{"core/usage", "core/agent", "core/link"}, {"QtCore", "QtGui", "QtNetwork"}}},
+    {"core/campaign", {{"core/base", "core/usage", "core/mission"}, {"QtCore"}}},
     {"robots", {sdk + QStringList{"core/agent"}, {"QtCore"}}},
     {"widgets", {sdk + QStringList{"core/agent"}, {"QtCore", "QtGui", "QtWidgets", "QtPrintSupport", "QtDBus"}}},
 };

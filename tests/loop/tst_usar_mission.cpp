@@ -24,6 +24,8 @@ private slots:
     void fliesAMissionToItsEnd();
     void equalSeedsGiveEqualMaps();
     void copiesOfAWorkerFlyAsNewProcessesDo();
+    void onlyTheRunsThatAreToDoSoLeaveFiles_data();
+    void onlyTheRunsThatAreToDoSoLeaveFiles();
     void faultsComeWithTheMissionAndAreToldInItsResults();
     void aVanishedRobotIsToldAtOnce();
     void rejectsTheRestAndSaysWhere_data();
@@ -167,6 +169,26 @@ void tst_UsarMission::copiesOfAWorkerFlyAsNewProcessesDo() {
     QVERIFY(summaries[3]["reason"].toString().contains("gone.json"));
 }
 
+void tst_UsarMission::onlyTheRunsThatAreToDoSoLeaveFiles_data() {
+    QTest::addColumn<QString>("which");
+    QTest::addColumn<bool>("fails");
+    QTest::addColumn<bool>("left");
+    QTest::newRow("a success, if failed") << "failed" << false << false;
+    QTest::newRow("a failure, if failed") << "failed" << true << true;
+    QTest::newRow("a failure, never") << "never" << true << false;
+}
+void tst_UsarMission::onlyTheRunsThatAreToDoSoLeaveFiles() {
+    QFETCH(QString, which);
+    QFETCH(bool, fails);
+    QFETCH(bool, left);
+    const QStringList fault = fails ? QStringList{"--fault", "vanish robot=R1 after=40"} : QStringList{};
+    const Ended ended = run(argumentsFor("9") + QStringList{"--files", which} + fault);
+    QVERIFY2(ended.exit_code == (fails ? 1 : 0), ended.out + ended.err);
+    QVERIFY(ended.summary["cells"].toInt() > 100);
+    QCOMPARE(!ended.summary["files"].toArray().empty(), left);
+    QCOMPARE(!QDir(folder_->filePath("results")).isEmpty(), left);
+}
+
 void tst_UsarMission::faultsComeWithTheMissionAndAreToldInItsResults() {
     QByteArray with_wind = small;
     with_wind.replace("\"area\"", "\"faults\": [\"wind speed=1.5 toward_deg=90 gust=0.3 from=5\"], \"area\"");
@@ -296,7 +318,7 @@ void tst_UsarMission::aProgramWithoutItsFilesSaysWhatIsMissing() {
 }
 
 void tst_UsarMission::helpGoesToStandardOutput() {
-    const Ended ended = run({"--help"});
+    const Ended ended = run({"run", "--help"});
     QCOMPARE(ended.exit_code, 0);
     QVERIFY(ended.out.contains("--connect HOST:PORT"));
 }

@@ -104,11 +104,13 @@ private slots:
         QTest::addColumn<int>("exit_code");
         QTest::addColumn<QString>("words");
         QTest::newRow("usar-sim") << "usar-sim"
-                                  << "--help" << 0 << "Usage: ";
+                                  << "--help" << 0 << "usar-sim [options]";
         QTest::newRow("usar-mission") << "usar-mission"
                                       << "--help" << 0 << "usar-mission run MISSION.json";
         QTest::newRow("mission-control") << "mission-control"
-                                         << "--help" << 0 << "Usage: ";
+                                         << "--help" << 0 << "mission-control [options]";
+        QTest::newRow("usar-behavior-host") << "usar-behavior-host"
+                                            << "--help" << 0 << "usar-mission run --isolate";
         QTest::newRow("a window without a display") << "mission-control"
                                                     << "--theme=dark" << 2 << "there is no display";
     }

@@ -14,14 +14,14 @@ namespace {
 
 Result<SimulatorSettings> simulatorOf(const QString& words) {
     QCommandLineParser parser;
-    addSimulatorOptions(parser);
+    parser.addOptions(simulatorOptions());
     parser.parse(QStringList{"usar-sim"} + words.split(' ', Qt::SkipEmptyParts));
     return readSimulatorSettings(parser);
 }
 
 Result<ServerTarget> targetOf(const QString& words) {
     QCommandLineParser parser;
-    addServerOptions(parser);
+    parser.addOptions(serverOptions());
     parser.parse(QStringList{"mission-control"} + words.split(' ', Qt::SkipEmptyParts));
     return readServerTarget(parser);
 }

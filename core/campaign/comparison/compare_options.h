@@ -5,6 +5,7 @@
 #include <QStringList>
 
 #include "core/base/result.h"
+#include "core/usage/program.h"
 
 namespace usar::campaign {
 
@@ -14,14 +15,13 @@ struct CompareOptions {
     QString html;                ///< files to be written; empty: none
     QString junit;
     bool json = false; ///< JSON instead of the text
-    bool help = false;
     bool operator==(const CompareOptions&) const = default;
 };
 
 /// Reads the command line; `arguments` begins with the verb. Errors name the option and how to write it.
 Result<CompareOptions> readCompareOptions(const QStringList& arguments);
 
-/// The text that `usar-mission compare --help` prints.
-QString compareHelp();
+/// The verb and its options in words.
+usage::Verb compareVerb();
 
 } // namespace usar::campaign

@@ -110,9 +110,13 @@ QStringList argumentsOf(const Campaign& campaign, const PlannedRun& run) {
 }
 
 QStringList flightArgumentsOf(const Campaign& campaign, const PlannedRun& run, const QString& folder) {
+    // The files of other runs would be deleted at once, and to write them takes a tenth of the time.
+    const char* const files = campaign.keep == Keep::Everything ? "always"
+                              : campaign.keep == Keep::Failures ? "failed"
+                                                                : "never";
     return argumentsOf(campaign, run) << "--course"
                                       << "--one-thread"
-                                      << "--out" << folder;
+                                      << "--files" << files << "--out" << folder;
 }
 
 QString commandOf(const Campaign& campaign, const PlannedRun& run) {

@@ -7,7 +7,7 @@ namespace usar::campaign {
 
 namespace {
 
-const std::string usage =
+const std::string how =
     "Write usar-mission campaign CAMPAIGN.json --out DIR, or usar-mission campaign --tests FOLDER; --help tells more";
 
 constexpr int most_runs = 10'000'000;
@@ -50,9 +50,9 @@ Result<void> readSubject(const QCommandLineParser& parser, const QStringList& ar
     options.folder = parser.value("out");
     const bool are_tests = parser.isSet("tests");
     if (words.size() != (are_tests ? 0 : 1) || (are_tests && options.tests.isEmpty()))
-        return failure("this is not how to call it", arguments.join(' ').toStdString(), usage);
+        return failure("this is not how to call it", arguments.join(' ').toStdString(), how);
     if (!are_tests && options.folder.isEmpty())
-        return failure("--out is missing", arguments.join(' ').toStdString(), usage);
+        return failure("--out is missing", arguments.join(' ').toStdString(), how);
     if (!are_tests && parser.isSet("junit"))
         return failure("a campaign that is no folder of tests has no such report yet", "--junit",
                        "Fly it, then write usar-mission compare DIR --junit FILE");
@@ -67,31 +67,40 @@ Result<void> readSubject(const QCommandLineParser& parser, const QStringList& ar
     return {};
 }
 
+QList<QCommandLineOption> optionList() {
+    return {{"out", "where the results go; tests need none", "DIR"},
+            {"tests",
+             "every mission in the folder is a test, flown with its own seed; its \"claims\" say what must hold",
+             "FOLDER"},
+            {"junit", "with --tests: write the results to this file as JUnit XML", "FILE"},
+            {"jobs", "missions at a time (as many as there are processors)", "N"},
+            {"resume", "go on with the results in DIR: only what is missing is flown"},
+            {"shard",
+             "only part I of N, from 0 to N - 1; for several machines that share DIR. It goes on where it was stopped",
+             "I/N"},
+            {"until-decided",
+             "fly no more once it is known which of the two variants is better, by success and then by time; a test "
+             "that may be looked at after each pair says so (95 %)"},
+            {"check-every", "fly one run in N twice, which must come out the same (100; 0: none)", "N"},
+            {"runs", "about N runs in all, with as many seeds as that takes instead of the file's", "N"},
+            {"first-seed", "the first seed, instead of the file's", "N"},
+            {"shrink",
+             "of the runs that show a defect of the program (a crash, figures that cannot be, another result when "
+             "flown again), add the fewest faults that still show it to FILE; a campaign file flies them again with "
+             "\"again\": FILE",
+             "FILE"},
+            {"slurm", "fly nothing, but print a job script for sbatch, with so many parts", "TASKS"},
+            usage::helpOption()};
+}
+
 } // namespace
 
 Result<CampaignOptions> readCampaignOptions(const QStringList& arguments) {
     QCommandLineParser parser;
-    const auto parsed = mission::parseArguments(parser,
-                                                {{"out", {}, "DIR"},
-                                                 {"tests", {}, "FOLDER"},
-                                                 {"junit", {}, "FILE"},
-                                                 {"jobs", {}, "N"},
-                                                 {"shard", {}, "I/N"},
-                                                 {"slurm", {}, "TASKS"},
-                                                 {"check-every", {}, "N"},
-                                                 {"runs", {}, "N"},
-                                                 {"first-seed", {}, "N"},
-                                                 {"shrink", {}, "FILE"},
-                                                 QCommandLineOption("resume"),
-                                                 QCommandLineOption("until-decided"),
-                                                 QCommandLineOption(QStringList{"h", "help"})},
-                                                arguments.mid(1), usage);
-    CampaignOptions options;
-    options.help = parser.isSet("help");
-    if (options.help)
-        return options;
+    const auto parsed = mission::parseArguments(parser, optionList(), arguments.mid(1), how);
     if (!parsed)
         return tl::unexpected(parsed.error());
+    CampaignOptions options;
     if (auto read = readSubject(parser, arguments, options); !read)
         return tl::unexpected(read.error());
     options.resume = parser.isSet("resume");
@@ -121,32 +130,18 @@ Result<CampaignOptions> readCampaignOptions(const QStringList& arguments) {
     return options;
 }
 
-QString campaignHelp() {
-    return QStringLiteral(
-        "usar-mission campaign CAMPAIGN.json --out DIR [options]\n"
-        "usar-mission campaign --tests FOLDER [--junit FILE] [options]\n"
-        "\n"
-        "Flies the missions of a campaign, with all its seeds and variants, and writes one line for each.\n"
-        "With --tests, every mission in FOLDER is a test, flown with its own seed; its \"claims\" say what must hold.\n"
-        "--junit writes the results to FILE as JUnit XML.\n"
-        "\n"
-        "  --jobs N       missions at a time (as many as there are processors)\n"
-        "  --resume       go on with the results in DIR: only what is missing is flown\n"
-        "  --shard I/N    only part I of N, from 0 to N - 1; for several machines that share DIR. It goes on\n"
-        "                 where it was stopped\n"
-        "  --until-decided  fly no more once it is known which of the two variants is better, by success and\n"
-        "                 then by time; a test that may be looked at after each pair says so (95 %)\n"
-        "  --check-every N  fly one run in N twice, which must come out the same (100; 0: none)\n"
-        "  --runs N       about N runs in all, with as many seeds as that takes instead of the file's\n"
-        "  --first-seed N the first seed, instead of the file's\n"
-        "  --shrink FILE  of the runs that show a defect of the program (a crash, figures that cannot be, another\n"
-        "                 result when flown again), add the fewest faults that still show it to FILE; a campaign\n"
-        "                 file flies them again with \"again\": FILE\n"
-        "  --slurm TASKS  fly nothing, but print a job script for sbatch, with so many parts\n"
-        "\n"
-        "A progress bar goes to standard error; the last line of standard output is one JSON object.\n"
-        "Exit code 0: all missions were done; 1: some failed, or showed a defect of the program;\n"
-        "2: bad use or input. Ctrl+C keeps the results that are there.\n");
+usage::Verb campaignVerb() {
+    return {
+        .name = "campaign",
+        .calls = {"usar-mission campaign CAMPAIGN.json --out DIR [options]",
+                  "usar-mission campaign --tests FOLDER [--junit FILE] [options]"},
+        .purpose = "Flies the missions of a campaign, with all its seeds and variants, and writes one line for each.",
+        .options = optionList(),
+        .notes = {"A progress bar goes to standard error; the last line of standard output is one JSON object. Ctrl+C "
+                  "keeps the results that are there."},
+        .exit_codes = {{0, "all missions were done"},
+                       {1, "some failed, or showed a defect of the program"},
+                       {2, "bad use or input"}}};
 }
 
 } // namespace usar::campaign

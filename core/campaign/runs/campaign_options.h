@@ -8,6 +8,7 @@
 
 #include "core/base/result.h"
 #include "core/campaign/runs/shard_file.h"
+#include "core/usage/program.h"
 
 namespace usar::campaign {
 
@@ -26,7 +27,6 @@ struct CampaignOptions {
     std::optional<int> first_seed{}; ///< instead of the file's
     QString shrink{};                ///< file for the runs that break an invariant, with the fewest faults; empty: none
     bool until_decided = false;      ///< fly no more once it is known which of two variants is better
-    bool help = false;
     bool operator==(const CampaignOptions&) const = default;
 };
 
@@ -36,7 +36,7 @@ inline constexpr int most_shards = 1000;
 /// Reads the command line; `arguments` begins with the verb. Errors name the option and how to write it.
 Result<CampaignOptions> readCampaignOptions(const QStringList& arguments);
 
-/// The text that `usar-mission campaign --help` prints.
-QString campaignHelp();
+/// The verb and its options in words.
+usage::Verb campaignVerb();
 
 } // namespace usar::campaign

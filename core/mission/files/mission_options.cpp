@@ -9,31 +9,46 @@
 #include "core/base/numbers.h"
 #include "core/mission/files/command_line.h"
 #include "core/mission/files/mission_value.h"
-#include "core/mission/files/replay_options.h"
 
 namespace usar::mission {
 
 namespace {
 
 QList<QCommandLineOption> runOptions() {
-    return {{"behavior", {}, "ID"},
-            {"plan", {}, "FILE"},
-            {"seed", {}, "N"},
-            {"speed", {}, "N|max"},
-            {"connect", {}, "HOST:PORT"},
-            {"out", {}, "DIR"},
-            {"record", {}, "FILE"},
-            {"continue", {}, "RECORDING"},
-            {"fault", {}, "TEXT"},
-            {"set", {}, "KEY=VALUE"},
-            {"plugins", {}, "FOLDER"},
-            {"battery", {}, "S"},
-            {"limit", {}, "TIME"},
-            {"adjust", {}, "on|off"},
-            QCommandLineOption("isolate"),
-            QCommandLineOption("course"),
-            QCommandLineOption("one-thread"),
-            QCommandLineOption(QStringList{"h", "help"})};
+    return {
+        {"behavior", "another behavior than the file's, for example airrobot/cpp", "ID"},
+        {"plan", "a POSH plan of your own for a behavior that a plan decides, such as airrobot/posh", "PLAN.lap"},
+        {"seed", "noise and drift of the embedded simulator (the file's, or 1)", "N"},
+        {"speed", "simulated seconds per second (max)", "N|max"},
+        {"battery", "life of the robots' batteries in the embedded simulator, in seconds (a day)", "S"},
+        {"limit",
+         "give the mission up after this simulated time, such as 90min or 20h (the mission's limit_h, or never)",
+         "TIME"},
+        {"connect", "a USARSim server instead of the embedded simulator", "HOST:PORT"},
+        {"out", "where the results go (USAR_Scan on the Desktop)", "DIR"},
+        {"files", "which runs leave the map's files there: always, only a run that failed, or never (always)",
+         "always|failed|never"},
+        {"record", "every byte in and out, for replay (a new file, usually NAME.usarrec)", "FILE"},
+        {"continue",
+         "the rest of a mission that was cut off: what its recording has scanned is kept, and only the area around "
+         "the larger gaps is flown, with the same seed",
+         "RECORDING"},
+        {"fault",
+         "a fault of the embedded simulator, for example 'wind speed=4 gust=1 from=60'; repeat for more. usar-sim "
+         "--help lists them",
+         "TEXT"},
+        {"set", "another value than the file's, such as area.width=40 or parameters.scan_altitude_m=3; repeat for more",
+         "KEY=VALUE"},
+        {"plugins", "robot plugins, besides those that come with the program; repeat for more", "FOLDER"},
+        {"course", "add to the summary how the coverage grew, and where the robot flew, collided and gave goals up"},
+        {"one-thread",
+         "simulator and behavior have no threads of their own, which costs least; a behavior that hangs then hangs "
+         "the program"},
+        {"adjust",
+         "on: the map is corrected where strips overlap (the mission's adjust, or off); off: the thesis's map",
+         "on|off"},
+        {"isolate", "the behavior runs in a separate process, so that only that can crash"},
+        usage::helpOption()};
 }
 
 /// "90s", "30min" or "20h"; seconds without a unit. Nothing unless it is above 0.
@@ -87,6 +102,14 @@ Result<void> readValues(const QCommandLineParser& parser, MissionOptions& option
                            "For example --adjust off");
         options.adjust = text == "on";
     }
+    if (const QString text = parser.value("files"); parser.isSet("files")) {
+        if (text != "always" && text != "failed" && text != "never")
+            return failure("files are left always, failed or never", asWritten(parser, "files"),
+                           "For example --files failed");
+        options.files = text == "never"    ? ResultFiles::Never
+                        : text == "failed" ? ResultFiles::IfFailed
+                                           : ResultFiles::Always;
+    }
     if (parser.isSet("connect")) {
         auto server = readServerAddress(parser.value("connect"));
         if (!server)
@@ -94,36 +117,6 @@ Result<void> readValues(const QCommandLineParser& parser, MissionOptions& option
         options.server = *std::move(server);
     }
     return {};
-}
-
-QString furtherVerbsHelp() {
-    return QStringLiteral(
-        "\n"
-        "usar-mission campaign CAMPAIGN.json --out DIR [options]\n"
-        "\n"
-        "Flies the missions of a campaign; usar-mission campaign --help tells more.\n"
-        "\n"
-        "usar-mission compare DIR [DIR_B] [options]\n"
-        "\n"
-        "Says which variant of a campaign is better; usar-mission compare --help tells more.\n"
-        "\n"
-        "usar-mission lines FILE\n"
-        "\n"
-        "One JSON object for each protocol line of the file, or of standard input where FILE is -.\n"
-        "Exit code 0: every line was clean; 1: some had a diagnostic; 2: the file cannot be read.\n"
-        "\n"
-        "usar-mission check-plan [--robot NAME] FILE...\n"
-        "\n"
-        "One JSON object for each error and warning of the POSH plans, or of standard input where\n"
-        "FILE is -: code, severity, line, column, message, file. With the name of a robot (AirRobot)\n"
-        "also for what does not fit its senses and acts.\n"
-        "Exit code 0: no errors; 1: some plan has an error; 2: a file cannot be read.\n"
-        "\n"
-        "usar-mission plan-report [--json] FILE...\n"
-        "\n"
-        "What the runs of POSH plans in recordings and traces came to, plan by plan: what never\n"
-        "happened, what never was otherwise, what could not settle, and where the time went.\n"
-        "Exit code 0: all files were read; 2: one cannot be read.\n");
 }
 
 } // namespace
@@ -151,12 +144,9 @@ Result<ServerAddress> readServerAddress(const QString& text) {
 Result<MissionOptions> readMissionOptions(const QStringList& arguments) {
     QCommandLineParser parser;
     const auto parsed = parseArguments(parser, runOptions(), arguments);
-    MissionOptions options;
-    options.help = parser.isSet("help");
-    if (options.help)
-        return options;
     if (!parsed)
         return tl::unexpected(parsed.error());
+    MissionOptions options;
     options.behavior = parser.value("behavior");
     options.plan = parser.value("plan");
     options.result_folder = parser.value("out");
@@ -213,47 +203,14 @@ Result<void> checkFaultsArePossible(const MissionOptions& options, const Mission
                    "Leave out --connect, or the faults");
 }
 
-/// The parser's own text would lack the other verbs, the output and the exit codes.
-QString missionHelp() {
-    return QStringLiteral(
-               "usar-mission run MISSION.json [options]\n"
-               "usar-mission run --continue RECORDING [options]\n"
-               "\n"
-               "Flies one mission without a window and writes its results.\n"
-               "\n"
-               "  --behavior ID        another behavior than the file's, for example airrobot/cpp\n"
-               "  --plan FILE          a POSH plan of your own for a behavior that a plan decides, such as "
-               "airrobot/posh\n"
-               "  --seed N             noise and drift of the embedded simulator (the file's, or 1)\n"
-               "  --speed N|max        simulated seconds per second (max)\n"
-               "  --battery S          life of the robots' batteries in the embedded simulator, in seconds (a day)\n"
-               "  --limit TIME         give the mission up after this simulated time, such as 90min or 20h\n"
-               "                       (the mission's limit_h, or never)\n"
-               "  --connect HOST:PORT  a USARSim server instead of the embedded simulator\n"
-               "  --out DIR            where the results go (USAR_Scan on the Desktop)\n"
-               "  --record FILE        every byte in and out, for replay (a new file, usually NAME.usarrec)\n"
-               "  --continue RECORDING the rest of a mission that was cut off: what its recording has scanned is "
-               "kept,\n"
-               "                       and only the area around the larger gaps is flown, with the same seed\n"
-               "  --fault TEXT         a fault of the embedded simulator, for example\n"
-               "                       'wind speed=4 gust=1 from=60'; repeat for more. usar-sim --help lists them\n"
-               "  --set KEY=VALUE      another value than the file's, such as area.width=40 or\n"
-               "                       parameters.scan_altitude_m=3; repeat for more\n"
-               "  --plugins FOLDER     robot plugins, besides those that come with the program; repeat for more\n"
-               "  --course             add to the summary how the coverage grew, and where the robot flew, collided "
-               "and\n"
-               "                       gave goals up\n"
-               "  --one-thread         simulator and behavior have no threads of their own, which costs least; a\n"
-               "                       behavior that hangs then hangs the program\n"
-               "  --adjust on|off      on: the map is corrected where strips overlap (the mission's adjust, or off); "
-               "off: "
-               "the\n"
-               "                       thesis's map\n"
-               "  --isolate            the behavior runs in a separate process, so that only that can crash\n"
-               "\n"
-               "A progress bar goes to standard error; the last line of standard output is one JSON object.\n"
-               "Exit code 0: done; 1: the mission failed; 2: bad use or input. Ctrl+C keeps what was scanned.\n") +
-           replayHelp() + furtherVerbsHelp();
+usage::Verb runVerb() {
+    return {.name = "run",
+            .calls = {"usar-mission run MISSION.json [options]", "usar-mission run --continue RECORDING [options]"},
+            .purpose = "Flies one mission without a window and writes its results.",
+            .options = runOptions(),
+            .notes = {"A progress bar goes to standard error; the last line of standard output is one JSON object. "
+                      "Ctrl+C keeps what was scanned."},
+            .exit_codes = {{0, "done"}, {1, "the mission failed"}, {2, "bad use or input"}}};
 }
 
 } // namespace usar::mission

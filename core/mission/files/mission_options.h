@@ -10,7 +10,9 @@
 #include "core/base/clock.h"
 #include "core/base/result.h"
 #include "core/mission/files/mission_file.h"
+#include "core/mission/files/result_writer.h"
 #include "core/protocol/usual_values.h"
+#include "core/usage/program.h"
 
 namespace usar::mission {
 
@@ -34,15 +36,15 @@ struct MissionOptions {
     std::optional<double> battery_life_s; ///< of the embedded simulator's robots; absent: a day
     std::optional<Seconds> limit; ///< the run is given up after this simulated time; absent: the mission's limit
     QString result_folder;        ///< empty: the default folder
-    QString recording;            ///< file to record to; empty: none
-    QStringList faults;           ///< in addition to the mission's
-    QStringList values;           ///< KEY=VALUE to put over the mission's; see setValue
-    QStringList plugin_folders;   ///< in addition to the plugins that come with the program
-    bool isolate = false;         ///< on even if the mission does not ask for it
-    std::optional<bool> adjust;   ///< whether the map is adjusted; absent: as the mission says
-    bool one_thread = false;      ///< the behavior has no thread of its own
-    bool course = false;          ///< the summary tells how the run went, see RunCourse
-    bool help = false;            ///< only the help is wanted
+    ResultFiles files = ResultFiles::Always;
+    QString recording;          ///< file to record to; empty: none
+    QStringList faults;         ///< in addition to the mission's
+    QStringList values;         ///< KEY=VALUE to put over the mission's; see setValue
+    QStringList plugin_folders; ///< in addition to the plugins that come with the program
+    bool isolate = false;       ///< on even if the mission does not ask for it
+    std::optional<bool> adjust; ///< whether the map is adjusted; absent: as the mission says
+    bool one_thread = false;    ///< the behavior has no thread of its own
+    bool course = false;        ///< the summary tells how the run went, see RunCourse
     bool operator==(const MissionOptions&) const = default;
 };
 
@@ -65,7 +67,7 @@ Seconds limitOf(const MissionOptions& options, const Mission& mission);
 /// Fails if faults are requested together with a server: only the embedded simulator can make them.
 Result<void> checkFaultsArePossible(const MissionOptions& options, const Mission& mission);
 
-/// The text that `--help` prints.
-QString missionHelp();
+/// The verb and its options in words.
+usage::Verb runVerb();
 
 } // namespace usar::mission

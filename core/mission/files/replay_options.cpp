@@ -26,11 +26,12 @@ Result<std::optional<Seconds>> readMoment(const QCommandLineParser& parser, cons
 }
 
 QList<QCommandLineOption> optionsOf(ReplayVerb verb) {
-    QList<QCommandLineOption> options{QCommandLineOption(QStringList{"h", "help"})};
-    if (verb == ReplayVerb::Replay)
-        options << QCommandLineOption("speed", {}, "N|max") << QCommandLineOption("from", {}, "S")
-                << QCommandLineOption("to", {}, "S");
-    return options;
+    if (verb != ReplayVerb::Replay)
+        return {usage::helpOption()};
+    return {{"speed", "times the pace of the recording, 0.1 to 100 (max)", "N|max"},
+            {"from", "from this second on, since the recording began (0)", "S"},
+            {"to", "to this second, since the recording began (its end)", "S"},
+            usage::helpOption()};
 }
 
 /// The options of the verb `replay`.
@@ -62,9 +63,6 @@ Result<ReplayOptions> readReplayOptions(const QStringList& arguments) {
     options.verb = verbs.value(arguments.value(0));
     QCommandLineParser parser;
     const auto parsed = parseArguments(parser, optionsOf(options.verb), arguments.mid(1));
-    options.help = parser.isSet("help");
-    if (options.help)
-        return options;
     if (!parsed)
         return tl::unexpected(parsed.error());
     if (options.verb == ReplayVerb::Replay)
@@ -84,25 +82,31 @@ Result<ReplayOptions> readReplayOptions(const QStringList& arguments) {
     return options;
 }
 
-QString replayHelp() {
-    return QStringLiteral(
-        "\n"
-        "usar-mission replay FILE [options]\n"
-        "\n"
-        "Plays a recording through the reader and reports what is in it.\n"
-        "\n"
-        "  --speed N|max        times the pace of the recording, 0.1 to 100 (max)\n"
-        "  --from S, --to S     only this part, in seconds since the recording began\n"
-        "\n"
-        "A recording lasts as long as it took, or as long as its robot's clock says, whichever is more.\n"
-        "\n"
-        "The last line of standard output is one JSON object. Exit code 0: done; 1: part of the file is damaged\n"
-        "or incomplete, and the rest was played; 2: bad use or input.\n"
-        "\n"
-        "usar-mission recording-to-text FILE TEXT\n"
-        "usar-mission text-to-recording TEXT FILE\n"
-        "\n"
-        "Without loss both ways; - is standard input or output. Nothing is written over a file that exists.\n");
+QList<usage::Verb> replayVerbs() {
+    const QString lossless =
+        "Nothing is lost either way; - is standard input or output. Nothing is written over a file that exists.";
+    const QList<std::pair<int, QString>> codes{{0, "done"}, {2, "bad use or input"}};
+    return {{.name = "replay",
+             .calls = {"usar-mission replay RECORDING [options]"},
+             .purpose = "Plays a recording through the reader and reports what is in it.",
+             .options = optionsOf(ReplayVerb::Replay),
+             .notes = {"A recording lasts as long as it took, or as long as its robot's clock says, whichever is more.",
+                       "The last line of standard output is one JSON object."},
+             .exit_codes = {{0, "done"},
+                            {1, "part of the file is damaged or incomplete, and the rest was played"},
+                            {2, "bad use or input"}}},
+            {.name = "recording-to-text",
+             .calls = {"usar-mission recording-to-text RECORDING FILE"},
+             .purpose = "Writes a recording as text.",
+             .options = optionsOf(ReplayVerb::ToText),
+             .notes = {lossless},
+             .exit_codes = codes},
+            {.name = "text-to-recording",
+             .calls = {"usar-mission text-to-recording FILE RECORDING"},
+             .purpose = "Makes a recording of such a text.",
+             .options = optionsOf(ReplayVerb::ToRecording),
+             .notes = {lossless},
+             .exit_codes = codes}};
 }
 
 } // namespace usar::mission

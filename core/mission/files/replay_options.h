@@ -9,6 +9,7 @@
 
 #include "core/base/clock.h"
 #include "core/base/result.h"
+#include "core/usage/program.h"
 
 namespace usar::mission {
 
@@ -24,7 +25,6 @@ struct ReplayOptions {
         std::numeric_limits<double>::infinity(); ///< multiple of the recording's pace; infinity: as fast as possible
     Seconds from{0.0};                           ///< since the recording began, like `to`
     std::optional<Seconds> to;                   ///< absent: to the end
-    bool help = false;
     bool operator==(const ReplayOptions&) const = default;
 };
 
@@ -32,7 +32,7 @@ struct ReplayOptions {
 bool isReplayVerb(const QString& word);
 /// Reads the command line; `arguments` begins with the verb and does not include the program's name.
 Result<ReplayOptions> readReplayOptions(const QStringList& arguments);
-/// Returns a part of the text that `usar-mission --help` prints.
-QString replayHelp();
+/// The three in words.
+QList<usage::Verb> replayVerbs();
 
 } // namespace usar::mission

@@ -7,6 +7,7 @@
 #include <QStringList>
 
 #include "core/base/result.h"
+#include "core/usage/program.h"
 
 namespace usar::mission {
 
@@ -29,5 +30,8 @@ Result<CheckPlanOptions> readCheckPlanOptions(const QStringList& arguments);
 Result<PlanReportOptions> readPlanReportOptions(const QStringList& arguments);
 /// The file of `usar-mission lines`; "-" is standard input.
 Result<QString> readLinesFile(const QStringList& arguments);
+
+/// The three in words.
+QList<usage::Verb> reportVerbs();
 
 } // namespace usar::mission

@@ -15,6 +15,9 @@
 
 namespace usar::mission {
 
+/// Which runs leave files with their map.
+enum class ResultFiles { Always, IfFailed, Never };
+
 /// Folder USAR_Scan on the user's Desktop, or in the home folder if there is no Desktop.
 QString defaultResultFolder();
 

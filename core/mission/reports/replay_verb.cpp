@@ -58,10 +58,6 @@ int runReplayVerb(const QStringList& arguments, const VerbStreams& streams, cons
         streams.complain(options.error().text());
         return BadInput;
     }
-    if (options->help) {
-        streams.output.write(replayHelp().trimmed().toUtf8() + '\n');
-        return Done;
-    }
     return options->verb == ReplayVerb::Replay ? replay(*options, streams, prepare)
                                                : convertRecording(*options, streams);
 }

@@ -266,7 +266,9 @@ RunSummary MissionRunner::figuresOf(const ScanRecord& record) {
 }
 
 Result<QStringList> MissionRunner::save(const ScanRecord& record, const RunSummary& figures) {
-    if (record.raster.empty())
+    const bool wanted =
+        options_.files == ResultFiles::Always || (options_.files == ResultFiles::IfFailed && !figures.success);
+    if (record.raster.empty() || !wanted)
         return QStringList{};
     if (const std::string notice = farPartsNotice(record); !notice.empty())
         emit noticed({Severity::Warning, notice});

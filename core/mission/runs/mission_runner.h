@@ -42,8 +42,9 @@ struct RunOptions {
     bool lockstep = true;   ///< ask for it; a real server does not answer
     std::uint64_t seed = 1; ///< only reported in the summary; whoever created the simulator has given it the seed
     QString result_folder;  ///< empty: the default folder
-    QString recording;      ///< new file that records everything sent and received; empty: none
-    bool course = false;    ///< the summary tells how the run went, see RunCourse
+    ResultFiles files = ResultFiles::Always;
+    QString recording;   ///< new file that records everything sent and received; empty: none
+    bool course = false; ///< the summary tells how the run went, see RunCourse
     agent::BehaviorThread behavior_thread = agent::BehaviorThread::Own; ///< Callers: one that hangs hangs all
     QString behavior_host; ///< path of usar-behavior-host, needed by a mission that isolates its behavior
     RunLimits limits;
@@ -133,10 +134,7 @@ private:
     RunOptions options_;
     RobotSession session_;
     QTimer timer_{this};
-    QElapsedTimer since_start_;
-    QElapsedTimer since_spawn_;
-    QElapsedTimer since_flight_;
-    QElapsedTimer since_time_moved_;
+    QElapsedTimer since_start_, since_spawn_, since_flight_, since_time_moved_;
     std::optional<PreparedBehavior> behavior_;
     Pose start_in_map_;
     Seconds last_now_{-1.0};

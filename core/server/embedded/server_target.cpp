@@ -58,16 +58,18 @@ Result<void> readSimulator(const QCommandLineParser& parser, ServerTarget& serve
 
 } // namespace
 
-void addServerOptions(QCommandLineParser& parser) {
+QList<QCommandLineOption> serverOptions() {
     const ServerTarget usual;
-    addSharedOptions(parser);
-    parser.addOptions({{"connect", "A USARSim server instead of the embedded simulator.", "host:port"},
-                       {"world", "World of the embedded simulator: a name or a folder.", "world", "tall_test"},
-                       {"seed", "Seed of the embedded simulator.", "number", "1"},
-                       {"fault", "Fault to inject into the embedded simulator; usar-sim --help lists them.", "text"},
-                       {"port", "Port of the embedded simulator.", "port", QString::number(usual.port)},
-                       {"wireless-port", "Port of the wireless server, embedded or beside a USARSim server.", "port",
-                        QString::number(usual.simulator.channels.wireless)}});
+    return sharedOptions() +
+           QList<QCommandLineOption>{
+               {"connect", "a USARSim server instead of the embedded simulator", "HOST:PORT"},
+               {"world", "world of the embedded simulator", "NAME|FOLDER", "tall_test"},
+               {"seed", "seed of the embedded simulator", "N", "1"},
+               {"fault", "fault to inject into the embedded simulator; repeat for more. usar-sim --help lists them",
+                "TEXT"},
+               {"port", "port of the embedded simulator", "N", QString::number(usual.port)},
+               {"wireless-port", "port of the wireless server, embedded or beside a USARSim server", "N",
+                QString::number(usual.simulator.channels.wireless)}};
 }
 
 Result<ServerTarget> readServerTarget(const QCommandLineParser& parser) {

@@ -16,8 +16,8 @@ struct ServerTarget {
     SimulatorSpec simulator;
 };
 
-/// Adds --connect, and the options of the embedded simulator, with their help and defaults.
-void addServerOptions(QCommandLineParser& parser);
+/// Those that say which server: --connect, and the options of the embedded simulator, with their help and defaults.
+QList<QCommandLineOption> serverOptions();
 /// Reads them from a parser that has parsed the command line. The error names the option that is wrong.
 Result<ServerTarget> readServerTarget(const QCommandLineParser& parser);
 

@@ -77,12 +77,16 @@ Result<std::vector<sim::Fault>> readFaults(const QStringList& texts) {
     return faults;
 }
 
-QString faultHelp() {
+usage::Section faultSection() {
     const auto shown = [](std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); };
-    QString help = "Faults, each a kind and what is said of it, as in \"sensor_bias robot=R1 sensor=INS x=0.5 from=60 "
-                   "for=30\" (seconds; robot and sensor by name or type, all where none is said):\n";
+    usage::Section section{.title = "Faults",
+                           .text =
+                               "Each is a kind and what is said of it, as in \"sensor_bias robot=R1 sensor=INS x=0.5 "
+                               "from=60 for=30\" (seconds; robot and sensor by name or type, all where none is "
+                               "said). Of each number there is its usual value and its range.",
+                           .in_help = true};
     for (const sim::FaultDescription& kind : sim::faultKinds()) {
-        help += QString("  %1: %2").arg(shown(kind.word), shown(kind.help));
+        QString help = shown(kind.help);
         for (const sim::FaultNumber& number : kind.numbers)
             help += QString("; %1=%2 (%3 to %4%5)")
                         .arg(shown(number.name))
@@ -90,9 +94,9 @@ QString faultHelp() {
                         .arg(number.smallest)
                         .arg(number.largest)
                         .arg(number.unit.empty() ? QString() : ' ' + shown(number.unit));
-        help += '\n';
+        section.entries.emplace_back(shown(kind.word), help);
     }
-    return help;
+    return section;
 }
 
 } // namespace usar::server

@@ -13,6 +13,7 @@
 #include "core/sim/robots/robot_reader.h"
 #include "core/sim/simulation.h"
 #include "core/sim/world/world.h"
+#include "core/usage/program.h"
 
 namespace usar::server {
 
@@ -38,6 +39,6 @@ QStringList textsOf(const std::vector<std::string>& texts);
 Result<std::vector<sim::Fault>> readFaults(const QStringList& texts);
 
 /// The part of --help that explains --fault: every kind of fault with its keys, units and ranges.
-QString faultHelp();
+usage::Section faultSection();
 
 } // namespace usar::server

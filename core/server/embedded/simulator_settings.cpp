@@ -91,40 +91,63 @@ Result<Access> readAccess(const QCommandLineParser& parser) {
     return Access::make(parser.value("bind"), parser.values("allow"));
 }
 
-void addSharedOptions(QCommandLineParser& parser) {
-    parser.addOptions(
-        {{"bind", "Address on which the simulator listens, for programs on other machines; needs --allow.", "address",
-          "127.0.0.1"},
-         {"allow", "Network that may connect to it, such as 192.168.1.0/24; repeat the option for more. Needs --bind.",
-          "network"},
-         {"battery", "How long a robot's battery lasts: seconds, or robot for what the robot's file says.", "seconds",
-          QString::number(sim::survey_battery_life.count())}});
+QList<QCommandLineOption> sharedOptions() {
+    return {
+        {"bind", "address on which the simulator listens, for programs on other machines; needs --allow", "ADDRESS",
+         "127.0.0.1"},
+        {"allow", "network that may connect to it, such as 192.168.1.0/24; repeat for more; needs --bind", "NETWORK"},
+        {"battery", "how long a robot's battery lasts; robot: what the robot's file says", "SECONDS|robot",
+         QString::number(sim::survey_battery_life.count())}};
 }
 
-void addSimulatorOptions(QCommandLineParser& parser) {
-    addSharedOptions(parser);
-    parser.addOptions(
-        {{"world", "World that comes with the program, or a world folder.", "name|folder", "tall_test"},
-         {"port", "TCP port; 0 chooses a free one.", "number", QString::number(protocol::usual_port::bot)},
-         {"image-port", "TCP port of the image server; 0 chooses a free one.", "number",
-          QString::number(protocol::usual_port::image)},
-         {"image-type", "How pictures are sent: raw, or as JPEG from superb to bad quality.", "type", "good"},
-         {"image-first", "The image server sends its first picture without being asked, as the oldest one did."},
-         {"wireless-port", "TCP port of the wireless server.", "number",
-          QString::number(protocol::usual_port::wireless)},
-         {"comserver-port", "TCP port of the ComServer.", "number", QString::number(protocol::usual_port::com_server)},
-         {"cominterface-port", "TCP port for the questions of another program's wireless server.", "number",
-          QString::number(protocol::usual_port::com_interface)},
-         {"seed", "Equal seeds and equal commands give equal bytes.", "number", "1"},
-         {"tick", "Time between two STA in seconds; a multiple of 0.004. Usually 0.2, with --profile udk 0.1.",
-          "seconds"},
-         {"lockstep-patience",
-          "Time in seconds for which other clients wait for a client that says LOCKSTEP and no STEP.", "seconds", "10"},
-         {"profile", "Dialect of the server: ut2004 or udk.", "profile", "ut2004"},
-         {"resume", "Snapshot to continue from; world, seed, profile and faults come from it.", "file"},
-         {"save", "File for a snapshot that is saved when the program ends.", "file"},
-         {"fault", "Fault to inject; repeat the option for more faults. See above.", "text"},
-         {"speed", "Multiple of real time: a factor, max, or 0 for paused.", "factor", "1"}});
+QList<QCommandLineOption> simulatorOptions() {
+    const auto usual = [](quint16 port) { return QString::number(port); };
+    return sharedOptions() +
+           QList<QCommandLineOption>{
+               {"world", "world that comes with the program, or a world folder", "NAME|FOLDER", "tall_test"},
+               {"port", "TCP port; 0 chooses a free one", "N", usual(protocol::usual_port::bot)},
+               {"image-port", "TCP port of the image server; 0 chooses a free one", "N",
+                usual(protocol::usual_port::image)},
+               {"image-type", "how pictures are sent: raw, or as JPEG from superb to bad quality",
+                image_types.join('|'), "good"},
+               {"image-first", "the image server sends its first picture without being asked, as the oldest one did"},
+               {"wireless-port", "TCP port of the wireless server", "N", usual(protocol::usual_port::wireless)},
+               {"comserver-port", "TCP port of the ComServer", "N", usual(protocol::usual_port::com_server)},
+               {"cominterface-port", "TCP port for the questions of another program's wireless server", "N",
+                usual(protocol::usual_port::com_interface)},
+               {"seed", "equal seeds and equal commands give equal bytes", "N", "1"},
+               {"tick", "time between two STA, a multiple of 0.004; usually 0.2, with --profile udk 0.1", "SECONDS"},
+               {"lockstep-patience", "how long other clients wait for a client that says LOCKSTEP and no STEP",
+                "SECONDS", "10"},
+               {"profile", "dialect of the server", "ut2004|udk", "ut2004"},
+               {"resume", "snapshot to continue from; world, seed, profile and faults come from it",
+                "SNAPSHOT.usarsnap"},
+               {"save", "file for a snapshot that is saved when the program ends", "FILE"},
+               {"fault", "fault to inject, see below; repeat for more", "TEXT"},
+               {"speed", "times real time; 0 is paused", "N|max", "1"},
+               usage::helpOption(),
+               usage::versionOption()};
+}
+
+usage::Program simulatorProgram() {
+    const QString purpose = "Simulates a world for USARSim clients on loopback TCP.";
+    return {.name = "usar-sim",
+            .title = "simulate robots for USARSim clients",
+            .description = {"usar-sim is the simulator of USAR Mission Control alone. It speaks the protocol of "
+                            "USARSim over TCP, so any client of that simulator can use it.",
+                            "It runs until Ctrl+C."},
+            .verbs = {{.name = {},
+                       .calls = {"usar-sim [options]"},
+                       .purpose = purpose,
+                       .options = simulatorOptions(),
+                       .exit_codes = {{0, "it was stopped"}, {2, "bad use or input, or a port that is taken"}}}},
+            .sections = {faultSection(),
+                         {.title = "Files", .entries = {{"SNAPSHOT.usarsnap", "a moment to go on from"}}},
+                         {.title = "Examples",
+                          .entries = {{"usar-sim --world tall_test --port 3000", "simulate the hills of tall_test"},
+                                      {"usar-sim --bind 0.0.0.0 --allow 192.168.1.0/24",
+                                       "let the machines of one network connect"}}}},
+            .see_also = {"mission-control", "usar-mission"}};
 }
 
 Result<SimulatorSettings> readSimulatorSettings(const QCommandLineParser& parser) {

@@ -11,6 +11,7 @@
 #include "core/base/result.h"
 #include "core/server/embedded/simulator_channels.h"
 #include "core/sim/simulation.h"
+#include "core/usage/program.h"
 
 namespace usar::server {
 
@@ -43,11 +44,13 @@ Result<std::optional<Seconds>> readBattery(const QString& text);
 /// Reads --bind and --allow; the error names the wrong one.
 Result<Access> readAccess(const QCommandLineParser& parser);
 
-/// Adds the options that usar-sim and the programs with an embedded simulator share.
-void addSharedOptions(QCommandLineParser& parser);
+/// The options that usar-sim and the programs with an embedded simulator share.
+QList<QCommandLineOption> sharedOptions();
 
-/// Adds the options with their help and defaults; --help and --version are left to the caller.
-void addSimulatorOptions(QCommandLineParser& parser);
+/// The options of usar-sim, with their help and defaults.
+QList<QCommandLineOption> simulatorOptions();
+/// The program and these options in words.
+usage::Program simulatorProgram();
 /// Reads the options of a parser that has parsed the command line. The error names the option that is wrong.
 Result<SimulatorSettings> readSimulatorSettings(const QCommandLineParser& parser);
 

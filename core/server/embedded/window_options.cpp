@@ -6,24 +6,53 @@
 
 namespace usar::server {
 
+namespace {
+
+QList<QCommandLineOption> windowOptions() {
+    return serverOptions() +
+           QList<QCommandLineOption>{
+               {"out", "folder for results (USAR_Scan on the Desktop)", "FOLDER"},
+               {"plugins", "robot plugins, besides those that come with the program; repeat for more", "FOLDER"},
+               {"theme", "colors; system: as the desktop (as last time)", "light|dark|system"},
+               usage::helpOption(),
+               usage::versionOption()};
+}
+
+} // namespace
+
+usage::Program windowProgram() {
+    return {
+        .name = "mission-control",
+        .title = "watch, drive and program robots in the USARSim simulator",
+        .description = {"mission-control is the window of USAR Mission Control. It connects to its embedded "
+                        "simulator or to a USARSim server, spawns robots there, drives them by hand or by a "
+                        "behavior, maps what they scan, records every flight and replays it."},
+        .verbs = {{.name = {},
+                   .calls = {"mission-control [options] [MISSION.json | PLAN.lap | RECORDING.usarrec | "
+                             "SNAPSHOT.usarsnap | WORLD.sdf | FOLDER]"},
+                   .purpose = "Watch, drive and program robots in the USARSim simulator. A file opens at the start: "
+                              "a mission, a plan, a recording to replay, a snapshot to continue from, or a world.",
+                   .options = windowOptions(),
+                   .notes = {"Qt's own options, such as -platform, are taken, too."},
+                   .exit_codes = {{0, "the window was closed"}, {2, "bad use, or no display"}}}},
+        .sections = {{.title = "Files",
+                      .entries = {{"MISSION.json", "a mission: what flies where"},
+                                  {"PLAN.lap", "a POSH plan"},
+                                  {"RECORDING.usarrec", "every byte of a flight, with its time and cause"},
+                                  {"SNAPSHOT.usarsnap", "a moment of the simulator"},
+                                  {"FOLDER/world.sdf", "a world"}}},
+                     {.title = "Examples",
+                      .entries = {{"mission-control resources/missions/quick_scan.json",
+                                   "open the quick scan, ready to be started"},
+                                  {"mission-control --connect 10.0.0.5:3000", "use a USARSim server"}}}},
+        .see_also = {"usar-mission", "usar-sim", "usar-behavior-host"}};
+}
+
 Result<WindowOptions> readWindowOptions(const QStringList& arguments) {
     QCommandLineParser parser;
-    parser.setApplicationDescription("Watch, drive and program robots in the USARSim simulator.");
-    parser.addHelpOption();
-    parser.addVersionOption();
-    addServerOptions(parser);
-    parser.addOptions({{"out", "Folder for results.", "folder"},
-                       {"plugins", "Folder with robot plugins, besides those that come with the program.", "folder"},
-                       {"theme", "light, dark or system (as the desktop).", "theme"}});
-    parser.addPositionalArgument("file",
-                                 "A mission or a plan to open, a recording to replay, or a snapshot to continue from.",
-                                 "[MISSION.json | PLAN.lap | RECORDING.usarrec | SNAPSHOT.usarsnap]");
+    parser.addOptions(windowOptions());
     if (!parser.parse(arguments))
         return failure(parser.errorText().toStdString(), "", "Try --help");
-    if (parser.isSet("help"))
-        parser.showHelp();
-    if (parser.isSet("version"))
-        parser.showVersion();
 
     WindowOptions options;
     auto target = readServerTarget(parser);

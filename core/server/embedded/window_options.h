@@ -5,6 +5,7 @@
 
 #include "core/base/result.h"
 #include "core/server/embedded/server_target.h"
+#include "core/usage/program.h"
 
 namespace usar::server {
 
@@ -19,8 +20,9 @@ struct WindowOptions {
     QString recording;          ///< recording to replay; then no server is connected; empty: none
 };
 
-/// Reads the arguments of the program, the first of which is its name. For --help and --version it ends the program.
-/// The error names the option that is wrong.
+/// The program and its options in words.
+usage::Program windowProgram();
+/// Reads the arguments of the program, the first of which is its name. The error names the option that is wrong.
 Result<WindowOptions> readWindowOptions(const QStringList& arguments);
 
 } // namespace usar::server

@@ -30,7 +30,6 @@ private slots:
         QVERIFY(script && script->slurm == 8);
         const auto least = readCampaignOptions({"campaign", "--out=o", "c.json", "--until-decided"});
         QVERIFY(least && (*least == CampaignOptions{.file = "c.json", .folder = "o", .until_decided = true}));
-        QVERIFY(readCampaignOptions({"campaign", "--help"})->help);
         const auto tests = readCampaignOptions({"campaign", "--tests", "t", "--junit", "j.xml"});
         QVERIFY2(tests, tests ? "" : tests.error().text().c_str());
         QVERIFY((*tests == CampaignOptions{.file = {}, .tests = "t", .junit = "j.xml", .folder = {}}));

@@ -57,7 +57,12 @@ private slots:
         MissionOptions of_campaign = plain;
         of_campaign.one_thread = true;
         of_campaign.course = true;
-        QTest::newRow("as a campaign flies") << QStringList{"run", "a.json", "--course", "--one-thread"} << of_campaign;
+        of_campaign.files = ResultFiles::IfFailed;
+        QTest::newRow("as a campaign flies")
+            << QStringList{"run", "a.json", "--course", "--one-thread", "--files", "failed"} << of_campaign;
+        MissionOptions without_files = plain;
+        without_files.files = ResultFiles::Never;
+        QTest::newRow("without files") << QStringList{"run", "a.json", "--files=never"} << without_files;
         for (const auto& [text, on] : {std::pair("on", true), {"off", false}}) {
             MissionOptions told = plain;
             told.adjust = on;
@@ -75,10 +80,6 @@ private slots:
             QTest::addRow("a limit of %s", text) << QStringList{"run", "a.json", "--limit", text} << limited;
         }
         QTest::newRow("the battery's life") << QStringList{"run", "a.json", "--battery", "90.5"} << short_lived;
-        MissionOptions help;
-        help.help = true;
-        QTest::newRow("help") << QStringList{"--help"} << help;
-        QTest::newRow("help, whatever else is said") << QStringList{"run", "a.json", "--seed", "7", "-h"} << help;
         MissionOptions odd = plain;
         odd.behavior = "--speed";
         odd.result_folder = "-3";
@@ -111,6 +112,8 @@ private slots:
         QTest::newRow("joined value empty") << QStringList{"run", "a.json", "--seed="} << "the seed is not";
         QTest::newRow("seed no number") << QStringList{"run", "a.json", "--seed", "x"} << "--seed x: the seed is not";
         QTest::newRow("seed negative") << QStringList{"run", "a.json", "--seed", "-1"} << "--seed -1: the seed is not";
+        QTest::newRow("files now and then") << QStringList{"run", "a.json", "--files", "sometimes"}
+                                            << "--files sometimes: files are left always, failed or never";
         QTest::newRow("adjust a little") << QStringList{"run", "a.json", "--adjust", "little"}
                                          << "--adjust little: whether to adjust the map is neither on nor off";
         QTest::newRow("speed zero") << QStringList{"run", "a.json", "--speed", "0"}
@@ -296,12 +299,6 @@ private slots:
         QCOMPARE(checked.has_value(), possible);
         if (!checked)
             QVERIFY(checked.error().text().starts_with("10.0.0.5: faults are possible only in the embedded simulator"));
-    }
-
-    void helpNamesEveryOption() {
-        for (const char* option : {"--behavior", "--seed", "--speed", "--connect", "--out", "--record", "replay FILE",
-                                   "--from", "--to", "text-to-recording", "lines FILE"})
-            QVERIFY2(missionHelp().contains(option), option);
     }
 
     void progressLinesTellStateSpeedAndTimeLeft() {

@@ -32,9 +32,6 @@ private slots:
         text.file = "a.txt";
         text.output = "b.usarrec";
         QTest::newRow("to a recording") << QStringList{"text-to-recording", "a.txt", "b.usarrec"} << text;
-        ReplayOptions help;
-        help.help = true;
-        QTest::newRow("help") << QStringList{"replay", "--help"} << help;
     }
 
     void readsTheCommandLine() {

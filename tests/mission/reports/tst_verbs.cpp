@@ -47,7 +47,6 @@ private slots:
     void anExistingFileIsNotOverwritten();
     void aFailedConversionLeavesNoFile();
     void aRecordingThatIsMissingIsReported();
-    void helpIsPrinted();
 };
 
 void tst_Verbs::aRecordingThatIsMissingIsReported() {
@@ -59,13 +58,6 @@ void tst_Verbs::aRecordingThatIsMissingIsReported() {
     QCOMPARE(exit_code, int(BadInput));
     QVERIFY(trial.complaints.find("/no/such.usarrec") != std::string::npos);
     QVERIFY(QJsonDocument::fromJson(trial.written).object().contains("reason"));
-}
-
-void tst_Verbs::helpIsPrinted() {
-    Trial trial;
-    QCOMPARE(trial.run([](const VerbStreams& streams) { return runReplayVerb({"replay", "--help"}, streams, {}); }), 0);
-    QVERIFY(trial.written.contains("replay"));
-    QCOMPARE(trial.complaints, std::string());
 }
 
 void tst_Verbs::theExitCodeTellsWhetherAllIsWell_data() {
