@@ -20,7 +20,7 @@ void MissionDesk::registerCommands() {
     });
     const auto complete = [this] { return task_.complete(); };
     add("file.save", complete, [this] {
-        widgets::askWhereToSave(window_, tr("Save mission"), tr("mission.json"), tr("Missions (*.json)"),
+        widgets::askWhereToSave(window_, tr("Save mission"), tr("my.mission.json"), tr("Missions (*.json)"),
                                 [this](const QString& path) { saveMission(path); });
     });
 }
@@ -161,7 +161,10 @@ Result<mission::Mission> MissionDesk::setUpNow(const std::string& name) const {
 }
 
 void MissionDesk::saveMission(const QString& path) {
-    const auto mission = setUpNow(QFileInfo(path).completeBaseName().toStdString());
+    QString name = QFileInfo(path).completeBaseName();
+    if (name.endsWith(".mission"))
+        name = name.section('.', 0, -2);
+    const auto mission = setUpNow(name.toStdString());
     if (!mission)
         return notices_.say(Severity::Warning, "mission", QString::fromStdString(mission.error().text()));
     const auto* const behavior = control_.plugins().behavior(mission->behavior);

@@ -50,6 +50,7 @@ int main(int argc, char** argv) {
     QApplication::setApplicationName("Mission Control");
     QApplication::setOrganizationName("USAR");
     QApplication::setApplicationVersion(USAR_VERSION);
+    QApplication::setDesktopFileName("usar-mission-control"); // by which the desktop finds the icon of the window
 
     const auto options = usar::server::readWindowOptions(QApplication::arguments());
     if (!options) {

@@ -55,6 +55,7 @@ private slots:
     void aFirstStartFitsASmallScreen();
     void onASmallScreenTimeCanBeSteered();
     void theWindowIsFoundAsItWasLeft();
+    void aSavedMissionIsOpenedAgain_data();
     void aSavedMissionIsOpenedAgain();
     void anUnwritableMissionFileIsNamed();
     void cellsOfAMissionAreThoseOfTheMap();
@@ -276,10 +277,17 @@ void tst_WindowCommands::theWindowIsFoundAsItWasLeft() {
     QVERIFY(page.window().findChild<QDockWidget*>("robots")->isVisible());
 }
 
+void tst_WindowCommands::aSavedMissionIsOpenedAgain_data() {
+    QTest::addColumn<QString>("name");
+    QTest::newRow("as any JSON") << "north field.json";
+    QTest::newRow("as a desktop knows it") << "north field.mission.json";
+}
+
 void tst_WindowCommands::aSavedMissionIsOpenedAgain() {
+    QFETCH(QString, name);
     const Rectangle area{{-20, -15}, {20, 15}};
     const QTemporaryDir folder;
-    const QString file = folder.filePath("north field.json");
+    const QString file = folder.filePath(name);
     {
         WindowPage page;
         QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
@@ -289,7 +297,7 @@ void tst_WindowCommands::aSavedMissionIsOpenedAgain() {
         page.typeArea(area);
         QVERIFY(enabled(page, "file.save"));
         page.window().mission().saveMission(file);
-        QVERIFY(!page.notified("north field.json").isEmpty());
+        QVERIFY(!page.notified(name).isEmpty());
     }
     WindowPage page({.mission_file = file});
     QTRY_VERIFY_WITH_TIMEOUT(page.map().area().has_value(), soon_ms);

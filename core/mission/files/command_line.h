@@ -12,9 +12,9 @@ namespace usar::mission {
 
 /// Adds these options to the parser and parses `arguments`, which do not include the program's name. Even after an
 /// error, the parser has the options that were understood. Errors name the option that is unknown, lacks its value or
-/// takes none; `usage` says how to write it, and without it the error refers to --help.
+/// takes none; `how` says how to write it, or where to read that.
 [[nodiscard]] Result<void> parseArguments(QCommandLineParser& parser, const QList<QCommandLineOption>& options,
-                                          const QStringList& arguments, const std::string& usage = {});
+                                          const QStringList& arguments, const std::string& how);
 
 /// "--speed 10": how errors about a value name it.
 std::string asWritten(const QCommandLineParser& parser, const QString& option);

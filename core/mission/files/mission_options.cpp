@@ -143,7 +143,7 @@ Result<ServerAddress> readServerAddress(const QString& text) {
 
 Result<MissionOptions> readMissionOptions(const QStringList& arguments) {
     QCommandLineParser parser;
-    const auto parsed = parseArguments(parser, runOptions(), arguments);
+    const auto parsed = parseArguments(parser, runOptions(), arguments, "Ask usar-mission run --help how to write it");
     if (!parsed)
         return tl::unexpected(parsed.error());
     MissionOptions options;

@@ -62,7 +62,9 @@ Result<ReplayOptions> readReplayOptions(const QStringList& arguments) {
     ReplayOptions options;
     options.verb = verbs.value(arguments.value(0));
     QCommandLineParser parser;
-    const auto parsed = parseArguments(parser, optionsOf(options.verb), arguments.mid(1));
+    const std::string verb = arguments.value(0).toStdString();
+    const auto parsed = parseArguments(parser, optionsOf(options.verb), arguments.mid(1),
+                                       "Ask usar-mission " + verb + " --help how to write it");
     if (!parsed)
         return tl::unexpected(parsed.error());
     if (options.verb == ReplayVerb::Replay)
@@ -72,8 +74,7 @@ Result<ReplayOptions> readReplayOptions(const QStringList& arguments) {
     const bool converts = options.verb != ReplayVerb::Replay;
     if (words.size() != (converts ? 2 : 1))
         return failure("this is not how to call it", arguments.join(' ').toStdString(),
-                       "Write usar-mission " + arguments.value(0).toStdString() + (converts ? " FROM TO" : " FILE") +
-                           "; --help tells more");
+                       "Write usar-mission " + verb + (converts ? " FROM TO" : " FILE") + "; --help tells more");
     if (options.to && *options.to < options.from)
         return failure("it ends before it begins", "--to " + fixed(options.to->count(), 1),
                        "Give a moment after --from");

@@ -47,9 +47,9 @@ Result<int> runSimulator(const SimulatorSettings& settings, std::unique_ptr<sim:
     const OpenChannels channels = openChannels(server, settings.channels, settings.images);
     for (const QString& sentence : channels.sentences)
         say(sentence);
-    tellClients(server, *port, channels.ports.image);
-    QuitSignals signals_;
+    QuitSignals signals_; // Before clients are told: who starts the program for them may stop it at once.
     QObject::connect(&signals_, &QuitSignals::quit, qApp, &QCoreApplication::quit);
+    tellClients(server, *port, channels.ports.image);
     const int exit_code = QCoreApplication::exec();
     server.simulation().sumUpLog();
     for (const std::string& sentence : server.simulation().takeLog())
