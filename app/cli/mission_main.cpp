@@ -15,6 +15,7 @@
 #include "app/host/true_figures.h"
 #include "core/base/version.h"
 #include "core/mission/files/mission_options.h"
+#include "core/mission/reports/export_verb.h"
 #include "core/mission/reports/progress_bar.h"
 #include "core/mission/reports/replay_verb.h"
 #include "core/mission/runs/mission_runner.h"
@@ -98,6 +99,7 @@ int run(const mission::MissionOptions& options, mission::Mission plan,
     run_options.seed = options.seed;
     run_options.result_folder = options.result_folder;
     run_options.recording = options.recording;
+    run_options.formats = options.formats;
     run_options.course = options.course;
     if (options.one_thread)
         run_options.behavior_thread = agent::BehaviorThread::Callers;
@@ -134,7 +136,8 @@ int run(const mission::MissionOptions& options, mission::Mission plan,
 /// Errors go to standard error.
 std::optional<int> runVerb(const QStringList& arguments) {
     const bool reports = mission::isReportVerb(arguments.value(0));
-    if (!reports && !mission::isReplayVerb(arguments.value(0)))
+    const bool exports = mission::isExportVerb(arguments.value(0));
+    if (!reports && !exports && !mission::isReplayVerb(arguments.value(0)))
         return std::nullopt;
     QFile input, output;
     if (!input.open(stdin, QIODevice::ReadOnly) || !output.open(stdout, QIODevice::WriteOnly)) {
@@ -146,8 +149,9 @@ std::optional<int> runVerb(const QStringList& arguments) {
     const auto prepare = [&](mission::ReplayRunner& runner) {
         QObject::connect(&signals_.emplace(), &server::QuitSignals::quit, &runner, &mission::ReplayRunner::interrupt);
     };
-    const int exit_code = reports ? mission::runReportVerb(arguments, server::pluginFolders(), streams)
-                                  : mission::runReplayVerb(arguments, streams, prepare);
+    const int exit_code = reports   ? mission::runReportVerb(arguments, server::pluginFolders(), streams)
+                          : exports ? mission::runExportVerb(arguments, streams)
+                                    : mission::runReplayVerb(arguments, streams, prepare);
     if (output.flush())
         return exit_code;
     complain(Error{"the output takes no more", "standard output", "Make room, or write elsewhere"}.text());
@@ -155,7 +159,7 @@ std::optional<int> runVerb(const QStringList& arguments) {
 }
 
 int goOn(mission::MissionOptions options) {
-    auto earlier = mission::readRecordedScan(options.continued);
+    auto earlier = mission::readRecordedScan(options.continued, mission::needPoints(options.formats));
     if (!earlier)
         return refuse(earlier.error(), &options);
     if (earlier->flown.seed && !options.seed_chosen)

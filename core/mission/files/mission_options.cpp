@@ -8,6 +8,7 @@
 
 #include "core/base/numbers.h"
 #include "core/mission/files/command_line.h"
+#include "core/mission/files/export_options.h"
 #include "core/mission/files/mission_value.h"
 #include "core/mission/files/replay_options.h"
 
@@ -23,6 +24,7 @@ QList<QCommandLineOption> runOptions() {
             {"connect", {}, "HOST:PORT"},
             {"out", {}, "DIR"},
             {"record", {}, "FILE"},
+            {"export", {}, "LIST"},
             {"continue", {}, "RECORDING"},
             {"fault", {}, "TEXT"},
             {"set", {}, "KEY=VALUE"},
@@ -86,6 +88,12 @@ Result<void> readValues(const QCommandLineParser& parser, MissionOptions& option
             return failure("whether to adjust the map is neither on nor off", asWritten(parser, "adjust"),
                            "For example --adjust off");
         options.adjust = text == "on";
+    }
+    if (parser.isSet("export")) {
+        auto formats = readFormatList(parser.value("export"), "--export");
+        if (!formats)
+            return tl::unexpected(formats.error());
+        options.formats = *std::move(formats);
     }
     if (parser.isSet("connect")) {
         auto server = readServerAddress(parser.value("connect"));
@@ -232,6 +240,8 @@ QString missionHelp() {
                "  --connect HOST:PORT  a USARSim server instead of the embedded simulator\n"
                "  --out DIR            where the results go (USAR_Scan on the Desktop)\n"
                "  --record FILE        every byte in and out, for replay (a new file, usually NAME.usarrec)\n"
+               "  --export LIST        the map also in these formats, such as tif,asc; usar-mission export --help "
+               "lists them\n"
                "  --continue RECORDING the rest of a mission that was cut off: what its recording has scanned is "
                "kept,\n"
                "                       and only the area around the larger gaps is flown, with the same seed\n"
@@ -253,7 +263,7 @@ QString missionHelp() {
                "\n"
                "A progress bar goes to standard error; the last line of standard output is one JSON object.\n"
                "Exit code 0: done; 1: the mission failed; 2: bad use or input. Ctrl+C keeps what was scanned.\n") +
-           replayHelp() + furtherVerbsHelp();
+           replayHelp() + exportHelp() + furtherVerbsHelp();
 }
 
 } // namespace usar::mission
