@@ -93,6 +93,7 @@ int run(const mission::MissionOptions& options, mission::Mission plan, Preloaded
     run_options.seed = options.seed;
     run_options.result_folder = options.result_folder;
     run_options.files = options.files;
+    run_options.formats = options.formats;
     run_options.recording = options.recording;
     run_options.course = options.course;
     if (options.one_thread)
@@ -127,7 +128,7 @@ int run(const mission::MissionOptions& options, mission::Mission plan, Preloaded
 }
 
 int goOn(mission::MissionOptions options, Preloaded& loaded) {
-    auto earlier = mission::readRecordedScan(options.continued);
+    auto earlier = mission::readRecordedScan(options.continued, mission::needPoints(options.formats));
     if (!earlier)
         return refuse(earlier.error(), &options);
     if (earlier->flown.seed && !options.seed_chosen)

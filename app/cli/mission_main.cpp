@@ -14,6 +14,7 @@
 #include "core/base/version.h"
 #include "core/campaign/runs/run_request.h"
 #include "core/mission/files/mission_options.h"
+#include "core/mission/reports/export_verb.h"
 #include "core/mission/reports/replay_verb.h"
 #include "core/mission/runs/mission_runner.h"
 #include "core/server/embedded/program_files.h"
@@ -30,7 +31,8 @@ using app::complain;
 /// Errors go to standard error.
 std::optional<int> runVerb(const QStringList& arguments) {
     const bool reports = mission::isReportVerb(arguments.value(0));
-    if (!reports && !mission::isReplayVerb(arguments.value(0)))
+    const bool exports = mission::isExportVerb(arguments.value(0));
+    if (!reports && !exports && !mission::isReplayVerb(arguments.value(0)))
         return std::nullopt;
     QFile input, output;
     if (!input.open(stdin, QIODevice::ReadOnly) || !output.open(stdout, QIODevice::WriteOnly)) {
@@ -42,8 +44,9 @@ std::optional<int> runVerb(const QStringList& arguments) {
     const auto prepare = [&](mission::ReplayRunner& runner) {
         QObject::connect(&signals_.emplace(), &server::QuitSignals::quit, &runner, &mission::ReplayRunner::interrupt);
     };
-    const int exit_code = reports ? mission::runReportVerb(arguments, server::pluginFolders(), streams)
-                                  : mission::runReplayVerb(arguments, streams, prepare);
+    const int exit_code = reports   ? mission::runReportVerb(arguments, server::pluginFolders(), streams)
+                          : exports ? mission::runExportVerb(arguments, streams)
+                                    : mission::runReplayVerb(arguments, streams, prepare);
     if (output.flush())
         return exit_code;
     complain(Error{"the output takes no more", "standard output", "Make room, or write elsewhere"}.text());

@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <sstream>
 #include <utility>
 
 #include "core/base/numbers.h"
@@ -136,6 +138,15 @@ std::vector<char> bilBytes(const Raster& raster) {
 }
 
 std::string asciiGrid(const Raster& raster) {
+    std::string text;
+    writeAsciiGrid(raster, [&text](const char* bytes, std::size_t count) {
+        text.append(bytes, count);
+        return true;
+    });
+    return text;
+}
+
+bool writeAsciiGrid(const Raster& raster, const ByteSink& sink) {
     const Vec2 lower_left_m = raster.upper_left_center_m - Vec2(0.5, double(raster.rows) - 0.5) * raster.cell_size_m;
     std::string text = "ncols " + std::to_string(raster.columns) + "\nnrows " + std::to_string(raster.rows);
     for (const auto& [key, value] : {std::pair("xllcorner", lower_left_m.x()), std::pair("yllcorner", lower_left_m.y()),
@@ -144,12 +155,20 @@ std::string asciiGrid(const Raster& raster) {
         appendShortest(text, value);
     }
     text += "\nNODATA_value " + fixed(double(no_data_m), 0) + '\n';
-    for (std::size_t i = 0; i < raster.heights_m.size(); ++i) {
-        const float height_m = raster.heights_m[i];
-        text += std::isnan(height_m) ? fixed(double(no_data_m), 0) : fixed(double(height_m), text_decimals);
-        text += (i + 1) % static_cast<std::size_t>(raster.columns) == 0 ? '\n' : ' ';
+    if (!sink(text.data(), text.size()))
+        return false;
+    const auto columns = static_cast<std::size_t>(raster.columns);
+    for (std::size_t first = 0; first < raster.heights_m.size(); first += columns) {
+        text.clear();
+        for (const float height_m : std::span(raster.heights_m).subspan(first, columns)) {
+            text += std::isnan(height_m) ? fixed(double(no_data_m), 0) : fixed(double(height_m), text_decimals);
+            text += ' ';
+        }
+        text.back() = '\n';
+        if (!sink(text.data(), text.size()))
+            return false;
     }
-    return text;
+    return true;
 }
 
 std::string xyzPoints(const Raster& raster) {
@@ -192,6 +211,36 @@ std::string bilHeader(const Raster& raster) {
     number("YDIM", raster.cell_size_m);
     number("NODATA", double(no_data_m));
     return text;
+}
+
+std::optional<Raster> readBilHeader(std::string_view text) {
+    std::map<std::string, std::string> words;
+    std::istringstream lines{std::string(text)};
+    for (std::string key, word; lines >> key >> word;)
+        words[key] = word;
+    if (words["BYTEORDER"] != "I" || words["NBITS"] != "32" || words["PIXELTYPE"] != "FLOAT")
+        return std::nullopt;
+    const auto rows = readInteger(words["NROWS"]), columns = readInteger(words["NCOLS"]);
+    const auto x_m = readNumber(words["ULXMAP"]), y_m = readNumber(words["ULYMAP"]), cell_m = readNumber(words["XDIM"]);
+    if (!rows || !columns || !x_m || !y_m || !cell_m)
+        return std::nullopt;
+    return Raster{*columns, *rows, *cell_m, {*x_m, *y_m}, {}};
+}
+
+bool takeBilBytes(Raster& raster, std::span<const char> bytes) {
+    const bool plausible = raster.columns > 0 && raster.rows > 0 && raster.columns <= maximum_raster_side &&
+                           raster.rows <= maximum_raster_side && raster.cell_size_m > 0.0;
+    if (!plausible || bytes.size() != std::size_t(raster.columns * raster.rows) * sizeof(float))
+        return false;
+    raster.heights_m.resize(bytes.size() / sizeof(float));
+    for (std::size_t i = 0; i < raster.heights_m.size(); ++i) {
+        std::uint32_t bits = 0;
+        for (std::size_t byte = 0; byte < sizeof(float); ++byte)
+            bits |= std::uint32_t(static_cast<unsigned char>(bytes[i * sizeof(float) + byte])) << (8 * byte);
+        const auto height_m = std::bit_cast<float>(bits);
+        raster.heights_m[i] = height_m == no_data_m ? std::numeric_limits<float>::quiet_NaN() : height_m;
+    }
+    return true;
 }
 
 } // namespace usar::mapping

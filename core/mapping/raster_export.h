@@ -2,10 +2,13 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/mapping/byte_stream.h"
 #include "core/mapping/height_map.h"
 
 namespace usar::mapping {
@@ -47,12 +50,20 @@ inline constexpr float no_data_m = -9999.0f;
 /// GDAL opens the pair.
 std::vector<char> bilBytes(const Raster& raster);
 std::string bilHeader(const Raster& raster);
+/// Reads a header that `bilHeader` has written: a raster whose heights are still to be filled in. nullopt if it is
+/// another or a damaged one.
+std::optional<Raster> readBilHeader(std::string_view text);
+/// Fills in the heights of a raster of which the rest is known. False if it cannot be a raster, or if the bytes are not
+/// those of its cells.
+bool takeBilBytes(Raster& raster, std::span<const char> bytes);
 
 /// Text formats state four decimals of a meter and take several times the room of the raw file, so a raster with more
 /// cells than this is not worth writing as text (about 30 MB).
 inline constexpr std::int64_t most_text_cells = std::int64_t(1) << 22;
 /// The text of an ESRI ASCII grid (.asc); unknown cells are `no_data_m`. GIS programs and GDAL open it.
 std::string asciiGrid(const Raster& raster);
+/// Sends the same text row by row; false as soon as `sink` is.
+bool writeAsciiGrid(const Raster& raster, const ByteSink& sink);
 /// The known cells as lines "x y z" in meters, below a line that names them: .xyz, for point clouds and spreadsheets.
 /// Row by row from the highest y.
 std::string xyzPoints(const Raster& raster);

@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
-
-#include "core/mapping/hit.h"
 
 namespace usar::mapping {
 
@@ -64,41 +61,14 @@ private:
     double ground_limit_m_;
 };
 
-/// `rays` are the directions of the beams, see ScanIntegrator.
-void computeHits(const Beams& beams, const std::vector<Vec2>& rays, const Pose& scanner_in_map,
-                 std::vector<Vec3>& hits) {
-    const Eigen::Matrix3d rotation = scanner_in_map.rotation().toRotationMatrix();
-    const bool placed = rotation.allFinite() && scanner_in_map.position_m.allFinite();
-    hits.assign(beams.ranges_m.size(), Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
-    for (std::size_t k = 0; placed && k < hits.size(); ++k) {
-        const double range_m = beams.ranges_m[k];
-        if (!(range_m > 0.0 && isHit(range_m, beams.maximum_m)))
-            continue;
-        hits[k] = scanner_in_map.position_m + rotation.leftCols<2>() * (range_m * rays[k]);
-    }
-}
-
 } // namespace
-
-void ScanIntegrator::aim(const Beams& beams) {
-    const std::pair directions(beams.resolution_rad, beams.fov_rad);
-    if (directions == directions_ && rays_.size() == beams.ranges_m.size())
-        return;
-    directions_ = directions;
-    rays_.clear();
-    for (std::size_t k = 0; k < beams.ranges_m.size(); ++k) {
-        const double angle_rad = -beams.fov_rad / 2.0 + double(k) * beams.resolution_rad;
-        rays_.emplace_back(std::cos(angle_rad), std::sin(angle_rad));
-    }
-}
 
 void ScanIntegrator::integrate(const Beams& beams, const Pose& scanner_in_map, LineNumber line, HeightMap& map) {
     std::swap(hits_, previous_hits_);
     if (strip_broken_)
         previous_hits_.clear();
     strip_broken_ = false;
-    aim(beams);
-    computeHits(beams, rays_, scanner_in_map, hits_);
+    finder_.find(beams, scanner_in_map, hits_);
     for (const Vec3& hit_m : hits_)
         if (hit_m.allFinite())
             map.write(map.cellAt(hit_m.head<2>()), static_cast<float>(hit_m.z()), line);

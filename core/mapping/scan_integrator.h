@@ -1,25 +1,14 @@
 // Writes scans into a height map and fills the cells between beams and between scans.
 #pragma once
 
-#include <span>
-#include <utility>
 #include <vector>
 
 #include "core/base/cause.h"
 #include "core/base/geometry.h"
+#include "core/mapping/beam_hits.h"
 #include "core/mapping/height_map.h"
 
 namespace usar::mapping {
-
-/// The geometry of a scan: beam k leaves the scanner at the angle -fov/2 + k * resolution (counterclockwise positive
-/// about the scanner's z axis; 0 is its x axis). Ranges that are at or beyond `maximum_m`, not positive, or NaN are
-/// misses. Does not own the ranges.
-struct Beams {
-    std::span<const double> ranges_m;
-    double resolution_rad = 0.0;
-    double fov_rad = 0.0;
-    double maximum_m = 20.0;
-};
 
 /// Integrates scans as in thesis 4.2: sparse data is made coherent by averaging two consecutive values, between
 /// neighboring beams and between consecutive scans, repeatedly until there is a value for every cell. This amounts to
@@ -41,14 +30,10 @@ public:
     const std::vector<Vec3>& lastHits() const { return hits_; }
 
 private:
-    /// Computes `rays_` for these beams. Usually they are those of the scan before, and nothing is done.
-    void aim(const Beams& beams);
-
     double gap_limit_m_;
+    HitFinder finder_;
     std::vector<Vec3> hits_;
     std::vector<Vec3> previous_hits_;
-    std::vector<Vec2> rays_;                 ///< directions of the beams, in the scanner's plane
-    std::pair<double, double> directions_{}; ///< resolution and field of view, in rad, that `rays_` have
     bool strip_broken_ = true;
 };
 

@@ -1,4 +1,5 @@
 // Rasters of random maps hold what the map holds, and the rule of what is a hit.
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -48,6 +49,43 @@ float floatAt(const std::vector<char>& bytes, std::size_t index) {
 class tst_RasterContents : public QObject {
     Q_OBJECT
 private slots:
+    void theRawHeightsReadBack() {
+        const Raster raster = rasterOf(randomMap(5));
+        auto read = readBilHeader(bilHeader(raster));
+        QVERIFY(read && read->empty() && takeBilBytes(*read, bilBytes(raster)));
+        QCOMPARE(read->columns, raster.columns);
+        QCOMPARE(read->rows, raster.rows);
+        QCOMPARE(read->cell_size_m, raster.cell_size_m);
+        QVERIFY(read->upper_left_center_m == raster.upper_left_center_m);
+        QVERIFY(std::ranges::equal(read->heights_m, raster.heights_m,
+                                   [](float a, float b) { return a == b || (std::isnan(a) && std::isnan(b)); }));
+    }
+
+    void rawHeightsThatAreNotOursAreRefused_data() {
+        QTest::addColumn<std::string>("word");
+        QTest::addColumn<std::string>("instead");
+        QTest::newRow("other byte order") << std::string("BYTEORDER      I") << std::string("BYTEORDER M");
+        QTest::newRow("integers") << std::string("PIXELTYPE      FLOAT") << std::string("PIXELTYPE SIGNEDINT");
+        QTest::newRow("short samples") << std::string("NBITS          32") << std::string("NBITS 16");
+        QTest::newRow("no place") << std::string("ULXMAP") << std::string("OTHER");
+        QTest::newRow("a size that is no number") << std::string("XDIM           0.25") << std::string("XDIM wide");
+        QTest::newRow("no rows") << std::string("NROWS          1") << std::string("NROWS 0");
+        QTest::newRow("more rows than bytes") << std::string("NROWS          1") << std::string("NROWS 2");
+        QTest::newRow("a side without end") << std::string("NCOLS          1") << std::string("NCOLS 99999999999");
+    }
+
+    void rawHeightsThatAreNotOursAreRefused() {
+        QFETCH(std::string, word);
+        QFETCH(std::string, instead);
+        const Raster raster{1, 1, 0.25, {0.125, 0.125}, {5.0f}};
+        std::string header = bilHeader(raster);
+        const std::size_t at = header.find(word);
+        QVERIFY(at != std::string::npos);
+        header.replace(at, word.size(), instead);
+        auto read = readBilHeader(header);
+        QVERIFY(!read || !takeBilBytes(*read, bilBytes(raster)));
+    }
+
     void theAsciiGridReadsBack() {
         const Raster raster = rasterOf(randomMap(6));
         std::istringstream text(asciiGrid(raster));

@@ -1,9 +1,7 @@
 #include "widgets/models/height_difference.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <limits>
 
 #include <QColor>
 #include <QCoreApplication>
@@ -12,7 +10,6 @@
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QtEndian>
 
 #include "widgets/models/figures.h"
 
@@ -44,18 +41,10 @@ mapping::Raster readHeights(const QString& summary_path) {
         .cell_size_m = map["cell_size_m"].toDouble(),
         .upper_left_center_m = {map["upper_left_center_x_m"].toDouble(), map["upper_left_center_y_m"].toDouble()},
         .heights_m = {}};
-    const bool plausible = raster.columns > 0 && raster.rows > 0 && raster.columns <= mapping::maximum_raster_side &&
-                           raster.rows <= mapping::maximum_raster_side && raster.cell_size_m > 0.0;
-    if (!plausible || file.size() != raster.columns * raster.rows * qint64(sizeof(float)))
-        return {};
     const QByteArray bytes = file.readAll();
-    raster.heights_m.resize(static_cast<std::size_t>(raster.columns * raster.rows));
-    for (std::size_t i = 0; i < raster.heights_m.size(); ++i) {
-        const auto bits = qFromLittleEndian<quint32>(bytes.constData() + i * sizeof(float));
-        const auto height_m = std::bit_cast<float>(bits);
-        raster.heights_m[i] = height_m == mapping::no_data_m ? std::numeric_limits<float>::quiet_NaN() : height_m;
-    }
-    return raster;
+    return mapping::takeBilBytes(raster, {bytes.constData(), static_cast<std::size_t>(bytes.size())})
+               ? raster
+               : mapping::Raster();
 }
 
 double fullColorOf_m(const mapping::RasterDifference& difference) {

@@ -8,6 +8,7 @@
 
 #include "core/base/numbers.h"
 #include "core/mission/files/command_line.h"
+#include "core/mission/files/export_options.h"
 #include "core/mission/files/mission_value.h"
 
 namespace usar::mission {
@@ -29,6 +30,7 @@ QList<QCommandLineOption> runOptions() {
         {"files", "which runs leave the map's files there: always, only a run that failed, or never (always)",
          "always|failed|never"},
         {"record", "every byte in and out, for replay (a new file, usually NAME.usarrec)", "FILE"},
+        {"export", "the map also in these formats, such as tif,asc; usar-mission export --help lists them", "LIST"},
         {"continue",
          "the rest of a mission that was cut off: what its recording has scanned is kept, and only the area around "
          "the larger gaps is flown, with the same seed",
@@ -109,6 +111,12 @@ Result<void> readValues(const QCommandLineParser& parser, MissionOptions& option
         options.files = text == "never"    ? ResultFiles::Never
                         : text == "failed" ? ResultFiles::IfFailed
                                            : ResultFiles::Always;
+    }
+    if (parser.isSet("export")) {
+        auto formats = readFormatList(parser.value("export"), "--export");
+        if (!formats)
+            return tl::unexpected(formats.error());
+        options.formats = *std::move(formats);
     }
     if (parser.isSet("connect")) {
         auto server = readServerAddress(parser.value("connect"));

@@ -9,6 +9,7 @@
 
 #include "core/base/clock.h"
 #include "core/base/result.h"
+#include "core/mission/files/map_formats.h"
 #include "core/mission/files/mission_file.h"
 #include "core/mission/files/result_writer.h"
 #include "core/protocol/usual_values.h"
@@ -37,6 +38,7 @@ struct MissionOptions {
     std::optional<Seconds> limit; ///< the run is given up after this simulated time; absent: the mission's limit
     QString result_folder;        ///< empty: the default folder
     ResultFiles files = ResultFiles::Always;
+    FormatList formats; ///< in which the map is written besides the usual files
     QString recording;          ///< file to record to; empty: none
     QStringList faults;         ///< in addition to the mission's
     QStringList values;         ///< KEY=VALUE to put over the mission's; see setValue

@@ -7,129 +7,18 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QImageWriter>
 #include <QJsonArray>
 #include <QJsonDocument>
-#include <QLockFile>
-#include <QRegularExpression>
-#include <QSaveFile>
 #include <QStandardPaths>
 
 #include "core/agent/mark_style.h"
 #include "core/base/numbers.h"
+#include "core/mission/files/file_set.h"
 #include "core/mission/files/map_picture.h"
 
 namespace usar::mission {
 
 namespace {
-
-const QString folder_mend = "Choose another folder, or make this one writable and save again";
-
-QString fileNamePart(const std::string& name, const QString& fallback) {
-    static const QRegularExpression unwanted("[^A-Za-z0-9-]+");
-    const QString part = QString::fromStdString(name).replace(unwanted, "-").left(40);
-    return part.contains(QRegularExpression("[A-Za-z0-9]")) ? part : fallback;
-}
-
-/// Returns the first stem with which no file in the folder begins.
-QString freeStem(const QDir& folder, const ScanRecord& record) {
-    const QString base =
-        QString("USAR_Scan_%1_%2").arg(fileNamePart(record.level, "map"), fileNamePart(record.robot_name, "robot"));
-    for (int number = 1;; ++number) {
-        const QString stem = QString("%1_%2").arg(base).arg(number, 3, 10, QChar('0'));
-        if (folder.entryList({stem + ".*", stem + "_*"}, QDir::Files | QDir::Hidden).isEmpty())
-            return stem;
-    }
-}
-
-Error cancelledIn(const QString& folder) {
-    return {"saving was cancelled, and nothing of it is left in the folder", folder.toStdString(),
-            "The scan is still in memory: save it whenever you like"};
-}
-
-/// A file that takes nothing more once a stop is requested.
-class StoppableFile : public QSaveFile {
-public:
-    StoppableFile(const QString& path, std::stop_token stop) : QSaveFile(path), stop_(std::move(stop)) {}
-
-protected:
-    qint64 writeData(const char* data, qint64 size) override {
-        return stop_.stop_requested() ? -1 : QSaveFile::writeData(data, size);
-    }
-
-private:
-    std::stop_token stop_;
-};
-
-/// Writes the files of one scan; stops at the first failure, or when it is told to.
-class Writing {
-public:
-    Writing(QString folder, QString stem, std::stop_token stop)
-        : folder_(std::move(folder))
-        , stem_(std::move(stem))
-        , stop_(std::move(stop)) {}
-
-    void bytes(const QString& ending, const char* data, qsizetype size) {
-        save(ending, [&](QSaveFile& file) {
-            qsizetype done = 0;
-            while (done < size) {
-                const qint64 part = file.write(data + done, std::min(size - done, part_size));
-                if (part <= 0)
-                    return false;
-                done += part;
-            }
-            return true;
-        });
-    }
-    void bytes(const QString& ending, const QByteArray& data) { bytes(ending, data.constData(), data.size()); }
-
-    void image(const QString& ending, const QImage& picture) {
-        save(ending, [&](QSaveFile& file) {
-            QImageWriter writer(&file, "png");
-            writer.setQuality(fast_compression);
-            return writer.write(picture);
-        });
-    }
-
-    QString pathOf(const QString& ending) const { return QDir(folder_).filePath(stem_ + ending); }
-    const QStringList& files() const { return files_; }
-    const std::optional<Error>& error() const { return error_; }
-    /// True after an error or a request to stop; what comes next need not even be prepared.
-    bool stopped() {
-        if (!error_ && stop_.stop_requested()) {
-            std::ranges::for_each(std::exchange(files_, {}), [](const QString& path) { QFile::remove(path); });
-            error_ = cancelledIn(folder_);
-        }
-        return error_.has_value();
-    }
-
-private:
-    /// Quality on Qt's scale, which means zlib level 3; the default takes three times as long to save a tenth of the
-    /// size.
-    static constexpr int fast_compression = 66;
-
-    /// Bytes between two looks at whether to stop.
-    static constexpr qsizetype part_size = qsizetype(1) << 20;
-
-    template <class Write>
-    void save(const QString& ending, const Write& write) {
-        if (stopped())
-            return;
-        const QString path = pathOf(ending);
-        StoppableFile file(path, stop_);
-        if (file.open(QIODevice::WriteOnly) && write(file) && file.commit())
-            files_ << path;
-        else if (!stopped())
-            error_ = Error{"cannot write: " + file.errorString().toStdString(), path.toStdString(),
-                           folder_mend.toStdString()};
-    }
-
-    QString folder_;
-    QString stem_;
-    std::stop_token stop_;
-    QStringList files_;
-    std::optional<Error> error_;
-};
 
 /// Marks except those of the path, of which there are thousands.
 QJsonArray marksOf(const ScanRecord& record) {
@@ -179,31 +68,31 @@ QByteArray worldFile(const mapping::Raster& raster) {
         .toLatin1();
 }
 
-void writeRaw(Writing& writing, const QString& part, const mapping::Raster& raster, const QString& ending = ".bil") {
+void writeRaw(FileSet& files, const QString& part, const mapping::Raster& raster, const QString& ending = ".bil") {
     const std::vector<char> heights = mapping::bilBytes(raster);
-    writing.bytes(part + ending, heights.data(), static_cast<qsizetype>(heights.size()));
-    writing.bytes(part + ".hdr", QByteArray::fromStdString(mapping::bilHeader(raster)));
+    files.bytes(part + ending, heights.data(), static_cast<qsizetype>(heights.size()));
+    files.bytes(part + ".hdr", QByteArray::fromStdString(mapping::bilHeader(raster)));
 }
 
 /// The same heights as text, for programs that read no raw files; not for huge maps.
-void writeText(Writing& writing, const mapping::Raster& raster) {
+void writeText(FileSet& files, const mapping::Raster& raster) {
     if (raster.columns * raster.rows > mapping::most_text_cells)
         return;
-    writing.bytes(".asc", QByteArray::fromStdString(mapping::asciiGrid(raster)));
-    writing.bytes(".xyz", QByteArray::fromStdString(mapping::xyzPoints(raster)));
+    files.bytes(".asc", QByteArray::fromStdString(mapping::asciiGrid(raster)));
+    files.bytes(".xyz", QByteArray::fromStdString(mapping::xyzPoints(raster)));
 }
 
-void writeHeightImage(Writing& writing, const ScanRecord& record) {
+void writeHeightImage(FileSet& files, const ScanRecord& record) {
     QImage height_image = heightImage(record.raster);
     for (const auto& [key, value] : metadataOf(record))
         height_image.setText(key, value);
-    writing.image("_height.png", height_image);
-    writing.bytes("_height.pgw", worldFile(record.raster));
+    files.image("_height.png", height_image);
+    files.bytes("_height.pgw", worldFile(record.raster));
 }
 
-void writePicture(Writing& writing, const ScanRecord& record, const mapping::HeightLook& look) {
-    writing.image(mapping::picture_ending, mapPicture(record, look));
-    writing.image("_legend.png", legendPicture(record, look));
+void writePicture(FileSet& files, const ScanRecord& record, const mapping::HeightLook& look) {
+    files.image(mapping::picture_ending, mapPicture(record, look));
+    files.image("_legend.png", legendPicture(record, look));
 }
 
 QByteArray correctedPath(const std::vector<CorrectedPoint>& path) {
@@ -218,33 +107,25 @@ QByteArray correctedPath(const std::vector<CorrectedPoint>& path) {
     return text;
 }
 
-void writeAdjustment(Writing& writing, const MapAdjustment& adjustment) {
-    writing.bytes("_path.csv", correctedPath(adjustment.path));
-    if (!writing.stopped())
-        writeRaw(writing, "_deviation", adjustment.deviation, ".flt"); // A .bil is a map of heights.
+void writeAdjustment(FileSet& files, const MapAdjustment& adjustment) {
+    files.bytes("_path.csv", correctedPath(adjustment.path));
+    if (!files.stopped())
+        writeRaw(files, "_deviation", adjustment.deviation, ".flt"); // A .bil is a map of heights.
 }
 
-void writeMap(Writing& writing, const ScanRecord& record, const mapping::HeightLook& look) {
-    writeRaw(writing, {}, record.raster);
-    if (!writing.stopped())
-        writeText(writing, record.raster);
-    if (record.adjustment && !record.adjustment->path.empty() && !writing.stopped())
-        writeAdjustment(writing, *record.adjustment);
-    for (std::size_t i = 0; i < record.far_rasters.size() && !writing.stopped(); ++i)
-        writeRaw(writing, QString("_far%1").arg(i + 1), record.far_rasters[i]);
-    if (!writing.stopped())
-        writeHeightImage(writing, record);
-    if (!writing.stopped())
-        writePicture(writing, record, look);
-}
-
-/// Waits up to a minute while others save into the same folder.
-bool waitFor(QLockFile& lock, const std::stop_token& stop) {
-    constexpr int longest_ms = 60'000, part_ms = 100;
-    for (int waited_ms = 0; waited_ms < longest_ms && !stop.stop_requested(); waited_ms += part_ms)
-        if (lock.tryLock(part_ms) || lock.error() != QLockFile::LockFailedError)
-            break;
-    return lock.isLocked();
+void writeMap(FileSet& files, const ScanRecord& record, const mapping::HeightLook& look, const FormatList& formats) {
+    writeRaw(files, {}, record.raster);
+    if (!files.stopped())
+        writeText(files, record.raster);
+    if (record.adjustment && !record.adjustment->path.empty() && !files.stopped())
+        writeAdjustment(files, *record.adjustment);
+    for (std::size_t i = 0; i < record.far_rasters.size() && !files.stopped(); ++i)
+        writeRaw(files, QString("_far%1").arg(i + 1), record.far_rasters[i]);
+    if (!files.stopped())
+        writeHeightImage(files, record);
+    if (!files.stopped())
+        writePicture(files, record, look);
+    writeFormats(files, formats, record);
 }
 
 } // namespace
@@ -255,30 +136,21 @@ QString defaultResultFolder() {
 }
 
 Result<QStringList> writeResults(const ScanRecord& record, const QJsonObject& summary, const QString& folder,
-                                 const mapping::HeightLook& look, const std::stop_token& stop) {
-    if (folder.isEmpty() || !QDir().mkpath(folder))
-        return failure("cannot create the folder for the results", folder.toStdString(), folder_mend.toStdString());
-    // Held until everything is written: two scans that end at the same time must not take the same free number.
-    QLockFile lock(QDir(folder).filePath(".usar_scan.lock"));
-    lock.setStaleLockTime(0);
-    if (!waitFor(lock, stop) && stop.stop_requested())
-        return tl::unexpected(cancelledIn(folder));
-    if (!lock.isLocked())
-        return failure(lock.error() == QLockFile::LockFailedError ? "another program is still saving into the folder"
-                                                                  : "cannot write into the folder",
-                       folder.toStdString(), folder_mend.toStdString());
-
-    Writing writing(QDir(folder).absolutePath(), freeStem(QDir(folder), record), stop);
-    if (!record.raster.empty())
-        writeMap(writing, record, look);
-    writing.bytes(".json", summaryBytes(record, summary, writing.files() + QStringList{writing.pathOf(".json")}));
-    if (writing.error())
-        return tl::unexpected(*writing.error());
-    if (record.raster.empty())
-        return failure("nothing was scanned, so there is no map to save", folder.toStdString(),
-                       "let the robot scan the area first; the summary is in " +
-                           QFileInfo(writing.pathOf(".json")).fileName().toStdString());
-    return writing.files();
+                                 const mapping::HeightLook& look, const std::stop_token& stop,
+                                 const FormatList& formats) {
+    return withLockedFolder(folder, stop, [&]() -> Result<QStringList> {
+        FileSet files(QDir(folder).absolutePath(), freeStem(folder, record), stop);
+        if (!record.raster.empty())
+            writeMap(files, record, look, formats);
+        files.bytes(".json", summaryBytes(record, summary, files.files() + QStringList{files.pathOf(".json")}));
+        if (files.error())
+            return tl::unexpected(*files.error());
+        if (record.raster.empty())
+            return failure("nothing was scanned, so there is no map to save", folder.toStdString(),
+                           "let the robot scan the area first; the summary is in " +
+                               QFileInfo(files.pathOf(".json")).fileName().toStdString());
+        return files.files();
+    });
 }
 
 std::string farPartsNotice(const ScanRecord& record) {

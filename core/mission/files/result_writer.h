@@ -11,6 +11,7 @@
 
 #include "core/base/result.h"
 #include "core/mapping/height_look.h"
+#include "core/mission/files/map_formats.h"
 #include "core/mission/files/scan_record.h"
 
 namespace usar::mission {
@@ -29,12 +30,14 @@ QString defaultResultFolder();
 /// adjusted also has <stem>_path.csv (the path as it was estimated and as it was corrected, with its standard
 /// deviation) and _deviation.flt and .hdr (what the heights owe to that, in meters, float32 as the heights). Parts of
 /// the map that are too far away to be in one raster with the rest are written as _far1.bil and .hdr, _far2 and so on.
+/// Each of `formats` is written besides, as writeFormats does.
 /// Returns the full paths of the files. To be called outside the GUI thread; concurrent calls, also from several
 /// programs, get numbers of their own. An unwritable folder is an error that names it. An empty map is an error, too,
 /// but its summary is still written. `look` is that of the picture. When `stop` is requested, in any thread, it removes
 /// the files that it has written, and returns an error; a request after the last file comes too late.
 Result<QStringList> writeResults(const ScanRecord& record, const QJsonObject& summary, const QString& folder,
-                                 const mapping::HeightLook& look = {}, const std::stop_token& stop = {});
+                                 const mapping::HeightLook& look = {}, const std::stop_token& stop = {},
+                                 const FormatList& formats = {});
 
 /// Sentences for the user about a map that does not fit into one raster; empty if it does.
 std::string farPartsNotice(const ScanRecord& record);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -13,6 +14,7 @@
 
 #include "core/agent/published.h"
 #include "core/mapping/raster_export.h"
+#include "core/mapping/scan_store.h"
 #include "core/mapping/strip_result.h"
 #include "core/mission/files/coverage_course.h"
 
@@ -68,6 +70,9 @@ struct ScanRecord {
     /// Grows with every change worth saving: map, path, marks, and in the status its words, charges and distance. With
     /// an empty map nothing is worth saving, so it begins at 0.
     std::uint64_t revision = 0;
+    /// The scans of the map with their final poses, for exports of points; null: nobody wanted them, or they were not
+    /// kept, or dropped (mapping::ScanStore). Filled when the record is handed out.
+    std::shared_ptr<const std::vector<mapping::KeptScan>> scans{};
     mapping::Raster raster; ///< filled when the record is handed out
     /// Parts of the map too far from the rest to be in one raster with it: saved as raw heights, in no picture.
     std::vector<mapping::Raster> far_rasters;

@@ -34,6 +34,7 @@ MissionRunner::MissionRunner(Mission mission, const agent::PluginLoader& plugins
         options_.result_folder = defaultResultFolder();
     session_.setLimits(options_.limits.session);
     session_.setAdjust(mission_.adjust);
+    session_.keepScans(needPoints(options_.formats));
     timer_.setInterval(progress_period);
     connect(&timer_, &QTimer::timeout, this, &MissionRunner::look);
     connect(&session_, &RobotSession::noticed, this, &MissionRunner::noticed);
@@ -211,7 +212,7 @@ void MissionRunner::conclude(bool success, const std::string& reason, int exit_c
     timer_.stop();
     QCoreApplication::sendPostedEvents(this, QEvent::MetaCall); // The fault that ended the run may still be queued.
     session_.finishMap();
-    const ScanRecord record = session_.snapshot();
+    const ScanRecord record = session_.snapshot(needPoints(options_.formats));
     RunSummary figures = figuresOf(record);
     figures.success = success;
     figures.reason = reason;
@@ -273,12 +274,17 @@ Result<QStringList> MissionRunner::save(const ScanRecord& record, const RunSumma
     if (const std::string notice = farPartsNotice(record); !notice.empty())
         emit noticed({Severity::Warning, notice});
     const QJsonObject json = toJson(figures);
-    auto files = writeResults(record, json, options_.result_folder);
+    const auto points = checkPoints(options_.formats, record);
+    if (!points)
+        emit noticed({Severity::Warning, points.error().text()});
+    const FormatList formats = points ? options_.formats : withoutPoints(options_.formats);
+    const auto writeInto = [&](const QString& folder) { return writeResults(record, json, folder, {}, {}, formats); };
+    auto files = writeInto(options_.result_folder);
     if (files)
         return files;
     const QString shelter = QDir::tempPath() + "/USAR_Scan";
     emit noticed({Severity::Error, files.error().text() + " Trying " + shelter.toStdString() + " instead."});
-    return writeResults(record, json, shelter);
+    return writeInto(shelter);
 }
 
 RunSummary refusedRun(const Error& error, const MissionOptions* options, const Mission* mission) {

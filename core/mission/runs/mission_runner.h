@@ -43,6 +43,7 @@ struct RunOptions {
     std::uint64_t seed = 1; ///< only reported in the summary; whoever created the simulator has given it the seed
     QString result_folder;  ///< empty: the default folder
     ResultFiles files = ResultFiles::Always;
+    FormatList formats;  ///< in which the map is written besides the usual files
     QString recording;   ///< new file that records everything sent and received; empty: none
     bool course = false; ///< the summary tells how the run went, see RunCourse
     agent::BehaviorThread behavior_thread = agent::BehaviorThread::Own; ///< Callers: one that hangs hangs all
@@ -89,8 +90,7 @@ public:
     MissionRunner(Mission mission, const agent::PluginLoader& plugins, RunOptions options);
     ~MissionRunner() override;
 
-    /// Starts the run. A mission that fails the checks ends with BadInput.
-    void start();
+    void start(); ///< a mission that fails the checks ends with BadInput
     /// Ends the run (Ctrl+C): stops the robot and keeps what was scanned.
     void interrupt();
     /// Notes a fault as RobotSession::noteFault does; it also appears in the summary.

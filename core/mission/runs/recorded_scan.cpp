@@ -35,18 +35,23 @@ double cellSizeOf(const link::RecordingSurvey& survey) {
     return size_m && *size_m > 0.0 ? *size_m : Mission{}.cell_size_m;
 }
 
-Result<RecordedScan> playRecording(const QString& path, int chain);
+/// `chain`: number of recordings that led to this one.
+Result<RecordedScan> playRecording(const QString& path, int chain, bool with_scans);
 
 /// Plays one recording into a book of its own.
 class ScanPlayer : private link::ReplayTaker {
 public:
-    ScanPlayer(std::unique_ptr<link::RecordingReader> recording, int chain)
+    ScanPlayer(std::unique_ptr<link::RecordingReader> recording, int chain, bool with_scans)
         : path_(QString::fromStdString(recording->path()))
         , chain_(chain)
+        , with_scans_(with_scans)
         , book_(cellSizeOf(recording->survey()), notices_)
-        , replayer_(std::move(recording), *this) {}
+        , replayer_(std::move(recording), *this) {
+        book_.keepScans(with_scans);
+    }
 
-    Result<RecordedScan> play();
+    Result<RecordedScan> playMission();
+    Result<ScanRecord> playMap();
 
 private:
     void rewound() override {}
@@ -57,12 +62,15 @@ private:
     void note(const link::Record& record) override;
     void quiet(bool) override {}
 
+    /// Plays to the end.
+    Result<void> play();
     void takeCommand(std::string_view text);
     void takeMission(std::string_view text);
     RecordedScan result();
 
     const QString path_;
     const int chain_; ///< number of recordings that led to this one
+    const bool with_scans_;
     QEventLoop loop_; ///< before the replayer, whose timer needs the event loop of this thread
     Notices notices_{[](const Notice&) {}};
     ScanBook book_;
@@ -73,13 +81,26 @@ private:
     link::Replayer replayer_;
 };
 
-Result<RecordedScan> ScanPlayer::play() {
+Result<void> ScanPlayer::play() {
     QObject::connect(&replayer_, &link::Replayer::ended, &loop_, &QEventLoop::quit, Qt::QueuedConnection);
     replayer_.setSpeed(std::numeric_limits<double>::infinity());
     replayer_.setPlaying(true);
     loop_.exec();
     if (trouble_)
         return tl::unexpected(*trouble_);
+    return {};
+}
+
+Result<ScanRecord> ScanPlayer::playMap() {
+    if (const auto played = play(); !played)
+        return tl::unexpected(played.error());
+    book_.finishAdjustment();
+    return book_.snapshot(with_scans_);
+}
+
+Result<RecordedScan> ScanPlayer::playMission() {
+    if (const auto played = play(); !played)
+        return tl::unexpected(played.error());
     if (!known_)
         return failure("the recording does not tell which mission was flown", path_.toStdString(),
                        "Fly the mission again; recordings of this version can be continued");
@@ -138,7 +159,7 @@ void ScanPlayer::takeMission(std::string_view text) {
     book_.setAdjust(mission.adjust);
     book_.setCellSize(mission.cell_size_m); // It may have been chosen after the recording began.
     if (const QString& before = recorded_.flown.continues; !before.isEmpty()) {
-        const auto earlier = playRecording(foundBeside(before, path_), chain_ + 1);
+        const auto earlier = playRecording(foundBeside(before, path_), chain_ + 1, with_scans_);
         if (earlier)
             book_.continueScan(earlier->scan);
         else
@@ -160,6 +181,8 @@ RecordedScan ScanPlayer::result() {
                     .distance_m = before.distance_m + record.status.distance_flown_m,
                     .charges = before.charges + record.status.charges,
                     .cells = book_.mapper().map().knownCellCount()}};
+    if (with_scans_)
+        result.scan.record.scans = book_.placedScans();
     for (const auto& tile : book_.mapper().map().takeChangedTiles())
         result.scan.tiles[tile->index] = tile;
     result.rest_in_map =
@@ -167,21 +190,27 @@ RecordedScan ScanPlayer::result() {
     return result;
 }
 
-/// `chain`: number of recordings that led to this one.
-Result<RecordedScan> playRecording(const QString& path, int chain) {
+Result<RecordedScan> playRecording(const QString& path, int chain, bool with_scans) {
     if (chain > longest_chain)
         return failure("too many recordings continue one another", path.toStdString(),
                        "Fly the mission again as a whole");
     auto recording = link::RecordingReader::open(path);
     if (!recording)
         return tl::unexpected(recording.error());
-    return ScanPlayer(*std::move(recording), chain).play();
+    return ScanPlayer(*std::move(recording), chain, with_scans).playMission();
 }
 
 } // namespace
 
-Result<RecordedScan> readRecordedScan(const QString& path) {
-    return playRecording(path, 0);
+Result<RecordedScan> readRecordedScan(const QString& path, bool with_scans) {
+    return playRecording(path, 0, with_scans);
+}
+
+Result<ScanRecord> readRecordedMap(const QString& path, bool with_scans) {
+    auto recording = link::RecordingReader::open(path);
+    if (!recording)
+        return tl::unexpected(recording.error());
+    return ScanPlayer(*std::move(recording), 0, with_scans).playMap();
 }
 
 bool brokeOffInMission(const QString& path) {

@@ -25,7 +25,13 @@ struct RecordedScan {
 /// that continues others includes what they scanned. An error names the file: it cannot be read, no mission is noted in
 /// it, or the mission has no area of which something could be left. Takes a second for an hour of flight, so do not
 /// call it in the GUI thread.
-Result<RecordedScan> readRecordedScan(const QString& path);
+/// `with_scans`: its record also has the scans.
+Result<RecordedScan> readRecordedScan(const QString& path, bool with_scans = false);
+
+/// Plays the recording in the same way and returns its whole map with what is known about it, also of a flight without
+/// a mission or an area. A robot that scanned nothing has an empty raster. `with_scans`: also the scans, those of the
+/// recordings that it continues included.
+Result<ScanRecord> readRecordedMap(const QString& path, bool with_scans = false);
 
 /// Returns true if a behavior was in the midst of a mission when the recording broke off. Reads the whole file, without
 /// playing it; false if it cannot be read.

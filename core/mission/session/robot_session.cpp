@@ -36,8 +36,8 @@ const ScanRecord& RobotSession::record() const {
     return d_->book.record();
 }
 
-ScanRecord RobotSession::snapshot() const {
-    return d_->book.snapshot();
+ScanRecord RobotSession::snapshot(bool with_scans) const {
+    return d_->book.snapshot(with_scans);
 }
 
 SessionFigures RobotSession::figures() const {
@@ -160,8 +160,20 @@ void RobotSession::requestRecord() {
     emit recordReady(record);
 }
 
+void RobotSession::requestMap(bool with_scans) {
+    if (d_->book.adjustPart()) {
+        QTimer::singleShot(0, this, [this, with_scans] { requestMap(with_scans); });
+        return;
+    }
+    emit mapReady(std::make_shared<const ScanRecord>(snapshot(with_scans)));
+}
+
 void RobotSession::setAdjust(bool on) {
     d_->book.setAdjust(on);
+}
+
+void RobotSession::keepScans(bool on) {
+    d_->book.keepScans(on);
 }
 
 void RobotSession::finishMap() {

@@ -34,7 +34,7 @@ public:
     /// For headless use in the same thread; `snapshot` and `figures` are computed by each call. Only `snapshot` fills
     /// the raster.
     const ScanRecord& record() const;
-    ScanRecord snapshot() const;
+    ScanRecord snapshot(bool with_scans = false) const; ///< see ScanBook
     SessionFigures figures() const;
     const mapping::HeightMap& map() const;
     /// Adjusts the map with everything that was scanned; takes up to some seconds, so it is for headless use.
@@ -82,9 +82,13 @@ public slots:
     void sendCommand(const usar::protocol::Command& command, const usar::by::Source& source);
     /// Whether the map is adjusted at each landing and at the end, see ScanBook::setAdjust.
     void setAdjust(bool on);
+    /// Whether scans are kept for exports of points, see ScanBook::keepScans; to be called before the first scan.
+    void keepScans(bool on);
     /// Emits `recordReady` with a copy of everything that was scanned, for the export pool, once an adjustment of the
     /// map that is under way is done.
     void requestRecord();
+    /// The same with `mapReady`. `with_scans`: see ScanBook::snapshot.
+    void requestMap(bool with_scans);
     /// Cell size of the height map, 0.02 .. 10 m. Refused with a notice once the map has heights.
     void setCellSize(double cell_size_m);
     /// `expected`: the server's time is stopped on purpose, so silence is not reported.
@@ -120,6 +124,7 @@ signals:
     /// At most one every 16 ms; costs nothing while nobody is connected to this signal.
     void updated(std::shared_ptr<const usar::mission::SessionUpdate> update);
     void recordReady(std::shared_ptr<const usar::mission::ScanRecord> record);
+    void mapReady(std::shared_ptr<const usar::mission::ScanRecord> record);
     void noticed(const usar::mission::Notice& notice);
 
 private:

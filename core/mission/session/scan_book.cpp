@@ -43,6 +43,7 @@ void ScanBook::beginReplay(std::optional<double> cell_size_m, const std::string&
     mapper_.clearMap(cell_size_m);
     adjuster_.forget();
     earlier_tiles_.clear();
+    record_.scans.reset();
     record_.level = level;
 }
 
@@ -197,8 +198,24 @@ void ScanBook::describeAdjustment(ScanRecord& copy) const {
     copy.adjustment->deviation = mapping::deviationOf(copy.raster, mapper_.map(), store, result->correction);
 }
 
-ScanRecord ScanBook::snapshot() const {
+std::shared_ptr<const std::vector<mapping::KeptScan>> ScanBook::placedScans() const {
+    const mapping::ScanStore& store = mapper_.store();
+    if (store.overfull() || (store.scans().empty() && !record_.scans))
+        return nullptr;
+    auto scans = std::make_shared<std::vector<mapping::KeptScan>>();
+    if (record_.scans)
+        *scans = *record_.scans;
+    for (const mapping::KeptScan& scan : store.scans()) {
+        scans->push_back(scan);
+        if (adjuster_.result())
+            scans->back().scanner_in_map = adjuster_.result()->correction.corrected(scan);
+    }
+    return scans;
+}
+
+ScanRecord ScanBook::snapshot(bool with_scans) const {
     ScanRecord copy = record_;
+    copy.scans = with_scans ? placedScans() : nullptr;
     copy.raster.cell_size_m = cellSize_m();
     copy.far_rasters = mapping::rastersOf(mapper_.map());
     if (!copy.far_rasters.empty()) {

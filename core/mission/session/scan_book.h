@@ -1,8 +1,10 @@
 // Results of one robot's scan that its session keeps: the height map, the path, the marks, and whose they are.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/mission/files/scan_record.h"
 #include "core/mission/session/earlier_scan.h"
@@ -45,6 +47,8 @@ public:
     /// Whether the map is adjusted (MapAdjuster) at the end of each task, and at each landing before which half of all
     /// scans or more were new; otherwise it is that of the thesis. It is unless this is called before the first scan.
     void setAdjust(bool on);
+    /// Whether scans are kept for exports of points, in 0.9 kB each; initially they are only where the map is adjusted.
+    void keepScans(bool on) { mapper_.keepScans(on); }
     /// The task is over: begins to adjust the map. A part follows with each line, or with `adjustPart`.
     void endTask() { beginAdjustment(); }
     /// Does a part of an adjustment that is under way; returns false if there is none.
@@ -56,7 +60,10 @@ public:
 
     /// The record without its raster, which only `snapshot` fills in.
     const ScanRecord& record() const { return record_; }
-    ScanRecord snapshot() const;
+    /// `with_scans`: also the scans, as far as they were kept.
+    ScanRecord snapshot(bool with_scans = false) const;
+    /// The kept scans as the map has them, behind those of an earlier run; null if they were dropped.
+    std::shared_ptr<const std::vector<mapping::KeptScan>> placedScans() const;
     double cellSize_m() const { return mapper_.map().cellSize_m(); }
     ScanMapper& mapper() { return mapper_; }
 

@@ -122,7 +122,7 @@ bool ScanMapper::place(const agent::ScanPlacement& placement) {
                                    .maximum_m = maximumOf(scan.name)};
         const Pose scanner_in_map = leveled(scan.name, placement.scanner_in_map);
         scanner.integrator.integrate(beams, scanner_in_map, placement.scan_line, map_);
-        if (improves_)
+        if (improves_ || keeps_)
             store_.keep({.scanner_in_map = scanner_in_map,
                          .line = placement.scan_line,
                          .scanner = scanner.number,

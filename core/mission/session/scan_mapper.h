@@ -49,6 +49,8 @@ public:
     /// Whether placed scans get the roll and pitch of LevelFlight instead of the INS's own, and are kept so that the
     /// map can be made again. They do and are unless this is called; to be called before the first scan.
     void improve(bool on) { improves_ = on; }
+    /// Whether placed scans are kept even if nothing is improved; initially they are not.
+    void keepScans(bool on) { keeps_ = on; }
     /// Writes a kept scan into the map. False if the scan is not kept, or no longer. Scans that do not follow one
     /// another are not joined.
     bool place(const agent::ScanPlacement& placement);
@@ -100,6 +102,7 @@ private:
     mapping::LevelFlight level_flight_;
     mapping::ScanStore store_;
     bool improves_ = false;
+    bool keeps_ = false;
     std::vector<Vec3> last_hits_;
 };
 

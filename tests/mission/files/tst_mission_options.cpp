@@ -30,12 +30,14 @@ private slots:
         full.server = ServerAddress{"10.0.0.5", 3001};
         full.result_folder = "/data/scans";
         full.recording = "r.usarrec";
+        full.formats = *readFormatList("tif,asc", "--export");
         full.faults = QStringList{"wind speed=4", "link_delay by=0.2"};
         QTest::newRow("all options") << QStringList{"run",       "a.json",        "--behavior", "airrobot/posh",
                                                     "--plan",    "own.lap",       "--seed",     "7",
                                                     "--speed",   "2.5",           "--out",      "/data/scans",
                                                     "--connect", "10.0.0.5:3001", "--record",   "r.usarrec",
-                                                    "--fault",   "wind speed=4",  "--fault",    "link_delay by=0.2"}
+                                                    "--fault",   "wind speed=4",  "--fault",    "link_delay by=0.2",
+                                                    "--export",  "tif,asc"}
                                      << full;
         QTest::newRow("equals signs, options first") << QStringList{"--behavior=airrobot/posh",
                                                                     "--plan=own.lap",
@@ -44,6 +46,7 @@ private slots:
                                                                     "--out=/data/scans",
                                                                     "--connect=10.0.0.5:3001",
                                                                     "--record=r.usarrec",
+                                                                    "--export=tif,asc",
                                                                     "--fault=wind speed=4",
                                                                     "--fault=link_delay by=0.2",
                                                                     "run",
@@ -126,6 +129,8 @@ private slots:
         for (const char* text : {"0h", "-1h", "h", "soon", "5 days"})
             QTest::addRow("limit %s", text) << QStringList{"run", "a.json", "--limit", text}
                                             << QString("--limit %1: the limit is no time").arg(text);
+        QTest::newRow("an unknown format")
+            << QStringList{"run", "a.json", "--export", "tif,shp"} << "--export tif,shp: there is no format named shp";
         QTest::newRow("battery") << QStringList{"run", "a.json", "--battery", "0"} << "--battery 0: the life of";
     }
 

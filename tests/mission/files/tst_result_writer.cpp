@@ -12,11 +12,10 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QLockFile>
-#include <QProcess>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 
 #include "core/mission/files/result_writer.h"
+#include "tests/mission/files/other_programs.h"
 #include "tests/mission/files/sample_scan.h"
 #include "tests/suite/suite.h"
 
@@ -26,30 +25,6 @@ using namespace usar;
 using namespace usar::mission;
 
 namespace {
-
-/// Output of a program that is not ours; fails the test where it is missing or unhappy.
-QByteArray run(const QString& program, const QStringList& arguments) {
-    if (QStandardPaths::findExecutable(program).isEmpty()) {
-        QTest::qFail(qPrintable(program + " is missing: apt install gdal-bin pngcheck"), __FILE__, __LINE__);
-        return {};
-    }
-    QProcess process;
-    process.setProcessChannelMode(QProcess::MergedChannels);
-    process.start(program, arguments);
-    const bool ended = process.waitForFinished(60'000);
-    const QByteArray output = process.readAll();
-    if (!ended || process.exitCode() != 0)
-        QTest::qFail(qPrintable(program + " is not content: " + output), __FILE__, __LINE__);
-    return output;
-}
-
-QString ending(const QStringList& files, const QString& suffix) {
-    for (const QString& file : files) {
-        if (file.endsWith(suffix))
-            return file;
-    }
-    return {};
-}
 
 QJsonObject readJson(const QString& path) {
     QFile file(path);
@@ -105,8 +80,7 @@ private slots:
         const auto files = writeResults(record, {}, folder.path());
         QVERIFY(files.has_value());
         const QString raw = ending(*files, ".bil");
-        const QByteArray output = run("gdalinfo", {"-json", "-stats", raw});
-        const QJsonObject info = QJsonDocument::fromJson(output.mid(output.indexOf('{'))).object();
+        const QJsonObject info = runForJson("gdalinfo", {"-json", "-stats", raw});
         QCOMPARE(info["driverShortName"].toString(), QString("EHdr"));
         QCOMPARE(info["size"].toArray(), (QJsonArray{64, 64}));
         QCOMPARE(info["geoTransform"].toArray(), (QJsonArray{-16, 0.5, 0, 16, 0, -0.5}));
@@ -127,8 +101,7 @@ private slots:
         const auto files = writeResults(record, {}, folder.path());
         QVERIFY(files.has_value());
         const QString grid = ending(*files, ".asc");
-        const QByteArray output = run("gdalinfo", {"-json", grid});
-        const QJsonObject info = QJsonDocument::fromJson(output.mid(output.indexOf('{'))).object();
+        const QJsonObject info = runForJson("gdalinfo", {"-json", grid});
         QCOMPARE(info["driverShortName"].toString(), QString("AAIGrid"));
         QCOMPARE(info["geoTransform"].toArray(), (QJsonArray{-16, 0.5, 0, 16, 0, -0.5}));
         QCOMPARE(info["bands"].toArray()[0].toObject()["noDataValue"].toDouble(), -9999.0);
@@ -137,7 +110,17 @@ private slots:
         QCOMPARE(run("gdallocationinfo", {"-valonly", grid, "0", "63"}).trimmed(), QByteArray("-9999"));
     }
 
-    void aHugeMapIsNotWrittenAsText() {
+    void writesTheFormatsThatAreAskedForBesides() {
+        QTemporaryDir folder;
+        const FormatList formats = *readFormatList("tif,asc", "--export");
+        const auto files = writeResults(sampleScan(20), {}, folder.path(), {}, {}, formats);
+        QVERIFY(files.has_value());
+        QCOMPARE(files->size(), 10); // The grid as text is there anyway.
+        QVERIFY(!ending(*files, "_R1_001.tif").isEmpty());
+        QVERIFY(readJson(ending(*files, ".json"))["files"].toArray().contains("USAR_Scan_tall-test_R1_001.tif"));
+    }
+
+    void aHugeMapIsWrittenAsTextOnlyIfAskedFor() {
         QTemporaryDir folder;
         ScanRecord record = sampleScan(64, 0.5);
         const std::int64_t side = 2049; // One row more than is worth it.
@@ -146,6 +129,8 @@ private slots:
         QVERIFY(files.has_value());
         QVERIFY(ending(*files, ".asc").isEmpty() && ending(*files, ".xyz").isEmpty());
         QVERIFY(!ending(*files, ".bil").isEmpty());
+        const auto asked = writeResults(record, {}, folder.path(), {}, {}, *readFormatList("asc", "--export"));
+        QVERIFY(asked.has_value() && !ending(*asked, ".asc").isEmpty() && ending(*asked, ".xyz").isEmpty());
     }
 
     void farPartsAreSavedAsRawHeightsOfTheirOwn() {
@@ -173,8 +158,7 @@ private slots:
         QTemporaryDir folder;
         const auto files = writeResults(sampleScan(64, 0.5), {}, folder.path());
         QVERIFY(files.has_value());
-        const QByteArray output = run("gdalinfo", {"-json", ending(*files, "_height.png")});
-        const QJsonObject info = QJsonDocument::fromJson(output.mid(output.indexOf('{'))).object();
+        const QJsonObject info = runForJson("gdalinfo", {"-json", ending(*files, "_height.png")});
         QCOMPARE(info["geoTransform"].toArray(), (QJsonArray{-16, 0.5, 0, 16, 0, -0.5}));
         QCOMPARE(info["bands"].toArray()[0].toObject()["type"].toString(), QString("UInt16"));
     }

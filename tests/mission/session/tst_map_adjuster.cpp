@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/mapping/scan_points.h"
 #include "core/mission/session/scan_book.h"
 #include "tests/suite/suite.h"
 
@@ -109,6 +110,16 @@ private:
     bool tells_truth_ = false;
 };
 
+/// How far the points of the exported scans are above or below the hills, root mean square.
+double pointError_m(Flight& flight) {
+    double sum_m2 = 0.0, count = 0.0;
+    mapping::eachPoint(*flight.book.snapshot(true).scans, [&](const mapping::ScanPoint& point) {
+        sum_m2 += std::pow(point.at_m.z() - hills(point.at_m.x(), point.at_m.y()), 2);
+        return ++count > 0.0;
+    });
+    return std::sqrt(sum_m2 / count);
+}
+
 /// Three lanes of which the middle one is misplaced, more than a random walk is likely to do.
 void flyThreeLanes(Flight& flight) {
     flight.setIns({0.0, 0.0, 6.0}, Vec3::Zero());
@@ -136,6 +147,17 @@ private slots:
                  qPrintable(QString("%1 m, was %2 m").arg(flight.error_m()).arg(before_m)));
         QVERIFY(flight.book.record().revision > revision);
         QVERIFY(!flight.book.adjustPart());
+    }
+
+    void theExportedScansAreWhereTheMapHasThem() {
+        Flight flight;
+        flyThreeLanes(flight);
+        const double before_m = pointError_m(flight);
+        flight.setIns({0.0, 15.0, 6.0}, {0.1, 0.1, 0.1});
+        flight.book.finishAdjustment();
+        QCOMPARE(flight.book.record().adjustment->verdict, AdjustmentVerdict::Adjusted);
+        const double after_m = pointError_m(flight);
+        QVERIFY2(after_m < 0.7 * before_m, qPrintable(QString("%1 m, was %2 m").arg(after_m).arg(before_m)));
     }
 
     void adjustsTheMapAtTheEndOfTheTask_data() {

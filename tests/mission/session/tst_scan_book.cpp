@@ -78,6 +78,55 @@ private slots:
         QVERIFY(!kept.book.snapshot().raster.empty());
     }
 
+    void scansAreKeptForExportsIfSomebodyWantsThem_data() {
+        QTest::addColumn<bool>("keeps");
+        QTest::addColumn<bool>("asked");
+        QTest::addColumn<int>("scans"); // -1: there are none to hand out
+        QTest::newRow("kept and asked for") << true << true << 2;
+        QTest::newRow("not asked for") << true << false << -1;
+        QTest::newRow("not kept") << false << true << -1;
+    }
+
+    void scansAreKeptForExportsIfSomebodyWantsThem() {
+        QFETCH(bool, keeps);
+        QFETCH(bool, asked);
+        Kept kept;
+        kept.book.setAdjust(false);
+        kept.book.keepScans(keeps);
+        kept.moveTo(0.0);
+        kept.scan(1);
+        kept.scan(2);
+        const ScanRecord record = kept.book.snapshot(asked);
+        QTEST(record.scans ? int(record.scans->size()) : -1, "scans");
+        if (!record.scans)
+            return;
+        const mapping::KeptScan& scan = record.scans->front();
+        QCOMPARE(scan.time.count(), 1.0);
+        QVERIFY(scan.scanner_in_map.position_m == Vec3(0.0, 0.0, 5.0));
+        QCOMPARE(scan.ranges_m, (std::vector<float>{2.0f, 2.0f, 2.0f}));
+        kept.book.rewind();
+        QVERIFY(!kept.book.snapshot(true).scans);
+    }
+
+    void scansOfAnEarlierRunComeFirst() {
+        Kept before, after;
+        for (Kept* kept : {&before, &after}) {
+            kept->book.keepScans(true);
+            kept->moveTo(0.0);
+        }
+        before.scan(7);
+        EarlierScan earlier{before.book.snapshot(true), {}, {.recording = "r.usarrec"}};
+        after.book.continueScan(earlier);
+        QCOMPARE(after.book.snapshot(true).scans->size(), std::size_t(1));
+        after.scan(1);
+        const auto scans = after.book.snapshot(true).scans;
+        QVERIFY(scans && scans->size() == 2);
+        QCOMPARE(scans->front().line.value, std::uint64_t(7));
+        QCOMPARE(scans->back().line.value, std::uint64_t(1));
+        after.book.beginReplay({}, "hills");
+        QVERIFY(!after.book.snapshot(true).scans);
+    }
+
     void aPathIsOfPointsACellApart() {
         Kept kept;
         for (const double x_m : {0.0, 0.1, 0.2, 0.3, 0.4})
