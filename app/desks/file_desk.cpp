@@ -5,6 +5,8 @@
 #include <QFileInfo>
 #include <QUrl>
 
+#include "core/mission/files/map_formats.h"
+#include "core/mission/fleet/robot_words.h"
 #include "core/server/embedded/program_files.h"
 #include "widgets/panels/compare_dialog.h"
 #include "widgets/panels/dialogs.h"
@@ -22,6 +24,8 @@ FileDesk::FileDesk(const DeskContext& context, ServerDesk& server, MissionDesk& 
 void FileDesk::registerCommands() {
     add(
         "file.export", [this] { return selection_.id().valid(); }, [this] { control_.exportResults(selection_.id()); });
+    add(
+        "file.export_map", [this] { return selection_.id().valid(); }, [this] { askForExport(); });
     add(
         "file.cancel_saving", [this] { return saving_; }, [this] { control_.cancelSaving(); });
     commands_.offer([this] { return files(); });
@@ -54,6 +58,9 @@ void FileDesk::wire() {
     connect(&workshop_, &PlanWorkshop::fileUsed, this, remember);
     connect(&server_, &ServerDesk::snapshotUsed, this, remember);
     connect(&control_, &MissionControl::savingChanged, this, &FileDesk::showSaving);
+    connect(&control_, &MissionControl::mapExported, this, [this](const QStringList& files, const QString& name) {
+        notices_.note("map_exported/" + name, mission::exportedText(name, files));
+    });
     connect(views_.saving, &widgets::ProgressStrip::cancelRequested, &control_, &MissionControl::cancelSaving);
 }
 
@@ -68,12 +75,14 @@ void FileDesk::showSaving(const QString& robot_name) {
 
 void FileDesk::restore(const QSettings& settings) {
     recent_.restore(settings.value("recent_files").toStringList());
+    export_formats_ = settings.value("export_formats", export_formats_).toStringList();
     if (keeps_folder_)
         control_.setResultFolder(settings.value("result_folder").toString());
 }
 
 void FileDesk::save(SettingsSheet& settings) const {
     settings.setValue("recent_files", recent_.all());
+    settings.setValue("export_formats", export_formats_);
     if (keeps_folder_ && control_.resultFolderChosen())
         settings.setValue("result_folder", control_.resultFolder());
 }
@@ -119,6 +128,40 @@ void FileDesk::fillRecentMenu(QMenu* menu) {
         if (menu->isEmpty())
             menu->addAction(tr("No files yet"))->setEnabled(false);
     });
+}
+
+void FileDesk::askForExport() {
+    if (!export_dialog_) {
+        std::vector<widgets::ExportOffer> offers;
+        for (const mission::MapFormat& format : mission::mapFormats())
+            offers.push_back({format.id, format.title, format.use});
+        export_dialog_ = new widgets::ExportDialog(offers, window_);
+        connect(export_dialog_, &widgets::ExportDialog::folderRequested, this, [this] {
+            widgets::askForFolder(window_, tr("Folder for exports"), export_dialog_->folder(),
+                                  [this](const QString& folder) {
+                                      export_folder_ = folder;
+                                      export_dialog_->setFolder(folder);
+                                  });
+        });
+        connect(export_dialog_, &widgets::ExportDialog::exportRequested, this, &FileDesk::exportMap);
+    }
+    exported_ = selection_.id();
+    export_dialog_->setRobot(nameOf(*robot()));
+    export_dialog_->setFolder(export_folder_.isEmpty() ? control_.resultFolder() : export_folder_);
+    export_dialog_->setChosen(export_formats_);
+    widgets::showInFront(export_dialog_);
+}
+
+void FileDesk::exportMap(const QStringList& ids) {
+    const auto formats = mission::readFormatList(ids.join(','), {});
+    if (!formats)
+        return; // The dialog offers no others.
+    export_formats_ = ids;
+    if (control_.robot(exported_))
+        control_.exportMap(exported_, *formats, export_dialog_->folder());
+    else
+        notices_.say(Severity::Error, "map_export",
+                     tr("The robot is gone, and its map with it. Export from its recording instead."));
 }
 
 void FileDesk::chooseResultFolder(const std::function<void()>& then) {

@@ -5,17 +5,19 @@
 
 #include <QMenu>
 #include <QMimeData>
+#include <QPointer>
 
 #include "app/desks/desk.h"
 #include "app/desks/mission_desk.h"
 #include "app/desks/plan_workshop.h"
 #include "app/desks/server_desk.h"
 #include "core/mission/files/recent_files.h"
+#include "widgets/panels/export_dialog.h"
 
 namespace usar::app {
 
 /// Passes each kind of file to the desk that opens it. The files that were used last are kept in the settings, and so
-/// is the folder for results if the user has chosen one. GUI thread.
+/// are the folder for results if the user has chosen one, and the formats of exports. GUI thread.
 class FileDesk : public Desk {
     Q_OBJECT
 public:
@@ -41,6 +43,10 @@ public:
     void chooseResultFolder(const std::function<void()>& then);
 
 private:
+    /// Asks for formats and a folder, and exports the map of the robot that is selected now.
+    void askForExport();
+    void exportMap(const QStringList& ids);
+
     /// For the palette: the missions that come with the program, and the other files that were used last.
     std::vector<widgets::PaletteOffer> files();
 
@@ -52,6 +58,10 @@ private:
     PlanWorkshop& workshop_;
     mission::RecentFiles recent_;
     bool keeps_folder_;
+    QPointer<widgets::ExportDialog> export_dialog_; ///< null until it is wanted
+    RobotId exported_;                              ///< whose map the dialog is about
+    QString export_folder_;                         ///< chosen in the dialog; empty: that of the results
+    QStringList export_formats_{"tif"};             ///< ids of those that were exported last
     bool saving_ = false;
 };
 

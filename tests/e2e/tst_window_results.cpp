@@ -10,6 +10,7 @@
 #include "tests/suite/suite.h"
 #include "widgets/panels/behavior_panel.h"
 #include "widgets/panels/compare_dialog.h"
+#include "widgets/panels/export_dialog.h"
 
 namespace tst_window_results {
 
@@ -85,6 +86,41 @@ private slots:
             figures << QString(label->text()).replace("&nbsp;", " ");
         QVERIFY2(figures.join(' ').contains("Overlaps <b>"), qPrintable(figures.join('\n')));
         page.screenshot("result_card_corrected");
+    }
+
+    /// The map of a robot in flight, in every format, and once more where it cannot be written.
+    void aMapIsExportedForOtherPrograms() {
+        WindowPage page;
+        QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+        QAction* const command = page.window().commands().action("file.export_map");
+        QVERIFY(!command->isEnabled());
+        QVERIFY(page.spawnAt("PlayerStart"));
+        page.pressKey(Qt::Key_A);
+        page.drawArea({{-10, -10}, {10, 10}});
+        page.chooseSpeed("max");
+        page.press("Start");
+        QTRY_VERIFY_WITH_TIMEOUT(page.knownTiles() >= 1, flight_ms);
+        command->trigger();
+        auto* const dialog = page.window().findChild<widgets::ExportDialog*>();
+        QVERIFY(dialog && dialog->isVisible() && !dialog->isModal());
+        QCOMPARE(dialog->chosen(), QStringList{"tif"});
+        dialog->setChosen({"tif", "asc", "geojson", "ply", "las"});
+        dialog->setFolder(page.resultFolder() + "/exports");
+        page.screenshot("export_dialog");
+        page.press("Export");
+        QVERIFY(!dialog->isVisible());
+        const QDir folder(page.resultFolder() + "/exports");
+        QTRY_VERIFY_WITH_TIMEOUT(!page.notified("Exported the map of R1 to " + folder.path()).isEmpty(), soon_ms);
+        const QString stem = "USAR_Scan_tall-test_R1_001.";
+        QCOMPARE(folder.entryList(QDir::Files, QDir::Name),
+                 (QStringList{stem + "asc", stem + "geojson", stem + "las", stem + "ply", stem + "tif"}));
+        QVERIFY(QFileInfo(folder.filePath(stem + "las")).size() > 1000);
+        page.screenshot("map_exported");
+        command->trigger();
+        QCOMPARE(dialog->chosen().size(), 5);
+        dialog->setFolder(folder.filePath(stem + "tif"));
+        page.press("Export");
+        QTRY_VERIFY_WITH_TIMEOUT(!page.notified("cannot create the folder for the results").isEmpty(), soon_ms);
     }
 
     void aLongSaveIsSaidAndCanBeCancelled() {

@@ -123,7 +123,9 @@ void tst_CommandTable::aNewcomersWordFindsACommand_data() {
     QTest::addColumn<QString>("id");
     const std::pair<const char*, const char*> words[]{
         {"undo", "edit.undo"},
-        {"export", "file.export"},
+        {"export", "file.export_map"},
+        {"geotiff", "file.export_map"},
+        {"point cloud", "file.export_map"},
         {"speed", "time.faster"},
         {"reset", "view.operate"},
         {"save", "file.export"},

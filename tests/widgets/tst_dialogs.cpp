@@ -16,6 +16,7 @@
 
 #include "tests/suite/suite.h"
 #include "widgets/panels/dialogs.h"
+#include "widgets/panels/export_dialog.h"
 
 namespace tst_dialogs {
 
@@ -69,6 +70,7 @@ private slots:
     void suffixIsAddedOnlyWhereNoneIs();
     void aNewFolderCanBeMadeAndChosen();
     void aNumberIsAskedFor();
+    void formatsOfAMapAreAskedFor();
 
 private:
     TakePath take() {
@@ -171,6 +173,25 @@ void tst_Dialogs::aNumberIsAskedFor() {
     dialog->setIntValue(5010);
     QVERIFY(click(*dialog, "OK"));
     QCOMPARE(number, 5010);
+}
+
+void tst_Dialogs::formatsOfAMapAreAskedFor() {
+    ExportDialog dialog({{"tif", "GeoTIFF", "heights"}, {"ply", "PLY", "points"}, {"las", "LAS", "points"}},
+                        window_.get());
+    dialog.setRobot("R1");
+    dialog.setFolder(folder_->path());
+    QStringList wanted;
+    connect(&dialog, &ExportDialog::exportRequested, this, [&](const QStringList& ids) { wanted = ids; });
+    showInFront(&dialog);
+    QVERIFY(!dialog.isModal());
+    QVERIFY(!button(dialog, "Export")->isEnabled()); // Nothing is chosen.
+    dialog.setChosen({"ply", "no such format"});
+    QCOMPARE(dialog.chosen(), QStringList{"ply"});
+    QVERIFY(click(dialog, "GeoTIFF (.tif): heights"));
+    QVERIFY(click(dialog, "Export"));
+    QCOMPARE(wanted, (QStringList{"tif", "ply"}));
+    QVERIFY(!dialog.isVisible());
+    QCOMPARE(dialog.folder(), folder_->path());
 }
 
 USAR_TEST(tst_Dialogs)

@@ -37,6 +37,15 @@ Fleet::Private::Private(Fleet& fleet, const QString& host_program)
         q.note(Severity::Note, "export", reason);
         emit q.exportFailed(id, reason);
     });
+    connect(&keeper, &ScanKeeper::exported, &q, [this](const QStringList& files, const QString& name) {
+        emit q.cured("map_export");
+        emit q.mapExported(files, name);
+        closeWhenSaved();
+    });
+    connect(&keeper, &ScanKeeper::exportRefused, &q, [this](const QString& reason, bool cancelled) {
+        q.note(cancelled ? Severity::Note : Severity::Error, "map_export", reason);
+        closeWhenSaved();
+    });
     connect(&keeper, &ScanKeeper::writingChanged, &q, &Fleet::savingChanged);
 }
 
@@ -355,6 +364,11 @@ bool Fleet::resultFolderChosen() const {
 void Fleet::exportResults(RobotId id) {
     if (Robot* robot = this->robot(id))
         d_->keeper.save(*robot);
+}
+
+void Fleet::exportMap(RobotId id, const FormatList& formats, const QString& folder) {
+    if (Robot* robot = this->robot(id))
+        d_->keeper.exportMap(*robot, formats, folder);
 }
 
 void Fleet::cancelSaving() {

@@ -12,6 +12,7 @@
 
 #include "core/agent/plugins/plugin_loader.h"
 #include "core/mapping/height_look.h"
+#include "core/mission/files/map_formats.h"
 #include "core/mission/files/mission_file.h"
 #include "core/mission/fleet/robot.h"
 #include "core/mission/runs/run_summary.h"
@@ -92,12 +93,12 @@ public:
     void setPictureLook(const mapping::HeightLook& look); ///< exported pictures get the look of the map
     bool anythingToSave() const;
     void exportResults(RobotId id);
+    void exportMap(RobotId id, const FormatList& formats, const QString& folder); ///< an error is a notice
     void cancelSaving(); ///< stops all saves that run; `exportFailed` follows for each
     /// Records each live robot, present or future, to its own file in the result folder. Initially on.
     void setRecording(bool on);
     bool recording() const;
-    /// Opens a recording as an additional robot, paused at its beginning; `replayAdded` gives its id. Live robots are
-    /// not affected.
+    /// Opens a recording as a further robot, paused at its beginning; `replayAdded` gives its id. Others fly on.
     void openRecording(const QString& path);
     /// Opens the live robot's recording at `moment` (protocol clock); the robot is not interrupted. An earlier replay
     /// that was opened for it in this way is closed.
@@ -114,8 +115,7 @@ public:
 signals:
     void pluginsChanged(const std::vector<usar::agent::PluginChange>& changes); ///< after a scan; those that answered
     void linkChanged(const usar::link::LinkStatus& status);
-    /// The spare connection is open and `linkChanged` was emitted: a robot can be spawned.
-    void nextConnected();
+    void nextConnected(); ///< the spare connection is open and `linkChanged` was emitted: a robot can be spawned
     /// Emitted by `disconnectFromServer`, before `linkChanged`: the server is no longer needed.
     void serverLeft();
     void startPosesKnown(const usar::protocol::StartPoses& poses, const QString& level);
@@ -133,15 +133,14 @@ signals:
     void resultsWritten(usar::RobotId id, const usar::mission::RunSummary& summary, const QString& robot_name);
     void exportFailed(usar::RobotId id, const QString& reason); ///< the scan is still in memory
     void savingChanged(const QString& robot_name);              ///< whose scan is being written now; empty: none is
-    /// `key` groups repeats and lets a cure clear them.
-    void noticed(const QString& key, const usar::mission::Notice& notice);
+    void mapExported(const QStringList& files, const QString& robot_name); ///< full paths
+    void noticed(const QString& key, const usar::mission::Notice& notice); ///< `key` groups repeats, for a cure
     void cured(const QString& key);
     void readyToClose();
 
 protected:
     void note(Severity severity, const QString& key, const QString& text);
-    /// Ends all sessions at once without saving, for an owner whose server ends next.
-    void endSessions();
+    void endSessions(); ///< at once and without saving, for an owner whose server ends next
 
 private:
     struct Private;

@@ -20,6 +20,7 @@ int connections_made = 0; // Used in the GUI thread only, where all robots are m
 Robot::Robot() : thread_(new QThread), session_(new RobotSession(RobotView{}.cell_size_m)) {
     view_.connection = {++connections_made};
     thread_->setObjectName("robot");
+    session_->keepScans(true); // Whoever sees a map may want its points.
     session_->moveToThread(thread_);
     connect(thread_, &QThread::finished, session_, &QObject::deleteLater);
     connectSession();
@@ -56,6 +57,7 @@ void Robot::connectSession() {
                             emit behaviorFinished(success, reason);
                         });
     link::connectAcross(session_, &RobotSession::recordReady, this, &Robot::recordReady);
+    link::connectAcross(session_, &RobotSession::mapReady, this, &Robot::mapReady);
     link::connectAcross(session_, &RobotSession::noticed, this, &Robot::noticed);
     link::connectAcross(session_, &RobotSession::recordingFlushed, this, &Robot::recordingFlushed);
     link::connectAcross(session_, &RobotSession::replayOpened, this, &Robot::replayOpened);

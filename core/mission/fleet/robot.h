@@ -82,6 +82,7 @@ public:
         call(&RobotSession::sendCommand, command, source);
     }
     void requestRecord() { call(&RobotSession::requestRecord); }
+    void requestMap(bool with_scans) { call(&RobotSession::requestMap, with_scans); } ///< `mapReady` follows
     void startRecording(const QString& path, const RecordingFacts& facts) {
         call(&RobotSession::startRecording, path, facts);
     }
@@ -107,6 +108,7 @@ signals:
     void behaviorFinished(bool success, const QString& reason);
     /// Answers `requestRecord` with a copy of everything that was scanned.
     void recordReady(std::shared_ptr<const usar::mission::ScanRecord> record);
+    void mapReady(std::shared_ptr<const usar::mission::ScanRecord> record);
     void noticed(const usar::mission::Notice& notice);
     /// `path` is the file, or empty if nothing is recorded.
     void recordingFlushed(const QString& path);

@@ -80,6 +80,14 @@ QString savedText(const QString& robot_name, const QStringList& files) {
     return QObject::tr("Saved the scan of %1: %2 in %3.").arg(robot_name, count, QFileInfo(files.value(0)).path());
 }
 
+QString exportedText(const QString& robot_name, const QStringList& files) {
+    QStringList names;
+    for (const QString& file : files)
+        names << QFileInfo(file).fileName();
+    return QObject::tr("Exported the map of %1 to %2: %3.")
+        .arg(robot_name, QFileInfo(files.value(0)).path(), names.join(QStringLiteral(", ")));
+}
+
 bool isStale(const RobotView& view) {
     if (hasNotBegun(view))
         return false;

@@ -30,6 +30,8 @@ QString replayNameOf(const RecordingFacts& facts);
 
 /// Says that the robot's scan was saved, and in which folder. `files`: their full paths, at least one.
 QString savedText(const QString& robot_name, const QStringList& files);
+/// Says into which folder the robot's map was exported, and into which files of it.
+QString exportedText(const QString& robot_name, const QStringList& files);
 
 /// Name of the device by which the user drives the robot now; empty if none is held.
 QString deviceText(const ControlState& state);

@@ -61,7 +61,9 @@ QString ScanKeeper::folder() const {
 void ScanKeeper::watch(Robot& robot, std::function<SimulatorFacts()> facts) {
     facts_[&robot] = std::move(facts);
     connect(&robot, &Robot::recordReady, this, [this, &robot](const auto& record) { write(robot, record); });
+    connect(&robot, &Robot::mapReady, this, [this, &robot](const auto& record) { writeMap(robot, record); });
     connect(&robot, &QObject::destroyed, this, [this, gone = &robot] {
+        dropExports(gone);
         facts_.erase(gone);
         awaited_.erase(gone);
     });
@@ -77,7 +79,7 @@ void ScanKeeper::takeLeave(std::unique_ptr<Robot> robot) {
     if (facts != facts_.end()) // its simulator may go before the record comes
         facts->second = [last = facts->second()] { return last; };
     robot->stop();
-    if (robot->view().unsaved || robot->running() || awaited_.contains(robot.get())) {
+    if (robot->view().unsaved || robot->running() || awaited_.contains(robot.get()) || exports_.contains(robot.get())) {
         save(*robot);
         robot->close();
         leaving_.push_back(std::move(robot));
@@ -116,6 +118,38 @@ void ScanKeeper::written(const Writing& writing, const Result<RunSummary>& summa
         emit failed(id, QString::fromStdString(summary.error().text()));
 }
 
+void ScanKeeper::exportMap(Robot& robot, const FormatList& formats, const QString& folder) {
+    exports_.insert({&robot, {formats, folder}});
+    robot.requestMap(needPoints(formats));
+}
+
+void ScanKeeper::writeMap(Robot& robot, const std::shared_ptr<const ScanRecord>& record) {
+    const auto wanted = exports_.find(&robot); // Maps come in the order of the requests.
+    if (wanted == exports_.end())
+        return;
+    ++writing_;
+    emit writingChanged(nameOf(robot));
+    pool_.start(HandedOver([this, record, wish = wanted->second, stop = stop_.get_token(), robot_name = nameOf(robot)] {
+        const auto files = mission::exportMap(*record, wish.formats, wish.folder, {}, stop);
+        link::post(this, [this, files, robot_name, stop] { mapWritten(files, robot_name, stop.stop_requested()); });
+    }));
+    exports_.erase(wanted);
+}
+
+void ScanKeeper::mapWritten(const Result<QStringList>& files, const QString& robot_name, bool cancelled) {
+    if (--writing_ == 0)
+        emit writingChanged({});
+    if (files)
+        emit exported(*files, robot_name);
+    else
+        emit exportRefused(QString::fromStdString(files.error().text()), cancelled);
+}
+
+void ScanKeeper::dropExports(const Robot* robot) {
+    if (exports_.erase(robot) > 0)
+        emit exportRefused("The robot is gone, and its map with it. Export from its recording instead.", false);
+}
+
 void ScanKeeper::cancel() {
     std::exchange(stop_, std::stop_source()).request_stop();
 }
@@ -131,6 +165,7 @@ bool ScanKeeper::release(const Robot& robot) {
 
 void ScanKeeper::giveUpWaiting() {
     awaited_.clear();
+    exports_.clear();
     std::erase_if(leaving_, [](const auto& robot) { return !robot->view().unsaved; });
 }
 

@@ -153,12 +153,7 @@ private slots:
 
     void aWindowsResultHasTheKeysOfARunWithoutOne() {
         server_->answers_init = true;
-        // The robot's connection is the one to speak to, whichever came last.
-        server_->on_line = [this, obey = server_->on_line](const QByteArray& line) {
-            if (line.startsWith("INIT"))
-                server_->keepClient();
-            obey(line);
-        };
+        speakToTheRobot();
         QVERIFY(connectNow());
         fleet_->setSeed(7);
         QCOMPARE(spawnNow().value_or(RobotId{}).value, 1);
@@ -248,6 +243,48 @@ private slots:
         QTRY_VERIFY(!QDir(folder_->path()).entryList({"*.json"}).isEmpty());
     }
 
+    void anExportIsToldAlsoIfItFailsOrIsCancelled_data() {
+        QTest::addColumn<bool>("cancels");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("nothing was scanned") << false << "nothing was scanned";
+        QTest::newRow("cancelled while another program saves") << true << "cancelled";
+    }
+
+    void anExportIsToldAlsoIfItFailsOrIsCancelled() {
+        QFETCH(bool, cancels);
+        QFETCH(QString, words);
+        server_->answers_init = true;
+        speakToTheRobot();
+        QVERIFY(connectNow());
+        QCOMPARE(spawnNow().value_or(RobotId{}).value, 1);
+        QTRY_VERIFY(fleet_->robot({1})->view().figures.spawned);
+        if (cancels) {
+            QCOMPARE(textOf(fleet_->startBehavior({1}, "test/hop", small, {}, {})), QString());
+            QVERIFY(QTest::qWaitFor([&] {
+                server_->tick();
+                return !fleet_->robot({1})->view().tiles.empty();
+            }));
+            QVERIFY(fleet_->robot({1})->running()); // Its end would be saved, too.
+        }
+        QLockFile other(folder_->filePath(".usar_scan.lock"));
+        QVERIFY(!cancels || other.lock());
+        QSignalSpy saving(fleet_.get(), &Fleet::savingChanged), noticed(fleet_.get(), &Fleet::noticed);
+        fleet_->exportMap({1}, *readFormatList("tif", {}), folder_->path());
+        QVERIFY(fleet_->anythingToSave()); // The window must not close before.
+        QTRY_VERIFY(!saving.empty());
+        if (cancels)
+            fleet_->cancelSaving();
+        const auto told = [&] {
+            return std::ranges::find_if(noticed, [](const auto& one) { return one[0] == "map_export"; });
+        };
+        QTRY_VERIFY(told() != noticed.end());
+        const auto notice = (*told())[1].value<Notice>();
+        QVERIFY2(QString::fromStdString(notice.text).contains(words), notice.text.c_str());
+        QCOMPARE(notice.severity, cancels ? Severity::Note : Severity::Error);
+        QCOMPARE(saving.last()[0].toString(), QString());
+        QVERIFY(QDir(folder_->path()).entryList({"*.tif"}).isEmpty());
+    }
+
     void withNothingToSaveItClosesAtOnce() {
         QSignalSpy ready(fleet_.get(), &Fleet::readyToClose);
         fleet_->prepareToClose();
@@ -258,6 +295,15 @@ private slots:
     }
 
 private:
+    /// The robot's connection is the one to speak to, whichever came last.
+    void speakToTheRobot() {
+        server_->on_line = [this, obey = server_->on_line](const QByteArray& line) {
+            if (line.startsWith("INIT"))
+                server_->keepClient();
+            obey(line);
+        };
+    }
+
     bool connectNow() {
         fleet_->openLink("127.0.0.1", server_->port(), false);
         return QTest::qWaitFor([&] { return !fleet_->startPoses().empty(); });
