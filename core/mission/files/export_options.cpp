@@ -39,8 +39,9 @@ usage::Verb exportVerb() {
             .calls = {"usar-mission export RESULT [options]"},
             .purpose = "Writes the map of a result (its .json or .bil) or of a recording (.usarrec) in other formats.",
             .options = exportOptions(),
-            .notes = formatNotes() + QStringList{"Nothing is written over a file that exists. The last line of standard "
-                                                 "output is one JSON object."},
+            .notes =
+                formatNotes() + QStringList{"Nothing is written over a file that exists. The last line of standard "
+                                            "output is one JSON object."},
             .exit_codes = {{0, "done"}, {2, "bad use or input"}}};
 }
 

@@ -38,7 +38,7 @@ struct MissionOptions {
     std::optional<Seconds> limit; ///< the run is given up after this simulated time; absent: the mission's limit
     QString result_folder;        ///< empty: the default folder
     ResultFiles files = ResultFiles::Always;
-    FormatList formats; ///< in which the map is written besides the usual files
+    FormatList formats;         ///< in which the map is written besides the usual files
     QString recording;          ///< file to record to; empty: none
     QStringList faults;         ///< in addition to the mission's
     QStringList values;         ///< KEY=VALUE to put over the mission's; see setValue
