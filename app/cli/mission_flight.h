@@ -12,8 +12,8 @@
 
 namespace usar::app {
 
-/// What a flight reads from files that others need as well: plugins, robots and the world. Where a process makes
-/// copies of itself, each of which flies once, what is loaded before need not be loaded by any of them.
+/// Plugins, robots and the world of a flight, which a process that makes a copy of itself for each flight loads before:
+/// then no copy has to read their files.
 class Preloaded {
 public:
     /// Loads everything for a flight in this world, in place of the world that was loaded before. What cannot be read

@@ -5,8 +5,9 @@
 
 namespace usar::app {
 
-/// Flies the runs that standard input asks for, in the way of campaign::RunRequest, each in a copy of this process, so
-/// that a crash ends that run only. Returns the program's exit code when standard input ends.
+/// Flies the runs that lines of standard input ask for (campaign::RunRequest), each in a copy of this process, so that
+/// a crash ends that run only. Returns the program's exit code when standard input ends, or at SIGTERM, which also ends
+/// the run that is under way.
 int runWorker(Preloaded& loaded);
 
 } // namespace usar::app

@@ -145,9 +145,11 @@ void tst_UsarMission::equalSeedsGiveEqualMaps() {
 void tst_UsarMission::copiesOfAWorkerFlyAsNewProcessesDo() {
     QProcess worker;
     worker.start(program, {usar::campaign::worker_verb});
-    for (const char* const seed : {"9", "10", "9"})
-        worker.write(usar::campaign::writeRunRequest(argumentsFor(seed) + QStringList{"--one-thread"}));
-    worker.write(usar::campaign::writeRunRequest({"run", folder_->filePath("gone.json")}));
+    const QStringList one_thread{"--one-thread"};
+    int number = 0;
+    for (const QStringList& arguments : {argumentsFor("9") + one_thread, argumentsFor("10") + one_thread,
+                                         argumentsFor("9") + one_thread, QStringList{"run", "gone.json"}})
+        worker.write(usar::campaign::write(usar::campaign::RunRequest{++number, arguments}));
     worker.closeWriteChannel();
     const Ended ended = read(worker);
     QCOMPARE(ended.exit_code, 0);
@@ -159,7 +161,7 @@ void tst_UsarMission::copiesOfAWorkerFlyAsNewProcessesDo() {
         else if (!line.isEmpty())
             ends << line;
     }
-    QCOMPARE(ends, (QByteArrayList{"ended 0", "ended 0", "ended 0", "ended 2"}));
+    QCOMPARE(ends, (QByteArrayList{"ended 1 0", "ended 2 0", "ended 3 0", "ended 4 2"}));
     QCOMPARE(summaries.size(), std::size_t(4));
     const QByteArray alone = heightsOf(run(argumentsFor("9")).summary);
     QVERIFY(!alone.isEmpty());

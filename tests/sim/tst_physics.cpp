@@ -322,6 +322,37 @@ private slots:
         QCOMPARE(fall(false), fall(true));
     }
 
+    // The post falls down beside a body that has looked around before, and falls asleep there.
+    void whatComesToRestBesideAHoveringBodyIsMet() {
+        const auto drift = [](bool belt_beside) {
+            const World world = flatWorld();
+            const auto physics = makePhysics(world);
+            const BodyId hovering = physics->add(ball(), at(0.0, 0.0, 1.1));
+            const BodyDescription post{1.0, {0.17, 0.17, 0.015}, 0.9, {{BoxShape{{0.3, 0.3, 1.4}}, Pose{}}}};
+            const BodyId falling = physics->add(post, at(0.38, 0.0, 3.0));
+            BodyDescription belt = ball();
+            belt.still = true;
+            if (belt_beside)
+                physics->add(belt, at(-25.0, 25.0, 1.0));
+            physics->letSleep(falling, true);
+            const auto hover = [&](double push_n) {
+                physics->apply(hovering, {push_n, 0.0, gravity_m_s2}, Vec3::Zero());
+                physics->step(physics_dt);
+            };
+            for (int i = 0; i < 2500; ++i)
+                hover(0.0);
+            const bool asleep = physics->isAsleep(falling);
+            int until_met = 0;
+            for (; physics->contacts(hovering).empty() && until_met < 500; ++until_met)
+                hover(until_met < 25 ? 2.0 : 0.0);
+            return std::pair(asleep, until_met);
+        };
+        const auto [asleep, until_met] = drift(false);
+        QVERIFY(asleep);
+        QVERIFY(until_met < 500);
+        QCOMPARE(until_met, drift(true).second);
+    }
+
     void groundEndsAtTheEdgeWithoutHarm() {
         const World world = flatWorld();
         const auto physics = makePhysics(world);

@@ -94,6 +94,17 @@ void CampaignRunner::startNext() {
     fly(std::move(flight));
 }
 
+/// A run that is flown again to be compared has a worker of its own, which begins with other addresses.
+std::unique_ptr<RunProcess> CampaignRunner::takeProcess(bool again) {
+    if (again)
+        return std::make_unique<RunProcess>();
+    if (idle_.empty())
+        return std::make_unique<RunProcess>(RunProcess::Worker::FliesMore);
+    auto process = std::move(idle_.back());
+    idle_.pop_back();
+    return process;
+}
+
 void CampaignRunner::fly(std::unique_ptr<Flight> flight) {
     Flight& one = *flight;
     one.folder = folderOf(one.run) + (one.again ? "-again" : "");
@@ -102,9 +113,7 @@ void CampaignRunner::fly(std::unique_ptr<Flight> flight) {
     QStringList arguments = flightArgumentsOf(campaign_, one.run, one.folder);
     if (campaign_.keep == Keep::Everything && !one.again)
         arguments << "--record" << QDir(one.folder).filePath("run.usarrec");
-    one.process = idle_.empty() ? std::make_unique<RunProcess>() : std::move(idle_.back());
-    if (!idle_.empty())
-        idle_.pop_back();
+    one.process = takeProcess(one.again);
     connect(
         one.process.get(), &RunProcess::ended, this, [this, &one](const ProcessEnd& end) { take(one, end); },
         static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection)); // It may be started again.
@@ -115,7 +124,8 @@ void CampaignRunner::fly(std::unique_ptr<Flight> flight) {
 void CampaignRunner::take(Flight& flight, const ProcessEnd& end) {
     const auto owned = std::move(flying_.extract(flight.run.number).mapped());
     const Seconds wall = flight.process->wall();
-    idle_.push_back(std::move(flight.process));
+    if (!flight.again)
+        idle_.push_back(std::move(flight.process));
     if (end.stopped) {
         QDir(flight.folder).removeRecursively();
         return startNext();

@@ -75,6 +75,7 @@ private:
     struct Flight;
 
     void startNext();
+    std::unique_ptr<RunProcess> takeProcess(bool again);
     void fly(std::unique_ptr<Flight> flight);
     void take(Flight& flight, const ProcessEnd& end);
     QString folderOf(const PlannedRun& run) const;

@@ -16,6 +16,8 @@ namespace usar::campaign {
 
 namespace {
 
+constexpr int patience_ms = 5000; ///< with a worker that is to end
+
 /// The last line that is not empty.
 QByteArray lastLine(const QByteArray& text) {
     const QByteArray trimmed = text.trimmed();
@@ -66,12 +68,15 @@ void judge(RunResult& result, const ProcessEnd& end) {
     }
 }
 
-RunProcess::RunProcess(QObject* parent) : QObject(parent) {
+RunProcess::RunProcess(Worker worker) : worker_(worker) {
     limit_.setSingleShot(true);
     connect(&limit_, &QTimer::timeout, this, [this] {
         end_.timed_out = true;
-        process_.kill();
+        endWorker();
     });
+    patience_.setSingleShot(true);
+    patience_.setInterval(patience_ms);
+    connect(&patience_, &QTimer::timeout, &process_, &QProcess::kill);
     connect(&process_, &QProcess::readyReadStandardOutput, this, &RunProcess::read);
     connect(&process_, &QProcess::readyReadStandardError, this, &RunProcess::read);
     connect(&process_, &QProcess::finished, this, [this] { workerEnded(true); });
@@ -87,11 +92,18 @@ RunProcess::RunProcess(QObject* parent) : QObject(parent) {
 
 RunProcess::~RunProcess() {
     process_.disconnect(this);
-    process_.kill();
-    process_.waitForFinished();
+    if (process_.state() == QProcess::NotRunning)
+        return;
+    process_.terminate(); // It removes its copies of plugins.
+    if (!process_.waitForFinished(patience_ms)) {
+        process_.kill();
+        process_.waitForFinished();
+    }
 }
 
 void RunProcess::start(const QString& program, const QStringList& arguments, Seconds wall_limit) {
+    if (process_.state() != QProcess::NotRunning)
+        process_.waitForFinished(0); // It may have been killed without anybody having noticed yet.
     flying_ = true;
     end_ = {};
     since_start_.start();
@@ -99,22 +111,31 @@ void RunProcess::start(const QString& program, const QStringList& arguments, Sec
     limit_.start(static_cast<int>(std::min(longest_ms, wall_limit.count() * 1000.0)));
     if (process_.state() == QProcess::NotRunning)
         process_.start(program, {worker_verb});
-    process_.write(writeRunRequest(arguments));
+    process_.write(write(RunRequest{++number_, arguments}));
+    if (worker_ == Worker::FliesOnce)
+        process_.closeWriteChannel();
 }
 
 void RunProcess::stop() {
     end_.stopped = true;
-    process_.kill();
+    endWorker();
 }
 
-/// The run has ended when both streams say so.
+void RunProcess::endWorker() {
+    process_.terminate();
+    patience_.start();
+}
+
+/// The run has ended when both streams say so. A worker that is to end with it is awaited.
 void RunProcess::read() {
     end_.output += process_.readAllStandardOutput();
     end_.complaints += process_.readAllStandardError();
     QByteArray output = end_.output;
     QByteArray complaints = end_.complaints;
-    const auto how = takeRunEnd(output);
-    if (!flying_ || !how || !takeRunEnd(complaints))
+    if (!flying_ || worker_ == Worker::FliesOnce || end_.timed_out || end_.stopped)
+        return;
+    const auto how = takeRunEnd(output, number_);
+    if (!how || !takeRunEnd(complaints, number_))
         return;
     end_.output = output;
     end_.complaints = complaints;
@@ -122,11 +143,15 @@ void RunProcess::read() {
 }
 
 void RunProcess::workerEnded(bool started) {
+    patience_.stop();
     if (!flying_)
         return;
     end_.output += process_.readAllStandardOutput();
     end_.complaints += started ? process_.readAllStandardError() : process_.errorString().toUtf8();
-    finish({started && process_.exitStatus() == QProcess::CrashExit, process_.exitCode()});
+    const auto how = takeRunEnd(end_.output, number_);
+    takeRunEnd(end_.complaints, number_);
+    const RunEnd of_worker{started && process_.exitStatus() == QProcess::CrashExit, process_.exitCode()};
+    finish(how.value_or(of_worker));
 }
 
 void RunProcess::finish(const RunEnd& how) {

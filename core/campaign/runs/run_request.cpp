@@ -4,36 +4,40 @@
 
 namespace usar::campaign {
 
-QByteArray writeRunRequest(const QStringList& arguments) {
-    QByteArrayList words;
-    for (const QString& argument : arguments)
-        words << QUrl::toPercentEncoding(argument, "/");
-    return words.join(' ') + '\n';
+QByteArray write(const RunRequest& request) {
+    QByteArray line = QByteArray::number(request.number);
+    for (const QString& argument : request.arguments)
+        line += ' ' + QUrl::toPercentEncoding(argument, "/");
+    return line + '\n';
 }
 
-QStringList readRunRequest(const QByteArray& line) {
-    QStringList arguments;
-    const QByteArrayList words = line.trimmed().split(' ');
-    for (const QByteArray& word : words)
-        arguments << QUrl::fromPercentEncoding(word);
-    return arguments;
+RunRequest readRunRequest(const QByteArray& line) {
+    const QByteArrayList words = line.chopped(line.endsWith('\n') ? 1 : 0).split(' ');
+    RunRequest request{words.value(0).toInt(), {}};
+    for (const QByteArray& word : words.mid(1))
+        request.arguments << QUrl::fromPercentEncoding(word);
+    return request;
 }
 
-QByteArray write(const RunEnd& end) {
+QByteArray write(int number, const RunEnd& end) {
     // A run that crashes may leave a line without its end.
-    return (end.by_signal ? "\nended by " : "\nended ") + QByteArray::number(end.code) + '\n';
+    return "\nended " + QByteArray::number(number) + (end.by_signal ? " by " : " ") + QByteArray::number(end.code) +
+           '\n';
 }
 
-std::optional<RunEnd> takeRunEnd(QByteArray& written) {
-    const qsizetype last = written.lastIndexOf("\nended ");
-    if (last < 0 || !written.endsWith('\n'))
+std::optional<RunEnd> takeRunEnd(QByteArray& written, int number) {
+    const QByteArray begin = "\nended " + QByteArray::number(number) + ' ';
+    const qsizetype at = written.lastIndexOf(begin);
+    const qsizetype line_end = at < 0 ? -1 : written.indexOf('\n', at + 1);
+    if (line_end < 0)
         return std::nullopt;
-    const QByteArrayList words = written.mid(last).trimmed().split(' ');
+    QByteArray rest = written.mid(at + begin.size(), line_end - at - begin.size());
+    const bool by_signal = rest.startsWith("by ");
     bool is_number = false;
-    const RunEnd end{words.value(1) == "by", words.last().toInt(&is_number)};
-    if (!is_number || words.size() != (end.by_signal ? 3 : 2))
+    const RunEnd end{by_signal, rest.mid(by_signal ? 3 : 0).toInt(&is_number)};
+    if (!is_number)
         return std::nullopt;
-    written.truncate(last);
+    written.truncate(at);
     return end;
 }
 

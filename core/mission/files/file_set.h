@@ -1,4 +1,4 @@
-// The files of one scan: they have a stem in common, and either all of them come to be or it is known why not.
+// The files of one scan: they have a stem in common, and an error says why one of them was not written.
 #pragma once
 
 #include <functional>

@@ -117,6 +117,9 @@ Result<void> readValues(const QCommandLineParser& parser, MissionOptions& option
         if (!formats)
             return tl::unexpected(formats.error());
         options.formats = *std::move(formats);
+        if (options.files == ResultFiles::Never)
+            return failure("no files are wanted, but some to export", asWritten(parser, "export"),
+                           "Leave out --files never, or --export");
     }
     if (parser.isSet("connect")) {
         auto server = readServerAddress(parser.value("connect"));

@@ -9,7 +9,7 @@ namespace usar::mission {
 
 /// True for "export".
 bool isExportVerb(const QString& word);
-/// Runs the verb that `arguments` begin with, or prints its help, and returns the program's exit code. Prints a line of
+/// Runs the verb that `arguments` begin with and returns the program's exit code. Prints a line of
 /// JSON: `success`, `reason` and `files`, with full paths. Needs an application, because a recording is played in an
 /// event loop.
 int runExportVerb(const QStringList& arguments, const VerbStreams& streams);

@@ -9,7 +9,7 @@ namespace usar::mission {
 /// Called before a replay starts, so that the caller can connect what interrupts it.
 using PrepareReplay = std::function<void(ReplayRunner& runner)>;
 
-/// Runs the verb that `arguments` begin with, or prints its help, and returns the program's exit code. A replay runs an
+/// Runs the verb that `arguments` begin with and returns the program's exit code. A replay runs an
 /// event loop until it ends, tells its progress on a terminal's standard error, and prints its summary as a line of
 /// JSON.
 int runReplayVerb(const QStringList& arguments, const VerbStreams& streams, const PrepareReplay& prepare);

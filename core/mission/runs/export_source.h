@@ -1,4 +1,4 @@
-// What a map can be exported from afterwards: the files of a result, or a recording.
+// The files from which a map can be exported afterwards: those of a result, or a recording.
 #pragma once
 
 #include <QString>

@@ -42,7 +42,9 @@ BulletShape::BulletShape(const BodyDescription& description)
     btVector3 low;
     btVector3 high;
     compound_->getAabb(btTransform::getIdentity(), low, high);
-    radius_m_ = low.absolute().length() > high.absolute().length() ? low.length() : high.length();
+    btVector3 farthest = low.absolute();
+    farthest.setMax(high.absolute());
+    radius_m_ = farthest.length();
 }
 
 void markAsBody(btCollisionObject& object, const BodyDescription& description, BodyId id, int link) {

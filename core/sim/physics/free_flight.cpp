@@ -48,6 +48,15 @@ bool anyPartIn(const btCompoundShape& compound, const btVector3& low, const btVe
     return leaf.found;
 }
 
+/// True if the object can touch this sphere, however it turns around its origin.
+bool mayTouch(const btCollisionObject& object, const btVector3& center, double radius_m) {
+    btVector3 middle;
+    btScalar object_radius_m = 0.0;
+    object.getCollisionShape()->getBoundingSphere(middle, object_radius_m);
+    const double reach = radius_m + middle.length() + object_radius_m;
+    return object.getWorldTransform().getOrigin().distance2(center) < reach * reach;
+}
+
 /// Bullet's own step for a body without contacts: predictUnconstraintMotion, the solver's way of adding forces, and
 /// integrateTransforms, in their order.
 void move(btRigidBody& body, double dt_s) {
@@ -115,6 +124,8 @@ bool FreeFlight::hasNothingNear(const BulletBody& body) {
         const bool is_plants = object->getUserIndex() == static_cast<int>(Surface::Plant);
         if (is_plants && !anyPartIn(static_cast<const btCompoundShape&>(*object->getCollisionShape()), low, high))
             return false; // Nearly always, and found out much sooner.
+        if (object->getUserIndex() == static_cast<int>(Surface::Body))
+            return mayTouch(*object, body.position(), sphere.getRadius());
         AnyContact contact;
         world_.contactPairTest(&around, object, contact);
         return contact.found;

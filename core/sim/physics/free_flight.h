@@ -14,7 +14,8 @@ namespace usar::sim {
 /// and its solver, which take most of the time of a robot that flies alone.
 ///
 /// A body is clear while nothing else is within its sphere enlarged by 0.9 m. It stays clear until it has moved by a
-/// third of that: if another body does the same, they cannot meet. What was placed or woken must be reported.
+/// third of that: if another flying body does the same, they cannot meet. Whoever adds or places a body, or lets Bullet
+/// move one that does not fly, must make all bodies forget their FreeSpace.
 class FreeFlight {
 public:
     /// All must outlive it.

@@ -137,6 +137,10 @@ public:
             dynamics_.stepSimulation(dt.count(), 0);
             boxes_are_old_ = false;
             collectContacts();
+            // What drives or falls may come to rest where a flying body has looked before.
+            if (std::ranges::any_of(awake_, [](BulletBody* body) { return body->flying() == nullptr; }))
+                for (BulletBody* const body : awake_)
+                    body->free_space.known = false;
         }
         for (BulletBody* const body : awake_) {
             body->afterStep();

@@ -14,7 +14,7 @@ namespace usar::sim {
 namespace {
 
 constexpr double detour_m = 100.0; ///< the way to a part of the area may lead this far around it
-/// Nearly always no way has to leave the area by more than this, which takes a fraction of the time to find out.
+/// The first search for ways leads this far around the area: it nearly always suffices, and costs a fraction.
 constexpr double near_m = 10.0;
 constexpr double lowest_m = 1.0; ///< least height over ground in flight
 constexpr double half_height_m = 0.25;

@@ -3,11 +3,12 @@
 # As a worker it does so for each line that it reads.
 if [ "$1" = worker ]; then
     while read -r line; do
-        sh "$0" $line
+        number=${line%% *}
+        sh "$0" ${line#* }
         status=$?
         [ $status -gt 128 ] && end="by $((status - 128))" || end=$status
-        printf '\nended %s\n' "$end"
-        printf '\nended %s\n' "$end" >&2
+        printf '\nended %s %s\n' "$number" "$end"
+        printf '\nended %s %s\n' "$number" "$end" >&2
     done
     exit
 fi
@@ -23,6 +24,7 @@ case "$4" in
 7) exec sleep 60 ;;
 8) echo "no plugin" >&2; exit 127 ;;
 10) kill -KILL $PPID; exec sleep 60 ;;
+12) echo "{\"reason\":\"Chance.\",\"worker\":$PPID}" ;;
 9) echo "{\"reason\":\"Chance.\",\"pid\":$$}" ;;
 esac
 echo x > "$folder/map"

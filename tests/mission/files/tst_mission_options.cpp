@@ -117,6 +117,9 @@ private slots:
         QTest::newRow("seed negative") << QStringList{"run", "a.json", "--seed", "-1"} << "--seed -1: the seed is not";
         QTest::newRow("files now and then") << QStringList{"run", "a.json", "--files", "sometimes"}
                                             << "--files sometimes: files are left always, failed or never";
+        QTest::newRow("files to export, but none")
+            << QStringList{"--files", "never", "run", "a.json", "--export", "tif"}
+            << "--export tif: no files are wanted, but some to export";
         QTest::newRow("adjust a little") << QStringList{"run", "a.json", "--adjust", "little"}
                                          << "--adjust little: whether to adjust the map is neither on nor off";
         QTest::newRow("speed zero") << QStringList{"run", "a.json", "--speed", "0"}

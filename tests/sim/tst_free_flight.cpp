@@ -1,0 +1,130 @@
+#include <QTest>
+
+#include "core/sim/physics/bullet_ground.h"
+#include "core/sim/physics/bullet_rigid_body.h"
+#include "core/sim/physics/free_flight.h"
+#include "tests/sim/tiny_worlds.h"
+#include "tests/suite/suite.h"
+
+namespace tst_free_flight {
+
+using namespace usar;
+using namespace usar::sim;
+
+namespace {
+
+Pose at(const Vec3& position_m) {
+    return {position_m, 0.0, 0.0, 0.0};
+}
+
+/// Flat ground with a tree at x = 5 m and a house of 2 m at y = 6 m.
+World gardenWorld() {
+    World world = flatWorld();
+    world.plants.push_back({{5.0, 0.0, 0.0}, 0.3, 4.0, CrownShape::Sphere, 1.5, 0.0});
+    world.boxes.push_back({at({0.0, 6.0, 1.0}), {2.0, 2.0, 2.0}});
+    return world;
+}
+
+/// Bullet's world around the ground of one of ours, as the physics has it.
+struct Surroundings {
+    explicit Surroundings(World world_) : world(std::move(world_)) {
+        bullet.setGravity({0.0, 0.0, -gravity_m_s2});
+        for (const auto& object : ground.objects())
+            bullet.addCollisionObject(object.get(), ground_group, body_group);
+    }
+    ~Surroundings() {
+        for (const auto& object : ground.objects())
+            bullet.removeCollisionObject(object.get());
+    }
+
+    World world;
+    BulletGround ground{world};
+    btDefaultCollisionConfiguration configuration;
+    btCollisionDispatcher dispatcher{&configuration};
+    btDbvtBroadphase broadphase;
+    btSequentialImpulseConstraintSolver solver;
+    btDiscreteDynamicsWorld bullet{&dispatcher, &broadphase, &solver, &configuration};
+    FreeFlight flight{bullet, broadphase, world.terrain};
+};
+
+} // namespace
+
+class tst_FreeFlight : public QObject {
+    Q_OBJECT
+private slots:
+    void onlyWhatHasNothingNearFliesFreely_data() {
+        QTest::addColumn<Vec3>("position_m");
+        QTest::addColumn<bool>("free");
+        QTest::newRow("high in the air") << Vec3(0.0, 0.0, 20.0) << true;
+        QTest::newRow("2 m over the ground") << Vec3(-5.0, -5.0, 2.0) << true;
+        QTest::newRow("1 m over the ground") << Vec3(-5.0, -5.0, 1.0) << false;
+        QTest::newRow("under the ground") << Vec3(-5.0, -5.0, -3.0) << false;
+        QTest::newRow("beside a trunk") << Vec3(6.0, 0.0, 2.0) << false;
+        QTest::newRow("over a crown") << Vec3(5.0, 0.0, 8.0) << true;
+        QTest::newRow("near a crown") << Vec3(5.0, 0.0, 6.8) << false;
+        QTest::newRow("over a roof") << Vec3(0.0, 6.0, 4.5) << true;
+        QTest::newRow("near a roof") << Vec3(0.0, 6.0, 3.2) << false;
+        QTest::newRow("beyond the world's edge") << Vec3(80.0, 0.0, 20.0) << true;
+    }
+    void onlyWhatHasNothingNearFliesFreely() {
+        QFETCH(Vec3, position_m);
+        QFETCH(bool, free);
+        Surroundings around(gardenWorld());
+        BulletRigidBody body(around.bullet, airRobotBody(), at(position_m), BodyId{1});
+        std::array<BulletBody*, 1> awake{&body};
+        QCOMPARE(around.flight.step(awake, physics_dt), free);
+        QCOMPARE(fromBullet(body.position()) != position_m, free); // It begins to fall.
+    }
+
+    void whatMayRestDoesNot() {
+        Surroundings around(gardenWorld());
+        BulletRigidBody body(around.bullet, airRobotBody(), at({0.0, 0.0, 20.0}), BodyId{1});
+        std::array<BulletBody*, 1> awake{&body};
+        body.letSleep(true);
+        QVERIFY(!around.flight.step(awake, physics_dt));
+        body.letSleep(false);
+        QVERIFY(around.flight.step(awake, physics_dt));
+    }
+
+    void twoFlyFreelyOnlyWhereTheyAreApart_data() {
+        QTest::addColumn<double>("apart_m");
+        QTest::addColumn<bool>("free");
+        QTest::newRow("apart") << 3.5 << true;
+        QTest::newRow("close") << 1.5 << false;
+    }
+    void twoFlyFreelyOnlyWhereTheyAreApart() {
+        QFETCH(double, apart_m);
+        QFETCH(bool, free);
+        Surroundings around(gardenWorld());
+        BulletRigidBody one(around.bullet, airRobotBody(), at({0.0, 0.0, 20.0}), BodyId{1});
+        BulletRigidBody two(around.bullet, airRobotBody(), at({apart_m, 0.0, 20.0}), BodyId{2});
+        std::array<BulletBody*, 2> awake{&one, &two};
+        QCOMPARE(around.flight.step(awake, physics_dt), free);
+    }
+
+    void itIsFoundOutInTimeThatTheGroundComesNear() {
+        Surroundings around(gardenWorld());
+        BulletRigidBody body(around.bullet, airRobotBody(), at({-5.0, -5.0, 10.0}), BodyId{1});
+        std::array<BulletBody*, 1> awake{&body};
+        while (around.flight.step(awake, physics_dt)) {
+        }
+        QVERIFY(body.position().z() < 2.5); // It fell freely for nearly all of the way,
+        QVERIFY(body.position().z() > 0.8); // but not into the ground.
+    }
+
+    void aBodyIsWithinItsRadius() {
+        const BodyDescription lopsided{
+            1.0,
+            Vec3::Constant(0.1),
+            0.9,
+            {{SphereShape{0.1}, at({-0.9, 0.0, 0.0})}, {SphereShape{0.1}, at({0.0, 0.9, 0.9})}}};
+        QVERIFY(BulletShape(lopsided).radius_m() >= std::hypot(0.9, 0.9) + 0.1);
+        QVERIFY(BulletShape(lopsided).radius_m() < 1.8);
+    }
+};
+
+USAR_TEST(tst_FreeFlight)
+
+} // namespace tst_free_flight
+
+#include "tst_free_flight.moc"
