@@ -152,7 +152,7 @@ const agent::PluginLoader& Preloaded::plugins(const QStringList& more_folders) {
 
 void Preloaded::load(const QString& world) {
     plugins({});
-    server::loadRobots(); // What it reads is kept.
+    server::loadRobots(); // It keeps the robots that it reads for the next call.
     if (world_ && world_name_ == world)
         return;
     world_.reset();

@@ -25,7 +25,7 @@ namespace usar::app {
 
 namespace {
 
-volatile std::sig_atomic_t copy_id = 0; ///< of the process that flies; 0: none
+volatile std::sig_atomic_t copy_id = 0; ///< process that flies; 0: none does
 volatile std::sig_atomic_t is_to_end = 0;
 
 void endWithCopy(int) {

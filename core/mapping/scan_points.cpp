@@ -29,7 +29,7 @@ constexpr std::uint16_t header_bytes = 227;
 constexpr std::uint16_t record_header_bytes = 54;
 constexpr std::uint16_t extra_bytes_description = 192;
 constexpr std::uint16_t point_bytes = 28 + 4; ///< format 1, and the range
-constexpr std::uint8_t type_float = 9;        ///< of extra bytes
+constexpr std::uint8_t type_float = 9;        ///< code of a float in that description
 constexpr std::uint8_t only_return = 1 | 1 << 3;
 
 /// One axis of a LAS file: coordinates are whole numbers times `scale_m` plus `offset_m`.

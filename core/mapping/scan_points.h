@@ -15,7 +15,7 @@ struct ScanPoint {
     Vec3 at_m = Vec3::Zero(); ///< map frame
     Seconds time{0.0};        ///< KeptScan::time
     double range_m = 0.0;     ///< from the scanner
-    double angle_rad = 0.0;   ///< of the beam in its scan, see Beams
+    double angle_rad = 0.0;   ///< direction of the beam in its scan, see Beams
     std::uint32_t scanner = 0;
 };
 

@@ -41,7 +41,7 @@ public:
     void start(const QString& program, const QStringList& arguments, Seconds wall_limit);
     /// Ends the run; `ended` follows when its process is gone.
     void stop();
-    Seconds wall() const { return wall_; } ///< of the last run; valid after `ended`
+    Seconds wall() const { return wall_; } ///< wall time that the last run took; valid after `ended`
 
 signals:
     void ended(const usar::campaign::ProcessEnd& end);
@@ -60,9 +60,9 @@ private:
     QTimer patience_; ///< with a worker that is to end
     QElapsedTimer since_start_;
     Seconds wall_{0.0};
-    int number_ = 0; ///< of the last request
+    int number_ = 0; ///< the last request's number
     bool flying_ = false;
-    ProcessEnd end_; ///< of the run that is under way
+    ProcessEnd end_; ///< filled while the run is under way
 };
 
 } // namespace usar::campaign

@@ -14,7 +14,7 @@ inline constexpr const char* worker_verb = "worker";
 /// A run that a worker is to fly.
 struct RunRequest {
     int number = 0;        ///< tells the answers of a worker apart
-    QStringList arguments; ///< of usar-mission
+    QStringList arguments; ///< words of the command line after usar-mission
     bool operator==(const RunRequest&) const = default;
 };
 

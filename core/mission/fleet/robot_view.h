@@ -41,7 +41,7 @@ struct RobotView : RobotIdentity {
     Rectangle area_in_map;   ///< its area; empty: none
     std::optional<agent::BehaviorStatus> status;
     std::optional<agent::BehaviorFinished> finished; ///< absent until it has ended
-    SessionFigures figures_at_end; ///< as they were when it ended, though lines come after that, too
+    SessionFigures figures_at_end;                   ///< as they were when it ended, though lines come after that, too
     std::optional<agent::SonarZones> zones;          ///< as the newest behavior judged them last
     std::optional<Pose> base_in_map; ///< as the behavior estimates it; from the INS until the first status
     std::vector<Vec2> trail_m;       ///< estimated positions, more than 0.2 m apart

@@ -10,7 +10,7 @@ namespace usar::mission {
 
 /// A map that was read back, and how the files that are made of it are called.
 struct ExportSource {
-    ScanRecord record; ///< of a result only its rasters, of a recording also the scans
+    ScanRecord record; ///< has only rasters if it comes from a result, and also scans if from a recording
     QString folder;    ///< where the source is
     QString stem;
 };
