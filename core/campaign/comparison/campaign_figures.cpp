@@ -10,6 +10,7 @@
 
 #include "core/base/numbers.h"
 #include "core/campaign/plan/manifest_head.h"
+#include "core/campaign/runs/parallel.h"
 #include "core/campaign/runs/shard_file.h"
 
 namespace usar::campaign {
@@ -61,6 +62,17 @@ Result<void> checkPairs(const std::vector<RunResult>& first, const std::vector<R
     return {};
 }
 
+/// Adds the runs and takes the summaries from the results, because nobody needs them any longer.
+void addRuns(CampaignFigures& figures, std::vector<RunResult>& results, const std::string& of) {
+    const std::size_t first = figures.runs.size();
+    figures.runs.resize(first + results.size());
+    inParallel(results.size(), [&](std::size_t i) {
+        figures.runs[first + i] = figuresOf(results[i]);
+        figures.runs[first + i].variant += of;
+        results[i].summary = {};
+    });
+}
+
 } // namespace
 
 RunFigures figuresOf(const RunResult& result) {
@@ -101,11 +113,8 @@ Result<CampaignFigures> readCampaigns(const QStringList& folders) {
         figures.title += (figures.title.empty() ? "" : ", ") + (*head)["campaign"].toString().toStdString();
         for (const QJsonValue variant : (*head)["variants"].toArray())
             figures.variants.push_back(variant.toString().toStdString() + of);
-        for (const RunResult& result : *results) {
-            figures.runs.push_back(figuresOf(result));
-            figures.runs.back().variant += of;
-        }
         addFacts(figures, *head, *results, of);
+        addRuns(figures, *results, of);
         first = *std::move(results);
     }
     return figures;

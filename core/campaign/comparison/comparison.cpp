@@ -1,7 +1,9 @@
 #include "core/campaign/comparison/comparison.h"
 
 #include <algorithm>
+#include <iterator>
 
+#include "core/campaign/runs/parallel.h"
 #include "core/campaign/statistics/holm.h"
 #include "core/campaign/statistics/more_pairs.h"
 #include "core/campaign/statistics/paired.h"
@@ -136,9 +138,13 @@ Result<Comparison> compare(const std::vector<RunFigures>& runs, const std::strin
         return tl::unexpected(pairing.error());
     Comparison comparison{baseline, candidate, std::move(options), std::move(*pairing), {}, {}, {}};
     comparison.success = compareSuccess(comparison.pairing, 1.0 - comparison.options.alpha);
-    for (const Metric& metric : comparison.options.metrics)
-        if (auto result = compareMetric(metric, comparison.pairing, comparison.options); result.pairs() > 0)
-            comparison.metrics.push_back(std::move(result));
+    const std::vector<Metric>& metrics = comparison.options.metrics;
+    std::vector<MetricComparison> compared(metrics.size());
+    inParallel(metrics.size(), [&](std::size_t i) { // Each has a generator of its own.
+        compared[i] = compareMetric(metrics[i], comparison.pairing, comparison.options);
+    });
+    std::ranges::copy_if(compared, std::back_inserter(comparison.metrics),
+                         [](const MetricComparison& one) { return one.pairs() > 0; });
     adjust(comparison);
     judgeAll(comparison);
     comparison.overall = overallOf(comparison);

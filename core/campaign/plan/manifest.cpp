@@ -1,5 +1,8 @@
 #include "core/campaign/plan/manifest.h"
 
+#include <array>
+#include <charconv>
+
 #include <QCryptographicHash>
 #include <QDir>
 #include <QDirIterator>
@@ -41,15 +44,11 @@ QJsonArray textsOf(const std::vector<std::string>& texts) {
     return QJsonArray::fromStringList(mission::textsOf(texts));
 }
 
-QByteArray jsonList(const std::vector<std::string>& texts) {
-    return texts.empty() ? QByteArray("[]") : QJsonDocument(textsOf(texts)).toJson(QJsonDocument::Compact);
-}
-
 /// Each text in quotes, as JSON has it.
 std::vector<QByteArray> quoted(const std::vector<std::string>& texts) {
     std::vector<QByteArray> all;
     for (const std::string& text : texts) {
-        const QByteArray list = jsonList({text});
+        const QByteArray list = QJsonDocument(QJsonArray{QString::fromStdString(text)}).toJson(QJsonDocument::Compact);
         all.push_back(list.sliced(1, list.size() - 2));
     }
     return all;
@@ -70,14 +69,40 @@ public:
 
     /// The keys are in the order of the alphabet, as in all our JSON.
     void append(const PlannedRun& run, QByteArray& text) const {
-        text += "{\"behavior\":" + behaviors_[run.variant] + ",\"faults\":" + jsonList(run.faults) +
-                ",\"mission\":" + missions_[run.mission] + ",\"pair\":" + QByteArray::number(run.pair) +
-                ",\"run\":" + QByteArray::number(run.number) +
-                ",\"seed\":" + QByteArray::number(static_cast<qint64>(run.seed)) +
-                ",\"values\":" + jsonList(run.values) + ",\"variant\":" + variants_[run.variant] + "}\n";
+        text += "{\"behavior\":";
+        text += behaviors_[run.variant];
+        text += ",\"faults\":";
+        appendList(run.faults, text);
+        text += ",\"mission\":";
+        text += missions_[run.mission];
+        text += ",\"pair\":";
+        appendNumber(run.pair, text);
+        text += ",\"run\":";
+        appendNumber(run.number, text);
+        text += ",\"seed\":";
+        appendNumber(static_cast<qint64>(run.seed), text);
+        text += ",\"values\":";
+        appendList(run.values, text);
+        text += ",\"variant\":";
+        text += variants_[run.variant];
+        text += "}\n";
     }
 
 private:
+    // Everything is appended to the whole text, because a manifest may have a hundred thousand lines.
+    static void appendList(const std::vector<std::string>& texts, QByteArray& text) {
+        if (texts.empty())
+            text += "[]";
+        else
+            text += QJsonDocument(textsOf(texts)).toJson(QJsonDocument::Compact);
+    }
+
+    static void appendNumber(qint64 number, QByteArray& text) {
+        std::array<char, 24> digits{};
+        const auto [end, problem] = std::to_chars(digits.begin(), digits.end(), number);
+        text.append(digits.data(), end - digits.data());
+    }
+
     std::vector<QByteArray> missions_;
     std::vector<QByteArray> variants_;
     std::vector<QByteArray> behaviors_; ///< They are in the order of the variants.

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 #include <QDir>
 #include <QThread>
 
 #include "core/campaign/plan/test_folder.h"
+#include "core/campaign/runs/parallel.h"
 #include "core/mission/files/mission_file.h"
 #include "core/mission/files/mission_value.h"
 
@@ -14,11 +16,27 @@ namespace usar::campaign {
 
 namespace {
 
-Result<void> addInput(Manifest& manifest, const QString& role, const QString& name, const QString& path) {
-    return hashInput(role, name, path).map([&](HashedInput&& input) {
-        if (std::ranges::find(manifest.inputs, input) == manifest.inputs.end())
-            manifest.inputs.push_back(std::move(input));
+/// A file or folder that results depend on; its fields are those of HashedInput.
+struct Input {
+    QString role;
+    QString name;
+    QString path;
+};
+
+/// Reads and hashes the inputs side by side. Of equal ones, one remains.
+Result<void> hashAll(const std::vector<Input>& inputs, Manifest& manifest) {
+    std::vector<Result<HashedInput>> hashed(inputs.size());
+    inParallel(inputs.size(), [&](std::size_t from_the_end) {
+        const std::size_t i = inputs.size() - 1 - from_the_end; // The last is the program, which takes longest.
+        hashed[i] = hashInput(inputs[i].role, inputs[i].name, inputs[i].path);
     });
+    for (Result<HashedInput>& input : hashed) {
+        if (!input)
+            return tl::unexpected(input.error());
+        if (std::ranges::find(manifest.inputs, *input) == manifest.inputs.end())
+            manifest.inputs.push_back(*std::move(input));
+    }
+    return {};
 }
 
 /// The mission as a run flies it, or why it cannot.
@@ -32,20 +50,23 @@ Result<mission::Mission> missionOf(const mission::Mission& written, const Planne
     return flown;
 }
 
-/// Checks the runs' missions and adds their worlds and plans.
-Result<void> addMissions(Manifest& manifest, const Campaign& campaign, const CampaignHost& host) {
+/// Checks the runs' missions and adds them with their worlds and plans.
+Result<void> addMissions(const std::vector<PlannedRun>& runs, const Campaign& campaign, const CampaignHost& host,
+                         std::vector<Input>& inputs) {
     std::vector<mission::Mission> written;
     for (const CampaignMission& one : campaign.missions) {
         auto read = mission::readMissionFile(one.file);
         if (!read)
             return tl::unexpected(read.error());
         written.push_back(*std::move(read));
-        if (auto added = addInput(manifest, "mission", nameOf(one), one.file); !added)
-            return added;
+        inputs.push_back({"mission", nameOf(one), one.file});
     }
     std::set<std::string> worlds;
     std::set<std::string> plans;
-    for (const PlannedRun& run : manifest.runs) {
+    std::set<std::tuple<std::size_t, std::size_t, std::vector<std::string>>> checked; // Most runs differ by their seed.
+    for (const PlannedRun& run : runs) {
+        if (!checked.emplace(run.mission, run.variant, run.values).second)
+            continue;
         const auto flown = missionOf(written[run.mission], run, campaign);
         if (!flown)
             return tl::unexpected(flown.error());
@@ -60,23 +81,20 @@ Result<void> addMissions(Manifest& manifest, const Campaign& campaign, const Cam
             return tl::unexpected(folder.error());
         if (folder->isEmpty())
             continue; // The program makes it, and its own hash is among the inputs.
-        if (auto added = addInput(manifest, "world", name, *folder); !added)
-            return added;
+        inputs.push_back({"world", name, *folder});
     }
     for (const std::string& plan : plans) {
         const QString path = QString::fromStdString(plan);
-        if (auto added = addInput(manifest, "plan", QFileInfo(path).fileName(), path); !added)
-            return added;
+        inputs.push_back({"plan", QFileInfo(path).fileName(), path});
     }
     return {};
 }
 
-Result<void> addPrograms(Manifest& manifest, const CampaignHost& host) {
+void addPrograms(const CampaignHost& host, std::vector<Input>& inputs) {
     for (const QString& folder : host.plugin_folders)
         for (const QString& name : QDir(folder).entryList({"*.so"}, QDir::Files, QDir::Name))
-            if (auto added = addInput(manifest, "plugin", name, QDir(folder).filePath(name)); !added)
-                return added;
-    return addInput(manifest, "program", QFileInfo(host.program).fileName(), host.program);
+            inputs.push_back({"plugin", name, QDir(folder).filePath(name)});
+    inputs.push_back({"program", QFileInfo(host.program).fileName(), host.program});
 }
 
 Result<void> checkFaults(const Campaign& campaign, const CampaignHost& host) {
@@ -118,10 +136,12 @@ Result<Manifest> manifestOf(const Campaign& campaign, const CampaignHost& host) 
         manifest.missions.push_back(nameOf(one).toStdString());
     for (const Variant& variant : campaign.variants)
         manifest.variants.push_back(variant.name);
-    if (auto added = addMissions(manifest, campaign, host); !added)
+    std::vector<Input> inputs;
+    if (auto added = addMissions(manifest.runs, campaign, host, inputs); !added)
         return tl::unexpected(added.error());
-    if (auto added = addPrograms(manifest, host); !added)
-        return tl::unexpected(added.error());
+    addPrograms(host, inputs);
+    if (auto all = hashAll(inputs, manifest); !all)
+        return tl::unexpected(all.error());
     return manifest;
 }
 

@@ -11,6 +11,8 @@
 
 namespace usar::campaign {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 constexpr std::array<std::pair<Outcome, const char*>, 7> words{{{Outcome::Done, "done"},
@@ -22,6 +24,17 @@ constexpr std::array<std::pair<Outcome, const char*>, 7> words{{{Outcome::Done, 
                                                                 {Outcome::OutOfMemory, "out-of-memory"}}};
 
 const QByteArray before_summary = ",\"summary\":";
+
+QJsonObject objectIn(const QByteArray& line, ResultPart part, QJsonParseError& problem) {
+    // In a text within quotes, the quotes of this would be escaped, so it can only begin the summary.
+    const qsizetype head = part == ResultPart::Head ? line.indexOf(before_summary) : -1;
+    if (head >= 0) {
+        const QJsonObject read = QJsonDocument::fromJson(line.left(head) + '}', &problem).object();
+        if (read.contains("version"_L1)) // Once, the summary stood in the middle of its line.
+            return read;
+    }
+    return QJsonDocument::fromJson(line, &problem).object();
+}
 
 } // namespace
 
@@ -62,34 +75,30 @@ QByteArray toLine(const RunResult& result) {
 
 Result<RunResult> readResultLine(const QByteArray& line, ResultPart part) {
     QJsonParseError problem;
-    // In a text within quotes, the quotes of this would be escaped, so it can only begin the summary.
-    const qsizetype head = part == ResultPart::Head ? line.indexOf(before_summary) : -1;
-    QJsonObject read = QJsonDocument::fromJson(head < 0 ? line : line.left(head) + '}', &problem).object();
-    if (head >= 0 && !read.contains("version")) // Once, the summary stood in the middle of its line.
-        read = QJsonDocument::fromJson(line, &problem).object();
+    const QJsonObject read = objectIn(line, part, problem);
     if (problem.error != QJsonParseError::NoError)
         return failure("this is not JSON: " + problem.errorString().toStdString(), {});
-    const auto outcome = outcomeFrom(read["outcome"].toString());
-    const int number = read["run"].toInt(-1);
-    const int pair = read["pair"].toInt(-1);
+    const auto outcome = outcomeFrom(read["outcome"_L1].toString());
+    const int number = read["run"_L1].toInt(-1);
+    const int pair = read["pair"_L1].toInt(-1);
     if (!outcome || number < 0 || pair < 0)
         return failure("this is no result of a run", {});
     RunResult result{number,
                      pair,
-                     read["mission"].toString().toStdString(),
-                     read["variant"].toString().toStdString(),
-                     static_cast<std::uint64_t>(read["seed"].toInteger()),
+                     read["mission"_L1].toString().toStdString(),
+                     read["variant"_L1].toString().toStdString(),
+                     static_cast<std::uint64_t>(read["seed"_L1].toInteger()),
                      *outcome,
-                     read["reason"].toString().toStdString(),
-                     read["wall_s"].toDouble(),
-                     read["version"].toString().toStdString(),
-                     read["command"].toString(),
-                     read["limit_s"].isDouble() ? std::optional(read["limit_s"].toDouble()) : std::nullopt,
-                     read["summary"].toObject()};
-    for (const QJsonValue sentence : read["broken"].toArray())
+                     read["reason"_L1].toString().toStdString(),
+                     read["wall_s"_L1].toDouble(),
+                     read["version"_L1].toString().toStdString(),
+                     read["command"_L1].toString(),
+                     read["limit_s"_L1].isDouble() ? std::optional(read["limit_s"_L1].toDouble()) : std::nullopt,
+                     read["summary"_L1].toObject()};
+    for (const QJsonValue sentence : read["broken"_L1].toArray())
         result.broken << sentence.toString();
-    if (read.contains("differences"))
-        for (const QJsonValue name : result.differences.emplace(), read["differences"].toArray())
+    if (read.contains("differences"_L1))
+        for (const QJsonValue name : result.differences.emplace(), read["differences"_L1].toArray())
             *result.differences << name.toString();
     return result;
 }

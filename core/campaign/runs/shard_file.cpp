@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <future>
 #include <map>
-#include <thread>
 #include <vector>
 
 #include <sys/file.h>
 
 #include <QDir>
+
+#include "core/campaign/runs/parallel.h"
 
 namespace usar::campaign {
 
@@ -41,16 +41,7 @@ constexpr qint64 block_bytes = qint64{4} << 20;
 /// Reads the lines on all processors, because no other step of going on with a campaign takes as long.
 std::vector<Result<RunResult>> readLines(const std::vector<QByteArray>& lines, ResultPart part) {
     std::vector<Result<RunResult>> results(lines.size());
-    const std::size_t parts = std::max(1u, std::thread::hardware_concurrency());
-    std::vector<std::future<void>> work;
-    for (std::size_t i = 0; i < parts; ++i)
-        work.push_back(
-            std::async(std::launch::async, [&, first = lines.size() * i / parts, end = lines.size() * (i + 1) / parts] {
-                for (std::size_t line = first; line < end; ++line)
-                    results[line] = readResultLine(lines[line], part);
-            }));
-    for (std::future<void>& one : work)
-        one.get();
+    inParallel(lines.size(), [&](std::size_t line) { results[line] = readResultLine(lines[line], part); });
     return results;
 }
 
