@@ -25,16 +25,13 @@ sbatch "$job"
 
 count() { cat "$results"/shard-*.jsonl 2>/dev/null | wc -l; }
 until [ "$(count)" -ge "$lines" ]; do sleep 1; done
+# A machine that loses its power takes its tasks with it, and what watches over them. Between two parts it has none.
+tasks() { grep -lsz SLURMD_NODENAME=n2 /proc/[0-9]*/environ | cut -d/ -f3; }
+until [ -n "$(tasks)" ]; do sleep 0.2; done
 echo "killed n2 with $(count) results"
-# A machine that loses its power takes its tasks with it.
-node=$(cat "$folder/slurmd.n2.pid")
-steps=$(pgrep -P "$node" || true)
-kill -9 "$node"
-for step in $steps; do
-    pkill -9 -P "$step" || true
-    kill -9 "$step" || true
-done
+watchers=$(for task in $(tasks); do ps -o ppid= -p "$task" || true; done)
+kill -9 "$(cat "$folder/slurmd.n2.pid")" $watchers $(tasks) 2>/dev/null || true
 
 until [ -s "$results/report.html" ]; do sleep 1; done
 echo "reported with $(count) results"
-grep "requeue JobId" "$folder/slurmctld.out"
+grep "requeue job JobId" "$folder/slurmctld.log"
