@@ -9,10 +9,9 @@
 #include <QFileInfo>
 #include <QSaveFile>
 
-#include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/link/replay.h"
-#include "core/mission/files/mission_value.h"
+#include "core/mission/runs/recorded_scan.h"
 #include "core/mission/runs/recording_topics.h"
 #include "core/protocol/command_reader.h"
 #include "core/protocol/reader.h"
@@ -28,7 +27,7 @@ constexpr std::uint64_t lines_a_report = 2000;
 struct Beginning {
     std::string robot_name;
     Seconds clock{0.0};
-    double cell_size_m = Mission{}.cell_size_m;
+    double cell_size_m = 0.0;
 };
 
 std::string robotOf(const link::Record& record) {
@@ -49,9 +48,7 @@ Beginning beginningOf(link::RecordingReader& recording) {
     const auto& facts = recording.survey().facts;
     if (const auto robot = facts.find("robot"); robot != facts.end())
         beginning.robot_name = robot->second;
-    if (const auto size = facts.find("cell_size_m"); size != facts.end())
-        if (const auto size_m = readNumber(size->second); size_m && *size_m > 0.0)
-            beginning.cell_size_m = *size_m;
+    beginning.cell_size_m = cellSizeOf(recording.survey());
     link::PlayClock clock;
     bool has_clock = false;
     while (const auto record = !has_clock || beginning.robot_name.empty() ? recording.next() : std::nullopt) {

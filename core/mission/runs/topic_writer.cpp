@@ -1,8 +1,8 @@
 #include "core/mission/runs/topic_writer.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -18,32 +18,25 @@ namespace {
 
 constexpr std::uint64_t nanoseconds_a_second = 1'000'000'000;
 
-void field(JsonPen& pen, std::string_view name, double value) {
-    pen.key(name);
-    pen.number(value);
+/// An object of numbers.
+void writeObject(JsonPen& pen, std::initializer_list<std::pair<std::string_view, double>> fields) {
+    pen.raw("{");
+    bool first = true;
+    for (const auto& [name, value] : fields) {
+        pen.next(first);
+        pen.key(name);
+        pen.number(value);
+    }
+    pen.raw("}");
 }
 
 void writeVector(JsonPen& pen, const Vec3& vector) {
-    pen.raw("{");
-    field(pen, "x", vector.x());
-    pen.raw(",");
-    field(pen, "y", vector.y());
-    pen.raw(",");
-    field(pen, "z", vector.z());
-    pen.raw("}");
+    writeObject(pen, {{"x", vector.x()}, {"y", vector.y()}, {"z", vector.z()}});
 }
 
 void writeRotation(JsonPen& pen, const Pose& pose) {
     const Eigen::Quaterniond rotation = pose.rotation();
-    pen.raw("{");
-    field(pen, "x", rotation.x());
-    pen.raw(",");
-    field(pen, "y", rotation.y());
-    pen.raw(",");
-    field(pen, "z", rotation.z());
-    pen.raw(",");
-    field(pen, "w", rotation.w());
-    pen.raw("}");
+    writeObject(pen, {{"x", rotation.x()}, {"y", rotation.y()}, {"z", rotation.z()}, {"w", rotation.w()}});
 }
 
 void writeTime(JsonPen& pen, std::uint64_t time_ns) {
@@ -222,11 +215,9 @@ void TopicWriter::grid(const std::string& topic, const mapping::Raster& raster) 
         writePose(pen, {.position_m = {grid.corner_in_map_m.x(), grid.corner_in_map_m.y(), 0.0}});
         pen.raw(",\"column_count\":");
         pen.number(std::uint64_t(grid.columns));
-        pen.raw(",\"cell_size\":{");
-        field(pen, "x", grid.cell_size_m);
-        pen.raw(",");
-        field(pen, "y", grid.cell_size_m);
-        pen.raw("},\"row_stride\":");
+        pen.raw(",\"cell_size\":");
+        writeObject(pen, {{"x", grid.cell_size_m}, {"y", grid.cell_size_m}});
+        pen.raw(",\"row_stride\":");
         pen.number(std::uint64_t(grid.columns * sizeof(float)));
         pen.raw(",\"cell_stride\":4,\"fields\":[{\"name\":\"elevation\",\"offset\":0,\"type\":7}],\"data\":");
         writeFloats(pen, grid.heights_m);
