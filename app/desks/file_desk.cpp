@@ -27,7 +27,11 @@ void FileDesk::registerCommands() {
     add(
         "file.export_map", [this] { return selection_.id().valid(); }, [this] { askForExport(); });
     add(
-        "file.cancel_saving", [this] { return saving_; }, [this] { control_.cancelSaving(); });
+        "file.export_recording", [this] { return !selectedRecording().isEmpty(); },
+        [this] { askForRecordingExport(); });
+    add(
+        "file.cancel_saving", [this] { return !saved_robot_.isEmpty() || recording_export_.busy(); },
+        [this] { cancelSaving(); });
     commands_.offer([this] { return files(); });
     add("file.folder", [this] { chooseResultFolder({}); });
     add("file.compare", [this] { widgets::compareRuns(window_, control_.resultFolder()); });
@@ -57,20 +61,39 @@ void FileDesk::wire() {
     connect(&mission_, &MissionDesk::fileUsed, this, remember);
     connect(&workshop_, &PlanWorkshop::fileUsed, this, remember);
     connect(&server_, &ServerDesk::snapshotUsed, this, remember);
-    connect(&control_, &MissionControl::savingChanged, this, &FileDesk::showSaving);
+    connect(&control_, &MissionControl::savingChanged, this, [this](const QString& robot_name) {
+        saved_robot_ = robot_name;
+        showSaving();
+    });
     connect(&control_, &MissionControl::mapExported, this, [this](const QStringList& files, const QString& name) {
         notices_.note("map_exported/" + name, mission::exportedText(name, files));
     });
-    connect(views_.saving, &widgets::ProgressStrip::cancelRequested, &control_, &MissionControl::cancelSaving);
+    connect(views_.saving, &widgets::ProgressStrip::cancelRequested, this, &FileDesk::cancelSaving);
+    connect(&recording_export_, &mission::RecordingExport::done, this, &FileDesk::recordingExported);
+    connect(&recording_export_, &mission::RecordingExport::refused, this,
+            [this](const QString& reason, bool cancelled) {
+                notices_.say(cancelled ? Severity::Note : Severity::Error, "recording_export", reason);
+                showSaving();
+            });
+    connect(&recording_export_, &mission::RecordingExport::progressed, this, [this](Seconds done, Seconds whole) {
+        if (saved_robot_.isEmpty())
+            views_.saving->setProgress(done, whole);
+    });
 }
 
-void FileDesk::showSaving(const QString& robot_name) {
-    saving_ = !robot_name.isEmpty();
-    if (saving_)
-        views_.saving->begin(tr("Saving what %1 has scanned").arg(robot_name));
+void FileDesk::showSaving() {
+    if (!saved_robot_.isEmpty())
+        views_.saving->begin(tr("Saving what %1 has scanned").arg(saved_robot_));
+    else if (recording_export_.busy())
+        views_.saving->begin(tr("Exporting the recording"));
     else
         views_.saving->end();
     commands_.refresh();
+}
+
+void FileDesk::cancelSaving() {
+    control_.cancelSaving();
+    recording_export_.cancel();
 }
 
 void FileDesk::restore(const QSettings& settings) {
@@ -162,6 +185,34 @@ void FileDesk::exportMap(const QStringList& ids) {
     else
         notices_.say(Severity::Error, "map_export",
                      tr("The robot is gone, and its map with it. Export from its recording instead."));
+}
+
+QString FileDesk::selectedRecording() const {
+    if (!robot())
+        return {};
+    const mission::RobotView& view = robot()->view();
+    const auto& written = view.figures.recording;
+    return robot()->isReplay() || !written ? view.recording : QString::fromStdString(written->path);
+}
+
+void FileDesk::askForRecordingExport() {
+    const QFileInfo recording(selectedRecording());
+    widgets::askWhereToSave(window_, tr("Export recording"),
+                            recording.dir().filePath(recording.completeBaseName() + ".mcap"), tr("MCAP files (*.mcap)"),
+                            [this, path = recording.filePath()](const QString& file) {
+                                recording_export_.begin(path, file);
+                                showSaving();
+                            });
+}
+
+void FileDesk::recordingExported(const QString& file, const QString& complaint) {
+    notices_.cure("recording_export");
+    const QString text = tr("Exported the recording to %1.").arg(QDir::toNativeSeparators(file));
+    if (complaint.isEmpty())
+        notices_.note("recording_exported/" + file, text);
+    else
+        notices_.say(Severity::Warning, "recording_exported/" + file, text + ' ' + complaint);
+    showSaving();
 }
 
 void FileDesk::chooseResultFolder(const std::function<void()>& then) {

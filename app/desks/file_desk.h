@@ -12,6 +12,7 @@
 #include "app/desks/plan_workshop.h"
 #include "app/desks/server_desk.h"
 #include "core/mission/files/recent_files.h"
+#include "core/mission/fleet/recording_export.h"
 #include "widgets/panels/export_dialog.h"
 
 namespace usar::app {
@@ -47,11 +48,18 @@ private:
     void askForExport();
     void exportMap(const QStringList& ids);
 
+    /// File with the recording of the selected robot: that of a replay, or that which is being written; empty: none.
+    QString selectedRecording() const;
+    /// Asks for a file, and exports the recording of the robot that is selected now.
+    void askForRecordingExport();
+    void recordingExported(const QString& file, const QString& complaint);
+
     /// For the palette: the missions that come with the program, and the other files that were used last.
     std::vector<widgets::PaletteOffer> files();
 
-    /// Shows whose results are being written; empty: nobody's.
-    void showSaving(const QString& robot_name);
+    /// Shows what is being written, results or else a recording.
+    void showSaving();
+    void cancelSaving();
 
     ServerDesk& server_;
     MissionDesk& mission_;
@@ -62,7 +70,8 @@ private:
     RobotId exported_;                              ///< whose map the dialog is about
     QString export_folder_;                         ///< chosen in the dialog; empty: that of the results
     QStringList export_formats_{"tif"};             ///< ids of those that were exported last
-    bool saving_ = false;
+    QString saved_robot_;                           ///< whose results are being written; empty: nobody's
+    mission::RecordingExport recording_export_;
 };
 
 } // namespace usar::app

@@ -144,6 +144,10 @@ void RecordingReader::seek(RecordTime time) {
 
 std::optional<Record> RecordingReader::find(std::vector<RecordingDamage>* damage) {
     while (position_ < survey_.file_bytes) {
+        if (const auto end = damage ? std::nullopt : endOfKnownDamage()) {
+            position_ = *end;
+            continue;
+        }
         std::string_view bytes = at(position_, recording::record_head_bytes);
         if (const auto size = recording::sizeAt(bytes))
             bytes = at(position_, *size);
@@ -160,6 +164,12 @@ std::optional<Record> RecordingReader::find(std::vector<RecordingDamage>* damage
         position_ = good;
     }
     return std::nullopt;
+}
+
+std::optional<std::uint64_t> RecordingReader::endOfKnownDamage() const {
+    const auto known = std::ranges::lower_bound(survey_.damage, position_, {}, &RecordingDamage::offset);
+    const bool begins_here = known != survey_.damage.end() && known->offset == position_;
+    return begins_here ? std::optional(known->offset + known->bytes) : std::nullopt;
 }
 
 std::optional<std::uint64_t> RecordingReader::nextWhole(std::uint64_t offset) {

@@ -78,9 +78,11 @@ private:
     void surveyAll();
     void judgeEnd();
     void takeFacts(std::string_view text);
-    /// Returns the next whole record from `position_` on, skipping damage; skipped stretches are appended to `damage`
-    /// unless it is null.
+    /// Returns the next whole record from `position_` on, skipping damage; skipped stretches are appended to `damage`.
+    /// If that is null, damage that the survey has found is skipped without another search.
     std::optional<Record> find(std::vector<RecordingDamage>* damage);
+    /// End of the damage that begins at `position_` by the survey; nullopt if none does.
+    std::optional<std::uint64_t> endOfKnownDamage() const;
     /// Offset of the first whole record at or after `offset`; nullopt if there is none or the search gives up.
     std::optional<std::uint64_t> nextWhole(std::uint64_t offset);
     /// Bytes of the file from `offset` on, at least `least` of them if the file has that many. Valid until the next

@@ -1,10 +1,15 @@
 // A real flight, recorded by the window, and watched again in it.
 #include <cmath>
 
+#include <QAbstractButton>
 #include <QDir>
+#include <QFileDialog>
+#include <QLineEdit>
 #include <QMimeData>
 #include <QTest>
 
+#include "tests/doubles/mcap_file.h"
+#include "tests/doubles/test_files.h"
 #include "tests/doubles/two_flights.h"
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/e2e/scratch_files.h"
@@ -54,8 +59,11 @@ private slots:
     void nothingCanBeSentAndTheLiveRobotGoesOn();
     void recordingIsTurnedOffAndOn();
     void aFileThatIsNoRecordingIsRefusedWithAMend();
+    void theRecordingIsExported();
 
 private:
+    /// Answers the dialog that asks where to export to.
+    static bool exportsTo(WindowPage& page, const QString& file);
     bool opens(WindowPage& page);
 
     QTemporaryDir folder_;
@@ -260,6 +268,36 @@ void tst_WindowReplay::aFileThatIsNoRecordingIsRefusedWithAMend() {
     WindowPage page;
     page.window().control().openRecording(folder_.filePath("none.usarrec"));
     QTRY_VERIFY_WITH_TIMEOUT(page.notified("none.usarrec").contains("Check the name"), soon_ms);
+}
+
+bool tst_WindowReplay::exportsTo(WindowPage& page, const QString& file) {
+    page.window().commands().action("file.export_recording")->trigger();
+    auto* const dialog = page.window().findChild<QFileDialog*>();
+    if (!dialog || !dialog->isVisible() || dialog->isModal())
+        return false;
+    dialog->findChild<QLineEdit*>("fileNameEdit")->setText(file);
+    for (QAbstractButton* button : dialog->findChildren<QAbstractButton*>())
+        if (button->text().remove('&') == "Save")
+            QTest::mouseClick(button, Qt::LeftButton);
+    return true;
+}
+
+void tst_WindowReplay::theRecordingIsExported() {
+    WindowPage page;
+    QVERIFY(!page.window().commands().action("file.export_recording")->isEnabled());
+    QVERIFY(opens(page));
+    QVERIFY(page.window().commands().action("file.export_recording")->isEnabled());
+    const QString file = folder_.filePath("flight.mcap");
+    QVERIFY(exportsTo(page, folder_.filePath("flight"))); // The suffix is added.
+    QTRY_VERIFY_WITH_TIMEOUT(!page.notified("Exported the recording to " + file).isEmpty(), soon_ms);
+    page.screenshot("recording_exported");
+    std::string trouble;
+    const auto exported = doubles::readMcap(doubles::readAll(file.toStdString()), trouble);
+    QVERIFY2(exported, trouble.c_str());
+    QVERIFY(exported->of("/R1/scan/Scanner1").size() > 100 && !exported->of("/R1/map").empty());
+    QVERIFY(!page.window().commands().action("file.cancel_saving")->isEnabled());
+    QVERIFY(exportsTo(page, recording_ + "/flight.mcap"));
+    QTRY_VERIFY_WITH_TIMEOUT(!page.notified("flight.mcap: cannot write").isEmpty(), soon_ms);
 }
 
 USAR_TEST(tst_WindowReplay)

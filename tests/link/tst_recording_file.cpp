@@ -74,6 +74,7 @@ private slots:
     void flushingEndsAlsoWhereNothingCanBeWritten();
     void opensCutOffAtEveryByte();
     void everyDamagedByteCostsOneRecord();
+    void damageIsSearchedOnceHoweverOftenTheFileIsRead();
     void whatIsNoRecordingIsRefusedWithAMend_data();
     void whatIsNoRecordingIsRefusedWithAMend();
     void aFileThatExistsIsLeftAlone();
@@ -195,6 +196,33 @@ void tst_RecordingFile::everyDamagedByteCostsOneRecord() {
         QCOMPARE(survey.damage[0].offset + survey.damage[0].bytes, end);
         QVERIFY(survey.damage[0].offset <= static_cast<std::uint64_t>(at));
         QVERIFY(!survey.complaint().empty());
+    }
+}
+
+/// Each damaged record looks as if further ones of half a megabyte began in it, so that three use up most of what the
+/// reader spends on such searches.
+void tst_RecordingFile::damageIsSearchedOnceHoweverOftenTheFileIsRead() {
+    constexpr int count = 6000;
+    std::string lure;
+    for (int repeat = 0; repeat < 32; ++repeat)
+        lure += std::string("\x01\x00\x08\x00", 4);
+    std::string file;
+    recording::appendHead(file);
+    for (int number = 0; number < count; ++number) {
+        recording::append(file, {.kind = RecordKind::In, .time = number * 1ms, .bytes = lure});
+        if (number == 10 || number == 20 || number == 30)
+            file[file.size() - lure.size() - recording::record_head_bytes + 4] ^= 1; // Its checksum.
+    }
+    put(path("lures.usarrec"), QByteArray::fromStdString(file));
+    const auto reader = RecordingReader::open(path("lures.usarrec"));
+    QVERIFY(reader);
+    QCOMPARE((*reader)->survey().records, std::uint64_t(count - 3));
+    for (int pass = 0; pass < 3; ++pass) {
+        (*reader)->seek(RecordTime{0});
+        int read = 0;
+        while ((*reader)->next())
+            ++read;
+        QCOMPARE(read, count - 3);
     }
 }
 

@@ -12,7 +12,8 @@ namespace {
 
 const QMap<QString, ReplayVerb> verbs{{"replay", ReplayVerb::Replay},
                                       {"recording-to-text", ReplayVerb::ToText},
-                                      {"text-to-recording", ReplayVerb::ToRecording}};
+                                      {"text-to-recording", ReplayVerb::ToRecording},
+                                      {"recording-to-mcap", ReplayVerb::ToMcap}};
 
 /// The moment that the option gives; nullopt without the option.
 Result<std::optional<Seconds>> readMoment(const QCommandLineParser& parser, const QString& option) {
@@ -107,7 +108,17 @@ QList<usage::Verb> replayVerbs() {
              .purpose = "Makes a recording of such a text.",
              .options = optionsOf(ReplayVerb::ToRecording),
              .notes = {lossless},
-             .exit_codes = codes}};
+             .exit_codes = codes},
+            {.name = "recording-to-mcap",
+             .calls = {"usar-mission recording-to-mcap RECORDING FILE.mcap"},
+             .purpose = "Writes a recording for Foxglove and other programs of robotics.",
+             .options = optionsOf(ReplayVerb::ToMcap),
+             .notes = {"Poses, scans, ranges, depth images, height map, log, plan, status and commands, in meters, "
+                       "radians and the time of the protocol.",
+                       "- is standard output. Nothing is written over a file that exists."},
+             .exit_codes = {{0, "done"},
+                            {1, "part of the recording is damaged or incomplete, and the rest was written"},
+                            {2, "bad use or input"}}}};
 }
 
 } // namespace usar::mission

@@ -1,4 +1,4 @@
-// The command line of `usar-mission replay`, `recording-to-text` and `text-to-recording`.
+// The command line of `usar-mission replay`, `recording-to-text`, `text-to-recording` and `recording-to-mcap`.
 #pragma once
 
 #include <limits>
@@ -13,10 +13,10 @@
 
 namespace usar::mission {
 
-/// The three subcommands.
-enum class ReplayVerb { Replay, ToText, ToRecording };
+/// The four subcommands.
+enum class ReplayVerb { Replay, ToText, ToRecording, ToMcap };
 
-/// Options of the three subcommands, with their defaults.
+/// Options of the four subcommands, with their defaults.
 struct ReplayOptions {
     ReplayVerb verb = ReplayVerb::Replay;
     QString file;
@@ -28,11 +28,11 @@ struct ReplayOptions {
     bool operator==(const ReplayOptions&) const = default;
 };
 
-/// Returns true for "replay", "recording-to-text" and "text-to-recording".
+/// Returns true for "replay", "recording-to-text", "text-to-recording" and "recording-to-mcap".
 bool isReplayVerb(const QString& word);
 /// Reads the command line; `arguments` begins with the verb and does not include the program's name.
 Result<ReplayOptions> readReplayOptions(const QStringList& arguments);
-/// The three in words.
+/// The four in words.
 QList<usage::Verb> replayVerbs();
 
 } // namespace usar::mission

@@ -58,7 +58,9 @@ int runReplayVerb(const QStringList& arguments, const VerbStreams& streams, cons
         streams.complain(options.error().text());
         return BadInput;
     }
-    return options->verb == ReplayVerb::Replay ? replay(*options, streams, prepare)
+    if (options->verb == ReplayVerb::Replay)
+        return replay(*options, streams, prepare);
+    return options->verb == ReplayVerb::ToMcap ? exportRecording(*options, streams)
                                                : convertRecording(*options, streams);
 }
 

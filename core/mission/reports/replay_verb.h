@@ -1,4 +1,4 @@
-// The verbs of usar-mission for recordings: `replay` plays one, the others convert it to text and back.
+// The verbs of usar-mission for recordings: `replay` plays one, the others convert it to text and back, or to MCAP.
 #pragma once
 
 #include "core/mission/reports/verbs.h"

@@ -14,6 +14,7 @@
 #include "core/mission/reports/recorded_runs.h"
 #include "core/mission/reports/run_report_text.h"
 #include "core/mission/runs/mission_runner.h"
+#include "core/mission/runs/recording_mcap.h"
 
 namespace usar::mission {
 
@@ -146,6 +147,15 @@ int convertRecording(const ReplayOptions& options, const VerbStreams& streams) {
         }
         return complain(streams, done.error());
     });
+}
+
+int exportRecording(const ReplayOptions& options, const VerbStreams& streams) {
+    const auto summary = options.output == "-" ? recordingToMcap(options.file, streams.output)
+                                               : recordingToMcapFile(options.file, options.output, false);
+    if (!summary)
+        return complain(streams, summary.error());
+    warn(streams, options.file, summary->complaint);
+    return summary->complaint.empty() ? Done : MissionFailed;
 }
 
 } // namespace usar::mission

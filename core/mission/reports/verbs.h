@@ -1,5 +1,5 @@
 // The verbs of usar-mission that read files and print a report: `lines`, `check-plan` and `plan-report`, and those that
-// convert recordings to text and back.
+// convert recordings to text and back, or to MCAP.
 #pragma once
 
 #include <functional>
@@ -33,5 +33,9 @@ int runReportVerb(const QStringList& arguments, const QStringList& plugin_folder
 /// Converts a recording to text or back, as `options.verb` says, and returns the exit code. The output file must not
 /// exist before, and is removed if the conversion fails.
 int convertRecording(const ReplayOptions& options, const VerbStreams& streams);
+
+/// Exports a recording as MCAP, and returns the exit code: 1 if a part of the recording is missing. The output file
+/// must not exist before, and appears when it is complete.
+int exportRecording(const ReplayOptions& options, const VerbStreams& streams);
 
 } // namespace usar::mission

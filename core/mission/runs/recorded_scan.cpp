@@ -29,12 +29,6 @@ QString foundBeside(const QString& path, const QString& recording) {
     return QFileInfo::exists(path) ? path : QFileInfo(recording).dir().filePath(QFileInfo(path).fileName());
 }
 
-double cellSizeOf(const link::RecordingSurvey& survey) {
-    const auto fact = survey.facts.find("cell_size_m");
-    const auto size_m = fact == survey.facts.end() ? std::nullopt : readNumber(fact->second);
-    return size_m && *size_m > 0.0 ? *size_m : Mission{}.cell_size_m;
-}
-
 /// `chain`: number of recordings that led to this one.
 Result<RecordedScan> playRecording(const QString& path, int chain, bool with_scans);
 
@@ -201,6 +195,12 @@ Result<RecordedScan> playRecording(const QString& path, int chain, bool with_sca
 }
 
 } // namespace
+
+double cellSizeOf(const link::RecordingSurvey& survey) {
+    const auto fact = survey.facts.find("cell_size_m");
+    const auto size_m = fact == survey.facts.end() ? std::nullopt : readNumber(fact->second);
+    return size_m && *size_m > 0.0 ? *size_m : Mission{}.cell_size_m;
+}
 
 Result<RecordedScan> readRecordedScan(const QString& path, bool with_scans) {
     return playRecording(path, 0, with_scans);

@@ -6,6 +6,7 @@
 #include <QString>
 
 #include "core/base/result.h"
+#include "core/link/recording_reader.h"
 #include "core/mission/files/flown_mission.h"
 #include "core/mission/session/earlier_scan.h"
 
@@ -20,6 +21,9 @@ struct RecordedScan {
     EarlierScan scan;
     Rectangle rest_in_map; ///< what the map lacks of the area (remainingArea); empty: nothing
 };
+
+/// Edge of the height map's cells as the recording's facts tell it; that of a new mission where they do not.
+double cellSizeOf(const link::RecordingSurvey& survey);
 
 /// Plays the recording through the code of a session, without its pace, and returns its newest mission; a recording
 /// that continues others includes what they scanned. An error names the file: it cannot be read, no mission is noted in

@@ -32,6 +32,10 @@ private slots:
         text.file = "a.txt";
         text.output = "b.usarrec";
         QTest::newRow("to a recording") << QStringList{"text-to-recording", "a.txt", "b.usarrec"} << text;
+        text.verb = ReplayVerb::ToMcap;
+        text.file = "a.usarrec";
+        text.output = "a.mcap";
+        QTest::newRow("to MCAP") << QStringList{"recording-to-mcap", "a.usarrec", "a.mcap"} << text;
     }
 
     void readsTheCommandLine() {
@@ -73,7 +77,7 @@ private slots:
     }
 
     void onlyItsOwnVerbsAreItsBusiness() {
-        for (const char* verb : {"replay", "recording-to-text", "text-to-recording"})
+        for (const char* verb : {"replay", "recording-to-text", "text-to-recording", "recording-to-mcap"})
             QVERIFY(isReplayVerb(verb));
         for (const char* verb : {"run", "lines", "", "--help"})
             QVERIFY(!isReplayVerb(verb));
