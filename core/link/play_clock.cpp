@@ -31,6 +31,24 @@ RecordTime after(RecordTime play, Seconds span) {
     return play + std::chrono::round<RecordTime>(span);
 }
 
+void appendTime(std::string& bytes, RecordTime time) {
+    appendVarint(bytes, zigzag(time.count()));
+}
+
+RecordTime readTime(ByteReader& bytes) {
+    return RecordTime(unzigzag(bytes.varint()));
+}
+
+void appendReading(std::string& bytes, const std::optional<Seconds>& now) {
+    bytes += static_cast<char>(now.has_value());
+    if (now)
+        appendDouble(bytes, now->count());
+}
+
+std::optional<Seconds> readReading(ByteReader& bytes) {
+    return bytes.byte() ? std::optional(Seconds{bytes.number()}) : std::nullopt;
+}
+
 } // namespace
 
 void PlayClock::anchor(RecordTime arrival, std::optional<Seconds> now) {
@@ -59,6 +77,21 @@ RecordTime PlayClock::at(const Record& record) {
     }
     play_ = std::max(play_, stretched());
     return play_;
+}
+
+void PlayClock::appendTo(std::string& bytes) const {
+    for (const RecordTime time : {anchor_arrival_, anchor_play_, play_})
+        appendTime(bytes, time);
+    appendReading(bytes, anchor_now_);
+    appendReading(bytes, now_);
+}
+
+bool PlayClock::readFrom(ByteReader& bytes) {
+    for (RecordTime* const time : {&anchor_arrival_, &anchor_play_, &play_})
+        *time = readTime(bytes);
+    anchor_now_ = readReading(bytes);
+    now_ = readReading(bytes);
+    return !bytes.failed();
 }
 
 void ClockTable::add(RecordTime play, Seconds now) {
@@ -90,6 +123,29 @@ std::optional<RecordTime> ClockTable::at(Seconds now) const {
     }
     const Stretch& last = stretches_.back();
     return now < last.begin ? stretches_.front().play : after(last.play, last.end - last.begin);
+}
+
+void ClockTable::appendTo(std::string& bytes, std::size_t first) const {
+    appendVarint(bytes, first);
+    appendVarint(bytes, stretches_.size() - first);
+    for (std::size_t i = first; i < stretches_.size(); ++i) {
+        appendDouble(bytes, stretches_[i].begin.count());
+        appendDouble(bytes, stretches_[i].end.count());
+        appendTime(bytes, stretches_[i].play);
+    }
+}
+
+bool ClockTable::readFrom(ByteReader& bytes) {
+    const std::uint64_t first = bytes.varint();
+    if (bytes.failed() || first > stretches_.size())
+        return false;
+    stretches_.resize(static_cast<std::size_t>(first));
+    for (std::uint64_t left = bytes.varint(); left > 0 && !bytes.failed(); --left) {
+        Stretch stretch{Seconds{bytes.number()}, Seconds{bytes.number()}, {}};
+        stretch.play = readTime(bytes);
+        stretches_.push_back(stretch);
+    }
+    return !bytes.failed();
 }
 
 } // namespace usar::link
