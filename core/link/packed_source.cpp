@@ -102,10 +102,11 @@ bool PackedSource::readIndex(RecordCounter& counter) {
     if (!counter.continueFrom(bytes))
         return false;
     Entry entry;
+    std::uint64_t time_ns = 0;
     for (std::uint64_t left = bytes.varint(); left > 0 && !bytes.failed(); --left) {
         entry.offset += bytes.varint();
-        const auto later = RecordTime(static_cast<std::int64_t>(bytes.varint()));
-        entry.time += std::max(later, RecordTime{0});
+        time_ns += bytes.varint(); // Modulo 2^64: in a text that became a recording, times may run backward.
+        entry.time = std::max(entry.time, RecordTime(static_cast<std::int64_t>(time_ns & INT64_MAX)));
         index_.push_back(entry);
     }
     return !bytes.failed() && !index_.empty();
@@ -128,7 +129,7 @@ bool PackedSource::scan(RecordCounter& counter, std::vector<RecordingDamage>& da
             break; // Reading the last group tells whether anything follows.
         if (block.kind == BlockKind::First) {
             ByteReader bytes(block.body);
-            const auto time = RecordTime(static_cast<std::int64_t>(bytes.varint()));
+            const auto time = RecordTime(static_cast<std::int64_t>(bytes.varint() & INT64_MAX));
             ByteReader state(bytes.text(bytes.varint()));
             if (!counter.continueFrom(state))
                 return false;

@@ -2,6 +2,7 @@
 // and finds moments of the replay by that clock.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -16,6 +17,9 @@ namespace usar::link {
 /// Must be fed with every record in order; otherwise a plain value.
 class PlayClock {
 public:
+    /// 73 years. What says to be later is damage, and counts as this, so that times can be added.
+    static constexpr RecordTime longest{std::int64_t{1} << 61};
+
     /// Time from the start of the replay at which to play the record. Never runs backward.
     RecordTime at(const Record& record);
     /// Newest reading of the protocol clock on this connection; nullopt before the first.

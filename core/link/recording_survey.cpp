@@ -84,7 +84,7 @@ bool RecordCounter::continueFrom(ByteReader& bytes) {
     survey_.span = RecordTime(static_cast<std::int64_t>(bytes.varint()));
     survey_.play_span = RecordTime(static_cast<std::int64_t>(bytes.varint()));
     return clock_.readFrom(bytes) && survey_.clock.readFrom(bytes) && survey_.span >= RecordTime::zero() &&
-           survey_.play_span >= RecordTime::zero();
+           survey_.play_span >= RecordTime::zero() && survey_.play_span <= PlayClock::longest;
 }
 
 } // namespace usar::link
