@@ -135,9 +135,9 @@ void FileDesk::open(const QString& path) {
         mission_.openMission(path);
 }
 
-void FileDesk::openRecording(const QString& path) {
+void FileDesk::openRecording(const QString& path, const mission::ReplayOrder& first) {
     recent_.add(path);
-    control_.openRecording(path);
+    control_.openRecording(path, first);
 }
 
 void FileDesk::fillRecentMenu(QMenu* menu) {

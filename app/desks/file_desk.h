@@ -36,8 +36,8 @@ public:
     /// Opens a mission, plan, recording, snapshot, robot file or world (its folder or its world.sdf). Problems are
     /// notices.
     void open(const QString& path);
-    /// Replays a recording, and offers it again later.
-    void openRecording(const QString& path);
+    /// Replays a recording, which first carries out this order, and offers it again later.
+    void openRecording(const QString& path, const mission::ReplayOrder& first = {});
     /// Lists the files that were used last in `menu`, each time that it is shown.
     void fillRecentMenu(QMenu* menu);
     /// Lets the user choose the folder for results, and calls `then`, if any, when it is chosen.

@@ -1,7 +1,13 @@
 #include "app/desks/replay_desk.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include <QClipboard>
+#include <QGuiApplication>
+
+#include "core/campaign/plan/shell_word.h"
+#include "core/mission/files/scan_record.h"
 #include "widgets/panels/dialogs.h"
 
 namespace usar::app {
@@ -23,6 +29,7 @@ void ReplayDesk::registerCommands() {
     add("replay.begin", shown, [this] { order({.seek = Seconds{0.0}}); });
     add("replay.faster", shown, [this] { views_.replay->changeSpeed(1); });
     add("replay.slower", shown, [this] { views_.replay->changeSpeed(-1); });
+    add("replay.copy_link", shown, [this] { copyLink(); });
     add("replay.close", shown, [this] { control_.remove(selection_.id()); });
 }
 
@@ -62,6 +69,19 @@ void ReplayDesk::order(const mission::ReplayOrder& order) {
     for (const RobotId id : is_one_of_them ? together_ : std::vector<RobotId>{selection_.id()})
         if (Robot* const replay = control_.robot(id); replay && replay->isReplay())
             replay->orderReplay(order);
+}
+
+void ReplayDesk::copyLink() {
+    const mission::RobotView& view = robot()->view();
+    if (!view.figures.replay)
+        return;
+    const double position_s = std::round(view.figures.replay->position.count() * 1000.0) / 1000.0;
+    QString link =
+        QString("mission-control %1 --at %2").arg(campaign::shellWord(view.recording), mission::numberText(position_s));
+    if (!view.recorded_name.empty())
+        link += " --select " + campaign::shellWord(QString::fromStdString(view.recorded_name));
+    QGuiApplication::clipboard()->setText(link);
+    notices_.note("replay-link", tr("On the clipboard: %1").arg(link));
 }
 
 void ReplayDesk::keepTogether(const std::vector<RobotId>& replays) {

@@ -31,6 +31,8 @@ private:
     /// Sends an order to the selected replay, and to those that show the same time; has no effect on a live robot.
     void order(const mission::ReplayOrder& order);
     void setRecording(bool on);
+    /// Puts on the clipboard how to open the selected replay at this moment, as words for a shell.
+    void copyLink();
 
     std::vector<RobotId> together_; ///< replays that show the same time
 };

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "app/desks/desk.h"
@@ -19,6 +20,8 @@ public:
 
     void registerCommands() override;
     void wire() override;
+    /// The robot of this name stays selected from when it comes until the user selects another one. Empty: none does.
+    void prefer(const QString& name) { preferred_name_ = name.toStdString(); }
     /// Offers the classes that can be spawned now in the spawn card.
     void listClasses();
     /// Updates the robot's row in the list and its arrow on the map.
@@ -41,7 +44,7 @@ private:
     void showWriter(const Vec2& point_in_map_m);
     /// For the palette: each robot can be selected, and one can be spawned at each start pose.
     std::vector<widgets::PaletteOffer> offers();
-    /// Shows and selects a new robot.
+    /// Shows a new robot, and selects it unless the preferred one is selected.
     void welcome(RobotId id);
     /// Removes a robot from the views; `instead` is selected if the robot was.
     void dismiss(RobotId id, const QString& name, RobotId instead);
@@ -53,6 +56,8 @@ private:
     void select(const QString& name);
 
     RobotPresenter presenter_;
+    std::string preferred_name_;
+    RobotId preferred_; ///< the robot of that name, once it has come
     mission::ShownHeights heights_;
     /// When the lines were sent that the probe has asked for, because to look for one takes a millisecond.
     std::map<std::pair<ConnectionId, LineNumber>, std::optional<Seconds>> line_times_;

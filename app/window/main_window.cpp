@@ -45,10 +45,11 @@ MainWindow::MainWindow(const Options& options, QWidget* parent)
 MainWindow::~MainWindow() = default;
 
 void MainWindow::begin() {
+    robots_.prefer(options_.select);
     recovery_.offer();
     if (!options_.recording.isEmpty()) {
         views_.time->setSteerable(false); // Until a simulator is connected.
-        return files_.openRecording(options_.recording);
+        return files_.openRecording(options_.recording, {.seek = options_.at});
     }
     server_.begin();
     if (!options_.mission_file.isEmpty())
@@ -143,8 +144,9 @@ void MainWindow::connectDesks() {
     connect(&time_, &TimeDesk::pausedChanged, &world_, &WorldEditor::setPaused);
     connect(&time_, &TimeDesk::pausedChanged, views_.sensors, &widgets::SensorPanel::setPaused);
     connect(&flights_, &RunFlights::togetherWanted, &replay_, &ReplayDesk::keepTogether);
-    connect(&replay_, &ReplayDesk::recordingChosen, &files_, &FileDesk::openRecording);
-    connect(&recovery_, &RecoveryDesk::recordingChosen, &files_, &FileDesk::openRecording);
+    const auto open = [this](const QString& path) { files_.openRecording(path); };
+    connect(&replay_, &ReplayDesk::recordingChosen, &files_, open);
+    connect(&recovery_, &RecoveryDesk::recordingChosen, &files_, open);
     connect(&recovery_, &RecoveryDesk::restChosen, &mission_, &MissionDesk::flyRest);
     connect(&drive_, &DriveDesk::realTimeWanted, &time_, &TimeDesk::slowDown);
     connect(&drive_, &DriveDesk::drivingChanged, &world_, &WorldEditor::setDriving);

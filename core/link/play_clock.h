@@ -2,9 +2,11 @@
 // and finds moments of the replay by that clock.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "core/base/byte_codec.h"
 #include "core/base/clock.h"
 #include "core/link/recording_format.h"
 
@@ -15,10 +17,18 @@ namespace usar::link {
 /// Must be fed with every record in order; otherwise a plain value.
 class PlayClock {
 public:
+    /// 73 years. What says to be later is damage, and counts as this, so that times can be added.
+    static constexpr RecordTime longest{std::int64_t{1} << 61};
+
     /// Time from the start of the replay at which to play the record. Never runs backward.
     RecordTime at(const Record& record);
     /// Newest reading of the protocol clock on this connection; nullopt before the first.
     std::optional<Seconds> now() const { return now_; }
+
+    /// Writes down the state between two records.
+    void appendTo(std::string& bytes) const;
+    /// Continues from such a state; false if the bytes are malformed.
+    bool readFrom(ByteReader& bytes);
 
 private:
     /// Restarts counting at the current play time.
@@ -42,12 +52,23 @@ public:
     /// clamped to the first and last reading. Nullopt if no reading was added.
     std::optional<RecordTime> at(Seconds now) const;
 
+    bool operator==(const ClockTable&) const = default;
+
+    /// How many stretches no further reading can change: all but the last.
+    std::size_t unchangingStretches() const { return stretches_.empty() ? 0 : stretches_.size() - 1; }
+    /// Appends the stretches from the one of this number on.
+    void appendTo(std::string& bytes, std::size_t first) const;
+    /// Replaces the stretches from the first of those on; false if the bytes are malformed or stretches before them are
+    /// missing.
+    bool readFrom(ByteReader& bytes);
+
 private:
     /// The protocol clock from `begin` to `end` without a jump; `play` is the replay time at `begin`.
     struct Stretch {
         Seconds begin{0.0};
         Seconds end{0.0};
         RecordTime play{0};
+        bool operator==(const Stretch&) const = default;
     };
     std::vector<Stretch> stretches_;
 };

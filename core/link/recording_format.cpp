@@ -6,7 +6,7 @@ namespace usar::link::recording {
 
 namespace {
 
-// Offsets in a record. The checksum covers everything after it.
+// Offsets in a plain record, and the first two in a block. The checksum covers everything after it.
 constexpr std::size_t checksum_at = 4;
 constexpr std::size_t kind_at = 8;
 constexpr std::size_t time_at = 9;
@@ -29,52 +29,23 @@ Unsigned numberAt(std::string_view bytes, std::size_t at) {
     return value;
 }
 
-bool hasLabel(RecordKind kind) {
-    return kind == RecordKind::Out || kind == RecordKind::Note;
-}
-
-void appendOne(std::string& file, const Record& record) {
-    const std::size_t begin = file.size();
-    const bool labelled = hasLabel(record.kind);
-    const std::string_view name = record.name.substr(0, 0xFFFF);
-    const std::size_t label_bytes = labelled ? label_head_bytes + name.size() : 0;
-    appendNumber(file, static_cast<std::uint32_t>(label_bytes + record.bytes.size()));
-    appendNumber(file, std::uint32_t{0}); // Placeholder for the checksum, which is filled in below.
-    file += static_cast<char>(record.kind);
-    appendNumber(file, static_cast<std::uint64_t>(record.time.count()));
-    appendNumber(file, record.line.value);
-    if (labelled) {
-        appendNumber(file, record.trigger.value);
-        appendNumber(file, static_cast<std::uint16_t>(name.size()));
-        file += name;
-    }
-    file += record.bytes;
-    std::string sum;
-    appendNumber(sum, checksum(std::string_view(file).substr(begin + kind_at)));
-    file.replace(begin + checksum_at, sum.size(), sum);
-}
-
 } // namespace
 
 std::uint32_t checksum(std::string_view bytes) {
     return static_cast<std::uint32_t>(crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
-void appendHead(std::string& file) {
+void appendHead(std::string& file, std::uint32_t version) {
     file += magic;
     appendNumber(file, version);
 }
 
-void append(std::string& file, const Record& record) {
-    const std::size_t label_bytes = hasLabel(record.kind) ? label_head_bytes + record.name.substr(0, 0xFFFF).size() : 0;
-    const std::size_t most = longest_payload_bytes - label_bytes;
-    Record piece = record;
-    std::string_view rest = record.bytes;
-    do {
-        piece.bytes = rest.substr(0, most);
-        rest.remove_prefix(piece.bytes.size());
-        appendOne(file, piece);
-    } while (!rest.empty());
+std::uint32_t versionIn(std::string_view head) {
+    return numberAt<std::uint32_t>(head, magic.size());
+}
+
+bool hasLabel(RecordKind kind) {
+    return kind == RecordKind::Out || kind == RecordKind::Note;
 }
 
 std::optional<std::size_t> sizeAt(std::string_view bytes) {
@@ -114,6 +85,47 @@ Taken take(std::string_view bytes) {
         record.bytes = payload.substr(label_head_bytes + name_size);
     }
     return taken;
+}
+
+void appendBlock(std::string& file, BlockKind kind, std::string_view body) {
+    const std::size_t begin = file.size();
+    appendNumber(file, static_cast<std::uint32_t>(body.size()));
+    appendNumber(file, std::uint32_t{0}); // Placeholder for the checksum, which is filled in below.
+    file += static_cast<char>(kind);
+    file += body;
+    std::string sum;
+    appendNumber(sum, checksum(std::string_view(file).substr(begin + kind_at)));
+    file.replace(begin + checksum_at, sum.size(), sum);
+}
+
+std::optional<std::size_t> blockSizeAt(std::string_view bytes) {
+    if (bytes.size() < block_head_bytes)
+        return std::nullopt;
+    const auto body = numberAt<std::uint32_t>(bytes, 0);
+    const auto kind = static_cast<BlockKind>(bytes[kind_at]);
+    if (body > longest_block_bytes || kind < BlockKind::First || kind > BlockKind::Index)
+        return std::nullopt;
+    return block_head_bytes + body;
+}
+
+Block takeBlock(std::string_view bytes) {
+    const auto size = blockSizeAt(bytes);
+    if (bytes.size() < size.value_or(block_head_bytes))
+        return {Fit::CutOff, BlockKind::First, {}, 0};
+    if (!size)
+        return {};
+    bytes = bytes.substr(0, *size);
+    if (numberAt<std::uint32_t>(bytes, checksum_at) != checksum(bytes.substr(kind_at)))
+        return {};
+    return {Fit::Whole, static_cast<BlockKind>(bytes[kind_at]), bytes.substr(block_head_bytes), *size};
+}
+
+void appendIndexEnd(std::string& body, std::uint64_t block_offset) {
+    appendNumber(body, block_offset);
+}
+
+std::uint64_t indexEndIn(std::string_view last_bytes) {
+    return numberAt<std::uint64_t>(last_bytes, 0);
 }
 
 } // namespace usar::link::recording

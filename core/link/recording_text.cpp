@@ -7,6 +7,7 @@
 
 #include "core/base/quoted_text.h"
 #include "core/base/text.h"
+#include "core/link/recording_packing.h"
 #include "core/link/recording_reader.h"
 
 namespace usar::link {
@@ -155,18 +156,25 @@ Result<void> textToRecording(QIODevice& text, const QString& text_name, QIODevic
                        "Its first line must be \"" + std::string(recording::text_title) + "\"");
     std::string batch;
     recording::appendHead(batch);
+    BlockWriter blocks(batch.size());
+    RecordPacker packer;
     recording::TextRecord reader;
     for (std::uint64_t number = 2;; ++number) {
         const QByteArray bytes = text.readLine();
-        if (bytes.isEmpty()) // Unlike atEnd(), which a pipe reports too early.
+        if (bytes.isEmpty()) { // Unlike atEnd(), which a pipe reports too early.
+            blocks.append(batch, packer.take());
+            blocks.appendIndex(batch);
             return hand(batch, recording);
+        }
         const std::string_view line = withoutEnd(bytes);
         if (trimmed(line).empty() || line.starts_with('#'))
             continue;
         const auto record = reader.read(line);
         if (!record)
             return failure(record.error().what, at(number) + ", " + record.error().where, record.error().mend);
-        recording::append(batch, *record);
+        packer.add(*record);
+        if (packer.size() >= chunk_bytes)
+            blocks.append(batch, packer.take());
         if (auto handed = hand(batch, recording, chunk_bytes); !handed)
             return handed;
     }

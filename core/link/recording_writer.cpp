@@ -55,9 +55,8 @@ Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const QString& 
 RecordingWriter::RecordingWriter(std::string path, int file, RecordingLimits limits)
     : path_(std::move(path))
     , file_(file)
-    , limits_(limits) {
-    recording::appendHead(waiting_);
-    bytes_ = waiting_.size();
+    , limits_(limits)
+    , blocks_(recording::head_bytes) {
     thread_ = std::jthread([this](std::stop_token stop) { run(std::move(stop)); });
 }
 
@@ -79,8 +78,7 @@ void RecordingWriter::write(Record record) {
     if (before + record.bytes.size() > limits_.buffer_bytes)
         return breakOff({"the disk is too slow for what comes, so the recording ends here; the mission goes on", path_,
                          "Record to a faster disk, or run slower"});
-    recording::append(waiting_, record);
-    bytes_ += waiting_.size() - before;
+    waiting_.add(record);
     if (waiting_.size() >= batch_bytes && before < batch_bytes)
         wake_.notify_one();
 }
@@ -110,20 +108,25 @@ std::optional<Error> RecordingWriter::takeTrouble() {
 }
 
 void RecordingWriter::run(std::stop_token stop) {
-    std::string batch;
+    std::string bytes;
+    recording::appendHead(bytes);
     bool last = false;
     while (!last && !broken_) {
+        PackedBatch batch;
         {
             std::unique_lock lock(mutex_);
             wake_.wait_for(lock, stop, limits_.flush,
                            [this] { return waiting_.size() >= batch_bytes || !on_flushed_.empty(); });
             last = stop.stop_requested();
-            batch.swap(waiting_);
+            batch = waiting_.take();
             now_flushed_.swap(on_flushed_);
         }
-        if (drain(batch))
+        blocks_.append(bytes, std::move(batch));
+        if (last)
+            blocks_.appendIndex(bytes);
+        if (drain(bytes))
             tellFlushed();
-        batch.clear();
+        bytes.clear();
     }
     tellFlushed(); // Also if the file has broken off.
     {
@@ -133,8 +136,9 @@ void RecordingWriter::run(std::stop_token stop) {
     tellFlushed();
 }
 
-/// Writes the batch to the file. If only a part of it could be written, cuts the file back to the last whole record.
-bool RecordingWriter::drain(std::string& batch) {
+/// Writes blocks to the file, the first time behind the file's head. If only a part could be written, cuts the file
+/// back to the last whole block.
+bool RecordingWriter::drain(const std::string& batch) {
     std::size_t done = 0;
     while (done < batch.size()) {
         const ssize_t count = ::write(file_, batch.data() + done, batch.size() - done);
@@ -142,28 +146,28 @@ bool RecordingWriter::drain(std::string& batch) {
             continue;
         if (count < 0) {
             const int error = errno;
-            std::size_t whole = written_bytes_ == 0 ? recording::head_bytes : 0;
-            while (const auto size = recording::sizeAt(std::string_view(batch).substr(whole))) {
+            std::size_t whole = bytes_ == 0 ? recording::head_bytes : 0;
+            while (const auto size = recording::blockSizeAt(std::string_view(batch).substr(whole))) {
                 if (whole + *size > done)
                     break;
                 whole += *size;
             }
-            if (whole <= done && ::ftruncate(file_, static_cast<off_t>(written_bytes_ + whole)) != 0)
-                whole = done; // In this case the reader skips the incomplete record.
+            if (whole <= done && ::ftruncate(file_, static_cast<off_t>(bytes_ + whole)) != 0)
+                whole = done; // In this case the reader skips the incomplete block.
             const std::lock_guard lock(mutex_);
-            breakOff(writingTrouble(error, path_, written_bytes_ + whole));
+            breakOff(writingTrouble(error, path_, bytes_ + whole));
             return false;
         }
         done += static_cast<std::size_t>(count);
     }
-    written_bytes_ += batch.size();
+    bytes_ += batch.size();
     return true;
 }
 
 void RecordingWriter::breakOff(Error trouble) {
     trouble_ = std::move(trouble);
     broken_ = true;
-    std::string().swap(waiting_);
+    waiting_.take();
 }
 
 } // namespace usar::link

@@ -1,6 +1,7 @@
 // Writes a recording while it happens, without ever blocking the callers.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -18,7 +19,7 @@
 
 #include "core/base/clock.h"
 #include "core/base/result.h"
-#include "core/link/recording_format.h"
+#include "core/link/recording_packing.h"
 
 namespace usar::link {
 
@@ -27,11 +28,11 @@ struct RecordingLimits {
     std::chrono::milliseconds flush{250}; ///< longest time for which records wait in the buffer
 };
 
-/// Records go into a buffer; a thread of the writer hands them to the kernel four times a second, or as soon as 1 MiB
-/// waits. So a program that is killed loses a quarter of a second, and a machine that loses power loses what the kernel
-/// had not written yet. If the disk is full, or too slow for longer than the buffer lasts, the recording ends: the file
-/// then ends with a whole record, and `takeTrouble` gives the reason once. All calls must come from one thread. The
-/// file is locked (flock) while it is written, so that its readers can tell.
+/// Records go into a buffer; a thread of the writer compresses them and hands them to the kernel four times a second,
+/// or as soon as 1 MiB waits. So a program that is killed loses a quarter of a second, and a machine that loses power
+/// loses what the kernel had not written yet. If the disk is full, or too slow for longer than the buffer lasts, the
+/// recording ends: the file then ends with a whole block, and `takeTrouble` gives the reason once. All calls must come
+/// from one thread. The file is locked (flock) while it is written, so that its readers can tell.
 class RecordingWriter {
 public:
     /// Creates the file and missing folders, and writes `facts` as the Start record. `line` is the newest info line. A
@@ -54,13 +55,13 @@ public:
     const std::string& path() const { return path_; }
     /// Time since the recording began.
     Seconds elapsed() const { return std::chrono::steady_clock::now() - began_; }
-    /// Size of the file so far, including what still waits in the buffer.
-    std::uint64_t bytes() const { return bytes_; }
+    /// Size of the file so far, without what still waits in the buffer.
+    std::uint64_t bytes() const { return std::max<std::uint64_t>(bytes_, recording::head_bytes); }
 
 private:
     RecordingWriter(std::string path, int file, RecordingLimits limits);
     void run(std::stop_token stop);
-    bool drain(std::string& batch);
+    bool drain(const std::string& batch);
     void tellFlushed();
     void breakOff(Error trouble);
 
@@ -73,12 +74,12 @@ private:
     std::atomic<bool> broken_{false};
     std::mutex mutex_; ///< guards the next four members
     std::condition_variable_any wake_;
-    std::string waiting_;
+    RecordPacker waiting_;
     std::vector<std::function<void()>> on_flushed_;
     std::optional<Error> trouble_;
-    std::uint64_t written_bytes_ = 0;                ///< used by the writer's thread only
-    std::vector<std::function<void()>> now_flushed_; ///< likewise
-    std::jthread thread_;                            ///< declared last, so that it ends before what it uses
+    BlockWriter blocks_; ///< used by the writer's thread only, like the next one
+    std::vector<std::function<void()>> now_flushed_;
+    std::jthread thread_; ///< declared last, so that it ends before what it uses
 };
 
 } // namespace usar::link

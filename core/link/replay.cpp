@@ -27,6 +27,7 @@ Record Replayer::Waiting::view() const {
 Replayer::Replayer(std::unique_ptr<RecordingReader> recording, ReplayTaker& taker)
     : recording_(std::move(recording))
     , taker_(taker)
+    , known_damage_(recording_->survey().damage.size())
     , end_(recording_->survey().play_span) {
     timer_.setSingleShot(true);
     timer_.setTimerType(Qt::PreciseTimer);
@@ -118,6 +119,8 @@ void Replayer::step() {
 const Replayer::Waiting* Replayer::peek() {
     if (!next_) {
         const auto record = recording_->next();
+        if (survey().damage.size() != std::exchange(known_damage_, survey().damage.size()))
+            emit damaged();
         if (!record)
             return nullptr;
         next_ = Waiting{*record, clock_.at(*record), std::string(record->name), std::string(record->bytes)};

@@ -79,6 +79,8 @@ signals:
     /// Emitted when playing or speed changes, when a seek begins or arrives, and at the end.
     void changed();
     void ended();
+    /// Damage that the survey did not have until now was met, and passed over.
+    void damaged();
 
 private:
     using Clock = std::chrono::steady_clock;
@@ -114,9 +116,10 @@ private:
     QTimer timer_{this};
     protocol::LineSplitter splitter_;
     PlayClock clock_;
-    std::optional<Waiting> next_; ///< read from the recording but not played yet
-    LineNumber number_;           ///< newest info line
-    RecordTime position_{0};      ///< at the time `since_`
+    std::optional<Waiting> next_;  ///< read from the recording but not played yet
+    std::size_t known_damage_ = 0; ///< pieces in the survey when it was looked at last
+    LineNumber number_;            ///< newest info line
+    RecordTime position_{0};       ///< at the time `since_`
     Clock::time_point since_;
     std::optional<RecordTime> target_; ///< where a seek is going
     RecordTime end_;                   ///< where playing ends

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/agent/published_text.h"
-#include "core/link/recording_format.h"
+#include "tests/doubles/plain_recording.h"
 
 namespace usar::doubles {
 
@@ -25,14 +25,13 @@ inline std::string twoFlights() {
     using link::RecordKind;
     using namespace std::chrono_literals;
     std::string file;
-    link::recording::appendHead(file);
+    appendOldHead(file);
     const auto add = [&](link::RecordTime time, const std::string& name, const std::string& bytes) {
-        link::recording::append(file,
-                                {.kind = RecordKind::Note, .time = time, .line = {2}, .name = name, .bytes = bytes});
+        appendPlain(file, {.kind = RecordKind::Note, .time = time, .line = {2}, .name = name, .bytes = bytes});
     };
-    link::recording::append(file, {.kind = RecordKind::Start, .bytes = "robot: R1\n"});
-    link::recording::append(file, {.kind = RecordKind::Opened, .bytes = "h:1"});
-    link::recording::append(file, {.kind = RecordKind::In, .bytes = "STA {Battery 1000}\r\nSTA {Battery 500}\r\n"});
+    appendPlain(file, {.kind = RecordKind::Start, .bytes = "robot: R1\n"});
+    appendPlain(file, {.kind = RecordKind::Opened, .bytes = "h:1"});
+    appendPlain(file, {.kind = RecordKind::In, .bytes = "STA {Battery 1000}\r\nSTA {Battery 500}\r\n"});
     add(1s, "behavior", "airrobot/cpp\tR1\t0 0 3 4");
     add(2s, "published", statusText("out", 7.0));
     add(3s, "finished", "0 Landed on request.");

@@ -2,12 +2,16 @@
 #include <cmath>
 
 #include <QAbstractButton>
+#include <QClipboard>
 #include <QDir>
 #include <QFileDialog>
+#include <QGuiApplication>
 #include <QLineEdit>
 #include <QMimeData>
 #include <QTest>
 
+#include "core/campaign/plan/shell_words.h"
+#include "core/server/embedded/window_options.h"
 #include "tests/doubles/mcap_file.h"
 #include "tests/doubles/test_files.h"
 #include "tests/doubles/two_flights.h"
@@ -56,6 +60,8 @@ private slots:
     void theStatusIsThatOfTheFlightShown();
     void aRecordingIsDroppedOnTheWindow();
     void theCommandLineOpensARecordingWithoutAServer();
+    void aLinkToAMomentLeadsThere();
+    void theRobotOfTheCommandLineStaysSelected();
     void nothingCanBeSentAndTheLiveRobotGoesOn();
     void recordingIsTurnedOffAndOn();
     void aFileThatIsNoRecordingIsRefusedWithAMend();
@@ -227,6 +233,42 @@ void tst_WindowReplay::theCommandLineOpensARecordingWithoutAServer() {
     QVERIFY2(page.connectionText().contains("Not connected"), qPrintable(page.connectionText()));
     page.pressKey(Qt::Key_Period);
     QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->figures.lines_received > 0, soon_ms);
+}
+
+void tst_WindowReplay::aLinkToAMomentLeadsThere() {
+    const QTemporaryDir folder;
+    const QString name = "R1's flight & more.usarrec"; // a shell would take it apart
+    const QString file = fileIn(folder, name, QByteArray::fromStdString(doubles::twoFlights()));
+    QString link;
+    {
+        WindowPage page({.recording = file, .at = Seconds{5.25}, .select = "R1"});
+        QTRY_VERIFY_WITH_TIMEOUT(page.robot(1) && page.robot(1)->figures.replay, soon_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(page.robot(1)->figures.replay->position.count(), 5.25, soon_ms);
+        QTRY_COMPARE(figureOf(page.window().views(), "flown"), QString("2"));
+        page.window().commands().action("replay.copy_link")->trigger();
+        link = QGuiApplication::clipboard()->text();
+        QVERIFY2(page.notified("On the clipboard").contains("--at 5.25"), qPrintable(link));
+    }
+    const auto words = campaign::shellWords(link);
+    QVERIFY2(words, words ? "" : words.error().text().c_str());
+    QCOMPARE(*words, (QStringList{"mission-control", file, "--at", "5.25", "--select", "R1"}));
+    const auto options = server::readWindowOptions(*words);
+    QVERIFY(options && options->recording == file && options->at == Seconds{5.25} && options->select == "R1");
+    WindowPage live;
+    QVERIFY(!live.window().commands().action("replay.copy_link")->isEnabled());
+}
+
+void tst_WindowReplay::theRobotOfTheCommandLineStaysSelected() {
+    WindowPage page({.select = "R1"});
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(page.spawnAt("PlayerStart"));
+    page.doubleClickStartPose("HillTop");
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(2) && page.robot(2)->figures.spawned, soon_ms);
+    QCOMPARE(page.window().selectedRobot(), RobotId{1});
+    page.pressKey(Qt::Key_2);
+    QCOMPARE(page.window().selectedRobot(), RobotId{2});
+    page.window().control().openRecording(recording_); // Another one was chosen, so the newest is selected again.
+    QTRY_COMPARE_WITH_TIMEOUT(page.window().selectedRobot(), RobotId{3}, soon_ms);
 }
 
 void tst_WindowReplay::nothingCanBeSentAndTheLiveRobotGoesOn() {

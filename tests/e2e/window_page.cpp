@@ -26,6 +26,8 @@ WindowPage::WindowPage(const WindowSetup& setup) {
     options.plugin_folders = setup.plugin_folders;
     options.mission_file = setup.mission_file;
     options.recording = setup.recording;
+    options.at = setup.at;
+    options.select = setup.select;
     const bool started_before = QSettings().contains("waiting_docks");
     window_ = std::make_unique<app::MainWindow>(options);
     window_->resize(1280, 800);

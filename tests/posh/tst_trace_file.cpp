@@ -96,12 +96,6 @@ private slots:
     void damagedBytesNeverCrash();
     void aDamagedFrameBehindACycleIsLeftOut();
     void cyclesBeforeADamagedByteStay();
-    void numbersAreCodedAsShortAsTheyAre_data();
-    void numbersAreCodedAsShortAsTheyAre();
-    void wordsAreCodedWithoutTheirZeros_data();
-    void wordsAreCodedWithoutTheirZeros();
-    void malformedValuesFail_data();
-    void malformedValuesFail();
     void rejectsWhatIsNoTrace();
 };
 
@@ -289,89 +283,6 @@ void tst_TraceFile::cyclesBeforeADamagedByteStay() {
         }
     }
     QVERIFY(most >= 11);
-}
-
-void tst_TraceFile::numbersAreCodedAsShortAsTheyAre_data() {
-    QTest::addColumn<quint64>("number");
-    QTest::addColumn<int>("bytes");
-    QTest::newRow("zero") << quint64(0) << 1;
-    QTest::newRow("seven bits") << quint64(127) << 1;
-    QTest::newRow("eight bits") << quint64(128) << 2;
-    QTest::newRow("fourteen bits") << quint64(16383) << 2;
-    QTest::newRow("fifteen bits") << quint64(16384) << 3;
-    QTest::newRow("33 bits") << (quint64(1) << 32) << 5;
-    QTest::newRow("63 bits") << ((quint64(1) << 63) - 1) << 9;
-    QTest::newRow("64 bits") << (quint64(1) << 63) << 10;
-    QTest::newRow("all bits") << ~quint64(0) << 10;
-}
-
-void tst_TraceFile::numbersAreCodedAsShortAsTheyAre() {
-    QFETCH(quint64, number);
-    QFETCH(int, bytes);
-    std::string coded;
-    trace_codec::appendVarint(coded, number);
-    QCOMPARE(coded.size(), std::size_t(bytes));
-    trace_codec::Bytes reader(coded);
-    QCOMPARE(quint64(reader.varint()), number);
-    QVERIFY(reader.empty() && !reader.failed());
-    const std::int64_t back = trace_codec::unzigzag(number); // Each number stands for one with a sign
-    QCOMPARE(quint64(trace_codec::zigzag(back)), number);
-    QVERIFY(number > 200 || std::abs(back) <= 100);
-    for (std::size_t size = 0; size < coded.size(); ++size) {
-        trace_codec::Bytes cut(std::string_view(coded).substr(0, size));
-        cut.varint();
-        QVERIFY(cut.failed());
-    }
-}
-
-void tst_TraceFile::wordsAreCodedWithoutTheirZeros_data() {
-    QTest::addColumn<quint64>("word");
-    QTest::addColumn<int>("bytes");
-    QTest::newRow("zero") << quint64(0) << 1;
-    QTest::newRow("one byte") << quint64(1) << 2;
-    QTest::newRow("the highest byte") << (quint64(0x80) << 56) << 2;
-    QTest::newRow("a byte in the middle") << quint64(0xFF00) << 2;
-    QTest::newRow("a zero between two bytes") << quint64(0x10'0001) << 4;
-    QTest::newRow("both ends") << ((quint64(1) << 63) | 1) << 9;
-    QTest::newRow("the float 2.0") << quint64(payloadOf(2.0)) << 2;
-    QTest::newRow("the float 0.1") << quint64(payloadOf(0.1)) << 9;
-}
-
-void tst_TraceFile::wordsAreCodedWithoutTheirZeros() {
-    QFETCH(quint64, word);
-    QFETCH(int, bytes);
-    std::string coded;
-    trace_codec::appendBits(coded, word);
-    QCOMPARE(coded.size(), std::size_t(bytes));
-    trace_codec::Bytes reader(coded);
-    QCOMPARE(quint64(reader.bits()), word);
-    QVERIFY(reader.empty() && !reader.failed());
-}
-
-void tst_TraceFile::malformedValuesFail_data() {
-    QTest::addColumn<QByteArray>("bytes");
-    QTest::addColumn<bool>("varint");
-    QTest::addColumn<bool>("bits");
-    QTest::newRow("nothing") << QByteArray() << false << false;
-    QTest::newRow("one that goes on") << QByteArray("\x80") << false << true; // All eight bytes are left out
-    QTest::newRow("ten bytes that go on") << QByteArray(10, '\xFF') << false << false;
-    QTest::newRow("more zeros than a word has") << QByteArray("\x45") << true << false;
-    QTest::newRow("one byte of two is used") << QByteArray("\x52\x01\x02") << true << true;
-    QTest::newRow("two bytes that are missing") << QByteArray("\x32\x01") << true << false;
-}
-
-void tst_TraceFile::malformedValuesFail() {
-    QFETCH(QByteArray, bytes);
-    const std::string_view view(bytes.data(), static_cast<std::size_t>(bytes.size()));
-    trace_codec::Bytes number(view);
-    number.varint();
-    QTEST(!number.failed(), "varint");
-    trace_codec::Bytes word(view);
-    word.bits();
-    QTEST(!word.failed(), "bits");
-    trace_codec::Bytes text(view);
-    QVERIFY(text.text(view.size() + 1).empty() && text.failed());
-    QVERIFY(text.text(0).empty() && text.failed()); // It stays failed
 }
 
 USAR_TEST(tst_TraceFile)

@@ -36,11 +36,24 @@ private slots:
         QCOMPARE(options->result_folder, QString("/scans"));
     }
 
+    void aMomentAndARobotAreTaken() {
+        const auto options =
+            server::readWindowOptions({"mission-control", "a.usarrec", "--at", "312.4", "--select", "R 1"});
+        QVERIFY(options && options->at);
+        QCOMPARE(options->at->count(), 312.4);
+        QCOMPARE(options->select, QString("R 1"));
+        const auto without = server::readWindowOptions({"mission-control", "a.usarrec"});
+        QVERIFY(without && !without->at && without->select.isEmpty());
+    }
+
     void wrongArgumentsAreNamed_data() {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QString>("named");
         QTest::newRow("a theme") << QStringList{"--theme", "pink"} << "--theme";
         QTest::newRow("a server") << QStringList{"--connect", "here:port"} << "--connect";
+        QTest::newRow("a moment that is none") << QStringList{"a.usarrec", "--at", "soon"} << "--at";
+        QTest::newRow("a moment before the first") << QStringList{"a.usarrec", "--at", "-1"} << "--at";
+        QTest::newRow("a moment of a mission") << QStringList{"a.json", "--at", "3"} << "--at";
         QTest::newRow("an unknown option") << QStringList{"--colour"} << "colour";
     }
 

@@ -156,7 +156,7 @@ void Fleet::Private::openNext() {
     connect(robot, &Robot::recordingFlushed, &q, [this, robot](const QString& path) {
         const auto wanted = wanted_moments.extract(robot->view().connection);
         if (!wanted.empty() && !path.isEmpty())
-            openReplay(path, wanted.key(), wanted.mapped());
+            openReplay(path, wanted.key(), {.seek_clock = wanted.mapped()});
     });
     robot->expectSilence(silence_expected);
     robot->open(host, port, lockstep);

@@ -98,8 +98,8 @@ public:
     /// Records each live robot, present or future, to its own file in the result folder. Initially on.
     void setRecording(bool on);
     bool recording() const;
-    /// Opens a recording as a further robot, paused at its beginning; `replayAdded` gives its id. Others fly on.
-    void openRecording(const QString& path);
+    /// Opens a recording as a further robot, paused, which carries out `first`; `replayAdded` gives its id.
+    void openRecording(const QString& path, const ReplayOrder& first = {});
     /// Opens the live robot's recording at `moment` (protocol clock); the robot is not interrupted. An earlier replay
     /// that was opened for it in this way is closed.
     void lookBack(RobotId id, Seconds moment);

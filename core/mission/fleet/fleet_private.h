@@ -33,9 +33,8 @@ struct Fleet::Private {
     void closeWhenSaved();
 
     void record(Robot& robot, const SpawnRequest& as);
-    /// Opens the file as a robot. With `moment` (protocol clock) the replay begins there. `looks_back_on`: see
-    /// RobotIdentity.
-    void openReplay(const QString& path, ConnectionId looks_back_on, std::optional<Seconds> moment);
+    /// Opens the file as a robot that carries out `first`. `looks_back_on`: see RobotIdentity.
+    void openReplay(const QString& path, ConnectionId looks_back_on, const ReplayOrder& first);
     void addReplay(std::unique_ptr<Robot> robot, const RecordingFacts& facts, const QString& complaint);
 
     Fleet& q;                    ///< the owner

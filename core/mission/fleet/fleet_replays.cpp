@@ -32,12 +32,12 @@ void Fleet::Private::record(Robot& robot, const SpawnRequest& as) {
          {"program", "mission-control"}});
 }
 
-void Fleet::openRecording(const QString& path) {
-    d_->openReplay(path, {}, std::nullopt);
+void Fleet::openRecording(const QString& path, const ReplayOrder& first) {
+    d_->openReplay(path, {}, first);
 }
 
-void Fleet::Private::openReplay(const QString& path, ConnectionId looks_back_on, std::optional<Seconds> moment) {
-    connectRobot(opening.open(path, looks_back_on, moment));
+void Fleet::Private::openReplay(const QString& path, ConnectionId looks_back_on, const ReplayOrder& first) {
+    connectRobot(opening.open(path, looks_back_on, first));
 }
 
 void Fleet::lookBack(RobotId id, Seconds moment) {

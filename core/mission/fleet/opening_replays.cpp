@@ -6,7 +6,7 @@
 
 namespace usar::mission {
 
-Robot* OpeningReplays::open(const QString& path, ConnectionId looks_back_on, std::optional<Seconds> moment) {
+Robot* OpeningReplays::open(const QString& path, ConnectionId looks_back_on, const ReplayOrder& first) {
     Robot* const robot = robots_.emplace_back(std::make_unique<Robot>()).get();
     QObject::connect(robot, &Robot::replayOpened, robot,
                      [this, robot](const RecordingFacts& facts, const QString& complaint) {
@@ -19,8 +19,7 @@ Robot* OpeningReplays::open(const QString& path, ConnectionId looks_back_on, std
             refused.release()->deleteLater();
     });
     robot->openRecording(QFileInfo(path).absoluteFilePath(), looks_back_on);
-    if (moment)
-        robot->orderReplay({.seek_clock = moment});
+    robot->orderReplay(first);
     return robot;
 }
 

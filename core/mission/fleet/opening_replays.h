@@ -3,7 +3,6 @@
 
 #include <functional>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "core/mission/fleet/robot.h"
@@ -21,9 +20,9 @@ public:
 
     explicit OpeningReplays(Answers answers) : answers_(std::move(answers)) {}
 
-    /// Opens the file; one of the answers follows, unless `clear` comes first. With `moment` (protocol clock) the
-    /// replay begins there. `looks_back_on`: see RobotIdentity. Returns the robot, so that it can be connected.
-    Robot* open(const QString& path, ConnectionId looks_back_on, std::optional<Seconds> moment);
+    /// Opens the file; one of the answers follows, unless `clear` comes first. The replay then carries out `first`.
+    /// `looks_back_on`: see RobotIdentity. Returns the robot, so that it can be connected.
+    Robot* open(const QString& path, ConnectionId looks_back_on, const ReplayOrder& first);
     void clear() { robots_.clear(); }
 
 private:

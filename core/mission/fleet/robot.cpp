@@ -189,6 +189,8 @@ void Robot::openRecording(const QString& path, ConnectionId looks_back_on) {
 void Robot::becomeReplay(RobotId id, const QString& robot_name, const RecordingFacts& facts) {
     view_.id = id;
     view_.spawn.robot_name = robot_name.toStdString();
+    if (const auto found = facts.find("robot"); found != facts.end())
+        view_.recorded_name = found->second;
     if (const auto found = facts.find("class"); found != facts.end())
         view_.spawn.class_name = found->second;
     if (const auto found = facts.find("cell_size_m"); found != facts.end())

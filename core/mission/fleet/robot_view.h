@@ -28,6 +28,7 @@ struct RobotIdentity {
     link::LinkStatus link;
     double cell_size_m = 0.25;  ///< edge of a height map cell
     QString recording;          ///< the file that is replayed; empty: live
+    std::string recorded_name;  ///< what the robot was called in it; empty: live, or unknown
     ConnectionId looks_back_on; ///< `connection` of the live robot whose past this replay shows; 0: none
 };
 

@@ -51,6 +51,8 @@ void ReplayFeed::begin(std::unique_ptr<link::RecordingReader> recording) {
     stage_.replayBegan(cell_size_m, level);
     QObject::connect(replayer_.get(), &link::Replayer::changed, replayer_.get(), [this] { stage_.replayChanged(); });
     QObject::connect(replayer_.get(), &link::Replayer::ended, replayer_.get(), [this] { stage_.replayEnds(); });
+    QObject::connect(replayer_.get(), &link::Replayer::damaged, replayer_.get(),
+                     [this] { stage_.replayDamaged(replayer_->survey().complaint()); });
     setLink(link::LinkState::Connecting, {});
 }
 

@@ -46,6 +46,8 @@ public:
     /// `on`: a seek begins; what follows is only passed on the way to another moment.
     virtual void replaySeeks(bool on) = 0;
     virtual void replayChanged() = 0;
+    /// The recording turned out to be damaged; the sentence says where and how much.
+    virtual void replayDamaged(const std::string& complaint) = 0;
     /// The recording has been played to its end.
     virtual void replayEnds() = 0;
 };

@@ -237,7 +237,7 @@ void RobotSession::flushRecording() {
 
 void RobotSession::openRecording(const QString& path) {
     close();
-    auto recording = link::RecordingReader::open(path);
+    auto recording = link::RecordingReader::open(path, link::OpenMode::Quick);
     if (!recording) {
         emit replayFailed(QString::fromStdString(recording.error().text()));
         return;

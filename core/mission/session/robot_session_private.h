@@ -83,6 +83,9 @@ struct RobotSession::Private : SpawnOwner, HelmOwner, ReplayStage {
     void replayFault(const std::string& sentence) override { noteFault(sentence); }
     void replaySeeks(bool on) override;
     void replayChanged() override { updates.touched(); }
+    void replayDamaged(const std::string& complaint) override {
+        notices.say(Severity::Warning, Topic::Recording, complaint);
+    }
     void replayEnds() override { emit q.replayEnded(); }
 
     /// The session that owns this object.

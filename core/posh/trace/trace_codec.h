@@ -6,9 +6,9 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <string_view>
 
+#include "core/base/byte_codec.h"
 #include "core/posh/run/trace_event.h"
 
 namespace usar::posh::trace_codec {
@@ -44,43 +44,6 @@ struct Entry {
     TraceRecord record;
     std::uint32_t text = 0; ///< number of the text, counting from 1 since the last key frame; 0 means no text
     bool operator==(const Entry&) const = default;
-};
-
-/// Maps numbers of small magnitude, including negative ones, to small unsigned numbers; unzigzag is the inverse.
-inline std::uint64_t zigzag(std::int64_t number) {
-    return (static_cast<std::uint64_t>(number) << 1) ^ static_cast<std::uint64_t>(number >> 63);
-}
-inline std::int64_t unzigzag(std::uint64_t number) {
-    return static_cast<std::int64_t>(number >> 1) ^ -static_cast<std::int64_t>(number & 1);
-}
-
-/// Appends a number with seven bits per byte, the lowest first.
-void appendVarint(std::string& out, std::uint64_t number);
-/// Appends the eight bytes of a word, the lowest first, without the zero bytes at both ends. A byte before them holds
-/// the numbers of omitted bytes: at the high end in its upper half, at the low end in its lower half.
-void appendBits(std::string& out, std::uint64_t bits);
-
-/// Reads values from untrusted bytes. A missing or malformed value sets failed(), which stays set; the value itself is
-/// then meaningless, so check failed() before using the values.
-class Bytes {
-public:
-    /// The bytes must outlive this object.
-    explicit Bytes(std::string_view bytes) : bytes_(bytes) {}
-    std::uint64_t varint();
-    /// Reads what appendBits wrote.
-    std::uint64_t bits();
-    std::uint8_t byte();
-    /// Reads `length` bytes as a view into the bytes.
-    std::string_view text(std::uint64_t length);
-    bool empty() const { return at_ == bytes_.size(); }
-    bool failed() const { return failed_; }
-    /// The number of bytes read so far.
-    std::size_t used() const { return at_; }
-
-private:
-    std::string_view bytes_;
-    std::size_t at_ = 0;
-    bool failed_ = false;
 };
 
 } // namespace usar::posh::trace_codec

@@ -53,7 +53,7 @@ void TraceFile::extend(std::string_view bytes) {
 std::optional<TraceFile::FrameView> TraceFile::frameAt(std::size_t offset) const {
     if (offset >= bytes_.size())
         return std::nullopt;
-    Bytes bytes(bytes_.substr(offset));
+    ByteReader bytes(bytes_.substr(offset));
     const std::uint64_t length = bytes.varint();
     const std::size_t begin = offset + bytes.used();
     if (bytes.failed() || length == 0 || length > longest_frame || length > bytes_.size() - begin)
@@ -75,7 +75,7 @@ void TraceFile::index(const FrameView& frame, std::size_t offset) {
         return;
     }
     case Frame::Key:
-        keys_.push_back({Bytes(frame.body).varint(), offset, plans_.size()});
+        keys_.push_back({ByteReader(frame.body).varint(), offset, plans_.size()});
         ++cycle_count_;
         return;
     case Frame::Delta:
@@ -118,7 +118,7 @@ const TracedCycle* TraceFile::Cursor::next() {
             ++plan_;
         if (frame->kind != Frame::Key && frame->kind != Frame::Delta)
             continue;
-        if (!readCycle(frame->kind, Bytes(frame->body))) {
+        if (!readCycle(frame->kind, ByteReader(frame->body))) {
             at_ = file_->indexed_;
             return nullptr;
         }
@@ -128,7 +128,7 @@ const TracedCycle* TraceFile::Cursor::next() {
     return nullptr;
 }
 
-bool TraceFile::Cursor::readCycle(Frame kind, Bytes bytes) {
+bool TraceFile::Cursor::readCycle(Frame kind, ByteReader bytes) {
     std::swap(before_, now_);
     now_.clear();
     if (kind == Frame::Key) {
@@ -158,7 +158,7 @@ bool TraceFile::Cursor::readCycle(Frame kind, Bytes bytes) {
     return true;
 }
 
-bool TraceFile::Cursor::readEvents(Bytes& bytes, std::vector<Entry>& events) {
+bool TraceFile::Cursor::readEvents(ByteReader& bytes, std::vector<Entry>& events) {
     std::size_t at = 0; // Index in the previous cycle
     while (!bytes.empty() && !bytes.failed()) {
         const std::uint64_t word = bytes.varint();
@@ -182,7 +182,7 @@ bool TraceFile::Cursor::readEvents(Bytes& bytes, std::vector<Entry>& events) {
     return !bytes.failed();
 }
 
-bool TraceFile::Cursor::readChange(Bytes& bytes, Entry& entry) {
+bool TraceFile::Cursor::readChange(ByteReader& bytes, Entry& entry) {
     const std::uint8_t mask = bytes.byte();
     TraceRecord& record = entry.record;
     if (mask & payload_changes)
@@ -198,7 +198,7 @@ bool TraceFile::Cursor::readChange(Bytes& bytes, Entry& entry) {
     return !bytes.failed() && isSound(record);
 }
 
-bool TraceFile::Cursor::readNew(Bytes& bytes, Entry& entry) {
+bool TraceFile::Cursor::readNew(ByteReader& bytes, Entry& entry) {
     TraceRecord& record = entry.record;
     record.event = static_cast<TraceEvent>(bytes.byte());
     const std::uint64_t place = bytes.varint();
@@ -212,7 +212,7 @@ bool TraceFile::Cursor::readNew(Bytes& bytes, Entry& entry) {
     return readText(bytes, entry.text) && !bytes.failed() && known_place && isSound(record);
 }
 
-bool TraceFile::Cursor::readText(Bytes& bytes, std::uint32_t& number) {
+bool TraceFile::Cursor::readText(ByteReader& bytes, std::uint32_t& number) {
     const std::uint64_t given = bytes.varint();
     if (given > cycle_.texts.size() + 1)
         return false;
@@ -227,7 +227,7 @@ void TraceFile::Cursor::readBehind() {
     cycle_.behind.clear();
     for (auto frame = file_->frameAt(at_); frame && frame->kind == Frame::Between && at_ < file_->indexed_;
          frame = file_->frameAt(at_)) {
-        Bytes bytes(frame->body);
+        ByteReader bytes(frame->body);
         std::vector<Entry> events;
         if (!readEvents(bytes, events))
             break; // Drop a damaged frame as a whole

@@ -59,11 +59,11 @@ public:
         friend class TraceFile;
         Cursor(const TraceFile& file, std::size_t offset, std::size_t plan) : file_(&file), at_(offset), plan_(plan) {}
         bool deltaFollows() const;
-        bool readCycle(trace_codec::Frame kind, trace_codec::Bytes bytes);
-        bool readEvents(trace_codec::Bytes& bytes, std::vector<trace_codec::Entry>& events);
-        bool readChange(trace_codec::Bytes& bytes, trace_codec::Entry& entry);
-        bool readNew(trace_codec::Bytes& bytes, trace_codec::Entry& entry);
-        bool readText(trace_codec::Bytes& bytes, std::uint32_t& number);
+        bool readCycle(trace_codec::Frame kind, ByteReader bytes);
+        bool readEvents(ByteReader& bytes, std::vector<trace_codec::Entry>& events);
+        bool readChange(ByteReader& bytes, trace_codec::Entry& entry);
+        bool readNew(ByteReader& bytes, trace_codec::Entry& entry);
+        bool readText(ByteReader& bytes, std::uint32_t& number);
         void readBehind();
         void recallAnswers();
         void stamp(std::vector<trace_codec::Entry>& events) const;

@@ -2,6 +2,7 @@
 
 #include <QCommandLineParser>
 
+#include "core/base/numbers.h"
 #include "core/server/embedded/program_files.h"
 
 namespace usar::server {
@@ -13,9 +14,24 @@ QList<QCommandLineOption> windowOptions() {
            QList<QCommandLineOption>{
                {"out", "folder for results (USAR_Scan on the Desktop)", "FOLDER"},
                {"plugins", "robot plugins, besides those that come with the program; repeat for more", "FOLDER"},
+               {"at", "moment of RECORDING to show, in seconds as the replay bar counts them (0)", "S"},
+               {"select", "robot to select as soon as it is there, in a recording or live", "NAME"},
                {"theme", "colors; system: as the desktop (as last time)", "light|dark|system"},
                usage::helpOption(),
                usage::versionOption()};
+}
+
+/// What --at says of the recording.
+Result<std::optional<Seconds>> momentOf(const QCommandLineParser& parser, const QString& recording) {
+    if (!parser.isSet("at"))
+        return std::nullopt;
+    const auto seconds = readNumber(parser.value("at").toStdString());
+    if (!seconds || !(*seconds >= 0.0))
+        return failure("\"" + parser.value("at").toStdString() + "\" is no moment of a recording", "--at",
+                       "Say seconds from 0 up, for example --at 312.4");
+    if (recording.isEmpty())
+        return failure("only a recording has moments", "--at", "Name a RECORDING.usarrec, too");
+    return Seconds{*seconds};
 }
 
 } // namespace
@@ -44,7 +60,9 @@ usage::Program windowProgram() {
                      {.title = "Examples",
                       .entries = {{"mission-control resources/missions/quick_scan.json",
                                    "open the quick scan, ready to be started"},
-                                  {"mission-control --connect 10.0.0.5:3000", "use a USARSim server"}}}},
+                                  {"mission-control --connect 10.0.0.5:3000", "use a USARSim server"},
+                                  {"mission-control flight.usarrec --at 312.4 --select R1",
+                                   "show this moment of a recording"}}}},
         .see_also = {"usar-mission", "usar-sim", "usar-behavior-host"}};
 }
 
@@ -66,6 +84,11 @@ Result<WindowOptions> readWindowOptions(const QStringList& arguments) {
     (file.endsWith(".usarrec")    ? options.recording
      : file.endsWith(".usarsnap") ? options.server.simulator.snapshot
                                   : options.mission_file) = file;
+    const auto at = momentOf(parser, options.recording);
+    if (!at)
+        return tl::unexpected(at.error());
+    options.at = *at;
+    options.select = parser.value("select");
     options.theme = parser.value("theme");
     if (!QStringList{"", "light", "dark", "system"}.contains(options.theme))
         return failure("\"" + options.theme.toStdString() + "\" is no theme", "--theme", "Say light, dark or system");

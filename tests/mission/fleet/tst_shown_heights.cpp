@@ -9,6 +9,7 @@
 #include "core/agent/published_text.h"
 #include "core/link/recording_format.h"
 #include "core/mission/fleet/shown_heights.h"
+#include "tests/doubles/plain_recording.h"
 #include "tests/suite/suite.h"
 
 namespace tst_shown_heights {
@@ -24,21 +25,20 @@ namespace {
 /// A scanner that looks down from this place and measures 5 m, at the second 1 of the recording.
 std::string oneScan(const Vec3& scanner_m) {
     std::string file;
-    link::recording::appendHead(file);
-    link::recording::append(file, {.kind = RecordKind::Start, .bytes = "robot: R1\n"});
-    link::recording::append(file, {.kind = RecordKind::Opened, .bytes = "h:1"});
-    link::recording::append(file, {.kind = RecordKind::In,
-                                   .time = 1s,
-                                   .bytes = "SEN {Time 1.0} {Type RangeScanner} {Name S} {Resolution 0.01} "
-                                            "{FOV 0.02} {Range 5.0,5.0,5.0}\r\n"});
+    doubles::appendOldHead(file);
+    doubles::appendPlain(file, {.kind = RecordKind::Start, .bytes = "robot: R1\n"});
+    doubles::appendPlain(file, {.kind = RecordKind::Opened, .bytes = "h:1"});
+    doubles::appendPlain(file, {.kind = RecordKind::In,
+                                .time = 1s,
+                                .bytes = "SEN {Time 1.0} {Type RangeScanner} {Name S} {Resolution 0.01} "
+                                         "{FOV 0.02} {Range 5.0,5.0,5.0}\r\n"});
     Pose down;
     down.position_m = scanner_m;
     down.pitch_rad = pi / 2;
     std::string placed;
     agent::appendText(placed, agent::ScanPlacement{{1}, down});
     const auto note = [&](link::RecordTime time, const std::string& name, const std::string& bytes) {
-        link::recording::append(file,
-                                {.kind = RecordKind::Note, .time = time, .line = {1}, .name = name, .bytes = bytes});
+        doubles::appendPlain(file, {.kind = RecordKind::Note, .time = time, .line = {1}, .name = name, .bytes = bytes});
     };
     note(2s, "published", placed);
     note(4s, "fault", "wind");

@@ -52,6 +52,9 @@ struct Stage : ReplayStage {
     void replayFault(const std::string& sentence) override { told << "fault " + QString::fromStdString(sentence); }
     void replaySeeks(bool on) override { told << (on ? "seeks" : "arrives"); }
     void replayChanged() override {}
+    void replayDamaged(const std::string& complaint) override {
+        told << "damaged " + QString::fromStdString(complaint);
+    }
     void replayEnds() override { ended = true; }
 
     QStringList told;

@@ -1,8 +1,6 @@
-#include "core/posh/trace/trace_codec.h"
+#include "core/base/byte_codec.h"
 
-#include <bit>
-
-namespace usar::posh::trace_codec {
+namespace usar {
 
 void appendVarint(std::string& out, std::uint64_t number) {
     while (number >= 0x80) {
@@ -20,14 +18,14 @@ void appendBits(std::string& out, std::uint64_t bits) {
         out += static_cast<char>(bits >> (8 * byte));
 }
 
-std::uint8_t Bytes::byte() {
+std::uint8_t ByteReader::byte() {
     if (at_ < bytes_.size())
         return static_cast<std::uint8_t>(bytes_[at_++]);
     failed_ = true;
     return 0;
 }
 
-std::uint64_t Bytes::varint() {
+std::uint64_t ByteReader::varint() {
     std::uint64_t number = 0;
     for (int shift = 0; shift < 64; shift += 7) {
         const std::uint8_t next = byte();
@@ -39,7 +37,7 @@ std::uint64_t Bytes::varint() {
     return 0;
 }
 
-std::uint64_t Bytes::bits() {
+std::uint64_t ByteReader::bits() {
     const std::uint8_t counts = byte();
     const int leading = counts >> 4;
     const int trailing = counts & 15;
@@ -51,7 +49,7 @@ std::uint64_t Bytes::bits() {
     return bits;
 }
 
-std::string_view Bytes::text(std::uint64_t length) {
+std::string_view ByteReader::text(std::uint64_t length) {
     if (length > bytes_.size() - at_) {
         failed_ = true;
         return {};
@@ -61,4 +59,4 @@ std::string_view Bytes::text(std::uint64_t length) {
     return text;
 }
 
-} // namespace usar::posh::trace_codec
+} // namespace usar

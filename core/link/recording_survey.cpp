@@ -1,0 +1,90 @@
+#include "core/link/recording_survey.h"
+
+#include <algorithm>
+
+#include "core/base/text.h"
+
+namespace usar::link {
+
+namespace {
+
+std::string withUnit(std::uint64_t count, const char* one, const char* many) {
+    return std::to_string(count) + ' ' + (count == 1 ? one : many);
+}
+
+} // namespace
+
+std::string RecordingSurvey::complaint() const {
+    std::uint64_t lost = 0;
+    for (const RecordingDamage& piece : damage)
+        lost += piece.bytes;
+    std::string text;
+    if (lost > tail_lost_bytes)
+        text = withUnit(lost - tail_lost_bytes, "byte is", "bytes are") + " damaged, the first at byte " +
+               std::to_string(damage.front().offset) + ", and left out.";
+    if (!ended && !being_written) {
+        text += text.empty() ? "" : " ";
+        text += "The recording was not ended in order; ";
+        text += tail_lost_bytes > 0
+                    ? "its last " + withUnit(tail_lost_bytes, "byte is", "bytes are") + " incomplete and left out."
+                    : "up to a second before its end may be missing.";
+    }
+    return text;
+}
+
+void RecordCounter::take(const Record& record) {
+    survey_.play_span = clock_.at(record);
+    if (const auto now = clock_.now(); now && record.kind == RecordKind::In)
+        survey_.clock.add(survey_.play_span, *now);
+    if (survey_.records++ == 0)
+        survey_.first_line = record.line;
+    survey_.span = record.time;
+    if (record.kind == RecordKind::In)
+        survey_.bytes_in += record.bytes.size();
+    if (record.kind == RecordKind::Out)
+        survey_.bytes_out += record.bytes.size();
+    survey_.commands += record.kind == RecordKind::Out;
+    survey_.ended = record.kind == RecordKind::End;
+    if (record.kind == RecordKind::Start)
+        takeFacts(record.bytes);
+}
+
+void RecordCounter::takeFacts(std::string_view text) {
+    while (!text.empty()) {
+        const std::string_view line = text.substr(0, text.find('\n'));
+        text.remove_prefix(std::min(text.size(), line.size() + 1));
+        if (const auto colon = line.find(':'); colon != std::string_view::npos)
+            survey_.facts[std::string(line.substr(0, colon))] = trimmed(line.substr(colon + 1));
+    }
+}
+
+void RecordCounter::appendCounts(std::string& bytes) const {
+    for (const std::uint64_t count :
+         {survey_.records, survey_.bytes_in, survey_.bytes_out, survey_.commands, std::uint64_t{survey_.ended},
+          static_cast<std::uint64_t>(survey_.span.count()), static_cast<std::uint64_t>(survey_.play_span.count())})
+        appendVarint(bytes, count);
+    clock_.appendTo(bytes);
+}
+
+void RecordCounter::appendState(std::string& bytes) {
+    appendCounts(bytes);
+    survey_.clock.appendTo(bytes, noted_stretches_);
+    noted_stretches_ = survey_.clock.unchangingStretches();
+}
+
+void RecordCounter::appendWholeState(std::string& bytes) const {
+    appendCounts(bytes);
+    survey_.clock.appendTo(bytes, 0);
+}
+
+bool RecordCounter::continueFrom(ByteReader& bytes) {
+    for (std::uint64_t* const count : {&survey_.records, &survey_.bytes_in, &survey_.bytes_out, &survey_.commands})
+        *count = bytes.varint();
+    survey_.ended = bytes.varint() != 0;
+    survey_.span = RecordTime(static_cast<std::int64_t>(bytes.varint()));
+    survey_.play_span = RecordTime(static_cast<std::int64_t>(bytes.varint()));
+    return clock_.readFrom(bytes) && survey_.clock.readFrom(bytes) && survey_.span >= RecordTime::zero() &&
+           survey_.play_span >= RecordTime::zero() && survey_.play_span <= PlayClock::longest;
+}
+
+} // namespace usar::link
