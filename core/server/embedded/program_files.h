@@ -35,6 +35,10 @@ QString missionsFolder();
 QString campaignsFolder();
 /// The folder of the robot files.
 QString robotsFolder();
+/// The folder of the files that give a real server the robots' equipment: USARBot.ini and DefaultUSAR.ini.
+QString serverFilesFolder();
+/// Says what to do about a robot of a real server that lacks sensors, and where the file for it lies.
+QString equipmentAdvice();
 /// Folders that contain behavior plugins, most specific first.
 QStringList pluginFolders();
 /// Path of the program that flies missions and campaigns without a window.
