@@ -81,6 +81,11 @@ QString equipmentAdvice() {
         .arg(serverFilesFolder());
 }
 
+QString manualPage() {
+    return firstThere({"../share/html", "../share/doc/usar-mission-control/html"}) +
+           "/resources/docs/tasks/README.html";
+}
+
 QString missionProgram() {
     return firstThere({"usar-mission", "../bin/usar-mission"});
 }

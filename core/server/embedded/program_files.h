@@ -39,6 +39,8 @@ QString robotsFolder();
 QString serverFilesFolder();
 /// Says what to do about a robot of a real server that lacks sensors, and where the file for it lies.
 QString equipmentAdvice();
+/// The page for a browser that the Help menu opens; it is not there if the program was built without a Markdown reader.
+QString manualPage();
 /// Folders that contain behavior plugins, most specific first.
 QStringList pluginFolders();
 /// Path of the program that flies missions and campaigns without a window.
