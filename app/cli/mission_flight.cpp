@@ -58,6 +58,7 @@ Result<std::unique_ptr<server::HeadlessSimulator>> serverFor(const mission::Miss
     if (options.server) {
         run_options.host = options.server->host;
         run_options.port = options.server->port;
+        run_options.equipment_advice = server::equipmentAdvice().toStdString();
         return nullptr;
     }
     auto faults = faultsOf(options, plan);

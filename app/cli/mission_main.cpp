@@ -11,6 +11,7 @@
 #include "app/cli/mission_flight.h"
 #include "app/cli/mission_program.h"
 #include "app/cli/run_worker.h"
+#include "app/cli/server_files_verb.h"
 #include "core/base/version.h"
 #include "core/campaign/runs/run_request.h"
 #include "core/mission/files/mission_options.h"
@@ -74,6 +75,8 @@ int main(int argc, char** argv) {
         return app::runCampaignVerb(QCoreApplication::arguments().mid(1));
     if (verb == "compare")
         return app::runCompareVerb(QCoreApplication::arguments().mid(1));
+    if (verb == "server-files")
+        return app::runServerFilesVerb(QCoreApplication::arguments().mid(1));
     app::Preloaded loaded;
     if (verb == campaign::worker_verb)
         return app::runWorker(loaded);

@@ -1,5 +1,6 @@
 #include "app/cli/mission_program.h"
 
+#include "app/cli/server_files_verb.h"
 #include "core/campaign/comparison/compare_options.h"
 #include "core/campaign/runs/campaign_options.h"
 #include "core/mission/files/export_options.h"
@@ -17,7 +18,8 @@ usage::Program missionProgram() {
         .description = {"usar-mission flies missions and campaigns of missions in the embedded simulator, or against "
                         "a USARSim server, and writes the maps that come of it. Its other verbs read recordings, "
                         "protocol lines and POSH plans."},
-        .verbs = flying + QList{mission::exportVerb()} + mission::replayVerbs() + mission::reportVerbs(),
+        .verbs = flying + QList{mission::exportVerb()} + mission::replayVerbs() + mission::reportVerbs() +
+                 QList{serverFilesVerb()},
         .sections = {{.title = "Files",
                       .entries = {{"MISSION.json", "a mission: what flies where; the window writes such files, too"},
                                   {"CAMPAIGN.json", "the missions, seeds, variants and faults of a campaign"},

@@ -1,9 +1,12 @@
 #include "app/desks/view_desk.h"
 
+#include <QDesktopServices>
 #include <QFileInfo>
 #include <QJsonDocument>
+#include <QUrl>
 
 #include "core/mission/fleet/robot_words.h"
+#include "core/server/embedded/program_files.h"
 #include "widgets/commands/command_palette.h"
 #include "widgets/models/notice_place.h"
 #include "widgets/window/map_commands.h"
@@ -44,6 +47,10 @@ void ViewDesk::registerCommands() {
     commands_.offer([this] { return plots(); });
     docks_.registerCommands();
     help_.registerCommands();
+    const QString manual = server::manualPage();
+    add(
+        "help.manual", [manual] { return QFileInfo::exists(manual); },
+        [manual] { QDesktopServices::openUrl(QUrl::fromLocalFile(manual)); });
 }
 
 std::vector<widgets::PaletteOffer> ViewDesk::plots() const {

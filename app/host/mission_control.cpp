@@ -45,7 +45,7 @@ void MissionControl::connectTo(const ServerTarget& target) {
     disconnectFromServer();
     target_ = target;
     if (!target.embedded)
-        return openLink(target.host, target.port, false);
+        return openLink(target.host, target.port, false, server::equipmentAdvice());
     if (target.simulator.snapshot.isEmpty()) // a snapshot has its own seed
         setSeed(target.simulator.seed);
     simulator_.start(target.simulator);

@@ -60,12 +60,22 @@ void BehaviorHost::guarded(Call&& call) {
     }
 }
 
-void BehaviorHost::fail(const std::string& reason) {
+void BehaviorHost::fail(const std::string& reason, std::vector<std::string> sensors_missing) {
     finished_ = true;
     port_.takeCommands(); // its output before the fault cannot be trusted
     CausedCommand safe = safeCommand({});
     port_.send(std::move(safe.command), "stopped after a fault");
-    port_.publish(BehaviorFinished{false, "The behavior " + behavior_id_ + " " + reason});
+    port_.publish(BehaviorFinished{false, "The behavior " + behavior_id_ + " " + reason, std::move(sensors_missing)});
+}
+
+void BehaviorHost::failForSensors() {
+    if (sensors_lacking_.empty() || !sensors_missed_.empty())
+        return;
+    const bool one = sensors_lacking_.size() == 1;
+    fail(std::string("needs the sensor") + (one ? " " : "s ") + listOf(sensors_lacking_) +
+             (one ? ", and the robot has none that speaks. Mount it, or choose another behavior."
+                  : ", and the robot has none of these that speaks. Mount them, or choose another behavior."),
+         sensors_lacking_);
 }
 
 template <class Module>
@@ -74,9 +84,10 @@ void BehaviorHost::ask(Module& module, const std::string& subject) {
         port_.send(*std::move(question), subject + " module");
     for (const auto& [type, name, no_such_thing] : module.takeFailures()) {
         const std::string what = name.empty() ? type : type + " " + name;
-        if (std::ranges::any_of(sensors_missed_, [&type = type](const auto& one) { return sameWord(one, type); }))
-            return fail("needs the sensor " + what +
-                        ", and the robot has none that speaks. Mount it, or choose another behavior.");
+        if (std::erase_if(sensors_missed_, [&type = type](const auto& one) { return sameWord(one, type); }) > 0) {
+            sensors_lacking_.push_back(type);
+            continue;
+        }
         port_.publish(BehaviorEvent{.severity = Severity::Warning,
                                     .text = no_such_thing
                                                 ? "The server knows no " + what + ": it has no " + subject + "."
@@ -87,8 +98,11 @@ void BehaviorHost::ask(Module& module, const std::string& subject) {
 
 void BehaviorHost::noteSensor(const protocol::InfoMessage& message) {
     const std::string_view type = std::visit(SensorType(), static_cast<const protocol::InfoVariant&>(message));
-    if (!type.empty())
-        std::erase_if(sensors_missed_, [type](const std::string& one) { return sameWord(one, type); });
+    const auto is_it = [type](const std::string& one) { return sameWord(one, type); };
+    if (type.empty())
+        return;
+    std::erase_if(sensors_missed_, is_it);
+    std::erase_if(sensors_lacking_, is_it);
 }
 
 /// A sensor that exists but has nothing to report still has a configuration, so this is what the server is asked for.
@@ -109,7 +123,7 @@ RunningBehavior::Output BehaviorHost::receive(const protocol::InfoLine& line) {
     last_line_ = line.number;
     port_.setTrigger(line.number);
     modules_.take(line);
-    if (!sensors_missed_.empty())
+    if (!sensors_missed_.empty() || !sensors_lacking_.empty())
         noteSensor(line.message);
     guarded([&] { behavior_->onInfo(line, port_); });
     if (std::holds_alternative<protocol::RobotState>(line.message))
@@ -120,6 +134,8 @@ RunningBehavior::Output BehaviorHost::receive(const protocol::InfoLine& line) {
         ask(modules_.geometry, "geometry");
     if (!finished_)
         ask(modules_.configuration, "configuration");
+    if (!finished_)
+        failForSensors();
     return takeOutput();
 }
 

@@ -17,8 +17,8 @@ namespace usar::agent {
 class BehaviorHost final : public RunningBehavior {
 public:
     /// `behavior_id` begins the source of every cause: "airrobot/cpp: scanning". `sensors_needed` are types on the
-    /// wire. If a needed sensor has not reported within three seconds of the first tick, the server is asked for its
-    /// configuration; if there is none, or no answer, the behavior is stopped.
+    /// wire. If needed sensors have not reported within three seconds of the first tick, the server is asked for their
+    /// configurations; once all is settled, the behavior is stopped if there is none, or no answer, of any of them.
     explicit BehaviorHost(std::unique_ptr<Behavior> behavior, std::string behavior_id,
                           std::vector<std::string> sensors_needed = {});
     Output receive(const protocol::InfoLine& line) override;
@@ -32,7 +32,9 @@ private:
     template <class Call>
     void guarded(Call&& call);
     /// Replaces the commands of this call by the safe command and reports BehaviorFinished.
-    void fail(const std::string& reason);
+    void fail(const std::string& reason, std::vector<std::string> sensors_missing = {});
+    /// Does so because of `sensors_lacking_`, if nothing is open about the other needed sensors.
+    void failForSensors();
     /// A needed sensor that has reported is no longer missed.
     void noteSensor(const protocol::InfoMessage& message);
     /// Queues questions about the missed sensors once they have been silent too long.
@@ -45,7 +47,8 @@ private:
     std::unique_ptr<Behavior> behavior_;
     modules::RobotModules modules_;
     CommandPort port_;
-    std::vector<std::string> sensors_missed_; ///< needed types that have not reported yet
+    std::vector<std::string> sensors_missed_;  ///< needed types that have not reported yet
+    std::vector<std::string> sensors_lacking_; ///< needed types that the server does not know
     std::optional<Seconds> first_tick_;
 };
 

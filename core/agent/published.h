@@ -99,6 +99,9 @@ struct BehaviorEvent {
 struct BehaviorFinished {
     bool success = false;
     std::string reason;
+    /// The sensors without which it could not begin: types on the wire, with the name of one that is missed ("Sonar
+    /// L4").
+    std::vector<std::string> sensors_missing = {};
     bool operator==(const BehaviorFinished&) const = default;
 };
 

@@ -51,7 +51,9 @@ struct FieldLists {
     }
     static void pass(auto& io, Field<SonarZones> auto& zones) { io(zones.zones); }
     static void pass(auto& io, Field<BehaviorEvent> auto& event) { io(event.severity, event.text); }
-    static void pass(auto& io, Field<BehaviorFinished> auto& finished) { io(finished.success, finished.reason); }
+    static void pass(auto& io, Field<BehaviorFinished> auto& finished) {
+        io(finished.success, finished.reason, finished.sensors_missing);
+    }
     static void pass(auto& io, Field<PlanTrace> auto& trace) { io(trace.bytes); }
     static void pass(auto& io, Field<BreakpointId> auto& id) { io(id.value); }
     static void pass(auto& io, Field<PlanHalted> auto& halted) {

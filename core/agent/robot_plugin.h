@@ -72,5 +72,5 @@ public:
 } // namespace usar::agent
 
 /// The number is the version of this interface; plugins built for another version are rejected.
-#define USAR_ROBOT_PLUGIN_IID "org.usar.mission.RobotPlugin/6"
+#define USAR_ROBOT_PLUGIN_IID "org.usar.mission.RobotPlugin/7"
 Q_DECLARE_INTERFACE(usar::agent::RobotPlugin, USAR_ROBOT_PLUGIN_IID)

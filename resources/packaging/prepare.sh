@@ -6,9 +6,9 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 
 build_packages=(g++ cmake ninja-build pkg-config qt6-base-dev libqcustomplot-dev libbullet-dev libsdformat-dev
                 libpng-dev libjpeg62-turbo-dev zlib1g-dev libzstd-dev libexpected-dev libeigen3-dev libsdl2-dev
-                fonts-dejavu-core)
+                cmark-gfm fonts-dejavu-core)
 test_packages=(libbenchmark-dev gdal-bin pngcheck clang libclang-rt-14-dev xvfb openbox xdotool at-spi2-core dbus
-               mandoc desktop-file-utils appstream shared-mime-info librsvg2-bin)
+               doxygen mandoc desktop-file-utils appstream shared-mime-info librsvg2-bin)
 
 # What one compiler process needs at most, in MB, and what it takes where there is plenty: it collects less garbage then,
 # which saves a sixth of the time.

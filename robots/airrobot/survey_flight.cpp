@@ -175,7 +175,7 @@ void SurveyFlight::awaitSensors(agent::CommandPort& port) {
 LaunchState SurveyFlight::checkLaunch(const agent::Tick& tick, agent::CommandPort& port) {
     const LaunchState state = checklist_.step(tick.now, tick.robot, port);
     if (state == LaunchState::Failed)
-        finish(false, checklist_.words() + ".", port);
+        finish(false, checklist_.words() + ".", port, checklist_.missing());
     return state;
 }
 
@@ -456,10 +456,11 @@ void SurveyFlight::order(agent::Order order, agent::CommandPort& port) {
         goHome(Errand::GivenUp, "No ground below has been seen to be fit for landing; the robot goes home.", port);
 }
 
-void SurveyFlight::finish(bool success, const std::string& reason, agent::CommandPort& port) {
+void SurveyFlight::finish(bool success, const std::string& reason, agent::CommandPort& port,
+                          std::vector<std::string> sensors_missing) {
     phase_ = Phase::Finished;
     craft_.rest(port, "finished");
-    ending_ = agent::BehaviorFinished{success, reason};
+    ending_ = agent::BehaviorFinished{success, reason, std::move(sensors_missing)};
 }
 
 } // namespace usar::airrobot

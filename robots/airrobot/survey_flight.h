@@ -99,7 +99,9 @@ public:
     void recharge();
     /// Ends the survey on the ground, with success if enough of the area is scanned.
     void conclude(agent::CommandPort& port);
-    void finish(bool success, const std::string& reason, agent::CommandPort& port);
+    /// `sensors_missing`: see agent::BehaviorFinished.
+    void finish(bool success, const std::string& reason, agent::CommandPort& port,
+                std::vector<std::string> sensors_missing = {});
 
 private:
     void putFloor(); ///< chooses the floor level if nobody has set one

@@ -244,6 +244,29 @@ private slots:
         QVERIFY2(reason.find("test/scripted needs the sensor Touch") != std::string::npos, reason.c_str());
     }
 
+    /// The user mounts them in one go, so they are not named one by one.
+    void namesAllSensorsThatTheRobotLacks() {
+        host = std::make_unique<BehaviorHost>(std::make_unique<ScriptedBehavior>(script), "test/scripted",
+                                              std::vector<std::string>{"RangeScanner", "INS", "Sonar"});
+        std::optional<BehaviorFinished> end;
+        for (std::uint64_t tick = 1; tick < 200 && !end; ++tick) {
+            if (tick == 2)
+                host->receive(ins(1000));
+            const auto output = host->receive(state(tick, 0.2 * static_cast<double>(tick)));
+            for (const CausedCommand& one : output.commands)
+                if (const auto* const question = std::get_if<protocol::GetConfiguration>(&one.command)) {
+                    protocol::ConfigurationInfo nothing;
+                    nothing.type = question->type;
+                    for (const Published& value : host->receive({LineNumber{2000 + tick}, "", nothing, {}}).published)
+                        if (const auto* const finished = std::get_if<BehaviorFinished>(&value))
+                            end = *finished;
+                }
+        }
+        QVERIFY(end);
+        QCOMPARE(end->sensors_missing, (std::vector<std::string>{"RangeScanner", "Sonar"}));
+        QVERIFY2(end->reason.find("needs the sensors RangeScanner, Sonar") != std::string::npos, end->reason.c_str());
+    }
+
     void leavesAFinishedBehaviorAlone() {
         script.on_tick = [](const Tick&, CommandPort& port) { port.publish(BehaviorFinished{true, "Done."}); };
         host->receive(state(1, 1.0));

@@ -67,6 +67,8 @@ void tst_PublishedText::readsBackWhatItWrote_data() {
                                                 "It has errors.",
                                                 {open, {posh::Code::NeverUsed, {2, 3, 14, 5}, "x", {}}}});
     QTest::newRow("finished") << agent::Published(agent::BehaviorFinished{true, "Landed."});
+    QTest::newRow("finished without sensors")
+        << agent::Published(agent::BehaviorFinished{false, "It lacks two.", {"INS", "Sonar L4"}});
 }
 
 void tst_PublishedText::readsBackWhatItWrote() {

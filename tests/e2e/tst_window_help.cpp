@@ -2,6 +2,8 @@
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>
 #include <QComboBox>
+#include <QDesktopServices>
+#include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
 #include <QRegularExpression>
@@ -16,6 +18,7 @@
 #include <QTreeWidget>
 #include <QWhatsThis>
 
+#include "core/server/embedded/program_files.h"
 #include "tests/e2e/window_page.h"
 #include "tests/suite/suite.h"
 #include "widgets/commands/shortcut_sheet.h"
@@ -110,12 +113,22 @@ QStringList unexplained(const QWidget* whole) {
 
 } // namespace
 
+/// Takes the place of the browser.
+class OpenedPages : public QObject {
+    Q_OBJECT
+public:
+    QList<QUrl> urls;
+public slots:
+    void take(const QUrl& url) { urls << url; }
+};
+
 class tst_WindowHelp : public QObject {
     Q_OBJECT
 private slots:
     void everyPartOfADockIsExplained();
     void whatIsThisFollowsTheTooltip();
     void aboutNamesEveryLoadedLibrary();
+    void theManualOpensItsPages();
     void theSheetOfKeysIsThereOnceAndHasThemAll();
 };
 
@@ -176,6 +189,18 @@ void tst_WindowHelp::aboutNamesEveryLoadedLibrary() {
     (*about)->grab().save(QStringLiteral(USAR_BINARY_DIR "/screenshots/about.png"));
     QTest::keyClick(*about, Qt::Key_Escape);
     QTRY_VERIFY((*about)->isHidden());
+}
+
+void tst_WindowHelp::theManualOpensItsPages() {
+    if (!QFileInfo::exists(server::manualPage()))
+        QSKIP("This build has no Markdown reader (cmark-gfm).");
+    WindowPage page;
+    OpenedPages opened;
+    QDesktopServices::setUrlHandler("file", &opened, "take");
+    page.window().commands().action("help.manual")->trigger();
+    QDesktopServices::unsetUrlHandler("file");
+    QCOMPARE(opened.urls.size(), 1);
+    QVERIFY2(QFileInfo::exists(opened.urls.front().toLocalFile()), qPrintable(opened.urls.front().toString()));
 }
 
 /// Defect D20 of the review: each F1 opened one more sheet, on which keys of the map and Escape twice were missing.

@@ -9,6 +9,7 @@
 #include <QTest>
 
 #include "core/server/embedded/headless_simulator.h"
+#include "core/server/embedded/program_files.h"
 #include "tests/doubles/fake_server.h"
 #include "tests/doubles/meddling_relay.h"
 #include "tests/doubles/test_files.h"
@@ -60,6 +61,7 @@ private slots:
     void badLinesAreNamedAndTheRobotLives_data();
     void badLinesAreNamedAndTheRobotLives();
     void aSensorThatStopsIsNamed();
+    void whatAStockRobotLacksIsNamedWithItsFile();
     void theTroubleOfARobotGoesWithIt();
     void aNotificationLeadsToItsRobotAndDock();
     void anAreaThatCannotBeFlownIsRefused_data();
@@ -181,6 +183,32 @@ void tst_WindowTrouble::aSensorThatStopsIsNamed() {
 }
 
 /// Defect D19 of the review: dozens of problems stood open, most of them of robots that were gone.
+/// As on a server whose AirRobot has neither scanner nor INS.
+void tst_WindowTrouble::whatAStockRobotLacksIsNamedWithItsFile() {
+    TroubledServer server;
+    WindowPage page;
+    server.relay->meddle = [](const QByteArray& line) {
+        for (const QByteArray type : {"RangeScanner", "INS"})
+            if (line.contains("{Type " + type + "}"))
+                return line.startsWith("SEN") ? QByteArray()
+                                              : line.left(line.indexOf(' ')) + " {Type " + type + "}\r\n";
+        return line;
+    };
+    QVERIFY(connectedTo(page, server));
+    QVERIFY(page.spawnAt("PlayerStart"));
+    page.typeArea({{-20, -15}, {20, 15}});
+    page.press("Start");
+    QTRY_VERIFY_WITH_TIMEOUT(!page.notified("needs the sensors").isEmpty(), flight_ms);
+    QVERIFY2(page.notified("needs the sensors").contains("INS"), qPrintable(page.notified("needs the sensors")));
+    QVERIFY(page.notified("needs the sensors").contains("RangeScanner"));
+    QTRY_VERIFY_WITH_TIMEOUT(!page.notified("USARBot.ini").isEmpty(), soon_ms);
+    const QString advice = page.notified("USARBot.ini");
+    QVERIFY2(advice.contains(server::serverFilesFolder()), qPrintable(advice));
+    QVERIFY(QFile::exists(server::serverFilesFolder() + "/USARBot.ini"));
+    QVERIFY(QFile::exists(server::serverFilesFolder() + "/DefaultUSAR.ini"));
+    page.screenshot("missing_sensors");
+}
+
 void tst_WindowTrouble::theTroubleOfARobotGoesWithIt() {
     TroubledServer server;
     WindowPage page;

@@ -106,7 +106,8 @@ private slots:
 
     void failsWhenASensorNeverSpeaks() {
         QCOMPARE(run(true, 200), LaunchState::Failed);
-        QVERIFY(checklist.words().find("INS") != std::string::npos);
+        QCOMPARE(checklist.missing(), (std::vector<std::string>{"INS", "RangeScanner", "Sonar F1"}));
+        QVERIFY(checklist.words().find("INS, RangeScanner, Sonar F1") != std::string::npos);
     }
 };
 

@@ -9,8 +9,8 @@
 
 namespace usar::campaign {
 
-/// An <svg> element from its construction to its destruction. Coordinates are CSS pixels from the top left corner. The
-/// writer belongs to the caller and outlives it.
+/// An `<svg>` element from its construction to its destruction. Coordinates are CSS pixels from the top left corner.
+/// The writer belongs to the caller and outlives it.
 class SvgCanvas {
 public:
     /// `label` is read aloud in place of the picture.

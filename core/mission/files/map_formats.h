@@ -43,7 +43,7 @@ Result<void> checkPoints(const FormatList& formats, const ScanRecord& record);
 /// A sentence about each, for the help.
 QStringList formatNotes();
 
-/// Writes the record in each of these formats: <stem>.tif and so on, and _far1.tif for parts of the map that are too
+/// Writes the record in each of these formats: `<stem>.tif` and so on, and _far1.tif for parts of the map that are too
 /// far away to be in one raster with the rest. The record must have what checkPoints asks for. Does nothing after an
 /// error of `files`, and skips what is there already.
 void writeFormats(FileSet& files, const FormatList& formats, const ScanRecord& record);

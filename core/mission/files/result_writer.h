@@ -22,12 +22,12 @@ enum class ResultFiles { Always, IfFailed, Never };
 /// Folder USAR_Scan on the user's Desktop, or in the home folder if there is no Desktop.
 QString defaultResultFolder();
 
-/// Writes <stem>.bil and .hdr (float32, NoData), .asc and .xyz (text, unless the map is huge), <stem>_height.png
-/// (16-bit, metadata inside) and its world file _height.pgw, <stem>_picture.png (with the marks of the thesis)
-/// and its legend alone, <stem>_legend.png, <stem>.json (`summary`, and under "map" and "marks" what the files
+/// Writes `<stem>.bil` and .hdr (float32, NoData), .asc and .xyz (text, unless the map is huge), `<stem>_height.png`
+/// (16-bit, metadata inside) and its world file _height.pgw, `<stem>_picture.png` (with the marks of the thesis)
+/// and its legend alone, `<stem>_legend.png`, `<stem>.json` (`summary`, and under "map" and "marks" what the files
 /// contain). The raw heights come first; each file is written under a temporary name and then renamed; older scans are
-/// never overwritten. The stem is USAR_Scan_<level>_<robot>_<number>, with the first free number. A map that was
-/// adjusted also has <stem>_path.csv (the path as it was estimated and as it was corrected, with its standard
+/// never overwritten. The stem is `USAR_Scan_LEVEL_ROBOT_NUMBER`, with the first free number. A map that was
+/// adjusted also has `<stem>_path.csv` (the path as it was estimated and as it was corrected, with its standard
 /// deviation) and _deviation.flt and .hdr (what the heights owe to that, in meters, float32 as the heights). Parts of
 /// the map that are too far away to be in one raster with the rest are written as _far1.bil and .hdr, _far2 and so on.
 /// Each of `formats` is written besides, as writeFormats does.

@@ -68,10 +68,11 @@ const agent::PluginLoader& Fleet::plugins() const {
     return d_->plugins;
 }
 
-void Fleet::openLink(const QString& host, quint16 port, bool lockstep) {
+void Fleet::openLink(const QString& host, quint16 port, bool lockstep, const QString& equipment_advice) {
     d_->host = host;
     d_->port = port;
     d_->lockstep = lockstep;
+    d_->equipment_advice = equipment_advice;
     d_->openNext();
 }
 
@@ -159,7 +160,7 @@ void Fleet::Private::openNext() {
             openReplay(path, wanted.key(), {.seek_clock = wanted.mapped()});
     });
     robot->expectSilence(silence_expected);
-    robot->open(host, port, lockstep);
+    robot->open(host, port, lockstep, equipment_advice);
 }
 
 void Fleet::Private::connectRobot(Robot* robot) {

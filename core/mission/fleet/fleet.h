@@ -41,8 +41,8 @@ public:
     agent::PluginLoader& plugins();
     const agent::PluginLoader& plugins() const;
 
-    /// Opens the spare connection. `lockstep`: ask the server to wait for this program.
-    void openLink(const QString& host, quint16 port, bool lockstep);
+    /// Opens the spare connection. `lockstep`: ask the server to wait for this program; `advice`: see RobotSession.
+    void openLink(const QString& host, quint16 port, bool lockstep, const QString& equipment_advice = {});
     /// Removes all robots except replays, and closes the spare connection.
     void disconnectFromServer();
     const QString& level() const;

@@ -45,6 +45,7 @@ struct Fleet::Private {
     QString host;
     quint16 port = 0;
     bool lockstep = false;
+    QString equipment_advice; ///< see RobotSession
     StartPlace place;
     std::vector<protocol::StartPose> start_poses; ///< as the server last reported them
     Roster roster;

@@ -73,8 +73,10 @@ void Robot::dropWaitingStart() {
     link::post(session_, [waiting = waiting_start_] { *waiting = nullptr; });
 }
 
-void Robot::open(const QString& host, quint16 port, bool lockstep) {
+void Robot::open(const QString& host, quint16 port, bool lockstep, const QString& equipment_advice) {
     dropWaitingStart();
+    link::post(session_,
+               [session = session_, advice = equipment_advice.toStdString()] { session->setEquipmentAdvice(advice); });
     call(&RobotSession::open, host, port, lockstep);
 }
 

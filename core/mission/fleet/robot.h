@@ -52,7 +52,7 @@ public:
     bool isReplay() const { return !view_.recording.isEmpty(); }
 
     /// `lockstep`: ask the server to wait for our STEP after each tick.
-    void open(const QString& host, quint16 port, bool lockstep);
+    void open(const QString& host, quint16 port, bool lockstep, const QString& equipment_advice = {});
     void close();
     void spawn(RobotId id, const SpawnRequest& request);
     /// `checked`: what the check of `start` found. `host_program`: runs a behavior that is isolated. Plugins are

@@ -33,6 +33,7 @@ MissionRunner::MissionRunner(Mission mission, const agent::PluginLoader& plugins
     if (options_.result_folder.isEmpty())
         options_.result_folder = defaultResultFolder();
     session_.setLimits(options_.limits.session);
+    session_.setEquipmentAdvice(options_.equipment_advice);
     session_.setAdjust(mission_.adjust);
     session_.keepScans(needPoints(options_.formats));
     timer_.setInterval(progress_period);

@@ -47,7 +47,8 @@ struct RunOptions {
     QString recording;   ///< new file that records everything sent and received; empty: none
     bool course = false; ///< the summary tells how the run went, see RunCourse
     agent::BehaviorThread behavior_thread = agent::BehaviorThread::Own; ///< Callers: one that hangs hangs all
-    QString behavior_host; ///< path of usar-behavior-host, needed by a mission that isolates its behavior
+    QString behavior_host;        ///< path of usar-behavior-host, needed by a mission that isolates its behavior
+    std::string equipment_advice; ///< see RobotSession
     RunLimits limits;
     /// The run that this one continues: its map is taken over, and only its rest is flown. The mission is that of the
     /// recording, with the whole area. Null: a run of its own.

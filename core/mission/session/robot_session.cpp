@@ -32,6 +32,10 @@ void RobotSession::setLimits(const SessionLimits& limits) {
     d_->watch_timer.setInterval(std::max(toMilliseconds(shortest) / 8, std::chrono::milliseconds(5)));
 }
 
+void RobotSession::setEquipmentAdvice(const std::string& advice) {
+    d_->equipment_advice = advice;
+}
+
 const ScanRecord& RobotSession::record() const {
     return d_->book.record();
 }

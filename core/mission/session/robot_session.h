@@ -30,6 +30,9 @@ public:
 
     /// To be called before `open`.
     void setLimits(const SessionLimits& limits);
+    /// What the user can do on this server about a robot that lacks sensors, in sentences; a warning repeats it when a
+    /// behavior could not begin for that. Empty: nothing is said.
+    void setEquipmentAdvice(const std::string& advice);
 
     /// For headless use in the same thread; `snapshot` and `figures` are computed by each call. Only `snapshot` fills
     /// the raster.

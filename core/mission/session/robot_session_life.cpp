@@ -140,6 +140,8 @@ void RobotSession::Private::takePublished(const std::vector<agent::Published>& p
             notices.say(event->severity, Topic::Behavior, event->text, event->text);
         } else if (const auto* finished = std::get_if<agent::BehaviorFinished>(&value)) {
             helm.makeSafe(by::Session{"behavior finished"});
+            if (!finished->sensors_missing.empty() && !equipment_advice.empty() && !replaying())
+                notices.say(Severity::Warning, Topic::Behavior, equipment_advice, "equipment");
             finishBehavior(*finished, true);
         }
     }

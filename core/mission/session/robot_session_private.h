@@ -91,6 +91,7 @@ struct RobotSession::Private : SpawnOwner, HelmOwner, ReplayStage {
     /// The session that owns this object.
     RobotSession& q;
     SessionLimits limits;
+    std::string equipment_advice; ///< see RobotSession
     link::TcpLink link;
     QTimer watch_timer;
     QElapsedTimer clock; ///< since the session was created

@@ -69,6 +69,23 @@ QString robotsFolder() {
     return firstThere({"../share/robots", "../share/usar-mission-control/robots"});
 }
 
+QString serverFilesFolder() {
+    return robotsFolder() + "/usarsim";
+}
+
+QString equipmentAdvice() {
+    return QString(
+               "A stock robot of a USARSim server lacks some of the sensors of ours. USARBot.ini in %1 has them for "
+               "UT2004, and DefaultUSAR.ini for UDK; \"usar-mission server-files\" merges them into the server's "
+               "own file, and the page \"Fly it on a real USARSim\" says how.")
+        .arg(serverFilesFolder());
+}
+
+QString manualPage() {
+    return firstThere({"../share/html", "../share/doc/usar-mission-control/html"}) +
+           "/resources/docs/tasks/README.html";
+}
+
 QString missionProgram() {
     return firstThere({"usar-mission", "../bin/usar-mission"});
 }

@@ -35,6 +35,12 @@ QString missionsFolder();
 QString campaignsFolder();
 /// The folder of the robot files.
 QString robotsFolder();
+/// The folder of the files that give a real server the robots' equipment: USARBot.ini and DefaultUSAR.ini.
+QString serverFilesFolder();
+/// Says what to do about a robot of a real server that lacks sensors, and where the file for it lies.
+QString equipmentAdvice();
+/// The page for a browser that the Help menu opens; it is not there if the program was built without a Markdown reader.
+QString manualPage();
 /// Folders that contain behavior plugins, most specific first.
 QStringList pluginFolders();
 /// Path of the program that flies missions and campaigns without a window.

@@ -3,6 +3,8 @@
 #include <array>
 #include <variant>
 
+#include "core/base/text.h"
+
 namespace usar::airrobot {
 
 namespace {
@@ -68,15 +70,16 @@ bool LaunchChecklist::answered(modules::RobotModules& robot, agent::CommandPort&
     return true;
 }
 
-std::string LaunchChecklist::missingSensor(const modules::RobotModules& robot) const {
+std::vector<std::string> LaunchChecklist::missingSensors(const modules::RobotModules& robot) const {
+    std::vector<std::string> missing;
     if (!robot.sensors.ins())
-        return "INS";
+        missing.emplace_back("INS");
     if (!robot.sensors.scan(layout_.scanner_name))
-        return "RangeScanner";
+        missing.emplace_back("RangeScanner");
     for (const SonarMount& sonar : layout_.sonars)
         if (!robot.sensors.sonar(sonar.name))
-            return "Sonar " + sonar.name;
-    return {};
+            missing.push_back("Sonar " + sonar.name);
+    return missing;
 }
 
 LaunchState LaunchChecklist::step(Seconds now, modules::RobotModules& robot, agent::CommandPort& port) {
@@ -86,10 +89,11 @@ LaunchState LaunchChecklist::step(Seconds now, modules::RobotModules& robot, age
     }
     if (!asked_all_)
         asked_all_ = now;
-    if (const std::string missing = missingSensor(robot); !missing.empty()) {
+    missing_ = missingSensors(robot);
+    if (!missing_.empty()) {
         const bool failed = now - *asked_all_ > first_data_time;
-        words_ = failed ? "The sensor " + missing + " sends nothing, and the survey needs it"
-                        : "waiting for first data of " + missing;
+        words_ = failed ? "These sensors send nothing, and the survey needs them: " + listOf(missing_)
+                        : "waiting for first data of " + listOf(missing_);
         return failed ? LaunchState::Failed : LaunchState::Waiting;
     }
     words_ = "ready";

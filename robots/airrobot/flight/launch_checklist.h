@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/agent/command_port.h"
 #include "core/modules/robot_modules.h"
@@ -29,18 +30,21 @@ public:
     bool ready() const { return ready_; }
     /// Says what it is waiting for or what failed: "waiting for Sonar geometry".
     const std::string& words() const { return words_; }
+    /// The sensors that had sent nothing when it failed: "RangeScanner", "Sonar L4".
+    const std::vector<std::string>& missing() const { return missing_; }
 
 private:
     /// Continues with the questions; returns whether all are settled.
     bool answered(modules::RobotModules& robot, agent::CommandPort& port);
-    /// Returns the first sensor without a reading; empty if there is none.
-    std::string missingSensor(const modules::RobotModules& robot) const;
+    /// Returns the sensors without a reading.
+    std::vector<std::string> missingSensors(const modules::RobotModules& robot) const;
 
     SensorLayout layout_ = stockLayout();
     std::size_t question_ = 0;         ///< number of settled questions
     std::optional<Seconds> asked_all_; ///< time at which the last question was settled
     bool ready_ = false;
     std::string words_ = "starting";
+    std::vector<std::string> missing_;
 };
 
 } // namespace usar::airrobot

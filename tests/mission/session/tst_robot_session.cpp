@@ -248,6 +248,30 @@ private slots:
         QCOMPARE(script->ticks, 1);
     }
 
+    void advisesAboutSensorsThatAreMissing_data() {
+        QTest::addColumn<QStringList>("missing");
+        QTest::addColumn<QString>("advice");
+        QTest::addColumn<int>("said");
+        QTest::newRow("on a real server") << QStringList{"RangeScanner"} << "Take USARBot.ini." << 1;
+        QTest::newRow("nothing is missing") << QStringList() << "Take USARBot.ini." << 0;
+        QTest::newRow("nobody has advice") << QStringList{"RangeScanner"} << "" << 0;
+    }
+    void advisesAboutSensorsThatAreMissing() {
+        QFETCH(const QStringList, missing);
+        QFETCH(const QString, advice);
+        f->session.setEquipmentAdvice(advice.toStdString());
+        QVERIFY(f->spawnNow());
+        script->on_tick = [&missing](const agent::Tick&, agent::CommandPort& port) {
+            agent::BehaviorFinished end{false, "It cannot begin."};
+            for (const QString& sensor : missing)
+                end.sensors_missing.push_back(sensor.toStdString());
+            port.publish(end);
+        };
+        f->session.startBehavior(hostOf(script), task);
+        QVERIFY(f->tickNow());
+        QTEST(int(f->countSaid("Take USARBot.ini.")), "said");
+    }
+
     void stopSendsTheSafeCommandAtOnce() {
         QVERIFY(f->spawnNow());
         QSignalSpy finished(&f->session, &RobotSession::behaviorFinished);
