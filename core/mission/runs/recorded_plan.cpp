@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "core/base/byte_codec.h"
+
 namespace usar::mission {
 
 using posh::trace_codec::Frame;
@@ -28,7 +30,7 @@ std::vector<std::string> innermostRunning(const posh::RunActivity& activity) {
 } // namespace
 
 std::optional<std::pair<Frame, std::size_t>> RecordedPlan::frameAt(std::size_t offset) const {
-    posh::trace_codec::Bytes head(std::string_view(bytes_).substr(offset));
+    ByteReader head(std::string_view(bytes_).substr(offset));
     const std::uint64_t length = head.varint();
     const std::size_t content = offset + head.used();
     if (head.failed() || length == 0 || length > bytes_.size() - content)
