@@ -370,7 +370,7 @@ const campaign::RunResult* CampaignDesk::currentRun() const {
 
 void CampaignDesk::flyRun(int number) {
     if (const campaign::RunResult* const run = results_.result(number))
-        flights_.fly(*run);
+        flights_.fly(*run, results_.folder());
 }
 
 void CampaignDesk::flyPair() {
@@ -383,8 +383,13 @@ void CampaignDesk::flyPair() {
 }
 
 void CampaignDesk::copyCommand() {
-    if (const campaign::RunResult* const run = currentRun())
-        QGuiApplication::clipboard()->setText(run->command);
+    const campaign::RunResult* const run = currentRun();
+    if (!run)
+        return;
+    if (const auto command = wholeCommandOf(*run, results_.folder()))
+        QGuiApplication::clipboard()->setText(*command);
+    else
+        notices_.complain("campaign-run", command.error());
 }
 
 void CampaignDesk::writeReport() {

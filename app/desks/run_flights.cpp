@@ -6,6 +6,7 @@
 #include <QFile>
 #include <QJsonArray>
 
+#include "core/campaign/plan/shell_word.h"
 #include "core/campaign/plan/shell_words.h"
 #include "core/mission/files/mission_check.h"
 #include "core/server/embedded/program_files.h"
@@ -16,14 +17,17 @@ namespace usar::app {
 
 namespace {
 
-/// Arguments of usar-mission, without the program's name.
-Result<QStringList> argumentsOf(const campaign::RunResult& run) {
+/// Arguments of usar-mission, without the program's name. A mission that is not found from here is looked for from the
+/// campaign's folder, which may have come from another place with its missions.
+Result<QStringList> argumentsOf(const campaign::RunResult& run, const QString& folder) {
     auto words = campaign::shellWords(run.command);
     if (!words)
         return words;
-    if (words->value(1) != "run")
+    if (words->value(1) != "run" || words->size() < 3)
         return failure("this result does not say how its run is flown", "run " + std::to_string(run.number),
                        "Fly the campaign anew");
+    if (QString& file = (*words)[2]; QDir::isRelativePath(file) && !QFile::exists(file))
+        file = QDir::cleanPath(QDir(folder).filePath(file));
     return words->mid(1);
 }
 
@@ -36,8 +40,17 @@ QString nameOf(const campaign::RunResult& run) {
 
 } // namespace
 
-Result<RunOrder> orderOf(const campaign::RunResult& run) {
-    const auto arguments = argumentsOf(run);
+Result<QString> wholeCommandOf(const campaign::RunResult& run, const QString& folder) {
+    return argumentsOf(run, folder).map([](const QStringList& arguments) {
+        QString command = "usar-mission";
+        for (const QString& argument : arguments)
+            command += ' ' + campaign::shellWord(argument);
+        return command;
+    });
+}
+
+Result<RunOrder> orderOf(const campaign::RunResult& run, const QString& folder) {
+    const auto arguments = argumentsOf(run, folder);
     if (!arguments)
         return tl::unexpected(arguments.error());
     const auto options = mission::readMissionOptions(*arguments);
@@ -63,8 +76,8 @@ void RunFlights::wire() {
     connect(&control_, &MissionControl::replayAdded, this, &RunFlights::takeReplay);
 }
 
-void RunFlights::fly(const campaign::RunResult& run) {
-    auto order = orderOf(run);
+void RunFlights::fly(const campaign::RunResult& run, const QString& folder) {
+    auto order = orderOf(run, folder);
     if (!order)
         return notices_.complain("campaign-run", order.error());
     if (!server_.openRun(QString::fromStdString(order->mission.world), order->seed, order->faults))
@@ -108,7 +121,7 @@ void RunFlights::flyPair(const campaign::RunResult& first, const campaign::RunRe
     const campaign::RunResult* const runs[] = {&first, &second};
     QStringList arguments[2];
     for (std::size_t i = 0; i < 2; ++i) {
-        const auto words = argumentsOf(*runs[i]);
+        const auto words = argumentsOf(*runs[i], folder);
         if (!words)
             return notices_.complain("campaign-run", words.error());
         arguments[i] = *words;

@@ -21,8 +21,13 @@ struct RunOrder {
     std::vector<sim::Fault> faults; ///< They are those of the mission and of the command.
 };
 
-/// Reads the command of a result line and the mission that it names. Errors name the file and the place.
-Result<RunOrder> orderOf(const campaign::RunResult& run);
+/// The command that flies the run from any folder: it has the whole path of a mission that is named from the campaign's
+/// `folder`.
+Result<QString> wholeCommandOf(const campaign::RunResult& run, const QString& folder);
+
+/// Reads the command of a result line and the mission that it names. `folder` is that of the campaign's results.
+/// Errors name the file and the place.
+Result<RunOrder> orderOf(const campaign::RunResult& run, const QString& folder);
 
 /// A run is flown in a new embedded simulator of its seed, whose time begins with the robot; its behavior starts with
 /// the robot's first line. All of this is as in usar-mission, so that the flight is the same. GUI thread.
@@ -37,9 +42,9 @@ public:
 
     void wire() override;
     /// Leaves the present world and flies the run in the window.
-    void fly(const campaign::RunResult& run);
-    /// Flies two runs again in the background with recordings, into `folder`; then both are replayed as robots beside
-    /// each other, with one time, and their figures and maps are compared.
+    void fly(const campaign::RunResult& run, const QString& folder);
+    /// Flies two runs again in the background with recordings, into `folder`, which is the campaign's; then both are
+    /// replayed as robots beside each other, with one time, and their figures and maps are compared.
     void flyPair(const campaign::RunResult& first, const campaign::RunResult& second, const QString& folder);
     /// True while two runs are being flown in the background.
     bool flyingPair() const { return pair_ != nullptr; }

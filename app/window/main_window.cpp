@@ -61,9 +61,9 @@ void MainWindow::registerCommands() {
     for (Desk* desk : std::initializer_list<Desk*>{&mission_, &task_, &files_})
         desk->registerCommands();
     commands_.add(widgets::commandSpec("file.quit"), [this](bool) { close(); });
-    for (Desk* desk :
-         std::initializer_list<Desk*>{&robots_, &view_, &server_, &time_, &messages_, &replay_, &tests_, &faults_,
-                                      &workshop_, &plan_, &camera_, &drive_, &plugins_, &world_, &radio_, &campaign_})
+    for (Desk* desk : std::initializer_list<Desk*>{&robots_, &view_, &server_, &time_, &messages_, &replay_, &tests_,
+                                                   &faults_, &workshop_, &plan_, &camera_, &drive_, &plugins_, &world_,
+                                                   &radio_, &campaign_, &samples_})
         desk->registerCommands();
 }
 
@@ -100,10 +100,10 @@ void MainWindow::wire() {
 
 void MainWindow::wireDesks() {
     // The desks receive each event in this order: a task is set before it is shown, and the title comes last.
-    for (Desk* desk : std::initializer_list<Desk*>{&plugins_,  &server_,  &task_,     &mission_, &robots_, &plan_,
-                                                   &workshop_, &time_,    &drive_,    &camera_,  &world_,  &files_,
-                                                   &replay_,   &tests_,   &messages_, &faults_,  &radio_,  &flights_,
-                                                   &campaign_, &results_, &recovery_, &view_})
+    for (Desk* desk : std::initializer_list<Desk*>{&plugins_,  &server_,  &task_,     &mission_,  &robots_, &plan_,
+                                                   &workshop_, &time_,    &drive_,    &camera_,   &world_,  &files_,
+                                                   &replay_,   &tests_,   &messages_, &faults_,   &radio_,  &flights_,
+                                                   &campaign_, &samples_, &results_,  &recovery_, &view_})
         desk->wire();
     connect(&selection_, &Selection::changed, this, &MainWindow::showTitle);
     connect(&control_, &MissionControl::behaviorFinished, this, [this] {

@@ -19,6 +19,7 @@
 #include "app/desks/replay_desk.h"
 #include "app/desks/robot_desk.h"
 #include "app/desks/run_flights.h"
+#include "app/desks/sample_desk.h"
 #include "app/desks/server_desk.h"
 #include "app/desks/task_desk.h"
 #include "app/desks/test_desk.h"
@@ -122,6 +123,7 @@ private:
     RadioDesk radio_{desk_};
     RunFlights flights_{desk_, server_, task_};
     CampaignDesk campaign_{desk_, mission_, faults_, flights_};
+    SampleDesk samples_{desk_, files_, campaign_};
     ResultDesk results_{desk_};
     ViewDesk view_;
     RecoveryDesk recovery_{desk_, disk_};

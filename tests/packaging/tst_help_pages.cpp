@@ -54,7 +54,8 @@ private slots:
 
     void everyPageIsThere_data() {
         QTest::addColumn<QString>("page");
-        for (const QString folder : {"resources/docs", "resources/robots", "resources/worlds", "robots/sample"})
+        for (const QString folder :
+             {"resources/docs", "resources/robots", "resources/samples", "resources/worlds", "robots/sample"})
             for (const QString& file : filesIn(source + '/' + folder, "*.md"))
                 QTest::newRow(qPrintable(folder + '/' + file)) << folder + '/' + file;
         QTest::newRow("README.md") << "README.md";

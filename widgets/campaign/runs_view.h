@@ -22,6 +22,7 @@ public:
     /// Number of the run in the current row; nullopt if there is none.
     std::optional<int> currentRun() const;
     QTableView* view() const { return view_; }
+    EmptyState* emptyState() const { return nothing_; } ///< It is shown while there is no run.
     /// The menu of a row offers these; the actions must outlive the view.
     void setActions(QAction* fly, QAction* fly_pair, QAction* copy);
 

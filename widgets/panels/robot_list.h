@@ -39,6 +39,7 @@ public:
     int wholeHeight_px(int lines = 3) const;
     /// The height of at most `most_px` that shows all robots with as many lines as possible; `most_px` if none does.
     int heightWithin_px(int most_px) const;
+    EmptyState* emptyState() const { return empty_state_; } ///< It is shown while there is no robot.
     QSize sizeHint() const override { return {260, 220}; }
     QSize minimumSizeHint() const override { return {180, 64}; }
 

@@ -18,7 +18,6 @@ EmptyState::EmptyState(QWidget* covered, const QString& title, const QString& hi
         label->setWordWrap(true);
         label->setAttribute(Qt::WA_TransparentForMouseEvents); // Only the button takes clicks.
     }
-    button_->setProperty("role", "primary");
     button_->hide();
     covered->installEventFilter(this);
     setGeometry(covered->rect());
@@ -33,11 +32,12 @@ void EmptyState::setText(const QString& title, const QString& hint) {
     fit();
 }
 
-void EmptyState::setAction(QAction* action) {
+void EmptyState::setAction(QAction* action, const char* role) {
     disconnect(clicked_); // Only this connection: the style also connects to every widget.
     button_->setVisible(action != nullptr);
     if (!action)
         return fit();
+    setRole(button_, role);
     button_->setText(action->text());
     button_->setToolTip(action->toolTip());
     clicked_ = connect(button_, &QPushButton::clicked, action, &QAction::trigger);

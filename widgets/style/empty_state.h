@@ -18,7 +18,8 @@ public:
     /// Says what is missing and how to make it appear; both also become the accessible name and description.
     void setText(const QString& title, const QString& hint);
     /// Shows a button that triggers `action` and has its text; nullptr hides it. The action must outlive this sheet.
-    void setAction(QAction* action);
+    /// An action that is not what the view is for gets a plain button: `role` is empty.
+    void setAction(QAction* action, const char* role = "primary");
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

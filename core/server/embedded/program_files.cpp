@@ -65,6 +65,10 @@ QString campaignsFolder() {
     return firstThere({"../share/campaigns", "../share/usar-mission-control/campaigns"});
 }
 
+QString samplesFolder() {
+    return firstThere({"../share/samples", "../share/usar-mission-control/samples"});
+}
+
 QString robotsFolder() {
     return firstThere({"../share/robots", "../share/usar-mission-control/robots"});
 }
@@ -82,8 +86,7 @@ QString equipmentAdvice() {
 }
 
 QString manualPage() {
-    return firstThere({"../share/html", "../share/doc/usar-mission-control/html"}) +
-           "/resources/docs/tasks/README.html";
+    return firstThere({"../share/html", "../share/usar-mission-control/html"}) + "/resources/docs/tasks/README.html";
 }
 
 QString missionProgram() {

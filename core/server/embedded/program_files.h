@@ -33,6 +33,8 @@ QString worldTitle(QString name);
 QString missionsFolder();
 /// The folder of the campaigns that come with the program.
 QString campaignsFolder();
+/// The folder of the samples that come with the program: what a flight, a scan and a campaign leave.
+QString samplesFolder();
 /// The folder of the robot files.
 QString robotsFolder();
 /// The folder of the files that give a real server the robots' equipment: USARBot.ini and DefaultUSAR.ini.
