@@ -1,6 +1,7 @@
 // usar-make-help: makes pages for a browser from our Markdown pages, each at its own place below a folder, with
 // cmark-gfm as the reader.
 #include <cstdio>
+#include <string>
 
 #include <QCoreApplication>
 #include <QDir>
@@ -18,9 +19,16 @@ using namespace usar;
 Result<QString> bodyOf(const QString& reader, const QString& path) {
     QProcess process;
     process.start(reader, {"-e", "table", "-e", "strikethrough", path});
-    if (!process.waitForFinished() || process.exitCode() != 0)
-        return failure("cmark-gfm cannot read it: " + process.errorString().toStdString(), path.toStdString(),
+    if (!process.waitForStarted())
+        return failure("it cannot be started: " + process.errorString().toStdString(), reader.toStdString(),
                        "Install cmark-gfm");
+    if (!process.waitForFinished() || process.exitStatus() != QProcess::NormalExit)
+        return failure("cmark-gfm did not come to an end with it: " + process.errorString().toStdString(),
+                       path.toStdString());
+    if (process.exitCode() != 0)
+        return failure("cmark-gfm ended with " + std::to_string(process.exitCode()) +
+                           " and said: " + QString::fromUtf8(process.readAllStandardError()).trimmed().toStdString(),
+                       path.toStdString());
     return QString::fromUtf8(process.readAllStandardOutput());
 }
 

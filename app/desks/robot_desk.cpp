@@ -224,7 +224,7 @@ void RobotDesk::welcome(RobotId id) {
     presenter_.showRow(id);
     const mission::RobotView& view = control_.robot(id)->view();
     const std::string& name = view.recorded_name.empty() ? view.spawn.robot_name : view.recorded_name;
-    if (!preferred_.valid() && name == preferred_name_)
+    if (!preferred_.valid() && !name.empty() && name == preferred_name_)
         preferred_ = id;
     const bool keeps = preferred_.valid() && preferred_ != id && selection_.id() == preferred_;
     if (!keeps)

@@ -53,6 +53,7 @@ private:
     std::uint64_t position_ = recording::head_bytes; ///< of the block to be read next
     std::uint64_t block_offset_ = 0;                 ///< of the block that `bytes_` reads
     std::uint64_t group_offset_ = 0;                 ///< of the first block of its group
+    std::size_t group_bytes_ = 0;                    ///< of records that were unpacked of its group
     ByteReader bytes_{{}};
     PackedBefore before_;
 };
@@ -92,7 +93,10 @@ bool PackedSource::readIndex(RecordCounter& counter) {
     constexpr std::size_t end_bytes = recording::index_end_bytes;
     if (file_.size() < recording::head_bytes + recording::block_head_bytes + end_bytes)
         return false;
-    const std::uint64_t offset = recording::indexEndIn(file_.at(file_.size() - end_bytes, end_bytes));
+    const std::string_view end = file_.at(file_.size() - end_bytes, end_bytes);
+    if (end.size() < end_bytes)
+        return false; // The file was cut since it was measured.
+    const std::uint64_t offset = recording::indexEndIn(end);
     if (offset < recording::head_bytes || offset >= file_.size())
         return false;
     const Block block = blockAt(offset);
@@ -194,11 +198,14 @@ bool PackedSource::unpack(const Block& block) {
         body.text(body.varint()); // The state of what comes before.
         before_ = {};
         group_offset_ = position_;
+        group_bytes_ = 0;
     }
     const std::string_view compressed = body.rest();
-    if (body.failed() || !unpacker_.read(block.kind, compressed))
+    const bool goes_on = group_bytes_ < RecordPacker::group_bytes; // Behind that, writers begin another group.
+    if (body.failed() || !goes_on || !unpacker_.read(block.kind, compressed))
         return false;
     bytes_ = ByteReader(unpacker_.records());
+    group_bytes_ += unpacker_.records().size();
     return true;
 }
 

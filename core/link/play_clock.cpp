@@ -9,10 +9,6 @@ namespace usar::link {
 
 namespace {
 
-/// A protocol clock that leaps farther ahead than this, or backward, is damaged or another clock: counting restarts
-/// there.
-constexpr Seconds longest_leap{10.0};
-
 std::optional<Seconds> newestTime(std::string_view bytes) {
     constexpr std::string_view key = "{Time ";
     const auto at = bytes.rfind(key);
@@ -25,7 +21,6 @@ std::optional<Seconds> newestTime(std::string_view bytes) {
 }
 
 constexpr Seconds together_within{0.005};
-constexpr Seconds farthest{1e9}; ///< clock readings beyond this are damage and ignored
 
 RecordTime after(RecordTime play, Seconds span) {
     return play + std::chrono::round<RecordTime>(span);
@@ -51,7 +46,7 @@ void appendReading(std::string& bytes, const std::optional<Seconds>& now) {
 /// The same for a reading of the protocol clock. One that is damaged may be written; nothing can be counted from it.
 Seconds readClock(ByteReader& bytes, bool& good) {
     const double now_s = bytes.number();
-    good = good && std::abs(now_s) < farthest.count(); // Not true for NaN.
+    good = good && std::abs(now_s) < PlayClock::farthest.count(); // Not true for NaN.
     return Seconds{now_s};
 }
 
@@ -107,7 +102,7 @@ bool PlayClock::readFrom(ByteReader& bytes) {
 }
 
 void ClockTable::add(RecordTime play, Seconds now) {
-    if (!(std::abs(now.count()) < farthest.count())) // Also true for NaN.
+    if (!(std::abs(now.count()) < PlayClock::farthest.count())) // Also true for NaN.
         return;
     if (!stretches_.empty()) {
         Stretch& last = stretches_.back();
@@ -117,12 +112,14 @@ void ClockTable::add(RecordTime play, Seconds now) {
             return;
         }
     }
-    stretches_.push_back({now, now, play});
+    if (stretches_.size() < most_stretches)
+        stretches_.push_back({now, now, play});
 }
 
 std::optional<RecordTime> ClockTable::at(Seconds now) const {
-    if (stretches_.empty())
+    if (stretches_.empty() || std::isnan(now.count()))
         return std::nullopt;
+    now = std::clamp(now, -PlayClock::farthest, PlayClock::farthest); // No reading is beyond, and times can be added.
     for (auto stretch = stretches_.rbegin(); stretch != stretches_.rend(); ++stretch) {
         if (now < stretch->begin)
             continue;
@@ -156,7 +153,8 @@ bool ClockTable::readFrom(ByteReader& bytes) {
     for (std::uint64_t left = bytes.varint(); left > 0 && good && !bytes.failed(); --left) {
         Stretch stretch{readClock(bytes, good), readClock(bytes, good), {}};
         stretch.play = readTime(bytes, good);
-        stretches_.push_back(stretch);
+        if (stretches_.size() < most_stretches)
+            stretches_.push_back(stretch);
     }
     return good && !bytes.failed();
 }

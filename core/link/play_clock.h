@@ -19,6 +19,11 @@ class PlayClock {
 public:
     /// 73 years. What says to be later is damage, and counts as this, so that times can be added.
     static constexpr RecordTime longest{std::int64_t{1} << 61};
+    /// A protocol clock that leaps farther ahead than this, or backward, is damaged or another clock: counting restarts
+    /// there.
+    static constexpr Seconds longest_leap{10.0};
+    /// Readings of the protocol clock beyond this are damage.
+    static constexpr Seconds farthest{1e9};
 
     /// Time from the start of the replay at which to play the record. Never runs backward.
     RecordTime at(const Record& record);
@@ -45,11 +50,14 @@ private:
 /// table keeps the stretches in which both agree to within 5 ms: one for a flight at full speed, one per tick at worst.
 class ClockTable {
 public:
+    /// A damaged recording may claim any number of stretches; those beyond this many are ignored.
+    static constexpr std::size_t most_stretches = std::size_t{1} << 20;
+
     /// Adds one reading: at replay time `play` (by PlayClock) the protocol clock read `now`. To be called in the order
-    /// of the recording. A `now` that is not a number or beyond 1e9 s is ignored.
+    /// of the recording. A `now` that is not a number or beyond PlayClock::farthest is ignored.
     void add(RecordTime play, Seconds now);
     /// Replay time (by PlayClock) at which the protocol clock read `now`; the last such time if there are several;
-    /// clamped to the first and last reading. Nullopt if no reading was added.
+    /// clamped to the first and last reading. Nullopt if no reading was added or `now` is not a number.
     std::optional<RecordTime> at(Seconds now) const;
 
     bool operator==(const ClockTable&) const = default;

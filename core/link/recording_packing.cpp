@@ -132,6 +132,8 @@ void BlockWriter::beginGroup(std::uint64_t offset, std::string_view records) {
     appendVarint(state_, groups_.back().time_ns);
     appendVarint(state_, state.size());
     state_ += state;
+    if (!context_)
+        return; // Nor is anything compressed then.
     ZSTD_CCtx_reset(context_.get(), ZSTD_reset_session_and_parameters);
     ZSTD_CCtx_setParameter(context_.get(), ZSTD_c_compressionLevel, fast_level);
     ZSTD_CCtx_setParameter(context_.get(), ZSTD_c_windowLog, window_log);
@@ -140,8 +142,10 @@ void BlockWriter::beginGroup(std::uint64_t offset, std::string_view records) {
             ZSTD_CCtx_setParameter(context_.get(), parameter, value);
 }
 
-/// Flushes, so that all of it can be read.
+/// Flushes, so that all of it can be read. Without memory, the reader takes the group for damaged.
 void BlockWriter::compress(std::string_view records, std::string& body) {
+    if (!context_)
+        return;
     ZSTD_inBuffer in{records.data(), records.size(), 0};
     for (std::size_t left = 1; left > 0;) {
         const std::size_t begin = body.size();
@@ -150,7 +154,7 @@ void BlockWriter::compress(std::string_view records, std::string& body) {
         left = ZSTD_compressStream2(context_.get(), &out, &in, ZSTD_e_flush);
         body.resize(begin + out.pos);
         if (ZSTD_isError(left))
-            return; // Only without memory; the reader then takes the group for damaged.
+            return; // Only without memory.
     }
 }
 
@@ -174,16 +178,19 @@ void BlockReader::Free::operator()(ZSTD_DCtx_s* context) const {
 }
 
 BlockReader::BlockReader() : context_(ZSTD_createDCtx()), room_(most_unpacked_bytes, '\0') {
-    ZSTD_DCtx_setParameter(context_.get(), ZSTD_d_windowLogMax, window_log);
+    if (context_) // There is none without memory.
+        ZSTD_DCtx_setParameter(context_.get(), ZSTD_d_windowLogMax, window_log);
 }
 
 BlockReader::~BlockReader() = default;
 
 bool BlockReader::read(BlockKind kind, std::string_view compressed) {
+    size_ = 0;
+    if (!context_ || compressed.empty())
+        return false;
     if (kind == BlockKind::First)
         ZSTD_DCtx_reset(context_.get(), ZSTD_reset_session_only);
     ZSTD_inBuffer in{compressed.data(), compressed.size(), 0};
-    size_ = 0;
     ZSTD_outBuffer out{room_.data(), room_.size(), 0};
     while (true) {
         const std::size_t before = in.pos + out.pos;

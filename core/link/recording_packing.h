@@ -96,7 +96,8 @@ public:
     ~BlockReader();
 
     /// The records of a block; for a First, `compressed` is what follows the state. Valid until the next call. False if
-    /// the bytes are malformed or there are more records than a block can have; the rest of the group is then lost.
+    /// the bytes are malformed or none, or there are more records than a block can have; the rest of the group is then
+    /// lost.
     bool read(recording::BlockKind kind, std::string_view compressed);
     std::string_view records() const { return std::string_view(room_).substr(0, size_); }
 

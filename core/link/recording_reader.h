@@ -19,9 +19,10 @@ namespace usar::link {
 enum class OpenMode { Thorough, Quick };
 
 /// Surveys the file when it is opened and then reads it through a window of a few MiB, so that the length of a
-/// recording costs no memory except an index entry per 64 KiB. Damage costs the records that it hit, in a packed file
-/// those up to the end of the group. Times never run backward: an earlier time is replaced by the one before it. A file
-/// that is still being written is read up to where it ended when it was opened. Used in its owner's thread.
+/// recording costs no memory except an index entry: one per 64 KiB of a file of version 1, one per group of 256 KiB of
+/// records in version 2. Damage costs the records that it hit, in a packed file those up to the end of the group. Times
+/// never run backward: an earlier time is replaced by the one before it. A file that is still being written is read up
+/// to where it ended when it was opened. Used in its owner's thread.
 class RecordingReader {
 public:
     /// Errors: the file cannot be read, is not a recording, has an unknown version, or holds no whole record.

@@ -8,6 +8,10 @@ namespace usar::link {
 
 namespace {
 
+// A damaged recording may claim any number of facts; what is beyond these is ignored.
+constexpr std::size_t most_facts = 256;
+constexpr std::size_t most_fact_bytes = 64u << 10; ///< of one record
+
 std::string withUnit(std::uint64_t count, const char* one, const char* many) {
     return std::to_string(count) + ' ' + (count == 1 ? one : many);
 }
@@ -50,7 +54,8 @@ void RecordCounter::take(const Record& record) {
 }
 
 void RecordCounter::takeFacts(std::string_view text) {
-    while (!text.empty()) {
+    text = text.substr(0, most_fact_bytes);
+    while (!text.empty() && survey_.facts.size() < most_facts) {
         const std::string_view line = text.substr(0, text.find('\n'));
         text.remove_prefix(std::min(text.size(), line.size() + 1));
         if (const auto colon = line.find(':'); colon != std::string_view::npos)

@@ -15,6 +15,14 @@ RecordTime toRecordTime(Seconds span) {
     return std::chrono::round<RecordTime>(span); // If truncated, the end of a recording could not be reached.
 }
 
+/// The moment of a recording that is nearest to `position`, which may be any number: one that is too large for a
+/// RecordTime must not be converted.
+RecordTime momentNearest(Seconds position, RecordTime span) {
+    if (!(position > Seconds{0.0})) // Also true for NaN.
+        return RecordTime{0};
+    return position < Seconds(span) ? std::min(toRecordTime(position), span) : span;
+}
+
 } // namespace
 
 Record Replayer::Waiting::view() const {
@@ -72,7 +80,7 @@ void Replayer::setSpeed(double speed) {
 }
 
 void Replayer::seek(Seconds position) {
-    const RecordTime wanted = std::clamp(toRecordTime(position), RecordTime{0}, survey().play_span);
+    const RecordTime wanted = momentNearest(position, survey().play_span);
     settle(dueNow());
     ended_ = false;
     taker_.quiet(true);
@@ -89,7 +97,7 @@ void Replayer::seekToClock(Seconds now) {
 }
 
 void Replayer::setEnd(Seconds end) {
-    end_ = std::clamp(toRecordTime(end), RecordTime{0}, survey().play_span);
+    end_ = momentNearest(end, survey().play_span);
     arm();
 }
 

@@ -182,7 +182,6 @@ void tst_WindowTrouble::aSensorThatStopsIsNamed() {
     QTRY_VERIFY_WITH_TIMEOUT(page.window().views().notifications->model()->openCount() == 0, soon_ms);
 }
 
-/// Defect D19 of the review: dozens of problems stood open, most of them of robots that were gone.
 /// As on a server whose AirRobot has neither scanner nor INS.
 void tst_WindowTrouble::whatAStockRobotLacksIsNamedWithItsFile() {
     TroubledServer server;
@@ -209,6 +208,7 @@ void tst_WindowTrouble::whatAStockRobotLacksIsNamedWithItsFile() {
     page.screenshot("missing_sensors");
 }
 
+/// Defect D19 of the review: dozens of problems stood open, most of them of robots that were gone.
 void tst_WindowTrouble::theTroubleOfARobotGoesWithIt() {
     TroubledServer server;
     WindowPage page;

@@ -214,9 +214,9 @@ void tst_RecordingFile::damageIsSearchedOnceHoweverOftenTheFileIsRead() {
     for (int repeat = 0; repeat < 32; ++repeat)
         lure += std::string("\x01\x00\x08\x00", 4);
     std::string file;
-    recording::appendHead(file);
+    doubles::appendOldHead(file);
     for (int number = 0; number < count; ++number) {
-        recording::append(file, {.kind = RecordKind::In, .time = number * 1ms, .bytes = lure});
+        doubles::appendPlain(file, {.kind = RecordKind::In, .time = number * 1ms, .bytes = lure});
         if (number == 10 || number == 20 || number == 30)
             file[file.size() - lure.size() - recording::record_head_bytes + 4] ^= 1; // Its checksum.
     }

@@ -1,4 +1,6 @@
 // The commands that the task pages show do what the pages say.
+#include <chrono>
+
 #include <QDir>
 #include <QFile>
 #include <QProcess>
@@ -29,12 +31,16 @@ QString scriptOf(const QString& page) {
 }
 
 struct Ended {
-    int exit_code = -1;
+    int exit_code = -1; ///< -1 also if it had to be stopped
     QByteArray said;
 };
 
-/// Ends at the first command that fails, as a reader would.
-Ended run(const QString& script) {
+constexpr std::chrono::seconds longest{200};
+constexpr int stopped_by_timeout = 124;
+
+/// Ends at the first command that fails, as a reader would, and with all its children when the time is over: timeout
+/// makes a process group of them.
+Ended run(const QString& script, std::chrono::seconds most = longest) {
     const QTemporaryDir place;
     QProcess shell;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
@@ -42,10 +48,21 @@ Ended run(const QString& script) {
     shell.setProcessEnvironment(environment);
     shell.setWorkingDirectory(place.path());
     shell.setProcessChannelMode(QProcess::MergedChannels);
-    shell.start("bash", {"-euo", "pipefail", "-c", script});
-    if (!shell.waitForFinished(200'000))
+    shell.start("timeout", {"--kill-after=5", QString::number(most.count()), "bash", "-euo", "pipefail", "-c", script});
+    const std::chrono::milliseconds until_killed = most + std::chrono::seconds(20);
+    if (!shell.waitForFinished(static_cast<int>(until_killed.count()))) {
         shell.kill();
-    return {shell.exitStatus() == QProcess::NormalExit ? shell.exitCode() : -1, shell.readAll()};
+        shell.waitForFinished();
+        return {-1, shell.readAll()};
+    }
+    const bool ended = shell.exitStatus() == QProcess::NormalExit && shell.exitCode() != stopped_by_timeout;
+    return {ended ? shell.exitCode() : -1, shell.readAll()};
+}
+
+/// Empty if the process is gone, or is dead and only waits for its parent.
+QByteArray commandOf(const QByteArray& process_id) {
+    QFile file("/proc/" + QString::fromLatin1(process_id) + "/cmdline");
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
 } // namespace
@@ -56,8 +73,7 @@ private slots:
     void theCommandsOfEachPageWork_data() {
         QTest::addColumn<QString>("page");
         for (const QString& page : QDir(folder).entryList({"*.md"}, QDir::Files, QDir::Name))
-            if (page != "README.md")
-                QTest::newRow(qPrintable(page)) << page;
+            QTest::newRow(qPrintable(page)) << page;
     }
     void theCommandsOfEachPageWork() {
         QFETCH(const QString, page);
@@ -69,7 +85,16 @@ private slots:
 
     void theTestItselfSeesACommandThatFails() {
         QCOMPARE(run("true\nfalse\ntrue\n").exit_code, 1);
-        QVERIFY(run("usar-mission run no-such-file.json\n").exit_code != 0);
+        QVERIFY(run("usar-mission run no-such-file.json\n").exit_code > 0);
+    }
+
+    void theTestItselfSeesACommandThatHangs() {
+        const Ended ended = run("sleep 600 &\necho $!\nwait\n", std::chrono::seconds(3));
+        QCOMPARE(ended.exit_code, -1);
+        const QByteArray child = ended.said.split('\n').first();
+        QVERIFY2(child.toInt() > 0, ended.said);
+        QTRY_VERIFY(commandOf(child).isEmpty()); // It went with the shell.
+        QVERIFY(!commandOf("self").isEmpty());
     }
 };
 

@@ -29,7 +29,7 @@ struct McapTimes {
 };
 
 /// Collects messages in JSON into uncompressed chunks with checksums and indexes. Once the sink has refused a piece,
-/// nothing more is sent. Holds one chunk, and for each chunk that was sent 80 bytes and 10 for each of its channels. To
+/// nothing more is sent. Holds one chunk, and for each chunk that was sent 72 bytes and 16 for each of its channels. To
 /// be used in one thread.
 class McapWriter {
 public:

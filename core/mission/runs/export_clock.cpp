@@ -3,19 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/link/play_clock.h"
+
 namespace usar::mission {
 
 namespace {
 
-constexpr Seconds longest_leap{10.0};
-constexpr Seconds farthest{1e9};
+/// In nanoseconds, this is just below 2^63. Only a damaged recording gets there, by restarts of its clock.
+constexpr Seconds end_of_line{9e9};
 
 bool canBe(Seconds reading) {
-    return reading >= Seconds{0.0} && reading <= farthest; // False for NaN.
+    return reading >= Seconds{0.0} && reading <= link::PlayClock::farthest; // False for NaN.
 }
 
 bool agree(Seconds one, Seconds other) {
-    return canBe(one) && canBe(other) && std::abs((one - other).count()) <= longest_leap.count();
+    return canBe(one) && canBe(other) && std::abs((one - other).count()) <= link::PlayClock::longest_leap.count();
 }
 
 std::uint64_t nanoseconds(Seconds time) {
@@ -40,6 +42,10 @@ void ExportClock::take(Seconds reading) {
     }
 }
 
+Seconds ExportClock::onLine(Seconds reading) const {
+    return std::min(reading + shift_, end_of_line);
+}
+
 void ExportClock::goOnAt(Seconds reading) {
     if (reading < newest_)
         shift_ += newest_ - reading;
@@ -50,7 +56,7 @@ void ExportClock::goOnAt(Seconds reading) {
 
 McapTimes ExportClock::timesOf(std::optional<Seconds> own) const {
     const std::uint64_t now_ns = nanoseconds(now());
-    return {now_ns, own && agree(*own, newest_) ? nanoseconds(*own + shift_) : now_ns};
+    return {now_ns, own && agree(*own, newest_) ? nanoseconds(onLine(*own)) : now_ns};
 }
 
 } // namespace usar::mission

@@ -26,9 +26,11 @@ public:
     /// newest line.
     McapTimes timesOf(std::optional<Seconds> own) const;
     /// The newest time on the line.
-    Seconds now() const { return newest_ + shift_; }
+    Seconds now() const { return onLine(newest_); }
 
 private:
+    /// Where a reading of the clock that runs now is on the line, which ends before nanoseconds do.
+    Seconds onLine(Seconds reading) const;
     void goOnAt(Seconds reading);
 
     Seconds newest_; ///< reading of the clock that runs now

@@ -33,9 +33,20 @@ std::optional<std::pair<Frame, std::size_t>> RecordedPlan::frameAt(std::size_t o
     ByteReader head(std::string_view(bytes_).substr(offset));
     const std::uint64_t length = head.varint();
     const std::size_t content = offset + head.used();
-    if (head.failed() || length == 0 || length > bytes_.size() - content)
+    if (head.failed() || length == 0 || length > posh::trace_codec::longest_frame || length > bytes_.size() - content)
         return std::nullopt;
     return std::pair(static_cast<Frame>(bytes_[content]), content + static_cast<std::size_t>(length));
+}
+
+std::size_t RecordedPlan::lastKey() const {
+    std::size_t key = 0;
+    std::size_t offset = taken_;
+    while (const auto frame = frameAt(offset)) {
+        if (frame->first == Frame::Key)
+            key = offset;
+        offset = frame->second;
+    }
+    return key;
 }
 
 void RecordedPlan::begin(std::string bytes) {
@@ -52,15 +63,20 @@ void RecordedPlan::take(std::string_view piece) {
         begin(std::string(piece));
     else if (file_)
         bytes_ += piece;
-    while (const auto frame = file_ && taken_ < bytes_.size() ? frameAt(taken_) : std::nullopt) {
+    else
+        return;
+    std::size_t cut = lastKey(); // To cut at each key would copy what follows it as often.
+    while (const auto frame = frameAt(taken_)) {
         const auto& [kind, end] = *frame;
         if (kind == Frame::Plan)
             plan_frame_ = bytes_.substr(taken_, end - taken_);
         const std::size_t behind_plan = posh::trace_codec::magic.size() + plan_frame_.size();
-        if (kind == Frame::Key && taken_ > behind_plan)
+        if (taken_ == cut && taken_ > behind_plan) {
             begin(std::string(posh::trace_codec::magic) + plan_frame_ + bytes_.substr(taken_));
-        else
+            cut = 0;
+        } else {
             readTo(end);
+        }
     }
     if (bytes_.size() > most_bytes) {
         cursor_.reset();

@@ -36,6 +36,8 @@ public:
 private:
     /// The complete frame at `offset`: its kind and its end; nullopt if there is none yet.
     std::optional<std::pair<posh::trace_codec::Frame, std::size_t>> frameAt(std::size_t offset) const;
+    /// Where the last complete key among the frames that were not read begins; 0 if there is none.
+    std::size_t lastKey() const;
     void begin(std::string bytes);
     /// Reads the cycles up to the byte at `end`.
     void readTo(std::size_t end);

@@ -30,6 +30,10 @@ struct Beginning {
     double cell_size_m = 0.0;
 };
 
+tl::unexpected<Error> cancellationOf(const std::string& recording) {
+    return failure("the export was cancelled, and nothing of it is kept", recording, "Export again whenever you like");
+}
+
 std::string robotOf(const link::Record& record) {
     const bool is_spawn =
         record.bytes.starts_with("INIT") &&
@@ -42,8 +46,8 @@ std::string robotOf(const link::Record& record) {
     return init ? init->robot_name.text() : std::string();
 }
 
-/// Reads as far as it must, and leaves the recording at its beginning.
-Beginning beginningOf(link::RecordingReader& recording) {
+/// Reads as far as it must, unless `stop` is requested, and leaves the recording at its beginning.
+Beginning beginningOf(link::RecordingReader& recording, const std::stop_token& stop) {
     Beginning beginning;
     const auto& facts = recording.survey().facts;
     if (const auto robot = facts.find("robot"); robot != facts.end())
@@ -51,7 +55,11 @@ Beginning beginningOf(link::RecordingReader& recording) {
     beginning.cell_size_m = cellSizeOf(recording.survey());
     link::PlayClock clock;
     bool has_clock = false;
-    while (const auto record = !has_clock || beginning.robot_name.empty() ? recording.next() : std::nullopt) {
+    const auto misses_something = [&] { return !has_clock || beginning.robot_name.empty(); };
+    while (!stop.stop_requested() && misses_something()) {
+        const auto record = recording.next();
+        if (!record)
+            break;
         clock.at(*record);
         if (!has_clock && clock.now())
             beginning.clock = *clock.now();
@@ -77,7 +85,7 @@ public:
         , stop_(std::move(stop))
         , progress_(std::move(progress))
         , path_(recording->path())
-        , topics_(makeTopics(file_, beginningOf(*recording)))
+        , topics_(makeTopics(file_, beginningOf(*recording, stop_)))
         , replayer_(std::move(recording), *this) {}
 
     Result<McapSummary> play();
@@ -88,12 +96,14 @@ private:
     }
 
     void rewound() override {}
-    void opened(std::string_view place) override { topics_.beginConnection(place); }
-    void closed(std::string_view reason) override { topics_.endConnection(reason); }
+    void opened(std::string_view place) override;
+    void closed(std::string_view reason) override;
     void line(std::string_view text, LineNumber number) override;
-    void sent(const link::Record& record) override { topics_.takeSent(record); }
-    void note(const link::Record& record) override { topics_.takeNote(record); }
+    void sent(const link::Record& record) override;
+    void note(const link::Record& record) override;
     void quiet(bool) override {}
+    /// Ends the play, and is false from then on, if it was cancelled or the file takes no more.
+    bool goesOn();
 
     std::string complaint() const;
 
@@ -112,18 +122,44 @@ private:
     link::Replayer replayer_;
 };
 
-void McapPlayer::line(std::string_view text, LineNumber number) {
+bool McapPlayer::goesOn() {
     if (over_)
-        return;
-    reader_.continueAfter({number.value - 1});
-    topics_.take(reader_.read(text));
-    if (progress_ && ++lines_ % lines_a_report == 0)
-        progress_(replayer_.figures().position, replayer_.figures().span);
+        return false;
     over_ = stop_.stop_requested() || !file_.good();
     if (over_) {
         replayer_.setPlaying(false);
         QMetaObject::invokeMethod(&loop_, &QEventLoop::quit, Qt::QueuedConnection);
     }
+    return !over_;
+}
+
+void McapPlayer::opened(std::string_view place) {
+    if (goesOn())
+        topics_.beginConnection(place);
+}
+
+void McapPlayer::closed(std::string_view reason) {
+    if (goesOn())
+        topics_.endConnection(reason);
+}
+
+void McapPlayer::sent(const link::Record& record) {
+    if (goesOn())
+        topics_.takeSent(record);
+}
+
+void McapPlayer::note(const link::Record& record) {
+    if (goesOn())
+        topics_.takeNote(record);
+}
+
+void McapPlayer::line(std::string_view text, LineNumber number) {
+    if (!goesOn())
+        return;
+    reader_.continueAfter({number.value - 1});
+    topics_.take(reader_.read(text));
+    if (progress_ && ++lines_ % lines_a_report == 0)
+        progress_(replayer_.figures().position, replayer_.figures().span);
 }
 
 Result<McapSummary> McapPlayer::play() {
@@ -132,7 +168,7 @@ Result<McapSummary> McapPlayer::play() {
     replayer_.setPlaying(true);
     loop_.exec();
     if (stop_.stop_requested())
-        return failure("the export was cancelled, and nothing of it is kept", path_, "Export again whenever you like");
+        return cancellationOf(path_);
     topics_.finish(replayer_.survey().complaint());
     file_.finish();
     if (!file_.good())
@@ -153,6 +189,8 @@ std::string McapPlayer::complaint() const {
 
 Result<McapSummary> recordingToMcap(const QString& recording, QIODevice& output, const std::stop_token& stop,
                                     const McapProgress& progress) {
+    if (stop.stop_requested())
+        return cancellationOf(recording.toStdString());
     auto reader = link::RecordingReader::open(recording);
     if (!reader)
         return tl::unexpected(reader.error());
@@ -163,6 +201,12 @@ Result<McapSummary> recordingToMcapFile(const QString& recording, const QString&
                                         const std::stop_token& stop, const McapProgress& progress) {
     if (!replaces && QFileInfo::exists(file))
         return failure("there is a file of this name already, and it is left alone", file.toStdString(),
+                       "Give the output another name");
+    if (stop.stop_requested())
+        return cancellationOf(recording.toStdString());
+    const QString target = QFileInfo(file).canonicalFilePath(); // Empty if there is no such file yet.
+    if (!target.isEmpty() && target == QFileInfo(recording).canonicalFilePath())
+        return failure("the output is the recording itself, and it is left alone", file.toStdString(),
                        "Give the output another name");
     QSaveFile output(file);
     if (!output.open(QIODevice::WriteOnly))

@@ -31,7 +31,8 @@ using McapProgress = std::function<void(Seconds done, Seconds whole)>;
 Result<McapSummary> recordingToMcap(const QString& recording, QIODevice& output, const std::stop_token& stop = {},
                                     const McapProgress& progress = {});
 
-/// The same into a file, which appears when it is complete. `replaces`: it may exist already; else that is an error.
+/// The same into a file, which appears when it is complete. `replaces`: it may exist already; else that is an error, as
+/// it always is if it is the recording itself.
 Result<McapSummary> recordingToMcapFile(const QString& recording, const QString& file, bool replaces,
                                         const std::stop_token& stop = {}, const McapProgress& progress = {});
 

@@ -33,6 +33,11 @@ void optionalNumber(JsonPen& pen, std::string_view name, const std::optional<dou
     pen.number(*value);
 }
 
+/// A number that the schema demands: 0 if it is none.
+void requiredNumber(JsonPen& pen, std::string_view name, double value) {
+    optionalNumber(pen, name, std::isfinite(value) ? value : 0.0);
+}
+
 LogLevel levelOf(Severity severity) {
     return severity == Severity::Note      ? LogLevel::Info
            : severity == Severity::Warning ? LogLevel::Warning
@@ -117,7 +122,7 @@ void RecordingTopics::take(const protocol::RangeScan& scan) {
         pen.raw(",\"end_angle\":");
         pen.number(scan.beamAngle_rad(scan.ranges_m.size() - 1));
         pen.raw(",\"ranges\":");
-        writeNumbers(pen, scan.ranges_m);
+        writeRanges(pen, scan.ranges_m);
         pen.raw(",\"intensities\":[]");
     });
 }
@@ -240,8 +245,8 @@ void RecordingTopics::take(const agent::BehaviorStatus& status) {
     topics_.send(topic("status"), schemas::status(), status.time, [&](JsonPen& pen) {
         pen.raw(",\"state\":");
         writeText(pen, status.state);
-        optionalNumber(pen, "elapsed_s", std::isfinite(status.elapsed.count()) ? status.elapsed.count() : 0.0);
-        optionalNumber(pen, "distance_flown_m", status.distance_flown_m);
+        requiredNumber(pen, "elapsed_s", status.elapsed.count());
+        requiredNumber(pen, "distance_flown_m", status.distance_flown_m);
         pen.raw(",\"charges\":");
         pen.number(static_cast<std::uint64_t>(std::max(0, status.charges)));
         pen.raw(status.paused ? ",\"paused\":true" : ",\"paused\":false");

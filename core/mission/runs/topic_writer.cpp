@@ -114,15 +114,13 @@ void writePose(JsonPen& pen, const Pose& pose) {
     pen.raw("}");
 }
 
-void writeNumbers(JsonPen& pen, std::span<const double> values) {
+void writeRanges(JsonPen& pen, std::span<const double> ranges_m) {
+    constexpr double no_range_m = -1.0; // JSON has no NaN, and readers drop what is below the least range.
     pen.raw("[");
     bool first = true;
-    for (const double value : values) {
+    for (const double range_m : ranges_m) {
         pen.next(first);
-        if (std::isfinite(value))
-            pen.number(value);
-        else
-            pen.raw("null"); // JSON has no NaN.
+        pen.number(std::isfinite(range_m) ? range_m : no_range_m);
     }
     pen.raw("]");
 }

@@ -67,10 +67,10 @@ private:
 std::string topicPart(std::string_view name);
 
 // Parts of messages.
-void writeFrame(JsonPen& pen, std::string_view frame);           ///< `,"frame_id":…`
-void writePose(JsonPen& pen, const Pose& pose);                  ///< an object: position and orientation
-void writeNumbers(JsonPen& pen, std::span<const double> values); ///< an array; null for what is not finite
-void writeFloats(JsonPen& pen, std::span<const float> values);   ///< base64 of little-endian floats, with quotes
+void writeFrame(JsonPen& pen, std::string_view frame);            ///< `,"frame_id":…`
+void writePose(JsonPen& pen, const Pose& pose);                   ///< an object: position and orientation
+void writeRanges(JsonPen& pen, std::span<const double> ranges_m); ///< an array; -1 for what is not finite
+void writeFloats(JsonPen& pen, std::span<const float> values);    ///< base64 of little-endian floats, with quotes
 /// UTF-8 in quotes; bytes that are none are replaced.
 void writeText(JsonPen& pen, std::string_view text);
 

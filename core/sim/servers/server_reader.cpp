@@ -50,8 +50,15 @@ bool isList(std::string_view key) {
     return sameWord(key, "Sensors") || sameWord(key, "Cameras") || sameWord(key, "AddParts");
 }
 
-ServerRobot robotOf(const IniSection& section) {
-    ServerRobot robot{section.name.substr(robot_prefix.size()), {}, {}};
+auto isCalled(std::string_view class_name) {
+    return [class_name](const ServerRobot& robot) { return sameWord(robot.class_name, class_name); };
+}
+
+/// Adds what the section says of its robot. A file may have several sections of one robot; all of them count.
+void addToRobot(std::vector<ServerRobot>& robots, const IniSection& section) {
+    const std::string class_name = section.name.substr(robot_prefix.size());
+    const auto known = std::ranges::find_if(robots, isCalled(class_name));
+    ServerRobot& robot = known != robots.end() ? *known : robots.emplace_back(ServerRobot{class_name, {}, {}});
     for (const std::string& line : section.lines) {
         const auto [key, value] = entryOf(line);
         if (isList(key))
@@ -59,7 +66,6 @@ ServerRobot robotOf(const IniSection& section) {
         else
             addNumber(robot.numbers, key, value);
     }
-    return robot;
 }
 
 bool isPlaced(const SensorModel& ours, const ServerItem& theirs) {
@@ -68,13 +74,6 @@ bool isPlaced(const SensorModel& ours, const ServerItem& theirs) {
     return (wanted.position_m - found.position_m).cwiseAbs().maxCoeff() < close_enough &&
            wanted.rotation().angularDistance(found.rotation()) < close_enough &&
            sameWord(theirs.parent, ours.link < 0 ? "" : ours.mount);
-}
-
-/// False if the class is that of another type of sensor; a class of its own may be of any type.
-bool mayBe(std::string_view type, std::string_view class_name, const SensorClasses& classes) {
-    const auto same = [class_name](const auto& known) { return sameWord(known.second, class_name); };
-    const auto found = std::ranges::find_if(classes, same);
-    return found == classes.end() || sameWord(found->first, type);
 }
 
 void compareSettings(const RobotModel& robot, const SensorModel& ours, const ServerItem& theirs,
@@ -96,8 +95,7 @@ void compareSettings(const RobotModel& robot, const SensorModel& ours, const Ser
 } // namespace
 
 const ServerRobot* ServerFile::robot(std::string_view class_name) const {
-    const auto found =
-        std::ranges::find_if(robots, [&](const ServerRobot& one) { return sameWord(one.class_name, class_name); });
+    const auto found = std::ranges::find_if(robots, isCalled(class_name));
     return found == robots.end() ? nullptr : &*found;
 }
 
@@ -114,7 +112,7 @@ Result<ServerFile> readServerFile(std::string_view text) {
                 addNumber(file.settings[lowerCase(section.name)], key, value);
         }
         if (lowerCase(section.name).starts_with(robot_prefix))
-            file.robots.push_back(robotOf(section));
+            addToRobot(file.robots, section);
     }
     if (file.robots.empty())
         return failure("there is no section of a robot in it", "", "Give a server's USARBot.ini or DefaultUSAR.ini");
@@ -132,7 +130,7 @@ std::vector<std::string> differencesOf(const RobotModel& ours, const ServerFile&
             continue;
         const std::string what = ours.class_name + ": " + sensor.type + " " + sensor.name;
         const auto found = std::ranges::find_if(theirs->items, [&](const ServerItem& item) {
-            return sameWord(item.name, sensor.name) && mayBe(sensor.type, item.class_name, classes);
+            return sameWord(item.name, sensor.name) && mayHaveClass(sensor.type, item.class_name, classes);
         });
         if (found == theirs->items.end()) {
             differences.push_back(what + " is missing");

@@ -142,16 +142,33 @@ private:
     std::vector<std::string> left_out_;
 };
 
-/// Replaces the entries with these keys, and adds those that were not there.
-void setEntries(IniSection& section, const Entries& entries) {
-    std::erase_if(section.lines, [&](const std::string& line) {
-        return std::ranges::any_of(entries,
-                                   [&](const auto& entry) { return sameWord(entryOf(line).first, entry.first); });
-    });
+bool isSectionOf(const IniSection& section, const RobotModel& robot) {
+    return sameWord(section.name, "USARBot." + robot.class_name);
+}
+
+/// True for a line whose key is that of one of the entries.
+bool isEntry(const std::string& line, const Entries& entries) {
+    const std::string_view key = entryOf(line).first;
+    return std::ranges::any_of(entries, [key](const auto& entry) { return sameWord(key, entry.first); });
+}
+
+/// Puts entries and items into the section of this name, in place of its lines with the same keys and of those that are
+/// replaced. A file may have several sections of one name: such lines go from all of them, and the first gets the new.
+template <class IsReplaced>
+void setLines(std::vector<IniSection>& sections, const std::string& name, const Entries& entries,
+              const std::vector<std::string>& items, const IsReplaced& is_replaced) {
+    for (IniSection& same : sections)
+        if (sameWord(same.name, name))
+            std::erase_if(same.lines,
+                          [&](const std::string& line) { return isEntry(line, entries) || is_replaced(line); });
+    IniSection* const found = findSection(sections, name);
+    IniSection& section = found ? *found : sections.emplace_back(IniSection{name, {}});
     while (!section.lines.empty() && trimmed(section.lines.back()).empty())
         section.lines.pop_back();
     for (const auto& [key, value] : entries)
         section.lines.push_back(key + "=" + value);
+    section.lines.insert(section.lines.end(), items.begin(), items.end());
+    section.lines.emplace_back();
 }
 
 /// True for a line of the server's file that ours replace.
@@ -172,48 +189,41 @@ bool isReplaced(const std::string& line, const RobotModel& robot, const Equippin
 }
 
 void equip(std::vector<IniSection>& sections, Equipping& equipping) {
-    const auto sectionFor = [&sections](const std::string& name) -> IniSection& {
-        if (IniSection* const found = findSection(sections, name))
-            return *found;
-        return sections.emplace_back(IniSection{name, {}});
-    };
+    const auto nothing_else = [](const std::string&) { return false; };
     for (const auto& [type, class_name] : equipping.classes())
-        if (const Entries entries = equipping.settingsFor(type); !entries.empty()) {
-            IniSection& section = sectionFor(class_name);
-            setEntries(section, entries);
-            section.lines.emplace_back();
-        }
-    if (equipping.hasBatteries()) {
-        IniSection& section = sectionFor("USARSensor.Battery");
-        setEntries(section, {Equipping::batteryLife()});
-        section.lines.emplace_back();
-    }
-    for (const RobotModel* robot : equipping.robots()) {
-        IniSection& section = sectionFor("USARBot." + robot->class_name);
-        std::erase_if(section.lines, [&](const std::string& line) { return isReplaced(line, *robot, equipping); });
-        setEntries(section, equipping.factsOf());
-        for (std::string& line : equipping.itemsOf(*robot))
-            section.lines.push_back(std::move(line));
-        section.lines.emplace_back();
-    }
+        if (const Entries entries = equipping.settingsFor(type); !entries.empty())
+            setLines(sections, class_name, entries, {}, nothing_else);
+    if (equipping.hasBatteries())
+        setLines(sections, "USARSensor.Battery", {Equipping::batteryLife()}, {}, nothing_else);
+    for (const RobotModel* robot : equipping.robots())
+        setLines(sections, "USARBot." + robot->class_name, equipping.factsOf(), equipping.itemsOf(*robot),
+                 [&equipping, robot](const std::string& line) { return isReplaced(line, *robot, equipping); });
 }
 
-/// Takes over the classes by which the server's file calls sensors with the names of ours.
+/// Takes over the classes by which the server's file calls sensors with the names of ours. The section of the robot
+/// itself counts before others, because another robot may use the name for something else.
 SensorClasses learnedClasses(const std::vector<IniSection>& sections, const RobotCatalog& robots, Dialect dialect) {
-    SensorClasses classes = stockClasses(dialect);
+    const SensorClasses stock = stockClasses(dialect);
+    SensorClasses classes = stock;
     std::set<std::string> learned;
-    for (const IniSection& section : sections)
-        for (const std::string& line : section.lines) {
-            const auto [key, value] = entryOf(line);
-            const IniFields fields = fieldsOf(value);
-            const std::string_view class_name = classIn(fieldIn(fields, "ItemClass"));
+    const auto learn = [&](const RobotModel& robot, const std::string& line) {
+        const auto [key, value] = entryOf(line);
+        const IniFields fields = fieldsOf(value);
+        const std::string_view class_name = classIn(fieldIn(fields, "ItemClass"));
+        if (class_name.empty())
+            return;
+        for (const SensorModel& sensor : robot.sensors)
+            if (sameWord(fieldIn(fields, "ItemName"), sensor.name) && sameWord(key, listKeyOf(sensor.type, dialect)) &&
+                stock.contains(sensor.type) && mayHaveClass(sensor.type, class_name, stock) &&
+                learned.insert(sensor.type).second)
+                classes[sensor.type] = class_name;
+    };
+    for (const bool its_own : {true, false})
+        for (const IniSection& section : sections)
             for (const RobotModel& robot : robots)
-                for (const SensorModel& sensor : robot.sensors)
-                    if (!class_name.empty() && sameWord(fieldIn(fields, "ItemName"), sensor.name) &&
-                        sameWord(key, listKeyOf(sensor.type, dialect)) && classes.contains(sensor.type) &&
-                        learned.insert(sensor.type).second)
-                        classes[sensor.type] = class_name;
-        }
+                if (isSectionOf(section, robot) == its_own)
+                    for (const std::string& line : section.lines)
+                        learn(robot, line);
     return classes;
 }
 
@@ -243,12 +253,12 @@ Result<ServerText> mergeServerFile(std::string_view server_text, const RobotCata
     if (std::ranges::none_of(sections, is_robot))
         return failure("there is no section of a robot in it", "",
                        "Give the server's own " + std::string(serverFileName(dialect)));
-    for (const RobotModel& robot : robots)
-        if (const IniSection* const section = findSection(sections, "USARBot." + robot.class_name))
-            for (const std::string& line : section->lines)
+    for (const IniSection& section : sections)
+        if (std::ranges::any_of(robots, [&section](const RobotModel& one) { return isSectionOf(section, one); }))
+            for (const std::string& line : section.lines)
                 if (const auto [key, value] = entryOf(line); sameWord(key, "bMountByUU") && sameWord(value, "true"))
                     return failure("its parts are measured in Unreal units, which cannot be mixed with meters",
-                                   section->name, "Take USARSim's original file");
+                                   section.name, "Take USARSim's original file");
     Equipping equipping(robots, dialect, learnedClasses(sections, robots, dialect));
     equip(sections, equipping);
     const bool dos = server_text.find("\r\n") != std::string_view::npos;

@@ -24,8 +24,8 @@ ServerText writeServerFile(const RobotCatalog& robots, protocol::Dialect dialect
 
 /// Puts the same into a server's own file and keeps everything else: the lines of other sensors, of parts and joints.
 /// A robot that has neither camera nor mission package loses those of the server. Where the server's file has a sensor
-/// of one of our names, its class is taken for all sensors of this type. Fails if there is no robot in the file, or if
-/// one of ours stands there in Unreal units.
+/// of one of our names, its class is taken for all sensors of this type, unless it is another type's. Fails if there is
+/// no robot in the file, or if one of ours stands there in Unreal units.
 Result<ServerText> mergeServerFile(std::string_view server_text, const RobotCatalog& robots, protocol::Dialect dialect);
 
 } // namespace usar::sim

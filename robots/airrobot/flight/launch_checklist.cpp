@@ -92,8 +92,9 @@ LaunchState LaunchChecklist::step(Seconds now, modules::RobotModules& robot, age
     missing_ = missingSensors(robot);
     if (!missing_.empty()) {
         const bool failed = now - *asked_all_ > first_data_time;
-        words_ = failed ? "These sensors send nothing, and the survey needs them: " + listOf(missing_)
-                        : "waiting for first data of " + listOf(missing_);
+        const char* const silent = missing_.size() == 1 ? "This sensor sends nothing, and the survey needs it: "
+                                                        : "These sensors send nothing, and the survey needs them: ";
+        words_ = (failed ? silent : "waiting for first data of ") + listOf(missing_);
         return failed ? LaunchState::Failed : LaunchState::Waiting;
     }
     words_ = "ready";

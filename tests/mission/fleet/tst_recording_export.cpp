@@ -7,6 +7,7 @@
 #include "core/link/recording_format.h"
 #include "core/mission/fleet/recording_export.h"
 #include "tests/doubles/mcap_file.h"
+#include "tests/doubles/plain_recording.h"
 #include "tests/doubles/test_files.h"
 #include "tests/doubles/two_flights.h"
 #include "tests/suite/suite.h"
@@ -21,9 +22,9 @@ namespace {
 /// So many lines that an export takes a while.
 std::string longRecording() {
     std::string file;
-    link::recording::appendHead(file);
+    doubles::appendOldHead(file);
     for (int line = 0; line < 200'000; ++line)
-        link::recording::append(
+        doubles::appendPlain(
             file, {.kind = link::RecordKind::In,
                    .time = std::chrono::milliseconds(line),
                    .line = {static_cast<std::uint64_t>(line)},

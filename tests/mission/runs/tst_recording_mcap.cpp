@@ -14,6 +14,7 @@
 #include "core/mission/runs/recorded_scan.h"
 #include "core/mission/runs/recording_mcap.h"
 #include "tests/doubles/mcap_file.h"
+#include "tests/doubles/plain_recording.h"
 #include "tests/doubles/plan_trace.h"
 #include "tests/doubles/test_files.h"
 #include "tests/suite/suite.h"
@@ -30,7 +31,7 @@ namespace {
 class Tape {
 public:
     Tape() {
-        link::recording::appendHead(bytes);
+        doubles::appendOldHead(bytes);
         add({.kind = RecordKind::Start, .bytes = "robot: R 1\ncell_size_m: 0.5\n"});
         add({.kind = RecordKind::Opened, .bytes = "h:1"});
     }
@@ -55,7 +56,7 @@ public:
     void add(link::Record record) {
         record.time = std::chrono::milliseconds(10) * count_++;
         record.line = {lines_};
-        link::recording::append(bytes, record);
+        doubles::appendPlain(bytes, record);
     }
     std::uint64_t lines() const { return lines_; }
 
@@ -169,7 +170,7 @@ void tst_RecordingMcap::linesBecomeMessages_data() {
         << "SEN {Time 8.0} {Type RangeScanner} {Name S/1} {Resolution 0.5} {FOV 1} {Range 1,nan,3}"
         << "/R_1/scan/S_1"
         << "foxglove.LaserScan"
-        << R"("start_angle":-0.5,"end_angle":0.5,"ranges":[1,null,3],"intensities":[]})" << 8.0;
+        << R"("start_angle":-0.5,"end_angle":0.5,"ranges":[1,-1,3],"intensities":[]})" << 8.0;
     QTest::newRow("a mount")
         << "GEO {Type Sonar} {Name F1 Location 1,2,3 Orientation 0,0,0 Mount HARD}"
         << "/R_1/mount/F1"

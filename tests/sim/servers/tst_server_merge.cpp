@@ -1,4 +1,8 @@
 // A server's own file keeps what our robot files know nothing about.
+#include <algorithm>
+#include <cstddef>
+#include <string>
+
 #include <QObject>
 #include <QTest>
 
@@ -43,6 +47,15 @@ Sensors=(ItemClass=class'USARModels.Hokuyo',ItemName="Scanner2")
 
 [USARBot.Zerg]
 Sensors=(ItemClass=class'USARBot.SonarSensor',ItemName="F1")
+
+[usarbot.AIRROBOT]
+HeadLights=2
+batteryLife=600
+MisPkgs=(PkgName="Second",PkgClass=class'USARMisPkg.CameraPanTilt')
+Sensors=(ItemClass=class'USARBot.SonarSensor',ItemName="F1",Position=(X=9,Y=0,Z=0))
+
+[USARBot.SonarSensor]
+BeamAngle=0.777
 )";
 
 constexpr char udk[] = R"([USARSensor.SICK]
@@ -93,6 +106,11 @@ private slots:
         QTest::newRow("the stock scanner's place") << "Position=(X=0.2,Y=0,Z=0)" << false;
         QTest::newRow("the stock beam") << "BeamAngle=0.349\n" << false;
         QTest::newRow("the stock battery") << "batteryLife=1200" << false;
+        QTest::newRow("a second section's own setting") << "HeadLights=2" << true;
+        QTest::newRow("a second section's battery") << "batteryLife=600" << false;
+        QTest::newRow("a second section's camera") << "PkgName=\"Second\"" << false;
+        QTest::newRow("a second section's sonar") << "Position=(X=9,Y=0,Z=0)" << false;
+        QTest::newRow("a class's second section") << "BeamAngle=0.777" << false;
     }
     void keepsWhatIsNotOurs() {
         QFETCH(const QString, line);
@@ -118,6 +136,41 @@ private slots:
         QVERIFY(air_robot.contains("ItemClass=class'USARModels.SICKLMS',ItemName=\"Scanner1\""));
         QVERIFY(text.contains("[USARModels.SICKLMS]\nHiddenSensor=True\n"));
         QVERIFY(!text.contains("[USARBot.RangeScanner]"));
+    }
+
+    void learnsTheClassOfASonar_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("class_name");
+        const QString own = "[USARBot.P2DX]\nSensors=(ItemClass=class'%1',ItemName=\"F1\")\n";
+        const QString other = "[USARBot.Zerg]\nSensors=(ItemClass=class'Other.Thing',ItemName=\"F1\")\n";
+        QTest::newRow("of its own") << own.arg("My.Sonar") << "My.Sonar";
+        QTest::newRow("not an infrared sensor of that name") << own.arg("USARBot.IRSensor") << "USARBot.SonarSensor";
+        QTest::newRow("of another robot") << other << "Other.Thing";
+        QTest::newRow("of its own rather than another's") << other + own.arg("My.Sonar") << "My.Sonar";
+        QTest::newRow("of another robot rather than infrared") << own.arg("USARBot.IRSensor") + other << "Other.Thing";
+        QTest::newRow("in a second section") << "[USARBot.P2DX]\nWeight=1\n" + own.arg("My.Sonar") << "My.Sonar";
+    }
+    void learnsTheClassOfASonar() {
+        QFETCH(const QString, text);
+        QFETCH(const QString, class_name);
+        const auto made = mergeServerFile(text.toStdString(), robots, Dialect::Ut2004);
+        QVERIFY(made);
+        const auto server = readServerFile(made->text);
+        QVERIFY(server && server->robot("P2DX"));
+        const auto& items = server->robot("P2DX")->items;
+        const auto found = std::ranges::find(items, std::string("F1"), &ServerItem::name);
+        QVERIFY(found != items.end());
+        QCOMPARE(std::ranges::count(items, std::string("F1"), &ServerItem::name), std::ptrdiff_t(1));
+        QCOMPARE(QString::fromStdString(found->class_name), class_name);
+    }
+
+    void sectionsOfOneNameAreReadAsOne() {
+        const auto server = readServerFile("[USARBot.P2DX]\nSensors=(ItemClass=class'A.B',ItemName=\"F1\")\nWeight=1\n"
+                                           "[usarbot.p2dx]\nSensors=(ItemClass=class'A.B',ItemName=\"F2\")\nSpeed=2\n");
+        QVERIFY(server);
+        QCOMPARE(server->robots.size(), std::size_t(1));
+        QCOMPARE(server->robots.front().items.size(), std::size_t(2));
+        QCOMPARE(server->robots.front().numbers.size(), std::size_t(2));
     }
 
     void theResultLacksNothing_data() {
@@ -157,9 +210,14 @@ private slots:
         QCOMPARE(text.count("\r\n"), text.count('\n'));
     }
 
+    void refusesUnrealUnits_data() {
+        QTest::addColumn<QString>("text");
+        QTest::newRow("of a robot") << QString(ut2004).replace("bMountByUU=False", "bMountByUU=True");
+        QTest::newRow("in a second section") << ut2004 + QString("[USARBot.AirRobot]\nbMountByUU=True\n");
+    }
     void refusesUnrealUnits() {
-        const auto made = mergeServerFile(QString(ut2004).replace("bMountByUU=False", "bMountByUU=True").toStdString(),
-                                          robots, Dialect::Ut2004);
+        QFETCH(const QString, text);
+        const auto made = mergeServerFile(text.toStdString(), robots, Dialect::Ut2004);
         QVERIFY(!made);
         QVERIFY(made.error().text().find("Unreal units") != std::string::npos);
     }
