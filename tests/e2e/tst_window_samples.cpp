@@ -40,6 +40,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(page.robot(1) && page.window().views().replay->isVisible(), soon_ms);
         QVERIFY(page.window().control().robot({1})->isReplay());
         page.window().commands().action("replay.faster")->trigger();
+        page.window().commands().action("replay.play")->trigger();
         QTRY_VERIFY_WITH_TIMEOUT(page.knownTiles() > 0, flight_ms);
         page.screenshot("samples_flight");
     }
