@@ -114,6 +114,7 @@ private slots:
     void recordsOfAnyNumbersComeBack();
     void hostileBlocksAreDamage_data();
     void hostileBlocksAreDamage();
+    void aGroupThatGoesOnForEverIsDamage();
     void aFastStretchIsPackedToo();
 
 private:
@@ -371,6 +372,26 @@ void tst_PackedRecording::hostileBlocksAreDamage() {
         QCOMPARE(reader->survey().records, file.records.back());
         QCOMPARE(reader->survey().tail_lost_bytes, size);
     }
+}
+
+/// Else a small file could unpack to gigabytes.
+void tst_PackedRecording::aGroupThatGoesOnForEverIsDamage() {
+    std::string file;
+    recording::appendHead(file);
+    RecordPacker packer;
+    BlockWriter blocks(file.size());
+    packer.add({.kind = RecordKind::In, .bytes = std::string(RecordPacker::group_bytes, 'x')});
+    blocks.append(file, packer.take());
+    const std::size_t good = file.size();
+    packer.add({.kind = RecordKind::In, .time = 1s, .bytes = "STA {Time 1}\r\n"});
+    PackedBatch more = packer.take();
+    QCOMPARE(more.groups, std::vector<std::size_t>{0}); // Here the writer begins another group.
+    more.groups.clear();
+    blocks.append(file, more);
+    put(file);
+    const auto reader = open();
+    QCOMPARE(reader->survey().records, 1u);
+    QCOMPARE(reader->survey().tail_lost_bytes, file.size() - good);
 }
 
 /// Much at once: many groups within two seconds, which are compressed the fast way, and records of the longest kind.

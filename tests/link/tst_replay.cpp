@@ -1,3 +1,4 @@
+#include <cmath>
 #include <limits>
 
 #include <QElapsedTimer>
@@ -82,6 +83,8 @@ private slots:
     void aDamagedTimeDoesNotStretchIt();
     void pauseHoldsIt();
     void seekForwardGoesOnAndBackwardBeginsAnew();
+    void aMomentBehindTheEndIsTheEnd_data();
+    void aMomentBehindTheEndIsTheEnd();
     void theRobotsClockIsSoughtThroughAPause();
     void aWishOnTheWayReplacesTheOneBefore();
     void stepGoesToTheNextBytes();
@@ -249,6 +252,24 @@ void tst_Replay::seekForwardGoesOnAndBackwardBeginsAnew() {
     QCOMPARE(listener.since_rewound.back(), std::string("20 STA {Time 2.0}"));
     replayer->step();
     QCOMPARE(listener.heard.back(), std::string("21 STA {Time 2.1}"));
+}
+
+void tst_Replay::aMomentBehindTheEndIsTheEnd_data() {
+    QTest::addColumn<double>("to_s");
+    QTest::newRow("a little") << 10.5;
+    QTest::newRow("more than nanoseconds can count") << 1e300;
+    QTest::newRow("infinitely far") << HUGE_VAL;
+}
+
+void tst_Replay::aMomentBehindTheEndIsTheEnd() {
+    QFETCH(const double, to_s);
+    Listener listener;
+    const auto replayer = replayOf(ticking(100), listener);
+    replayer->seek(Seconds{to_s});
+    QTRY_VERIFY(!replayer->figures().seeking);
+    QCOMPARE(listener.rewinds, 0);
+    QCOMPARE(listener.since_rewound.size(), std::size_t{201});
+    QCOMPARE(replayer->figures().position, replayer->survey().play_span);
 }
 
 void tst_Replay::theRobotsClockIsSoughtThroughAPause() {

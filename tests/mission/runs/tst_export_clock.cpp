@@ -39,6 +39,10 @@ private slots:
         QTest::newRow("and moves from there") << Readings{100.0, 100.0, 0.2, 0.4, 1.4} << 101.0;
         QTest::newRow("the same clock after a reconnection") << Readings{6.0, reconnect, 7.0} << 7.0;
         QTest::newRow("another clock after a reconnection") << Readings{6.0, reconnect, 0.2, 1.2} << 7.0;
+        Readings restarts;
+        for (int i = 0; i < 20; ++i)
+            restarts.insert(restarts.end(), {1e9, 1e9, 0.0, 0.0});
+        QTest::newRow("it ends before its nanoseconds do") << restarts << 9e9;
         QTest::newRow("no number") << Readings{std::nan(""), 5.5, HUGE_VAL, -3.0} << 5.5;
     }
 

@@ -110,7 +110,9 @@ private slots:
     void refusalsNameTheFileAndTheMend_data();
     void refusalsNameTheFileAndTheMend();
     void aCancelledExportLeavesNothing();
+    void nothingIsBegunAfterACancel();
     void anExistingFileIsReplacedOnlyOnRequest();
+    void theRecordingItselfIsLeftAlone();
 
 private:
     QString path(const char* name) const { return folder_.filePath(name); }
@@ -441,6 +443,26 @@ void tst_RecordingMcap::anExistingFileIsReplacedOnlyOnRequest() {
     QVERIFY(doubles::readAll(path("b.mcap").toStdString()) == "mine");
     QVERIFY(recordingToMcapFile(path("b.usarrec"), path("b.mcap"), true));
     QVERIFY(doubles::readAll(path("b.mcap").toStdString()).size() > 1000);
+}
+
+void tst_RecordingMcap::nothingIsBegunAfterACancel() {
+    std::stop_source stop;
+    stop.request_stop();
+    const auto summary = recordingToMcapFile(path("none.usarrec"), path("y.mcap"), false, stop.get_token());
+    QVERIFY(!summary);
+    QVERIFY2(summary.error().text().find("cancelled") != std::string::npos, summary.error().text().c_str());
+}
+
+void tst_RecordingMcap::theRecordingItselfIsLeftAlone() {
+    const std::string bytes = flight(3).bytes;
+    doubles::writeAll(path("c.usarrec").toStdString(), bytes);
+    QVERIFY(QFile::link(path("c.usarrec"), path("link.usarrec")));
+    for (const char* name : {"c.usarrec", "link.usarrec"}) {
+        const auto summary = recordingToMcapFile(path("c.usarrec"), path(name), true);
+        QVERIFY(!summary);
+        QVERIFY2(summary.error().text().find("recording itself") != std::string::npos, summary.error().text().c_str());
+        QVERIFY(doubles::readAll(path("c.usarrec").toStdString()) == bytes);
+    }
 }
 
 USAR_TEST(tst_RecordingMcap)
