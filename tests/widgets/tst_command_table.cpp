@@ -99,9 +99,10 @@ void tst_CommandTable::everyMenuItemIsACommand() {
     const MessageList messages;
     adoptMessageActions(commands, messages.actions());
     const auto submenus = makeMenus(*window.menuBar(), commands); // Asserts that each id is known.
-    QCOMPARE(submenus.size(), std::size_t(3));
+    QCOMPARE(submenus.size(), std::size_t(4));
     QCOMPARE(submenus.at("recent")->title(), QString("Open r&ecent"));
     QVERIFY(submenus.at("worlds")->isEmpty());
+    QCOMPARE(submenus.at("samples")->actions().size(), 4);
     QVERIFY(submenus.at("layouts")->actions().contains(commands.action("view.layout_save")));
     QCOMPARE(window.menuBar()->actions().size(), 13);
     QCOMPARE(window.menuBar()->actions().front()->text(), QString("&File"));

@@ -62,8 +62,8 @@ private:
     std::uint64_t left_out_ = 0;
 };
 
-/// The name in the form that topics and frames have: letters, digits, `_`, `-` and `.`; others become `_`. At most 64
-/// characters; "unnamed" for none.
+/// The name in the form that topics and frames have: letters, digits, underscores, hyphens and periods; others become
+/// underscores. At most 64 characters; "unnamed" for none.
 std::string topicPart(std::string_view name);
 
 // Parts of messages.
