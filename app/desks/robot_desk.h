@@ -57,7 +57,7 @@ private:
 
     RobotPresenter presenter_;
     std::string preferred_name_;
-    RobotId preferred_; ///< the robot of that name, once it has come
+    RobotId preferred_; ///< It is the robot of that name as soon as it has come.
     mission::ShownHeights heights_;
     /// When the lines were sent that the probe has asked for, because to look for one takes a millisecond.
     std::map<std::pair<ConnectionId, LineNumber>, std::optional<Seconds>> line_times_;

@@ -50,10 +50,10 @@ private:
     void skip(std::uint64_t offset, std::vector<RecordingDamage>* damage);
 
     BlockReader unpacker_;
-    std::uint64_t position_ = recording::head_bytes; ///< of the block to be read next
-    std::uint64_t block_offset_ = 0;                 ///< of the block that `bytes_` reads
-    std::uint64_t group_offset_ = 0;                 ///< of the first block of its group
-    std::size_t group_bytes_ = 0;                    ///< of records that were unpacked of its group
+    std::uint64_t position_ = recording::head_bytes; ///< The block here is read next.
+    std::uint64_t block_offset_ = 0;                 ///< `bytes_` reads the block here.
+    std::uint64_t group_offset_ = 0;                 ///< Its group begins here.
+    std::size_t group_bytes_ = 0;                    ///< So many bytes of its group are unpacked.
     ByteReader bytes_{{}};
     PackedBefore before_;
 };

@@ -53,8 +53,8 @@ public:
     /// A damaged recording may claim any number of stretches; those beyond this many are ignored.
     static constexpr std::size_t most_stretches = std::size_t{1} << 20;
 
-    /// Adds one reading: at replay time `play` (by PlayClock) the protocol clock read `now`. To be called in the order
-    /// of the recording. A `now` that is not a number or beyond PlayClock::farthest is ignored.
+    /// Adds one reading: at replay time `play` (by PlayClock) the protocol clock read `now`. Readings come in the
+    /// order of the recording. A `now` that is not a number or beyond PlayClock::farthest is ignored.
     void add(RecordTime play, Seconds now);
     /// Replay time (by PlayClock) at which the protocol clock read `now`; the last such time if there are several;
     /// clamped to the first and last reading. Nullopt if no reading was added or `now` is not a number.

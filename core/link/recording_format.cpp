@@ -90,7 +90,7 @@ Taken take(std::string_view bytes) {
 void appendBlock(std::string& file, BlockKind kind, std::string_view body) {
     const std::size_t begin = file.size();
     appendNumber(file, static_cast<std::uint32_t>(body.size()));
-    appendNumber(file, std::uint32_t{0}); // Placeholder for the checksum, which is filled in below.
+    appendNumber(file, std::uint32_t{0}); // The checksum takes its place below.
     file += static_cast<char>(kind);
     file += body;
     std::string sum;

@@ -1,4 +1,4 @@
-// What recordings consist of, and their bytes exactly as resources/docs/recording-format.md specifies them.
+// The records and blocks of recordings, and their bytes exactly as resources/docs/recording-format.md specifies them.
 #pragma once
 
 #include <chrono>
@@ -82,7 +82,7 @@ struct Block {
     Fit fit = Fit::Damaged;
     BlockKind kind = BlockKind::First;
     std::string_view body; ///< within the bytes that `takeBlock` was given
-    std::size_t size = 0;  ///< of a whole block in the file, in bytes; else 0
+    std::size_t size = 0;  ///< A whole block takes so many bytes of the file; else it is 0.
 };
 
 void appendBlock(std::string& file, BlockKind kind, std::string_view body);

@@ -106,7 +106,7 @@ private:
         void operator()(ZSTD_DCtx_s* context) const;
     };
     std::unique_ptr<ZSTD_DCtx_s, Free> context_;
-    std::string room_; ///< of one size, as to fill it anew for each block would take longer than to read the block
+    std::string room_; ///< Its size stays: to fill it anew for each block would take longer than to read the block.
     std::size_t size_ = 0;
 };
 

@@ -69,7 +69,7 @@ protected:
     virtual void goTo(const Entry& entry) = 0;
     /// The last entry before `time`.
     Entry entryBefore(RecordTime time) const;
-    /// What `whole` says begins at an offset of the file that it accepts. It is asked at each offset from `offset` on
+    /// Returns the first offset of the file whose bytes `whole` accepts. It is asked at each offset from `offset` on
     /// where `size` says something may begin. Nullopt if there is none, or the search gives up. A search that was made
     /// before has its result at once, so that a file can be read again and again as far as its survey came.
     template <class Size, class Whole>

@@ -22,7 +22,7 @@ inline void appendOnePlain(std::string& file, const link::Record& record) {
     const std::size_t begin = file.size();
     const std::size_t label_bytes = link::recording::hasLabel(record.kind) ? 10 + record.name.size() : 0;
     appendNumber(file, static_cast<std::uint32_t>(label_bytes + record.bytes.size()));
-    appendNumber(file, std::uint32_t{0}); // Placeholder for the checksum.
+    appendNumber(file, std::uint32_t{0}); // The checksum takes its place below.
     file += static_cast<char>(record.kind);
     appendNumber(file, static_cast<std::uint64_t>(record.time.count()));
     appendNumber(file, record.line.value);

@@ -1,6 +1,7 @@
 // Work on many things at a time.
 #include <atomic>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <QTest>
@@ -40,25 +41,36 @@ void tst_Parallel::doesEachOnce() {
 void tst_Parallel::endsAllBeforeItReturns() {
     std::atomic<int> running{0};
     std::atomic<int> done{0};
-    inParallel(64, [&](std::size_t) {
+    inParallel(1000, [&](std::size_t i) {
         ++running;
-        QTest::qSleep(1);
+        std::string text;
+        for (std::size_t number = 0; number < i; ++number) // The last ones take longest.
+            text += std::to_string(number);
+        done += static_cast<int>(text.size() < i);
         --running;
         ++done;
     });
     QCOMPARE(running.load(), 0);
-    QCOMPARE(done.load(), 64);
+    QCOMPARE(done.load(), 1000);
 }
 
+/// No work is under way any longer when the exception arrives.
 void tst_Parallel::throwsWhatTheWorkThrows() {
-    std::atomic<int> done{0};
+    std::atomic<int> running{0};
+    std::atomic<int> begun{0};
     const auto failing = [&](std::size_t i) {
+        ++begun;
         if (i == 5)
-            throw std::runtime_error("the fifth");
-        ++done;
+            throw std::runtime_error("the sixth");
+        ++running;
+        --running;
     };
     QVERIFY_EXCEPTION_THROWN(inParallel(100, failing), std::runtime_error);
-    QVERIFY(done < 100);
+    QCOMPARE(running.load(), 0);
+    QVERIFY(begun > 5);
+    const int begun_then = begun;
+    inParallel(3, [&](std::size_t) {}); // It works again, and nothing of the first goes on beside it.
+    QCOMPARE(begun.load(), begun_then);
 }
 
 USAR_TEST(tst_Parallel)
