@@ -92,8 +92,10 @@ void FileDesk::showSaving() {
 }
 
 void FileDesk::cancelSaving() {
-    control_.cancelSaving();
-    recording_export_.cancel();
+    if (!saved_robot_.isEmpty())
+        control_.cancelSaving();
+    else
+        recording_export_.cancel();
 }
 
 void FileDesk::restore(const QSettings& settings) {

@@ -59,6 +59,7 @@ private:
 
     /// Shows what is being written, results or else a recording.
     void showSaving();
+    /// Gives up what is shown.
     void cancelSaving();
 
     ServerDesk& server_;
