@@ -96,6 +96,7 @@ int run(const mission::MissionOptions& options, mission::Mission plan, Preloaded
     run_options.files = options.files;
     run_options.formats = options.formats;
     run_options.recording = options.recording;
+    run_options.recording_limit = options.recording_limit_bytes;
     run_options.course = options.course;
     if (options.one_thread)
         run_options.behavior_thread = agent::BehaviorThread::Callers;

@@ -7,10 +7,17 @@
 #include <QGuiApplication>
 
 #include "core/campaign/plan/shell_word.h"
+#include "core/link/recording_parts.h"
 #include "core/mission/files/scan_record.h"
 #include "widgets/panels/dialogs.h"
 
 namespace usar::app {
+
+namespace {
+
+constexpr int least_limit_mb = static_cast<int>(link::RecordingParts::least_limit_bytes / 1'000'000);
+
+} // namespace
 
 void ReplayDesk::registerCommands() {
     constexpr Seconds leap{10.0};
@@ -18,6 +25,7 @@ void ReplayDesk::registerCommands() {
     // Relative to the replay's position when it takes the order: at 100 times the pace the bar lags by seconds.
     const auto seekBy = [this](Seconds span) { return [this, span] { order({.seek_by = span}); }; };
     add("file.record", [this](bool on) { setRecording(on); });
+    add("file.record_limit", [this] { askForLimit(); });
     add("file.open_recording", [this] {
         widgets::askForFile(window_, tr("Open recording"), control_.resultFolder(), tr("Recordings (*.usarrec)"),
                             [this](const QString& path) { emit recordingChosen(path); });
@@ -58,7 +66,7 @@ void ReplayDesk::show() {
     std::optional<widgets::RecordState> recording;
     if (figures.recording)
         recording = {figures.recording->elapsed, figures.recording->bytes,
-                     QString::fromStdString(figures.recording->path)};
+                     QString::fromStdString(figures.recording->path), figures.recording->limit_bytes};
     views_.record->setState(recording);
 }
 
@@ -90,6 +98,38 @@ void ReplayDesk::keepTogether(const std::vector<RobotId>& replays) {
         return;
     selection_.select(replays.front());
     order({.play = true, .seek = Seconds{0.0}});
+}
+
+void ReplayDesk::restore(const QSettings& settings) {
+    setRecording(settings.value("record", true).toBool());
+    setLimit(settings.value("record_limit_mb", 0).toInt());
+}
+
+void ReplayDesk::save(SettingsSheet& settings) const {
+    settings.setValue("record", control_.recording());
+    settings.setValue("record_limit_mb", limit_mb_);
+}
+
+void ReplayDesk::askForLimit() {
+    constexpr int most_mb = 1'000'000;
+    widgets::askForNumber(
+        window_, tr("Size of recordings"),
+        tr("Megabytes that each recording may have, at least %1. Beyond that, its oldest tenth is deleted\n"
+           "while it is being written; finished recordings are never touched.")
+            .arg(least_limit_mb),
+        limit_mb_, 0, most_mb,
+        [this](int limit_mb) {
+            setLimit(limit_mb);
+            notices_.note("record-limit", limit_mb_ == 0 ? tr("Recordings keep everything.")
+                                                         : tr("Each recording keeps its newest %1 MB.").arg(limit_mb_));
+        },
+        tr("no limit"));
+}
+
+void ReplayDesk::setLimit(int limit_mb) {
+    limit_mb_ = limit_mb > 0 ? std::max(limit_mb, least_limit_mb) : 0;
+    control_.setRecordingLimit(limit_mb_ > 0 ? mission::RecordingLimit(std::uint64_t(limit_mb_) * 1'000'000)
+                                             : std::nullopt);
 }
 
 void ReplayDesk::setRecording(bool on) {

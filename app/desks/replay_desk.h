@@ -15,8 +15,8 @@ public:
 
     void registerCommands() override;
     void wire() override;
-    void restore(const QSettings& settings) override { setRecording(settings.value("record", true).toBool()); }
-    void save(SettingsSheet& settings) const override { settings.setValue("record", control_.recording()); }
+    void restore(const QSettings& settings) override;
+    void save(SettingsSheet& settings) const override;
 
     /// These replays show the same time from now on: an order to one of them is given to all.
     void keepTogether(const std::vector<RobotId>& replays);
@@ -31,9 +31,13 @@ private:
     /// Sends an order to the selected replay, and to those that show the same time; has no effect on a live robot.
     void order(const mission::ReplayOrder& order);
     void setRecording(bool on);
+    void askForLimit();
+    /// 0: recordings have no limit.
+    void setLimit(int limit_mb);
     /// Puts on the clipboard how to open the selected replay at this moment, as words for a shell.
     void copyLink();
 
+    int limit_mb_ = 0;              ///< of recordings; 0: none
     std::vector<RobotId> together_; ///< replays that show the same time
 };
 

@@ -70,7 +70,7 @@ RecordTime PlayClock::at(const Record& record) {
             anchor_now_ ? std::chrono::duration_cast<RecordTime>(*now_ - *anchor_now_) : RecordTime{0};
         return anchor_play_ + std::max(by_arrival, by_clock);
     };
-    if (record.kind == RecordKind::Opened) {
+    if (record.kind == RecordKind::Opened || record.kind == RecordKind::Start) {
         play_ = std::max(play_, stretched());
         anchor(arrival, std::nullopt);
     }
@@ -114,6 +114,14 @@ void ClockTable::add(RecordTime play, Seconds now) {
     }
     if (stretches_.size() < most_stretches)
         stretches_.push_back({now, now, play});
+}
+
+void ClockTable::append(const ClockTable& later, RecordTime begin) {
+    for (Stretch stretch : later.stretches_) {
+        stretch.play = std::min(stretch.play + begin, PlayClock::longest);
+        if (stretches_.size() < most_stretches)
+            stretches_.push_back(stretch);
+    }
 }
 
 std::optional<RecordTime> ClockTable::at(Seconds now) const {

@@ -13,8 +13,8 @@
 namespace usar::link {
 
 /// A simulator at 500 times real time fills a recording of one second with minutes of flight, which nobody could watch.
-/// So each connection plays for as long as it lasted, or for as long as the protocol clock says, whichever is longer.
-/// Must be fed with every record in order; otherwise a plain value.
+/// So each connection, and each part of a recording, plays for as long as it lasted, or for as long as the protocol
+/// clock says, whichever is longer. Must be fed with every record in order; otherwise a plain value.
 class PlayClock {
 public:
     /// 73 years. What says to be later is damage, and counts as this, so that times can be added.
@@ -59,6 +59,9 @@ public:
     /// Replay time (by PlayClock) at which the protocol clock read `now`; the last such time if there are several;
     /// clamped to the first and last reading. Nullopt if no reading was added or `now` is not a number.
     std::optional<RecordTime> at(Seconds now) const;
+
+    /// Adds the readings of a table whose replay time 0 is `begin` in this one, behind all readings of this one.
+    void append(const ClockTable& later, RecordTime begin);
 
     bool operator==(const ClockTable&) const = default;
 

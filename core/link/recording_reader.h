@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <QString>
 
@@ -18,6 +19,9 @@ namespace usar::link {
 /// joins the survey when `next` meets it.
 enum class OpenMode { Thorough, Quick };
 
+/// Of a recording in parts (recording-format.md, "Parts"), the file that is opened and the parts before it are read as
+/// one recording, as far back as they lie beside it; times count from the first of them.
+///
 /// Surveys the file when it is opened and then reads it through a window of a few MiB, so that the length of a
 /// recording costs no memory except an index entry: one per 64 KiB of a file of version 1, one per group of 256 KiB of
 /// records in version 2. Damage costs the records that it hit, in a packed file those up to the end of the group. Times
@@ -32,22 +36,30 @@ public:
     const std::string& path() const { return path_; }
     /// Returns the next record, or nullopt at the end. Its texts are valid until the next call.
     std::optional<Record> next();
-    /// Offset in the file at which the record last returned by `next` begins, or the block that holds it.
-    std::uint64_t offset() const { return source_->offset(); }
+    /// Offset in the file at which the record last returned by `next` begins, or the block that holds it. The files of
+    /// all parts count as one.
+    std::uint64_t offset() const { return parts_[now_].begin_bytes + parts_[now_].source->offset(); }
     /// Makes `next` return the first record that is not earlier than `time`.
-    void seek(RecordTime time) { source_->seek(time); }
+    void seek(RecordTime time);
 
 private:
-    RecordingReader() = default;
-    /// Chooses the source by the version that the head names.
-    Result<void> readHead();
-    void judgeEnd();
+    /// One file.
+    struct Part {
+        std::unique_ptr<RecordingFile> file;
+        std::unique_ptr<RecordSource> source;
+        RecordingSurvey survey;
+        RecordTime begin{0};           ///< in the recording
+        std::uint64_t begin_bytes = 0; ///< size of the files before
+    };
+
+    explicit RecordingReader(std::vector<Part> parts, std::string path);
+    static Result<Part> openPart(const QString& path, OpenMode mode);
     void addDamage(const RecordingDamage& piece);
 
-    RecordingFile file_;
     std::string path_;
+    std::vector<Part> parts_; ///< in their order; at least one
+    std::size_t now_ = 0;     ///< the part that is read
     RecordingSurvey survey_;
-    std::unique_ptr<RecordSource> source_;
     std::vector<RecordingDamage> met_; ///< by the last call of `next`
 };
 

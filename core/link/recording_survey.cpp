@@ -18,14 +18,40 @@ std::string withUnit(std::uint64_t count, const char* one, const char* many) {
 
 } // namespace
 
+void RecordingSurvey::append(const RecordingSurvey& later) {
+    clock.append(later.clock, play_span);
+    constexpr RecordTime longest = PlayClock::longest;
+    span = std::min(span, longest) + std::min(later.span, longest);
+    play_span = std::min(play_span + later.play_span, longest);
+    records += later.records;
+    bytes_in += later.bytes_in;
+    bytes_out += later.bytes_out;
+    commands += later.commands;
+    for (const RecordingDamage& piece : later.damage)
+        damage.push_back({file_bytes + piece.offset, piece.bytes});
+    file_bytes += later.file_bytes;
+    tail_lost_bytes = later.tail_lost_bytes;
+    ended = later.ended;
+    being_written = later.being_written;
+}
+
 std::string RecordingSurvey::complaint() const {
     std::uint64_t lost = 0;
     for (const RecordingDamage& piece : damage)
         lost += piece.bytes;
     std::string text;
+    if (parts_lost > 0) {
+        const auto after = facts.find("after_s");
+        text = parts_lost == 1 ? "The first part of this recording is"
+                               : "The first " + std::to_string(parts_lost) + " parts of this recording are";
+        text += " gone or elsewhere";
+        if (after != facts.end())
+            text += "; it begins " + after->second + " s late";
+        text += '.';
+    }
     if (lost > tail_lost_bytes)
-        text = withUnit(lost - tail_lost_bytes, "byte is", "bytes are") + " damaged, the first at byte " +
-               std::to_string(damage.front().offset) + ", and left out.";
+        text += (text.empty() ? "" : " ") + withUnit(lost - tail_lost_bytes, "byte is", "bytes are") +
+                " damaged, the first at byte " + std::to_string(damage.front().offset) + ", and left out.";
     if (!ended && !being_written) {
         text += text.empty() ? "" : " ";
         text += "The recording was not ended in order; ";
@@ -49,7 +75,7 @@ void RecordCounter::take(const Record& record) {
         survey_.bytes_out += record.bytes.size();
     survey_.commands += record.kind == RecordKind::Out;
     survey_.ended = record.kind == RecordKind::End;
-    if (record.kind == RecordKind::Start)
+    if (record.kind == RecordKind::Start && survey_.facts.empty())
         takeFacts(record.bytes);
 }
 

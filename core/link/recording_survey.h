@@ -20,8 +20,8 @@ struct RecordingDamage {
     bool operator==(const RecordingDamage&) const = default;
 };
 
-/// Overview of the whole file. A recording that was not ended properly is as good as any other, except for what had not
-/// been written yet.
+/// Overview of the whole file, or of all parts that were found. A recording that was not ended properly is as good as
+/// any other, except for what had not been written yet.
 struct RecordingSurvey {
     std::map<std::string, std::string> facts; ///< host, port, started, program, and whatever else its writer knew
     RecordTime span{0};                       ///< time of the last record
@@ -37,7 +37,10 @@ struct RecordingSurvey {
     bool ended = false;                  ///< ended properly
     bool being_written = false;          ///< by a running program: later records are not included, and nothing is lost
     ClockTable clock;                    ///< replay time by protocol clock
+    int parts_lost = 0;                  ///< parts that came before and are not there
 
+    /// Adds what the next part of the same recording holds.
+    void append(const RecordingSurvey& later);
     /// Sentences for the user about what is missing; empty if nothing is.
     std::string complaint() const;
 };

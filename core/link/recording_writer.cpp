@@ -61,11 +61,20 @@ RecordingWriter::RecordingWriter(std::string path, int file, RecordingLimits lim
 }
 
 RecordingWriter::~RecordingWriter() {
+    finish();
+}
+
+std::optional<Error> RecordingWriter::finish() {
+    if (!thread_.joinable())
+        return std::nullopt;
     write({.kind = RecordKind::End, .line = newest_line_});
     thread_.request_stop();
     wake_.notify_all();
     thread_.join();
     ::close(file_);
+    auto trouble = takeTrouble();
+    broken_ = true;
+    return trouble;
 }
 
 void RecordingWriter::write(Record record) {

@@ -40,8 +40,10 @@ public:
     static Result<std::unique_ptr<RecordingWriter>> create(const QString& path,
                                                            const std::map<std::string, std::string>& facts,
                                                            LineNumber line, RecordingLimits limits = {});
-    /// Ends the recording properly, waiting for the disk.
-    ~RecordingWriter();
+    ~RecordingWriter(); ///< calls `finish`
+    /// Ends the recording properly, waiting for the disk, and returns what went wrong since `takeTrouble`. Later calls
+    /// do nothing.
+    std::optional<Error> finish();
 
     /// Queues the record and sets its time to now. Does nothing once the recording has broken off.
     void write(Record record);
@@ -50,11 +52,9 @@ public:
     void flush(std::function<void()> done);
     /// Reason why the recording ended early; nullopt if it has not, and after the first call that gave the reason.
     std::optional<Error> takeTrouble();
-    /// True once the recording has ended early.
+    /// True once the recording has ended early or was finished.
     bool broken() const { return broken_; }
     const std::string& path() const { return path_; }
-    /// Time since the recording began.
-    Seconds elapsed() const { return std::chrono::steady_clock::now() - began_; }
     /// Size of the file so far, without what still waits in the buffer.
     std::uint64_t bytes() const { return std::max<std::uint64_t>(bytes_, recording::head_bytes); }
 

@@ -106,6 +106,7 @@ void Replayer::rewind() {
     splitter_.reset();
     next_.reset();
     clock_ = {};
+    seam_ = {};
     number_ = {};
     connected_ = true;
     settle(RecordTime{0});
@@ -138,6 +139,8 @@ const Replayer::Waiting* Replayer::peek() {
 
 bool Replayer::playNext() {
     const Waiting taken = *std::exchange(next_, std::nullopt);
+    if (seam_.repeats(taken.view()))
+        return false;
     const bool is_chunk = taken.record.kind == RecordKind::In;
     if (is_chunk)
         playChunk(taken);

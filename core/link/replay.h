@@ -10,6 +10,7 @@
 #include <QTimer>
 
 #include "core/base/clock.h"
+#include "core/link/recording_parts.h"
 #include "core/link/recording_reader.h"
 #include "core/protocol/line_splitter.h"
 
@@ -116,6 +117,7 @@ private:
     QTimer timer_{this};
     protocol::LineSplitter splitter_;
     PlayClock clock_;
+    PartSeam seam_;
     std::optional<Waiting> next_;  ///< read from the recording but not played yet
     std::size_t known_damage_ = 0; ///< pieces in the survey when it was looked at last
     LineNumber number_;            ///< newest info line

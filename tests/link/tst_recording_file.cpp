@@ -107,7 +107,6 @@ void tst_RecordingFile::whatIsWrittenIsRead() {
         (*writer)->write({.kind = RecordKind::In, .line = {5}, .bytes = "STA {Time 1}\r\n"});
         (*writer)->write(
             {.kind = RecordKind::Out, .line = {6}, .trigger = {6}, .name = "me", .bytes = "DRIVE {Left 1}\r\n"});
-        QVERIFY((*writer)->elapsed() > Seconds{0.0});
     }
     const auto reader = RecordingReader::open(file);
     QVERIFY2(reader, reader ? "" : reader.error().text().c_str());

@@ -101,10 +101,15 @@ void RecordBadge::setAction(QAction* action) {
 }
 
 void RecordBadge::setState(const std::optional<RecordState>& state) {
+    const auto megabytes = [](std::uint64_t bytes, int digits) {
+        return figure(static_cast<double>(bytes) / 1e6, digits);
+    };
     if (state)
-        figures_->setText(
-            tr("%1 %2 MB").arg(clockText(state->elapsed), figure(static_cast<double>(state->bytes) / 1e6, 1)));
-    setToolTip(state ? tr("%1, written to %2").arg(figures_->text(), state->path) : QString());
+        figures_->setText(tr("%1 %2 MB").arg(clockText(state->elapsed), megabytes(state->bytes, 1)));
+    QString tip = state ? tr("%1, written to %2").arg(figures_->text(), state->path) : QString();
+    if (state && state->limit_bytes)
+        tip += tr("\nIt keeps its newest %1 MB; what is older is deleted.").arg(megabytes(*state->limit_bytes, 0));
+    setToolTip(tip);
     if (writing_ == state.has_value() && !(figures_->text().isEmpty()))
         return;
     writing_ = state.has_value();

@@ -71,10 +71,10 @@ private:
 
 /// State of the recording that is being written.
 struct RecordState {
-    Seconds elapsed{0.0};    ///< since the beginning of the recording
-    std::uint64_t bytes = 0; ///< size of the file so far
-    /// Path of the file; part of the tooltip.
-    QString path;
+    Seconds elapsed{0.0};                       ///< since the beginning of the recording
+    std::uint64_t bytes = 0;                    ///< size so far
+    QString path;                               ///< part of the tooltip, as the next one
+    std::optional<std::uint64_t> limit_bytes{}; ///< the most bytes that are kept
 };
 
 /// The button belongs to a command; its dot is red while a recording is being written. GUI thread.

@@ -15,6 +15,7 @@
 #include <QPointer>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QSpinBox>
 
 #include "widgets/style/form_parts.h"
 #include "widgets/style/theme.h"
@@ -199,11 +200,13 @@ void askWhereToSave(QWidget* parent, const QString& title, const QString& propos
 }
 
 void askForNumber(QWidget* parent, const QString& title, const QString& label, int value, int least, int most,
-                  std::function<void(int)> take) {
+                  std::function<void(int)> take, const QString& least_means) {
     askByInput(parent, title, label, &QInputDialog::intValueSelected, std::move(take), [=](QInputDialog& dialog) {
         dialog.setInputMode(QInputDialog::IntInput);
         dialog.setIntRange(least, most);
         dialog.setIntValue(value);
+        if (auto* const box = dialog.findChild<QSpinBox*>())
+            box->setSpecialValueText(least_means);
     });
 }
 

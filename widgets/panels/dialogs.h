@@ -28,9 +28,10 @@ void askWhereToSave(QWidget* parent, const QString& title, const QString& propos
                     TakePath take);
 /// Shows a dialog that is not modal, and brings it in front.
 void showInFront(QDialog* dialog);
-/// Asks for a whole number within `least` and `most`.
+/// Asks for a whole number within `least` and `most`. `least_means`: what the box shows for the least; empty: the
+/// number.
 void askForNumber(QWidget* parent, const QString& title, const QString& label, int value, int least, int most,
-                  std::function<void(int)> take);
+                  std::function<void(int)> take, const QString& least_means = {});
 
 /// Only asks for saving; the window chooses the file. GUI thread.
 class ReportDialog : public QDialog {

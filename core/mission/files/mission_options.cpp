@@ -30,6 +30,9 @@ QList<QCommandLineOption> runOptions() {
         {"files", "which runs leave the map's files there: always, only a run that failed, or never (always)",
          "always|failed|never"},
         {"record", "every byte in and out, for replay (a new file, usually NAME.usarrec)", "FILE"},
+        {"record-limit",
+         "the most megabytes that --record keeps, at least 10: it is written in parts, and the oldest go (no limit)",
+         "MB"},
         {"export", "the map also in these formats, such as tif,asc; usar-mission export --help lists them", "LIST"},
         {"continue",
          "the rest of a mission that was cut off: what its recording has scanned is kept, and only the area around "
@@ -97,6 +100,16 @@ Result<void> readValues(const QCommandLineParser& parser, MissionOptions& option
         if (!options.limit)
             return failure("the limit is no time above 0", asWritten(parser, "limit"),
                            "A number with s, min or h, for example --limit 20h");
+    }
+    if (parser.isSet("record-limit")) {
+        const auto limit_mb = readNumber(parser.value("record-limit").toStdString());
+        if (!limit_mb || !(*limit_mb >= 10.0 && *limit_mb <= 1e9))
+            return failure("the limit of the recording is no number of megabytes from 10 up",
+                           asWritten(parser, "record-limit"), "For example --record-limit 500");
+        if (!parser.isSet("record"))
+            return failure("a limit needs a recording", asWritten(parser, "record-limit"),
+                           "Name its file, too: --record FILE");
+        options.recording_limit_bytes = static_cast<std::uint64_t>(*limit_mb * 1e6);
     }
     if (const QString text = parser.value("adjust"); parser.isSet("adjust")) {
         if (text != "on" && text != "off")

@@ -38,15 +38,16 @@ struct MissionOptions {
     std::optional<Seconds> limit; ///< the run is given up after this simulated time; absent: the mission's limit
     QString result_folder;        ///< empty: the default folder
     ResultFiles files = ResultFiles::Always;
-    FormatList formats;         ///< in which the map is written besides the usual files
-    QString recording;          ///< file to record to; empty: none
-    QStringList faults;         ///< in addition to the mission's
-    QStringList values;         ///< KEY=VALUE to put over the mission's; see setValue
-    QStringList plugin_folders; ///< in addition to the plugins that come with the program
-    bool isolate = false;       ///< on even if the mission does not ask for it
-    std::optional<bool> adjust; ///< whether the map is adjusted; absent: as the mission says
-    bool one_thread = false;    ///< the behavior has no thread of its own
-    bool course = false;        ///< the summary tells how the run went, see RunCourse
+    FormatList formats;                                   ///< in which the map is written besides the usual files
+    QString recording;                                    ///< file to record to; empty: none
+    std::optional<std::uint64_t> recording_limit_bytes{}; ///< most bytes that it keeps; absent: any number
+    QStringList faults;                                   ///< in addition to the mission's
+    QStringList values;                                   ///< KEY=VALUE to put over the mission's; see setValue
+    QStringList plugin_folders;                           ///< in addition to the plugins that come with the program
+    bool isolate = false;                                 ///< on even if the mission does not ask for it
+    std::optional<bool> adjust;                           ///< whether the map is adjusted; absent: as the mission says
+    bool one_thread = false;                              ///< the behavior has no thread of its own
+    bool course = false;                                  ///< the summary tells how the run went, see RunCourse
     bool operator==(const MissionOptions&) const = default;
 };
 

@@ -94,9 +94,9 @@ public:
     bool anythingToSave() const;
     void exportResults(RobotId id);
     void exportMap(RobotId id, const FormatList& formats, const QString& folder); ///< an error is a notice
-    void cancelSaving(); ///< stops all saves that run; `exportFailed` follows for each
-    /// Records each live robot, present or future, to its own file in the result folder. Initially on.
-    void setRecording(bool on);
+    void cancelSaving();        ///< stops all saves that run; `exportFailed` follows for each
+    void setRecording(bool on); ///< each live robot, present or future, to a file in the result folder; initially on
+    void setRecordingLimit(RecordingLimit limit_bytes); ///< of each recording, present or future; initially none
     bool recording() const;
     /// Opens a recording as a further robot, paused, which carries out `first`; `replayAdded` gives its id.
     void openRecording(const QString& path, const ReplayOrder& first = {});

@@ -58,6 +58,7 @@ struct Fleet::Private {
     std::optional<std::uint64_t> seed;
     std::function<Truth()> make_truth; ///< makes the heights of the embedded world; empty: none
     bool recording = true;             ///< new robots are recorded
+    RecordingLimit recording_limit{};
     bool silence_expected = false;
     bool closing = false; ///< the window waits for recordings and scans to be saved
 };

@@ -23,7 +23,14 @@ bool Fleet::recording() const {
     return d_->recording;
 }
 
+void Fleet::setRecordingLimit(RecordingLimit limit_bytes) {
+    d_->recording_limit = limit_bytes;
+    for (Robot* robot : robots())
+        robot->setRecordingLimit(limit_bytes);
+}
+
 void Fleet::Private::record(Robot& robot, const SpawnRequest& as) {
+    robot.setRecordingLimit(recording_limit);
     robot.startRecording(
         newRecordingIn(keeper.folder(), QString::fromStdString(as.robot_name), QDateTime::currentDateTime()),
         {{"robot", as.robot_name},

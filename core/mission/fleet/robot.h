@@ -87,8 +87,8 @@ public:
         call(&RobotSession::startRecording, path, facts);
     }
     void stopRecording() { call(&RobotSession::stopRecording); }
-    /// `recordingFlushed` follows once everything up to now is in the file.
-    void flushRecording() { call(&RobotSession::flushRecording); }
+    void setRecordingLimit(RecordingLimit limit_bytes) { call(&RobotSession::setRecordingLimit, limit_bytes); }
+    void flushRecording() { call(&RobotSession::flushRecording); } ///< `recordingFlushed` follows
     /// Whether strips are adjusted by their overlap; see ScanBook::setAdjust.
     void setAdjust(bool on) { call(&RobotSession::setAdjust, on); }
     void noteFault(const QString& sentence) { call(&RobotSession::noteFault, sentence.toStdString()); }

@@ -5,6 +5,7 @@
 #include <QFile>
 
 #include "core/agent/published_text.h"
+#include "core/link/recording_parts.h"
 #include "core/link/recording_reader.h"
 #include "core/posh/trace/trace_file.h"
 
@@ -43,9 +44,10 @@ Result<RecordedTraces> readTraces(const QString& path) {
     if (!reader)
         return tl::unexpected(reader.error());
     RecordedTraces recorded{{}, (*reader)->survey().complaint()};
+    link::PartSeam seam;
     while (const auto record = (*reader)->next()) {
-        const bool may_be_trace =
-            record->kind == link::RecordKind::Note && record->name == "published" && record->bytes.starts_with("trace");
+        const bool may_be_trace = !seam.repeats(*record) && record->kind == link::RecordKind::Note &&
+                                  record->name == "published" && record->bytes.starts_with("trace");
         const auto published = may_be_trace ? agent::readPublished(record->bytes) : std::nullopt;
         if (const auto* trace = published ? std::get_if<agent::PlanTrace>(&*published) : nullptr)
             append(recorded.traces, trace->bytes);

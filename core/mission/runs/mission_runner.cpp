@@ -114,6 +114,7 @@ Result<void> MissionRunner::prepare() {
         emit noticed({Severity::Warning, notice});
     if (auto writable = checkFolderIsWritable(options_.result_folder); !writable || options_.recording.isEmpty())
         return writable;
+    session_.setRecordingLimit(options_.recording_limit);
     const QSignalBlocker quiet(session_); // The error is reported once, as the reason.
     return session_.startRecording(options_.recording, {{"robot", robot_name},
                                                         {"class", mission_.robot_class},

@@ -43,8 +43,9 @@ struct RunOptions {
     std::uint64_t seed = 1; ///< only reported in the summary; whoever created the simulator has given it the seed
     QString result_folder;  ///< empty: the default folder
     ResultFiles files = ResultFiles::Always;
-    FormatList formats;  ///< in which the map is written besides the usual files
-    QString recording;   ///< new file that records everything sent and received; empty: none
+    FormatList formats; ///< in which the map is written besides the usual files
+    QString recording;  ///< new file that records everything sent and received; empty: none
+    RecordingLimit recording_limit{};
     bool course = false; ///< the summary tells how the run went, see RunCourse
     agent::BehaviorThread behavior_thread = agent::BehaviorThread::Own; ///< Callers: one that hangs hangs all
     QString behavior_host;        ///< path of usar-behavior-host, needed by a mission that isolates its behavior

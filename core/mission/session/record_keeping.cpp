@@ -1,5 +1,6 @@
 #include "core/mission/session/record_keeping.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -19,6 +20,10 @@ constexpr std::chrono::milliseconds look_after{500};
 /// records could not be read.
 constexpr std::size_t longest_piece = link::recording::longest_payload_bytes / 8;
 
+std::string megabytes(double bytes) {
+    return fixed(bytes / 1e6, 1) + " MB";
+}
+
 std::string rectangleText(const Rectangle& area) {
     std::string text;
     for (const double value : {area.min_m.x(), area.min_m.y(), area.max_m.x(), area.max_m.y()})
@@ -28,10 +33,12 @@ std::string rectangleText(const Rectangle& area) {
 
 } // namespace
 
-RecordKeeping::RecordKeeping(QObject& owner, Notices& notices, const Incoming& incoming, std::function<void()> looked)
+RecordKeeping::RecordKeeping(QObject& owner, Notices& notices, const Incoming& incoming,
+                             std::function<RecordingScene()> scene, std::function<void()> looked)
     : notices_(notices)
     , incoming_(incoming)
-    , timer_(&owner) {
+    , timer_(&owner)
+    , scene_(std::move(scene)) {
     timer_.setInterval(look_after);
     QObject::connect(&timer_, &QTimer::timeout, &timer_, [this, looked = std::move(looked)] {
         look();
@@ -39,8 +46,14 @@ RecordKeeping::RecordKeeping(QObject& owner, Notices& notices, const Incoming& i
     });
 }
 
-Result<void> RecordKeeping::begin(const QString& path, RecordingFacts facts, const RecordingScene& scene) {
+Result<void> RecordKeeping::begin(const QString& path, RecordingFacts facts) {
     end();
+    auto parts = link::RecordingParts::at(path);
+    if (!parts)
+        return tl::unexpected(parts.error());
+    began_ = Clock::now();
+    warned_ = false;
+    const RecordingScene scene = scene_();
     if (!scene.link.host.isEmpty()) {
         facts["host"] = scene.link.host.toStdString();
         facts["port"] = std::to_string(scene.link.port);
@@ -49,13 +62,23 @@ Result<void> RecordKeeping::begin(const QString& path, RecordingFacts facts, con
     facts["cell_size_m"] = shortest(scene.cell_size_m);
     if (!scene.level.empty())
         facts["level"] = scene.level;
+    if (auto made = create(path, facts, scene); !made)
+        return made;
+    facts_ = std::move(facts);
+    parts_ = *std::move(parts);
+    timer_.start();
+    return {};
+}
+
+Result<void> RecordKeeping::create(const QString& path, const RecordingFacts& facts, const RecordingScene& scene) {
     auto made = link::RecordingWriter::create(path, facts, incoming_.newest());
     if (!made)
         return tl::unexpected(made.error());
     writer_ = *std::move(made);
-    timer_.start();
+    put_bytes_ = 0;
     if (scene.link.state == link::LinkState::Connected)
         beginWith(scene);
+    head_bytes_ = put_bytes_;
     return {};
 }
 
@@ -77,13 +100,24 @@ void RecordKeeping::beginWith(const RecordingScene& scene) {
 
 void RecordKeeping::end() {
     timer_.stop();
+    if (!writer_)
+        return;
+    if (const auto error = writer_->finish())
+        notices_.trouble(Severity::Error, Topic::Recording, error->text());
     writer_.reset();
+}
+
+void RecordKeeping::setLimit(RecordingLimit limit_bytes) {
+    if (limit_bytes)
+        limit_bytes = std::max(*limit_bytes, link::RecordingParts::least_limit_bytes);
+    if (std::exchange(limit_bytes_, limit_bytes) != limit_bytes)
+        warned_ = false;
 }
 
 std::optional<RecordingFigures> RecordKeeping::figures() const {
     if (!writer_)
         return std::nullopt;
-    return RecordingFigures{writer_->path(), writer_->elapsed(), writer_->bytes()};
+    return RecordingFigures{writer_->path(), elapsed(), parts_->bytes(writer_->bytes()), limit_bytes_};
 }
 
 void RecordKeeping::sent(const Cause& cause, const std::string& text) {
@@ -125,22 +159,84 @@ void RecordKeeping::noteFinished(const agent::BehaviorFinished& finished) {
     note("finished", (finished.success ? "1 " : "0 ") + finished.reason);
 }
 
-void RecordKeeping::note(const char* topic, std::string_view text) {
+void RecordKeeping::note(std::string_view topic, std::string_view text) {
     put({.kind = link::RecordKind::Note, .trigger = incoming_.stateLine(), .name = topic, .bytes = text});
 }
 
 void RecordKeeping::put(link::Record record) {
     record.line = incoming_.newest();
+    put_bytes_ += record.bytes.size();
     if (writer_)
         writer_->write(record);
 }
 
 void RecordKeeping::look() {
-    if (!writer_ || !writer_->broken())
+    if (writer_ && writer_->broken())
+        end();
+    else if (writer_ && limit_bytes_)
+        keepLimit();
+}
+
+void RecordKeeping::keepLimit() {
+    if (link::RecordingParts::isFull(writer_->bytes(), head_bytes_, *limit_bytes_))
+        beginNextPart();
+    if (!writer_)
         return;
-    if (const auto error = writer_->takeTrouble())
-        notices_.trouble(Severity::Error, Topic::Recording, error->text());
-    end();
+    warn();
+    makeRoom();
+}
+
+/// What the session is like now is told once more in the new part, so that it can be read without those before it.
+void RecordKeeping::beginNextPart() {
+    const QString path = this->path();
+    if (const auto error = writer_->finish())
+        return notices_.trouble(Severity::Error, Topic::Recording, error->text()), end();
+    const Seconds now = elapsed();
+    auto begun = parts_->setAside(writer_->bytes(), now);
+    if (begun) {
+        RecordingFacts facts = facts_;
+        facts["part"] = std::to_string(parts_->number());
+        facts["began"] = facts_["started"];
+        facts["after_s"] = fixed(now.count(), 3);
+        facts["started"] = QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs).toStdString();
+        begun = create(path, facts, scene_());
+        if (!begun)
+            parts_->takeBack();
+    }
+    if (!begun) {
+        notices_.trouble(Severity::Error, Topic::Recording,
+                         "The recording ends, because its next part cannot begin: " + begun.error().text());
+        return end();
+    }
+    note(link::part_topic, {});
+}
+
+void RecordKeeping::warn() {
+    constexpr double near = 0.8;
+    const auto limit = static_cast<double>(*limit_bytes_);
+    const auto used = static_cast<double>(parts_->bytes(writer_->bytes()));
+    if (warned_ || used < near * limit)
+        return;
+    warned_ = true;
+    notices_.say(Severity::Warning, Topic::Recording,
+                 "The recording has " + megabytes(used) + " of the " + megabytes(limit) +
+                     " that it may have. In about " + spanText(elapsed() * (limit - used) / used) +
+                     " its oldest tenth is deleted, and so on from then on. Raise the limit to keep it.",
+                 "limit");
+}
+
+void RecordKeeping::makeRoom() {
+    while (const auto dropped = parts_->makeRoom(writer_->bytes(), *limit_bytes_)) {
+        if (!*dropped)
+            notices_.say(Severity::Warning, Topic::Recording, dropped->error().text(), "limit");
+        else
+            notices_.say(Severity::Note, Topic::Recording,
+                         "The oldest part of the recording, " + (*dropped)->path + " with " +
+                             megabytes(static_cast<double>((*dropped)->bytes)) +
+                             ", was deleted to keep the limit; the recording now begins after " +
+                             spanText((*dropped)->end) + '.',
+                         "part");
+    }
 }
 
 } // namespace usar::mission

@@ -1,6 +1,8 @@
 // The recording of a session in progress: every byte with its time and cause, and notes of facts that only we know.
 #pragma once
 
+#include <chrono>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -9,6 +11,7 @@
 
 #include <QTimer>
 
+#include "core/link/recording_parts.h"
 #include "core/link/recording_writer.h"
 #include "core/link/tcp_link.h"
 #include "core/mission/files/scan_record.h"
@@ -20,7 +23,7 @@
 
 namespace usar::mission {
 
-/// State of a session when its recording begins.
+/// State of a session when its recording begins, or another part of it.
 struct RecordingScene {
     link::LinkStatus link;
     std::string_view pending{};              ///< received part of a line that has not ended
@@ -31,16 +34,21 @@ struct RecordingScene {
 };
 
 /// While nothing is recorded, it only keeps the values with which a recording would have to begin. If writing fails, it
-/// reports a notice and ends the recording. Belongs to one session and its thread.
+/// reports a notice and ends the recording. With a limit of size, the recording is cut into parts, and the oldest go;
+/// a notice says so before it happens, and each time. Belongs to one session and its thread.
 class RecordKeeping {
 public:
-    /// `owner` belongs to the session's thread; it, `notices` and `incoming` must outlive this object. `looked` is
-    /// called twice a second during a recording.
-    RecordKeeping(QObject& owner, Notices& notices, const Incoming& incoming, std::function<void()> looked);
+    /// `owner` belongs to the session's thread; it, `notices` and `incoming` must outlive this object. `scene` is asked
+    /// when a recording or a part begins; `looked` is called twice a second during a recording.
+    RecordKeeping(QObject& owner, Notices& notices, const Incoming& incoming, std::function<RecordingScene()> scene,
+                  std::function<void()> looked);
 
     /// Ends any current recording and starts a new one with the state that its reader could not know otherwise.
-    Result<void> begin(const QString& path, RecordingFacts facts, const RecordingScene& scene);
+    Result<void> begin(const QString& path, RecordingFacts facts);
     void end();
+    /// Holds for this recording and later ones; without a limit at first. A number below
+    /// RecordingParts::least_limit_bytes counts as that.
+    void setLimit(RecordingLimit limit_bytes);
     bool on() const { return writer_ != nullptr; }
     /// Path of the file; empty if nothing is recorded.
     QString path() const { return writer_ ? QString::fromStdString(writer_->path()) : QString(); }
@@ -70,20 +78,37 @@ public:
         so_far_.clear();
         mission_.clear();
     }
-    /// Ends a recording whose writing has failed, with a notice.
+    /// Ends a recording whose writing has failed, with a notice; keeps the limit of one that goes well.
     void look();
 
 private:
+    using Clock = std::chrono::steady_clock;
+    Seconds elapsed() const { return Clock::now() - began_; }
+    Result<void> create(const QString& path, const RecordingFacts& facts, const RecordingScene& scene);
     void beginWith(const RecordingScene& scene);
+    void keepLimit();
+    void beginNextPart();
+    /// Says once that the limit is near, and what happens there.
+    void warn();
+    /// Deletes the oldest parts until all others are within the limit.
+    void makeRoom();
     void write(const agent::Published& value);
-    void note(const char* topic, std::string_view text);
+    void note(std::string_view topic, std::string_view text);
     /// Writes the record, with the number of the newest line, if a recording is on.
     void put(link::Record record);
 
     Notices& notices_;
     const Incoming& incoming_;
     QTimer timer_; ///< runs during a recording
+    std::function<RecordingScene()> scene_;
     std::unique_ptr<link::RecordingWriter> writer_;
+    RecordingFacts facts_; ///< of the recording that is on, as the next four
+    Clock::time_point began_;
+    std::optional<link::RecordingParts> parts_;
+    std::uint64_t put_bytes_ = 0;  ///< so far into the newest part, before they are compressed
+    std::uint64_t head_bytes_ = 0; ///< those of them that only repeat what was known
+    RecordingLimit limit_bytes_;
+    bool warned_ = false;  ///< about this recording and this limit
     BehaviorSoFar so_far_; ///< what the running behavior has published
     std::string mission_;  ///< text of the mission that it flies; empty: unknown
 };

@@ -211,19 +211,18 @@ Result<void> RobotSession::startRecording(const QString& path, const RecordingFa
     if (d_->replaying())
         begun = failure("a replay cannot be recorded", path.toStdString(), "It has a file already");
     else
-        begun = d_->records.begin(path, facts,
-                                  {.link = d_->link.status(),
-                                   .pending = d_->link.pending(),
-                                   .cell_size_m = d_->book.cellSize_m(),
-                                   .level = record().level,
-                                   .robot = d_->spawning.standingInit(),
-                                   .of_behavior = d_->helm.hasBehavior() ? &record() : nullptr});
+        begun = d_->records.begin(path, facts);
     if (begun)
         d_->notices.over(Topic::Recording);
     else
         d_->notices.trouble(Severity::Error, Topic::Recording, begun.error().text());
     d_->touched();
     return begun;
+}
+
+void RobotSession::setRecordingLimit(RecordingLimit limit_bytes) {
+    d_->records.setLimit(limit_bytes);
+    d_->touched();
 }
 
 void RobotSession::stopRecording() {

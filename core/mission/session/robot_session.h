@@ -99,6 +99,7 @@ public slots:
     /// Notes that something was made to fail, or works again; kept in the record, the recording and the messages.
     void noteFault(const std::string& sentence);
 
+    void setRecordingLimit(usar::mission::RecordingLimit limit_bytes); ///< see RecordKeeping::setLimit
     void stopRecording();
     /// `recordingFlushed` follows once everything up to now is in the file. The recording continues.
     void flushRecording();

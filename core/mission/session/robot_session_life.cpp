@@ -22,7 +22,8 @@ RobotSession::Private::Private(RobotSession& session, double cell_size_m)
     , book(cell_size_m, notices)
     , vigil(notices)
     , spawning(*this, notices)
-    , records(session, notices, incoming, [this] { touched(); })
+    , records(
+          session, notices, incoming, [this] { return scene(); }, [this] { touched(); })
     , helm(session, *this, {incoming, spawning, notices, vigil})
     , replay(*this) {
     clock.start();
@@ -36,6 +37,15 @@ RobotSession::Private::Private(RobotSession& session, double cell_size_m)
         records.closed(link.status().trouble.toStdString());
         connectionLost();
     });
+}
+
+RecordingScene RobotSession::Private::scene() const {
+    return {.link = link.status(),
+            .pending = link.pending(),
+            .cell_size_m = book.cellSize_m(),
+            .level = book.record().level,
+            .robot = spawning.standingInit(),
+            .of_behavior = helm.hasBehavior() ? &book.record() : nullptr};
 }
 
 void RobotSession::Private::beginConnection() {

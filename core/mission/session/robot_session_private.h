@@ -37,6 +37,8 @@ struct RobotSession::Private : SpawnOwner, HelmOwner, ReplayStage {
     void endWithClaims();
     /// Called regularly while connected, to notice silence and overdue answers.
     void watch();
+    /// With what a recording, or a part of it, begins.
+    RecordingScene scene() const;
     /// The figures of the next update.
     SessionFigures figures() const;
     /// Status of the replay's link in a replay, of the live one otherwise.

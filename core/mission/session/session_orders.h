@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <optional>
@@ -17,6 +18,9 @@ namespace usar::mission {
 
 /// Facts about a recording besides its records: robot, class, level, host …
 using RecordingFacts = std::map<std::string, std::string>;
+
+/// The most bytes that a recording keeps, whose oldest parts go when there are more; nullopt: any number.
+using RecordingLimit = std::optional<std::uint64_t>;
 
 /// User's orders to a replay. All members that are set are carried out.
 struct ReplayOrder {

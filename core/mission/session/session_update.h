@@ -16,6 +16,7 @@
 #include "core/mapping/height_map.h"
 #include "core/mapping/profile.h"
 #include "core/mission/hand/control_state.h"
+#include "core/mission/session/session_orders.h"
 #include "core/protocol/dialect.h"
 #include "core/protocol/info_message.h"
 #include "core/protocol/traffic_counts.h"
@@ -29,7 +30,8 @@ enum class SpawnState { None, Asked, Failed, Done };
 struct RecordingFigures {
     std::string path;
     Seconds elapsed{0.0};    ///< since the recording began
-    std::uint64_t bytes = 0; ///< of the file so far
+    std::uint64_t bytes = 0; ///< of all its parts so far
+    RecordingLimit limit_bytes{};
 };
 
 /// Running figures of a session.

@@ -1,7 +1,12 @@
 // What is written into a recording, and when, without a connection.
+#include <algorithm>
+#include <future>
+
+#include <QDir>
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/base/random.h"
 #include "core/link/recording_reader.h"
 #include "core/mission/session/record_keeping.h"
 #include "tests/mission/session/session_parts.h"
@@ -48,8 +53,16 @@ struct Keeping : test::NoticeBook {
     Incoming incoming;
     int looks = 0;
     std::map<std::string, std::string> facts;
-    RecordKeeping records{thread_owner, notices, incoming, [this] { ++looks; }};
+    RecordingScene scene{};
+    RecordKeeping records{thread_owner, notices, incoming, [this] { return scene; }, [this] { ++looks; }};
 };
+
+std::uint64_t bytesIn(const QString& folder, const QString& names) {
+    std::uint64_t bytes = 0;
+    for (const QFileInfo& file : QDir(folder).entryInfoList({names}, QDir::Files))
+        bytes += static_cast<std::uint64_t>(file.size());
+    return bytes;
+}
 
 } // namespace
 
@@ -70,7 +83,7 @@ private slots:
 
     void everythingIsWrittenInItsOrder() {
         Keeping k;
-        QVERIFY(k.records.begin(k.path(), {}, {}));
+        QVERIFY(k.records.begin(k.path(), {}));
         QCOMPARE(k.records.path(), k.path());
         QVERIFY(k.records.figures() && k.records.figures()->bytes > 0);
         k.records.opened("sim:3000");
@@ -87,9 +100,9 @@ private slots:
 
     void theFactsSayWhereItWas() {
         Keeping k;
-        RecordingScene scene = Keeping::connected();
-        scene.level = "tall_test";
-        QVERIFY(k.records.begin(k.path(), {{"robot", "R1"}}, scene));
+        k.scene = Keeping::connected();
+        k.scene.level = "tall_test";
+        QVERIFY(k.records.begin(k.path(), {{"robot", "R1"}}));
         QCOMPARE(k.written(), QStringList{"2 0  sim:3000"});
         QCOMPARE(k.facts["robot"], std::string("R1"));
         QCOMPARE(k.facts["host"], std::string("sim"));
@@ -109,11 +122,11 @@ private slots:
         record.behavior_id = "airrobot/cpp";
         record.robot_name = "R1";
         record.marks.emplace_back();
-        RecordingScene scene = Keeping::connected();
-        scene.pending = "SEN {Ti";
-        scene.robot = protocol::Init{"USARBot.AirRobot", "R1"};
-        scene.of_behavior = &record;
-        QVERIFY(k.records.begin(k.path(), {}, scene));
+        k.scene = Keeping::connected();
+        k.scene.pending = "SEN {Ti";
+        k.scene.robot = protocol::Init{"USARBot.AirRobot", "R1"};
+        k.scene.of_behavior = &record;
+        QVERIFY(k.records.begin(k.path(), {}));
         const QStringList texts = k.written();
         QCOMPARE(texts.size(), 6);
         QCOMPARE(texts[0], QString("2 0  sim:3000"));
@@ -124,11 +137,101 @@ private slots:
         QVERIFY(texts[5].contains("scanning"));
     }
 
+    void aLimitIsKeptFromTheFirstWarningOn() {
+        constexpr std::uint64_t limit = 10'000'000;
+        Keeping k;
+        k.scene = Keeping::connected();
+        k.scene.robot = protocol::Init{"USARBot.AirRobot", "R1"};
+        k.records.setLimit(limit);
+        QVERIFY(k.records.begin(k.path(), {{"robot", "R1"}}));
+        QFile foreign(k.folder.filePath("b.part1.usar"));
+        QVERIFY(foreign.open(QIODevice::WriteOnly) && foreign.write("not ours") > 0);
+        foreign.close();
+        Random random(3);
+        std::uint64_t most = 0;
+        int lines = 0;
+        for (; lines < 1000; ++lines) {
+            std::string line = "SEN {" + std::to_string(lines) + ' ';
+            for (int i = 0; i < 30'000; ++i) // Random bytes cannot be compressed by much.
+                line += static_cast<char>('!' + uniform(random, 0.0, 90.0));
+            k.records.received(line + "\r\n");
+            k.incoming.take(line);
+            if (lines % 10 == 0) {
+                std::promise<void> flushed;
+                k.records.flush([&flushed] { flushed.set_value(); });
+                flushed.get_future().wait();
+                k.records.look();
+                most = std::max(most, bytesIn(k.folder.path(), "a*"));
+            }
+        }
+        QVERIFY(most <= limit + 300'000); // What came since the last look.
+        QVERIFY(most > limit * 8 / 10);
+        QVERIFY(k.records.figures() && k.records.figures()->limit_bytes == limit);
+        QCOMPARE(k.records.figures()->bytes, bytesIn(k.folder.path(), "a*"));
+        QCOMPARE(k.said.front().severity, Severity::Warning);
+        QVERIFY(k.said.front().text.find("its oldest tenth is deleted") != std::string::npos);
+        QVERIFY(k.said.size() > 5);
+        QVERIFY(std::all_of(k.said.begin() + 1, k.said.end(), [](const Notice& notice) {
+            return notice.severity == Severity::Note && notice.text.find("was deleted") != std::string::npos;
+        }));
+        k.records.end();
+        QVERIFY(QFile::exists(foreign.fileName()));
+        const auto reader = link::RecordingReader::open(k.path());
+        QVERIFY(reader);
+        QVERIFY((*reader)->survey().ended);
+        QCOMPARE((*reader)->survey().parts_lost, static_cast<int>(k.said.size()) - 1);
+        std::uint64_t newest = 0;
+        link::PartSeam seam;
+        while (const auto record = (*reader)->next()) {
+            if (seam.repeats(*record) || record->kind != RecordKind::In)
+                continue;
+            QVERIFY(newest == 0 || record->line.value == newest + 1); // Nothing is missing between the parts.
+            newest = record->line.value;
+        }
+        QCOMPARE(newest, static_cast<std::uint64_t>(lines - 1));
+    }
+
+    void aLimitThatIsSetLateHoldsForTheWholeRecording() {
+        Keeping k;
+        QVERIFY(k.records.begin(k.path(), {}));
+        k.records.look();
+        QVERIFY(!k.records.figures()->limit_bytes);
+        k.records.setLimit(1);
+        QCOMPARE(k.records.figures()->limit_bytes, RecordingLimit(link::RecordingParts::least_limit_bytes));
+        k.records.setLimit(std::nullopt);
+        QVERIFY(!k.records.figures()->limit_bytes);
+    }
+
+    void aPartThatCannotBeginEndsTheRecordingWithAReason() {
+        Keeping k;
+        k.records.setLimit(link::RecordingParts::least_limit_bytes);
+        QVERIFY(k.records.begin(k.path(), {}));
+        QFile foreign(k.folder.filePath("a.part1.usar"));
+        QVERIFY(foreign.open(QIODevice::WriteOnly) && foreign.write("not ours") > 0);
+        foreign.close();
+        Random random(3);
+        std::string noise;
+        for (int i = 0; i < 1'500'000; ++i)
+            noise += static_cast<char>(uniform(random, 0.0, 256.0));
+        k.records.received(noise);
+        std::promise<void> flushed;
+        k.records.flush([&flushed] { flushed.set_value(); });
+        flushed.get_future().wait();
+        k.records.look();
+        QVERIFY(!k.records.on());
+        QCOMPARE(k.said.size(), std::size_t(1));
+        QCOMPARE(k.said.front().severity, Severity::Error);
+        QVERIFY(k.said.front().text.find("a.part1.usar") != std::string::npos);
+        const auto reader = link::RecordingReader::open(k.path());
+        QVERIFY(reader && (*reader)->survey().ended);
+        QVERIFY((*reader)->survey().bytes_in == noise.size());
+    }
+
     void aFileThatExistsIsLeftAlone() {
         Keeping k;
-        QVERIFY(k.records.begin(k.path(), {}, {}));
+        QVERIFY(k.records.begin(k.path(), {}));
         k.records.end();
-        QVERIFY(!k.records.begin(k.path(), {}, {}));
+        QVERIFY(!k.records.begin(k.path(), {}));
         QVERIFY(!k.records.on());
     }
 };
