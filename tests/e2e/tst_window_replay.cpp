@@ -6,8 +6,10 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QGuiApplication>
+#include <QInputDialog>
 #include <QLineEdit>
 #include <QMimeData>
+#include <QSpinBox>
 #include <QTest>
 
 #include "core/campaign/plan/shell_words.h"
@@ -64,6 +66,7 @@ private slots:
     void theRobotOfTheCommandLineStaysSelected();
     void nothingCanBeSentAndTheLiveRobotGoesOn();
     void recordingIsTurnedOffAndOn();
+    void recordingsGetALimitThatIsKeptForTheNextStart();
     void aFileThatIsNoRecordingIsRefusedWithAMend();
     void theRecordingIsExported();
 
@@ -304,6 +307,34 @@ void tst_WindowReplay::recordingIsTurnedOffAndOn() {
     page.screenshot("recording");
     page.window().commands().action("file.record")->trigger();
     QTRY_COMPARE_WITH_TIMEOUT(page.window().views().record->text(), QString("not recorded"), soon_ms);
+}
+
+void tst_WindowReplay::recordingsGetALimitThatIsKeptForTheNextStart() {
+    const QTemporaryDir settings;
+    {
+        WindowPage page({.settings_folder = settings.path()});
+        QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+        QVERIFY(page.spawnAt("PlayerStart"));
+        QTRY_VERIFY_WITH_TIMEOUT(page.robot(1) && page.robot(1)->figures.recording, soon_ms);
+        QVERIFY(!page.robot(1)->figures.recording->limit_bytes);
+        page.window().commands().action("file.record_limit")->trigger();
+        auto* const dialog = page.window().findChild<QInputDialog*>();
+        QVERIFY(dialog);
+        page.screenshot("recording-limit");
+        auto* const box = dialog->findChild<QSpinBox*>();
+        QCOMPARE(box->text(), QString("no limit"));
+        box->selectAll();
+        QTest::keyClicks(box, "4"); // Fewer than the least.
+        QTest::keyClick(box, Qt::Key_Return);
+        QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->figures.recording->limit_bytes == std::uint64_t(10'000'000), soon_ms);
+        QVERIFY(page.notified("newest 10 MB").contains("recording"));
+        QTRY_VERIFY_WITH_TIMEOUT(page.window().views().record->toolTip().contains("newest 10 MB"), soon_ms);
+    }
+    WindowPage page({.settings_folder = settings.path()});
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(page.spawnAt("PlayerStart"));
+    QTRY_VERIFY_WITH_TIMEOUT(page.robot(1) && page.robot(1)->figures.recording, soon_ms);
+    QCOMPARE(page.robot(1)->figures.recording->limit_bytes, mission::RecordingLimit(10'000'000));
 }
 
 void tst_WindowReplay::aFileThatIsNoRecordingIsRefusedWithAMend() {

@@ -11,6 +11,7 @@
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSpinBox>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -70,6 +71,7 @@ private slots:
     void suffixIsAddedOnlyWhereNoneIs();
     void aNewFolderCanBeMadeAndChosen();
     void aNumberIsAskedFor();
+    void theLeastNumberCanHaveAMeaning();
     void formatsOfAMapAreAskedFor();
 
 private:
@@ -173,6 +175,22 @@ void tst_Dialogs::aNumberIsAskedFor() {
     dialog->setIntValue(5010);
     QVERIFY(click(*dialog, "OK"));
     QCOMPARE(number, 5010);
+}
+
+void tst_Dialogs::theLeastNumberCanHaveAMeaning() {
+    int number = -1;
+    askForNumber(
+        window_.get(), "Size", "Megabytes", 0, 0, 100, [&number](int megabytes) { number = megabytes; }, "no limit");
+    auto* const dialog = shown<QInputDialog>(*window_);
+    QVERIFY(dialog);
+    auto* const box = dialog->findChild<QSpinBox*>();
+    QVERIFY(box);
+    QCOMPARE(box->text(), QString("no limit"));
+    QTest::keyClick(box, Qt::Key_Up);
+    QCOMPARE(box->text(), QString("1"));
+    QTest::keyClick(box, Qt::Key_Down);
+    QVERIFY(click(*dialog, "OK"));
+    QCOMPARE(number, 0);
 }
 
 void tst_Dialogs::formatsOfAMapAreAskedFor() {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include <QDateTime>
@@ -22,6 +23,10 @@ constexpr std::size_t longest_piece = link::recording::longest_payload_bytes / 8
 
 std::string megabytes(double bytes) {
     return fixed(bytes / 1e6, 1) + " MB";
+}
+
+std::string wholeSeconds(Seconds span) {
+    return spanText(Seconds{std::round(span.count())});
 }
 
 std::string rectangleText(const Rectangle& area) {
@@ -220,7 +225,7 @@ void RecordKeeping::warn() {
     warned_ = true;
     notices_.say(Severity::Warning, Topic::Recording,
                  "The recording has " + megabytes(used) + " of the " + megabytes(limit) +
-                     " that it may have. In about " + spanText(elapsed() * (limit - used) / used) +
+                     " that it may have. In about " + wholeSeconds(elapsed() * (limit - used) / used) +
                      " its oldest tenth is deleted, and so on from then on. Raise the limit to keep it.",
                  "limit");
 }
@@ -234,7 +239,7 @@ void RecordKeeping::makeRoom() {
                          "The oldest part of the recording, " + (*dropped)->path + " with " +
                              megabytes(static_cast<double>((*dropped)->bytes)) +
                              ", was deleted to keep the limit; the recording now begins after " +
-                             spanText((*dropped)->end) + '.',
+                             wholeSeconds((*dropped)->end) + '.',
                          "part");
     }
 }

@@ -82,6 +82,11 @@ private slots:
             limited.limit = Seconds{limit_s};
             QTest::addRow("a limit of %s", text) << QStringList{"run", "a.json", "--limit", text} << limited;
         }
+        MissionOptions bounded = plain;
+        bounded.recording = "r.usarrec";
+        bounded.recording_limit_bytes = 12'500'000;
+        QTest::newRow("a limit of the recording")
+            << QStringList{"run", "a.json", "--record", "r.usarrec", "--record-limit", "12.5"} << bounded;
         QTest::newRow("the battery's life") << QStringList{"run", "a.json", "--battery", "90.5"} << short_lived;
         MissionOptions odd = plain;
         odd.behavior = "--speed";
@@ -134,6 +139,12 @@ private slots:
                                             << QString("--limit %1: the limit is no time").arg(text);
         QTest::newRow("an unknown format")
             << QStringList{"run", "a.json", "--export", "tif,shp"} << "--export tif,shp: there is no format named shp";
+        QTest::newRow("a limit without a recording")
+            << QStringList{"run", "a.json", "--record-limit", "20"} << "a limit needs a recording";
+        for (const char* limit : {"9.9", "-1", "20MB", "nan", "1e300"})
+            QTest::addRow("a recording's limit of %s", limit)
+                << QStringList{"run", "a.json", "--record", "r", "--record-limit", limit}
+                << "is no number of megabytes from 10 up";
         QTest::newRow("battery") << QStringList{"run", "a.json", "--battery", "0"} << "--battery 0: the life of";
     }
 

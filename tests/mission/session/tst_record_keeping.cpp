@@ -48,6 +48,13 @@ struct Keeping : test::NoticeBook {
         return scene;
     }
 
+    /// Waits until everything so far is on the disk.
+    void flush() {
+        std::promise<void> flushed;
+        records.flush([&flushed] { flushed.set_value(); });
+        flushed.get_future().wait();
+    }
+
     QTemporaryDir folder;
     QObject thread_owner;
     Incoming incoming;
@@ -56,6 +63,13 @@ struct Keeping : test::NoticeBook {
     RecordingScene scene{};
     RecordKeeping records{thread_owner, notices, incoming, [this] { return scene; }, [this] { ++looks; }};
 };
+
+/// Letters that cannot be compressed by much.
+void appendNoise(std::string& text, int bytes, Random& random) {
+    for (int i = 0; i < bytes / 8; ++i)
+        for (auto [eight, left] = std::pair(random(), 8); left > 0; --left, eight >>= 8)
+            text += static_cast<char>('!' + (eight & 0xff) % 90);
+}
 
 std::uint64_t bytesIn(const QString& folder, const QString& names) {
     std::uint64_t bytes = 0;
@@ -152,14 +166,11 @@ private slots:
         int lines = 0;
         for (; lines < 1000; ++lines) {
             std::string line = "SEN {" + std::to_string(lines) + ' ';
-            for (int i = 0; i < 30'000; ++i) // Random bytes cannot be compressed by much.
-                line += static_cast<char>('!' + uniform(random, 0.0, 90.0));
+            appendNoise(line, 30'000, random);
             k.records.received(line + "\r\n");
             k.incoming.take(line);
             if (lines % 10 == 0) {
-                std::promise<void> flushed;
-                k.records.flush([&flushed] { flushed.set_value(); });
-                flushed.get_future().wait();
+                k.flush();
                 k.records.look();
                 most = std::max(most, bytesIn(k.folder.path(), "a*"));
             }
@@ -167,6 +178,7 @@ private slots:
         QVERIFY(most <= limit + 300'000); // What came since the last look.
         QVERIFY(most > limit * 8 / 10);
         QVERIFY(k.records.figures() && k.records.figures()->limit_bytes == limit);
+        k.flush();
         QCOMPARE(k.records.figures()->bytes, bytesIn(k.folder.path(), "a*"));
         QCOMPARE(k.said.front().severity, Severity::Warning);
         QVERIFY(k.said.front().text.find("its oldest tenth is deleted") != std::string::npos);
@@ -211,12 +223,9 @@ private slots:
         foreign.close();
         Random random(3);
         std::string noise;
-        for (int i = 0; i < 1'500'000; ++i)
-            noise += static_cast<char>(uniform(random, 0.0, 256.0));
+        appendNoise(noise, 1'500'000, random);
         k.records.received(noise);
-        std::promise<void> flushed;
-        k.records.flush([&flushed] { flushed.set_value(); });
-        flushed.get_future().wait();
+        k.flush();
         k.records.look();
         QVERIFY(!k.records.on());
         QCOMPARE(k.said.size(), std::size_t(1));
