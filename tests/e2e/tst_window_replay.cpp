@@ -9,6 +9,7 @@
 #include <QInputDialog>
 #include <QLineEdit>
 #include <QMimeData>
+#include <QSettings>
 #include <QSpinBox>
 #include <QTest>
 
@@ -320,7 +321,7 @@ void tst_WindowReplay::recordingsGetALimitThatIsKeptForTheNextStart() {
         page.window().commands().action("file.record_limit")->trigger();
         auto* const dialog = page.window().findChild<QInputDialog*>();
         QVERIFY(dialog);
-        page.screenshot("recording-limit");
+        page.screenshot("recording-limit", dialog);
         auto* const box = dialog->findChild<QSpinBox*>();
         QCOMPARE(box->text(), QString("no limit"));
         box->selectAll();
@@ -329,6 +330,7 @@ void tst_WindowReplay::recordingsGetALimitThatIsKeptForTheNextStart() {
         QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->figures.recording->limit_bytes == std::uint64_t(10'000'000), soon_ms);
         QVERIFY(page.notified("newest 10 MB").contains("recording"));
         QTRY_VERIFY_WITH_TIMEOUT(page.window().views().record->toolTip().contains("newest 10 MB"), soon_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(QSettings().value("record_limit_mb").toInt(), 10, soon_ms); // Saved each second.
     }
     WindowPage page({.settings_folder = settings.path()});
     QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);

@@ -206,10 +206,10 @@ QString WindowPage::endedRecording() const {
     return {};
 }
 
-void WindowPage::screenshot(const QString& name) {
+void WindowPage::screenshot(const QString& name, QWidget* of) {
     const QDir folder(QStringLiteral(USAR_BINARY_DIR "/screenshots"));
     QDir().mkpath(folder.path());
-    window_->grab().save(folder.filePath(name + ".png"));
+    (of ? of : window_.get())->grab().save(folder.filePath(name + ".png"));
 }
 
 std::size_t WindowPage::knownTiles() const {

@@ -74,7 +74,7 @@ public:
     /// Path of a recording in the result folder that was ended in order, which is some time after its robot went; empty
     /// until there is one.
     QString endedRecording() const;
-    void screenshot(const QString& name);
+    void screenshot(const QString& name, QWidget* of = nullptr); ///< of the window without `of`
 
     QString connectionText() { return window_->views().connection->statusText(); }
     std::size_t knownTiles() const;
