@@ -29,24 +29,37 @@ OrbitCamera OrbitCamera::limited() const {
     return camera;
 }
 
-OrbitCamera OrbitCamera::showing(const Rectangle& area_in_map, double middle_height_m, double width_by_height) const {
-    OrbitCamera camera = *this;
-    const Vec2 center_m = area_in_map.center_m();
-    camera.target_in_map_m = {center_m.x(), center_m.y(), middle_height_m};
-    const double tangent = std::tan(field_of_view_rad / 2.0);
+OrbitCamera OrbitCamera::showing(std::span<const Vec3> points_in_map_m, double width_by_height,
+                                 double exaggeration) const {
+    if (points_in_map_m.empty())
+        return *this;
+    const Vec3 forward = forwardOf(*this);
     const Vec3 right(std::sin(yaw_rad), -std::cos(yaw_rad), 0.0);
-    const Vec3 forward = forwardOf(camera);
     const Vec3 up = right.cross(forward);
-    camera.distance_m = least_distance_m;
-    for (const double x_m : {area_in_map.min_m.x(), area_in_map.max_m.x()})
-        for (const double y_m : {area_in_map.min_m.y(), area_in_map.max_m.y()}) {
-            const Vec3 from_center_m(x_m - center_m.x(), y_m - center_m.y(), 0.0);
-            const double wide_m =
-                std::max(std::abs(from_center_m.dot(right)) / width_by_height, std::abs(from_center_m.dot(up)));
-            constexpr double with_a_border = 1.08;
-            camera.distance_m =
-                std::max(camera.distance_m, with_a_border * wide_m / tangent - from_center_m.dot(forward));
-        }
+    const double tall = std::tan(field_of_view_rad / 2.0) / 1.08; // with a border
+    const double wide = tall * width_by_height;
+    // Each edge of the picture is a plane through the eye, and each plane must be outside of the farthest point: first
+    // for the planes on the left and right, then for those at the top and bottom; the eye is as far back as both need.
+    double left_m = -1e30, right_m = -1e30, low_m = -1e30, high_m = -1e30, nearest_m = 1e30;
+    for (const Vec3& point : points_in_map_m) {
+        const Vec3 drawn(point.x(), point.y(), point.z() * exaggeration);
+        const double x = drawn.dot(right), y = drawn.dot(up), z = drawn.dot(forward);
+        left_m = std::max(left_m, -x - wide * z);
+        right_m = std::max(right_m, x - wide * z);
+        low_m = std::max(low_m, -y - tall * z);
+        high_m = std::max(high_m, y - tall * z);
+        nearest_m = std::min(nearest_m, z);
+    }
+    const double eye_z = -std::max((left_m + right_m) / (2.0 * wide), (low_m + high_m) / (2.0 * tall));
+    // The target is as deep as the middle of the points, whose nearest one is in front of the eye.
+    double farthest_m = nearest_m;
+    for (const Vec3& point : points_in_map_m)
+        farthest_m = std::max(farthest_m, Vec3(point.x(), point.y(), point.z() * exaggeration).dot(forward));
+    OrbitCamera camera = *this;
+    camera.distance_m = std::clamp((nearest_m + farthest_m) / 2.0 - eye_z, least_distance_m, greatest_distance_m);
+    const Vec3 target =
+        right * ((right_m - left_m) / 2.0) + up * ((high_m - low_m) / 2.0) + forward * ((nearest_m + farthest_m) / 2.0);
+    camera.target_in_map_m = {target.x(), target.y(), target.z() / exaggeration};
     return camera.limited();
 }
 

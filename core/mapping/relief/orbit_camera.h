@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "core/base/geometry.h"
 
@@ -22,8 +23,9 @@ struct OrbitCamera {
 
     /// The nearest permitted camera; not-a-number becomes a usual value.
     OrbitCamera limited() const;
-    /// The same direction of view, moved so that this part of the map fills a picture of this shape.
-    OrbitCamera showing(const Rectangle& area_in_map, double middle_height_m, double width_by_height) const;
+    /// The same direction of view, moved so that these points fill a picture of this shape, with a small border; no
+    /// points change nothing.
+    OrbitCamera showing(std::span<const Vec3> points_in_map_m, double width_by_height, double exaggeration = 1.0) const;
     bool operator==(const OrbitCamera&) const = default;
 };
 

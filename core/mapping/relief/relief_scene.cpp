@@ -93,7 +93,7 @@ void drawBody(const ReliefBody& body, const ReliefScene& scene, const ReliefProj
     if (!seen)
         return;
     const Vec2 below_m = body.in_map.position_m.head<2>();
-    if (const auto ground_m = scene.surface.height_m(below_m))
+    if (const auto ground_m = body.stalk ? scene.surface.height_m(below_m) : std::nullopt)
         pen.line(cameraPoint(projection, body.in_map.position_m),
                  cameraPoint(projection, {below_m.x(), below_m.y(), double(*ground_m)}), body.color, 1);
     const double px_per_m = projection.focal_px() * seen->nearness_per_m;
@@ -121,6 +121,28 @@ ReliefPicture drawnRelief(const ReliefScene& scene, int width_px, int height_px)
     ReliefPicture picture(width_px, height_px);
     drawRelief(scene, picture, {0, width_px});
     return picture;
+}
+
+std::vector<Vec3> aboveSurface(const ReliefSurface& surface, const std::vector<Vec3>& points_in_map_m) {
+    std::vector<Vec3> raised;
+    raised.reserve(points_in_map_m.size());
+    const auto add = [&](Vec3 point) {
+        if (const auto height_m = surface.height_m(point.head<2>()); height_m && double(*height_m) > point.z())
+            point.z() = double(*height_m);
+        raised.push_back(point);
+    };
+    for (std::size_t i = 0; i < points_in_map_m.size(); ++i) {
+        const Vec3& point = points_in_map_m[i];
+        if (i > 0 && point.allFinite() && points_in_map_m[i - 1].allFinite()) {
+            const Vec3 way_m = point - points_in_map_m[i - 1];
+            constexpr double most_steps = 200.0;
+            const double steps = std::clamp(std::floor(way_m.head<2>().norm() / surface.cell_size_m), 1.0, most_steps);
+            for (double step = 1.0; step < steps; ++step)
+                add(points_in_map_m[i - 1] + way_m * (step / steps));
+        }
+        add(point);
+    }
+    return raised;
 }
 
 std::vector<Vec3> outlineOnSurface(const ReliefSurface& surface, const Rectangle& area_in_map) {

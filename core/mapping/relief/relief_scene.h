@@ -16,14 +16,16 @@ struct ReliefLine {
     int width_px = 2;
 };
 
-/// A robot as a solid arrow, or a ball-like mark of a place without direction, with a stalk down to the surface. It is
-/// never smaller than `least_px`, so that it is seen from afar.
+/// A robot as a solid arrow, or a ball-like mark of a place without direction. It is never smaller than `least_px`, so
+/// that it is seen from afar.
 struct ReliefBody {
     Pose in_map{};
     std::uint32_t color = 0xffffffffu;
     bool pointed = true; ///< false: it has no direction
     double length_m = 0.5;
     int least_px = 18;
+    bool stalk = true; ///< a thin line goes down to the surface
+    bool operator==(const ReliefBody&) const = default;
 };
 
 /// A plain value; the surface is shared.
@@ -46,6 +48,10 @@ void drawRelief(const ReliefScene& scene, ReliefPicture& picture, PictureBand ba
 
 /// The whole picture in one go.
 ReliefPicture drawnRelief(const ReliefScene& scene, int width_px, int height_px);
+
+/// A way over the map, with the points in between that it needs, raised to the surface wherever it would pass below it,
+/// as the way of a robot on the ground does.
+std::vector<Vec3> aboveSurface(const ReliefSurface& surface, const std::vector<Vec3>& points_in_map_m);
 
 /// The outline of a rectangle, lying on the surface; where nothing is known it goes on at the last known height.
 std::vector<Vec3> outlineOnSurface(const ReliefSurface& surface, const Rectangle& area_in_map);

@@ -111,8 +111,14 @@ std::shared_ptr<const ReliefTile> tileFrom(Patch blocks, GridIndex index, double
     auto tile = std::make_shared<ReliefTile>();
     tile->index = index;
     tile->levels[0].colors = cellColors(blocks, cell_size_m, style);
-    if (std::ranges::all_of(tile->levels[0].colors, [](std::uint32_t color) { return color == 0; }))
+    std::optional<CellBounds> known;
+    for (std::int32_t i = 0; i < relief_side * relief_side; ++i)
+        if (tile->levels[0].colors[static_cast<std::size_t>(i)] != 0)
+            CellBounds::include(
+                known, {index.column * relief_side + i % relief_side, index.row * relief_side + i / relief_side});
+    if (!known)
         return nullptr;
+    tile->known = *known;
     for (int level = 0; level < ReliefTile::level_count; ++level) {
         ReliefTile::Level& made = tile->levels[static_cast<std::size_t>(level)];
         if (level > 0) {
@@ -197,18 +203,35 @@ std::optional<HeightRange> ReliefSurface::range() const {
     return range;
 }
 
+std::vector<Vec3> ReliefSurface::someCorners() const {
+    constexpr int step = 4;
+    std::vector<Vec3> corners;
+    for (const auto& [index, tile] : tiles)
+        for (int row = 0; row <= relief_side; row += step)
+            for (int column = 0; column <= relief_side; column += step) {
+                const float height_m =
+                    tile->levels[0].corners_m[static_cast<std::size_t>(row * (relief_side + 1) + column)];
+                if (!std::isnan(height_m))
+                    corners.emplace_back(cell_size_m * (index.column * double(relief_side) + column),
+                                         cell_size_m * (index.row * double(relief_side) + row), double(height_m));
+            }
+    if (corners.empty()) // Single cells may lie between all of these.
+        if (const Rectangle bounds = bounds_in_map(); !bounds.empty())
+            corners = {{bounds.min_m.x(), bounds.min_m.y(), double(range()->minimum_m)},
+                       {bounds.max_m.x(), bounds.max_m.y(), double(range()->maximum_m)}};
+    return corners;
+}
+
 Rectangle ReliefSurface::bounds_in_map() const {
     if (tiles.empty())
         return {};
-    const double side_m = relief_side * cell_size_m;
-    const double huge = std::numeric_limits<double>::max();
-    Rectangle bounds{Vec2(huge, huge), Vec2(-huge, -huge)};
+    std::optional<CellBounds> known;
     for (const auto& [index, tile] : tiles) {
-        const Vec2 corner_m = side_m * Vec2(index.column, index.row);
-        bounds.min_m = bounds.min_m.cwiseMin(corner_m);
-        bounds.max_m = bounds.max_m.cwiseMax(Vec2(corner_m + Vec2(side_m, side_m)));
+        CellBounds::include(known, tile->known.first);
+        CellBounds::include(known, tile->known.last);
     }
-    return bounds;
+    return {cell_size_m * Vec2(known->first.column, known->first.row),
+            cell_size_m * Vec2(known->last.column + 1.0, known->last.row + 1.0)};
 }
 
 void renewRelief(ReliefSurface& surface, const HeightTiles& tiles, double cell_size_m, const ReliefStyle& style,

@@ -37,6 +37,7 @@ struct ReliefTile {
     GridIndex index; ///< in tiles
     std::array<Level, level_count> levels;
     HeightRange range; ///< of the finest level's corners
+    CellBounds known;  ///< the smallest rectangle around its known cells, which are counted from the map's origin
 };
 
 /// A value that is cheap to copy: tiles are immutable and shared, so that a worker may draw a copy.
@@ -49,7 +50,9 @@ struct ReliefSurface {
     std::optional<float> height_m(const Vec2& point_in_map_m) const;
     /// Lowest and highest corner; nullopt for an empty surface.
     std::optional<HeightRange> range() const;
-    /// Of all tiles, in meters; empty without tiles.
+    /// Some of its corners, a few meters apart, which tell how far it reaches.
+    std::vector<Vec3> someCorners() const;
+    /// Of all known cells, in meters; empty if there are none.
     Rectangle bounds_in_map() const;
 };
 
