@@ -156,6 +156,9 @@ void ViewDesk::wireFiles() {
             });
     layouts_.addView(
         "plots", [this] { return views_.plots->plotLayout(); }, [this](const QJsonObject& plots) { showPlots(plots); });
+    layouts_.addView(
+        "relief", [this] { return views_.relief->state(); },
+        [this](const QJsonObject& state) { views_.relief->setState(state); });
     layouts_.read();
 }
 
@@ -173,6 +176,7 @@ void ViewDesk::restore(const QSettings& settings) {
     help_.tour().setTaken(settings.value("tour_taken", false).toBool());
     views_.layers->restoreState(settings.value("layers").toByteArray());
     showPlots(QJsonDocument::fromJson(settings.value("plots").toString().toUtf8()).object());
+    views_.relief->setState(QJsonDocument::fromJson(settings.value("relief").toString().toUtf8()).object());
 }
 
 void ViewDesk::save(SettingsSheet& settings) const {
@@ -184,6 +188,7 @@ void ViewDesk::save(SettingsSheet& settings) const {
     settings.setValue("tour_taken", help_.tour().taken());
     settings.setValue("layers", views_.layers->saveState());
     settings.setValue("plots", QString(QJsonDocument(views_.plots->plotLayout()).toJson(QJsonDocument::Compact)));
+    settings.setValue("relief", QString(QJsonDocument(views_.relief->state()).toJson(QJsonDocument::Compact)));
 }
 
 } // namespace usar::app

@@ -73,9 +73,10 @@ const std::map<QString, std::map<QString, QStringList>> rooms{
       {"bars", {"style", "models"}},
       {"messages", {"style", "models"}},
       {"map", {"style", "models", "panels"}},
+      {"relief", {"style", "models", "map"}},
       {"campaign", {"style", "models", "panels"}},
       {"plan", {"style", "models", "messages", "panels"}},
-      {"window", {"style", "models", "commands", "drive", "panels", "bars", "messages", "map", "plan", "campaign"}}}},
+      {"window", {"style", "models", "commands", "drive", "panels", "bars", "messages", "map", "relief", "plan", "campaign"}}}},
     {"app", {{"host", {}}, {"cli", {"host"}}, {"desks", {"host"}}, {"window", {"host", "desks"}}}},
 };
 

@@ -40,7 +40,7 @@ WindowPage::WindowPage(const WindowSetup& setup) {
 
 void WindowPage::showAllDocks() {
     for (QDockWidget* const dock : window_->views().docks)
-        if (!QStringList{"layers", "faults", "history", "campaign"}.contains(dock->objectName()))
+        if (!QStringList{"layers", "faults", "history", "campaign", "relief"}.contains(dock->objectName()))
             dock->show();
     for (QDockWidget* const dock : window_->views().docks)
         if (QStringList{"behavior", "instruments", "plots"}.contains(dock->objectName()))

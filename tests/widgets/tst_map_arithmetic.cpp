@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <QTest>
@@ -40,6 +41,7 @@ private slots:
     void earlierNamesWin();
     void straightTrailCostsTwoPoints();
     void trailKeepsBends();
+    void trailKeepsClimbs();
     void trailIgnoresNonsense();
     void trailIsInterruptedWherePosesAreMissing();
 };
@@ -245,7 +247,7 @@ void tst_MapArithmetic::earlierNamesWin() {
 void tst_MapArithmetic::straightTrailCostsTwoPoints() {
     Trail trail;
     for (int i = 0; i < 200; ++i)
-        trail.add(Vec2(i * 0.4, 0.02 * std::sin(i)));
+        trail.add(Vec3(i * 0.4, 0.02 * std::sin(i), 0.1 * std::sin(i)));
     QCOMPARE(trail.points_m().size(), std::size_t(2));
     QCOMPARE(trail.points_m().back().x(), 199 * 0.4);
 }
@@ -256,7 +258,7 @@ void tst_MapArithmetic::trailKeepsBends() {
     for (int i = 0; i < 500; ++i)
         flown.push_back(10.0 * Vec2(std::cos(i * 0.05), std::sin(i * 0.05)));
     for (const Vec2& point : flown)
-        trail.add(point);
+        trail.add(Vec3(point.x(), point.y(), 2.0));
     QVERIFY(trail.points_m().size() < flown.size() / 2);
     for (const Vec2& point : trail.points_m())
         QVERIFY(qAbs(point.norm() - 10.0) < 1e-9);
@@ -266,11 +268,22 @@ void tst_MapArithmetic::trailKeepsBends() {
     }
 }
 
+/// Straight on as the map shows it, over a hill.
+void tst_MapArithmetic::trailKeepsClimbs() {
+    Trail trail;
+    for (int i = 0; i <= 100; ++i)
+        trail.add(Vec3(i * 0.4, 0.0, i < 50 ? i * 0.4 : (100 - i) * 0.4));
+    QCOMPARE(trail.heights_m().size(), trail.points_m().size());
+    QVERIFY(trail.points_m().size() >= 3 && trail.points_m().size() < 10);
+    QVERIFY(*std::ranges::max_element(trail.heights_m()) > 19.0);
+    QCOMPARE(trail.heights_m().front(), 0.0);
+}
+
 void tst_MapArithmetic::trailIgnoresNonsense() {
     Trail trail;
-    trail.add(Vec2(qQNaN(), 0.0));
-    trail.add(Vec2(1.0, 1.0));
-    trail.add(Vec2(1.0, 1.0));
+    trail.add(Vec3(qQNaN(), 0.0, 0.0));
+    trail.add(Vec3(1.0, 1.0, 1.0));
+    trail.add(Vec3(1.0, 1.0, 1.0));
     QCOMPARE(trail.points_m().size(), std::size_t(1));
     trail.clear();
     QVERIFY(trail.points_m().empty());
@@ -279,10 +292,10 @@ void tst_MapArithmetic::trailIgnoresNonsense() {
 void tst_MapArithmetic::trailIsInterruptedWherePosesAreMissing() {
     Trail trail;
     for (const double x : {0.0, 2.0, 4.0, 60.0, 62.0, 64.0})
-        trail.add(Vec2(x, 0.0));
+        trail.add(Vec3(x, 0.0, 1.0));
     QCOMPARE(trail.points_m().size(), std::size_t(5));
     QCOMPARE(trail.points_m()[1], Vec2(4.0, 0.0));
-    QVERIFY(trail.points_m()[2].hasNaN());
+    QVERIFY(trail.points_m()[2].hasNaN() && std::isnan(trail.heights_m()[2]));
     QCOMPARE(trail.points_m()[3], Vec2(60.0, 0.0));
     QCOMPARE(trail.points_m()[4], Vec2(64.0, 0.0));
 }

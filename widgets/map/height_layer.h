@@ -42,6 +42,7 @@ public:
     /// The heights at the two ends of the color scale; without extent until they are known.
     mapping::HeightRange range() const;
     bool empty() const { return tiles_.empty(); } ///< until the first tile arrives, rendered or not
+    const mapping::HeightTiles& tiles() const { return tiles_; }
     /// Finished pictures by page index.
     const std::map<mapping::GridIndex, PagePicture>& pages() const { return pages_; }
     Rectangle bounds_in_map() const; ///< of all tiles, in meters; empty without tiles

@@ -88,7 +88,7 @@ void MapContent::takeRobot(const MapRobot& robot) {
     if (!robot.footprint)
         on_map.robot.footprint = std::move(known); // Who tells only where it is does not make it forgotten.
     if (!robot.stale)
-        on_map.trail.add(robot.base_in_map.position_m.head<2>());
+        on_map.trail.add(robot.base_in_map.position_m);
 }
 
 const MapRobot* MapContent::selectedRobot() const {

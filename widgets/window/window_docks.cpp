@@ -43,15 +43,28 @@ void WindowDocks::addCommand(QDockWidget* dock) {
                            .text = dock->windowTitle(),
                            .group = tr("View"),
                            .help = tr("Shows this dock, or hides it if it is in front"),
+                           .shortcuts =
+                               dock->widget() == views_.relief ? QList{QKeySequence("Ctrl+3")} : QList<QKeySequence>(),
                            .checkable = true,
                            .wish = tr("Show %1").arg(dock->windowTitle())};
-    QAction* const shown = commands_.add(spec, [dock](bool on) {
+    QAction* const shown = commands_.add(spec, [this, dock](bool on) {
         if (!on && !dock->isHidden() && !dock->visibleRegion().isEmpty()) // It may be behind another tab.
             return dock->hide();
+        const bool opens = dock->isHidden();
         dock->show();
         dock->raise();
+        if (opens && dock->widget() == views_.relief)
+            giveReliefRoom(dock);
     });
     connect(dock, &QDockWidget::visibilityChanged, shown, [dock, shown] { shown->setChecked(!dock->isHidden()); });
+}
+
+void WindowDocks::giveReliefRoom(QDockWidget* dock) {
+    if (dock->isFloating() || window_.dockWidgetArea(dock) != Qt::BottomDockWidgetArea)
+        return;
+    const int half_px = (window_.centralWidget()->height() + dock->height()) / 2;
+    if (dock->height() < half_px)
+        window_.resizeDocks({dock}, {half_px}, Qt::Vertical);
 }
 
 void WindowDocks::wire() {

@@ -36,12 +36,14 @@ public:
 
 private:
     /// Increased with each change of the docks; older states are ignored.
-    static constexpr int version = 7;
+    static constexpr int version = 8;
 
     /// Registers a layout. If `raised` is not null, this bottom dock is in front, and the bottom docks get this
     /// fraction of the height.
     void addLayout(const char* id, QDockWidget* raised, double bottom_part);
     void addCommand(QDockWidget* dock);
+    /// A sight of the map needs more height than a list: half of what it shares with the map.
+    void giveReliefRoom(QDockWidget* dock);
     void resizeToScreen();
     void arrange(QDockWidget* raised, double bottom_part);
     /// Makes the list of robots as tall as its robots need, as long as the docks below it keep enough.

@@ -119,6 +119,9 @@ QString helpOf(const QString& dock) {
         {"drive",
          QObject::tr("Driving the selected robot by hand: take control, then use the keys, the pad or a gamepad.")},
         {"radio", QObject::tr("How well the robots hear each other by radio, for each pair of them.")},
+        {"relief",
+         QObject::tr("The height map as a surface, with trails and robots, in the colors of the map. Drag to orbit, "
+                     "with Shift to pan, and use the wheel to zoom.")},
         {"campaign",
          QObject::tr("Many runs of the mission that is set up, over seeds, behaviors and faults, flown in the "
                      "background. Double-click a run to fly it here again.")},
@@ -177,6 +180,10 @@ void makeDocks(QMainWindow& window, WindowViews& views) {
     views.campaign_dock = add("campaign", QObject::tr("Campaign"), bottom, views.campaign = new CampaignPanel);
     window.tabifyDockWidget(history, views.campaign_dock);
     views.campaign_dock->hide();
+    auto* relief = add("relief", QObject::tr("3D view"), bottom, views.relief = new ReliefView(*views.map));
+    window.tabifyDockWidget(views.campaign_dock, relief);
+    QObject::connect(relief, &QDockWidget::visibilityChanged, views.relief, &ReliefView::setUncovered);
+    relief->hide();
     views.plots_dock->raise();
 }
 

@@ -36,6 +36,7 @@
 #include "widgets/panels/sensor_panel.h"
 #include "widgets/panels/status_strip.h"
 #include "widgets/plan/plan_panel.h"
+#include "widgets/relief/relief_view.h"
 
 namespace usar::widgets {
 
@@ -79,6 +80,7 @@ struct WindowViews {
     CameraView* camera = nullptr;
     PlotView* plots = nullptr;
     PlanPanel* plan = nullptr;
+    ReliefView* relief = nullptr;
     MessageList* messages = nullptr;
     CommandBox* command_box = nullptr;
     /// Number of lines in the list, and how many wait while it is paused.

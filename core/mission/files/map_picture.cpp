@@ -16,7 +16,6 @@ namespace {
 using mapping::HeightRange;
 using mapping::Raster;
 
-constexpr std::uint32_t unknown_color = 0xff2c3340;
 constexpr double legible_px = 600.0;
 constexpr double longest_px = 8192.0;
 
@@ -81,16 +80,6 @@ std::vector<std::int64_t> cellsUnderPixels(int pixels, double pixels_per_cell, d
     for (std::size_t i = 0; i < cells.size(); ++i)
         cells[i] = static_cast<std::int64_t>(std::floor((double(i) + 0.5) / pixels_per_cell + offset_cells));
     return cells;
-}
-
-/// Returns the heights that have the colors at the two ends of the scale.
-HeightRange colorRange(const Raster& raster, const mapping::HeightLook& look) {
-    const HeightRange whole = raster.range().value_or(HeightRange{});
-    if (look.fixed_range || !look.trimmed)
-        return look.fixed_range.value_or(whole);
-    mapping::HeightHistogram histogram(whole);
-    histogram.add(raster.heights_m);
-    return histogram.trimmed();
 }
 
 void paintHeights(QImage& image, const Raster& raster, const View& view, const HeightRange& range,
@@ -166,6 +155,15 @@ void addMetadata(QImage& image, const ScanRecord& record, const View& view) {
 }
 
 } // namespace
+
+HeightRange colorRange(const Raster& raster, const mapping::HeightLook& look) {
+    const HeightRange whole = raster.range().value_or(HeightRange{});
+    if (look.fixed_range || !look.trimmed)
+        return look.fixed_range.value_or(whole);
+    mapping::HeightHistogram histogram(whole);
+    histogram.add(raster.heights_m);
+    return histogram.trimmed();
+}
 
 QImage mapPicture(const ScanRecord& record, const mapping::HeightLook& look) {
     if (record.raster.empty())

@@ -1,6 +1,8 @@
 // The map as a picture with the marks of the thesis, and as a 16-bit height image.
 #pragma once
 
+#include <cstdint>
+
 #include <QImage>
 
 #include "core/mapping/height_look.h"
@@ -15,6 +17,12 @@ namespace usar::mission {
 /// is a legend with height range, scale bar and the colors of the marks. Metadata are PNG text keys. A null image for
 /// an empty raster. Works in any thread; text needs a QGuiApplication (without one the legend has no letters).
 QImage mapPicture(const ScanRecord& record, const mapping::HeightLook& look = {});
+
+/// Of ground that is not known, as 0xffRRGGBB, in all pictures of a map.
+inline constexpr std::uint32_t unknown_color = 0xff2c3340;
+
+/// The heights that have the colors at the two ends of the scale.
+mapping::HeightRange colorRange(const mapping::Raster& raster, const mapping::HeightLook& look);
 
 /// The legend of mapPicture alone, as wide as that picture and with its metadata, for pages and slides that show the
 /// heights in another way. A null image for an empty raster.

@@ -15,6 +15,7 @@
 #include "core/base/numbers.h"
 #include "core/mission/files/file_set.h"
 #include "core/mission/files/map_picture.h"
+#include "core/mission/files/relief_picture.h"
 
 namespace usar::mission {
 
@@ -93,6 +94,8 @@ void writeHeightImage(FileSet& files, const ScanRecord& record) {
 void writePicture(FileSet& files, const ScanRecord& record, const mapping::HeightLook& look) {
     files.image(mapping::picture_ending, mapPicture(record, look));
     files.image("_legend.png", legendPicture(record, look));
+    if (!files.stopped())
+        files.image("_3d.png", reliefPicture(record, look));
 }
 
 QByteArray correctedPath(const std::vector<CorrectedPoint>& path) {

@@ -23,14 +23,14 @@ enum class ResultFiles { Always, IfFailed, Never };
 QString defaultResultFolder();
 
 /// Writes `<stem>.bil` and .hdr (float32, NoData), .asc and .xyz (text, unless the map is huge), `<stem>_height.png`
-/// (16-bit, metadata inside) and its world file _height.pgw, `<stem>_picture.png` (with the marks of the thesis)
-/// and its legend alone, `<stem>_legend.png`, `<stem>.json` (`summary`, and under "map" and "marks" what the files
-/// contain). The raw heights come first; each file is written under a temporary name and then renamed; older scans are
-/// never overwritten. The stem is `USAR_Scan_LEVEL_ROBOT_NUMBER`, with the first free number. A map that was
-/// adjusted also has `<stem>_path.csv` (the path as it was estimated and as it was corrected, with its standard
-/// deviation) and _deviation.flt and .hdr (what the heights owe to that, in meters, float32 as the heights). Parts of
-/// the map that are too far away to be in one raster with the rest are written as _far1.bil and .hdr, _far2 and so on.
-/// Each of `formats` is written besides, as writeFormats does.
+/// (16-bit, metadata inside) and its world file _height.pgw, `<stem>_picture.png` (with the marks of the thesis), its
+/// legend alone, `<stem>_legend.png`, the map in perspective, `<stem>_3d.png`, and `<stem>.json` (`summary`, and under
+/// "map" and "marks" what the files contain). The raw heights come first; each file is written under a temporary name
+/// and then renamed; older scans are never overwritten. The stem is `USAR_Scan_LEVEL_ROBOT_NUMBER`, with the first free
+/// number. A map that was adjusted also has `<stem>_path.csv` (the path as it was estimated and as it was corrected,
+/// with its standard deviation) and _deviation.flt and .hdr (what the heights owe to that, in meters, float32 as the
+/// heights). Parts of the map that are too far away to be in one raster with the rest are written as _far1.bil and
+/// .hdr, _far2 and so on. Each of `formats` is written besides, as writeFormats does.
 /// Returns the full paths of the files. To be called outside the GUI thread; concurrent calls, also from several
 /// programs, get numbers of their own. An unwritable folder is an error that names it. An empty map is an error, too,
 /// but its summary is still written. `look` is that of the picture. When `stop` is requested, in any thread, it removes

@@ -45,9 +45,9 @@ private slots:
             names << QFileInfo(file).fileName();
         names.sort();
         const QString stem = "USAR_Scan_tall-test_R1_001";
-        QStringList expected{stem + ".bil",        stem + ".hdr",        stem + ".json",
-                             stem + ".asc",        stem + ".xyz",        stem + "_height.pgw",
-                             stem + "_height.png", stem + "_legend.png", stem + "_picture.png"};
+        QStringList expected{stem + ".bil",         stem + ".hdr",        stem + ".json",       stem + ".asc",
+                             stem + ".xyz",         stem + "_height.pgw", stem + "_height.png", stem + "_legend.png",
+                             stem + "_picture.png", stem + "_3d.png"};
         expected.sort();
         QCOMPARE(names, expected);
         QStringList found =
@@ -115,7 +115,7 @@ private slots:
         const FormatList formats = *readFormatList("tif,asc", "--export");
         const auto files = writeResults(sampleScan(20), {}, folder.path(), {}, {}, formats);
         QVERIFY(files.has_value());
-        QCOMPARE(files->size(), 10); // The grid as text is there anyway.
+        QCOMPARE(files->size(), 11); // The grid as text is there anyway.
         QVERIFY(!ending(*files, "_R1_001.tif").isEmpty());
         QVERIFY(readJson(ending(*files, ".json"))["files"].toArray().contains("USAR_Scan_tall-test_R1_001.tif"));
     }
@@ -169,6 +169,7 @@ private slots:
         QTest::newRow("picture") << "_picture.png"
                                  << QStringList{"level", "robot", "behavior", "cell_size_m", "axes", "units"};
         QTest::newRow("legend") << "_legend.png" << QStringList{"level", "robot", "cell_size_m", "pixels_per_m"};
+        QTest::newRow("in perspective") << "_3d.png" << QStringList{"level", "robot", "cell_size_m", "seen_from"};
         QTest::newRow("heights") << "_height.png"
                                  << QStringList{"height_scale_m", "height_offset_m", "upper_left_center_x_m", "robot"};
     }
@@ -204,7 +205,7 @@ private slots:
         QCOMPARE(map["known_cells"].toInt(), 60 * 60 - 12 * 11);
         QCOMPARE(map["robot"].toString(), QString("R1"));
         QCOMPARE(map["area"].toObject()["width"].toDouble(), 30.0);
-        QCOMPARE(json["files"].toArray().size(), 9);
+        QCOMPARE(json["files"].toArray().size(), 10);
         QVERIFY(json["files"].toArray().contains("USAR_Scan_tall-test_R1_001_legend.png"));
         QCOMPARE(json["marks"].toArray().size(), 21); // without the path's
         QCOMPARE(json["marks"].toArray()[0].toObject()["kind"].toString(), QString("diversion"));
@@ -217,7 +218,7 @@ private slots:
         for (int i = 0; i < 3; ++i)
             all += writeResults(record, {}, folder.path()).value();
         all.removeDuplicates();
-        QCOMPARE(all.size(), 27);
+        QCOMPARE(all.size(), 30);
         // A lone leftover blocks its number, whatever kind of file it is.
         QFile other(folder.filePath("USAR_Scan_tall-test_R1_004_picture.png"));
         QVERIFY(other.open(QIODevice::WriteOnly));
@@ -236,7 +237,7 @@ private slots:
         for (auto& run : runs)
             all += run.get().value_or(QStringList{});
         all.removeDuplicates();
-        QCOMPARE(all.size(), 54);
+        QCOMPARE(all.size(), 60);
     }
 
     void aCancelledSaveLeavesNothing_data() {

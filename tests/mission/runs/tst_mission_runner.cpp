@@ -90,7 +90,7 @@ private slots:
         mission.parameters["succeeds"] = false;
         QCOMPARE(run(mission), 1);
         QCOMPARE(runner_->summary()["success"].toBool(), false);
-        QCOMPARE(filesInResults().size(), 9);
+        QCOMPARE(filesInResults().size(), 10);
     }
 
     void aPluginThatThrowsFailsTheMission() {
@@ -291,7 +291,7 @@ private slots:
         };
         QCOMPARE(run(mission), 1);
         QVERIFY2(reason().contains("connection to the server was lost"), qPrintable(reason()));
-        QCOMPARE(filesInResults().size(), 9);
+        QCOMPARE(filesInResults().size(), 10);
     }
 
     void timeThatStandsStillFailsTheMission() {
@@ -309,7 +309,7 @@ private slots:
         QVERIFY2(reason().contains("longer than its limit of 10 s"), qPrintable(reason()));
         const double duration_s = runner_->summary()["duration_s"].toDouble();
         QVERIFY2(duration_s > 10.0 && duration_s < 10.5, qPrintable(QString::number(duration_s))); // the next tick
-        QCOMPARE(filesInResults().size(), 9);
+        QCOMPARE(filesInResults().size(), 10);
     }
 
     void anInterruptKeepsWhatWasScanned() {
@@ -321,7 +321,7 @@ private slots:
         };
         QCOMPARE(run(mission), 1);
         QVERIFY2(reason().contains("Interrupted"), qPrintable(reason()));
-        QCOMPARE(filesInResults().size(), 9);
+        QCOMPARE(filesInResults().size(), 10);
         QTRY_VERIFY(!server_->hasClient());
         QVERIFY2(server_->heardOf("DRIVE").last().contains("{AltitudeVelocity 0}"), server_->heardOf("DRIVE").last());
     }

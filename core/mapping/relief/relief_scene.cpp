@@ -1,0 +1,177 @@
+#include "core/mapping/relief/relief_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/mapping/relief/relief_tiles.h"
+
+namespace usar::mapping {
+
+namespace {
+
+std::uint32_t mixed(std::uint32_t from, std::uint32_t to, double part) {
+    const auto channel = [&](int shift) {
+        const double a = from >> shift & 0xff, b = to >> shift & 0xff;
+        return static_cast<std::uint32_t>(a + (b - a) * part + 0.5) << shift;
+    };
+    return 0xff000000u | channel(16) | channel(8) | channel(0);
+}
+
+void clearBand(const ReliefScene& scene, ReliefPicture& picture, PictureBand band) {
+    for (int row = 0; row < picture.height_px; ++row) {
+        // The sky ends in the upper half, and below it is the color of unknown ground.
+        const double part = std::min(1.0, 2.0 * (row + 0.5) / picture.height_px);
+        const auto first = static_cast<std::ptrdiff_t>(picture.indexOf(band.first_px, row));
+        const std::ptrdiff_t width = band.end_px - band.first_px;
+        std::fill_n(picture.argb.begin() + first, width, mixed(scene.sky, scene.ground, part));
+        std::fill_n(picture.nearness_per_m.begin() + first, width, 0.0f);
+    }
+}
+
+Eigen::Vector3f cameraPoint(const ReliefProjection& projection, const Vec3& point_in_map_m) {
+    return projection.toCamera(point_in_map_m).cast<float>();
+}
+
+void drawLine(const ReliefLine& line, const ReliefProjection& projection, ReliefPen& pen) {
+    const auto draw = [&](std::uint32_t color, int width_px, float how_near) {
+        for (std::size_t i = 1; i < line.points_in_map_m.size(); ++i)
+            if (line.points_in_map_m[i - 1].allFinite() && line.points_in_map_m[i].allFinite())
+                pen.line(cameraPoint(projection, line.points_in_map_m[i - 1]),
+                         cameraPoint(projection, line.points_in_map_m[i]), color, width_px, how_near);
+    };
+    if (line.edge_color != 0)
+        draw(line.edge_color, line.width_px + 2, ReliefPen::nearer);
+    draw(line.color, line.width_px, ReliefPen::nearest);
+}
+
+/// Corners of the solids in units of half a length: x forward, y left, z up.
+constexpr std::array<std::array<double, 3>, 5> arrow{
+    {{1.0, 0.0, 0.0}, {-0.8, 0.7, 0.0}, {-0.35, 0.0, 0.0}, {-0.8, -0.7, 0.0}, {-0.3, 0.0, 0.55}}};
+constexpr std::array<std::array<double, 3>, 6> ball{
+    {{0.6, 0.0, 0.0}, {0.0, 0.6, 0.0}, {-0.6, 0.0, 0.0}, {0.0, -0.6, 0.0}, {0.0, 0.0, 0.6}, {0.0, 0.0, -0.6}}};
+
+/// A side of a solid: three corners, and how much black or white is mixed in.
+struct Side {
+    std::array<std::size_t, 3> corners;
+    double light;
+};
+constexpr std::array<Side, 6> arrow_sides{{{{0, 1, 4}, 0.25},
+                                           {{1, 2, 4}, -0.3},
+                                           {{2, 3, 4}, -0.45},
+                                           {{3, 0, 4}, -0.1},
+                                           {{0, 2, 1}, -0.5},
+                                           {{0, 3, 2}, -0.5}}};
+constexpr std::array<Side, 8> ball_sides{{{{0, 1, 4}, 0.1},
+                                          {{1, 2, 4}, 0.25},
+                                          {{2, 3, 4}, 0.0},
+                                          {{3, 0, 4}, -0.1},
+                                          {{1, 0, 5}, -0.35},
+                                          {{2, 1, 5}, -0.3},
+                                          {{3, 2, 5}, -0.4},
+                                          {{0, 3, 5}, -0.45}}};
+
+template <std::size_t CornerCount, std::size_t SideCount>
+void drawSolid(const ReliefBody& body, double half_m, const std::array<std::array<double, 3>, CornerCount>& corners,
+               const std::array<Side, SideCount>& sides, const ReliefProjection& projection, ReliefPen& pen) {
+    std::array<Eigen::Vector3f, CornerCount> at;
+    const Eigen::Quaterniond rotation = body.in_map.rotation();
+    for (std::size_t i = 0; i < CornerCount; ++i) {
+        Vec3 corner_m = rotation * (half_m * Vec3(corners[i][0], corners[i][1], corners[i][2]));
+        corner_m.z() /= projection.exaggeration(); // A robot is not as tall as its ground is drawn.
+        at[i] = cameraPoint(projection, body.in_map.position_m + corner_m);
+    }
+    for (const Side& side : sides) {
+        const std::uint32_t color =
+            mixed(body.color, side.light < 0.0 ? 0xff000000u : 0xffffffffu, std::abs(side.light));
+        pen.clippedTriangle({at[side.corners[0]], at[side.corners[1]], at[side.corners[2]]}, color, true);
+    }
+}
+
+void drawBody(const ReliefBody& body, const ReliefScene& scene, const ReliefProjection& projection, ReliefPen& pen) {
+    const auto seen = projection.project(body.in_map.position_m);
+    if (!seen)
+        return;
+    const Vec2 below_m = body.in_map.position_m.head<2>();
+    if (const auto ground_m = body.stalk ? scene.surface.height_m(below_m) : std::nullopt)
+        pen.line(cameraPoint(projection, body.in_map.position_m),
+                 cameraPoint(projection, {below_m.x(), below_m.y(), double(*ground_m)}), body.color, 1);
+    const double px_per_m = projection.focal_px() * seen->nearness_per_m;
+    const double half_m = std::max(body.length_m, body.least_px / px_per_m) / 2.0;
+    if (body.pointed)
+        drawSolid(body, half_m, arrow, arrow_sides, projection, pen);
+    else
+        drawSolid(body, half_m, ball, ball_sides, projection, pen);
+}
+
+} // namespace
+
+void drawRelief(const ReliefScene& scene, ReliefPicture& picture, PictureBand band) {
+    clearBand(scene, picture, band);
+    const ReliefProjection projection(scene.camera.limited(), picture.width_px, picture.height_px, scene.exaggeration);
+    ReliefPen pen(picture, projection, band);
+    drawSurface(scene.surface, projection, scene.square_px, band, pen);
+    for (const ReliefLine& line : scene.lines)
+        drawLine(line, projection, pen);
+    for (const ReliefBody& body : scene.bodies)
+        drawBody(body, scene, projection, pen);
+}
+
+ReliefPicture drawnRelief(const ReliefScene& scene, int width_px, int height_px) {
+    ReliefPicture picture(width_px, height_px);
+    drawRelief(scene, picture, {0, width_px});
+    return picture;
+}
+
+std::vector<Vec3> aboveSurface(const ReliefSurface& surface, const std::vector<Vec3>& points_in_map_m) {
+    std::vector<Vec3> raised;
+    raised.reserve(points_in_map_m.size());
+    const auto add = [&](Vec3 point) {
+        if (const auto height_m = surface.height_m(point.head<2>()); height_m && double(*height_m) > point.z())
+            point.z() = double(*height_m);
+        raised.push_back(point);
+    };
+    for (std::size_t i = 0; i < points_in_map_m.size(); ++i) {
+        const Vec3& point = points_in_map_m[i];
+        if (i > 0 && point.allFinite() && points_in_map_m[i - 1].allFinite()) {
+            const Vec3 way_m = point - points_in_map_m[i - 1];
+            constexpr double most_steps = 200.0;
+            const double steps = std::clamp(std::floor(way_m.head<2>().norm() / surface.cell_size_m), 1.0, most_steps);
+            for (double step = 1.0; step < steps; ++step)
+                add(points_in_map_m[i - 1] + way_m * (step / steps));
+        }
+        add(point);
+    }
+    return raised;
+}
+
+std::vector<Vec3> outlineOnSurface(const ReliefSurface& surface, const Rectangle& area_in_map) {
+    if (area_in_map.empty())
+        return {};
+    const Vec2 low_m = area_in_map.min_m, high_m = area_in_map.max_m;
+    const std::array<Vec2, 5> corners{low_m, {high_m.x(), low_m.y()}, high_m, {low_m.x(), high_m.y()}, low_m};
+    constexpr int most_steps = 400;
+    std::vector<Vec3> points;
+    std::optional<float> height_m;
+    for (std::size_t side = 1; side < corners.size(); ++side) {
+        const Vec2 way_m = corners[side] - corners[side - 1];
+        const int steps = std::clamp(static_cast<int>(way_m.norm() / surface.cell_size_m), 1, most_steps);
+        for (int step = 0; step <= steps; ++step) {
+            const Vec2 at_m = corners[side - 1] + way_m * (double(step) / steps);
+            if (const auto known_m = surface.height_m(at_m))
+                height_m = known_m;
+            points.emplace_back(at_m.x(), at_m.y(), double(height_m.value_or(0.0f)));
+        }
+    }
+    // What comes before the first known height has that one, too.
+    for (Vec3& point : points)
+        if (const auto known_m = surface.height_m(point.head<2>())) {
+            const double first_m = double(*known_m);
+            for (Vec3* before = points.data(); before != &point; ++before)
+                before->z() = first_m;
+            break;
+        }
+    return points;
+}
+
+} // namespace usar::mapping

@@ -1,0 +1,59 @@
+// What a view of the relief shows, and the drawing of it.
+#pragma once
+
+#include <vector>
+
+#include "core/mapping/relief/relief_picture.h"
+#include "core/mapping/relief/relief_surface.h"
+
+namespace usar::mapping {
+
+/// A line through points of the map; NaN: a gap. Colors are 0xffRRGGBB.
+struct ReliefLine {
+    std::vector<Vec3> points_in_map_m;
+    std::uint32_t color = 0xffffffffu;
+    std::uint32_t edge_color = 0; ///< of a thin edge on both sides; 0: none
+    int width_px = 2;
+};
+
+/// A robot as a solid arrow, or a ball-like mark of a place without direction. It is never smaller than `least_px`, so
+/// that it is seen from afar.
+struct ReliefBody {
+    Pose in_map{};
+    std::uint32_t color = 0xffffffffu;
+    bool pointed = true; ///< false: it has no direction
+    double length_m = 0.5;
+    int least_px = 18;
+    bool stalk = true; ///< a thin line goes down to the surface
+    bool operator==(const ReliefBody&) const = default;
+};
+
+/// A plain value; the surface is shared.
+struct ReliefScene {
+    ReliefSurface surface{};
+    std::vector<ReliefLine> lines{};
+    std::vector<ReliefBody> bodies{};
+    OrbitCamera camera{};
+    double exaggeration = 1.0;
+    std::uint32_t sky = 0xff8090a0u;    ///< at the upper edge of the picture
+    std::uint32_t ground = 0xff202830u; ///< at the lower edge, and where nothing is known
+    /// A tile is drawn in the finest level whose squares are not smaller than about this; 0: all squares.
+    double square_px = 2.0;
+};
+
+/// Draws one band of the picture, which must have a size; what was in it goes. Pure and repeatable: the bands of a
+/// picture may be drawn by several threads, and look the same however it is divided. The time depends on the size of
+/// the picture rather than on that of the map.
+void drawRelief(const ReliefScene& scene, ReliefPicture& picture, PictureBand band);
+
+/// The whole picture in one go.
+ReliefPicture drawnRelief(const ReliefScene& scene, int width_px, int height_px);
+
+/// A way over the map, with the points in between that it needs, raised to the surface wherever it would pass below it,
+/// as the way of a robot on the ground does.
+std::vector<Vec3> aboveSurface(const ReliefSurface& surface, const std::vector<Vec3>& points_in_map_m);
+
+/// The outline of a rectangle, lying on the surface; where nothing is known it goes on at the last known height.
+std::vector<Vec3> outlineOnSurface(const ReliefSurface& surface, const Rectangle& area_in_map);
+
+} // namespace usar::mapping

@@ -1,0 +1,66 @@
+#include "core/mission/files/relief_picture.h"
+
+#include <algorithm>
+#include <cstring>
+#include <iterator>
+#include <vector>
+
+#include "core/agent/mark_style.h"
+#include "core/mapping/relief/relief_scene.h"
+#include "core/mission/files/map_picture.h"
+
+namespace usar::mission {
+
+namespace {
+
+constexpr int relief_width_px = 1600;
+constexpr int relief_height_px = 1000;
+constexpr std::uint32_t sky_color = 0xff5b6779;
+constexpr std::uint32_t area_color = 0xff78dcff;
+constexpr std::uint32_t edge_color = 0xff101418;
+
+std::uint32_t colorOf(agent::MarkKind kind) {
+    return 0xff000000u | agent::styleOf(kind).rgb;
+}
+
+mapping::ReliefScene sceneOf(const ScanRecord& record, const mapping::HeightLook& look) {
+    mapping::ReliefScene scene;
+    scene.surface = mapping::reliefOf(record.raster, {colorRange(record.raster, look), look.color_map, 0.0});
+    scene.sky = sky_color;
+    scene.ground = unknown_color;
+    scene.camera.yaw_rad = radians(135.0);
+    const std::vector<Vec3> path_m = mapping::aboveSurface(scene.surface, record.path_m);
+    std::vector<Vec3> seen = scene.surface.someCorners();
+    std::ranges::copy_if(path_m, std::back_inserter(seen), [&scene](const Vec3& point) {
+        return scene.surface.height_m(point.head<2>()).has_value(); // Not the way to and from a far place.
+    });
+    scene.camera = scene.camera.showing(seen, double(relief_width_px) / relief_height_px);
+    scene.lines.push_back({mapping::outlineOnSurface(scene.surface, record.area_in_map), area_color, edge_color, 2});
+    scene.lines.push_back({path_m, colorOf(agent::MarkKind::Path), edge_color, 2});
+    for (const agent::MapMark& mark : record.marks)
+        if (mark.kind != agent::MarkKind::Path && mark.position_in_map_m.allFinite())
+            scene.bodies.push_back({.in_map = {mark.position_in_map_m, 0.0, 0.0, 0.0},
+                                    .color = colorOf(mark.kind),
+                                    .pointed = false,
+                                    .length_m = 0.3,
+                                    .least_px = 16,
+                                    .stalk = false});
+    return scene;
+}
+
+} // namespace
+
+QImage reliefPicture(const ScanRecord& record, const mapping::HeightLook& look) {
+    if (record.raster.empty())
+        return {};
+    const mapping::ReliefPicture drawn = mapping::drawnRelief(sceneOf(record, look), relief_width_px, relief_height_px);
+    QImage image(drawn.width_px, drawn.height_px, QImage::Format_RGB32);
+    for (int row = 0; row < drawn.height_px; ++row)
+        std::memcpy(image.scanLine(row), &drawn.argb[drawn.indexOf(0, row)], std::size_t(drawn.width_px) * 4);
+    for (const auto& [key, value] : metadataOf(record))
+        image.setText(key, value);
+    image.setText("seen_from", "south-east");
+    return image;
+}
+
+} // namespace usar::mission
