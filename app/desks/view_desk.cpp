@@ -47,10 +47,18 @@ void ViewDesk::registerCommands() {
     commands_.offer([this] { return plots(); });
     docks_.registerCommands();
     help_.registerCommands();
+    add("help.manual", [this] { openManual(); });
+}
+
+void ViewDesk::openManual() {
     const QString manual = server::manualPage();
-    add(
-        "help.manual", [manual] { return QFileInfo::exists(manual); },
-        [manual] { QDesktopServices::openUrl(QUrl::fromLocalFile(manual)); });
+    if (QFileInfo::exists(manual)) {
+        QDesktopServices::openUrl(QUrl::fromLocalFile(manual));
+        return;
+    }
+    notices_.complain("manual", Error{"the manual is not installed", manual.toStdString(),
+                                      "Install the package usar-mission-control-doc; in a build of your own, install "
+                                      "cmark-gfm and build again"});
 }
 
 std::vector<widgets::PaletteOffer> ViewDesk::plots() const {

@@ -30,6 +30,8 @@ public:
     void save(SettingsSheet& settings) const override;
 
 private:
+    /// Shows the manual in the browser, or says how to get it.
+    void openManual();
     /// For the palette: each number that the selected robot's sensors say can be plotted.
     std::vector<widgets::PaletteOffer> plots() const;
     /// Connects what is edited in views to the history, and the history to its dock and commands.

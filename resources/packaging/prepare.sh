@@ -1,4 +1,4 @@
-# Sourced by app/run and tests/run: checks whether this machine is suitable, installs what is missing on Debian 12 and builds.
+# Sourced by app/run, tests/run and make-deb: checks whether this machine is suitable, installs what is missing on Debian 12 and builds.
 # shellcheck shell=bash
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -9,6 +9,8 @@ build_packages=(g++ cmake ninja-build pkg-config qt6-base-dev libqcustomplot-dev
                 cmark-gfm fonts-dejavu-core)
 test_packages=(libbenchmark-dev gdal-bin pngcheck clang libclang-rt-14-dev xvfb openbox xdotool at-spi2-core dbus
                doxygen mandoc desktop-file-utils appstream shared-mime-info librsvg2-bin)
+# For resources/packaging/make-deb, besides the first list.
+deb_packages=(build-essential debhelper dpkg-dev lintian doxygen librsvg2-bin)
 
 # What one compiler process needs at most, in MB, and what it takes where there is plenty: it collects less garbage then,
 # which saves a sixth of the time.

@@ -101,7 +101,7 @@ QStringList namesIn(const QString& text) {
     return allOf("(?:^|[\\s`\"(\\[|])(--[a-z][a-z-]*)", text);
 }
 
-/// Of other programs: cmake, app/run, tests/run, parallel, irace, ctest.
+/// Of other programs: cmake, app/run, tests/run, make-deb, parallel, irace, ctest.
 const QStringList others{"--build",    "--preset",   "--target",        "--install",  "--prefix", "--component",
                          "--headless", "--sshlogin", "--resume-failed", "--scenario", "--joblog"};
 
