@@ -76,7 +76,8 @@ const std::map<QString, std::map<QString, QStringList>> rooms{
       {"relief", {"style", "models", "map"}},
       {"campaign", {"style", "models", "panels"}},
       {"plan", {"style", "models", "messages", "panels"}},
-      {"window", {"style", "models", "commands", "drive", "panels", "bars", "messages", "map", "relief", "plan", "campaign"}}}},
+      {"window",
+       {"style", "models", "commands", "drive", "panels", "bars", "messages", "map", "relief", "plan", "campaign"}}}},
     {"app", {{"host", {}}, {"cli", {"host"}}, {"desks", {"host"}}, {"window", {"host", "desks"}}}},
 };
 

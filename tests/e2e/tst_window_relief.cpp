@@ -90,8 +90,11 @@ private slots:
             QTRY_COMPARE_WITH_TIMEOUT(canvasOf(page).frame()->camera.yaw_rad, yaw_rad, soon_ms);
             QTest::mouseMove(&canvasOf(page), canvasOf(page).rect().center());
             QTRY_VERIFY_WITH_TIMEOUT(canvasOf(page).probe().contains("z "), soon_ms);
+            const std::uint32_t sky = canvasOf(page).frame()->picture.argb.front();
             page.window().commands().action("view.dark")->trigger();
+            QTRY_VERIFY_WITH_TIMEOUT(canvasOf(page).frame()->picture.argb.front() != sky, soon_ms);
             page.screenshot("relief_other_theme");
+            page.window().close(); // It writes the settings.
         }
         WindowPage page({.settings_folder = settings.path()});
         QVERIFY(std::abs(canvasOf(page).camera().yaw_rad - yaw_rad) < 1e-6);

@@ -64,7 +64,7 @@ private slots:
         QCOMPARE(summary["duration_s"].toDouble(), 0.8); // five ticks from the first to the last
         QVERIFY(summary["lockstep"].toBool());
         const QStringList files = filesInResults();
-        QVERIFY2(files.size() == 9, qPrintable(files.join(' ')));
+        QVERIFY2(files.size() == 10, qPrintable(files.join(' ')));
         for (const QJsonValue file : summary["files"].toArray())
             QVERIFY2(QFile::exists(file.toString()), qPrintable(file.toString()));
         QTRY_VERIFY(!server_->hasClient());
