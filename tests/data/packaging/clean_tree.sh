@@ -100,6 +100,6 @@ while IFS= read -r file; do
     fi
 done <"$tree/tmp/listed"
 left=$(cd "$tree" && find . -xdev \( -path ./packages -o -path ./home -o -path ./tmp -o -path ./proc -o -path ./dev \
-    -o -path ./var/log -o -path ./var/cache \) -prune -o \( -iname '*usar*' -o -name '*mission-control*' \) -print)
+    -o -path ./var/log -o -path ./var/cache \) -prune -o \( -name '*usar[-_]*' -o -name '*mission-control*' \) -print)
 [ -z "$left" ] || fail "left over: $left"
 step "passed"
