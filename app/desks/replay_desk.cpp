@@ -114,7 +114,7 @@ void ReplayDesk::askForLimit() {
     constexpr int most_mb = 1'000'000;
     widgets::askForNumber(
         window_, tr("Size of recordings"),
-        tr("Megabytes that each recording may have, at least %1. Beyond that, its oldest tenth is deleted\n"
+        tr("Megabytes that each recording may have, at least %1. Beyond that, its oldest part is deleted\n"
            "while it is being written; finished recordings are never touched.")
             .arg(least_limit_mb),
         limit_mb_, 0, most_mb,

@@ -10,6 +10,10 @@ namespace usar::link {
 
 namespace {
 
+/// Each part keeps its file open. A limit has room for ten, and for more only if it was changed while they were
+/// written.
+constexpr std::size_t most_parts = 64;
+
 /// Chooses the source by the version that the head names.
 Result<std::unique_ptr<RecordSource>> sourceOf(RecordingFile& file, const std::string& path) {
     const std::string_view head = file.at(0, recording::head_bytes).substr(0, recording::head_bytes);
@@ -88,7 +92,7 @@ Result<std::unique_ptr<RecordingReader>> RecordingReader::open(const QString& pa
     std::vector<Part> parts; // The newest comes first here.
     parts.push_back(*std::move(opened));
     const QString recording = recordingOfPart(path);
-    for (int number = partNumberOf(parts.back().survey) - 1; number > 0; --number) {
+    for (int number = partNumberOf(parts.back().survey) - 1; number > 0 && parts.size() < most_parts; --number) {
         auto earlier = openPart(partPath(recording, number), mode);
         if (!earlier || partNumberOf(earlier->survey) != number ||
             beginningOf(earlier->survey) != beginningOf(parts.back().survey))

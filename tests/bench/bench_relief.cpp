@@ -1,11 +1,11 @@
-// What a frame of the 3D view costs: a map of 1000 x 1000 known cells, 1280 x 720 pixels, with levels of detail and
-// with all triangles, side by side; and what it costs that the map grows.
+// What a frame of the 3D view costs: a map of 1000 x 1000 known cells, the trail of a robot that has gone over all of
+// it in lanes, 1280 x 720 pixels, with levels of detail and with all triangles, side by side; and what it costs that
+// the map or the trail grows.
 #include <benchmark/benchmark.h>
 
-#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <memory>
-#include <thread>
 #include <vector>
 
 #include "core/mapping/relief/relief_scene.h"
@@ -43,6 +43,18 @@ const HeightTiles& hills() {
 
 constexpr ReliefStyle style{{-6.0f, 8.0f}};
 
+/// In lanes 5 m apart, with a point each 0.25 m.
+std::vector<Vec3> lawnmowerTrail() {
+    constexpr double side_m = side_cells * 0.25;
+    std::vector<Vec3> points;
+    for (int lane = 0; lane < 50; ++lane)
+        for (int step = 0; step < side_cells; ++step) {
+            const double along_m = 0.25 * step + 0.125;
+            points.emplace_back(lane % 2 == 0 ? along_m : side_m - along_m, 5.0 * lane + 2.5, 0.0);
+        }
+    return points;
+}
+
 ReliefScene sceneOf(double square_px, double distance_m, double elevation_deg) {
     static const ReliefSurface surface = [] {
         ReliefSurface made;
@@ -52,28 +64,17 @@ ReliefScene sceneOf(double square_px, double distance_m, double elevation_deg) {
         renewRelief(made, hills(), 0.25, style, all);
         return made;
     }();
+    static const std::vector<Vec3> trail = aboveSurface(surface, lawnmowerTrail());
     ReliefScene scene;
     scene.surface = surface;
+    scene.lines.push_back({trail, 0xffff8000u, 0xff101418u, 2});
+    scene.bodies.push_back({.in_map = {trail.back(), 0.0, 0.0, 0.0}, .color = 0xffff8000u});
     scene.square_px = square_px;
     scene.camera.target_in_map_m = {125.0, 125.0, 0.0};
     scene.camera.yaw_rad = radians(120.0);
     scene.camera.elevation_rad = radians(elevation_deg);
     scene.camera.distance_m = distance_m;
     return scene;
-}
-
-/// As the view does: strips of the picture, drawn by as many threads as there are processors.
-void drawFrame(const ReliefScene& scene, ReliefPicture& picture, unsigned threads) {
-    constexpr int strips = 8;
-    std::atomic<int> next = 0;
-    const auto work = [&] {
-        for (int strip = next++; strip < strips; strip = next++)
-            drawRelief(scene, picture, {strip * width_px / strips, (strip + 1) * width_px / strips});
-    };
-    std::vector<std::jthread> others;
-    for (unsigned i = 1; i < threads; ++i)
-        others.emplace_back(work);
-    work();
 }
 
 /// Arguments: 0 draws all triangles; distance in meters; elevation in degrees; number of threads. The camera turns by a
@@ -83,7 +84,7 @@ void drawHills(benchmark::State& state) {
     ReliefPicture picture(width_px, height_px);
     for (auto unused : state) {
         scene.camera.yaw_rad += radians(1.0);
-        drawFrame(scene, picture, unsigned(state.range(3)));
+        drawReliefByStrips(scene, picture, int(state.range(3)));
         benchmark::DoNotOptimize(picture.argb.data());
     }
     state.counters["frames_per_s"] = benchmark::Counter(double(state.iterations()), benchmark::Counter::kIsRate);
@@ -106,15 +107,24 @@ void allTrianglesByLevels(benchmark::State& state) {
     std::chrono::duration<double> with_levels{}, without{};
     for (auto unused : state) {
         const auto began = Clock::now();
-        drawFrame(levels, picture, 2);
+        drawReliefByStrips(levels, picture, 2);
         const auto between = Clock::now();
-        drawFrame(all, picture, 2);
+        drawReliefByStrips(all, picture, 2);
         without += Clock::now() - between;
         with_levels += between - began;
     }
     state.counters["ratio"] = without / with_levels;
 }
 BENCHMARK(allTrianglesByLevels)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+/// The trail is raised above the surface again: what it costs that the robot goes on, or that the map grows.
+void raiseTrail(benchmark::State& state) {
+    const ReliefSurface surface = sceneOf(2.0, 300.0, 35.0).surface;
+    const std::vector<Vec3> trail = lawnmowerTrail();
+    for (auto unused : state)
+        benchmark::DoNotOptimize(aboveSurface(surface, trail).data());
+}
+BENCHMARK(raiseTrail)->Unit(benchmark::kMillisecond);
 
 /// A tile and the eight around it are made again: what one scan costs.
 void renewTile(benchmark::State& state) {

@@ -52,7 +52,7 @@ private slots:
         WindowPage page;
         widgets::ReliefView* const view = page.window().views().relief;
         QVERIFY(!view->isVisible());
-        page.pressKey(Qt::Key_3, Qt::ControlModifier);
+        page.pressKey(Qt::Key_3, Qt::ControlModifier | Qt::AltModifier);
         QTRY_VERIFY_WITH_TIMEOUT(view->isVisible() && view->emptyState()->isVisible(), soon_ms);
         page.screenshot("relief_empty");
         replayTheSample(page);
@@ -79,7 +79,7 @@ private slots:
         double yaw_rad = 0.0;
         {
             WindowPage page({.settings_folder = settings.path()});
-            page.pressKey(Qt::Key_3, Qt::ControlModifier);
+            page.pressKey(Qt::Key_3, Qt::ControlModifier | Qt::AltModifier);
             replayTheSample(page);
             goTo(page, 1.0);
             QTRY_VERIFY_WITH_TIMEOUT(surfacePixels(page) > 1000, flight_ms);

@@ -101,6 +101,9 @@ private slots:
     void aHoleShowsTheBackground();
     void aPickedPixelIsThePointThatIsSeenThere();
     void bandsMakeTheSamePicture();
+    void oneFarTileDoesNotWidenTheView();
+    void aBodyUnderTheGroundIsDrawnOnIt();
+    void aLongWayMissesNoRidge();
     void levelsOfDetailLookLikeAllTriangles();
     void anExaggeratedHillIsHigherInThePicture();
     void aRobotPointsWhereItGoes();
@@ -121,6 +124,7 @@ void tst_Relief::aSurfaceHasTheHeightsAndHolesOfTheMap_data() {
     QTest::newRow("outside") << Vec2(-0.1, 1.0) << false << 0.0;
     QTest::newRow("far outside") << Vec2(1e12, 1.0) << false << 0.0;
     QTest::newRow("no place") << Vec2(std::nan(""), 1.0) << false << 0.0;
+    QTest::newRow("no row") << Vec2(1.0, std::nan("")) << false << 0.0;
 }
 
 void tst_Relief::aSurfaceHasTheHeightsAndHolesOfTheMap() {
@@ -202,6 +206,9 @@ void tst_Relief::aHugeRasterIsPutTogether() {
     QCOMPARE(coarse.height_m({25.0, 15.0}), std::optional(99.5f));
     QVERIFY(coarse.height_m({2.8, -9.2}) && coarse.height_m({52.7, 40.7}));
     QVERIFY(!coarse.height_m({2.4, 0.0}) && !coarse.height_m({53.1, 0.0}));
+    const ReliefSurface coarser = reliefOf(rasterOf(map), {{0.0f, 100.0f}}, 3000);
+    QCOMPARE(coarser.cell_size_m, 1.0);
+    QCOMPARE(coarser.height_m({25.0, 15.0}), std::optional(99.5f));
     QCOMPARE(reliefOf(Raster{}, {}).tiles.size(), std::size_t(0));
 }
 
@@ -256,6 +263,13 @@ void tst_Relief::theNearestIsSeen_data() {
     QTest::newRow("on the ground") << std::vector<Vec3>{{2, 8, 0.0}, {8, 8, 0.0}} << true;
     QTest::newRow("with a gap") << std::vector<Vec3>{{2, 8, 0.5}, {NAN, NAN, NAN}, {8, 8, 0.5}} << false;
     QTest::newRow("through the camera") << std::vector<Vec3>{{5, 8, 0.5}, {5, -500, 60.0}} << true;
+    QTest::newRow("from far behind the camera") << std::vector<Vec3>{{5, 8, 0.5}, {5, -5e5, 6e4}} << true;
+    QTest::newRow("NaN in one end") << std::vector<Vec3>{{2, 8, 0.5}, {8, 8, NAN}} << false;
+    QTest::newRow("an infinite end") << std::vector<Vec3>{{2, 8, 0.5}, {INFINITY, 8, 0.5}} << false;
+    QTest::newRow("infinitely high") << std::vector<Vec3>{{2, 8, 0.5}, {2, 8, INFINITY}} << false;
+    QTest::newRow("infinitely far behind") << std::vector<Vec3>{{2, 8, 0.5}, {2, -INFINITY, 0.5}} << false;
+    QTest::newRow("beyond single precision") << std::vector<Vec3>{{2, 8, 0.5}, {1e300, 8, 0.5}} << false;
+    QTest::newRow("behind, beyond single precision") << std::vector<Vec3>{{2, 8, 0.5}, {2, -1e300, 0.5}} << false;
 }
 
 void tst_Relief::theNearestIsSeen() {
@@ -312,13 +326,84 @@ void tst_Relief::aPickedPixelIsThePointThatIsSeenThere() {
 void tst_Relief::bandsMakeTheSamePicture() {
     ReliefScene scene = sceneOf(surfaceOf(tilesOf(-64, 128, rough)), cameraAt({5, 5, 0}, 40.0, 30.0, 25.0));
     scene.lines.push_back({{{-5, -5, 3}, {20, 20, 3}, {22, -5, 3}}, red, 0xff000000u, 3});
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> place_m(-60.0, 60.0);
+    for (int width = 1; width <= 4; ++width) {
+        ReliefLine line{{}, red + static_cast<std::uint32_t>(width), width % 2 ? 0xff00ff00u : 0u, width};
+        for (int i = 0; i < 50; ++i) // Some pass through the camera.
+            line.points_in_map_m.emplace_back(place_m(random), place_m(random), place_m(random) / 3.0);
+        line.points_in_map_m.emplace_back(line.points_in_map_m.back() + Vec3(0.0, 0.0, 9.0)); // This one is upright.
+        scene.lines.push_back(line);
+    }
     scene.bodies.push_back({.in_map = {{5, 5, 4}, 0.0, 0.0, 1.0}, .color = red});
     const ReliefPicture whole = drawnRelief(scene, width_px, height_px);
+    for (std::size_t i = 0; i < scene.lines.size(); ++i)
+        QVERIFY(pixelsOf(whole, scene.lines[i].color) > 0);
     ReliefPicture by_bands(width_px, height_px);
     for (const PictureBand band : {PictureBand{200, 320}, PictureBand{0, 33}, PictureBand{33, 200}})
         drawRelief(scene, by_bands, band);
     QVERIFY(whole.argb == by_bands.argb);
     QVERIFY(whole.nearness_per_m == by_bands.nearness_per_m);
+    for (const int threads : {1, 3}) {
+        ReliefPicture by_strips(width_px, height_px);
+        drawReliefByStrips(scene, by_strips, threads);
+        QVERIFY(whole.argb == by_strips.argb);
+        QVERIFY(whole.nearness_per_m == by_strips.nearness_per_m);
+    }
+}
+
+void tst_Relief::oneFarTileDoesNotWidenTheView() {
+    HeightTiles tiles = tilesOf(0, 192, level);
+    const ReliefSurface near = surfaceOf(tiles);
+    constexpr int far = 1 << 29; // A garbled position makes a tile there.
+    tiles.merge(tilesOf(far, far + 1, level));
+    tiles.merge(tilesOf(-far, 1 - far, level));
+    const ReliefSurface surface = surfaceOf(tiles);
+    QCOMPARE(surface.tiles.size(), near.tiles.size() + 2);
+    QCOMPARE(surface.bounds_in_map(), (Rectangle{{0, 0}, {48, 48}}));
+    QVERIFY(surface.someCorners() == near.someCorners());
+    // Where no tile is near the median, the nearest one counts.
+    HeightMap map(0.25);
+    for (const GridIndex cell : {GridIndex{0, far}, GridIndex{far, -far}, GridIndex{-far, 0}})
+        map.write(cell, 2.0f, {1});
+    HeightTiles scattered;
+    for (const auto& tile : map.takeChangedTiles())
+        scattered[tile->index] = tile;
+    QCOMPARE(surfaceOf(scattered).bounds_in_map().width_m(), 0.25);
+}
+
+void tst_Relief::aBodyUnderTheGroundIsDrawnOnIt() {
+    ReliefScene scene = sceneOf(surfaceOf(tilesOf(0, 64, level)), cameraAt({8, 8, 2}, 90.0, 40.0, 60.0));
+    constexpr std::uint32_t trail_color = 0xff00ff00u;
+    scene.lines.push_back({aboveSurface(scene.surface, {{2, 8, -1}, {14, 8, -1}}), trail_color, 0, 3});
+    const auto drawnAt = [&scene](double z_m, bool pointed) {
+        scene.bodies = {{.in_map = {{8, 8, z_m}, 0.0, 0.0, 1.0}, .color = red, .pointed = pointed}};
+        return drawnRelief(scene, width_px, height_px);
+    };
+    for (const bool pointed : {true, false}) {
+        const ReliefPicture below = drawnAt(-1.0, pointed);
+        QVERIFY(below.argb == drawnAt(2.0, pointed).argb);
+        QVERIFY(below.argb != drawnAt(4.0, pointed).argb);
+        // The trail goes through its middle, which is in the middle of the picture.
+        QVERIFY(below.argb[below.indexOf(width_px / 2, height_px / 2)] != trail_color);
+        QVERIFY(pixelsOf(below, trail_color) > 0);
+    }
+}
+
+void tst_Relief::aLongWayMissesNoRidge() {
+    const auto ridges = [](int column, int) { return column % 40 == 20 ? 5.0f : 1.0f; };
+    const ReliefSurface surface = surfaceOf(tilesOf(0, 600, ridges));
+    const std::vector<Vec3> way = aboveSurface(surface, {{1, 8, 1.5}, {149, 8, 1.5}});
+    const std::vector<Vec3> outline = outlineOnSurface(surface, {{1, 8}, {149, 20}});
+    for (int column = 20; column < 600; column += 40) {
+        const double ridge_m = 0.25 * (column + 0.5);
+        for (const auto& points : {way, outline})
+            QVERIFY(std::ranges::any_of(points, [ridge_m](const Vec3& point) {
+                return std::abs(point.x() - ridge_m) < 0.3 && point.z() == 3.0;
+            }));
+    }
+    for (const double far_m : {1e9, 1e300})
+        QVERIFY(outlineOnSurface(surface, {{-far_m, -far_m}, {far_m, far_m}}).size() < 20000);
 }
 
 void tst_Relief::levelsOfDetailLookLikeAllTriangles() {

@@ -84,12 +84,19 @@ private slots:
     void aDoubleClickCenters();
     void robotsTrailsAndLayersAreThoseOfTheMap();
     void theSelectedRobotIsFollowed();
+    void aFrameFromBeforeATurnDoesNotTurnBack();
+    void slowPicturesAreHalfAsLargeWhileTheCameraMoves_data();
+    void slowPicturesAreHalfAsLargeWhileTheCameraMoves();
+    void keysPanAtAnyElevation_data();
+    void keysPanAtAnyElevation();
     void theNewestRequestWins();
     void aHiddenViewDoesNothing();
     void thePointerTellsTheHeight();
     void heightsAreExaggerated();
     void theStateComesBack_data();
     void theStateComesBack();
+    void nonsenseChangesNothing_data();
+    void nonsenseChangesNothing();
     void aThemeRecolorsTheSky();
 };
 
@@ -281,8 +288,84 @@ void tst_ReliefView::theSelectedRobotIsFollowed() {
     QTRY_COMPARE(pair.camera().target_in_map_m, Vec3(3, 3, 2));
     pair.map.setRobot({"R1", 1, {{5.0, 3.0, 2.0}, 0.0, 0.0, 0.0}});
     QTRY_COMPARE(pair.camera().target_in_map_m, Vec3(5, 3, 2));
+    QVERIFY(pair.drawn());
+    const QPoint at = pair.middle() + QPoint(60, 25);
+    QWheelEvent closer(at, pair.canvas().mapToGlobal(at), {}, {0, 240}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
+                       false);
+    QCoreApplication::sendEvent(&pair.canvas(), &closer);
+    QCOMPARE(pair.camera().target_in_map_m, Vec3(5, 3, 2)); // The wheel does not leave the robot.
+    QVERIFY(pair.view.following());
+    pair.map.selectRobot("");
+    QTRY_VERIFY(!pair.map.content().selectedRobot());
+    QVERIFY(pair.view.following()); // Until there is a robot again.
+    pair.map.selectRobot("R1");
     QTest::keyClick(&pair.canvas(), Qt::Key_Left, Qt::ShiftModifier);
     QVERIFY(!pair.view.following()); // Panning ends it.
+    pair.view.setState({{"follow", true}, {"target_m", QJsonArray{1, 2, 3}}});
+    QTRY_COMPARE(pair.camera().target_in_map_m, Vec3(5, 3, 2));
+    QTest::keyClick(&pair.canvas(), Qt::Key_Home);
+    QVERIFY(!pair.view.following() && pair.canvas().showsAll());
+}
+
+void tst_ReliefView::aFrameFromBeforeATurnDoesNotTurnBack() {
+    Pair pair;
+    pair.scan();
+    QVERIFY(pair.drawn());
+    const auto older = std::make_shared<ReliefFrame>(*pair.canvas().frame());
+    QVERIFY(older->show_all);
+    QTest::keyClick(&pair.canvas(), Qt::Key_Left);
+    QTest::keyClick(&pair.canvas(), Qt::Key_Home);
+    const double yaw_rad = pair.camera().yaw_rad;
+    QVERIFY(yaw_rad != older->camera.yaw_rad);
+    pair.canvas().setFrame(older);
+    QCOMPARE(pair.camera().yaw_rad, yaw_rad);
+    QVERIFY(pair.drawn());
+    QCOMPARE(pair.camera().yaw_rad, yaw_rad);
+}
+
+void tst_ReliefView::slowPicturesAreHalfAsLargeWhileTheCameraMoves_data() {
+    QTest::addColumn<double>("took_ms");
+    QTest::addColumn<int>("part");
+    QTest::newRow("fast") << 10.0 << 1;
+    QTest::newRow("slow") << 60.0 << 2;
+}
+
+void tst_ReliefView::slowPicturesAreHalfAsLargeWhileTheCameraMoves() {
+    QFETCH(const double, took_ms);
+    QFETCH(const int, part);
+    Pair pair;
+    pair.scan();
+    QVERIFY(pair.drawn());
+    const QSize whole = pair.canvas().wantedSize_px();
+    auto frame = std::make_shared<ReliefFrame>(*pair.canvas().frame());
+    frame->took_ms = took_ms;
+    pair.canvas().setFrame(frame);
+    QTest::keyClick(&pair.canvas(), Qt::Key_Left);
+    QCOMPARE(pair.canvas().wantedSize_px(), whole / part);
+    QTRY_COMPARE(pair.canvas().wantedSize_px(), whole); // The camera has come to rest.
+    QTRY_COMPARE(pair.canvas().frame()->picture.width_px, whole.width());
+}
+
+void tst_ReliefView::keysPanAtAnyElevation_data() {
+    QTest::addColumn<int>("key");
+    for (const int key : {Qt::Key_Left, Qt::Key_Right, Qt::Key_Up, Qt::Key_Down})
+        QTest::addRow("%d", key) << key;
+}
+
+void tst_ReliefView::keysPanAtAnyElevation() {
+    QFETCH(const int, key);
+    Pair pair;
+    pair.scan();
+    pair.view.setState(
+        {{"yaw_deg", 90.0}, {"elevation_deg", 5.0}, {"target_m", QJsonArray{8, 8, 0}}, {"distance_m", 30.0}});
+    QTest::keyClick(&pair.canvas(), Qt::Key(key), Qt::ShiftModifier);
+    const Vec3 by_m = pair.camera().target_in_map_m - Vec3(8, 8, 0);
+    const std::map<int, Vec3> ways{{Qt::Key_Left, -Vec3::UnitX()},
+                                   {Qt::Key_Right, Vec3::UnitX()},
+                                   {Qt::Key_Up, Vec3::UnitY()},
+                                   {Qt::Key_Down, -Vec3::UnitY()}};
+    QVERIFY(by_m.norm() > 1.0 && by_m.norm() < 10.0);
+    QVERIFY((by_m.normalized() - ways.at(key)).norm() < 1e-9);
 }
 
 void tst_ReliefView::theNewestRequestWins() {
@@ -355,6 +438,7 @@ void tst_ReliefView::theStateComesBack_data() {
                                             {"distance_m", 30.0},
                                             {"exaggeration", 3.0}}
                              << false;
+    QTest::newRow("following") << QJsonObject{{"follow", true}} << true;
     QTest::newRow("nonsense") << QJsonObject{{"yaw_deg", "x"}, {"target_m", 5}, {"exaggeration", 77.0}} << true;
 }
 
@@ -376,6 +460,29 @@ void tst_ReliefView::theStateComesBack() {
     Pair other;
     other.view.setState(pair.view.state());
     QCOMPARE(other.view.state(), pair.view.state());
+}
+
+void tst_ReliefView::nonsenseChangesNothing_data() {
+    QTest::addColumn<QJsonObject>("state");
+    const QJsonObject nonsense{{"yaw_deg", "x"},      {"elevation_deg", true}, {"target_m", QJsonArray{1, "y", 3}},
+                               {"distance_m", "far"}, {"exaggeration", 77.0},  {"follow", "R1"}};
+    for (auto value = nonsense.begin(); value != nonsense.end(); ++value)
+        QTest::addRow("%s", qPrintable(value.key()))
+            << QJsonObject{{"target_m", QJsonArray{1.0, 2.0, 3.0}}, {value.key(), value.value()}};
+}
+
+void tst_ReliefView::nonsenseChangesNothing() {
+    QFETCH(QJsonObject, state);
+    Pair pair;
+    pair.view.setState({{"yaw_deg", 20.0},
+                        {"elevation_deg", 50.0},
+                        {"target_m", QJsonArray{1.0, 2.0, 3.0}},
+                        {"distance_m", 30.0},
+                        {"exaggeration", 3.0},
+                        {"follow", true}});
+    const QJsonObject before = pair.view.state();
+    pair.view.setState(state);
+    QCOMPARE(pair.view.state(), before);
 }
 
 void tst_ReliefView::aThemeRecolorsTheSky() {

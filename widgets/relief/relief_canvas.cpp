@@ -49,10 +49,14 @@ void ReliefCanvas::setFrame(const std::shared_ptr<const ReliefFrame>& frame) {
     update();
     if (!frame)
         return;
-    if (shows_all_)
+    // An older frame may look from where the camera was before.
+    if (shows_all_ && frame->show_all && frame->camera.yaw_rad == camera_.yaw_rad &&
+        frame->camera.elevation_rad == camera_.elevation_rad)
         camera_ = frame->camera;
-    if (frame->picture.width_px >= width())
+    if (frame->picture.width_px >= wholeSize_px().width())
         whole_took_ms_ = frame->took_ms;
+    if (pointer_px_)
+        emit pointed(pick(*pointer_px_));
 }
 
 void ReliefCanvas::setCamera(const mapping::OrbitCamera& camera) {
@@ -89,9 +93,13 @@ void ReliefCanvas::setProbe(const QString& text) {
         update();
 }
 
+QSize ReliefCanvas::wholeSize_px() const {
+    return (QSizeF(size()) * devicePixelRatioF()).toSize().expandedTo({1, 1});
+}
+
 QSize ReliefCanvas::wantedSize_px() const {
-    const double scale = devicePixelRatioF() * (rest_.isActive() && whole_took_ms_ > slow_ms ? 0.5 : 1.0);
-    return (QSizeF(size()) * scale).toSize().expandedTo({1, 1});
+    const bool half = rest_.isActive() && whole_took_ms_ > slow_ms;
+    return half ? (wholeSize_px() / 2).expandedTo({1, 1}) : wholeSize_px();
 }
 
 std::optional<Vec3> ReliefCanvas::pick(const QPointF& at_px) const {
@@ -134,6 +142,17 @@ void ReliefCanvas::pan(const QPointF& from_px, const QPointF& to_px) {
     emit movedByUser();
 }
 
+/// As far at any elevation, unlike a drag, which grasps nothing above the horizon.
+void ReliefCanvas::panOverGround(const QPointF& way) {
+    mapping::OrbitCamera camera = camera_;
+    const Vec3 ahead(std::cos(camera.yaw_rad), std::sin(camera.yaw_rad), 0.0);
+    const Vec3 right(ahead.y(), -ahead.x(), 0.0);
+    const double step_m = key_pan_px * camera.distance_m / projection().focal_px();
+    camera.target_in_map_m += step_m * (way.x() * right + way.y() * ahead);
+    moveTo(camera);
+    emit movedByUser();
+}
+
 void ReliefCanvas::zoom(const Vec3& toward_m, double factor) {
     mapping::OrbitCamera camera = camera_;
     camera.distance_m /= factor;
@@ -170,6 +189,7 @@ void ReliefCanvas::mousePressEvent(QMouseEvent* event) {
 
 void ReliefCanvas::mouseMoveEvent(QMouseEvent* event) {
     if (!grabbed_px_ || event->buttons() == Qt::NoButton) {
+        pointer_px_ = event->position();
         emit pointed(pick(event->position()));
         return;
     }
@@ -194,24 +214,23 @@ void ReliefCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void ReliefCanvas::wheelEvent(QWheelEvent* event) {
+    const auto under_m = keeps_target_ ? std::nullopt : pick(event->position());
     if (const int delta = event->angleDelta().y(); delta != 0)
-        zoom(pick(event->position()).value_or(camera_.target_in_map_m), zoom_step::ofWheel(delta));
+        zoom(under_m.value_or(camera_.target_in_map_m), zoom_step::ofWheel(delta));
     event->accept();
 }
 
 void ReliefCanvas::leaveEvent(QEvent*) {
+    pointer_px_.reset();
     emit pointed(std::nullopt);
 }
 
 bool ReliefCanvas::actByKey(int key, bool shift) {
     if (const QPointF way = arrowDirection(key); !way.isNull()) {
-        if (shift) {
-            const QPointF middle(width() / 2.0, height() / 2.0);
-            grabbed_height_m_ = camera_.target_in_map_m.z();
-            pan(middle, middle + QPointF(-way.x(), way.y()) * key_pan_px); // The ground moves against the arrow.
-        } else {
+        if (shift)
+            panOverGround(way);
+        else
             orbit(-way.x() * key_turn / turn_per_px, way.y() * key_turn / turn_per_px);
-        }
         return true;
     }
     mapping::OrbitCamera camera = camera_;
@@ -222,7 +241,9 @@ bool ReliefCanvas::actByKey(int key, bool shift) {
     case Qt::Key_Minus:
         return zoom(camera_.target_in_map_m, zoom_step::farther), true;
     case Qt::Key_Home:
-        return showAll(), true;
+        showAll();
+        emit movedByUser();
+        return true;
     case Qt::Key_N:
         camera.yaw_rad = pi / 2;
         return moveTo(camera), true;
@@ -281,7 +302,7 @@ void ReliefCanvas::paintEvent(QPaintEvent*) {
     const mapping::ReliefPicture& picture = frame_->picture;
     const QImage image(reinterpret_cast<const uchar*>(picture.argb.data()), picture.width_px, picture.height_px,
                        picture.width_px * 4, QImage::Format_RGB32);
-    painter.setRenderHint(QPainter::SmoothPixmapTransform, image.width() < width());
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, image.width() < wholeSize_px().width());
     painter.drawImage(rect(), image);
     painter.setRenderHint(QPainter::Antialiasing);
     paintLabels(painter);

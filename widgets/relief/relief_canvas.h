@@ -21,7 +21,7 @@ class ReliefCanvas : public QWidget {
 public:
     explicit ReliefCanvas(QWidget* parent = nullptr);
 
-    /// nullptr: nothing is to be seen any more.
+    /// With nullptr, nothing is seen any more.
     void setFrame(const std::shared_ptr<const ReliefFrame>& frame);
     const std::shared_ptr<const ReliefFrame>& frame() const { return frame_; } ///< nullptr before the first
     /// The wanted camera; that of the frame may still be an earlier one.
@@ -34,6 +34,8 @@ public:
     void showAll();
     /// Moves the target there, and leaves direction and distance.
     void lookAt(const Vec3& point_in_map_m);
+    /// With true, the wheel zooms toward the target instead of the pointer, as for a target that is followed.
+    void keepTarget(bool on) { keeps_target_ = on; }
 
     /// A name beside a place.
     struct Label {
@@ -53,7 +55,7 @@ public:
 
 signals:
     void frameWanted(); ///< camera or size are others
-    void movedByUser(); ///< the target, by panning, zooming or centering
+    void movedByUser(); ///< to another target: by panning, by centering, or by the key that shows all
     /// The mouse is over this point; nullopt: over none.
     void pointed(const std::optional<usar::Vec3>& point_in_map_m);
 
@@ -77,7 +79,9 @@ private:
     mapping::ReliefProjection projection() const; ///< of the wanted camera, in pixels of the widget
     void moveTo(const mapping::OrbitCamera& camera);
     void orbit(double right_px, double down_px);
+    QSize wholeSize_px() const; ///< one pixel of the picture for each of the screen
     void pan(const QPointF& from_px, const QPointF& to_px);
+    void panOverGround(const QPointF& way);                ///< to the right and ahead, by one step of the keys
     void zoom(const Vec3& toward_in_map_m, double factor); ///< the point stays where it is in the picture
     bool actByKey(int key, bool shift);
     void paintLabels(QPainter& painter) const;
@@ -89,6 +93,8 @@ private:
     bool shows_all_ = true;
     std::vector<Label> labels_;
     QString probe_;
+    bool keeps_target_ = false;
+    std::optional<QPointF> pointer_px_; ///< where the mouse was last without a button; empty while it is elsewhere
     std::optional<QPointF> grabbed_px_;
     double grabbed_height_m_ = 0.0;
     double whole_took_ms_ = 0.0; ///< the newest picture in full size

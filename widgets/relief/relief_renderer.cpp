@@ -1,9 +1,8 @@
 #include "widgets/relief/relief_renderer.h"
 
 #include <algorithm>
-#include <atomic>
 #include <iterator>
-#include <thread>
+#include <span>
 #include <utility>
 
 #include <QElapsedTimer>
@@ -16,20 +15,21 @@ namespace usar::widgets {
 
 namespace {
 
-/// Strips of the picture go to whichever thread is free, because some show more of the map than others.
-void drawByStrips(const mapping::ReliefScene& scene, mapping::ReliefPicture& picture) {
-    const int threads = std::clamp(QThread::idealThreadCount(), 1, 8);
-    const int strips = threads == 1 ? 1 : 4 * threads;
-    std::atomic<int> next = 0;
-    const auto work = [&] {
-        for (int strip = next++; strip < strips; strip = next++)
-            mapping::drawRelief(scene, picture,
-                                {picture.width_px * strip / strips, picture.width_px * (strip + 1) / strips});
-    };
-    std::vector<std::jthread> others;
-    for (int i = 1; i < threads; ++i)
-        others.emplace_back(work);
-    work();
+/// Bit by bit, which is fast, and by which the NaN of a gap is the same as itself.
+bool sameBits(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+    return std::ranges::equal(std::as_bytes(std::span(a)), std::as_bytes(std::span(b)));
+}
+
+/// The points that show_all brings into the picture: the surface and the trails over it, but nothing far away from it.
+std::vector<Vec3> pointsToShow(const mapping::ReliefScene& scene) {
+    std::vector<Vec3> points = scene.surface.someCorners();
+    const Rectangle bounds = scene.surface.bounds_in_map();
+    for (const mapping::ReliefLine& line : scene.lines)
+        std::ranges::copy_if(line.points_in_map_m, std::back_inserter(points), [&](const Vec3& point) {
+            const Vec2 place_m = point.head<2>();
+            return bounds.contains(place_m) && scene.surface.height_m(place_m).has_value();
+        });
+    return points;
 }
 
 } // namespace
@@ -49,7 +49,7 @@ void ReliefRenderer::draw(ReliefRequest request) {
         start(std::move(request));
 }
 
-void ReliefRenderer::renew(Made& made, const ReliefRequest& request) {
+bool ReliefRenderer::renewSurface(Made& made, const ReliefRequest& request) {
     std::vector<mapping::GridIndex> changed;
     bool gone = false;
     for (const auto& [index, tile] : made.tiles)
@@ -59,25 +59,36 @@ void ReliefRenderer::renew(Made& made, const ReliefRequest& request) {
     for (const auto& [index, tile] : request.tiles)
         if (const auto before = made.tiles.find(index); before == made.tiles.end() || before->second != tile)
             changed.push_back(index);
+    const bool same =
+        changed.empty() && made.surface.cell_size_m == request.cell_size_m && made.surface.style == request.style;
     mapping::renewRelief(made.surface, request.tiles, request.cell_size_m, request.style, changed);
     made.tiles = request.tiles;
+    return gone || !same;
+}
+
+void ReliefRenderer::raiseLines(Made& made, mapping::ReliefScene& scene, bool surface_changed) {
+    made.lines.resize(scene.lines.size());
+    for (std::size_t i = 0; i < scene.lines.size(); ++i) {
+        std::vector<Vec3>& points_m = scene.lines[i].points_in_map_m;
+        RaisedLine& line = made.lines[i];
+        if (surface_changed || !sameBits(line.points_in_map_m, points_m)) {
+            line.raised_in_map_m = mapping::aboveSurface(made.surface, points_m);
+            line.points_in_map_m = std::move(points_m);
+        }
+        points_m = line.raised_in_map_m;
+    }
 }
 
 std::shared_ptr<const ReliefFrame> ReliefRenderer::work(Made& made, ReliefRequest request) {
-    renew(made, request);
+    QElapsedTimer clock;
+    clock.start();
+    const bool surface_changed = renewSurface(made, request);
     mapping::ReliefScene& scene = request.scene;
     scene.surface = made.surface;
-    for (mapping::ReliefLine& line : scene.lines)
-        line.points_in_map_m = mapping::aboveSurface(scene.surface, line.points_in_map_m);
-    if (request.show_all) {
-        std::vector<Vec3> seen = scene.surface.someCorners();
-        for (const mapping::ReliefLine& line : scene.lines) // Trails over the surface, but not those far away from it.
-            std::ranges::copy_if(line.points_in_map_m, std::back_inserter(seen), [&scene](const Vec3& point) {
-                return scene.surface.height_m(point.head<2>()).has_value();
-            });
-        scene.camera =
-            scene.camera.showing(seen, double(request.size_px.width()) / request.size_px.height(), scene.exaggeration);
-    }
+    raiseLines(made, scene, surface_changed);
+    if (request.show_all)
+        scene.camera = scene.camera.showing(
+            pointsToShow(scene), double(request.size_px.width()) / request.size_px.height(), scene.exaggeration);
     scene.camera = scene.camera.limited();
     for (const Rectangle& area : request.areas_in_map)
         scene.lines.push_back(
@@ -86,9 +97,8 @@ std::shared_ptr<const ReliefFrame> ReliefRenderer::work(Made& made, ReliefReques
     frame->picture = {request.size_px.width(), request.size_px.height()};
     frame->camera = scene.camera;
     frame->exaggeration = scene.exaggeration;
-    QElapsedTimer clock;
-    clock.start();
-    drawByStrips(scene, frame->picture);
+    frame->show_all = request.show_all;
+    mapping::drawReliefByStrips(scene, frame->picture, std::clamp(QThread::idealThreadCount(), 1, 8));
     frame->took_ms = double(clock.nsecsElapsed()) / 1e6;
     return frame;
 }

@@ -31,7 +31,8 @@ struct ReliefFrame {
     mapping::ReliefPicture picture;
     mapping::OrbitCamera camera;
     double exaggeration = 1.0;
-    double took_ms = 0.0; ///< to draw it, without the time that the surface took
+    bool show_all = false; ///< as it was requested
+    double took_ms = 0.0;  ///< time of the whole job: the surface, the lines and the drawing
     /// For places in pixels of this picture.
     mapping::ReliefProjection projection() const { return {camera, picture.width_px, picture.height_px, exaggeration}; }
 };
@@ -52,13 +53,20 @@ signals:
     void drawn(const std::shared_ptr<const usar::widgets::ReliefFrame>& frame);
 
 private:
-    /// What the job keeps for the next one: tiles that are the same are not made again.
+    struct RaisedLine {
+        std::vector<Vec3> points_in_map_m; ///< as they were requested
+        std::vector<Vec3> raised_in_map_m; ///< above the surface
+    };
+    /// What the job keeps for the next one: tiles and lines that are the same are not made again.
     struct Made {
         mapping::ReliefSurface surface;
         mapping::HeightTiles tiles;
+        std::vector<RaisedLine> lines; ///< in the order of the scene
     };
     static std::shared_ptr<const ReliefFrame> work(Made& made, ReliefRequest request);
-    static void renew(Made& made, const ReliefRequest& request);
+    /// False if the surface stays as it is.
+    static bool renewSurface(Made& made, const ReliefRequest& request);
+    static void raiseLines(Made& made, mapping::ReliefScene& scene, bool surface_changed);
     void start(ReliefRequest request);
 
     std::unique_ptr<Made> made_ = std::make_unique<Made>(); ///< only the running job uses it

@@ -79,7 +79,10 @@ void ReliefView::makeControls() {
     });
     follow_ = makeToolButton(tr("Keep the selected robot in the middle"), this, QStringLiteral("follow"));
     follow_->setCheckable(true);
-    connect(follow_, &QToolButton::toggled, this, &ReliefView::look);
+    connect(follow_, &QToolButton::toggled, this, [this](bool on) {
+        canvas_->keepTarget(on);
+        look();
+    });
     named(exaggeration_, tr("Height exaggeration"), tr("How many times as high as they are heights are drawn"));
     exaggeration_->setMinimumHeight(minimum_target);
     for (const double factor : exaggerations)
@@ -92,7 +95,9 @@ void ReliefView::makeControls() {
     row->addStretch(1);
     column->addLayout(row);
     column->addWidget(canvas_, 1);
-    setTabOrder(canvas_, all_);
+    setTabOrder(all_, follow_);
+    setTabOrder(follow_, exaggeration_);
+    setTabOrder(exaggeration_, canvas_);
 }
 
 void ReliefView::setUncovered(bool uncovered) {
@@ -168,9 +173,7 @@ void ReliefView::look() {
     canvas_->setLabels(labels);
     const MapRobot* const selected = content.selectedRobot();
     follow_->setEnabled(selected);
-    if (!selected)
-        follow_->setChecked(false);
-    else if (follow_->isChecked())
+    if (selected && follow_->isChecked())
         canvas_->lookAt(selected->base_in_map.position_m);
     if (heights_changed_ || areasNow() != asked_areas_ || !sameThings(sceneNow(), asked_))
         askForFrame();
@@ -224,15 +227,19 @@ void ReliefView::setState(const QJsonObject& state) {
     camera.yaw_rad = radians(state["yaw_deg"].toDouble(degrees(camera.yaw_rad)));
     camera.elevation_rad = radians(state["elevation_deg"].toDouble(degrees(camera.elevation_rad)));
     const QJsonArray target = state["target_m"].toArray();
-    if (target.size() == 3)
+    const bool has_place = target.size() == 3 && std::all_of(target.begin(), target.end(),
+                                                             [](const QJsonValue& value) { return value.isDouble(); });
+    const bool showed_all = canvas_->showsAll();
+    if (has_place) {
         camera.target_in_map_m = {target[0].toDouble(), target[1].toDouble(), target[2].toDouble()};
-    camera.distance_m = state["distance_m"].toDouble(camera.distance_m);
+        camera.distance_m = state["distance_m"].toDouble(camera.distance_m);
+    }
     canvas_->setCamera(camera);
-    if (target.size() != 3)
+    if (!has_place && (showed_all || !state.contains("target_m")))
         canvas_->showAll();
-    const int row = exaggeration_->findData(state["exaggeration"].toDouble(1.0));
-    exaggeration_->setCurrentIndex(std::max(row, 0));
-    follow_->setChecked(state["follow"].toBool());
+    if (const int row = exaggeration_->findData(state["exaggeration"].toDouble()); row >= 0)
+        exaggeration_->setCurrentIndex(row);
+    follow_->setChecked(state["follow"].toBool(following()));
 }
 
 } // namespace usar::widgets

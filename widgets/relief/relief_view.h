@@ -11,9 +11,9 @@
 
 namespace usar::widgets {
 
-/// Shows what the map shows: the same tiles, colors, robots, areas and marks, and the layers that are visible there. It
-/// looks at the map a few times a second, and when heights have been painted; while it is hidden or covered, it does
-/// nothing. GUI thread; the map must outlive it.
+/// Shows what the map shows: the same tiles, colors, robots, areas and marks, where their layers are visible there. It
+/// looks at the map twenty times a second; while it is hidden or covered, it does nothing. GUI thread; the map must
+/// outlive it.
 class ReliefView : public QWidget {
     Q_OBJECT
 public:
@@ -25,7 +25,7 @@ public:
     bool following() const { return follow_->isChecked(); } ///< the selected robot stays in the middle
     /// Camera, exaggeration and following, for settings and layouts: {"yaw_deg": 135, …}.
     QJsonObject state() const;
-    /// What is missing or nonsense stays as it is.
+    /// What is missing or nonsense stays as it is; but without "target_m" the camera shows all.
     void setState(const QJsonObject& state);
     /// Set to false while another tab covers the dock: Qt sends no hide event then.
     void setUncovered(bool uncovered);

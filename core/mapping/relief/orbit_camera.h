@@ -10,13 +10,13 @@ namespace usar::mapping {
 
 /// Where the map is seen from. The picture has no roll: what is higher is nearer to its upper edge.
 struct OrbitCamera {
-    static constexpr double lowest_elevation_rad = radians(5.0); ///< lower, hills would hide everything
+    static constexpr double lowest_elevation_rad = radians(5.0); ///< from lower down, hills would hide everything
     static constexpr double highest_elevation_rad = radians(90.0);
     static constexpr double least_distance_m = 1.0;
     static constexpr double greatest_distance_m = 20000.0;
 
-    Vec3 target_in_map_m = Vec3::Zero();  ///< in the middle of the picture
-    double yaw_rad = pi / 2;              ///< direction in which it looks; pi / 2: y points up in the picture
+    Vec3 target_in_map_m = Vec3::Zero(); ///< in the middle of the picture
+    double yaw_rad = pi / 2; ///< where it looks, counterclockwise from x; with pi / 2, y is up in the picture
     double elevation_rad = radians(35.0); ///< above the horizon, as seen from the target
     double distance_m = 100.0;
     double field_of_view_rad = radians(40.0); ///< vertical

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace usar::mapping {
 
@@ -22,6 +23,17 @@ std::array<float, 5> insides(const Point& at, float slope) {
 bool allInside(const Point& at, float slope) {
     const auto all = insides(at, slope);
     return std::ranges::all_of(all, [](float inside) { return inside >= 0.0f; });
+}
+
+bool withinReach(const Point& at) {
+    return at.allFinite() && at.cwiseAbs().maxCoeff() <= ReliefPen::farthest_m;
+}
+
+/// Cutting rounds by a part of how far away the cut ends are, so what was cut may lie beyond the planes: a bit does no
+/// harm, but this is false for what has no place that a whole number could tell, and for NaN.
+bool almostInside(const Point& at, float slope) {
+    return at.z() >= nearest_m / 2.0f && std::abs(at.x()) <= 2.0f * slope * at.z() &&
+           std::abs(at.y()) <= 2.0f * slope * at.z();
 }
 
 /// Where the plane cuts the way from a point inside to one outside. The order of the two makes triangles that share the
@@ -147,6 +159,9 @@ void ReliefPen::clippedTriangle(const std::array<Point, 3>& corners_m, std::uint
     if (!std::ranges::all_of(corners_m, [slope](const Point& corner) { return allInside(corner, slope); }))
         for (std::size_t plane = 0; plane < 5; ++plane)
             rest = clipped(rest, plane, slope);
+    if (!std::all_of(rest.corners.begin(), rest.corners.begin() + static_cast<std::ptrdiff_t>(rest.count),
+                     [slope](const Point& corner) { return almostInside(corner, slope); }))
+        return;
     std::array<DrawnCorner, 8> drawn;
     for (std::size_t i = 0; i < rest.count; ++i)
         drawn[i] = placed(rest.corners[i].x(), rest.corners[i].y(), rest.corners[i].z());
@@ -170,7 +185,9 @@ void ReliefPen::dab(int x_px, int y_px, float nearness_per_m, std::uint32_t colo
         }
 }
 
-void ReliefPen::line(Point from_m, Point to_m, std::uint32_t color, int width_px, float how_near) {
+std::optional<DrawnLine> ReliefPen::placedLine(Point from_m, Point to_m, int width_px) const {
+    if (!withinReach(from_m) || !withinReach(to_m))
+        return std::nullopt;
     // A line is cut at the picture's own edges, because each of its pixels costs time.
     const float slope_x = (middle_x_px_ + static_cast<float>(width_px)) / focal_px_;
     const float slope_y = (middle_y_px_ + static_cast<float>(width_px)) / focal_px_;
@@ -191,16 +208,34 @@ void ReliefPen::line(Point from_m, Point to_m, std::uint32_t color, int width_px
     for (int plane = 0; plane < 5; ++plane) {
         const float in_from = inside(from_m, plane), in_to = inside(to_m, plane);
         if (!(in_from >= 0.0f) && !(in_to >= 0.0f)) // This is also true for NaN.
-            return;
+            return std::nullopt;
         if (in_from < 0.0f)
             from_m = cut(to_m, in_to, from_m, in_from);
         else if (in_to < 0.0f)
             to_m = cut(from_m, in_from, to_m, in_to);
     }
-    const DrawnCorner from = placed(from_m.x(), from_m.y(), from_m.z());
-    const DrawnCorner to = placed(to_m.x(), to_m.y(), to_m.z());
+    const float guard = guard_px / focal_px_;
+    if (!almostInside(from_m, guard) || !almostInside(to_m, guard))
+        return std::nullopt;
+    return DrawnLine{placed(from_m.x(), from_m.y(), from_m.z()), placed(to_m.x(), to_m.y(), to_m.z())};
+}
+
+void ReliefPen::line(const DrawnLine& piece, std::uint32_t color, int width_px, float how_near) {
+    const DrawnCorner &from = piece.from, &to = piece.to;
+    // A pixel more on each side makes up for rounding.
+    const int left = (band_.first_px - width_px - 1) * per_px, right = (band_.end_px + width_px + 1) * per_px;
+    if (std::max(from.x, to.x) < left || std::min(from.x, to.x) > right)
+        return;
     const int steps = std::max({std::abs(to.x - from.x), std::abs(to.y - from.y), 1}) / per_px + 1;
-    for (int step = 0; step <= steps; ++step) {
+    int first = 0, last = steps;
+    if (from.x != to.x) {
+        const double steps_per_x = double(steps) / double(to.x - from.x);
+        const auto [enters, leaves] =
+            std::minmax({double(left - from.x) * steps_per_x, double(right - from.x) * steps_per_x});
+        first = static_cast<int>(std::clamp(std::floor(enters), 0.0, double(steps)));
+        last = static_cast<int>(std::clamp(std::ceil(leaves), 0.0, double(steps)));
+    }
+    for (int step = first; step <= last; ++step) {
         const float part = static_cast<float>(step) / static_cast<float>(steps);
         const auto between = [part](float a, float b) { return a + (b - a) * part; };
         dab(static_cast<int>(std::lround(between(float(from.x), float(to.x)) / float(per_px))),

@@ -46,11 +46,19 @@ struct DrawnCorner {
     float nearness_per_m = 0.0f;
 };
 
+/// The part of a straight line that the picture shows.
+struct DrawnLine {
+    DrawnCorner from;
+    DrawnCorner to;
+};
+
 /// Draws into one band of a picture; nearer things hide others, whatever the order.
 class ReliefPen {
 public:
     /// Farther beside the picture than this, corners have no place on its grid.
     static constexpr float guard_px = 8192.0f;
+    /// Nothing is drawn that is farther away than this, because single precision knows no place well there.
+    static constexpr float farthest_m = 1e6f;
 
     ReliefPen(ReliefPicture& picture, const ReliefProjection& projection, PictureBand band)
         : picture_(picture)
@@ -72,8 +80,11 @@ public:
     /// for what lies on that line.
     static constexpr float nearer = 1.004f;
     static constexpr float nearest = 1.008f;
-    /// A line between two points in camera coordinates.
-    void line(Eigen::Vector3f from_m, Eigen::Vector3f to_m, std::uint32_t color, int width_px, float how_near = nearer);
+    /// Where a line of at most this width between two points in camera coordinates is seen, in whichever band; nullopt
+    /// if it is nowhere in the picture, or if an end is not finite or farther away than `farthest_m`.
+    std::optional<DrawnLine> placedLine(Eigen::Vector3f from_m, Eigen::Vector3f to_m, int width_px) const;
+    /// Draws as much of the line as lies in the band; the rest costs no time.
+    void line(const DrawnLine& piece, std::uint32_t color, int width_px, float how_near = nearer);
 
 private:
     template <class Wide>

@@ -8,16 +8,20 @@
 
 namespace usar::mapping {
 
-/// A line through points of the map; NaN: a gap. Colors are 0xffRRGGBB.
+/// A line through points of the map; a point of NaN makes a gap. Colors are 0xffRRGGBB.
 struct ReliefLine {
     std::vector<Vec3> points_in_map_m;
     std::uint32_t color = 0xffffffffu;
-    std::uint32_t edge_color = 0; ///< of a thin edge on both sides; 0: none
+    std::uint32_t edge_color = 0; ///< color of a thin edge on both sides; 0 if it has none
     int width_px = 2;
 };
 
-/// A robot as a solid arrow, or a ball-like mark of a place without direction. It is never smaller than `least_px`, so
-/// that it is seen from afar.
+/// A trail breaks where two of its points are farther apart than this, because no robot goes as far between two of its
+/// messages: it was moved, or a position was garbled.
+inline constexpr double longest_trail_step_m = 10.0;
+
+/// A body is drawn as a solid arrow, or as a ball-like mark of a place without direction. It is never smaller than
+/// `least_px`, so that it is seen from afar, and it is drawn on the surface if its place lies below it.
 struct ReliefBody {
     Pose in_map{};
     std::uint32_t color = 0xffffffffu;
@@ -42,18 +46,23 @@ struct ReliefScene {
 };
 
 /// Draws one band of the picture, which must have a size; what was in it goes. Pure and repeatable: the bands of a
-/// picture may be drawn by several threads, and look the same however it is divided. The time depends on the size of
-/// the picture rather than on that of the map.
+/// picture may be drawn by several threads, and look the same however it is divided. Without lines, the time depends on
+/// the size of the picture rather than on that of the map.
 void drawRelief(const ReliefScene& scene, ReliefPicture& picture, PictureBand band);
+
+/// Draws all of the picture in this many threads, of which the calling one is the first; in fewer if the system has no
+/// more.
+void drawReliefByStrips(const ReliefScene& scene, ReliefPicture& picture, int threads);
 
 /// The whole picture in one go.
 ReliefPicture drawnRelief(const ReliefScene& scene, int width_px, int height_px);
 
-/// A way over the map, with the points in between that it needs, raised to the surface wherever it would pass below it,
-/// as the way of a robot on the ground does.
+/// A way over the map, raised to the surface where it would pass below it, as the way of a robot on the ground does.
+/// Points are put in between, so that there is at least one per cell, but at most 4096 in a straight stretch.
 std::vector<Vec3> aboveSurface(const ReliefSurface& surface, const std::vector<Vec3>& points_in_map_m);
 
-/// The outline of a rectangle, lying on the surface; where nothing is known it goes on at the last known height.
+/// The outline of a rectangle, lying on the surface; where nothing is known it goes on at the last known height. It has
+/// as many points as aboveSurface() makes of its sides.
 std::vector<Vec3> outlineOnSurface(const ReliefSurface& surface, const Rectangle& area_in_map);
 
 } // namespace usar::mapping

@@ -172,11 +172,59 @@ std::int64_t cellOf(double center_m, double cell_size_m) {
     return std::llround(center_m / cell_size_m - 0.5);
 }
 
+/// A surface with a level 0 cell for each of the raster's.
+ReliefSurface reliefOfCells(const Raster& raster, const ReliefStyle& style) {
+    const std::int64_t first_column = cellOf(raster.upper_left_center_m.x(), raster.cell_size_m);
+    const std::int64_t top_row = cellOf(raster.upper_left_center_m.y(), raster.cell_size_m);
+    ReliefSurface surface{raster.cell_size_m, style, {}};
+    const HeightGrid grid{raster.heights_m, raster.columns, raster.rows, raster.cell_size_m};
+    const std::int64_t bottom_row = top_row - raster.rows + 1;
+    for (std::int32_t row = floorDivided(bottom_row, relief_side); row <= floorDivided(top_row, relief_side); ++row)
+        for (std::int32_t column = floorDivided(first_column, relief_side);
+             column <= floorDivided(first_column + raster.columns - 1, relief_side); ++column) {
+            Patch patch;
+            for (int y = 0; y < patch_side; ++y)
+                for (int x = 0; x < patch_side; ++x)
+                    patch.at(x, y) = grid.at(std::int64_t(column) * relief_side - margin + x - first_column,
+                                             top_row - (std::int64_t(row) * relief_side - margin + y));
+            if (auto tile = tileFrom(std::move(patch), {column, row}, raster.cell_size_m, style))
+                surface.tiles[{column, row}] = std::move(tile);
+        }
+    return surface;
+}
+
+std::int64_t tilesApart(GridIndex a, GridIndex b) {
+    return std::max(std::abs(std::int64_t(a.column) - b.column), std::abs(std::int64_t(a.row) - b.row));
+}
+
+/// The tiles that may be in one raster with the one nearest to the median; at least that one, unless there are none.
+std::vector<const ReliefTile*> tilesTogether(const ReliefSurface& surface) {
+    const auto middle_of = [&surface](std::int32_t GridIndex::*part) {
+        std::vector<std::int32_t> values;
+        for (const auto& [index, tile] : surface.tiles)
+            values.push_back(index.*part);
+        const auto half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+        std::nth_element(values.begin(), half, values.end());
+        return *half;
+    };
+    std::vector<const ReliefTile*> together;
+    if (surface.tiles.empty())
+        return together;
+    const GridIndex median{middle_of(&GridIndex::column), middle_of(&GridIndex::row)};
+    const GridIndex center = std::ranges::min_element(surface.tiles, {}, [median](const auto& entry) {
+                                 return tilesApart(entry.first, median);
+                             })->first;
+    for (const auto& [index, tile] : surface.tiles)
+        if (tilesApart(index, center) <= maximum_raster_side / relief_side)
+            together.push_back(tile.get());
+    return together;
+}
+
 } // namespace
 
 std::optional<float> ReliefSurface::height_m(const Vec2& point_in_map_m) const {
     const Vec2 place = point_in_map_m / cell_size_m;
-    if (!(place.cwiseAbs().maxCoeff() < 1e9)) // This is also true for NaN.
+    if (!place.allFinite() || place.cwiseAbs().maxCoeff() >= 1e9)
         return std::nullopt;
     const auto column = static_cast<std::int64_t>(std::floor(place.x()));
     const auto row = static_cast<std::int64_t>(std::floor(place.y()));
@@ -206,19 +254,24 @@ std::optional<HeightRange> ReliefSurface::range() const {
 std::vector<Vec3> ReliefSurface::someCorners() const {
     constexpr int step = 4;
     std::vector<Vec3> corners;
-    for (const auto& [index, tile] : tiles)
+    const std::vector<const ReliefTile*> together = tilesTogether(*this);
+    for (const ReliefTile* const tile : together)
         for (int row = 0; row <= relief_side; row += step)
             for (int column = 0; column <= relief_side; column += step) {
                 const float height_m =
                     tile->levels[0].corners_m[static_cast<std::size_t>(row * (relief_side + 1) + column)];
                 if (!std::isnan(height_m))
-                    corners.emplace_back(cell_size_m * (index.column * double(relief_side) + column),
-                                         cell_size_m * (index.row * double(relief_side) + row), double(height_m));
+                    corners.emplace_back(cell_size_m * (tile->index.column * double(relief_side) + column),
+                                         cell_size_m * (tile->index.row * double(relief_side) + row), double(height_m));
             }
     if (corners.empty()) // Single cells may lie between all of these.
-        if (const Rectangle bounds = bounds_in_map(); !bounds.empty())
-            corners = {{bounds.min_m.x(), bounds.min_m.y(), double(range()->minimum_m)},
-                       {bounds.max_m.x(), bounds.max_m.y(), double(range()->maximum_m)}};
+        for (const ReliefTile* const tile : together) {
+            const CellBounds& known = tile->known;
+            corners.emplace_back(cell_size_m * known.first.column, cell_size_m * known.first.row,
+                                 double(tile->range.minimum_m));
+            corners.emplace_back(cell_size_m * (known.last.column + 1.0), cell_size_m * (known.last.row + 1.0),
+                                 double(tile->range.maximum_m));
+        }
     return corners;
 }
 
@@ -226,7 +279,7 @@ Rectangle ReliefSurface::bounds_in_map() const {
     if (tiles.empty())
         return {};
     std::optional<CellBounds> known;
-    for (const auto& [index, tile] : tiles) {
+    for (const ReliefTile* const tile : tilesTogether(*this)) {
         CellBounds::include(known, tile->known.first);
         CellBounds::include(known, tile->known.last);
     }
@@ -259,25 +312,15 @@ void renewRelief(ReliefSurface& surface, const HeightTiles& tiles, double cell_s
 ReliefSurface reliefOf(const Raster& raster, const ReliefStyle& style, std::int64_t most_cells) {
     if (raster.empty())
         return {.style = style};
-    const std::int64_t first_column = cellOf(raster.upper_left_center_m.x(), raster.cell_size_m);
-    const std::int64_t top_row = cellOf(raster.upper_left_center_m.y(), raster.cell_size_m);
-    if (raster.columns * raster.rows > most_cells && raster.columns > 1 && raster.rows > 1)
-        return reliefOf(halved(raster, first_column, top_row), style, most_cells);
-    ReliefSurface surface{raster.cell_size_m, style, {}};
-    const HeightGrid grid{raster.heights_m, raster.columns, raster.rows, raster.cell_size_m};
-    const std::int64_t bottom_row = top_row - raster.rows + 1;
-    for (std::int32_t row = floorDivided(bottom_row, relief_side); row <= floorDivided(top_row, relief_side); ++row)
-        for (std::int32_t column = floorDivided(first_column, relief_side);
-             column <= floorDivided(first_column + raster.columns - 1, relief_side); ++column) {
-            Patch patch;
-            for (int y = 0; y < patch_side; ++y)
-                for (int x = 0; x < patch_side; ++x)
-                    patch.at(x, y) = grid.at(std::int64_t(column) * relief_side - margin + x - first_column,
-                                             top_row - (std::int64_t(row) * relief_side - margin + y));
-            if (auto tile = tileFrom(std::move(patch), {column, row}, raster.cell_size_m, style))
-                surface.tiles[{column, row}] = std::move(tile);
-        }
-    return surface;
+    // Only one coarser raster is kept at a time, because each of a huge one takes much memory.
+    Raster coarser;
+    const Raster* cells = &raster;
+    while (cells->columns * cells->rows > most_cells && cells->columns > 1 && cells->rows > 1) {
+        coarser = halved(*cells, cellOf(cells->upper_left_center_m.x(), cells->cell_size_m),
+                         cellOf(cells->upper_left_center_m.y(), cells->cell_size_m));
+        cells = &coarser;
+    }
+    return reliefOfCells(*cells, style);
 }
 
 } // namespace usar::mapping

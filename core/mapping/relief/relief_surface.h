@@ -50,9 +50,11 @@ struct ReliefSurface {
     std::optional<float> height_m(const Vec2& point_in_map_m) const;
     /// Lowest and highest corner; nullopt for an empty surface.
     std::optional<HeightRange> range() const;
+    // A stray scan with a garbled position can create a tile a thousand kilometers away. The next two leave out tiles
+    // that are too far away from the median tile to be in one raster with it.
     /// Some of its corners, a few meters apart, which tell how far it reaches.
     std::vector<Vec3> someCorners() const;
-    /// Of all known cells, in meters; empty if there are none.
+    /// The smallest rectangle around the known cells, in meters; it is empty if there are none.
     Rectangle bounds_in_map() const;
 };
 

@@ -126,7 +126,8 @@ int SurfaceDrawing::levelFor(float distance_m, const ReliefTile& tile) const {
     const double above_m = (projection_.eye_in_map_m().z() - middle_m) * projection_.exaggeration();
     const double flat = std::clamp(above_m / std::max(double(distance_m), 0.1), 0.15, 1.0);
     const double level = std::round(std::log2(square_px_ / (cell_px * std::sqrt(flat))));
-    return static_cast<int>(std::clamp(level, 0.0, double(ReliefTile::level_count - 1)));
+    // NaN, which heights beyond single precision make, is the finest level.
+    return level > 0.0 ? static_cast<int>(std::min(level, double(ReliefTile::level_count - 1))) : 0;
 }
 
 Seen SurfaceDrawing::look(const ReliefTile& tile) const {
@@ -152,7 +153,8 @@ Seen SurfaceDrawing::look(const ReliefTile& tile) const {
         above += at.y() > up * at.z();
         below += at.y() < -up * at.z();
         behind += at.z() < static_cast<float>(ReliefProjection::nearest_m);
-        seen.whole = seen.whole && std::abs(at.x()) < guard * at.z() && std::abs(at.y()) < guard * at.z();
+        seen.whole = seen.whole && std::abs(at.x()) < guard * at.z() && std::abs(at.y()) < guard * at.z() &&
+                     at.z() < ReliefPen::farthest_m;
     }
     seen.whole = seen.whole && behind == 0;
     seen.in_sight = std::max({beyond_left, beyond_right, above, below, behind}) < 8;

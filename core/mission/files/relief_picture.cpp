@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <iterator>
+#include <limits>
 #include <vector>
 
 #include "core/agent/mark_style.h"
@@ -23,13 +24,25 @@ std::uint32_t colorOf(agent::MarkKind kind) {
     return 0xff000000u | agent::styleOf(kind).rgb;
 }
 
+/// The path with a point of NaN wherever it jumps.
+std::vector<Vec3> pathWithGaps(const std::vector<Vec3>& path_m) {
+    std::vector<Vec3> with_gaps_m;
+    with_gaps_m.reserve(path_m.size());
+    for (const Vec3& point_m : path_m) {
+        if (!with_gaps_m.empty() && (point_m - with_gaps_m.back()).norm() > mapping::longest_trail_step_m)
+            with_gaps_m.push_back(Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
+        with_gaps_m.push_back(point_m);
+    }
+    return with_gaps_m;
+}
+
 mapping::ReliefScene sceneOf(const ScanRecord& record, const mapping::HeightLook& look) {
     mapping::ReliefScene scene;
     scene.surface = mapping::reliefOf(record.raster, {colorRange(record.raster, look), look.color_map, 0.0});
     scene.sky = sky_color;
     scene.ground = unknown_color;
     scene.camera.yaw_rad = radians(135.0);
-    const std::vector<Vec3> path_m = mapping::aboveSurface(scene.surface, record.path_m);
+    const std::vector<Vec3> path_m = mapping::aboveSurface(scene.surface, pathWithGaps(record.path_m));
     std::vector<Vec3> seen = scene.surface.someCorners();
     std::ranges::copy_if(path_m, std::back_inserter(seen), [&scene](const Vec3& point) {
         return scene.surface.height_m(point.head<2>()).has_value(); // Not the way to and from a far place.

@@ -9,8 +9,9 @@
 namespace usar::mission {
 
 /// The heights as a surface in the colors of mapPicture, not exaggerated, seen from the south-east, with the path at
-/// the height at which it was flown, the marks and the outline of the mission area. 1600 x 1000 pixels; metadata are
-/// PNG text keys. Huge maps are drawn from larger cells. A null image for an empty raster. Works in any thread.
+/// the height at which it was flown, broken where it jumps, the marks and the outline of the mission area. It has
+/// 1600 x 1000 pixels; metadata are PNG text keys. Huge maps are drawn from larger cells. A null image for an empty
+/// raster. Works in any thread.
 QImage reliefPicture(const ScanRecord& record, const mapping::HeightLook& look = {});
 
 } // namespace usar::mission

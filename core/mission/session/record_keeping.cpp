@@ -16,6 +16,7 @@ namespace usar::mission {
 namespace {
 
 constexpr std::chrono::milliseconds look_after{500};
+constexpr Seconds time_to_object{60.0}; ///< from the warning to the deletion, where a limit was set late
 
 /// Most bytes of a trace in one note. A byte takes up to four characters there, and a note that spreads over two
 /// records could not be read.
@@ -187,15 +188,20 @@ void RecordKeeping::keepLimit() {
         beginNextPart();
     if (!writer_)
         return;
-    warn();
-    makeRoom();
+    // Nothing is deleted in the same moment in which it is said.
+    if (!warned_)
+        warn();
+    else if (elapsed() >= delete_from_)
+        makeRoom();
 }
 
 /// What the session is like now is told once more in the new part, so that it can be read without those before it.
 void RecordKeeping::beginNextPart() {
     const QString path = this->path();
-    if (const auto error = writer_->finish())
-        return notices_.trouble(Severity::Error, Topic::Recording, error->text()), end();
+    if (const auto error = writer_->finish()) {
+        notices_.trouble(Severity::Error, Topic::Recording, error->text());
+        return end();
+    }
     const Seconds now = elapsed();
     auto begun = parts_->setAside(writer_->bytes(), now);
     if (begun) {
@@ -220,13 +226,18 @@ void RecordKeeping::warn() {
     constexpr double near = 0.8;
     const auto limit = static_cast<double>(*limit_bytes_);
     const auto used = static_cast<double>(parts_->bytes(writer_->bytes()));
-    if (warned_ || used < near * limit)
+    if (used < near * limit)
         return;
     warned_ = true;
+    // A limit that was set late may be reached already; then there is time to raise it.
+    const bool is_late = used > limit;
+    delete_from_ = is_late ? elapsed() + time_to_object : Seconds{0.0};
+    const double free = std::max(0.0, 0.9 * limit - used); // Until there is no room for another part.
+    const Seconds left = is_late ? time_to_object : elapsed() * free / used;
     notices_.say(Severity::Warning, Topic::Recording,
                  "The recording has " + megabytes(used) + " of the " + megabytes(limit) +
-                     " that it may have. In about " + wholeSeconds(elapsed() * (limit - used) / used) +
-                     " its oldest tenth is deleted, and so on from then on. Raise the limit to keep it.",
+                     " that it may have. In about " + wholeSeconds(left) +
+                     " its oldest part is deleted, and so on from then on. Raise the limit to keep it.",
                  "limit");
 }
 

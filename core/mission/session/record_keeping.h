@@ -108,9 +108,10 @@ private:
     std::uint64_t put_bytes_ = 0;  ///< so far into the newest part, before they are compressed
     std::uint64_t head_bytes_ = 0; ///< those of them that only repeat what was known
     RecordingLimit limit_bytes_;
-    bool warned_ = false;  ///< about this recording and this limit
-    BehaviorSoFar so_far_; ///< what the running behavior has published
-    std::string mission_;  ///< text of the mission that it flies; empty: unknown
+    bool warned_ = false;      ///< about this recording and this limit
+    Seconds delete_from_{0.0}; ///< since the recording began
+    BehaviorSoFar so_far_;     ///< what the running behavior has published
+    std::string mission_;      ///< text of the mission that it flies; empty: unknown
 };
 
 } // namespace usar::mission

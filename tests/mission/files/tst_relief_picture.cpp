@@ -91,7 +91,27 @@ private slots:
             QCOMPARE(picture.text(key), value);
     }
 
-    void canBeLookedAt() { QVERIFY(reliefPicture(sampleScan(240)).save(USAR_BINARY_DIR "/sample_3d.png")); }
+    void thePathIsBrokenWhereItJumps_data() {
+        QTest::addColumn<double>("step_m");
+        QTest::addColumn<bool>("shown");
+        QTest::newRow("steps") << 9.0 << true;
+        QTest::newRow("jumps") << 11.0 << false;
+    }
+
+    void thePathIsBrokenWhereItJumps() {
+        QFETCH(double, step_m);
+        QFETCH(bool, shown);
+        ScanRecord record = sampleScan(240); // 60 m wide
+        record.path_m.clear();
+        for (int i = -2; i <= 2; ++i)
+            record.path_m.push_back({i * step_m, 0.0, 12.0}); // above all hills and trees
+        const std::uint32_t color = agent::styleOf(MarkKind::Path).rgb;
+        const int with_path = pixelsOf(reliefPicture(record), color);
+        record.path_m.clear();
+        const int without = pixelsOf(reliefPicture(record), color);
+        QCOMPARE(with_path > without + 100, shown);
+        QVERIFY(shown || with_path == without);
+    }
 };
 
 USAR_TEST(tst_ReliefPicture)

@@ -181,7 +181,7 @@ private slots:
         k.flush();
         QCOMPARE(k.records.figures()->bytes, bytesIn(k.folder.path(), "a*"));
         QCOMPARE(k.said.front().severity, Severity::Warning);
-        QVERIFY(k.said.front().text.find("its oldest tenth is deleted") != std::string::npos);
+        QVERIFY(k.said.front().text.find("its oldest part is deleted") != std::string::npos);
         QVERIFY(k.said.size() > 5);
         QVERIFY(std::all_of(k.said.begin() + 1, k.said.end(), [](const Notice& notice) {
             return notice.severity == Severity::Note && notice.text.find("was deleted") != std::string::npos;
@@ -203,15 +203,30 @@ private slots:
         QCOMPARE(newest, static_cast<std::uint64_t>(lines - 1));
     }
 
-    void aLimitThatIsSetLateHoldsForTheWholeRecording() {
+    void aLimitThatIsSetLateDeletesNothingAtOnce() {
         Keeping k;
         QVERIFY(k.records.begin(k.path(), {}));
+        Random random(3);
+        std::string noise;
+        appendNoise(noise, 14'000'000, random);
+        k.records.received(noise);
+        k.flush();
         k.records.look();
-        QVERIFY(!k.records.figures()->limit_bytes);
+        QVERIFY(!k.records.figures()->limit_bytes && k.said.empty());
         k.records.setLimit(1);
         QCOMPARE(k.records.figures()->limit_bytes, RecordingLimit(link::RecordingParts::least_limit_bytes));
+        for (int looks = 0; looks < 5; ++looks)
+            k.records.look();
+        QCOMPARE(k.said.size(), std::size_t(1)); // The warning, with time to object.
+        QVERIFY(k.said.front().text.find("In about 60 s") != std::string::npos);
+        QVERIFY(QFile::exists(k.folder.filePath("a.part1.usar")));
         k.records.setLimit(std::nullopt);
         QVERIFY(!k.records.figures()->limit_bytes);
+        k.records.end();
+        const auto reader = link::RecordingReader::open(k.path());
+        QVERIFY(reader);
+        QVERIFY((*reader)->survey().bytes_in >= noise.size()); // Nothing of it is lost.
+        QCOMPARE((*reader)->survey().parts_lost, 0);
     }
 
     void aPartThatCannotBeginEndsTheRecordingWithAReason() {
