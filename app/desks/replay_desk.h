@@ -37,7 +37,7 @@ private:
     /// Puts on the clipboard how to open the selected replay at this moment, as words for a shell.
     void copyLink();
 
-    int limit_mb_ = 0;              ///< of recordings; 0: none
+    int limit_mb_ = 0;              ///< The limit of each recording; with 0 there is none.
     std::vector<RobotId> together_; ///< replays that show the same time
 };
 

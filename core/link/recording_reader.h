@@ -19,8 +19,8 @@ namespace usar::link {
 /// joins the survey when `next` meets it.
 enum class OpenMode { Thorough, Quick };
 
-/// Of a recording in parts (recording-format.md, "Parts"), the file that is opened and the parts before it are read as
-/// one recording, as far back as they lie beside it; times count from the first of them.
+/// A recording may be in parts (recording-format.md, "Parts"). The file that is opened and the parts before it are then
+/// read as one recording, as far back as they lie beside it, and times count from the first of them.
 ///
 /// Surveys the file when it is opened and then reads it through a window of a few MiB, so that the length of a
 /// recording costs no memory except an index entry: one per 64 KiB of a file of version 1, one per group of 256 KiB of

@@ -43,8 +43,8 @@ void WindowDocks::addCommand(QDockWidget* dock) {
                            .text = dock->windowTitle(),
                            .group = tr("View"),
                            .help = tr("Shows this dock, or hides it if it is in front"),
-                           .shortcuts =
-                               dock->widget() == views_.relief ? QList{QKeySequence("Ctrl+Alt+3")} : QList<QKeySequence>(),
+                           .shortcuts = dock->widget() == views_.relief ? QList{QKeySequence("Ctrl+Alt+3")}
+                                                                        : QList<QKeySequence>(),
                            .checkable = true,
                            .wish = tr("Show %1").arg(dock->windowTitle())};
     QAction* const shown = commands_.add(spec, [this, dock](bool on) {

@@ -41,7 +41,7 @@ Eigen::Vector3f cameraPoint(const ReliefProjection& projection, const Vec3& poin
     return at_m.cast<float>();
 }
 
-/// What all bands of a picture share, so that each of the many points of a trail is placed once.
+/// All bands of a picture share this, so that each of the many points of a trail is placed only once.
 struct FramePlan {
     ReliefProjection projection;
     std::vector<std::vector<DrawnLine>> lines; ///< pieces of the scene's lines, in their order
@@ -231,7 +231,7 @@ std::vector<Vec3> outlineOnSurface(const ReliefSurface& surface, const Rectangle
             points.emplace_back(at_m.x(), at_m.y(), double(height_m.value_or(0.0f)));
         }
     }
-    // What comes before the first known height has that one, too.
+    // The points before the first known height get that height, too.
     for (Vec3& point : points)
         if (const auto known_m = surface.height_m(point.head<2>())) {
             const double first_m = double(*known_m);

@@ -1,4 +1,4 @@
-// What a view of the relief shows, and the drawing of it.
+// The scene that a view of the relief shows, and the functions that draw it.
 #pragma once
 
 #include <vector>

@@ -31,12 +31,12 @@ struct ReliefTile {
     static constexpr int level_count = 6;
     static constexpr int squaresAt(int level) { return HeightTile::side >> level; } ///< along a side
     struct Level {
-        std::vector<float> corners_m;      ///< (squares + 1)^2, row-major from the lowest x and y; NaN: unknown
+        std::vector<float> corners_m;      ///< (squares + 1)^2, row-major from the lowest x and y; NaN is unknown
         std::vector<std::uint32_t> colors; ///< squares^2, as 0xffRRGGBB; 0: a hole
     };
     GridIndex index; ///< in tiles
     std::array<Level, level_count> levels;
-    HeightRange range; ///< of the finest level's corners
+    HeightRange range; ///< It covers the corners of the finest level.
     CellBounds known;  ///< the smallest rectangle around its known cells, which are counted from the map's origin
 };
 

@@ -50,7 +50,7 @@ struct GridToCamera {
 struct Seen {
     const ReliefTile* tile = nullptr;
     int level = 0;
-    float distance_m = 0.0f; ///< of its nearest corner, or 0 if the camera is above it
+    float distance_m = 0.0f; ///< The nearest corner is so far away; 0 if the camera is above it.
     bool in_sight = false;
     bool whole = false; ///< none of it has to be cut off
 };
@@ -88,7 +88,7 @@ public:
             if (seen.in_sight)
                 order.push_back(&seen);
         }
-        // What is hidden by nearer tiles costs less then.
+        // Hidden parts of tiles that are drawn later then cost less.
         std::ranges::sort(order, {}, &Seen::distance_m);
         for (const Seen* const seen : order) {
             placeCorners(*seen);
