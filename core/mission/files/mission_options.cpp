@@ -72,6 +72,20 @@ std::optional<Seconds> readTime(const QString& text) {
     return std::nullopt;
 }
 
+Result<void> readRecordingLimit(const QCommandLineParser& parser, MissionOptions& options) {
+    if (!parser.isSet("record-limit"))
+        return {};
+    const auto limit_mb = readNumber(parser.value("record-limit").toStdString());
+    if (!limit_mb || !(*limit_mb >= 10.0 && *limit_mb <= 1e9))
+        return failure("the limit of the recording is no number of megabytes from 10 up",
+                       asWritten(parser, "record-limit"), "For example --record-limit 500");
+    if (!parser.isSet("record"))
+        return failure("a limit needs a recording", asWritten(parser, "record-limit"),
+                       "Name its file, too: --record FILE");
+    options.recording_limit_bytes = static_cast<std::uint64_t>(*limit_mb * 1e6);
+    return {};
+}
+
 /// The options whose values can be wrong.
 Result<void> readValues(const QCommandLineParser& parser, MissionOptions& options) {
     if (parser.isSet("seed")) {
@@ -101,16 +115,8 @@ Result<void> readValues(const QCommandLineParser& parser, MissionOptions& option
             return failure("the limit is no time above 0", asWritten(parser, "limit"),
                            "A number with s, min or h, for example --limit 20h");
     }
-    if (parser.isSet("record-limit")) {
-        const auto limit_mb = readNumber(parser.value("record-limit").toStdString());
-        if (!limit_mb || !(*limit_mb >= 10.0 && *limit_mb <= 1e9))
-            return failure("the limit of the recording is no number of megabytes from 10 up",
-                           asWritten(parser, "record-limit"), "For example --record-limit 500");
-        if (!parser.isSet("record"))
-            return failure("a limit needs a recording", asWritten(parser, "record-limit"),
-                           "Name its file, too: --record FILE");
-        options.recording_limit_bytes = static_cast<std::uint64_t>(*limit_mb * 1e6);
-    }
+    if (auto limited = readRecordingLimit(parser, options); !limited)
+        return limited;
     if (const QString text = parser.value("adjust"); parser.isSet("adjust")) {
         if (text != "on" && text != "off")
             return failure("whether to adjust the map is neither on nor off", asWritten(parser, "adjust"),
