@@ -1,6 +1,7 @@
 #include "app/cli/campaign_verb.h"
 
 #include <chrono>
+#include <memory>
 
 #include <QCoreApplication>
 #include <QDir>
@@ -8,6 +9,7 @@
 #include <QTimer>
 
 #include "app/cli/console.h"
+#include "app/cli/mission_flight.h"
 #include "core/base/version.h"
 #include "core/campaign/comparison/campaign_figures.h"
 #include "core/campaign/comparison/junit_report.h"
@@ -17,6 +19,7 @@
 #include "core/campaign/runs/campaign_words.h"
 #include "core/campaign/runs/shrinking.h"
 #include "core/campaign/runs/slurm_script.h"
+#include "core/mission/files/mission_check.h"
 #include "core/mission/reports/progress_bar.h"
 #include "core/server/embedded/program_files.h"
 #include "core/server/embedded/quit_signals.h"
@@ -50,12 +53,19 @@ Result<QString> findWorld(const QString& name) {
 }
 
 campaign::CampaignHost hostOfCampaigns() {
-    return {.program = QCoreApplication::applicationFilePath(),
-            .version = std::string(version()),
-            .plugin_folders = server::pluginFolders(),
-            .faults = faultChoices(),
-            .check_fault = [](const std::string& fault) { return sim::readFault(fault).map([](const sim::Fault&) {}); },
-            .find_world = findWorld};
+    const auto loaded = std::make_shared<Preloaded>();
+    return {
+        .program = QCoreApplication::applicationFilePath(),
+        .version = std::string(version()),
+        .plugin_folders = server::pluginFolders(),
+        .faults = faultChoices(),
+        .check_fault = [](const std::string& fault) { return sim::readFault(fault).map([](const sim::Fault&) {}); },
+        .find_world = findWorld,
+        .check_mission =
+            [loaded](const mission::Mission& mission) {
+                return mission::prepareBehavior(mission, loaded->plugins({})).map([](const mission::PreparedBehavior&) {
+                });
+            }};
 }
 
 int refuse(const Error& error) {

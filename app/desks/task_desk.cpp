@@ -179,6 +179,7 @@ void TaskDesk::showChosenBehavior() {
     const auto* behavior = control_.plugins().behavior(id);
     views_.spawn_card->preferBehavior(QString::fromStdString(id));
     form->setSpecs(behavior ? behavior->parameters : std::vector<agent::ParameterSpec>());
+    form->setPresets(behavior ? behavior->presets : std::vector<agent::ParameterPreset>());
     mission::TaskDraft& draft = drafts_.shown();
     if (draft.behavior_id == id) {
         form->setValues(draft.values);

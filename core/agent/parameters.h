@@ -33,6 +33,16 @@ struct ParameterSpec {
     bool operator==(const ParameterSpec&) const = default;
 };
 
+/// A proven way to use a behavior: values under a name. What it does not name has its default.
+struct ParameterPreset {
+    std::string id;   ///< "as-in-the-thesis": files and command lines name it so
+    std::string name; ///< "As in the thesis"
+    std::string help; ///< one sentence
+    std::map<std::string, ParameterValue> values;
+
+    bool operator==(const ParameterPreset&) const = default;
+};
+
 /// A complete, valid set of values for a list of specs. An empty set can be default-constructed.
 class ParameterSet {
 public:

@@ -29,8 +29,9 @@ struct BehaviorDescription {
     std::string help;
     bool needs_area = false; ///< the task must have a mission area
     std::vector<ParameterSpec> parameters;
-    std::string plan_name = {}; ///< "airrobot.lap" if a POSH plan decides; empty otherwise
-    std::string plan_text = {}; ///< the plan that comes with the robot
+    std::string plan_name = {};                ///< "airrobot.lap" if a POSH plan decides; empty otherwise
+    std::string plan_text = {};                ///< the plan that comes with the robot
+    std::vector<ParameterPreset> presets = {}; ///< their values fit `parameters`
 };
 
 /// A robot and its behaviors.
@@ -72,5 +73,5 @@ public:
 } // namespace usar::agent
 
 /// The number is the version of this interface; plugins built for another version are rejected.
-#define USAR_ROBOT_PLUGIN_IID "org.usar.mission.RobotPlugin/7"
+#define USAR_ROBOT_PLUGIN_IID "org.usar.mission.RobotPlugin/8"
 Q_DECLARE_INTERFACE(usar::agent::RobotPlugin, USAR_ROBOT_PLUGIN_IID)

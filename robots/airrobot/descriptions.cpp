@@ -9,6 +9,35 @@ extern const char survey_plan_text[]; // Contents of resources/plans/airrobot.la
 
 namespace {
 
+/// How they compare in time, coverage and error is measured by the campaign survey_settings.json.
+std::vector<agent::ParameterPreset> presets() {
+    std::map<std::string, agent::ParameterValue> fast{{"scan_altitude_m", 8.0},
+                                                      {"lane_spacing_m", Settings::by_resolution},
+                                                      {"scan_speed_m_s", Settings::by_resolution},
+                                                      {"transit_speed_m_s", 2.0},
+                                                      {"turn_rate_rad_s", radians(60.0)},
+                                                      {"acceleration_m_s2", 1.5}};
+    const auto balanced = fast;
+    fast["least_gain_m"] = 1000.0;
+    return {{"as-in-the-thesis",
+             "As in the thesis",
+             "Lanes 9 m apart at 1 m/s, quadrant by quadrant, and none past what was hidden.",
+             {{"scan_altitude_m", 6.0},
+              {"lane_spacing_m", 9.0},
+              {"scan_speed_m_s", 1.0},
+              {"transit_speed_m_s", 1.6},
+              {"turn_rate_rad_s", radians(34.0)},
+              {"acceleration_m_s2", 0.8},
+              {"quadrant_limit_m", 150.0},
+              {"least_gain_m", 1000.0}}},
+            {"fast", "Fast", "Few lanes at full speed: some ground stays hidden behind treetops.", fast},
+            {"balanced", "Balanced", "Few lanes at full speed, and then more past what was hidden.", balanced},
+            {"exact",
+             "Exact",
+             "Lanes close together at full speed, so that little is hidden and strips overlap widely.",
+             {{"scan_altitude_m", 6.0}, {"lane_spacing_m", 9.0}, {"scan_speed_m_s", 2.0}, {"transit_speed_m_s", 2.0}}}};
+}
+
 /// The terrain survey of the thesis's chapter 4 as a state machine. Goes through launch checklist, INS reset (which
 /// also gives the INS its rest before the start), take-off and lanes. Returns home for a charge, after each quadrant
 /// and at the end; resets the INS and recharges on the ground; then resumes where it stopped. In every tick it checks,
@@ -132,7 +161,8 @@ AirRobot::AirRobot() : ListedRobot("USARBot.AirRobot", "AirRobot", {"INS", "Grou
                          .help = "Maps the mission area in lanes. Keeps its height above the terrain, flies around and "
                                  "over obstacles, charges at its base and lands there at the end.",
                          .needs_area = true,
-                         .parameters = Settings::parameters.specs()});
+                         .parameters = Settings::parameters.specs(),
+                         .presets = presets()});
     addPlanned<SurveyBody>("airrobot/posh", "Terrain survey (POSH)", {"airrobot.lap", survey_plan_text},
                            surveyPrimitives());
 }

@@ -86,6 +86,8 @@ private slots:
                                           << "while it was being made";
         QTest::newRow("a default out of range") << "bad_default.so"
                                                 << "9 is out of range";
+        QTest::newRow("a preset out of range") << "bad_preset.so"
+                                               << "The preset quick of its behavior test/idle is bad";
         QTest::newRow("interface only claimed") << "no_interface.so"
                                                 << "Q_INTERFACES";
         QTest::newRow("a symbol that is nowhere") << "unresolved.so"

@@ -1,6 +1,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
@@ -73,6 +74,63 @@ private slots:
         QVERIFY2(unknown.err.contains("Lisp"), unknown.err);
     }
 
+    void allVariantsAreComparedWithTheFirst() {
+        folder_->write("three.json", R"({ "name": "Three", "missions": ["small.json"], "seeds": 2, "variants": [
+            { "name": "as written" }, { "name": "fast", "set": { "preset": "fast", "adjust": true } },
+            { "name": "POSH", "behavior": "airrobot/posh" }] })");
+        QCOMPARE(folder_->run({"campaign", "three.json", "--out", "results"}).exit_code, 0);
+        const ProgramFolder::Ended compared =
+            folder_->run({"compare", "results", "--json", "--html", "all.html", "--curve", "curve.svg"});
+        QCOMPARE(compared.exit_code, 3);
+        const QJsonArray comparisons = compared.summary["comparisons"].toArray();
+        QCOMPARE(comparisons.size(), 2);
+        QCOMPARE(comparisons[0]["candidate"].toString(), QString("fast"));
+        QCOMPARE(comparisons[1]["candidate"].toString(), QString("POSH"));
+        for (const char* file : {"all.html", "curve.svg"}) {
+            QFile page(folder_->path(file));
+            QVERIFY2(page.open(QIODevice::ReadOnly), file);
+            QVERIFY(page.readAll().contains("POSH"));
+        }
+        QCOMPARE(folder_->run({"compare", "results", "--candidate", "POSH", "--json"}).summary["candidate"].toString(),
+                 QString("POSH"));
+    }
+
+    void theShippedCampaignsCanBeFlown() {
+        const QDir shipped(USAR_SOURCE_DIR "/resources/campaigns");
+        const QStringList files = shipped.entryList({"*.json"});
+        QVERIFY(!files.isEmpty());
+        for (const QString& file : files) { // The last of so many parts has no run, but all of them are checked.
+            const ProgramFolder::Ended ended =
+                folder_->run({"campaign", shipped.filePath(file), "--out", file, "--runs", "1", "--shard", "999/1000"});
+            QVERIFY2(ended.exit_code == 0, ended.err);
+            QCOMPARE(ended.summary["done"].toInt(), 0);
+        }
+    }
+
+    void aVariantThatNoRunCouldFlyIsRefusedBeforeTheFirst_data() {
+        QTest::addColumn<QByteArray>("values");
+        QTest::addColumn<QByteArray>("said");
+        QTest::newRow("an unknown key") << QByteArray(R"("adjusts": true)") << QByteArray("Did you mean \"adjust\"?");
+        QTest::newRow("an unknown preset")
+            << QByteArray(R"("preset": "fest")") << QByteArray("has no preset \"fest\". Did you mean \"fast\"?");
+        QTest::newRow("a parameter out of range")
+            << QByteArray(R"("parameters.scan_altitude_m": 99)") << QByteArray("99 is out of range");
+        QTest::newRow("an unknown parameter")
+            << QByteArray(R"("parameters.scan_altitude": 8)") << QByteArray("Did you mean scan_altitude_m?");
+    }
+
+    void aVariantThatNoRunCouldFlyIsRefusedBeforeTheFirst() {
+        QFETCH(QByteArray, values);
+        QFETCH(QByteArray, said);
+        folder_->write("wrong.json", R"({ "name": "Wrong", "missions": ["small.json"], "variants": [
+            { "name": "as written" }, { "name": "wrong", "set": {)" +
+                                         values + "} }] }");
+        const ProgramFolder::Ended ended = folder_->run({"campaign", "wrong.json", "--out", "results"});
+        QCOMPARE(ended.exit_code, 2);
+        QVERIFY2(ended.err.contains(said), ended.err);
+        QVERIFY(!QFile::exists(folder_->path("results")));
+    }
+
     void faultsDoNotMakeEqualSeedsDiffer() {
         folder_->write("cut.json",
                        R"({ "name": "Cut", "missions": ["small.json"], "seeds": 3, "faults": ["link_cut from=40"] })");
@@ -128,7 +186,8 @@ private slots:
         QTest::newRow("no mission") << QByteArray(R"({ "name": "A", "missions": ["none.json"] })") << "none.json";
         QTest::newRow("no fault") << with(R"("faults": ["wnd"])") << "wnd";
         QTest::newRow("no kind of fault") << with(R"("swarm": { "kinds": ["wnd"] })") << "wnd: there is no such kind";
-        QTest::newRow("no plan") << with(R"("variants": [{ "name": "x", "plan": "none.lap" }])") << "none.lap";
+        QTest::newRow("no plan")
+            << with(R"("variants": [{ "name": "x", "behavior": "airrobot/posh", "plan": "none.lap" }])") << "none.lap";
         QTest::newRow("no value") << with(R"("variants": [{ "name": "x", "set": { "area.with": 3 } }])")
                                   << "area.width";
         QTest::newRow("no world") << with(R"("variants": [{ "name": "x", "set": { "world": "moon" } }])") << "moon";

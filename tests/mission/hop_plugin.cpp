@@ -54,7 +54,7 @@ Result<std::unique_ptr<Behavior>> plannedBehavior(BehaviorContext context) {
 
 class HopPlugin : public QObject, public RobotPlugin {
     Q_OBJECT
-    Q_PLUGIN_METADATA(IID "org.usar.mission.RobotPlugin/7" FILE "hop_plugin.json")
+    Q_PLUGIN_METADATA(IID "org.usar.mission.RobotPlugin/8" FILE "hop_plugin.json")
     Q_INTERFACES(usar::agent::RobotPlugin)
 public:
     RobotDescription description() const override {
@@ -66,6 +66,8 @@ public:
                           {"lean_rad", "Lean", "", "rad", 0.0, 0.0, pi / 4, "Only to be checked.", {}},
                           {"throws", "Throws", "", "", false, 0, 0, "Instead of being made.", {}},
                           {"succeeds", "Succeeds", "", "", true, 0, 0, "How it ends.", {}}};
+        hop.presets = {{"long", "Long", "Hops often.", {{"ticks", 500LL}, {"lean_rad", 0.5}}},
+                       {"low", "Low", "Hops twice.", {{"ticks", 2LL}}}};
         BehaviorDescription planned;
         planned.id = "test/planned";
         planned.name = "Planned";

@@ -20,6 +20,7 @@ namespace tst_parameter_form {
 
 using namespace usar;
 using namespace usar::widgets;
+using agent::ParameterPreset;
 using agent::ParameterSpec;
 using agent::ParameterValue;
 using Values = std::map<std::string, ParameterValue>;
@@ -38,6 +39,11 @@ const std::vector<ParameterSpec> specs = {
     {"sweep", "Sweep", "Coverage", "", std::string("longer side"), 0.0, 0.0, "", {"longer side", "shorter side"}},
     {"note", "Note", "", "", std::string("none"), 0.0, 0.0, "", {}},
     {"floor_m", "Floor", "Flight", "m", -500.0, -500.0, 5000.0, "", {}, "by the robot"},
+};
+
+const std::vector<ParameterPreset> presets = {
+    {"high", "High", "Far above the trees.", {{"scan_altitude_m", 12.0}, {"tilt_rad", 0.2}}},
+    {"slow", "Slow", "Exact.", {{"lanes", 20LL}}},
 };
 
 } // namespace
@@ -76,6 +82,9 @@ private slots:
     void specsMayChangeInAnswerToAnEdit();
     void sameSpecsAgainKeepTheValues();
     void eachBehaviorKeepsItsValues();
+    void aPresetSetsAllValues();
+    void theListShowsWhichPresetTheValuesAre();
+    void withoutPresetsThereIsNoList();
     void emptyFormSaysSo();
 
 private:
@@ -381,6 +390,45 @@ void tst_ParameterForm::eachBehaviorKeepsItsValues() {
     form_->setSpecs(other);
     QCOMPARE(form_->values(), second);
     QCOMPARE(tells_, 0);
+}
+
+void tst_ParameterForm::aPresetSetsAllValues() {
+    form_->setValues({{"lanes", 12LL}, {"note", std::string("mine")}});
+    form_->setPresets(presets);
+    QTest::keyClick(editor<QComboBox>("preset"), Qt::Key_S);
+    QCOMPARE(tells_, 1);
+    QCOMPARE(told_, form_->values());
+    QCOMPARE(form_->modified(), presets[1].values);
+    QTest::keyClick(editor<QComboBox>("preset"), Qt::Key_Home);
+    QCOMPARE(tells_, 2);
+    QVERIFY(form_->modified().empty());
+}
+
+void tst_ParameterForm::theListShowsWhichPresetTheValuesAre() {
+    auto* const list = editor<QComboBox>("preset");
+    form_->setPresets(presets);
+    QCOMPARE(list->currentText(), QString("Defaults"));
+    form_->setValues(presets[0].values);
+    QCOMPARE(list->currentText(), QString("High"));
+    QCOMPARE(list->toolTip(), QString("Far above the trees."));
+    editor<QuantityBox>("lanes")->stepUp();
+    QCOMPARE(list->currentText(), QString("Own values"));
+    const Values own = form_->values();
+    tells_ = 0;
+    QTest::keyClick(list, Qt::Key_End); // What is no preset sets nothing.
+    QCOMPARE(form_->values(), own);
+    QCOMPARE(tells_, 0);
+    form_->resetAll();
+    QCOMPARE(list->currentText(), QString("Defaults"));
+}
+
+void tst_ParameterForm::withoutPresetsThereIsNoList() {
+    auto* const list = editor<QComboBox>("preset");
+    QVERIFY(!list->isVisible());
+    form_->setPresets(presets);
+    QVERIFY(list->isVisible());
+    form_->setPresets({});
+    QVERIFY(!list->isVisible());
 }
 
 void tst_ParameterForm::emptyFormSaysSo() {

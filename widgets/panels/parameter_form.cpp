@@ -167,7 +167,8 @@ ParameterForm::ParameterForm(QWidget* parent)
     : QWidget(parent)
     , search_(
           makeSearchLine(tr("Search parameters"), tr("Shows only parameters whose name or help contains this"), this)) {
-    laidOut(new QVBoxLayout(this), {}, gap::small, {makeTools(), nothing_, scroll_})->setStretchFactor(scroll_, 1);
+    laidOut(new QVBoxLayout(this), {}, gap::small, {makePresetRow(), makeTools(), nothing_, scroll_})
+        ->setStretchFactor(scroll_, 1);
     nothing_->setWordWrap(true);
     nothing_->hide();
     scroll_->setWidgetResizable(true);
@@ -179,6 +180,67 @@ ParameterForm::ParameterForm(QWidget* parent)
     search_->hide();
     modified_only_->hide();
     applyFilter();
+}
+
+QWidget* ParameterForm::makePresetRow() {
+    preset_row_ = new QWidget(this);
+    auto* label = new QLabel(tr("&Preset"), preset_row_);
+    presets_box_ = new QuietComboBox(preset_row_);
+    presets_box_->setObjectName(QStringLiteral("preset"));
+    presets_box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    named(presets_box_, tr("Preset"), tr("Sets all parameters to values that belong together"));
+    label->setBuddy(presets_box_);
+    laidOut(new QHBoxLayout(preset_row_), {}, gap::small, {label, presets_box_})->setStretchFactor(presets_box_, 1);
+    connect(presets_box_, &QComboBox::activated, this, &ParameterForm::choosePreset);
+    preset_row_->hide();
+    return preset_row_;
+}
+
+void ParameterForm::setPresets(const std::vector<agent::ParameterPreset>& presets) {
+    if (std::exchange(presets_, presets) != presets) {
+        presets_box_->clear();
+        presets_box_->addItem(tr("Defaults"));
+        for (const agent::ParameterPreset& preset : presets_) {
+            presets_box_->addItem(QString::fromStdString(preset.name));
+            presets_box_->setItemData(presets_box_->count() - 1, QString::fromStdString(preset.help), Qt::ToolTipRole);
+        }
+        presets_box_->addItem(tr("Own values"));
+    }
+    preset_row_->setVisible(!presets_.empty());
+    showPreset();
+}
+
+void ParameterForm::choosePreset(int index) {
+    const auto preset = static_cast<std::size_t>(index) - 1; // Before them are the defaults.
+    if (index == 0)
+        replaceValues({});
+    else if (preset < presets_.size())
+        replaceValues(presets_[preset].values);
+    showPreset(); // Own values are no values, so the list goes back to what it was.
+}
+
+void ParameterForm::showPreset() {
+    if (presets_.empty())
+        return;
+    const Values shown = values();
+    const auto fits = [&](const agent::ParameterPreset& preset) {
+        const auto all = agent::ParameterSet::make(specs_, preset.values);
+        return all && all->values() == shown;
+    };
+    const auto found = std::ranges::find_if(presets_, fits);
+    const auto place = static_cast<int>(found - presets_.begin());
+    presets_box_->setCurrentIndex(found == presets_.end() && modified().empty() ? 0 : 1 + place);
+    presets_box_->setToolTip(found != presets_.end() ? QString::fromStdString(found->help)
+                                                     : tr("Sets all parameters to values that belong together"));
+}
+
+void ParameterForm::replaceValues(const Values& values) {
+    for (ParameterRow* row : rows_) {
+        const auto found = values.find(row->spec().id);
+        row->setValue(found == values.end() ? row->spec().default_value : found->second);
+    }
+    applyFilter();
+    emit changed(this->values());
 }
 
 QWidget* ParameterForm::makeTools() {
@@ -268,10 +330,7 @@ ParameterForm::Values ParameterForm::modified() const {
 void ParameterForm::resetAll() {
     if (modified().empty())
         return;
-    for (ParameterRow* row : rows_)
-        row->setValue(row->spec().default_value);
-    applyFilter();
-    emit changed(values());
+    replaceValues({});
 }
 
 void ParameterForm::applyFilter() {
@@ -291,12 +350,14 @@ void ParameterForm::applyFilter() {
                                       : tr("No parameter matches “%1”.").arg(words));
     nothing_->setVisible(!any && !groups_.empty());
     reset_all_->setVisible(!modified().empty());
+    showPreset();
 }
 
 // A row that an edit makes unmodified stays visible until the filter changes, so that it does not vanish while being
 // edited.
 void ParameterForm::rowEdited() {
     reset_all_->setVisible(!modified().empty());
+    showPreset();
     emit changed(values());
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QScrollArea>
@@ -76,6 +77,9 @@ public:
     /// Shows rows for these specs, in groups in the order of first appearance. The same specs again change nothing;
     /// others start with the values that they had when they were last shown, else with their defaults.
     void setSpecs(const std::vector<agent::ParameterSpec>& specs);
+    /// Offers these sets of values above the rows, beside the defaults; without any there is no choice. Their values
+    /// fit the specs.
+    void setPresets(const std::vector<agent::ParameterPreset>& presets);
     /// Ids without a row are ignored, and rows that are not in `values` keep their value; a value that does not fit its
     /// spec is replaced by the default. Does not emit `changed`.
     void setValues(const Values& values);
@@ -101,6 +105,14 @@ private:
         std::vector<ParameterRow*> rows;
     };
 
+    /// Makes the row with the list of presets, which is hidden.
+    QWidget* makePresetRow();
+    /// Sets all rows to a preset's values and to the defaults of what it does not name.
+    void choosePreset(int index);
+    /// Shows in the list which preset has the values of the rows.
+    void showPreset();
+    /// Sets rows that are in `values` to them, and all others to their defaults; emits `changed`.
+    void replaceValues(const Values& values);
     /// Makes the row with search line, "modified only" and "reset all".
     QWidget* makeTools();
     Group& groupOf(const std::string& name);
@@ -111,6 +123,9 @@ private:
     /// Emits `changed`; the edited row stays visible even if the filter would now hide it.
     void rowEdited();
 
+    QWidget* preset_row_ = nullptr;
+    QComboBox* presets_box_ = nullptr; ///< the defaults, the presets, and last what is none of them
+    std::vector<agent::ParameterPreset> presets_;
     QLineEdit* search_;
     QToolButton* modified_only_;
     QToolButton* reset_all_; ///< visible only while something is modified

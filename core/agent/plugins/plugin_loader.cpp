@@ -71,6 +71,17 @@ QString complaintAboutParameters(const BehaviorDescription& behavior) {
     if (!set)
         return QString("A default of its behavior %1 is bad: %2")
             .arg(QString::fromStdString(behavior.id), QString::fromStdString(set.error().text()));
+    std::set<std::string> presets;
+    for (const ParameterPreset& preset : behavior.presets) {
+        const Result<ParameterSet> made = ParameterSet::make(behavior.parameters, preset.values);
+        if (!made)
+            return QString("The preset %1 of its behavior %2 is bad: %3")
+                .arg(QString::fromStdString(preset.id), QString::fromStdString(behavior.id),
+                     QString::fromStdString(made.error().text()));
+        if (!presets.insert(preset.id).second)
+            return QString("Its behavior %1 has the preset %2 twice. Rename one of them.")
+                .arg(QString::fromStdString(behavior.id), QString::fromStdString(preset.id));
+    }
     return {};
 }
 

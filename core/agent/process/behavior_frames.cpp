@@ -65,9 +65,12 @@ struct FieldLists {
         io(spec.id, spec.label, spec.group, spec.unit, spec.default_value);
         io(spec.minimum, spec.maximum, spec.help, spec.choices, spec.minimum_words);
     }
+    static void pass(auto& io, Field<ParameterPreset> auto& preset) {
+        io(preset.id, preset.name, preset.help, preset.values);
+    }
     static void pass(auto& io, Field<BehaviorDescription> auto& behavior) {
         io(behavior.id, behavior.name, behavior.help, behavior.needs_area);
-        io(behavior.parameters, behavior.plan_name, behavior.plan_text);
+        io(behavior.parameters, behavior.plan_name, behavior.plan_text, behavior.presets);
     }
     static void pass(auto& io, Field<PoshParameter> auto& parameter) {
         io(parameter.name, parameter.default_value, parameter.unit);

@@ -45,8 +45,11 @@ Result<mission::Mission> missionOf(const mission::Mission& written, const Planne
     for (const std::string& value : run.values)
         if (const auto set = mission::setValue(flown, QString::fromStdString(value)); !set)
             return tl::unexpected(set.error());
-    if (const std::string& plan = campaign.variants[run.variant].plan; !plan.empty())
-        flown.plan = plan;
+    const Variant& variant = campaign.variants[run.variant];
+    if (!variant.plan.empty())
+        flown.plan = variant.plan;
+    if (!variant.behavior.empty())
+        flown.behavior = variant.behavior;
     return flown;
 }
 
@@ -64,12 +67,16 @@ Result<void> addMissions(const std::vector<PlannedRun>& runs, const Campaign& ca
     std::set<std::string> worlds;
     std::set<std::string> plans;
     std::set<std::tuple<std::size_t, std::size_t, std::vector<std::string>>> checked; // Most runs differ by their seed.
+    std::set<std::pair<std::size_t, std::size_t>> flyable; // Reading a plan for each drawn value would take too long.
     for (const PlannedRun& run : runs) {
         if (!checked.emplace(run.mission, run.variant, run.values).second)
             continue;
         const auto flown = missionOf(written[run.mission], run, campaign);
         if (!flown)
             return tl::unexpected(flown.error());
+        if (flyable.emplace(run.mission, run.variant).second)
+            if (const auto possible = host.check_mission(*flown); !possible)
+                return tl::unexpected(possible.error());
         worlds.insert(flown->world);
         if (!flown->plan.empty())
             plans.insert(flown->plan);

@@ -11,6 +11,7 @@
 #include "core/campaign/plan/manifest.h"
 #include "core/campaign/runs/campaign_options.h"
 #include "core/campaign/runs/campaign_runner.h"
+#include "core/mission/files/mission_file.h"
 
 namespace usar::campaign {
 
@@ -23,10 +24,12 @@ struct CampaignHost {
     std::function<Result<void>(const std::string& fault)> check_fault;
     /// Folder of a world, by its name or path; an empty path for a world that the program makes from a seed.
     std::function<Result<QString>(const QString& world)> find_world;
+    /// Whether a mission's behavior exists and takes its preset and parameters.
+    std::function<Result<void>(const mission::Mission& mission)> check_mission;
 };
 
-/// Reads all that the campaign depends on: every mission must be readable with every variant's values, and every world,
-/// plan and fault must exist. Errors name the file and the place.
+/// Reads all that the campaign depends on: every mission must be readable with every variant's values, and fit its
+/// behavior with those of its first seed; every world, plan and fault must exist. Errors name the file and the place.
 Result<Manifest> manifestOf(const Campaign& campaign, const CampaignHost& host);
 
 /// Changes the campaign's seeds as the command line wants it. With --runs, every mission and world gets as many seeds

@@ -8,8 +8,10 @@
 
 #include "core/agent/posh/posh_binding.h"
 #include "core/base/numbers.h"
+#include "core/base/spelling.h"
 #include "core/base/text.h"
 #include "core/mission/files/plan_file.h"
+#include "core/mission/files/scan_record.h"
 
 namespace usar::mission {
 
@@ -79,6 +81,26 @@ Result<std::optional<agent::PlanText>> readOwnPlan(const QString& path, const st
     return *std::move(plan);
 }
 
+Result<std::map<std::string, agent::ParameterValue>> parametersOf(const Mission& mission,
+                                                                  const agent::BehaviorDescription& behavior) {
+    auto values = withAnglesInRadians(mission.parameters, behavior.parameters);
+    if (mission.preset.empty())
+        return values;
+    const auto preset = std::ranges::find(behavior.presets, mission.preset, &agent::ParameterPreset::id);
+    if (preset == behavior.presets.end()) {
+        std::vector<std::string> known;
+        std::ranges::transform(behavior.presets, std::back_inserter(known), &agent::ParameterPreset::id);
+        return tl::unexpected(
+            atValue(mission, "preset",
+                    {behavior.id + " has no preset \"" + mission.preset + "\"", "preset",
+                     known.empty() ? "It has none at all; leave the preset out"
+                                   : "Did you mean \"" + nearestWord(mission.preset, known) +
+                                         "\"? Known here: " + textsOf(known).join(", ").toStdString()}));
+    }
+    values.insert(preset->values.begin(), preset->values.end()); // Values that are there stay.
+    return values;
+}
+
 Result<PreparedBehavior> prepareBehavior(const Mission& mission, const agent::PluginLoader& plugins) {
     const auto plugin = plugins.pluginFor(mission.behavior);
     if (!plugin)
@@ -86,8 +108,10 @@ Result<PreparedBehavior> prepareBehavior(const Mission& mission, const agent::Pl
     const agent::BehaviorDescription* description = plugins.behavior(mission.behavior);
     if (const auto good = checkParameters(mission, description->parameters); !good)
         return tl::unexpected(good.error());
-    auto parameters = agent::ParameterSet::make(description->parameters,
-                                                withAnglesInRadians(mission.parameters, description->parameters));
+    const auto values = parametersOf(mission, *description);
+    if (!values)
+        return tl::unexpected(values.error());
+    auto parameters = agent::ParameterSet::make(description->parameters, *values);
     if (!parameters)
         return tl::unexpected(parameters.error());
     if (description->needs_area && mission.area_in_map.empty())

@@ -21,9 +21,9 @@ namespace usar::mission {
 
 namespace {
 
-const std::vector<std::string> mission_keys{"name",   "world",   "robot",      "start",       "behavior",
-                                            "plan",   "area",    "parameters", "cell_size_m", "limit_h",
-                                            "faults", "isolate", "seed",       "claims",      "adjust"};
+const std::vector<std::string> mission_keys{"name", "world",      "robot",       "start",   "behavior", "plan",
+                                            "area", "parameters", "cell_size_m", "limit_h", "faults",   "isolate",
+                                            "seed", "claims",     "adjust",      "preset"};
 const std::vector<std::string> area_keys{"x", "y", "width", "height"};
 constexpr double farthest_m = 1e6;
 constexpr std::uint64_t largest_exact = std::uint64_t{1} << 53; ///< Whole numbers in JSON are exact below it.
@@ -129,6 +129,7 @@ Result<Mission> readMission(const QByteArray& json, const QString& file_name) {
     reading.text(root, "behavior", mission.behavior);
     reading.text(root, "plan", mission.plan);
     readArea(reading, root, mission.area_in_map);
+    reading.text(root, "preset", mission.preset);
     readParameters(reading, root, mission);
     reading.number(root, "cell_size_m", mission.cell_size_m, false);
     readLimit(reading, root, mission.limit_h);
@@ -195,6 +196,8 @@ QByteArray writeMission(const Mission& mission, const std::vector<agent::Paramet
                     {"behavior", QString::fromStdString(mission.behavior)},
                     {"parameters", parameters},
                     {"cell_size_m", mission.cell_size_m}};
+    if (!mission.preset.empty())
+        all["preset"] = QString::fromStdString(mission.preset);
     if (!mission.plan.empty())
         all["plan"] = planPath(QString::fromStdString(mission.plan), folder);
     if (const Rectangle& area = mission.area_in_map; !area.empty())

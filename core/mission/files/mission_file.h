@@ -30,7 +30,8 @@ inline constexpr double largest_cell_m = 10.0;
 
 /// A mission as written in its file. Keys of the file: name, world, robot, start, behavior, plan (file of a POSH plan
 /// to use instead of the robot's own; a relative path begins at the mission's folder), area {x, y, width, height}
-/// (lowest corner and size, meters, map frame: x forward, y left; width along x), parameters {}, cell_size_m, limit_h
+/// (lowest corner and size, meters, map frame: x forward, y left; width along x), preset (of the behavior's parameters,
+/// by its id), parameters {} (what differs from the preset, or from the defaults), cell_size_m, limit_h
 /// (hours of simulated time after which the run is given up), faults [] (texts, as for the simulator's --fault; their
 /// times count from the beginning of the mission), isolate (true: the behavior runs in a process of its own), adjust
 /// (true: the height map is corrected where its strips overlap), seed (of the embedded simulator, a whole number),
@@ -45,7 +46,8 @@ struct Mission {
     std::string behavior = "airrobot/cpp";
     std::string plan;                                        ///< path of a plan file; empty: the robot's own plan
     Rectangle area_in_map;                                   ///< meters; empty: none
-    std::map<std::string, agent::ParameterValue> parameters; ///< as written; see `withAnglesInRadians`
+    std::string preset;                                      ///< id of a preset; empty: none, which means the defaults
+    std::map<std::string, agent::ParameterValue> parameters; ///< as written; see `parametersOf`
     double cell_size_m = 0.25;                               ///< smallest_cell_m .. largest_cell_m
     std::optional<double> limit_h;                           ///< above 0; absent: no limit
     std::vector<std::string> faults;                         ///< for the embedded simulator, in its --fault syntax

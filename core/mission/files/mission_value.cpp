@@ -24,6 +24,13 @@ Setter text(std::string Mission::*member) {
     };
 }
 
+Setter flag(bool Mission::*member) {
+    return [member](Mission& mission, const QString& value) {
+        mission.*member = value == "true";
+        return value == "true" || value == "false";
+    };
+}
+
 /// `put` returns false if the number is out of range.
 Setter number(const std::function<bool(Mission& mission, double value)>& put) {
     return [put](Mission& mission, const QString& value) {
@@ -50,6 +57,8 @@ const std::map<std::string, Setter>& setters() {
         {"world", text(&Mission::world)},
         {"robot", text(&Mission::robot_class)},
         {"start", text(&Mission::start)},
+        {"preset", text(&Mission::preset)},
+        {"adjust", flag(&Mission::adjust)},
         {"area.x", number([](Mission& mission, double value) { return move(mission.area_in_map, 0, value); })},
         {"area.y", number([](Mission& mission, double value) { return move(mission.area_in_map, 1, value); })},
         {"area.width", number([](Mission& mission, double value) { return resize(mission.area_in_map, 0, value); })},

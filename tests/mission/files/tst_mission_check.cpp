@@ -37,6 +37,34 @@ private slots:
 
     void rejectsWrongBehaviorsAndParametersWithTheirPlace();
 
+    void ownParametersStandInPlaceOfThePresets_data() {
+        QTest::addColumn<QByteArray>("written");
+        QTest::addColumn<long long>("ticks");
+        QTest::addColumn<double>("lean_rad");
+        QTest::newRow("no preset") << QByteArray(R"("parameters": {})") << 5LL << 0.0;
+        QTest::newRow("a preset") << QByteArray(R"("preset": "long")") << 500LL << 0.5;
+        QTest::newRow("one that leaves some to the defaults") << QByteArray(R"("preset": "low")") << 2LL << 0.0;
+        QTest::newRow("a preset, and a value of its own")
+            << QByteArray(R"("preset": "long", "parameters": {"lean_rad": 45})") << 500LL << pi / 4;
+    }
+
+    void ownParametersStandInPlaceOfThePresets() {
+        QFETCH(QByteArray, written);
+        const auto prepared = prepareBehavior(
+            read(R"("behavior": "test/hop", "area": {"x": 0, "y": 0, "width": 4, "height": 2}, )" + written), plugins_);
+        QVERIFY2(prepared, prepared ? "" : prepared.error().text().c_str());
+        QTEST(prepared->parameters.integer("ticks"), "ticks");
+        QTEST(prepared->parameters.real("lean_rad"), "lean_rad");
+    }
+
+    void anUnknownPresetIsNamedWithItsPlace() {
+        const auto prepared = prepareBehavior(read("\"behavior\": \"test/hop\",\n \"preset\": \"lung\""), plugins_);
+        QVERIFY(!prepared);
+        QCOMPARE(prepared.error().text(),
+                 std::string("m.json:4:12: preset: test/hop has no preset \"lung\". Did you mean \"long\"? Known here: "
+                             "long, low."));
+    }
+
     void rejectsAnAreaEntirelyOutsideTheWorldWithItsPlace();
 
     void aPartOutsideTheWorldIsNamedAndNotFlown_data() {

@@ -187,7 +187,7 @@ void tst_MissionFile::takesEveryKey() {
     const auto mission = readMission(R"({"name": "a", "world": "b", "robot": "USARBot.C", "start": "d", "behavior": "e",
     "area": {"x": 1, "y": 2, "width": 3, "height": 4}, "parameters": {}, "cell_size_m": 0.1, "limit_h": 1.5,
     "faults": ["wind speed=4", "rotor from=60"],
-    "isolate": true, "adjust": true})",
+    "isolate": true, "adjust": true, "preset": "fast"})",
                                      "m.json");
     QVERIFY(mission.has_value());
     QCOMPARE(mission->world, std::string("b"));
@@ -198,6 +198,8 @@ void tst_MissionFile::takesEveryKey() {
     QCOMPARE(mission->limit_h, std::optional(1.5));
     QVERIFY(mission->isolate);
     QVERIFY(mission->adjust);
+    QCOMPARE(mission->preset, std::string("fast"));
+    QCOMPARE(readMission(writeMission(*mission, {}), "m.json")->preset, mission->preset);
     QCOMPARE(mission->faults, (std::vector<std::string>{"wind speed=4", "rotor from=60"}));
 }
 
