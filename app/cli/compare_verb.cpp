@@ -11,6 +11,7 @@
 #include "core/campaign/comparison/json_report.h"
 #include "core/campaign/comparison/junit_report.h"
 #include "core/campaign/comparison/text_report.h"
+#include "core/campaign/comparison/trade_off.h"
 #include "core/campaign/plan/campaign_writer.h"
 #include "core/mission/runs/mission_runner.h"
 
@@ -22,38 +23,53 @@ Result<void> writeReport(const QString& path, const QByteArray& text) {
     return path.isEmpty() ? Result<void>() : campaign::writeWhole(path, text);
 }
 
-/// The first variant, and the first of the others; with two campaigns the first of the second one.
-campaign::CompareOptions withNames(campaign::CompareOptions options, const std::vector<std::string>& variants) {
-    if (options.baseline.isEmpty())
-        options.baseline = QString::fromStdString(variants.front());
-    const auto other = std::ranges::find_if(
-        variants, [&](const std::string& variant) { return variant != options.baseline.toStdString(); });
-    if (options.candidate.isEmpty() && other != variants.end())
-        options.candidate = QString::fromStdString(*other);
-    return options;
+/// The candidate that was asked for; else all variants but the baseline, with two campaigns those of the second.
+std::vector<std::string> candidatesOf(const campaign::CompareOptions& options, const std::string& baseline,
+                                      const campaign::CampaignFigures& figures) {
+    if (!options.candidate.isEmpty())
+        return {options.candidate.toStdString()};
+    std::vector<std::string> candidates = figures.variants;
+    if (options.folders.size() > 1)
+        candidates.erase(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(figures.of_first));
+    std::erase(candidates, baseline);
+    return candidates;
 }
 
-Result<int> report(const campaign::CompareOptions& typed) {
-    const auto figures = campaign::readCampaigns(typed.folders);
+Result<void> writeReports(const campaign::CompareOptions& options, const campaign::CampaignReport& report) {
+    if (auto written = writeReport(options.html, campaign::htmlReport(report)); !written)
+        return written;
+    if (options.curve.isEmpty())
+        return {};
+    const QByteArray picture = campaign::tradeOffPicture(campaign::tradeOffsOf(report.runs), report.title);
+    if (picture.isEmpty())
+        return failure("no mission has two variants with a duration and an error or a coverage",
+                       options.folders.join(", ").toStdString(), "Leave out --curve");
+    return writeReport(options.curve, picture);
+}
+
+Result<int> report(const campaign::CompareOptions& options) {
+    const auto figures = campaign::readCampaigns(options.folders);
     if (!figures)
         return tl::unexpected(figures.error());
-    const campaign::CompareOptions options = withNames(typed, figures->variants);
     if (auto written = writeReport(options.junit, campaign::junitReport(figures->runs, figures->title)); !written)
         return tl::unexpected(written.error());
-    if (options.candidate.isEmpty())
+    const std::string baseline =
+        options.baseline.isEmpty() ? figures->variants.front() : options.baseline.toStdString();
+    const std::vector<std::string> candidates = candidatesOf(options, baseline, *figures);
+    if (candidates.empty())
         return failure("there is only one variant", options.folders.join(", ").toStdString(),
                        "Give the campaign another variant, or compare two campaigns");
-    const auto comparison =
-        campaign::compare(figures->runs, options.baseline.toStdString(), options.candidate.toStdString());
-    if (!comparison)
-        return tl::unexpected(comparison.error());
-    const campaign::Report report{*comparison, figures->runs, figures->title, figures->facts};
-    if (auto written = writeReport(options.html, campaign::htmlReport(report)); !written)
+    const auto comparisons = campaign::compareAll(figures->runs, baseline, candidates);
+    if (!comparisons)
+        return tl::unexpected(comparisons.error());
+    const campaign::CampaignReport all{*comparisons, figures->runs, figures->title, figures->facts};
+    if (auto written = writeReports(options, all); !written)
         return tl::unexpected(written.error());
+    const int exit_code = campaign::exitCodeOf(*comparisons);
     if (options.json)
-        return end(comparison->exitCode(), campaign::jsonReport(report));
-    std::printf("%s", qPrintable(campaign::textReport(*comparison)));
-    return comparison->exitCode();
+        return end(exit_code, campaign::jsonReport(all));
+    std::printf("%s", qPrintable(campaign::textReport(*comparisons)));
+    return exit_code;
 }
 
 } // namespace

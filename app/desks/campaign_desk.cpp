@@ -156,7 +156,7 @@ void CampaignDesk::wireResults() {
         if (status != QProcess::NormalExit || exit_code == mission::BadInput)
             return panel().setTrouble(QString::fromUtf8(report_.readAllStandardError()).trimmed());
         const QString path = report_.arguments().last();
-        notices_.note("campaign-report", tr("The report is in %1.").arg(path) + reported_);
+        notices_.note("campaign-report", tr("The report is in %1.").arg(path));
         QDesktopServices::openUrl(QUrl::fromLocalFile(path));
     });
 }
@@ -394,11 +394,6 @@ void CampaignDesk::copyCommand() {
 
 void CampaignDesk::writeReport() {
     const QString path = QDir(results_.folder()).filePath("report.html");
-    const QStringList& variants = results_.head().variants;
-    reported_ = variants.size() > 2 ? tr(" Of the %1 variants it compares the first two: %2 and %3.")
-                                          .arg(variants.size())
-                                          .arg(variants[0], variants[1])
-                                    : QString();
     report_.start(server::missionProgram(), {"compare", results_.folder(), "--html", path});
     commands_.refresh();
 }

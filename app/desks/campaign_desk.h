@@ -65,7 +65,6 @@ private:
     campaign::CampaignProcess process_;
     CampaignResults results_;
     QProcess report_;
-    QString reported_;  ///< It says which variants are in the report if others are not; else it is empty.
     QString file_;      ///< The campaign of this file is flown or looked at; empty if it is not known.
     QString open_file_; ///< The form shows the campaign of this file; empty if it is set up here.
     QString proposed_;  ///< The folder that was proposed last; what the user typed instead is left alone.

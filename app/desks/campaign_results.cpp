@@ -41,18 +41,25 @@ Judgement judgeFolder(const QString& folder) {
     if (figures->variants.size() < 2)
         return {{}, CampaignResults::tr("The campaign has only one variant; there is nothing to compare it with.")};
     Judgement judgement;
+    std::vector<std::string> candidates; // All together, so that the report has the same words.
     for (std::size_t i = 1; i < figures->variants.size(); ++i) {
-        const auto comparison = campaign::compare(figures->runs, figures->variants.front(), figures->variants[i]);
-        if (!comparison) {
-            judgement.instead = QString::fromStdString(comparison.error().text());
-            if (figures->variants.size() > 2) // The other candidates' verdicts would hide it.
-                judgement.verdicts.push_back({withoutPeriod(judgement.instead), {}, {}});
+        const auto pairs = campaign::pairUp(figures->runs, figures->variants.front(), figures->variants[i]);
+        if (pairs) {
+            candidates.push_back(figures->variants[i]);
             continue;
         }
-        widgets::CampaignVerdict verdict{campaign::headline(*comparison), {}, {}};
-        for (const campaign::VerdictLine& line : campaign::verdictLines(*comparison))
+        judgement.instead = QString::fromStdString(pairs.error().text());
+        if (figures->variants.size() > 2) // The other candidates' verdicts would hide it.
+            judgement.verdicts.push_back({withoutPeriod(judgement.instead), {}, {}});
+    }
+    const auto comparisons = campaign::compareAll(figures->runs, figures->variants.front(), candidates);
+    if (!comparisons)
+        return without(comparisons.error());
+    for (const campaign::Comparison& comparison : *comparisons) {
+        widgets::CampaignVerdict verdict{campaign::headline(comparison), {}, {}};
+        for (const campaign::VerdictLine& line : campaign::verdictLines(comparison))
             verdict.words.push_back({line.title, line.word, line.detail});
-        for (const QString& sentence : campaign::omissions(*comparison))
+        for (const QString& sentence : campaign::omissions(comparison))
             verdict.notes << sentence;
         judgement.verdicts.push_back(std::move(verdict));
     }

@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "robots/airrobot/lane_order.h"
+
 namespace usar::airrobot {
 
 namespace {
@@ -183,7 +185,8 @@ private:
 
 } // namespace
 
-std::vector<mapping::Lane> crossLanes(const ScanLedger& ledger, const LaneTerms& terms, const Vec2& from_m) {
+std::vector<mapping::Lane> crossLanes(const ScanLedger& ledger, const LaneTerms& terms, const Vec2& from_m,
+                                      const Vec2& home_m) {
     std::vector<mapping::Lane> lanes;
     if (terms.resolution_m > coarsest_m)
         return lanes;
@@ -199,20 +202,8 @@ std::vector<mapping::Lane> crossLanes(const ScanLedger& ledger, const LaneTerms&
         left_m -= (found->piece.to - found->piece.from) * ScanLedger::cell_m;
         hidden.fly(*found);
     }
-    orderFrom(from_m, lanes);
+    orderTour(from_m, lanes, home_m);
     return lanes;
-}
-
-void orderFrom(Vec2 from_m, std::vector<mapping::Lane>& lanes) {
-    for (auto next = lanes.begin(); next != lanes.end(); ++next) {
-        const auto away_m = [&](const mapping::Lane& lane) {
-            return std::min((lane.start_m - from_m).norm(), (lane.end_m - from_m).norm());
-        };
-        std::iter_swap(next, std::ranges::min_element(next, lanes.end(), {}, away_m));
-        if ((next->end_m - from_m).norm() < (next->start_m - from_m).norm())
-            std::swap(next->start_m, next->end_m);
-        from_m = next->end_m;
-    }
 }
 
 } // namespace usar::airrobot

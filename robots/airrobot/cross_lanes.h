@@ -20,11 +20,9 @@ struct LaneTerms {
 /// square of 11 m of which nothing was seen is no shadow: the robot did not get there before, and is not sent there
 /// again. Lanes are chosen one by one: each is the piece of a line along x or y that shows the most for its length,
 /// given those before it. Whether anything stands in the way is not asked, because the robot flies around and over what
-/// it meets; use GapSearch where it cannot. Returns the lanes in the order of the flight from `from_m` on; none if no
-/// lane is worth it. Works in the robot's estimate of the map frame.
-std::vector<mapping::Lane> crossLanes(const ScanLedger& ledger, const LaneTerms& terms, const Vec2& from_m);
-
-/// Puts lanes into the order in which they are flown from `from_m` on, always to the nearest end of one next.
-void orderFrom(Vec2 from_m, std::vector<mapping::Lane>& lanes);
+/// it meets; use GapSearch where it cannot. Returns the lanes in the order of a short tour from `from_m` to `home_m`;
+/// none if no lane is worth it. Works in the robot's estimate of the map frame.
+std::vector<mapping::Lane> crossLanes(const ScanLedger& ledger, const LaneTerms& terms, const Vec2& from_m,
+                                      const Vec2& home_m);
 
 } // namespace usar::airrobot

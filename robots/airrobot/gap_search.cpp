@@ -6,7 +6,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "robots/airrobot/cross_lanes.h"
+#include "robots/airrobot/lane_order.h"
 
 namespace usar::airrobot {
 

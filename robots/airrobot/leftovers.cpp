@@ -55,11 +55,12 @@ bool Leftovers::addLanes(Craft& craft, Survey& survey, const ScanLedger& ledger,
                          agent::CommandPort& port) {
     begun_ = true;
     if (!craft.overhead.hasCeiling() && craft.mayClimb() && survey.cutOff_m() == 0.0)
-        return crossOnce(craft, survey, ledger, port);
+        return crossOnce(craft, survey, ledger, base_m, port);
     return closeGaps(craft, survey, ledger, port) || tryDoor(craft, survey, base_m, port);
 }
 
-bool Leftovers::crossOnce(const Craft& craft, Survey& survey, const ScanLedger& ledger, agent::CommandPort& port) {
+bool Leftovers::crossOnce(const Craft& craft, Survey& survey, const ScanLedger& ledger, const Vec2& base_m,
+                          agent::CommandPort& port) {
     if (crossings_ >= most_crossings)
         return false;
     ++crossings_;
@@ -67,7 +68,7 @@ bool Leftovers::crossOnce(const Craft& craft, Survey& survey, const ScanLedger& 
     const double most_m = most_added * survey.plannedLength_m() - added_m_;
     const Settings& settings = craft.settings;
     const LaneTerms terms{settings.least_gain_m, most_m, settings.ground_resolution_m};
-    return fly(crossLanes(ledger, terms, craft.senses.position2_m()), survey,
+    return fly(crossLanes(ledger, terms, craft.senses.position2_m(), base_m), survey,
                "More lanes show ground that was hidden: ", port);
 }
 

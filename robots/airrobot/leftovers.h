@@ -33,7 +33,8 @@ public:
 
 private:
     /// Under an open sky: lanes across the others.
-    bool crossOnce(const Craft& craft, Survey& survey, const ScanLedger& ledger, agent::CommandPort& port);
+    bool crossOnce(const Craft& craft, Survey& survey, const ScanLedger& ledger, const Vec2& base_m,
+                   agent::CommandPort& port);
     /// Adds these lanes and says why; false if there are none.
     bool fly(const std::vector<mapping::Lane>& lanes, Survey& survey, const std::string& why, agent::CommandPort& port);
     bool closeGaps(Craft& craft, Survey& survey, const ScanLedger& ledger, agent::CommandPort& port);

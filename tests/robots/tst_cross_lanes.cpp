@@ -51,7 +51,8 @@ private slots:
         if (lanes == 1 && hidden.isEmpty())
             for (double x_m = -40.0; x_m < 40.0; x_m += 1.0)
                 hidden << Rectangle{{x_m, 4.0}, {x_m + 0.5, 10.0}};
-        const auto found = crossLanes(ledgerWithout({hidden.begin(), hidden.end()}), {0.6, 1000.0, 0.5}, {0, 0});
+        const auto found =
+            crossLanes(ledgerWithout({hidden.begin(), hidden.end()}), {0.6, 1000.0, 0.5}, {0, 0}, {0, 0});
         QCOMPARE(static_cast<int>(found.size()), lanes);
         for (const mapping::Lane& lane : found) {
             const Vec2 way_m = lane.end_m - lane.start_m;
@@ -69,12 +70,12 @@ private slots:
     void choosesTheBestFirst() {
         const std::vector<Rectangle> hidden{{{-40, -28}, {-36, 28}}, {{30, -28}, {38, 28}}};
         const ScanLedger ledger = ledgerWithout(hidden);
-        const auto both = crossLanes(ledger, {0.6, 1000.0, 0.5}, {50, -30});
+        const auto both = crossLanes(ledger, {0.6, 1000.0, 0.5}, {50, -30}, {50, -30});
         QCOMPARE(both.size(), std::size_t(2));
         QVERIFY(both[0].start_m.x() > 0.0 && both[1].start_m.x() < 0.0); // the nearer one first
         QVERIFY((both[0].start_m - Vec2(50, -30)).norm() < (both[0].end_m - Vec2(50, -30)).norm());
         QVERIFY((both[1].start_m - both[0].end_m).norm() < (both[1].end_m - both[0].end_m).norm());
-        const auto one = crossLanes(ledger, {0.6, 40.0, 0.5}, {-50, -30});
+        const auto one = crossLanes(ledger, {0.6, 40.0, 0.5}, {-50, -30}, {-50, -30});
         QCOMPARE(one.size(), std::size_t(1));
         QVERIFY(one[0].start_m.x() > 0.0); // the wider one, as far as it may go
         QVERIFY((one[0].end_m - one[0].start_m).norm() < 40.0);
@@ -94,14 +95,14 @@ private slots:
         QFETCH(double, gain_m);
         QFETCH(int, lanes);
         const ScanLedger ledger = ledgerWithout({{{10, -28}, {12, 28}}});
-        QCOMPARE(static_cast<int>(crossLanes(ledger, {gain_m, 1000.0, 0.5}, {0, 0}).size()), lanes);
+        QCOMPARE(static_cast<int>(crossLanes(ledger, {gain_m, 1000.0, 0.5}, {0, 0}, {0, 0}).size()), lanes);
     }
 
     /// A map with points 2 m apart has cells without any, which nothing hides.
     void addsNothingToACoarseMap() {
         const ScanLedger ledger = ledgerWithout({{{10, -28}, {14, 28}}});
-        QVERIFY(!crossLanes(ledger, {0.6, 1000.0, 0.5}, {0, 0}).empty());
-        QVERIFY(crossLanes(ledger, {0.6, 1000.0, 2.0}, {0, 0}).empty());
+        QVERIFY(!crossLanes(ledger, {0.6, 1000.0, 0.5}, {0, 0}, {0, 0}).empty());
+        QVERIFY(crossLanes(ledger, {0.6, 1000.0, 2.0}, {0, 0}, {0, 0}).empty());
     }
 
     void nothingIsHiddenWhereThereIsNoGround() {
@@ -121,7 +122,7 @@ private slots:
     }
 
     void doesNotWatchWhatIsTooLarge() {
-        QVERIFY(crossLanes(ScanLedger({{0, 0}, {20000, 20000}}), {0.6, 1000.0, 0.5}, {0, 0}).empty());
+        QVERIFY(crossLanes(ScanLedger({{0, 0}, {20000, 20000}}), {0.6, 1000.0, 0.5}, {0, 0}, {0, 0}).empty());
     }
 };
 

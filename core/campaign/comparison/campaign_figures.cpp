@@ -113,6 +113,8 @@ Result<CampaignFigures> readCampaigns(const QStringList& folders) {
         figures.title += (figures.title.empty() ? "" : ", ") + (*head)["campaign"].toString().toStdString();
         for (const QJsonValue variant : (*head)["variants"].toArray())
             figures.variants.push_back(variant.toString().toStdString() + of);
+        if (&folder == &folders.front())
+            figures.of_first = figures.variants.size();
         addFacts(figures, *head, *results, of);
         addRuns(figures, *results, of);
         first = *std::move(results);

@@ -17,6 +17,7 @@ struct CampaignFigures {
     std::string title;
     std::vector<RunFigures> runs;
     std::vector<std::string> variants; ///< in the order of the campaigns
+    std::size_t of_first = 0;          ///< so many of them are the first campaign's
     /// Names and values for reports: versions, hashes, processor time.
     std::vector<std::pair<std::string, std::string>> facts;
 };

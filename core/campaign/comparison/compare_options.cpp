@@ -16,6 +16,7 @@ Result<CompareOptions> readCompareOptions(const QStringList& arguments) {
     options.candidate = parser.value("candidate");
     options.html = parser.value("html");
     options.junit = parser.value("junit");
+    options.curve = parser.value("curve");
     options.json = parser.isSet("json");
     if (options.folders.isEmpty() || options.folders.size() > 2)
         return failure("this is not how to call it", arguments.join(' ').toStdString(), how);
@@ -23,19 +24,20 @@ Result<CompareOptions> readCompareOptions(const QStringList& arguments) {
 }
 
 usage::Verb compareVerb() {
-    return {.name = "compare",
-            .calls = {"usar-mission compare DIR [DIR_B] [options]"},
-            .purpose = "Says which of two variants of a campaign is better, pair by pair, and how sure that is. With "
-                       "two folders, a variant of the first is compared with one of the second; they need the same "
-                       "missions and seeds.",
-            .options = {{"baseline", "what is compared with (the first variant)", "VARIANT"},
-                        {"candidate", "what is compared (the second variant, or the first of DIR_B)", "VARIANT"},
-                        {"html", "a page with plots, the worst runs and the failures by reason", "FILE"},
-                        {"junit", "every run as a test case, for continuous integration", "FILE"},
-                        {"json", "JSON instead of the table"},
-                        usage::helpOption()},
-            .exit_codes = {
-                {0, "the candidate is not worse"}, {1, "it is worse"}, {2, "bad use or input"}, {3, "undecided"}}};
+    return {
+        .name = "compare",
+        .calls = {"usar-mission compare DIR [DIR_B] [options]"},
+        .purpose = "Says which variants of a campaign are better than its first, pair by pair, and how sure that is. "
+                   "With two folders, a variant of the first is compared with those of the second; they need the "
+                   "same missions and seeds.",
+        .options = {{"baseline", "what is compared with (the first variant)", "VARIANT"},
+                    {"candidate", "what is compared (all other variants, or those of DIR_B)", "VARIANT"},
+                    {"html", "a page with plots, the worst runs and the failures by reason", "FILE"},
+                    {"curve", "a picture (SVG) of time against error and coverage, with all variants", "FILE"},
+                    {"junit", "every run as a test case, for continuous integration", "FILE"},
+                    {"json", "JSON instead of the table"},
+                    usage::helpOption()},
+        .exit_codes = {{0, "no candidate is worse"}, {1, "one is worse"}, {2, "bad use or input"}, {3, "undecided"}}};
 }
 
 } // namespace usar::campaign

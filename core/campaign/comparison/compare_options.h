@@ -10,10 +10,12 @@
 namespace usar::campaign {
 
 struct CompareOptions {
-    QStringList folders;         ///< They hold one campaign each; there are one or two.
-    QString baseline, candidate; ///< names of variants; empty: the first, and the first of the others
-    QString html;                ///< files to be written; empty: none
+    QStringList folders; ///< They hold one campaign each; there are one or two.
+    QString baseline;    ///< name of a variant; empty: the first
+    QString candidate;   ///< empty: all others, or those of the second folder
+    QString html;        ///< files to be written; empty: none
     QString junit;
+    QString curve;
     bool json = false; ///< JSON instead of the text
     bool operator==(const CompareOptions&) const = default;
 };

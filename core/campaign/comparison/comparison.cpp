@@ -67,14 +67,20 @@ MetricComparison compareMetric(const Metric& metric, const Pairing& pairing, con
 }
 
 /// Adjusts the p-values of all questions together.
-void adjust(Comparison& comparison) {
-    std::vector<double> p_values{comparison.success.p};
-    for (const MetricComparison& metric : comparison.metrics)
-        p_values.push_back(metric.p);
+void adjust(std::vector<Comparison>& comparisons) {
+    std::vector<double> p_values;
+    for (const Comparison& comparison : comparisons) {
+        p_values.push_back(comparison.success.p);
+        for (const MetricComparison& metric : comparison.metrics)
+            p_values.push_back(metric.p);
+    }
     const std::vector<double> adjusted = holm(p_values);
-    comparison.success.holm_p = adjusted[0];
-    for (std::size_t i = 0; i < comparison.metrics.size(); ++i)
-        comparison.metrics[i].holm_p = adjusted[i + 1];
+    auto next = adjusted.begin();
+    for (Comparison& comparison : comparisons) {
+        comparison.success.holm_p = *next++;
+        for (MetricComparison& metric : comparison.metrics)
+            metric.holm_p = *next++;
+    }
 }
 
 /// Gives the verdict on one question; `Question` is a success or a metric comparison, with its p-values adjusted.
@@ -102,6 +108,23 @@ void judgeAll(Comparison& comparison) {
     for (MetricComparison& metric : comparison.metrics)
         judge(metric, {metric.pairs(), metric.difference, metric.interval}, metric.metric.lower_is_better,
               metric.margin, comparison.options);
+}
+
+/// Measures the differences; the verdicts follow when all p-values are adjusted.
+Result<Comparison> measure(const std::vector<RunFigures>& runs, const std::string& baseline,
+                           const std::string& candidate, const ComparisonOptions& options) {
+    auto pairing = pairUp(runs, baseline, candidate);
+    if (!pairing)
+        return tl::unexpected(pairing.error());
+    Comparison comparison{baseline, candidate, options, std::move(*pairing), {}, {}, {}};
+    comparison.success = compareSuccess(comparison.pairing, 1.0 - options.alpha);
+    std::vector<MetricComparison> compared(options.metrics.size());
+    inParallel(compared.size(), [&](std::size_t i) { // Each has a generator of its own.
+        compared[i] = compareMetric(options.metrics[i], comparison.pairing, options);
+    });
+    std::ranges::copy_if(compared, std::back_inserter(comparison.metrics),
+                         [](const MetricComparison& one) { return one.pairs() > 0; });
+    return comparison;
 }
 
 Verdict overallOf(const Comparison& comparison) {
@@ -132,23 +155,35 @@ std::optional<std::size_t> Comparison::morePairs() const {
 }
 
 Result<Comparison> compare(const std::vector<RunFigures>& runs, const std::string& baseline,
-                           const std::string& candidate, ComparisonOptions options) {
-    auto pairing = pairUp(runs, baseline, candidate);
-    if (!pairing)
-        return tl::unexpected(pairing.error());
-    Comparison comparison{baseline, candidate, std::move(options), std::move(*pairing), {}, {}, {}};
-    comparison.success = compareSuccess(comparison.pairing, 1.0 - comparison.options.alpha);
-    const std::vector<Metric>& metrics = comparison.options.metrics;
-    std::vector<MetricComparison> compared(metrics.size());
-    inParallel(metrics.size(), [&](std::size_t i) { // Each has a generator of its own.
-        compared[i] = compareMetric(metrics[i], comparison.pairing, comparison.options);
+                           const std::string& candidate, const ComparisonOptions& options) {
+    return compareAll(runs, baseline, {candidate}, options).map([](std::vector<Comparison>&& all) {
+        return std::move(all.front());
     });
-    std::ranges::copy_if(compared, std::back_inserter(comparison.metrics),
-                         [](const MetricComparison& one) { return one.pairs() > 0; });
-    adjust(comparison);
-    judgeAll(comparison);
-    comparison.overall = overallOf(comparison);
-    return comparison;
+}
+
+Result<std::vector<Comparison>> compareAll(const std::vector<RunFigures>& runs, const std::string& baseline,
+                                           const std::vector<std::string>& candidates,
+                                           const ComparisonOptions& options) {
+    std::vector<Comparison> all;
+    for (const std::string& candidate : candidates) {
+        auto measured = measure(runs, baseline, candidate, options);
+        if (!measured)
+            return tl::unexpected(measured.error());
+        all.push_back(*std::move(measured));
+    }
+    adjust(all);
+    for (Comparison& comparison : all) {
+        judgeAll(comparison);
+        comparison.overall = overallOf(comparison);
+    }
+    return all;
+}
+
+int exitCodeOf(const std::vector<Comparison>& comparisons) {
+    const auto any = [&](int code) {
+        return std::ranges::any_of(comparisons, [=](const Comparison& one) { return one.exitCode() == code; });
+    };
+    return any(1) ? 1 : any(3) ? 3 : 0;
 }
 
 } // namespace usar::campaign

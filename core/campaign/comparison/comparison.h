@@ -84,6 +84,15 @@ struct Comparison {
 /// worse, else undecided if one of them could still be, else better if one is better, else equal if all are, else not
 /// worse. An error says which variant has no runs.
 Result<Comparison> compare(const std::vector<RunFigures>& runs, const std::string& baseline,
-                           const std::string& candidate, ComparisonOptions options = {});
+                           const std::string& candidate, const ComparisonOptions& options = {});
+
+/// Compares each candidate with the baseline, in the order given. The p-values of all of them are adjusted together,
+/// because who asks more questions is misled more easily.
+Result<std::vector<Comparison>> compareAll(const std::vector<RunFigures>& runs, const std::string& baseline,
+                                           const std::vector<std::string>& candidates,
+                                           const ComparisonOptions& options = {});
+
+/// The exit code of all of them: 1 if one candidate is worse, else 3 if one is undecided, else 0.
+int exitCodeOf(const std::vector<Comparison>& comparisons);
 
 } // namespace usar::campaign

@@ -7,6 +7,7 @@
 #include "core/campaign/comparison/failures.h"
 #include "core/campaign/comparison/html_page.h"
 #include "core/campaign/comparison/svg_plots.h"
+#include "core/campaign/comparison/trade_off.h"
 
 namespace usar::campaign {
 
@@ -20,17 +21,22 @@ QString styleOf(Verdict verdict) {
     return "word " + QString(wordOf(verdict)).replace(' ', '-');
 }
 
+/// An element with one attribute and words in it.
+void writeWith(QXmlStreamWriter& xml, const QString& name, const QXmlStreamAttribute& attribute, const QString& words) {
+    xml.writeStartElement(name);
+    xml.writeAttribute(attribute);
+    xml.writeCharacters(words);
+    xml.writeEndElement();
+}
+
 /// A paragraph that says so where a list was cut.
 void writeCut(QXmlStreamWriter& xml, std::size_t shown, std::size_t all) {
     if (shown < all)
         write(xml, "p", QString("%1 of %2 are shown.").arg(shown).arg(all), "note");
 }
 
-void writeHeader(QXmlStreamWriter& xml, const Report& report) {
-    const Comparison& comparison = report.comparison;
-    const HtmlElement header(xml, "header");
-    write(xml, "p", nameOf(report.title), "eyebrow");
-    write(xml, "h1", headline(comparison) + '.');
+/// The word of a comparison, and how much stands behind it.
+void writeLead(QXmlStreamWriter& xml, const Comparison& comparison) {
     const HtmlElement line(xml, "p", "lead");
     write(xml, "span", wordOf(comparison.overall), styleOf(comparison.overall));
     QString words = QString(" %1 pairs of runs on equal seeds in %2 %3.")
@@ -41,6 +47,48 @@ void writeHeader(QXmlStreamWriter& xml, const Report& report) {
         comparison.overall == Verdict::Undecided && !more.isEmpty())
         words += ' ' + more.left(1).toUpper() + more.mid(1) + '.';
     xml.writeCharacters(words);
+}
+
+/// "3 variants against cpp", or of one candidate its headline.
+QString titleOf(const std::vector<Comparison>& comparisons) {
+    const Comparison& first = comparisons.front();
+    return comparisons.size() == 1
+               ? headline(first)
+               : QString("%1 variants against %2").arg(comparisons.size()).arg(nameOf(first.baseline));
+}
+
+void writeHeader(QXmlStreamWriter& xml, const CampaignReport& report) {
+    const HtmlElement header(xml, "header");
+    write(xml, "p", nameOf(report.title), "eyebrow");
+    write(xml, "h1", titleOf(report.comparisons) + '.');
+    if (report.comparisons.size() == 1)
+        return writeLead(xml, report.comparisons.front());
+    const HtmlElement list(xml, "ul", "overview");
+    for (std::size_t i = 0; i < report.comparisons.size(); ++i) {
+        const Comparison& comparison = report.comparisons[i];
+        const HtmlElement item(xml, "li");
+        write(xml, "span", wordOf(comparison.overall), styleOf(comparison.overall));
+        writeWith(xml, "a", {"href", QString("#candidate-%1").arg(i + 1)}, headline(comparison));
+    }
+}
+
+void writeTradeOffs(QXmlStreamWriter& xml, const std::vector<RunFigures>& runs) {
+    const std::vector<TradeOff> trade_offs = tradeOffsOf(runs);
+    if (trade_offs.empty())
+        return;
+    const HtmlElement section(xml, "section");
+    write(xml, "h2", "Time against error and coverage");
+    {
+        const HtmlElement grid(xml, "div", "plots");
+        for (const TradeOff& trade_off : trade_offs) {
+            const HtmlElement figure(xml, "figure");
+            drawTradeOff(xml, trade_off);
+        }
+    }
+    write(xml, "p",
+          "Each variant has its medians at the dot; its cross is as wide and high as the middle half of its runs that "
+          "were done.",
+          "note");
 }
 
 /// One line of the table of verdicts.
@@ -305,7 +353,7 @@ void writeFailures(QXmlStreamWriter& xml, const Report& report) {
     writeCut(xml, shown, groups.size());
 }
 
-void writeFacts(QXmlStreamWriter& xml, const Report& report) {
+void writeFacts(QXmlStreamWriter& xml, const CampaignReport& report) {
     if (report.facts.empty())
         return;
     const HtmlElement section(xml, "section");
@@ -319,7 +367,7 @@ void writeFacts(QXmlStreamWriter& xml, const Report& report) {
     }
 }
 
-void writeHeadOfPage(QXmlStreamWriter& xml, const Report& report) {
+void writeHeadOfPage(QXmlStreamWriter& xml, const CampaignReport& report) {
     const HtmlElement head(xml, "head");
     xml.writeEmptyElement("meta");
     xml.writeAttribute("charset", "utf-8");
@@ -329,14 +377,38 @@ void writeHeadOfPage(QXmlStreamWriter& xml, const Report& report) {
     xml.writeEmptyElement("meta");
     xml.writeAttribute("name", "color-scheme");
     xml.writeAttribute("content", "light dark");
-    write(xml, "title", headline(report.comparison));
+    write(xml, "title", titleOf(report.comparisons));
     // The style sheet has none of the characters that XML escapes, because HTML would not take them back there.
     write(xml, "style", comparison_style);
+}
+
+/// All that is to be said of one candidate.
+void writeComparison(QXmlStreamWriter& xml, const Report& report) {
+    writeVerdicts(xml, report.comparison);
+    if (!report.comparison.metrics.empty())
+        writeDifferences(xml, report.comparison);
+    writeProfile(xml, report.comparison);
+    writeCourses(xml, report.comparison);
+    writeNotableRuns(xml, report.comparison);
+    writeFailures(xml, report);
+}
+
+void writeCandidate(QXmlStreamWriter& xml, const CampaignReport& report, std::size_t index) {
+    const Comparison& comparison = report.comparisons[index];
+    const HtmlElement article(xml, "article");
+    writeWith(xml, "h1", {"id", QString("candidate-%1").arg(index + 1)}, headline(comparison) + '.');
+    writeLead(xml, comparison);
+    writeComparison(xml, {comparison, report.runs, report.title, {}});
 }
 
 } // namespace
 
 QByteArray htmlReport(const Report& report) {
+    const std::vector<Comparison> one{report.comparison};
+    return htmlReport(CampaignReport{one, report.runs, report.title, report.facts});
+}
+
+QByteArray htmlReport(const CampaignReport& report) {
     QByteArray bytes;
     QXmlStreamWriter xml(&bytes);
     xml.writeDTD("<!DOCTYPE html>\n");
@@ -347,13 +419,12 @@ QByteArray htmlReport(const Report& report) {
         const HtmlElement body(xml, "body");
         const HtmlElement main(xml, "main");
         writeHeader(xml, report);
-        writeVerdicts(xml, report.comparison);
-        if (!report.comparison.metrics.empty())
-            writeDifferences(xml, report.comparison);
-        writeProfile(xml, report.comparison);
-        writeCourses(xml, report.comparison);
-        writeNotableRuns(xml, report.comparison);
-        writeFailures(xml, report);
+        writeTradeOffs(xml, report.runs);
+        if (report.comparisons.size() == 1)
+            writeComparison(xml, {report.comparisons.front(), report.runs, report.title, report.facts});
+        else
+            for (std::size_t i = 0; i < report.comparisons.size(); ++i)
+                writeCandidate(xml, report, i);
         writeFacts(xml, report);
     }
     xml.writeEndElement();

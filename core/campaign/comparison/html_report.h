@@ -12,5 +12,7 @@ namespace usar::campaign {
 /// seeds done by each time, the seeds that differ, the ten worst runs and the command that flies each again, failures
 /// by reason, and the facts of the report.
 QByteArray htmlReport(const Report& report);
+/// The same for each candidate, after an overview.
+QByteArray htmlReport(const CampaignReport& report);
 
 } // namespace usar::campaign

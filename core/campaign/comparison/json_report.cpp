@@ -91,6 +91,13 @@ QJsonArray namesOf(const std::vector<std::string>& names) {
     return list;
 }
 
+QJsonObject factsOf(const std::vector<std::pair<std::string, std::string>>& facts) {
+    QJsonObject object;
+    for (const auto& [name, value] : facts)
+        object[QString::fromStdString(name)] = json(value);
+    return object;
+}
+
 } // namespace
 
 QJsonObject jsonReport(const Report& report) {
@@ -98,9 +105,6 @@ QJsonObject jsonReport(const Report& report) {
     QJsonArray metrics;
     for (const MetricComparison& metric : comparison.metrics)
         metrics.append(json(metric));
-    QJsonObject facts;
-    for (const auto& [name, value] : report.facts)
-        facts[QString::fromStdString(name)] = json(value);
     return {{"title", json(report.title)},
             {"baseline", json(comparison.baseline)},
             {"candidate", json(comparison.candidate)},
@@ -115,7 +119,23 @@ QJsonObject jsonReport(const Report& report) {
             {"missions", namesOf(comparison.pairing.missions)},
             {"success", json(comparison.success)},
             {"metrics", metrics},
-            {"facts", facts}};
+            {"facts", factsOf(report.facts)}};
+}
+
+QJsonObject jsonReport(const CampaignReport& report) {
+    if (report.comparisons.size() == 1)
+        return jsonReport({report.comparisons.front(), report.runs, report.title, report.facts});
+    QJsonArray comparisons;
+    for (const Comparison& comparison : report.comparisons) {
+        QJsonObject one = jsonReport({comparison, report.runs, report.title, {}});
+        one.remove("facts");
+        comparisons.append(one);
+    }
+    return {{"title", json(report.title)},
+            {"baseline", json(report.comparisons.front().baseline)},
+            {"exit_code", exitCodeOf(report.comparisons)},
+            {"comparisons", comparisons},
+            {"facts", factsOf(report.facts)}};
 }
 
 } // namespace usar::campaign

@@ -21,6 +21,15 @@ struct Report {
     std::vector<std::pair<std::string, std::string>> facts;
 };
 
+/// Several candidates compared with one baseline. The comparisons, of which there is at least one, and the runs belong
+/// to the caller.
+struct CampaignReport {
+    const std::vector<Comparison>& comparisons;
+    const std::vector<RunFigures>& runs;
+    std::string title;
+    std::vector<std::pair<std::string, std::string>> facts; ///< as in Report
+};
+
 /// One sentence without a period: "posh is worse than cpp".
 QString headline(const Comparison& comparison);
 

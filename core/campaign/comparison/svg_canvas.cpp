@@ -76,6 +76,13 @@ void SvgCanvas::path(const std::vector<QPointF>& points, const QString& style_cl
     writeAttributes(xml_, {{"class", style_class}, {"d", steps}});
 }
 
+void SvgCanvas::style(const QString& sheet) {
+    xml_.writeDefaultNamespace("http://www.w3.org/2000/svg");
+    xml_.writeTextElement("style", sheet);
+    xml_.writeEmptyElement("rect");
+    writeAttributes(xml_, {{"class", "paper"}, {"width", "100%"}, {"height", "100%"}});
+}
+
 std::vector<double> ticks(double low, double high, int count) {
     if (!(high > low))
         return {low};

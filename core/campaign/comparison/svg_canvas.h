@@ -25,6 +25,8 @@ public:
     /// `anchor` is "start", "middle" or "end".
     void text(QPointF at, const QString& anchor, const QString& words, const QString& style_class = "axis");
     void path(const std::vector<QPointF>& points, const QString& style_class);
+    /// Makes the picture one that stands in no page: with its name space, a style sheet and a background.
+    void style(const QString& sheet);
 
 private:
     QXmlStreamWriter& xml_;

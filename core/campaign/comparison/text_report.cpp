@@ -73,4 +73,15 @@ QString textReport(const Comparison& comparison) {
     return text;
 }
 
+QString textReport(const std::vector<Comparison>& comparisons) {
+    if (comparisons.size() == 1)
+        return textReport(comparisons.front());
+    QString text, headlines;
+    for (const Comparison& comparison : comparisons) {
+        text += textReport(comparison) + '\n';
+        headlines += headline(comparison) + ".\n";
+    }
+    return text + headlines;
+}
+
 } // namespace usar::campaign

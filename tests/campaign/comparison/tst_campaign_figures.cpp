@@ -96,9 +96,9 @@ private slots:
     }
 
     void readsWhatIsTyped() {
-        const auto options = readCompareOptions(
-            {"compare", "a", "b", "--html", "h", "--junit", "j", "--json", "--baseline", "x", "--candidate", "y"});
-        QVERIFY(options && (*options == CompareOptions{{"a", "b"}, "x", "y", "h", "j", true}));
+        const auto options = readCompareOptions({"compare", "a", "b", "--html", "h", "--junit", "j", "--curve", "c",
+                                                 "--json", "--baseline", "x", "--candidate", "y"});
+        QVERIFY(options && (*options == CompareOptions{{"a", "b"}, "x", "y", "h", "j", "c", true}));
         for (const QStringList& wrong : {QStringList{}, {"a", "b", "c"}, {"a", "--jsn"}}) {
             const auto refused = readCompareOptions(QStringList{"compare"} + wrong);
             QVERIFY(!refused && refused.error().text().find("usar-mission compare DIR") != std::string::npos);

@@ -36,6 +36,18 @@ std::vector<RunFigures> runsWithFailures() {
     return runs;
 }
 
+/// The third variant is as the new one.
+std::vector<RunFigures> threeVariants() {
+    std::vector<RunFigures> runs = doneRuns(30, {-10.0});
+    for (std::size_t i = 0; i < 60; ++i)
+        if (runs[i].variant == "new") {
+            RunFigures third = runs[i];
+            third.variant = "third";
+            runs.push_back(third);
+        }
+    return runs;
+}
+
 struct Element {
     QString name;
     QXmlStreamAttributes attributes;
@@ -258,10 +270,34 @@ private slots:
         QVERIFY(says(elements, "td", "1.2"));
         // Three metrics are the same in all pairs: coverage, charges and collisions. The way is, too, where it counts.
         const int metrics = static_cast<int>(comparison.metrics.size()), plots = countOf(elements, "figure");
-        QCOMPARE(plots, 2);
+        QCOMPARE(plots, 2 + 2); // and time against error and coverage
         // One interval for success and each metric, and one profile.
         QCOMPARE(countOf(elements, "svg"), 1 + metrics + plots + 1);
         QCOMPARE(countOf(elements, "path"), 2);
+    }
+
+    void severalCandidatesAreOnOnePage() {
+        const std::vector<RunFigures> runs = threeVariants();
+        const std::vector<Comparison> all = compareAll(runs, "old", {"new", "third"}).value();
+        const std::vector<Element> elements =
+            elementsOf(htmlReport(CampaignReport{all, runs, "thesis", {{"Version", "1"}}}));
+        QVERIFY(says(elements, "h1", "2 variants against old."));
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const QString id = QString("candidate-%1").arg(i + 1);
+            QVERIFY(says(elements, "a", headline(all[i])));
+            QVERIFY(says(elements, "h1", headline(all[i]) + '.'));
+            QVERIFY(std::ranges::any_of(elements, [&](const Element& e) { return e.attributes.value("id") == id; }));
+            QVERIFY(std::ranges::any_of(elements,
+                                        [&](const Element& e) { return e.attributes.value("href") == '#' + id; }));
+        }
+        QCOMPARE(countOf(elements, "title"), 1);
+        QCOMPARE(countOfClass(elements, "facts"), 1);
+        const QJsonObject json = jsonReport(CampaignReport{all, runs, "thesis", {}});
+        QCOMPARE(json["comparisons"].toArray().size(), 2);
+        QCOMPARE(json["comparisons"][1]["candidate"].toString(), QString("third"));
+        QCOMPARE(json["exit_code"].toInt(), exitCodeOf(all));
+        const QString text = textReport(all);
+        QVERIFY2(text.endsWith(headline(all[0]) + ".\n" + headline(all[1]) + ".\n"), qPrintable(text));
     }
 
     void aCurveEndsBelowAllWhereRunsFailed() {

@@ -188,6 +188,43 @@ private slots:
         QCOMPARE(durationOf(compare(runs, "old", "new").value()).interval, interval);
     }
 
+    void moreCandidatesAreMoreQuestions() {
+        std::vector<RunFigures> runs = doneRuns(30, {-3.0});
+        for (std::size_t i = 0; i < 60; ++i)
+            if (RunFigures third = runs[i]; third.variant == "new") {
+                third.variant = "third";
+                runs.push_back(third);
+            }
+        const std::vector<Comparison> all = compareAll(runs, "old", {"new", "third"}).value();
+        const Comparison alone = compare(runs, "old", "new").value();
+        QCOMPARE(durationOf(all[0]).p, durationOf(alone).p);
+        QCOMPARE(durationOf(all[1]).p, durationOf(alone).p);
+        QVERIFY(durationOf(alone).p > 0.0);
+        QVERIFY2(durationOf(all[0]).holm_p > 1.5 * durationOf(alone).holm_p,
+                 qPrintable(QString("%1 %2").arg(durationOf(all[0]).holm_p).arg(durationOf(alone).holm_p)));
+        const auto missing = compareAll(runs, "old", {"new", "fourth"});
+        QVERIFY(!missing && missing.error().text().find("fourth") != std::string::npos);
+    }
+
+    void theWorstCandidateDecidesTheExitCode_data() {
+        QTest::addColumn<QList<double>>("changes_s");
+        QTest::addColumn<int>("exit_code");
+        QTest::newRow("better and equal") << QList<double>{-20.0, 0.0} << 0;
+        QTest::newRow("better and worse") << QList<double>{-20.0, 20.0} << 1;
+        QTest::newRow("undecided and worse") << QList<double>{2.4, 20.0} << 1;
+        QTest::newRow("better and undecided") << QList<double>{-20.0, 2.4} << 3;
+    }
+    void theWorstCandidateDecidesTheExitCode() {
+        QFETCH(QList<double>, changes_s);
+        std::vector<Comparison> all;
+        std::vector<std::vector<RunFigures>> runs;
+        for (const double change_s : changes_s)
+            runs.push_back(doneRuns(100, {change_s}));
+        for (const std::vector<RunFigures>& one : runs)
+            all.push_back(compare(one, "old", "new").value());
+        QTEST(exitCodeOf(all), "exit_code");
+    }
+
     void missionsKeepTheirWeightInTheInterval() {
         std::vector<RunFigures> runs = doneRuns(100, {});
         for (RunFigures& figures : runs)

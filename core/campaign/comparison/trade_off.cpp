@@ -1,0 +1,176 @@
+#include "core/campaign/comparison/trade_off.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/campaign/comparison/pairing.h"
+#include "core/campaign/comparison/report.h"
+#include "core/campaign/comparison/svg_canvas.h"
+#include "core/campaign/statistics/sample.h"
+
+namespace usar::campaign {
+
+extern const char curve_style[]; // resources/reports/curve.css, for readers that know no CSS variables, too
+
+namespace {
+
+constexpr double width_px = 430.0, height_px = 300.0;
+constexpr std::size_t colors = 8; ///< of the style sheets: v0 to v7
+
+Middle middleOf(const std::vector<double>& values) {
+    const std::vector<double> sorted = sortedCopy(values);
+    return {quantileOfSorted(sorted, 0.5), {quantileOfSorted(sorted, 0.25), quantileOfSorted(sorted, 0.75)}};
+}
+
+TradePoint pointOf(const std::vector<RunFigures>& runs, const std::string& mission, const std::string& variant,
+                   const Metric& x, const Metric& y) {
+    TradePoint point;
+    point.variant = variant;
+    std::vector<double> xs, ys;
+    for (const RunFigures& run : runs) {
+        if (run.mission != mission || run.variant != variant || !counts(run.outcome))
+            continue;
+        ++point.runs;
+        if (run.outcome != Outcome::Done)
+            continue;
+        ++point.done;
+        const auto at_x = valueOf(run, x), at_y = valueOf(run, y);
+        if (!at_x || !at_y)
+            continue;
+        xs.push_back(*at_x);
+        ys.push_back(*at_y);
+    }
+    point.x = middleOf(xs);
+    point.y = middleOf(ys);
+    return point;
+}
+
+std::vector<std::string> missionsOf(const std::vector<RunFigures>& runs) {
+    std::vector<std::string> missions;
+    for (const RunFigures& run : runs)
+        if (std::ranges::find(missions, run.mission) == missions.end())
+            missions.push_back(run.mission);
+    return missions;
+}
+
+Metric metricOf(const char* key) {
+    const std::vector<Metric> all = usualMetrics();
+    return *std::ranges::find(all, key, &Metric::key);
+}
+
+/// From the lowest to the highest quartile, with room beside them.
+Scale scaleFor(const std::vector<TradePoint>& points, Middle TradePoint::*side, double first, double last) {
+    double low = INFINITY, high = -INFINITY;
+    for (const TradePoint& point : points) {
+        low = std::min(low, (point.*side).half.low);
+        high = std::max(high, (point.*side).half.high);
+    }
+    const double more = 0.12 * (high - low) + 1e-3 * std::abs(high) + 1e-9;
+    return {low - more, high + more, first, last};
+}
+
+QString titleOf(const Metric& metric) {
+    return QString::fromStdString(metric.title + ", " + metric.unit);
+}
+
+/// "fast", or "fast, 38 of 40 done".
+QString labelOf(const TradePoint& point) {
+    const QString name = nameOf(point.variant);
+    return point.done == point.runs ? name : name + QString(", %1 of %2 done").arg(point.done).arg(point.runs);
+}
+
+/// Where the names of the variants stand: beside their crosses, and below each other where those are near.
+std::vector<QPointF> labelPlaces(const TradeOff& trade_off, const Scale& x, const Scale& y) {
+    constexpr double line = 15.0, beside = 90.0;
+    std::vector<QPointF> places;
+    for (const TradePoint& point : trade_off.points) {
+        QPointF place(x(point.x.median) + 7.0, y(point.y.median) - 7.0);
+        const auto collides = [&](const QPointF& other) {
+            return std::abs(other.x() - place.x()) < beside && std::abs(other.y() - place.y()) < line;
+        };
+        while (std::ranges::any_of(places, collides))
+            place.ry() += line;
+        places.push_back(place);
+    }
+    return places;
+}
+
+/// One plot with its upper left corner at `corner`.
+void drawInto(SvgCanvas& canvas, const TradeOff& trade_off, QPointF corner) {
+    const double left = corner.x() + 52.0, right = corner.x() + width_px - 12.0, top = corner.y() + 26.0,
+                 bottom = corner.y() + height_px - 42.0;
+    const Scale x = scaleFor(trade_off.points, &TradePoint::x, left, right);
+    const Scale y = scaleFor(trade_off.points, &TradePoint::y, bottom, top);
+    canvas.text({left, corner.y() + 14.0}, "start", nameOf(trade_off.mission) + ": " + titleOf(trade_off.y), "title");
+    canvas.text({(left + right) / 2.0, corner.y() + height_px - 6.0}, "middle", titleOf(trade_off.x));
+    const std::vector<double> rows = ticks(y.low, y.high, 5), columns = ticks(x.low, x.high, 6);
+    for (const double value : rows) {
+        canvas.line({left, y(value)}, {right, y(value)}, "grid");
+        canvas.text({left - 6.0, y(value) + 4.0}, "end", tickText(value, rows));
+    }
+    for (const double value : columns)
+        canvas.text({x(value), bottom + 17.0}, "middle", tickText(value, columns));
+    const std::vector<QPointF> labels = labelPlaces(trade_off, x, y);
+    for (std::size_t i = 0; i < trade_off.points.size(); ++i) {
+        const TradePoint& point = trade_off.points[i];
+        const QPointF at(x(point.x.median), y(point.y.median));
+        const QString color = QString(" v%1").arg(point.place % colors); // The name has it, too, if it is far away.
+        canvas.line({x(point.x.half.low), at.y()}, {x(point.x.half.high), at.y()}, "reach" + color);
+        canvas.line({at.x(), y(point.y.half.low)}, {at.x(), y(point.y.half.high)}, "reach" + color);
+        canvas.circle(at, 3.5, "estimate" + color);
+        const bool flips = labels[i].x() > right - 110.0;
+        canvas.text(flips ? QPointF(at.x() - 7.0, labels[i].y()) : labels[i], flips ? "end" : "start", labelOf(point),
+                    "legend" + color);
+    }
+}
+
+QString spokenTitle(const TradeOff& trade_off) {
+    return QString::fromStdString(trade_off.x.title + " against " + trade_off.y.title + " in ") +
+           nameOf(trade_off.mission);
+}
+
+} // namespace
+
+std::vector<TradeOff> tradeOffsOf(const std::vector<RunFigures>& runs) {
+    std::vector<TradeOff> all;
+    const std::vector<std::string> variants = variantsOf(runs);
+    for (const std::string& mission : missionsOf(runs))
+        for (const char* key : {"rmse_m", "coverage_pct"}) {
+            TradeOff trade_off{mission, metricOf("duration_s"), metricOf(key), {}};
+            for (std::size_t place = 0; place < variants.size(); ++place) {
+                TradePoint point = pointOf(runs, mission, variants[place], trade_off.x, trade_off.y);
+                point.place = place;
+                if (std::isfinite(point.x.median))
+                    trade_off.points.push_back(std::move(point));
+            }
+            if (trade_off.points.size() > 1)
+                all.push_back(std::move(trade_off));
+        }
+    return all;
+}
+
+void drawTradeOff(QXmlStreamWriter& xml, const TradeOff& trade_off) {
+    SvgCanvas canvas(xml, width_px, height_px, "plot", spokenTitle(trade_off));
+    drawInto(canvas, trade_off, {0.0, 0.0});
+}
+
+QByteArray tradeOffPicture(const std::vector<TradeOff>& trade_offs, const std::string& title) {
+    if (trade_offs.empty())
+        return {};
+    constexpr double gap = 20.0;
+    const auto rows = static_cast<double>((trade_offs.size() + 1) / 2);
+    QByteArray bytes;
+    QXmlStreamWriter xml(&bytes);
+    xml.writeStartDocument();
+    {
+        SvgCanvas canvas(xml, 2.0 * width_px + gap, rows * height_px, "picture", nameOf(title));
+        canvas.style(curve_style);
+        for (std::size_t i = 0; i < trade_offs.size(); ++i)
+            drawInto(canvas, trade_offs[i],
+                     {static_cast<double>(i % 2) * (width_px + gap), static_cast<double>(i / 2) * height_px});
+    }
+    xml.writeEndDocument();
+    return bytes + '\n';
+}
+
+} // namespace usar::campaign
