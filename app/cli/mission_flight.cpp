@@ -133,6 +133,8 @@ int goOn(mission::MissionOptions options, Preloaded& loaded) {
     auto earlier = mission::readRecordedScan(options.continued, mission::needPoints(options.formats));
     if (!earlier)
         return refuse(earlier.error(), &options);
+    if (!earlier->missing.empty())
+        complain(earlier->missing + " What was scanned there is flown again.");
     if (earlier->flown.seed && !options.seed_chosen)
         options.seed = *earlier->flown.seed;
     mission::Mission plan = earlier->flown.mission;

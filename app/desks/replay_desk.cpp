@@ -120,8 +120,11 @@ void ReplayDesk::askForLimit() {
         limit_mb_, 0, most_mb,
         [this](int limit_mb) {
             setLimit(limit_mb);
-            notices_.note("record-limit", limit_mb_ == 0 ? tr("Recordings keep everything.")
-                                                         : tr("Each recording keeps its newest %1 MB.").arg(limit_mb_));
+            notices_.note("record-limit",
+                          limit_mb_ == 0 ? tr("Recordings keep everything.")
+                                         : tr("Each recording has at most %1 MB and keeps at least its newest nine "
+                                              "tenths of that.")
+                                               .arg(limit_mb_));
         },
         tr("no limit"));
 }

@@ -60,10 +60,13 @@ void RecoveryDesk::readScans() {
             const auto earlier = read ? std::make_shared<const mission::RecordedScan>(*std::move(read)) : nullptr;
             const Error trouble = read ? Error{} : read.error();
             link::post(this, [this, earlier, trouble] {
-                if (earlier)
-                    emit restChosen(earlier);
-                else
-                    notices_.complain("mission", trouble);
+                if (!earlier)
+                    return notices_.complain("mission", trouble);
+                if (!earlier->missing.empty())
+                    notices_.note(
+                        "recovery",
+                        tr("%1 What was scanned there is flown again.").arg(QString::fromStdString(earlier->missing)));
+                emit restChosen(earlier);
             });
         }));
 }

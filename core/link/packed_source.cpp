@@ -25,6 +25,7 @@ public:
     RecordingSurvey survey(bool thoroughly) override;
     std::optional<Record> next(std::vector<RecordingDamage>* damage) override;
     void seek(RecordTime time) override;
+    void rest() override;
     std::uint64_t offset() const override { return block_offset_; }
 
 private:
@@ -49,11 +50,11 @@ private:
     /// Passes over what is damaged from `offset` on.
     void skip(std::uint64_t offset, std::vector<RecordingDamage>* damage);
 
-    BlockReader unpacker_;
-    std::uint64_t position_ = recording::head_bytes; ///< The block here is read next.
-    std::uint64_t block_offset_ = 0;                 ///< `bytes_` reads the block here.
-    std::uint64_t group_offset_ = 0;                 ///< Its group begins here.
-    std::size_t group_bytes_ = 0;                    ///< So many bytes of its group are unpacked.
+    std::optional<BlockReader> unpacker_ = std::nullopt; ///< made when it is needed
+    std::uint64_t position_ = recording::head_bytes;     ///< The block here is read next.
+    std::uint64_t block_offset_ = 0;                     ///< `bytes_` reads the block here.
+    std::uint64_t group_offset_ = 0;                     ///< Its group begins here.
+    std::size_t group_bytes_ = 0;                        ///< So many bytes of its group are unpacked.
     ByteReader bytes_{{}};
     PackedBefore before_;
 };
@@ -62,6 +63,12 @@ void PackedSource::goTo(const Entry& entry) {
     position_ = entry.offset;
     newest_ = entry.time;
     bytes_ = ByteReader({});
+}
+
+void PackedSource::rest() {
+    RecordSource::rest();
+    bytes_ = ByteReader({}); // They are the unpacker's.
+    unpacker_.reset();
 }
 
 Block PackedSource::blockAt(std::uint64_t offset) {
@@ -202,10 +209,12 @@ bool PackedSource::unpack(const Block& block) {
     }
     const std::string_view compressed = body.rest();
     const bool goes_on = group_bytes_ < RecordPacker::group_bytes; // Behind that, writers begin another group.
-    if (body.failed() || !goes_on || !unpacker_.read(block.kind, compressed))
+    if (!unpacker_)
+        unpacker_.emplace();
+    if (body.failed() || !goes_on || !unpacker_->read(block.kind, compressed))
         return false;
-    bytes_ = ByteReader(unpacker_.records());
-    group_bytes_ += unpacker_.records().size();
+    bytes_ = ByteReader(unpacker_->records());
+    group_bytes_ += unpacker_->records().size();
     return true;
 }
 
@@ -232,7 +241,7 @@ void PackedSource::seek(RecordTime time) {
         if (record->time < time)
             continue;
         const bool same = block == block_offset_; // Else it is the first one behind damage.
-        bytes_ = same ? bytes : ByteReader(unpacker_.records());
+        bytes_ = same ? bytes : ByteReader(unpacker_->records());
         before_ = same ? before : PackedBefore{};
         return;
     }

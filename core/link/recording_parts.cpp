@@ -13,6 +13,8 @@
 #include <QFileInfo>
 #include <QRegularExpression>
 
+#include "core/base/numbers.h"
+
 namespace usar::link {
 
 namespace {
@@ -53,9 +55,29 @@ QString partPath(const QString& path, int number) {
     return QStringLiteral("%1.part%2%3").arg(stem, QString::number(number), suffix);
 }
 
-QString recordingOfPart(const QString& path) {
-    static const QRegularExpression part(QStringLiteral("\\.part[1-9][0-9]{0,8}(?=(\\.[^./]*)?$)"));
-    return QString(path).remove(part);
+std::optional<PartName> readPartPath(const QString& path) {
+    static const QRegularExpression mark(QStringLiteral("\\.part([1-9][0-9]{0,8})$"));
+    const auto [stem, suffix] = stemAndSuffix(path);
+    if (const auto found = mark.match(stem); found.hasMatch())
+        return PartName{stem.left(found.capturedStart()) + suffix, found.captured(1).toInt()};
+    // Without a suffix of its own, the mark is the suffix.
+    if (const auto found = mark.match(path); found.hasMatch())
+        return PartName{path.left(found.capturedStart()), found.captured(1).toInt()};
+    return std::nullopt;
+}
+
+std::vector<int> partNumbersBeside(const QString& path) {
+    const QFileInfo place(path);
+    std::vector<int> numbers;
+    for (const QString& name : place.absoluteDir().entryList(QDir::Files | QDir::Hidden))
+        if (const auto part = readPartPath(name); part && part->recording == place.fileName())
+            numbers.push_back(part->number);
+    std::ranges::sort(numbers);
+    return numbers;
+}
+
+std::string megabytesText(std::uint64_t bytes) {
+    return fixed(static_cast<double>(bytes) / 1e6, 1) + " MB";
 }
 
 bool PartSeam::repeats(const Record& record) {
@@ -74,15 +96,9 @@ bool PartSeam::repeats(const Record& record) {
 }
 
 Result<RecordingParts> RecordingParts::at(const QString& path) {
-    const QFileInfo place(path);
-    const auto [stem, suffix] = stemAndSuffix(place.fileName());
-    const QRegularExpression part(QRegularExpression::anchoredPattern(
-        QRegularExpression::escape(stem) + "\\.part[1-9][0-9]*" + QRegularExpression::escape(suffix)));
-    const QStringList names = place.absoluteDir().entryList(QDir::Files | QDir::Hidden);
-    const auto found = std::ranges::find_if(names, [&](const QString& name) { return part.match(name).hasMatch(); });
-    if (found != names.end())
+    if (const std::vector<int> found = partNumbersBeside(path); !found.empty())
         return failure("this is a part of another recording of that name, and it is left alone",
-                       place.absoluteDir().filePath(*found).toStdString(), "Give the recording another name");
+                       partPath(path, found.front()).toStdString(), "Give the recording another name");
     return RecordingParts(path);
 }
 
@@ -90,10 +106,16 @@ bool RecordingParts::isFull(std::uint64_t newest_bytes, std::uint64_t head_bytes
     return newest_bytes >= std::max(limit_bytes / parts_in_limit, 2 * head_bytes);
 }
 
-Result<void> RecordingParts::setAside(std::uint64_t newest_bytes, Seconds end) {
+Result<void> RecordingParts::setAside(int file, std::uint64_t newest_bytes, Seconds end) {
     const QString aside = partPath(path_, number_);
-    struct stat status = {};
-    if (::stat(path_.toLocal8Bit().constData(), &status) != 0 || !renameTo(path_, aside)) {
+    struct stat status = {}, there = {};
+    if (::fstat(file, &status) != 0 || ::lstat(path_.toLocal8Bit().constData(), &there) != 0)
+        return failure(std::string("the part cannot be found where it was written: ") + std::strerror(errno),
+                       path_.toStdString(), "Leave a recording in its place while it is being written");
+    if (status.st_dev != there.st_dev || status.st_ino != there.st_ino)
+        return failure("this is another file than the part that was written there, and it is left alone",
+                       path_.toStdString(), "Leave a recording in its place while it is being written");
+    if (!renameTo(path_, aside)) {
         const bool in_the_way = errno == EEXIST;
         return failure(in_the_way ? "there is a file of this name already, and it is left alone"
                                   : std::string("the part cannot be renamed: ") + std::strerror(errno),
@@ -105,12 +127,17 @@ Result<void> RecordingParts::setAside(std::uint64_t newest_bytes, Seconds end) {
     return {};
 }
 
-void RecordingParts::takeBack() {
-    if (older_.empty() || !renameTo(older_.back().path, path_))
-        return;
-    older_bytes_ -= older_.back().bytes;
+Result<void> RecordingParts::takeBack() {
+    if (older_.empty())
+        return {};
+    const Older& newest = older_.back();
+    if (!renameTo(newest.path, path_))
+        return failure(std::string("its newest part cannot get its name back: ") + std::strerror(errno),
+                       newest.path.toStdString(), "Open it under this name");
+    older_bytes_ -= newest.bytes;
     older_.pop_back();
     --number_;
+    return {};
 }
 
 std::optional<Result<RecordingParts::Dropped>> RecordingParts::makeRoom(std::uint64_t newest_bytes,
@@ -130,7 +157,7 @@ std::optional<Result<RecordingParts::Dropped>> RecordingParts::makeRoom(std::uin
     if (there && ::unlink(name.constData()) != 0)
         return failure(std::string("the oldest part cannot be deleted to keep the limit: ") + std::strerror(errno),
                        oldest.path.toStdString(), "Delete it by hand");
-    return Dropped{oldest.path.toStdString(), oldest.bytes, oldest.end};
+    return Dropped{oldest.path.toStdString(), there, oldest.bytes, oldest.end};
 }
 
 } // namespace usar::link

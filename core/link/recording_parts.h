@@ -5,6 +5,7 @@
 #include <deque>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <sys/stat.h>
 
@@ -21,8 +22,17 @@ inline constexpr std::string_view part_topic = "part";
 
 /// Path of an earlier part of the recording at `path`: "R1.usarrec" becomes "R1.part3.usarrec".
 QString partPath(const QString& path, int number);
-/// The recording to whose parts `path` belongs; `path` itself if it is not named as an earlier part.
-QString recordingOfPart(const QString& path);
+/// A size as messages about recordings tell it: "12.3 MB".
+std::string megabytesText(std::uint64_t bytes);
+
+/// What a path says that is named as an earlier part. Only the file itself tells whether it is one.
+struct PartName {
+    QString recording; ///< path of the recording whose part it would be
+    int number = 0;
+};
+std::optional<PartName> readPartPath(const QString& path);
+/// The numbers of the files that are named as parts of the recording at `path`, the smallest first.
+std::vector<int> partNumbersBeside(const QString& path);
 
 /// Tells which records of a later part only repeat what the parts before it have told. To be asked about every record
 /// in order.
@@ -37,16 +47,18 @@ private:
 };
 
 /// The parts of one recording on the disk while it is being written. The file at `path` always is the newest part;
-/// those before it are renamed. Only files that this object has renamed are ever deleted. Used in one thread.
+/// those before it are renamed. Only files that this object has renamed are ever deleted. Used in one thread, which may
+/// have to wait for the disk.
 class RecordingParts {
 public:
     static constexpr std::uint64_t least_limit_bytes = 10'000'000;
     /// So many parts fit into the limit.
     static constexpr std::uint64_t parts_in_limit = 10;
 
-    /// A part that was deleted.
+    /// A part that is gone.
     struct Dropped {
         std::string path;
+        bool deleted = true; ///< false: somebody else has moved or deleted it before
         std::uint64_t bytes = 0;
         Seconds end{0.0}; ///< since the beginning of the recording; what was recorded before is gone
     };
@@ -62,10 +74,11 @@ public:
     /// no part is smaller than twice that.
     static bool isFull(std::uint64_t newest_bytes, std::uint64_t head_bytes, std::uint64_t limit_bytes);
     /// Renames the newest part, of this size and with this end since the recording's beginning, so that its path is
-    /// free for the next. Errors leave it as it is.
-    Result<void> setAside(std::uint64_t newest_bytes, Seconds end);
+    /// free for the next. `file` is its descriptor, by which it is told from a file that somebody else has put there.
+    /// Errors leave everything as it is.
+    Result<void> setAside(int file, std::uint64_t newest_bytes, Seconds end);
     /// Undoes the last setAside, if the next part could not be begun.
-    void takeBack();
+    Result<void> takeBack();
     /// Deletes the oldest part if all parts and another one are more than the limit; nullopt if there is room, or
     /// nothing older than the newest part. To be called until it returns nullopt. The error of a part that cannot be
     /// deleted comes once, and the part counts no more.

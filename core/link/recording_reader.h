@@ -10,17 +10,13 @@
 #include <QString>
 
 #include "core/base/result.h"
-#include "core/link/recording_source.h"
-#include "core/link/recording_survey.h"
+#include "core/link/recording_chain.h"
 
 namespace usar::link {
 
-/// Quick: a file with an index, or with groups that are whole, is not read before it is played; what is damaged in it
-/// joins the survey when `next` meets it.
-enum class OpenMode { Thorough, Quick };
-
 /// A recording may be in parts (recording-format.md, "Parts"). The file that is opened and the parts before it are then
-/// read as one recording, as far back as they lie beside it, and times count from the first of them.
+/// read as one recording, as far back as they lie beside it, and times count from the first of them. If the file has
+/// nothing in it that can be read, those are read alone.
 ///
 /// Surveys the file when it is opened and then reads it through a window of a few MiB, so that the length of a
 /// recording costs no memory except an index entry: one per 64 KiB of a file of version 1, one per group of 256 KiB of
@@ -43,22 +39,14 @@ public:
     void seek(RecordTime time);
 
 private:
-    /// One file.
-    struct Part {
-        std::unique_ptr<RecordingFile> file;
-        std::unique_ptr<RecordSource> source;
-        RecordingSurvey survey;
-        RecordTime begin{0};           ///< in the recording
-        std::uint64_t begin_bytes = 0; ///< size of the files before
-    };
-
-    explicit RecordingReader(std::vector<Part> parts, std::string path);
-    static Result<Part> openPart(const QString& path, OpenMode mode);
+    explicit RecordingReader(RecordingChain chain, std::string path);
+    /// Makes this part the one that is read.
+    void goTo(std::size_t part);
     void addDamage(const RecordingDamage& piece);
 
     std::string path_;
-    std::vector<Part> parts_; ///< in their order; at least one
-    std::size_t now_ = 0;     ///< the part that is read
+    std::vector<RecordingPart> parts_; ///< in their order; at least one
+    std::size_t now_ = 0;              ///< the part that is read
     RecordingSurvey survey_;
     std::vector<RecordingDamage> met_; ///< by the last call of `next`
 };

@@ -29,6 +29,8 @@ public:
     /// Bytes of the file from `offset` on, at least `least` of them if the file has that many. Valid until the next
     /// call.
     std::string_view at(std::uint64_t offset, std::size_t least);
+    /// Frees the window until the next call of `at`. The file stays open.
+    void rest() { std::string().swap(window_); }
 
 private:
     QFile file_;
@@ -50,6 +52,8 @@ public:
     virtual std::optional<Record> next(std::vector<RecordingDamage>* damage) = 0;
     /// Makes `next` return the first record that is not earlier than `time`.
     virtual void seek(RecordTime time) = 0;
+    /// Frees the memory for reading until the next seek, which must come before `next`.
+    virtual void rest() { file_.rest(); }
     /// Offset in the file of what held the last record.
     virtual std::uint64_t offset() const = 0;
 

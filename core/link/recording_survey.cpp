@@ -1,7 +1,9 @@
 #include "core/link/recording_survey.h"
 
 #include <algorithm>
+#include <iterator>
 
+#include "core/base/numbers.h"
 #include "core/base/text.h"
 
 namespace usar::link {
@@ -14,6 +16,11 @@ constexpr std::size_t most_fact_bytes = 64u << 10; ///< of one record
 
 std::string withUnit(std::uint64_t count, const char* one, const char* many) {
     return std::to_string(count) + ' ' + (count == 1 ? one : many);
+}
+
+/// Two texts with a space between them if both are there.
+std::string joined(const std::string& first, const std::string& second) {
+    return first.empty() || second.empty() ? first + second : first + ' ' + second;
 }
 
 } // namespace
@@ -35,31 +42,48 @@ void RecordingSurvey::append(const RecordingSurvey& later) {
     being_written = later.being_written;
 }
 
-std::string RecordingSurvey::complaint() const {
+RecordingPlace RecordingSurvey::placeOf(std::uint64_t offset) const {
+    const auto behind = std::ranges::upper_bound(files, offset, {}, &RecordingPlace::offset);
+    if (behind == files.begin())
+        return {{}, offset};
+    return {std::prev(behind)->file, offset - std::prev(behind)->offset};
+}
+
+std::string RecordingSurvey::missingParts() const {
+    if (parts_lost <= 0)
+        return later;
+    std::string text = parts_lost == 1
+                           ? "The first part of this recording is missing"
+                           : "The first " + std::to_string(parts_lost) + " parts of this recording are missing";
+    if (!why_lost.empty())
+        text += ", because " + why_lost;
+    const auto after = facts.find("after_s");
+    if (const auto late_s = after == facts.end() ? std::nullopt : readNumber(after->second))
+        text += "; it begins " + fixed(*late_s, 0) + " s late";
+    return joined(text + '.', later);
+}
+
+std::string RecordingSurvey::defects() const {
     std::uint64_t lost = 0;
     for (const RecordingDamage& piece : damage)
         lost += piece.bytes;
-    std::string text;
-    if (parts_lost > 0) {
-        const auto after = facts.find("after_s");
-        text = parts_lost == 1 ? "The first part of this recording is"
-                               : "The first " + std::to_string(parts_lost) + " parts of this recording are";
-        text += " gone or elsewhere";
-        if (after != facts.end())
-            text += "; it begins " + after->second + " s late";
-        text += '.';
+    std::string text = not_read;
+    if (lost > tail_lost_bytes) {
+        const RecordingPlace first = placeOf(damage.front().offset);
+        text = joined(text, withUnit(lost - tail_lost_bytes, "byte is", "bytes are") + " damaged, the first at byte " +
+                                std::to_string(first.offset) + (files.size() > 1 ? " of " + first.file : "") +
+                                ", and left out.");
     }
-    if (lost > tail_lost_bytes)
-        text += (text.empty() ? "" : " ") + withUnit(lost - tail_lost_bytes, "byte is", "bytes are") +
-                " damaged, the first at byte " + std::to_string(damage.front().offset) + ", and left out.";
-    if (!ended && !being_written) {
-        text += text.empty() ? "" : " ";
-        text += "The recording was not ended in order; ";
-        text += tail_lost_bytes > 0
-                    ? "its last " + withUnit(tail_lost_bytes, "byte is", "bytes are") + " incomplete and left out."
-                    : "up to a second before its end may be missing.";
-    }
+    if (!ended && !being_written)
+        text = joined(text, "The recording was not ended in order; " +
+                                (tail_lost_bytes > 0 ? "its last " + withUnit(tail_lost_bytes, "byte is", "bytes are") +
+                                                           " incomplete and left out."
+                                                     : "up to a second before its end may be missing."));
     return text;
+}
+
+std::string RecordingSurvey::complaint() const {
+    return joined(missingParts(), defects());
 }
 
 void RecordCounter::take(const Record& record) {

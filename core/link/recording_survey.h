@@ -20,6 +20,12 @@ struct RecordingDamage {
     bool operator==(const RecordingDamage&) const = default;
 };
 
+/// A file of a recording. Offsets in a recording count over all its files, one behind the other.
+struct RecordingPlace {
+    std::string file; ///< its name without the folder; empty: unknown
+    std::uint64_t offset = 0;
+};
+
 /// Overview of the whole file, or of all parts that were found. A recording that was not ended properly is as good as
 /// any other, except for what had not been written yet.
 struct RecordingSurvey {
@@ -38,11 +44,22 @@ struct RecordingSurvey {
     bool being_written = false;          ///< by a running program: later records are not included, and nothing is lost
     ClockTable clock;                    ///< replay time by protocol clock
     int parts_lost = 0;                  ///< parts that came before and are not there
+    std::string why_lost;                ///< the reason, which may follow "because"
+    std::string later;                   ///< a sentence: this is not the newest part; empty if it is
+    std::string not_read;                ///< a sentence: the newest part cannot be read; empty if it can
+    std::vector<RecordingPlace> files;   ///< and where in the recording each begins
 
     /// Adds what the next part of the same recording holds.
     void append(const RecordingSurvey& later);
     /// Sentences for the user about what is missing; empty if nothing is.
     std::string complaint() const;
+    /// Those about parts that are not included, which is no damage: the first ones may have been deleted as it was
+    /// asked for.
+    std::string missingParts() const;
+    /// The others: what is damaged, and what broke off.
+    std::string defects() const;
+    /// The file that has this offset of the recording, and where in it.
+    RecordingPlace placeOf(std::uint64_t offset) const;
 };
 
 /// Makes the part of a survey that records add up to. Its state can be written down between two records, so that a

@@ -132,12 +132,15 @@ Result<void> recordingToText(const QString& recording_path, QIODevice& text) {
         return tl::unexpected(reader.error());
     std::string batch(recording::text_title);
     batch += '\n';
-    auto damage = (*reader)->survey().damage.begin();
-    const auto damage_end = (*reader)->survey().damage.end();
+    const RecordingSurvey& survey = (*reader)->survey();
+    auto damage = survey.damage.begin();
+    const auto damage_end = survey.damage.end();
     const auto noteDamage = [&](std::uint64_t before) {
-        for (; damage != damage_end && damage->offset < before; ++damage)
-            batch += "# " + std::to_string(damage->bytes) + " damaged bytes at byte " + std::to_string(damage->offset) +
-                     "\n";
+        for (; damage != damage_end && damage->offset < before; ++damage) {
+            const RecordingPlace place = survey.placeOf(damage->offset);
+            batch += "# " + std::to_string(damage->bytes) + " damaged bytes at byte " + std::to_string(place.offset) +
+                     (survey.files.size() > 1 ? " of " + place.file : std::string()) + '\n';
+        }
     };
     while (const auto record = (*reader)->next()) {
         noteDamage((*reader)->offset());

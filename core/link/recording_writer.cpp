@@ -11,23 +11,38 @@
 #include <QDir>
 #include <QFileInfo>
 
-#include "core/base/numbers.h"
-
 namespace usar::link {
 
 namespace {
 
 constexpr std::size_t batch_bytes = 1u << 20; ///< this much wakes the thread early
 
-std::string megabytes(std::uint64_t bytes) {
-    return fixed(static_cast<double>(bytes) / 1e6, 1) + " MB";
-}
-
 Error writingTrouble(int error, const std::string& path, std::uint64_t written) {
     const bool full = error == ENOSPC || error == EDQUOT || error == EFBIG;
     return {(full ? std::string("there is no room left") : std::string(std::strerror(error))) +
-                ", so the recording ends after " + megabytes(written) + "; the mission goes on",
+                ", so the recording ends after " + megabytesText(written) + "; the mission goes on",
             path, full ? "Free some room, or choose another folder, and record again" : "Record to another folder"};
+}
+
+std::string startText(const std::map<std::string, std::string>& facts) {
+    std::string text;
+    for (const auto& [key, value] : facts)
+        text += key + ": " + value + '\n';
+    return text;
+}
+
+/// Creates the file of a recording, and locks it.
+Result<int> createFile(const std::string& path) {
+    const int file =
+        ::open(QString::fromStdString(path).toLocal8Bit().constData(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
+    if (file < 0 && errno == EEXIST)
+        return failure("there is a file of this name already, and it is left alone", path,
+                       "Give the recording another name");
+    if (file < 0)
+        return failure(std::string("the recording cannot be written: ") + std::strerror(errno), path,
+                       "Record to another folder");
+    (void)::flock(file, LOCK_EX | LOCK_NB); // Without the lock, readers take an unfinished end for a broken one.
+    return file;
 }
 
 } // namespace
@@ -35,28 +50,24 @@ Error writingTrouble(int error, const std::string& path, std::uint64_t written) 
 Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const QString& path,
                                                                  const std::map<std::string, std::string>& facts,
                                                                  LineNumber line, RecordingLimits limits) {
+    auto parts = RecordingParts::at(path);
+    if (!parts)
+        return tl::unexpected(parts.error());
     QDir().mkpath(QFileInfo(path).absolutePath());
-    const int file = ::open(path.toLocal8Bit().constData(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
-    if (file < 0 && errno == EEXIST)
-        return failure("there is a file of this name already, and it is left alone", path.toStdString(),
-                       "Give the recording another name");
-    if (file < 0)
-        return failure(std::string("the recording cannot be written: ") + std::strerror(errno), path.toStdString(),
-                       "Record to another folder");
-    (void)::flock(file, LOCK_EX | LOCK_NB); // Without the lock, readers take an unfinished end for a broken one.
-    std::unique_ptr<RecordingWriter> writer(new RecordingWriter(path.toStdString(), file, limits));
-    std::string text;
-    for (const auto& [key, value] : facts)
-        text += key + ": " + value + '\n';
-    writer->write({.kind = RecordKind::Start, .line = line, .bytes = text});
+    const auto file = createFile(path.toStdString());
+    if (!file)
+        return tl::unexpected(file.error());
+    std::unique_ptr<RecordingWriter> writer(new RecordingWriter(*std::move(parts), path.toStdString(), *file, limits));
+    writer->write({.kind = RecordKind::Start, .line = line, .bytes = startText(facts)});
     return writer;
 }
 
-RecordingWriter::RecordingWriter(std::string path, int file, RecordingLimits limits)
+RecordingWriter::RecordingWriter(RecordingParts parts, std::string path, int file, RecordingLimits limits)
     : path_(std::move(path))
     , file_(file)
     , limits_(limits)
-    , blocks_(recording::head_bytes) {
+    , blocks_(recording::head_bytes)
+    , parts_(std::move(parts)) {
     thread_ = std::jthread([this](std::stop_token stop) { run(std::move(stop)); });
 }
 
@@ -84,10 +95,13 @@ void RecordingWriter::write(Record record) {
     newest_line_ = record.line;
     const std::lock_guard lock(mutex_);
     const std::size_t before = waiting_.size();
-    if (before + record.bytes.size() > limits_.buffer_bytes)
+    const std::size_t all_before = before + (cut_ ? cut_->last.bytes.size() : 0) - free_waiting_;
+    if (!in_head_ && all_before + record.bytes.size() > limits_.buffer_bytes)
         return breakOff({"the disk is too slow for what comes, so the recording ends here; the mission goes on", path_,
                          "Record to a faster disk, or run slower"});
     waiting_.add(record);
+    if (in_head_)
+        free_waiting_ += waiting_.size() - before;
     if (waiting_.size() >= batch_bytes && before < batch_bytes)
         wake_.notify_one();
 }
@@ -104,6 +118,50 @@ void RecordingWriter::flush(std::function<void()> done) {
     done();
 }
 
+void RecordingWriter::writeHead(const std::function<void()>& write) {
+    in_head_ = true;
+    write();
+    in_head_ = false;
+    flush([this] {
+        head_bytes_.store(bytes_);
+        cutting_ = false;
+    });
+}
+
+void RecordingWriter::beginPart(const std::map<std::string, std::string>& facts, LineNumber line, Seconds end) {
+    if (cutting_)
+        return;
+    write({.kind = RecordKind::End, .line = line});
+    {
+        const std::lock_guard lock(mutex_);
+        if (broken_)
+            return;
+        cut_ = Cut{waiting_.take(), end};
+        waiting_ = {};
+        cutting_ = true;
+        wake_.notify_one();
+    }
+    ++number_;
+    began_ = std::chrono::steady_clock::now();
+    write({.kind = RecordKind::Start, .line = line, .bytes = startText(facts)});
+}
+
+void RecordingWriter::makeRoom(std::uint64_t limit_bytes) {
+    const std::lock_guard lock(mutex_);
+    limit_bytes_ = limit_bytes;
+    wake_.notify_one();
+}
+
+std::vector<Result<RecordingParts::Dropped>> RecordingWriter::takeDropped() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(dropped_, {});
+}
+
+std::uint64_t RecordingWriter::allBytes() {
+    const std::lock_guard lock(mutex_);
+    return older_bytes_ + bytes();
+}
+
 void RecordingWriter::tellFlushed() {
     for (const auto& done : std::exchange(now_flushed_, {}))
         done();
@@ -116,24 +174,36 @@ std::optional<Error> RecordingWriter::takeTrouble() {
     return std::exchange(trouble_, std::nullopt);
 }
 
+RecordingWriter::Work RecordingWriter::waitForWork(const std::stop_token& stop) {
+    Work work;
+    std::unique_lock lock(mutex_);
+    wake_.wait_for(lock, stop, limits_.flush,
+                   [this] { return waiting_.size() >= batch_bytes || !on_flushed_.empty() || cut_ || limit_bytes_; });
+    work.last = stop.stop_requested();
+    work.cut = std::exchange(cut_, std::nullopt);
+    work.records = waiting_.take();
+    free_waiting_ = 0;
+    work.limit_bytes = std::exchange(limit_bytes_, std::nullopt);
+    now_flushed_.swap(on_flushed_);
+    return work;
+}
+
 void RecordingWriter::run(std::stop_token stop) {
     std::string bytes;
     recording::appendHead(bytes);
     bool last = false;
     while (!last && !broken_) {
-        PackedBatch batch;
-        {
-            std::unique_lock lock(mutex_);
-            wake_.wait_for(lock, stop, limits_.flush,
-                           [this] { return waiting_.size() >= batch_bytes || !on_flushed_.empty(); });
-            last = stop.stop_requested();
-            batch = waiting_.take();
-            now_flushed_.swap(on_flushed_);
-        }
-        blocks_.append(bytes, std::move(batch));
+        Work work = waitForWork(stop);
+        last = work.last;
+        if (work.cut && !cutHere(*std::move(work.cut), bytes))
+            break;
+        blocks_->append(bytes, std::move(work.records));
         if (last)
-            blocks_.appendIndex(bytes);
-        if (drain(bytes))
+            blocks_->appendIndex(bytes);
+        const bool written = drain(bytes);
+        if (written && work.limit_bytes)
+            dropOldest(*work.limit_bytes);
+        if (written)
             tellFlushed();
         bytes.clear();
     }
@@ -143,6 +213,50 @@ void RecordingWriter::run(std::stop_token stop) {
         now_flushed_.swap(on_flushed_);
     }
     tellFlushed();
+}
+
+/// Ends the file, behind `bytes` that are still to be written into it, and begins the next one.
+bool RecordingWriter::cutHere(Cut cut, std::string& bytes) {
+    blocks_->append(bytes, std::move(cut.last));
+    blocks_->appendIndex(bytes);
+    if (!drain(bytes))
+        return false;
+    if (auto begun = beginFile(cut.end); !begun) {
+        const std::lock_guard lock(mutex_);
+        Error error = begun.error();
+        error.what = "the recording ends, because its next part cannot begin: " + error.what + "; the mission goes on";
+        breakOff(std::move(error));
+        return false;
+    }
+    bytes.clear();
+    recording::appendHead(bytes);
+    blocks_.emplace(recording::head_bytes);
+    return true;
+}
+
+Result<void> RecordingWriter::beginFile(Seconds end) {
+    if (auto aside = parts_.setAside(file_, bytes_, end); !aside)
+        return aside;
+    const auto file = createFile(path_);
+    if (!file) {
+        Error error = file.error();
+        if (const auto back = parts_.takeBack(); !back)
+            error.what += "; " + back.error().text();
+        return tl::unexpected(error);
+    }
+    ::close(std::exchange(file_, *file));
+    const std::lock_guard lock(mutex_);
+    older_bytes_ = parts_.bytes(0);
+    bytes_ = 0;
+    return {};
+}
+
+void RecordingWriter::dropOldest(std::uint64_t limit_bytes) {
+    while (auto dropped = parts_.makeRoom(bytes_, limit_bytes)) {
+        const std::lock_guard lock(mutex_);
+        dropped_.push_back(*std::move(dropped));
+        older_bytes_ = parts_.bytes(0);
+    }
 }
 
 /// Writes blocks to the file, the first time behind the file's head. If only a part could be written, cuts the file

@@ -20,6 +20,7 @@
 #include "core/base/clock.h"
 #include "core/base/result.h"
 #include "core/link/recording_packing.h"
+#include "core/link/recording_parts.h"
 
 namespace usar::link {
 
@@ -32,17 +33,18 @@ struct RecordingLimits {
 /// or as soon as 1 MiB waits. So a program that is killed loses a quarter of a second, and a machine that loses power
 /// loses what the kernel had not written yet. If the disk is full, or too slow for longer than the buffer lasts, the
 /// recording ends: the file then ends with a whole block, and `takeTrouble` gives the reason once. All calls must come
-/// from one thread. The file is locked (flock) while it is written, so that its readers can tell.
+/// from one thread. The file is locked (flock) while it is written, so that its readers can tell. It may be cut into
+/// parts (recording_parts.h); the writer's thread renames and deletes them, too.
 class RecordingWriter {
 public:
     /// Creates the file and missing folders, and writes `facts` as the Start record. `line` is the newest info line. A
-    /// file of this name that already exists is left alone and is an error.
+    /// file of this name that already exists is left alone and is an error, and so is a part of such a recording.
     static Result<std::unique_ptr<RecordingWriter>> create(const QString& path,
                                                            const std::map<std::string, std::string>& facts,
                                                            LineNumber line, RecordingLimits limits = {});
     ~RecordingWriter(); ///< calls `finish`
-    /// Ends the recording properly, waiting for the disk, and returns what went wrong since `takeTrouble`. Later calls
-    /// do nothing.
+    /// Ends the recording properly, for which it waits for the disk, and returns what went wrong since the last call of
+    /// `takeTrouble`. Later calls do nothing.
     std::optional<Error> finish();
 
     /// Queues the record and sets its time to now. Does nothing once the recording has broken off.
@@ -50,18 +52,54 @@ public:
     /// `done` is called once everything written so far can be read in the file, or never will be. It runs in the
     /// writer's thread, which it must not block, or at once in the caller's if the recording has broken off.
     void flush(std::function<void()> done);
+    /// Calls `write`, which writes what a reader must know at the beginning. These records may be more than the buffer.
+    void writeHead(const std::function<void()>& write);
+
+    /// Everything from now on goes into the next part, which begins with these facts; `end` is the time since the
+    /// recording began. If it cannot begin, the recording ends. Does nothing while `cutting`.
+    void beginPart(const std::map<std::string, std::string>& facts, LineNumber line, Seconds end);
+    /// True from `beginPart` until the new part is on the disk with its head.
+    bool cutting() const { return cutting_; }
+    /// Number of the newest part, from 1.
+    int partNumber() const { return number_; }
+    /// Deletes the oldest parts soon, as RecordingParts::makeRoom does.
+    void makeRoom(std::uint64_t limit_bytes);
+    /// What has come of that since the last call.
+    std::vector<Result<RecordingParts::Dropped>> takeDropped();
+
     /// Reason why the recording ended early; nullopt if it has not, and after the first call that gave the reason.
     std::optional<Error> takeTrouble();
     /// True once the recording has ended early or was finished.
     bool broken() const { return broken_; }
     const std::string& path() const { return path_; }
-    /// Size of the file so far, without what still waits in the buffer.
+    /// Size of the newest part so far, without what still waits in the buffer.
     std::uint64_t bytes() const { return std::max<std::uint64_t>(bytes_, recording::head_bytes); }
+    /// So many of them are what `writeHead` wrote, if it did; 0 until that is on the disk.
+    std::uint64_t headBytes() const { return head_bytes_; }
+    /// Size of all parts that are on the disk.
+    std::uint64_t allBytes();
 
 private:
-    RecordingWriter(std::string path, int file, RecordingLimits limits);
+    /// A part that ends.
+    struct Cut {
+        PackedBatch last; ///< records
+        Seconds end{0.0};
+    };
+    /// What the thread has to do.
+    struct Work {
+        std::optional<Cut> cut; ///< comes before the records
+        PackedBatch records;
+        std::optional<std::uint64_t> limit_bytes; ///< oldest parts are to be deleted because of it
+        bool last = false;
+    };
+
+    RecordingWriter(RecordingParts parts, std::string path, int file, RecordingLimits limits);
     void run(std::stop_token stop);
+    Work waitForWork(const std::stop_token& stop);
     bool drain(const std::string& batch);
+    bool cutHere(Cut cut, std::string& bytes);
+    Result<void> beginFile(Seconds end);
+    void dropOldest(std::uint64_t limit_bytes);
     void tellFlushed();
     void breakOff(Error trouble);
 
@@ -70,14 +108,24 @@ private:
     RecordingLimits limits_;
     std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
     LineNumber newest_line_;
+    int number_ = 1;
+    bool in_head_ = false;
     std::atomic<std::uint64_t> bytes_{0};
+    std::atomic<std::uint64_t> head_bytes_{0};
+    std::atomic<bool> cutting_{false};
     std::atomic<bool> broken_{false};
-    std::mutex mutex_; ///< guards the next four members
+    std::mutex mutex_; ///< guards the members up to `blocks_`
     std::condition_variable_any wake_;
     RecordPacker waiting_;
+    std::size_t free_waiting_ = 0; ///< bytes that wait and do not count against the buffer
+    std::optional<Cut> cut_;
+    std::optional<std::uint64_t> limit_bytes_; ///< for which room is to be made
+    std::vector<Result<RecordingParts::Dropped>> dropped_;
+    std::uint64_t older_bytes_ = 0; ///< size of the parts before the newest
     std::vector<std::function<void()>> on_flushed_;
     std::optional<Error> trouble_;
-    BlockWriter blocks_; ///< used by the writer's thread only, like the next one
+    std::optional<BlockWriter> blocks_; ///< used by the writer's thread only, like the next two
+    RecordingParts parts_;
     std::vector<std::function<void()>> now_flushed_;
     std::jthread thread_; ///< declared last, so that it ends before what it uses
 };

@@ -328,8 +328,8 @@ void tst_WindowReplay::recordingsGetALimitThatIsKeptForTheNextStart() {
         QTest::keyClicks(box, "4"); // Fewer than the least.
         QTest::keyClick(box, Qt::Key_Return);
         QTRY_VERIFY_WITH_TIMEOUT(page.robot(1)->figures.recording->limit_bytes == std::uint64_t(10'000'000), soon_ms);
-        QVERIFY(page.notified("newest 10 MB").contains("recording"));
-        QTRY_VERIFY_WITH_TIMEOUT(page.window().views().record->toolTip().contains("newest 10 MB"), soon_ms);
+        QVERIFY(page.notified("at most 10 MB").contains("recording"));
+        QTRY_VERIFY_WITH_TIMEOUT(page.window().views().record->toolTip().contains("at most 10 MB"), soon_ms);
         QTRY_COMPARE_WITH_TIMEOUT(QSettings().value("record_limit_mb").toInt(), 10, soon_ms); // Saved each second.
     }
     WindowPage page({.settings_folder = settings.path()});

@@ -1,6 +1,10 @@
 // A recording in parts: what is renamed and deleted, and that its reader and its replay notice nothing of the seams.
 #include <functional>
 #include <limits>
+#include <numeric>
+
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <QBuffer>
 #include <QFile>
@@ -104,7 +108,7 @@ std::vector<Kept> flight() {
 /// What a session puts in front of a later part.
 std::vector<Kept> sceneOf(int number, LineNumber line) {
     const std::string facts = "robot: R1\nstarted: later\nbegan: then\npart: " + std::to_string(number) +
-                              "\nafter_s: " + std::to_string(number) + ".5\n";
+                              "\nafter_s: " + std::to_string(number) + ".6\n";
     return {kept({.kind = RecordKind::Start, .line = line, .bytes = facts}),
             kept({.kind = RecordKind::Opened, .line = line, .bytes = "h:1"}),
             kept({.kind = RecordKind::In, .line = line, .bytes = "SEN {half"}),
@@ -148,6 +152,12 @@ void writeParts(const QString& path, const std::vector<std::size_t>& cuts) {
     }
 }
 
+QStringList heardOf(const std::vector<Kept>& records, const QString& name) {
+    QTemporaryDir folder;
+    writeRecords(folder.filePath(name), records);
+    return replayed(*RecordingReader::open(folder.filePath(name)));
+}
+
 } // namespace
 
 class tst_RecordingParts : public QObject {
@@ -166,13 +176,30 @@ private slots:
                                    << "/a.b/R1.part3";
         QTest::newRow("a name like a part's") << "R1.part2x.usarrec"
                                               << "R1.part2x.part3.usarrec";
+        QTest::newRow("the name of a part") << "R1.part2.usarrec"
+                                            << "R1.part2.part3.usarrec";
+        QTest::newRow("a part as suffix") << "R1.part2"
+                                          << "R1.part3.part2";
     }
     void aPartIsNamedAfterItsRecording() {
         QFETCH(const QString, recording);
         QFETCH(const QString, part);
         QCOMPARE(partPath(recording, 3), part);
-        QCOMPARE(recordingOfPart(part), recording);
-        QCOMPARE(recordingOfPart(recording), recording);
+        const auto name = readPartPath(part);
+        QVERIFY(name);
+        QCOMPARE(name->recording, recording);
+        QCOMPARE(name->number, 3);
+    }
+
+    void anotherNameIsNotThatOfAPart_data() {
+        QTest::addColumn<QString>("path");
+        for (const char* name : {"R1.usarrec", "R1", "R1.part2x.usarrec", "R1.part0.usarrec", "R1.part02.usarrec",
+                                 "R1.part2.a.usarrec", "/a.part3/R1.usarrec", "R1.part1234567890.usarrec"})
+            QTest::newRow(name) << name;
+    }
+    void anotherNameIsNotThatOfAPart() {
+        QFETCH(const QString, path);
+        QVERIFY(!readPartPath(path));
     }
 
     void seamsAreNotHeard_data() {
@@ -237,27 +264,119 @@ private slots:
         QTest::addColumn<QString>("words");
         QTest::newRow("none") << QList<int>{} << "";
         QTest::newRow("the first") << QList<int>{1}
-                                   << "The first part of this recording is gone or elsewhere; it begins 2.5 s late.";
+                                   << "The first part of this recording is missing, because cut.part1.usarrec is gone "
+                                      "or elsewhere; it begins 3 s late.";
         QTest::newRow("one in the middle")
-            << QList<int>{2} << "The first 2 parts of this recording are gone or elsewhere; it begins 3.5 s late.";
+            << QList<int>{2}
+            << "The first 2 parts of this recording are missing, because cut.part2.usarrec is gone or elsewhere; it "
+               "begins 4 s late.";
         QTest::newRow("all") << QList<int>{1, 2, 3}
-                             << "The first 3 parts of this recording are gone or elsewhere; it begins 4.5 s late.";
+                             << "The first 3 parts of this recording are missing, because cut.part3.usarrec is gone or "
+                                "elsewhere; it begins 5 s late.";
     }
     void partsThatAreGoneAreTold() {
         QFETCH(const QList<int>, gone);
-        writeParts(path("cut.usarrec"), {60, 200, 333});
+        QFETCH(const QString, words);
+        const std::vector<std::size_t> cuts{60, 200, 333};
+        writeParts(path("cut.usarrec"), cuts);
         for (const int number : gone)
             QVERIFY(QFile::remove(partPath(path("cut.usarrec"), number)));
         auto reader = RecordingReader::open(path("cut.usarrec"));
         QVERIFY(reader);
-        QTEST(QString::fromStdString((*reader)->survey().complaint()), "words");
-        const QStringList heard = replayed(*std::move(reader));
-        const QStringList whole = [&] {
-            writeRecords(path("whole.usarrec"), flight());
-            return replayed(*RecordingReader::open(path("whole.usarrec")));
-        }();
-        QCOMPARE(heard.last(), whole.last());
-        QCOMPARE(heard.contains("note 0 INIT {Name R1}") || heard.filter("INIT").size() == 1, !gone.isEmpty());
+        QCOMPARE(QString::fromStdString((*reader)->survey().complaint()), words);
+        QCOMPARE((*reader)->survey().missingParts(), words.toStdString());
+        QCOMPARE((*reader)->survey().defects(), std::string());
+        QStringList heard = replayed(*std::move(reader));
+        const QStringList whole = heardOf(flight(), "whole");
+        if (!gone.isEmpty()) {
+            // The first part that is there tells the scene, and from then on everything is as in the whole.
+            const std::size_t from = cuts[static_cast<std::size_t>(gone.last()) - 1];
+            const auto records = flight();
+            const QStringList before =
+                heardOf({records.begin(), records.begin() + static_cast<std::ptrdiff_t>(from)}, "before");
+            const QStringList scene{"opened 0 h:1",
+                                    QString("note %1 INIT {Name R1}").arg(records[from - 1].record.line.value),
+                                    QString("note %1 again").arg(records[from - 1].record.line.value),
+                                    QString("note %1 ").arg(records[from - 1].record.line.value)};
+            QCOMPARE(heard.mid(0, scene.size()), scene);
+            QCOMPARE(heard.mid(scene.size()), whole.mid(before.size()));
+        } else {
+            QCOMPARE(heard, whole);
+        }
+    }
+
+    void aPartThatCannotBeReadIsTold_data() {
+        QTest::addColumn<QByteArray>("first");
+        QTest::addColumn<QString>("why");
+        QTest::newRow("empty") << QByteArray() << "cannot be read (the file is empty)";
+        QTest::newRow("no recording") << QByteArray("my own notes")
+                                      << "cannot be read (byte 0 does not begin a recording)";
+    }
+    void aPartThatCannotBeReadIsTold() {
+        QFETCH(const QByteArray, first);
+        QFETCH(const QString, why);
+        writeParts(path("cut.usarrec"), {200});
+        QFile file(path("cut.part1.usarrec"));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(first) == first.size());
+        file.close();
+        const auto reader = RecordingReader::open(path("cut.usarrec"));
+        QVERIFY(reader);
+        QCOMPARE((*reader)->survey().parts_lost, 1);
+        const QString told = QString::fromStdString((*reader)->survey().complaint());
+        QVERIFY2(told.contains("because cut.part1.usarrec " + why), qPrintable(told));
+    }
+
+    /// As a loss of power, or a look in the quarter of a second behind a seam, leaves it.
+    void aNewestPartWithNothingInItLeavesTheOthers_data() {
+        QTest::addColumn<QString>("newest");
+        QTest::addColumn<QList<int>>("empty");
+        QTest::addColumn<int>("left");
+        QTest::addColumn<QString>("words");
+        const QString nothing = "The end of this recording is missing, because nothing can be read in cut.usarrec (";
+        QTest::newRow("missing") << "" << QList<int>{} << 3 << nothing + "No such file or directory).";
+        QTest::newRow("empty") << "empty" << QList<int>{} << 3 << nothing + "the file is empty).";
+        QTest::newRow("only a head") << "head" << QList<int>{} << 3
+                                     << nothing + "it holds not one whole record after byte 12).";
+        QTest::newRow("zeros") << "zeros" << QList<int>{} << 3 << nothing + "byte 0 does not begin a recording).";
+        QTest::newRow("the one before, too")
+            << "empty" << QList<int>{3} << 2 << nothing + "the file is empty), cut.part3.usarrec (the file is empty).";
+        QTest::newRow("being written") << "locked" << QList<int>{} << 3 << "";
+    }
+    void aNewestPartWithNothingInItLeavesTheOthers() {
+        QFETCH(const QString, newest);
+        QFETCH(const QList<int>, empty);
+        QFETCH(const int, left);
+        QFETCH(const QString, words);
+        const std::vector<std::size_t> cuts{60, 200, 333};
+        writeParts(path("cut.usarrec"), cuts);
+        QVERIFY(QFile::remove(path("cut.usarrec")));
+        std::string bytes;
+        if (newest == "head" || newest == "locked")
+            recording::appendHead(bytes);
+        else if (newest == "zeros")
+            bytes.assign(4096, '\0');
+        QFile file(path("cut.usarrec"));
+        if (!newest.isEmpty())
+            QVERIFY(file.open(QIODevice::WriteOnly | QIODevice::Unbuffered) &&
+                    file.write(QByteArray::fromStdString(bytes)) >= 0);
+        if (newest == "locked")
+            QCOMPARE(::flock(file.handle(), LOCK_EX | LOCK_NB), 0);
+        for (const int number : empty)
+            QVERIFY(QFile::resize(partPath(path("cut.usarrec"), number), 0));
+        auto reader = RecordingReader::open(path("cut.usarrec"));
+        QVERIFY2(reader, reader ? "" : reader.error().text().c_str());
+        QCOMPARE(QString::fromStdString((*reader)->survey().complaint()), words);
+        QCOMPARE((*reader)->survey().being_written, newest == "locked");
+        const auto records = flight();
+        const auto end = records.begin() + static_cast<std::ptrdiff_t>(cuts[static_cast<std::size_t>(left) - 1]);
+        QCOMPARE(replayed(*std::move(reader)), heardOf({records.begin(), end}, "before"));
+    }
+
+    void aFileThatCannotBeReadAndHasNoPartsIsAnError() {
+        put("cut.part2.usarrec", "nothing of ours");
+        const auto reader = RecordingReader::open(path("cut.usarrec"));
+        QVERIFY(!reader);
+        QCOMPARE(reader.error().where, path("cut.usarrec").toStdString());
     }
 
     void aFileBesideItThatOnlyHasTheNameIsNoPart_data() {
@@ -265,6 +384,7 @@ private slots:
         QTest::newRow("began at another time") << "part: 3\nbegan: yesterday\n";
         QTest::newRow("another part") << "part: 2\nbegan: then\n";
         QTest::newRow("no part") << "robot: R1\n";
+        QTest::newRow("no beginning") << "part: 3\n";
     }
     void aFileBesideItThatOnlyHasTheNameIsNoPart() {
         QFETCH(const QString, facts);
@@ -276,6 +396,33 @@ private slots:
         const auto reader = RecordingReader::open(path("cut.usarrec"));
         QVERIFY(reader);
         QCOMPARE((*reader)->survey().parts_lost, 3);
+        QVERIFY((*reader)->survey().complaint().find("because cut.part3.usarrec is not a part of it") !=
+                std::string::npos);
+    }
+
+    /// Facts without a beginning say nothing about what belongs together.
+    void partsThatTellNoBeginningAreNotJoined() {
+        writeRecords(path("cut.part1.usarrec"), {kept({.kind = RecordKind::Start, .bytes = "robot: R1\n"})});
+        writeRecords(path("cut.usarrec"), {kept({.kind = RecordKind::Start, .bytes = "robot: R2\npart: 2\n"})});
+        const auto reader = RecordingReader::open(path("cut.usarrec"));
+        QVERIFY(reader);
+        QCOMPARE((*reader)->survey().parts_lost, 1);
+    }
+
+    void aRecordingThatIsCalledLikeAPartIsNone() {
+        writeRecords(path("cut.part2.usarrec"), flight());
+        writeParts(path("cut.usarrec"), {}); // beside it
+        const auto own = RecordingReader::open(path("cut.part2.usarrec"));
+        QVERIFY(own);
+        QCOMPARE((*own)->survey().complaint(), std::string());
+        QCOMPARE((*own)->survey().files.size(), std::size_t(1));
+        // It may have parts of its own, of which it is the second.
+        QVERIFY(QFile::remove(path("cut.part2.usarrec")));
+        writeParts(path("cut.part2.usarrec"), {200});
+        const auto parts = RecordingReader::open(path("cut.part2.usarrec"));
+        QVERIFY(parts);
+        QCOMPARE((*parts)->survey().complaint(), std::string());
+        QCOMPARE((*parts)->survey().files.front().file, std::string("cut.part2.part1.usarrec"));
     }
 
     void anEarlierPartOpensWithThoseBeforeIt() {
@@ -283,6 +430,9 @@ private slots:
         auto reader = RecordingReader::open(partPath(path("cut.usarrec"), 2));
         QVERIFY(reader);
         QCOMPARE((*reader)->survey().parts_lost, 0);
+        QCOMPARE((*reader)->survey().complaint(), std::string("This is an earlier part of the recording cut.usarrec, "
+                                                              "and what came after it is not read."));
+        QCOMPARE((*reader)->survey().defects(), std::string());
         writeRecords(path("whole.usarrec"), flight());
         const QStringList whole = replayed(*RecordingReader::open(path("whole.usarrec")));
         const QStringList heard = replayed(*std::move(reader));
@@ -308,7 +458,32 @@ private slots:
         QVERIFY(reader);
         QCOMPARE((*reader)->survey().damage.size(), std::size_t(1));
         QCOMPARE((*reader)->survey().damage.front().offset, size + at);
-        QVERIFY((*reader)->survey().complaint().find("damaged, the first at byte") != std::string::npos);
+        const std::string words = "damaged, the first at byte " + std::to_string(at) + " of cut.usarrec, and left out.";
+        QVERIFY((*reader)->survey().complaint().find(words) != std::string::npos);
+        QVERIFY((*reader)->survey().defects().find(words) != std::string::npos);
+        QBuffer text;
+        QVERIFY(text.open(QIODevice::WriteOnly) && recordingToText(path("cut.usarrec"), text));
+        const auto comment = QString("damaged bytes at byte %1 of cut.usarrec\n").arg(at);
+        QVERIFY2(text.data().contains(comment.toUtf8()), text.data().right(2000).constData());
+    }
+
+    void onlyThePartThatIsReadTakesMemory() {
+        const auto resident_bytes = [] {
+            QFile file("/proc/self/statm");
+            const bool open = file.open(QIODevice::ReadOnly);
+            return open ? file.readAll().split(' ').value(1).toLongLong() * ::sysconf(_SC_PAGESIZE) : 0;
+        };
+        std::vector<std::size_t> cuts(40);
+        std::iota(cuts.begin(), cuts.end(), 2);
+        writeParts(path("cut.usarrec"), cuts);
+        const auto before = resident_bytes();
+        const auto reader = RecordingReader::open(path("cut.usarrec"));
+        QVERIFY(reader);
+        QCOMPARE((*reader)->survey().files.size(), std::size_t(41));
+        QVERIFY(before > 0);
+        QVERIFY(recordsIn(**reader).size() > 600);
+        const auto grown = resident_bytes() - before;
+        QVERIFY2(grown < 20'000'000, qPrintable(QString::number(grown))); // A window has 2 MiB.
     }
 
     void aSeamWhoseNoteIsLostEndsWithTheNextLine() {
@@ -323,24 +498,25 @@ private slots:
 
     void onlyWhatWasSetAsideIsDeletedAndOldestFirst() {
         constexpr std::uint64_t limit = 100'000'000;
-        put("r.usarrec", "first");
+        auto newest = put("r.usarrec", "first");
         auto parts = RecordingParts::at(path("r.usarrec"));
         QVERIFY(parts);
         for (int number = 1; number <= 9; ++number) {
-            QVERIFY(parts->setAside(10'000'000, Seconds(number)));
-            put("r.usarrec", "part");
+            QVERIFY(parts->setAside(newest->handle(), 10'000'000, Seconds(number)));
+            newest = put("r.usarrec", "part");
             QCOMPARE(parts->number(), number + 1);
             QVERIFY(!parts->makeRoom(1, limit)); // Another part still fits.
         }
         QCOMPARE(parts->bytes(5), std::uint64_t(90'000'005));
         QVERIFY(QFile::remove(path("r.part2.usarrec")));
         put("r.part2.usarrec", "somebody else's"); // At a place that was ours.
-        QVERIFY(parts->setAside(10'000'000, Seconds(10)));
+        QVERIFY(parts->setAside(newest->handle(), 10'000'000, Seconds(10)));
         put("r.usarrec", "newest");
         const auto dropped = parts->makeRoom(1, limit);
         QVERIFY(dropped && *dropped);
         QCOMPARE((*dropped)->path, path("r.part1.usarrec").toStdString());
         QCOMPARE((*dropped)->end, Seconds(1));
+        QVERIFY((*dropped)->deleted);
         QVERIFY(!QFile::exists(path("r.part1.usarrec")));
         QVERIFY(!parts->makeRoom(1, limit));
         const auto refused = parts->makeRoom(10'000'001, limit);
@@ -348,9 +524,13 @@ private slots:
         QCOMPARE(refused->error().where, path("r.part2.usarrec").toStdString());
         QVERIFY(QFile::exists(path("r.part2.usarrec")));
         QVERIFY(!parts->makeRoom(10'000'001, limit));
+        QVERIFY(QFile::rename(path("r.part3.usarrec"), path("kept.usarrec"))); // Somebody wants it.
+        const auto moved = parts->makeRoom(1, 1);
+        QVERIFY(moved && *moved && !(*moved)->deleted);
         while (const auto more = parts->makeRoom(1, 1))
-            QVERIFY(*more);
-        QCOMPARE(QDir(folder_->path()).entryList(QDir::Files), (QStringList{"r.part2.usarrec", "r.usarrec"}));
+            QVERIFY(*more && (*more)->deleted);
+        QCOMPARE(QDir(folder_->path()).entryList(QDir::Files),
+                 (QStringList{"kept.usarrec", "r.part2.usarrec", "r.usarrec"}));
     }
 
     void aPartOfAnotherRecordingIsNotWrittenOver() {
@@ -361,23 +541,50 @@ private slots:
         QVERIFY(QFile::remove(path("r.part7.usarrec")));
         auto parts = RecordingParts::at(path("r.usarrec"));
         QVERIFY(parts);
-        put("r.usarrec", "ours");
+        const auto ours = put("r.usarrec", "ours");
         put("r.part1.usarrec", "came later");
-        QVERIFY(!parts->setAside(1, Seconds(1)));
+        QVERIFY(!parts->setAside(ours->handle(), 1, Seconds(1)));
         QVERIFY(QFile::exists(path("r.usarrec")));
         QFile other(path("r.part1.usarrec"));
         QVERIFY(other.open(QIODevice::ReadOnly));
         QCOMPARE(other.readAll(), QByteArray("came later"));
     }
 
-    void aPartWhoseNextCannotBeginGetsItsNameBack() {
-        put("r.usarrec", "ours");
+    void aFileThatSomebodyElsePutThereIsLeftAlone() {
+        const auto ours = put("r.usarrec", "ours");
         auto parts = RecordingParts::at(path("r.usarrec"));
-        QVERIFY(parts && parts->setAside(4, Seconds(1)));
-        parts->takeBack();
+        QVERIFY(parts);
+        QVERIFY(QFile::remove(path("r.usarrec")));
+        const auto gone = parts->setAside(ours->handle(), 4, Seconds(1));
+        QVERIFY(!gone);
+        QCOMPARE(gone.error().where, path("r.usarrec").toStdString());
+        put("r.usarrec", "another");
+        QVERIFY(!parts->setAside(ours->handle(), 4, Seconds(1)));
+        QVERIFY(!QFile::exists(path("r.part1.usarrec")));
+        QVERIFY(QFile::remove(path("r.usarrec")));
+        put("elsewhere.usarrec", "another");
+        QVERIFY(QFile::link(path("elsewhere.usarrec"), path("r.usarrec")));
+        const auto link = parts->setAside(ours->handle(), 4, Seconds(1));
+        QVERIFY(!link);
+        QVERIFY(link.error().what.find("another file") != std::string::npos);
+        QVERIFY(QFileInfo(path("r.usarrec")).isSymLink());
+        QCOMPARE(parts->number(), 1);
+    }
+
+    void aPartWhoseNextCannotBeginGetsItsNameBack() {
+        const auto ours = put("r.usarrec", "ours");
+        auto parts = RecordingParts::at(path("r.usarrec"));
+        QVERIFY(parts && parts->setAside(ours->handle(), 4, Seconds(1)));
+        QVERIFY(parts->takeBack());
         QVERIFY(QFile::exists(path("r.usarrec")));
         QCOMPARE(parts->number(), 1);
         QCOMPARE(parts->bytes(0), std::uint64_t(0));
+        QVERIFY(parts->setAside(ours->handle(), 4, Seconds(1)));
+        put("r.usarrec", "another");
+        const auto refused = parts->takeBack();
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().where, path("r.part1.usarrec").toStdString());
+        QVERIFY(QFile::exists(path("r.part1.usarrec")));
     }
 
     void aPartIsFullAtATenthOfTheLimitOrTwiceItsBeginning_data() {
@@ -397,9 +604,12 @@ private slots:
 
 private:
     QString path(const char* name) const { return folder_->filePath(name); }
-    void put(const char* name, const char* text) const {
-        QFile file(path(name));
-        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(text) > 0);
+    /// Returns the file, which stays open.
+    std::unique_ptr<QFile> put(const char* name, const char* text) const {
+        auto file = std::make_unique<QFile>(path(name));
+        if (!file->open(QIODevice::WriteOnly | QIODevice::Unbuffered) || file->write(text) <= 0)
+            return nullptr;
+        return file;
     }
 
     std::unique_ptr<QTemporaryDir> folder_;

@@ -1,5 +1,6 @@
 // A flight of the program `usar-mission`, recorded, replayed and converted by the same program.
 #include <QFile>
+#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -44,6 +45,7 @@ private slots:
     void aPartOfItCanBePlayed();
     void textAndBackIsTheSameText();
     void aFileCutOffIsPlayedAndSaysWhatIsLost();
+    void aRunWithALimitWritesParts();
     void refusalsNameTheFileAndTheMend_data();
     void refusalsNameTheFileAndTheMend();
 
@@ -111,6 +113,46 @@ void tst_UsarReplay::aFileCutOffIsPlayedAndSaysWhatIsLost() {
     QVERIFY(!ended.summary["ended_in_order"].toBool());
     QVERIFY(ended.summary["lines_in"].toInt() > 10);
     QVERIFY2(ended.err.contains("cut.usarrec") && ended.err.contains("incomplete"), ended.err);
+}
+
+/// The flight is long enough for a second part, and short enough for nothing to be deleted.
+void tst_UsarReplay::aRunWithALimitWritesParts() {
+    QFile mission(path("small.json"));
+    QVERIFY(mission.open(QIODevice::ReadOnly));
+    QJsonObject wide = QJsonDocument::fromJson(mission.readAll()).object();
+    wide["area"] = QJsonObject{{"x", -40}, {"y", -40}, {"width", 80}, {"height", 80}};
+    QFile file(path("wide.json"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(QJsonDocument(wide).toJson());
+    file.close();
+    const Ended flown =
+        run({"run", file.fileName(), "--out", path("out"), "--record", path("p.usarrec"), "--record-limit", "10"});
+    QVERIFY2(flown.exit_code == 0, flown.err);
+    QVERIFY2(QFile::exists(path("p.part1.usarrec")), qPrintable(QString::number(QFileInfo(path("p.usarrec")).size())));
+    const Ended whole = run({"replay", path("p.usarrec")});
+    QVERIFY2(whole.exit_code == 0, whole.err);
+    QVERIFY(whole.summary["ended_in_order"].toBool());
+    QVERIFY(whole.summary["lines_in"].toInt() >= flown.summary["lines_received"].toInt());
+    QCOMPARE(whole.summary["last_line"].toInt(), whole.summary["lines_in"].toInt());
+
+    QVERIFY(QFile::rename(path("p.part1.usarrec"), path("elsewhere.usarrec")));
+    const Ended late = run({"replay", path("p.usarrec")});
+    QVERIFY2(late.exit_code == 0, late.err);
+    QVERIFY2(late.err.contains("missing, because p.part"), late.err);
+    QVERIFY(late.summary["lines_in"].toInt() < whole.summary["lines_in"].toInt());
+    const Ended exported = run({"recording-to-mcap", path("p.usarrec"), path("p.mcap")});
+    QVERIFY2(exported.exit_code == 0 && exported.err.contains("missing, because p.part"), exported.err);
+    const Ended map = run({"export", path("p.usarrec"), "--formats", "asc", "--out", path("maps")});
+    QVERIFY2(map.exit_code == 0 && map.err.contains("The map lacks what was scanned there."), map.err);
+    const Ended rest = run({"run", "--continue", path("p.usarrec"), "--out", path("rest")});
+    QVERIFY2(rest.err.contains("What was scanned there is flown again."), rest.err);
+    QVERIFY2(rest.exit_code == 0, rest.err);
+
+    QVERIFY(QFile::rename(path("elsewhere.usarrec"), path("p.part1.usarrec")));
+    QVERIFY(QFile::resize(path("p.usarrec"), 0)); // As a loss of power leaves it.
+    const Ended left = run({"replay", path("p.usarrec")});
+    QVERIFY2(left.exit_code == 1 && left.err.contains("nothing can be read in p.usarrec"), left.err);
+    QVERIFY(left.summary["lines_in"].toInt() > 1000 && !left.summary["success"].toBool());
 }
 
 void tst_UsarReplay::refusalsNameTheFileAndTheMend_data() {

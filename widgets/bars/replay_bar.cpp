@@ -108,7 +108,8 @@ void RecordBadge::setState(const std::optional<RecordState>& state) {
         figures_->setText(tr("%1 %2 MB").arg(clockText(state->elapsed), megabytes(state->bytes, 1)));
     QString tip = state ? tr("%1, written to %2").arg(figures_->text(), state->path) : QString();
     if (state && state->limit_bytes)
-        tip += tr("\nIt keeps its newest %1 MB; what is older is deleted.").arg(megabytes(*state->limit_bytes, 0));
+        tip +=
+            tr("\nIt has at most %1 MB; its oldest parts are deleted for that.").arg(megabytes(*state->limit_bytes, 0));
     setToolTip(tip);
     if (writing_ == state.has_value() && !(figures_->text().isEmpty()))
         return;

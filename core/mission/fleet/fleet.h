@@ -94,9 +94,11 @@ public:
     bool anythingToSave() const;
     void exportResults(RobotId id);
     void exportMap(RobotId id, const FormatList& formats, const QString& folder); ///< an error is a notice
-    void cancelSaving();        ///< stops all saves that run; `exportFailed` follows for each
-    void setRecording(bool on); ///< each live robot, present or future, to a file in the result folder; initially on
-    void setRecordingLimit(RecordingLimit limit_bytes); ///< of each recording, present or future; initially none
+    void cancelSaving(); ///< stops all saves that run; `exportFailed` follows for each
+    /// Each live robot, present or future, is recorded to a file in the result folder. This is on at first.
+    void setRecording(bool on);
+    /// The limit holds for each recording, present or future. At first there is none.
+    void setRecordingLimit(RecordingLimit limit_bytes);
     bool recording() const;
     /// Opens a recording as a further robot, paused, which carries out `first`; `replayAdded` gives its id.
     void openRecording(const QString& path, const ReplayOrder& first = {});

@@ -87,8 +87,10 @@ public:
         call(&RobotSession::startRecording, path, facts);
     }
     void stopRecording() { call(&RobotSession::stopRecording); }
+    /// The limit holds for this recording and later ones.
     void setRecordingLimit(RecordingLimit limit_bytes) { call(&RobotSession::setRecordingLimit, limit_bytes); }
-    void flushRecording() { call(&RobotSession::flushRecording); } ///< `recordingFlushed` follows
+    /// Brings what was recorded to the disk; `recordingFlushed` follows.
+    void flushRecording() { call(&RobotSession::flushRecording); }
     /// Whether strips are adjusted by their overlap; see ScanBook::setAdjust.
     void setAdjust(bool on) { call(&RobotSession::setAdjust, on); }
     void noteFault(const QString& sentence) { call(&RobotSession::noteFault, sentence.toStdString()); }

@@ -26,10 +26,12 @@ FormatList formatsToAdd(const ExportSource& source, const QString& folder) {
     return list;
 }
 
-Result<QStringList> exported(const ExportOptions& options) {
+Result<QStringList> exported(const ExportOptions& options, const VerbStreams& streams) {
     const auto source = openExportSource(options.result, options.formats.empty() || needPoints(options.formats));
     if (!source)
         return tl::unexpected(source.error());
+    if (!source->missing.empty())
+        streams.complain(source->missing + " The map lacks what was scanned there.");
     const QString folder = options.folder.isEmpty() ? source->folder : options.folder;
     const FormatList formats = options.formats.empty() ? formatsToAdd(*source, folder) : options.formats;
     if (formats.empty())
@@ -46,7 +48,8 @@ bool isExportVerb(const QString& word) {
 
 int runExportVerb(const QStringList& arguments, const VerbStreams& streams) {
     const auto options = readExportOptions(arguments);
-    const Result<QStringList> files = options ? exported(*options) : Result<QStringList>(tl::unexpect, options.error());
+    const Result<QStringList> files =
+        options ? exported(*options, streams) : Result<QStringList>(tl::unexpect, options.error());
     const std::string trouble = files ? std::string() : files.error().text();
     if (!files)
         streams.complain(trouble);

@@ -155,7 +155,7 @@ int exportRecording(const ReplayOptions& options, const VerbStreams& streams) {
     if (!summary)
         return complain(streams, summary.error());
     warn(streams, options.file, summary->complaint);
-    return summary->complaint.empty() ? Done : MissionFailed;
+    return summary->damaged ? MissionFailed : Done;
 }
 
 } // namespace usar::mission

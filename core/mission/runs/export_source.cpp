@@ -27,7 +27,7 @@ Result<mapping::Raster> readHeights(const QString& stem) {
     return *std::move(raster);
 }
 
-Result<ScanRecord> readResult(const QString& stem) {
+Result<RecordedMap> readResult(const QString& stem) {
     auto raster = readHeights(stem);
     if (!raster)
         return tl::unexpected(raster.error());
@@ -39,7 +39,7 @@ Result<ScanRecord> readResult(const QString& stem) {
             return tl::unexpected(far.error());
         record.far_rasters.push_back(*std::move(far));
     }
-    return record;
+    return RecordedMap{std::move(record), {}};
 }
 
 } // namespace
@@ -54,13 +54,13 @@ Result<ExportSource> openExportSource(const QString& path, bool with_scans) {
     if (!recorded && !QStringList{"json", "bil", "hdr"}.contains(suffix))
         return failure("this is neither a result nor a recording", path.toStdString(),
                        "Name the .json or .bil of a result, or a .usarrec");
-    auto record = recorded ? readRecordedMap(path, with_scans) : readResult(file.dir().filePath(stem));
-    if (!record)
-        return tl::unexpected(record.error());
-    if (record->raster.empty())
+    auto map = recorded ? readRecordedMap(path, with_scans) : readResult(file.dir().filePath(stem));
+    if (!map)
+        return tl::unexpected(map.error());
+    if (map->record.raster.empty())
         return failure("nothing was scanned in this flight, so there is no map to export", path.toStdString(),
                        "Choose the recording of another robot or flight");
-    return ExportSource{*std::move(record), file.absolutePath(), stem};
+    return ExportSource{std::move(map->record), file.absolutePath(), stem, std::move(map->missing)};
 }
 
 } // namespace usar::mission

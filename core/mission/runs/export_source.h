@@ -1,6 +1,8 @@
 // The files from which a map can be exported afterwards: those of a result, or a recording.
 #pragma once
 
+#include <string>
+
 #include <QString>
 
 #include "core/base/result.h"
@@ -13,6 +15,7 @@ struct ExportSource {
     ScanRecord record; ///< has only rasters if it comes from a result, and also scans if from a recording
     QString folder;    ///< where the source is
     QString stem;
+    std::string missing; ///< sentences: which parts of a recording the map lacks; empty: none
 };
 
 /// Reads a result, of which `path` is the summary (.json), the raw heights (.bil) or their header (.hdr), or plays a

@@ -13,6 +13,7 @@
 #include "core/link/replay.h"
 #include "core/mission/claims/height_watch.h"
 #include "core/mission/claims/plan_watch.h"
+#include "core/mission/files/fault_note.h"
 #include "core/mission/session/stream_name.h"
 #include "core/modules/state.h"
 #include "core/protocol/reader.h"
@@ -47,22 +48,18 @@ std::string without(std::string_view key, std::string fault) {
     return fault;
 }
 
-/// Takes a sentence such as "60.2 s: fault begins: wind speed=5 from=60".
 void takeFault(const std::string& sentence, std::vector<MadeFault>& faults) {
-    const auto colon = sentence.find(" s: ");
-    const auto text = sentence.find(": ", colon + 4);
-    const auto time_s = colon == std::string::npos ? std::nullopt : readNumber(sentence.substr(0, colon));
-    if (!time_s || text == std::string::npos)
+    const auto note = readFaultNote(sentence);
+    if (!note)
         return;
-    const std::string fault = sentence.substr(text + 2);
-    if (sentence.substr(colon + 4, text - colon - 4) == "fault begins") {
-        faults.push_back({fault, Seconds{*time_s}});
+    if (note->begins) {
+        faults.push_back({note->fault, note->time});
         return;
     }
     const auto same =
-        std::ranges::find_if(faults, [&](const MadeFault& one) { return one.text == fault && !one.ended; });
+        std::ranges::find_if(faults, [&](const MadeFault& one) { return one.text == note->fault && !one.ended; });
     if (same != faults.end())
-        same->ended = Seconds{*time_s};
+        same->ended = note->time;
 }
 
 /// The fault as a simulator makes it whose time begins with the behavior.

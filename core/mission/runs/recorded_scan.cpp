@@ -45,7 +45,7 @@ public:
     }
 
     Result<RecordedScan> playMission();
-    Result<ScanRecord> playMap();
+    Result<RecordedMap> playMap();
 
 private:
     void rewound() override {}
@@ -61,6 +61,8 @@ private:
     void takeCommand(std::string_view text);
     void takeMission(std::string_view text);
     RecordedScan result();
+    /// Which parts of this recording, and of those that it continues, the map lacks.
+    std::string missingParts() const;
 
     const QString path_;
     const int chain_; ///< number of recordings that led to this one
@@ -85,11 +87,11 @@ Result<void> ScanPlayer::play() {
     return {};
 }
 
-Result<ScanRecord> ScanPlayer::playMap() {
+Result<RecordedMap> ScanPlayer::playMap() {
     if (const auto played = play(); !played)
         return tl::unexpected(played.error());
     book_.finishAdjustment();
-    return book_.snapshot(with_scans_);
+    return RecordedMap{book_.snapshot(with_scans_), missingParts()};
 }
 
 Result<RecordedScan> ScanPlayer::playMission() {
@@ -154,18 +156,30 @@ void ScanPlayer::takeMission(std::string_view text) {
     book_.setCellSize(mission.cell_size_m); // It may have been chosen after the recording began.
     if (const QString& before = recorded_.flown.continues; !before.isEmpty()) {
         const auto earlier = playRecording(foundBeside(before, path_), chain_ + 1, with_scans_);
-        if (earlier)
+        if (earlier) {
             book_.continueScan(earlier->scan);
-        else
+            recorded_.missing = earlier->missing;
+        } else {
             trouble_ = earlier.error();
+        }
     }
     book_.beginTask(mission.behavior, recorded_.robot_name, mission.area_in_map);
+}
+
+std::string ScanPlayer::missingParts() const {
+    const std::string here = replayer_.survey().missingParts();
+    if (here.empty())
+        return recorded_.missing;
+    return (recorded_.missing.empty() ? "" : recorded_.missing + ' ') + QFileInfo(path_).fileName().toStdString() +
+           ": " + here;
 }
 
 RecordedScan ScanPlayer::result() {
     book_.finishAdjustment();
     const ScanRecord& record = book_.record();
+    const std::string missing = missingParts();
     RecordedScan result = std::move(recorded_);
+    result.missing = missing;
     result.flown.mission.cell_size_m = book_.cellSize_m();
     const ContinuedRun before = record.continues.value_or(ContinuedRun{});
     result.scan = {record,
@@ -206,7 +220,7 @@ Result<RecordedScan> readRecordedScan(const QString& path, bool with_scans) {
     return playRecording(path, 0, with_scans);
 }
 
-Result<ScanRecord> readRecordedMap(const QString& path, bool with_scans) {
+Result<RecordedMap> readRecordedMap(const QString& path, bool with_scans) {
     auto recording = link::RecordingReader::open(path);
     if (!recording)
         return tl::unexpected(recording.error());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include <QString>
 
@@ -20,6 +21,13 @@ struct RecordedScan {
     bool finished = false;            ///< the behavior has ended, by itself or by an order
     EarlierScan scan;
     Rectangle rest_in_map; ///< what the map lacks of the area (remainingArea); empty: nothing
+    std::string missing;   ///< sentences: which parts of which recordings the map lacks; empty: none
+};
+
+/// A recording's whole map.
+struct RecordedMap {
+    ScanRecord record;
+    std::string missing; ///< as in RecordedScan
 };
 
 /// Edge of the height map's cells as the recording's facts tell it; that of a new mission where they do not.
@@ -35,7 +43,7 @@ Result<RecordedScan> readRecordedScan(const QString& path, bool with_scans = fal
 /// Plays the recording in the same way and returns its whole map with what is known about it, also of a flight without
 /// a mission or an area. A robot that scanned nothing has an empty raster. `with_scans`: also the scans, those of the
 /// recordings that it continues included.
-Result<ScanRecord> readRecordedMap(const QString& path, bool with_scans = false);
+Result<RecordedMap> readRecordedMap(const QString& path, bool with_scans = false);
 
 /// Returns true if a behavior was in the midst of a mission when the recording broke off. Reads the whole file, without
 /// playing it; false if it cannot be read.

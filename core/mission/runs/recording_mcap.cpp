@@ -174,7 +174,8 @@ Result<McapSummary> McapPlayer::play() {
     if (!file_.good())
         return failure("cannot write: " + output_.errorString().toStdString(), nameOf(output_),
                        "Make room, or give the output another place");
-    return McapSummary{file_.messageCount(), file_.channelCount(), complaint()};
+    const bool damaged = !replayer_.survey().defects().empty() || topics_.leftOut() > 0;
+    return McapSummary{file_.messageCount(), file_.channelCount(), complaint(), damaged};
 }
 
 std::string McapPlayer::complaint() const {

@@ -19,6 +19,7 @@ struct McapSummary {
     std::uint64_t messages = 0;
     std::uint64_t topics = 0;
     std::string complaint; ///< sentences about what is missing in the recording or was left out; empty: nothing
+    bool damaged = false;  ///< They tell more than that parts of the recording are not there.
 };
 
 /// Called now and then with how much of the replay is exported, and of how much.

@@ -53,9 +53,14 @@ void ReplayRunner::conclude(bool interrupted) {
         return;
     interrupted_ = interrupted;
     replayer_.setPlaying(false);
-    const int exit_code = interrupted || !replayer_.survey().damage.empty() ? MissionFailed : Done;
+    const int exit_code = interrupted || isDamaged() ? MissionFailed : Done;
     QMetaObject::invokeMethod(
         this, [this, exit_code] { emit finished(exit_code); }, Qt::QueuedConnection);
+}
+
+bool ReplayRunner::isDamaged() const {
+    const link::RecordingSurvey& survey = replayer_.survey();
+    return !survey.damage.empty() || !survey.not_read.empty();
 }
 
 void ReplayRunner::line(std::string_view text, LineNumber number) {
@@ -86,11 +91,14 @@ void ReplayRunner::sent(const link::Record& record) {
 QJsonObject ReplayRunner::summary() const {
     const link::RecordingSurvey& survey = replayer_.survey();
     QJsonArray damage;
-    for (const link::RecordingDamage& piece : survey.damage)
-        damage.append(
-            QJsonObject{{"offset", static_cast<qint64>(piece.offset)}, {"bytes", static_cast<qint64>(piece.bytes)}});
+    for (const link::RecordingDamage& piece : survey.damage) {
+        const link::RecordingPlace place = survey.placeOf(piece.offset);
+        damage.append(QJsonObject{{"file", QString::fromStdString(place.file)},
+                                  {"offset", static_cast<qint64>(place.offset)},
+                                  {"bytes", static_cast<qint64>(piece.bytes)}});
+    }
     const std::string reason = interrupted_ ? "Interrupted." : survey.complaint();
-    return {{"success", !interrupted_ && survey.damage.empty()},
+    return {{"success", !interrupted_ && !isDamaged()},
             {"reason", QString::fromStdString(reason)},
             {"file", QString::fromStdString(path_)},
             {"facts", toJson(survey.facts)},

@@ -46,6 +46,7 @@ private:
     void quiet(bool on) override { quiet_ = on; }
     /// Ends the replay and emits `finished`; a second call has no effect.
     void conclude(bool interrupted);
+    bool isDamaged() const;
 
     std::string path_;
     ReplayOptions options_;

@@ -22,10 +22,6 @@ constexpr Seconds time_to_object{60.0}; ///< from the warning to the deletion, w
 /// records could not be read.
 constexpr std::size_t longest_piece = link::recording::longest_payload_bytes / 8;
 
-std::string megabytes(double bytes) {
-    return fixed(bytes / 1e6, 1) + " MB";
-}
-
 std::string wholeSeconds(Seconds span) {
     return spanText(Seconds{std::round(span.count())});
 }
@@ -54,9 +50,6 @@ RecordKeeping::RecordKeeping(QObject& owner, Notices& notices, const Incoming& i
 
 Result<void> RecordKeeping::begin(const QString& path, RecordingFacts facts) {
     end();
-    auto parts = link::RecordingParts::at(path);
-    if (!parts)
-        return tl::unexpected(parts.error());
     began_ = Clock::now();
     warned_ = false;
     const RecordingScene scene = scene_();
@@ -68,33 +61,28 @@ Result<void> RecordKeeping::begin(const QString& path, RecordingFacts facts) {
     facts["cell_size_m"] = shortest(scene.cell_size_m);
     if (!scene.level.empty())
         facts["level"] = scene.level;
-    if (auto made = create(path, facts, scene); !made)
-        return made;
-    facts_ = std::move(facts);
-    parts_ = *std::move(parts);
-    timer_.start();
-    return {};
-}
-
-Result<void> RecordKeeping::create(const QString& path, const RecordingFacts& facts, const RecordingScene& scene) {
     auto made = link::RecordingWriter::create(path, facts, incoming_.newest());
     if (!made)
         return tl::unexpected(made.error());
     writer_ = *std::move(made);
-    put_bytes_ = 0;
-    if (scene.link.state == link::LinkState::Connected)
-        beginWith(scene);
-    head_bytes_ = put_bytes_;
+    writer_->writeHead([&] { beginWith(scene); });
+    facts_ = std::move(facts);
+    timer_.start();
     return {};
 }
 
 void RecordKeeping::beginWith(const RecordingScene& scene) {
-    opened(placeOf(scene.link));
-    if (!scene.pending.empty())
-        received(scene.pending);
-    if (scene.robot)
-        note("robot", protocol::write(*scene.robot));
-    if (!scene.of_behavior)
+    const bool connected = scene.link.state == link::LinkState::Connected;
+    if (connected) {
+        opened(placeOf(scene.link));
+        if (!scene.pending.empty())
+            received(scene.pending);
+        if (scene.robot)
+            note("robot", protocol::write(*scene.robot));
+    }
+    for (const std::string& sentence : faults_.sentences())
+        note("fault", sentence);
+    if (!connected || !scene.of_behavior)
         return;
     noteMission(mission_);
     noteTask(*scene.of_behavior);
@@ -110,6 +98,7 @@ void RecordKeeping::end() {
         return;
     if (const auto error = writer_->finish())
         notices_.trouble(Severity::Error, Topic::Recording, error->text());
+    sayDropped();
     writer_.reset();
 }
 
@@ -123,12 +112,17 @@ void RecordKeeping::setLimit(RecordingLimit limit_bytes) {
 std::optional<RecordingFigures> RecordKeeping::figures() const {
     if (!writer_)
         return std::nullopt;
-    return RecordingFigures{writer_->path(), elapsed(), parts_->bytes(writer_->bytes()), limit_bytes_};
+    return RecordingFigures{writer_->path(), elapsed(), writer_->allBytes(), limit_bytes_};
 }
 
 void RecordKeeping::sent(const Cause& cause, const std::string& text) {
     const std::string source = toText(cause.source);
     put({.kind = link::RecordKind::Out, .trigger = cause.trigger, .name = source, .bytes = text + "\r\n"});
+}
+
+void RecordKeeping::noteFault(const std::string& sentence) {
+    faults_.take(sentence);
+    note("fault", sentence);
 }
 
 void RecordKeeping::noteTask(const ScanRecord& record) {
@@ -171,7 +165,6 @@ void RecordKeeping::note(std::string_view topic, std::string_view text) {
 
 void RecordKeeping::put(link::Record record) {
     record.line = incoming_.newest();
-    put_bytes_ += record.bytes.size();
     if (writer_)
         writer_->write(record);
 }
@@ -184,48 +177,36 @@ void RecordKeeping::look() {
 }
 
 void RecordKeeping::keepLimit() {
-    if (link::RecordingParts::isFull(writer_->bytes(), head_bytes_, *limit_bytes_))
+    sayDropped();
+    const bool full = link::RecordingParts::isFull(writer_->bytes(), writer_->headBytes(), *limit_bytes_);
+    if (full && !writer_->cutting())
         beginNextPart();
-    if (!writer_)
-        return;
     // Nothing is deleted in the same moment in which it is said.
     if (!warned_)
         warn();
     else if (elapsed() >= delete_from_)
-        makeRoom();
+        writer_->makeRoom(*limit_bytes_);
 }
 
 /// What the session is like now is told once more in the new part, so that it can be read without those before it.
 void RecordKeeping::beginNextPart() {
-    const QString path = this->path();
-    if (const auto error = writer_->finish()) {
-        notices_.trouble(Severity::Error, Topic::Recording, error->text());
-        return end();
-    }
     const Seconds now = elapsed();
-    auto begun = parts_->setAside(writer_->bytes(), now);
-    if (begun) {
-        RecordingFacts facts = facts_;
-        facts["part"] = std::to_string(parts_->number());
-        facts["began"] = facts_["started"];
-        facts["after_s"] = fixed(now.count(), 3);
-        facts["started"] = QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs).toStdString();
-        begun = create(path, facts, scene_());
-        if (!begun)
-            parts_->takeBack();
-    }
-    if (!begun) {
-        notices_.trouble(Severity::Error, Topic::Recording,
-                         "The recording ends, because its next part cannot begin: " + begun.error().text());
-        return end();
-    }
-    note(link::part_topic, {});
+    RecordingFacts facts = facts_;
+    facts["part"] = std::to_string(writer_->partNumber() + 1);
+    facts["began"] = facts_["started"];
+    facts["after_s"] = fixed(now.count(), 3);
+    facts["started"] = QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs).toStdString();
+    writer_->beginPart(facts, incoming_.newest(), now);
+    writer_->writeHead([this] {
+        beginWith(scene_());
+        note(link::part_topic, {});
+    });
 }
 
 void RecordKeeping::warn() {
     constexpr double near = 0.8;
     const auto limit = static_cast<double>(*limit_bytes_);
-    const auto used = static_cast<double>(parts_->bytes(writer_->bytes()));
+    const auto used = static_cast<double>(writer_->allBytes());
     if (used < near * limit)
         return;
     warned_ = true;
@@ -235,23 +216,26 @@ void RecordKeeping::warn() {
     const double free = std::max(0.0, 0.9 * limit - used); // Until there is no room for another part.
     const Seconds left = is_late ? time_to_object : elapsed() * free / used;
     notices_.say(Severity::Warning, Topic::Recording,
-                 "The recording has " + megabytes(used) + " of the " + megabytes(limit) +
-                     " that it may have. In about " + wholeSeconds(left) +
+                 "The recording has " + link::megabytesText(writer_->allBytes()) + " of the " +
+                     link::megabytesText(*limit_bytes_) + " that it may have. In about " + wholeSeconds(left) +
                      " its oldest part is deleted, and so on from then on. Raise the limit to keep it.",
                  "limit");
 }
 
-void RecordKeeping::makeRoom() {
-    while (const auto dropped = parts_->makeRoom(writer_->bytes(), *limit_bytes_)) {
-        if (!*dropped)
-            notices_.say(Severity::Warning, Topic::Recording, dropped->error().text(), "limit");
-        else
-            notices_.say(Severity::Note, Topic::Recording,
-                         "The oldest part of the recording, " + (*dropped)->path + " with " +
-                             megabytes(static_cast<double>((*dropped)->bytes)) +
-                             ", was deleted to keep the limit; the recording now begins after " +
-                             wholeSeconds((*dropped)->end) + '.',
-                         "part");
+void RecordKeeping::sayDropped() {
+    for (const auto& dropped : writer_->takeDropped()) {
+        if (!dropped) {
+            notices_.say(Severity::Warning, Topic::Recording, dropped.error().text(), "limit");
+            continue;
+        }
+        const std::string part = "The oldest part of the recording, " + dropped->path + " with " +
+                                 link::megabytesText(dropped->bytes) + ", ";
+        notices_.say(Severity::Note, Topic::Recording,
+                     part +
+                         (dropped->deleted ? "was deleted to keep the limit"
+                                           : "was moved or deleted by somebody else and counts no more") +
+                         "; the recording now begins after " + wholeSeconds(dropped->end) + '.',
+                     "part");
     }
 }
 

@@ -11,9 +11,9 @@
 
 #include <QTimer>
 
-#include "core/link/recording_parts.h"
 #include "core/link/recording_writer.h"
 #include "core/link/tcp_link.h"
+#include "core/mission/files/fault_note.h"
 #include "core/mission/files/scan_record.h"
 #include "core/mission/session/behavior_so_far.h"
 #include "core/mission/session/incoming.h"
@@ -34,8 +34,9 @@ struct RecordingScene {
 };
 
 /// While nothing is recorded, it only keeps the values with which a recording would have to begin. If writing fails, it
-/// reports a notice and ends the recording. With a limit of size, the recording is cut into parts, and the oldest go;
-/// a notice says so before it happens, and each time. Belongs to one session and its thread.
+/// reports a notice and ends the recording. With a limit of size, the recording is cut into parts, and the oldest are
+/// deleted; a notice says so before it happens, and each time. Belongs to one session and its thread, which waits for
+/// the disk only at the end of a recording.
 class RecordKeeping {
 public:
     /// `owner` belongs to the session's thread; it, `notices` and `incoming` must outlive this object. `scene` is asked
@@ -46,7 +47,7 @@ public:
     /// Ends any current recording and starts a new one with the state that its reader could not know otherwise.
     Result<void> begin(const QString& path, RecordingFacts facts);
     void end();
-    /// Holds for this recording and later ones; without a limit at first. A number below
+    /// The limit holds for this recording and later ones; at first there is none. A number below
     /// RecordingParts::least_limit_bytes counts as that.
     void setLimit(RecordingLimit limit_bytes);
     bool on() const { return writer_ != nullptr; }
@@ -62,7 +63,9 @@ public:
     void closed(const std::string& reason) { put({.kind = link::RecordKind::Closed, .bytes = reason}); }
     void received(std::string_view bytes) { put({.kind = link::RecordKind::In, .bytes = bytes}); }
     void sent(const Cause& cause, const std::string& text);
-    void noteFault(const std::string& sentence) { note("fault", sentence); }
+    /// Notes a fault, or that it has ended. One that still holds is told again by a recording or a part that begins.
+    void noteFault(const std::string& sentence);
+    void forgetFaults() { faults_ = {}; }
     /// The behavior and the area named in `record` have begun.
     void noteTask(const ScanRecord& record);
     /// The behavior that begins flies the mission of this text (core/mission/files/flown_mission.h). It comes before
@@ -84,14 +87,13 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
     Seconds elapsed() const { return Clock::now() - began_; }
-    Result<void> create(const QString& path, const RecordingFacts& facts, const RecordingScene& scene);
     void beginWith(const RecordingScene& scene);
     void keepLimit();
     void beginNextPart();
     /// Says once that the limit is near, and what happens there.
     void warn();
-    /// Deletes the oldest parts until all others are within the limit.
-    void makeRoom();
+    /// Says which parts were deleted since the last call.
+    void sayDropped();
     void write(const agent::Published& value);
     void note(std::string_view topic, std::string_view text);
     /// Writes the record, with the number of the newest line, if a recording is on.
@@ -102,16 +104,14 @@ private:
     QTimer timer_; ///< runs during a recording
     std::function<RecordingScene()> scene_;
     std::unique_ptr<link::RecordingWriter> writer_;
-    RecordingFacts facts_; ///< of the recording that is on, as the next four
-    Clock::time_point began_;
-    std::optional<link::RecordingParts> parts_;
-    std::uint64_t put_bytes_ = 0;  ///< so far into the newest part, before they are compressed
-    std::uint64_t head_bytes_ = 0; ///< those of them that only repeat what was known
+    RecordingFacts facts_;    ///< of the recording that is on
+    Clock::time_point began_; ///< The recording that is on began then.
     RecordingLimit limit_bytes_;
     bool warned_ = false;      ///< about this recording and this limit
     Seconds delete_from_{0.0}; ///< since the recording began
-    BehaviorSoFar so_far_;     ///< what the running behavior has published
-    std::string mission_;      ///< text of the mission that it flies; empty: unknown
+    StandingFaults faults_;
+    BehaviorSoFar so_far_; ///< what the running behavior has published
+    std::string mission_;  ///< text of the mission that it flies; empty: unknown
 };
 
 } // namespace usar::mission

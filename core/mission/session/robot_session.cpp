@@ -70,6 +70,7 @@ void RobotSession::close() {
     d_->spawning.dropWaiting();
     d_->notices.endAll();
     d_->link.close();
+    d_->records.forgetFaults(); // Another simulator has others.
 }
 
 void RobotSession::spawn(const SpawnRequest& request) {

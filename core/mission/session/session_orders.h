@@ -19,7 +19,8 @@ namespace usar::mission {
 /// Facts about a recording besides its records: robot, class, level, host …
 using RecordingFacts = std::map<std::string, std::string>;
 
-/// The most bytes that a recording keeps, whose oldest parts go when there are more; nullopt: any number.
+/// The most bytes that a recording may have: before there are more, its oldest parts are deleted. With nullopt, it may
+/// have any number.
 using RecordingLimit = std::optional<std::uint64_t>;
 
 /// User's orders to a replay. All members that are set are carried out.

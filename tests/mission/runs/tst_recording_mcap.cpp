@@ -320,9 +320,9 @@ void tst_RecordingMcap::aPlansActivePartsAreTold() {
 void tst_RecordingMcap::theMapIsThatOfTheRecording() {
     const auto maps = exported(flight(40).bytes).of("/R_1/map");
     QCOMPARE(maps.size(), std::size_t(2)); // The first, and the last.
-    const auto record = readRecordedMap(path("a.usarrec"));
-    QVERIFY(record && !record->raster.empty());
-    const mapping::Raster& raster = record->raster;
+    const auto map = readRecordedMap(path("a.usarrec"));
+    QVERIFY(map && map->missing.empty() && !map->record.raster.empty());
+    const mapping::Raster& raster = map->record.raster;
     const QJsonObject json = maps.back().json();
     const std::int64_t columns = json["column_count"].toInt();
     QCOMPARE(columns, raster.columns);

@@ -172,6 +172,7 @@ private slots:
             if (lines % 10 == 0) {
                 k.flush();
                 k.records.look();
+                k.flush(); // The writer's thread cuts and deletes.
                 most = std::max(most, bytesIn(k.folder.path(), "a*"));
             }
         }
@@ -215,8 +216,10 @@ private slots:
         QVERIFY(!k.records.figures()->limit_bytes && k.said.empty());
         k.records.setLimit(1);
         QCOMPARE(k.records.figures()->limit_bytes, RecordingLimit(link::RecordingParts::least_limit_bytes));
-        for (int looks = 0; looks < 5; ++looks)
+        for (int looks = 0; looks < 5; ++looks) {
             k.records.look();
+            k.flush();
+        }
         QCOMPARE(k.said.size(), std::size_t(1)); // The warning, with time to object.
         QVERIFY(k.said.front().text.find("In about 60 s") != std::string::npos);
         QVERIFY(QFile::exists(k.folder.filePath("a.part1.usar")));
@@ -229,11 +232,24 @@ private slots:
         QCOMPARE((*reader)->survey().parts_lost, 0);
     }
 
+    void aPartThatCannotBeginEndsTheRecordingWithAReason_data() {
+        QTest::addColumn<QString>("in_the_way"); ///< file that somebody makes during the recording
+        QTest::addColumn<QString>("words");
+        QTest::newRow("at its next name") << "a.part1.usar"
+                                          << "a.part1.usar: ";
+        QTest::newRow("in its place") << "a.usar"
+                                      << "this is another file than the part that was written there";
+    }
     void aPartThatCannotBeginEndsTheRecordingWithAReason() {
+        QFETCH(const QString, in_the_way);
+        QFETCH(const QString, words);
         Keeping k;
         k.records.setLimit(link::RecordingParts::least_limit_bytes);
         QVERIFY(k.records.begin(k.path(), {}));
-        QFile foreign(k.folder.filePath("a.part1.usar"));
+        const QString moved = k.folder.filePath("moved.usar");
+        QFile foreign(k.folder.filePath(in_the_way));
+        if (foreign.exists())
+            QVERIFY(QFile::rename(k.path(), moved));
         QVERIFY(foreign.open(QIODevice::WriteOnly) && foreign.write("not ours") > 0);
         foreign.close();
         Random random(3);
@@ -242,13 +258,125 @@ private slots:
         k.records.received(noise);
         k.flush();
         k.records.look();
+        k.flush();
+        k.records.look();
         QVERIFY(!k.records.on());
         QCOMPARE(k.said.size(), std::size_t(1));
         QCOMPARE(k.said.front().severity, Severity::Error);
-        QVERIFY(k.said.front().text.find("a.part1.usar") != std::string::npos);
-        const auto reader = link::RecordingReader::open(k.path());
+        QVERIFY2(k.said.front().text.find(words.toStdString()) != std::string::npos, k.said.front().text.c_str());
+        QCOMPARE(bytesIn(k.folder.path(), in_the_way), std::uint64_t(8));
+        const auto reader = link::RecordingReader::open(QFile::exists(moved) ? moved : k.path());
         QVERIFY(reader && (*reader)->survey().ended);
         QVERIFY((*reader)->survey().bytes_in == noise.size());
+    }
+
+    /// The disk is busy with the parts, and the session does not wait for it: what it records meanwhile is in its
+    /// order.
+    void aSeamDoesNotKeepTheSessionWaiting() {
+        Keeping k;
+        k.scene = Keeping::connected();
+        k.records.setLimit(link::RecordingParts::least_limit_bytes);
+        QVERIFY(k.records.begin(k.path(), {}));
+        Random random(3);
+        std::string noise;
+        appendNoise(noise, 1'500'000, random);
+        k.records.received(noise);
+        k.flush();
+        std::promise<void> let_go;
+        std::promise<void> stands;
+        k.records.flush([&] { // In the writer's thread, as if the disk were slow.
+            stands.set_value();
+            let_go.get_future().wait();
+        });
+        stands.get_future().wait();
+        k.records.received("before\r\n");
+        k.records.look();
+        for (int i = 0; i < 1000; ++i)
+            k.records.received("behind " + std::to_string(i) + "\r\n");
+        QVERIFY(!QFile::exists(k.folder.filePath("a.part1.usar")));
+        k.records.look(); // The seam is still to come, so that there is no second one.
+        let_go.set_value();
+        k.flush();
+        QVERIFY(QFile::exists(k.folder.filePath("a.part1.usar")));
+        QVERIFY(!QFile::exists(k.folder.filePath("a.part2.usar")));
+        const QStringList texts = k.written();
+        const auto before = texts.indexOf("4 0  before\r\n");
+        QVERIFY(before > 0);
+        QCOMPARE(texts.mid(before + 1, 3), (QStringList{"2 0  sim:3000", "6 0 part ", "4 0  behind 0\r\n"}));
+        QCOMPARE(texts.size(), before + 1 + 2 + 1000);
+        QCOMPARE(texts.last(), QString("4 0  behind 999\r\n"));
+    }
+
+    void faultsThatStillHoldAreInLaterParts() {
+        Keeping k;
+        k.scene = Keeping::connected();
+        k.records.setLimit(link::RecordingParts::least_limit_bytes);
+        QVERIFY(k.records.begin(k.path(), {}));
+        k.records.noteFault("1.0 s: fault begins: wind speed=5");
+        k.records.noteFault("2.0 s: fault begins: gps lost");
+        k.records.noteFault("3.0 s: fault begins: wind speed=5"); // once more
+        k.records.noteFault("4.0 s: fault ends: gps lost");
+        k.records.noteFault("4.0 s: fault ends: wind speed=5");
+        Random random(3);
+        std::string noise;
+        appendNoise(noise, 1'500'000, random);
+        k.records.received(noise);
+        k.flush();
+        k.records.look();
+        k.records.noteFault("5.0 s: fault begins: gps lost");
+        const QStringList all = k.written();
+        QStringList faults = all.filter("6 0 fault ");
+        QCOMPARE(faults.size(), 7);
+        QCOMPARE(faults[5], QString("6 0 fault 3.0 s: fault begins: wind speed=5"));
+        const auto whole = link::RecordingReader::open(k.path());
+        QVERIFY(whole && (*whole)->survey().files.size() == 2);
+        link::PartSeam seam;
+        int heard = 0;
+        while (const auto record = (*whole)->next())
+            heard += !seam.repeats(*record) && record->name == "fault" ? 1 : 0;
+        QCOMPARE(heard, 6);
+        QVERIFY(QFile::remove(k.folder.filePath("a.part1.usar")));
+        k.facts.clear();
+        QCOMPARE(k.written().filter("6 0 fault ").size(), 2); // The part alone knows of the wind.
+    }
+
+    /// A trace that can be compressed takes little of the file.
+    void aBeginningCountsAsItIsOnTheDisk() {
+        Keeping k;
+        k.scene = Keeping::connected();
+        ScanRecord record;
+        record.behavior_id = "a plan";
+        k.scene.of_behavior = &record;
+        k.records.notePublished(agent::PlanTrace{std::string(5'000'000, 'a')}, true);
+        k.records.setLimit(link::RecordingParts::least_limit_bytes);
+        QVERIFY(k.records.begin(k.path(), {}));
+        k.flush();
+        QVERIFY(k.records.figures()->bytes < 100'000);
+        Random random(3);
+        std::string noise;
+        appendNoise(noise, 1'500'000, random);
+        k.records.received(noise);
+        k.flush();
+        k.records.look();
+        k.flush();
+        QVERIFY(QFile::exists(k.folder.filePath("a.part1.usar")));
+    }
+
+    void aBeginningMayBeLongerThanTheBuffer() {
+        Keeping k;
+        k.scene = Keeping::connected();
+        ScanRecord record;
+        record.behavior_id = "a plan";
+        k.scene.of_behavior = &record;
+        k.records.notePublished(agent::PlanTrace{std::string(70'000'000, 'a')}, true); // The buffer has 64 MiB.
+        k.records.setLimit(link::RecordingParts::least_limit_bytes);
+        QVERIFY(k.records.begin(k.path(), {}));
+        k.records.received("NFO\r\n");
+        k.flush();
+        k.records.look();
+        QVERIFY(k.records.on());
+        QCOMPARE(k.written().last(), QString("4 0  NFO\r\n"));
+        QCOMPARE(k.said.size(), std::size_t(0));
     }
 
     void aFileThatExistsIsLeftAlone() {
