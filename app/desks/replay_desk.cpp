@@ -114,8 +114,8 @@ void ReplayDesk::askForLimit() {
     constexpr int most_mb = 1'000'000;
     widgets::askForNumber(
         window_, tr("Size of recordings"),
-        tr("Megabytes that each recording may have, at least %1. Beyond that, its oldest part is deleted\n"
-           "while it is being written; finished recordings are never touched.")
+        tr("Megabytes that each recording may have: at least %1, or 0 for no limit. Beyond them, its oldest\n"
+           "part is deleted while it is being written; finished recordings are never touched.")
             .arg(least_limit_mb),
         limit_mb_, 0, most_mb,
         [this](int limit_mb) {

@@ -1,14 +1,19 @@
 #include "app/desks/view_desk.h"
 
+#include <utility>
+
 #include <QDesktopServices>
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QUrl>
 
+#include "core/link/across_threads.h"
+#include "core/mission/files/file_set.h"
 #include "core/mission/fleet/robot_words.h"
 #include "core/server/embedded/program_files.h"
 #include "widgets/commands/command_palette.h"
 #include "widgets/models/notice_place.h"
+#include "widgets/panels/dialogs.h"
 #include "widgets/window/map_commands.h"
 
 namespace usar::app {
@@ -47,7 +52,29 @@ void ViewDesk::registerCommands() {
     commands_.offer([this] { return plots(); });
     docks_.registerCommands();
     help_.registerCommands();
+    const auto has_frame = [this] { return views_.relief->isVisible() && views_.relief->canvas().frame(); };
+    add("relief.save", has_frame, [this] { saveReliefPicture(); });
     add("help.manual", [this] { openManual(); });
+}
+
+void ViewDesk::saveReliefPicture() {
+    const QImage picture = views_.relief->canvas().picture(); // The current one, not the one when the dialog closes.
+    if (picture.isNull())
+        return;
+    widgets::askWhereToSave(&main_window_, tr("Save 3D picture"), tr("3d-view.png"), tr("Pictures (*.png)"),
+                            [this, picture](const QString& path) {
+                                pool_.start(HandedOver([this, picture, path] {
+                                    const QFileInfo file(path);
+                                    mission::FileSet files(file.path(), file.completeBaseName(), {});
+                                    files.image('.' + file.suffix(), picture);
+                                    link::post(this, [this, path, error = files.error()] {
+                                        if (error)
+                                            notices_.complain("relief", *error);
+                                        else
+                                            notices_.note("relief", tr("Saved the picture %1.").arg(path));
+                                    });
+                                }));
+                            });
 }
 
 void ViewDesk::openManual() {
@@ -74,6 +101,11 @@ std::vector<widgets::PaletteOffer> ViewDesk::plots() const {
 }
 
 void ViewDesk::wire() {
+    views_.relief->setSaveAction(action("relief.save"));
+    connect(&views_.relief->renderer(), &widgets::ReliefRenderer::drawn, this, [this, had = false]() mutable {
+        if (!std::exchange(had, true))
+            commands_.refresh();
+    });
     wireHistory();
     wireFiles();
     docks_.wire();

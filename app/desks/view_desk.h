@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <QThreadPool>
 
 #include "app/desks/desk.h"
 #include "widgets/commands/key_file.h"
@@ -30,6 +31,8 @@ public:
     void save(SettingsSheet& settings) const override;
 
 private:
+    /// Asks where to save what the 3D view shows, and writes it in a worker.
+    void saveReliefPicture();
     /// Shows the manual in the browser, or says how to get it.
     void openManual();
     /// For the palette: each number that the selected robot's sensors say can be plotted.
@@ -51,6 +54,7 @@ private:
     widgets::WindowHelp help_;
     QMainWindow& main_window_;
     QString theme_;
+    QThreadPool pool_; ///< its destructor waits
 };
 
 } // namespace usar::app

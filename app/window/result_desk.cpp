@@ -86,10 +86,10 @@ void ResultDesk::takeResults(RobotId id, const mission::RunSummary& summary, con
     widgets::MissionOutcome outcome = outcomeOf(*robot);
     addFiles(outcome, summary);
     show(id, outcome);
-    pool_.start(HandedOver([this, id, path = pictureOf(outcome)] {
-        link::post(this, [this, id, picture = smallPicture(path)] {
+    pool_.start(HandedOver([this, id, map = pictureOf(outcome), relief = reliefPictureOf(outcome)] {
+        link::post(this, [this, id, map = smallPicture(map), relief = smallPicture(relief)] {
             if (id == shown_)
-                views_.result->setPicture(picture);
+                views_.result->setPictures(map, relief);
         });
     }));
 }

@@ -68,26 +68,6 @@ float slope(float before_m, float here_m, float after_m, float cell_size_m) {
     return rise_m / (cell_size_m * static_cast<float>(has_before + has_after));
 }
 
-/// Light on a slope from the upper left, relative to level ground: -1 (turned away) to 1.
-float lightOn(float rise_to_the_right, float rise_downward) {
-    constexpr float half_root = 0.70710678f;
-    const float toward = (rise_to_the_right + rise_downward) * half_root;
-    return toward / std::sqrt(1.0f + rise_to_the_right * rise_to_the_right + rise_downward * rise_downward);
-}
-
-/// Mixes the color with black or white. The strengths leave the height readable on the steepest slope.
-std::uint32_t lit(std::uint32_t color_of_height, float light) {
-    constexpr float darkest = 0.55f;
-    constexpr float lightest = 0.4f;
-    const float target = light < 0.0f ? 0.0f : 255.0f;
-    const float mix = light < 0.0f ? -light * darkest : light * lightest;
-    const auto channel = [&](int shift) {
-        const auto value = static_cast<float>(color_of_height >> shift & 0xff);
-        return static_cast<std::uint32_t>(value + (target - value) * mix + 0.5f) << shift;
-    };
-    return 0xff000000u | channel(16) | channel(8) | channel(0);
-}
-
 } // namespace
 
 std::uint32_t shade(float height_m, const HeightRange& range, ColorMap color_map) {
@@ -103,15 +83,33 @@ float HeightGrid::at(std::int64_t column, std::int64_t row) const {
                   : std::numeric_limits<float>::quiet_NaN();
 }
 
+float lightOn(const HeightGrid& grid, std::int64_t column, std::int64_t row) {
+    const float here_m = grid.at(column, row);
+    const auto size_m = static_cast<float>(grid.cell_size_m);
+    const float to_the_right = slope(grid.at(column - 1, row), here_m, grid.at(column + 1, row), size_m);
+    const float downward = slope(grid.at(column, row - 1), here_m, grid.at(column, row + 1), size_m);
+    constexpr float half_root = 0.70710678f;
+    const float toward = (to_the_right + downward) * half_root;
+    return toward / std::sqrt(1.0f + to_the_right * to_the_right + downward * downward);
+}
+
+std::uint32_t lit(std::uint32_t color_of_height, float light) {
+    // The strengths leave the height readable on the steepest slope.
+    constexpr float darkest = 0.55f;
+    constexpr float lightest = 0.4f;
+    const float target = light < 0.0f ? 0.0f : 255.0f;
+    const float mix = light < 0.0f ? -light * darkest : light * lightest;
+    const auto channel = [&](int shift) {
+        const auto value = static_cast<float>(color_of_height >> shift & 0xff);
+        return static_cast<std::uint32_t>(value + (target - value) * mix + 0.5f) << shift;
+    };
+    return 0xff000000u | channel(16) | channel(8) | channel(0);
+}
+
 std::uint32_t shadeCell(const HeightGrid& grid, std::int64_t column, std::int64_t row, const HeightRange& range,
                         ColorMap color_map) {
-    const float here_m = grid.at(column, row);
-    const std::uint32_t flat = shade(here_m, range, color_map);
-    if (flat == 0 || color_map == ColorMap::Gray)
-        return flat;
-    const auto size_m = static_cast<float>(grid.cell_size_m);
-    return lit(flat, lightOn(slope(grid.at(column - 1, row), here_m, grid.at(column + 1, row), size_m),
-                             slope(grid.at(column, row - 1), here_m, grid.at(column, row + 1), size_m)));
+    const std::uint32_t flat = shade(grid.at(column, row), range, color_map);
+    return flat == 0 || color_map == ColorMap::Gray ? flat : lit(flat, lightOn(grid, column, row));
 }
 
 std::uint32_t contourCell(const HeightGrid& grid, std::int64_t column, std::int64_t row, const HeightRange& range,

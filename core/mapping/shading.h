@@ -28,8 +28,14 @@ struct HeightGrid {
     float at(std::int64_t column, std::int64_t row) const;
 };
 
+/// The light on a cell of the grid, relative to level ground: from -1, turned away from the upper left, to 1; unknown
+/// neighbors have no slope.
+float lightOn(const HeightGrid& grid, std::int64_t column, std::int64_t row);
+/// An opaque color mixed with black or white by the light on it.
+std::uint32_t lit(std::uint32_t color, float light);
+
 /// The color of a cell of the grid as shade() gives it. With ColorMap::Color, slopes that face the upper left of the
-/// picture are lighter and those that face away are darker; unknown neighbors have no slope.
+/// picture are lighter and those that face away are darker.
 std::uint32_t shadeCell(const HeightGrid& grid, std::int64_t column, std::int64_t row, const HeightRange& range,
                         ColorMap color_map);
 

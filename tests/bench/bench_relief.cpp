@@ -61,7 +61,8 @@ ReliefScene sceneOf(double square_px, double distance_m, double elevation_deg) {
         std::vector<GridIndex> all;
         for (const auto& [index, tile] : hills())
             all.push_back(index);
-        renewRelief(made, hills(), 0.25, style, all);
+        made.style = style;
+        renewRelief(made, hills(), 0.25, all);
         return made;
     }();
     static const std::vector<Vec3> trail = aboveSurface(surface, lawnmowerTrail());
@@ -98,6 +99,42 @@ BENCHMARK(drawHills)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 
+/// A map of 10,000 tiles, whose colors get another range in each frame. The argument is the number of threads.
+void drawManyTiles(benchmark::State& state) {
+    static const ReliefSurface surface = [] {
+        HeightTiles tiles;
+        std::vector<GridIndex> all;
+        for (std::int32_t row = 0; row < 100; ++row)
+            for (std::int32_t column = 0; column < 100; ++column) {
+                tiles[{column, row}] = hills().at({column % 15, row % 15});
+                all.push_back({column, row});
+            }
+        ReliefSurface made;
+        made.style = style;
+        renewRelief(made, tiles, 0.25, all);
+        return made;
+    }();
+    ReliefScene scene;
+    scene.surface = surface;
+    scene.camera.target_in_map_m = {800.0, 800.0, 0.0};
+    scene.camera.distance_m = 1900.0;
+    ReliefPicture picture(width_px, height_px);
+    for (auto unused : state) {
+        scene.surface.style.range.maximum_m += 0.01f;
+        drawReliefByStrips(scene, picture, int(state.range(0)));
+        benchmark::DoNotOptimize(picture.argb.data());
+    }
+}
+BENCHMARK(drawManyTiles)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+/// What a camera that shows all of these tiles needs, each time the map grows.
+void framePoints(benchmark::State& state) {
+    const ReliefScene scene = sceneOf(2.0, 300.0, 35.0);
+    for (auto unused : state)
+        benchmark::DoNotOptimize(pointsToShow(scene, {}).data());
+}
+BENCHMARK(framePoints)->Unit(benchmark::kMillisecond);
+
 /// How long all triangles take, as a multiple of the time with levels of detail; frame by frame in turns, so that what
 /// else the machine does counts for both.
 void allTrianglesByLevels(benchmark::State& state) {
@@ -131,15 +168,15 @@ void renewTile(benchmark::State& state) {
     ReliefSurface surface = sceneOf(2.0, 300.0, 35.0).surface;
     const GridIndex changed{7, 7};
     for (auto unused : state)
-        renewRelief(surface, hills(), 0.25, style, {&changed, 1});
+        renewRelief(surface, hills(), 0.25, {&changed, 1});
 }
 BENCHMARK(renewTile)->Unit(benchmark::kMillisecond);
 
-/// The whole map is made again: what another range of colors costs.
+/// The whole map is made again: what another size of cells costs.
 void renewAll(benchmark::State& state) {
     for (auto unused : state) {
         ReliefSurface surface{0.5, style, {}};
-        renewRelief(surface, hills(), 0.25, style, {});
+        renewRelief(surface, hills(), 0.25, {});
         benchmark::DoNotOptimize(surface.tiles.size());
     }
 }

@@ -1,4 +1,7 @@
 // The 3D view in the window: a replayed flight makes its surface grow, and mouse, keys and themes reach it.
+#include <QAbstractButton>
+#include <QFileDialog>
+#include <QLineEdit>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -72,6 +75,41 @@ private slots:
         goTo(page, 1.0);
         QTRY_VERIFY_WITH_TIMEOUT(surfacePixels(page) > whole * 98 / 100, flight_ms);
         page.screenshot("relief_flight");
+    }
+
+    void thePictureIsSaved_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<bool>("saved");
+        QTest::newRow("a file") << "view.png" << true;
+        QTest::newRow("no folder") << "no/such/view.png" << false;
+    }
+
+    void thePictureIsSaved() {
+        QFETCH(QString, name);
+        QFETCH(bool, saved);
+        const QTemporaryDir folder;
+        WindowPage page;
+        QAction* const save = page.window().commands().action("relief.save");
+        QVERIFY(!save->isEnabled());
+        page.pressKey(Qt::Key_3, Qt::ControlModifier | Qt::AltModifier);
+        replayTheSample(page);
+        goTo(page, 1.0);
+        QTRY_VERIFY_WITH_TIMEOUT(surfacePixels(page) > 1000 && save->isEnabled(), flight_ms);
+        save->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(page.window().findChild<QFileDialog*>(), soon_ms);
+        auto* const dialog = page.window().findChild<QFileDialog*>();
+        const QString path = folder.filePath(name);
+        dialog->findChild<QLineEdit*>("fileNameEdit")->setText(path);
+        for (QAbstractButton* const button : dialog->findChildren<QAbstractButton*>())
+            if (button->text().remove('&') == "Save")
+                QTest::mouseClick(button, Qt::LeftButton);
+        if (saved) {
+            QTRY_VERIFY_WITH_TIMEOUT(!page.notified("Saved the picture").isEmpty(), soon_ms);
+            QCOMPARE(QImage(path).size(), canvasOf(page).picture().size());
+        } else {
+            QTRY_VERIFY_WITH_TIMEOUT(page.notified("cannot write").contains("Choose another folder"), soon_ms);
+            QVERIFY(page.notified("cannot write").contains(path));
+        }
     }
 
     void aDragOrbitsAndTheViewComesBackAsItWas() {

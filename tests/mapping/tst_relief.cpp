@@ -40,7 +40,8 @@ ReliefSurface surfaceOf(const HeightTiles& tiles) {
     for (const auto& [index, tile] : tiles)
         all.push_back(index);
     ReliefSurface surface;
-    renewRelief(surface, tiles, 0.25, {{-5.0f, 5.0f}}, all);
+    surface.style.range = {-5.0f, 5.0f};
+    renewRelief(surface, tiles, 0.25, all);
     return surface;
 }
 
@@ -64,6 +65,10 @@ float rough(int column, int row) {
     return static_cast<float>(2.0 * std::sin(column / 30.0) * std::cos(row / 23.0) + 0.8 * (noise - std::floor(noise)));
 }
 
+Rectangle shownBounds(const ReliefSurface& surface) {
+    return boundsOf(tilesToShow(surface), surface.cell_size_m);
+}
+
 std::size_t pixelsOf(const ReliefPicture& picture, std::uint32_t color) {
     return static_cast<std::size_t>(std::ranges::count(picture.argb, color));
 }
@@ -71,10 +76,11 @@ std::size_t pixelsOf(const ReliefPicture& picture, std::uint32_t color) {
 bool same(const ReliefTile& a, const ReliefTile& b) {
     const auto equal = [](float one, float other) { return one == other || (std::isnan(one) && std::isnan(other)); };
     for (std::size_t i = 0; i < a.levels.size(); ++i)
-        if (a.levels[i].colors != b.levels[i].colors ||
+        if (a.levels[i].light != b.levels[i].light ||
+            !std::ranges::equal(a.levels[i].blocks_m, b.levels[i].blocks_m, equal) ||
             !std::ranges::equal(a.levels[i].corners_m, b.levels[i].corners_m, equal))
             return false;
-    return a.range == b.range;
+    return a.range == b.range && a.known == b.known && a.known_cells == b.known_cells;
 }
 
 bool same(const ReliefSurface& a, const ReliefSurface& b) {
@@ -92,6 +98,10 @@ private slots:
     void aSurfaceHasTheHeightsAndHolesOfTheMap();
     void aNarrowStripIsSeenInEveryLevel();
     void whatIsMadeAgainIsWhatIsMadeAtOnce();
+    void anotherStyleColorsTheSameTiles_data();
+    void anotherStyleColorsTheSameTiles();
+    void squaresHaveTheColorsOfTheMap_data();
+    void squaresHaveTheColorsOfTheMap();
     void aRasterHasTheSurfaceOfItsTiles();
     void aHugeRasterIsPutTogether();
     void noGapBetweenLevels_data();
@@ -102,6 +112,10 @@ private slots:
     void aPickedPixelIsThePointThatIsSeenThere();
     void bandsMakeTheSamePicture();
     void oneFarTileDoesNotWidenTheView();
+    void aSmallGroupFarAwayIsLeftOut_data();
+    void aSmallGroupFarAwayIsLeftOut();
+    void someCornersAreFewOfALargeMap();
+    void aRequestToStopEndsIt();
     void aBodyUnderTheGroundIsDrawnOnIt();
     void aLongWayMissesNoRidge();
     void levelsOfDetailLookLikeAllTriangles();
@@ -139,14 +153,18 @@ void tst_Relief::aSurfaceHasTheHeightsAndHolesOfTheMap() {
     if (found)
         QCOMPARE(double(*found), height_m);
     QCOMPARE(surface.range(), std::optional(HeightRange{2.0f, 3.0f}));
-    QCOMPARE(surface.bounds_in_map(), (Rectangle{{0, 0}, {20, 20}}));
+    QCOMPARE(shownBounds(surface), (Rectangle{{0, 0}, {20, 20}}));
 }
 
 void tst_Relief::aNarrowStripIsSeenInEveryLevel() {
     const ReliefSurface surface =
         surfaceOf(tilesOf(0, 64, [](int column, int) { return column == 21 ? 1.0f : std::nanf(""); }));
-    for (const auto& one : surface.tiles.at({0, 0})->levels)
-        QVERIFY(std::ranges::any_of(one.colors, [](std::uint32_t color) { return color != 0; }));
+    for (int level_at = 0; level_at < ReliefTile::level_count; ++level_at) {
+        bool seen = false;
+        for (int i = 0; i < ReliefTile::squaresAt(level_at) && !seen; ++i)
+            seen = squareColor(*surface.tiles.at({0, 0}), level_at, i, i / 2, surface.style) != 0;
+        QVERIFY(seen);
+    }
 }
 
 void tst_Relief::whatIsMadeAgainIsWhatIsMadeAtOnce() {
@@ -154,7 +172,6 @@ void tst_Relief::whatIsMadeAgainIsWhatIsMadeAtOnce() {
     HeightMap map(0.25);
     HeightTiles tiles;
     ReliefSurface grown;
-    const ReliefStyle style{{-5.0f, 5.0f}, ColorMap::Color, 1.0};
     for (int scan = 0; scan < 12; ++scan) {
         const int column = int(random() % 200) - 100, row = int(random() % 200) - 100;
         for (int i = 0; i < 40; ++i)
@@ -166,18 +183,61 @@ void tst_Relief::whatIsMadeAgainIsWhatIsMadeAtOnce() {
             tiles[tile->index] = tile;
             changed.push_back(tile->index);
         }
-        renewRelief(grown, tiles, 0.25, style, changed);
+        renewRelief(grown, tiles, 0.25, changed);
     }
     ReliefSurface at_once;
     std::vector<GridIndex> all;
     for (const auto& [index, tile] : tiles)
         all.push_back(index);
-    renewRelief(at_once, tiles, 0.25, style, all);
+    renewRelief(at_once, tiles, 0.25, all);
     QVERIFY(same(grown, at_once));
-    const ReliefSurface kept = grown;
-    renewRelief(grown, tiles, 0.25, {{-5.0f, 5.0f}, ColorMap::Gray, 0.0}, {});
-    QVERIFY(!same(kept, grown));  // Another style colors all tiles,
-    QVERIFY(same(kept, at_once)); // and copies keep theirs.
+}
+
+void tst_Relief::anotherStyleColorsTheSameTiles_data() {
+    QTest::addColumn<ReliefStyle>("style");
+    QTest::newRow("range") << ReliefStyle{{-50.0f, 5.0f}};
+    QTest::newRow("gray") << ReliefStyle{{-5.0f, 5.0f}, ColorMap::Gray};
+    QTest::newRow("contours") << ReliefStyle{{-5.0f, 5.0f}, ColorMap::Color, 0.5};
+}
+
+void tst_Relief::anotherStyleColorsTheSameTiles() {
+    QFETCH(ReliefStyle, style);
+    const HeightTiles tiles = tilesOf(-64, 64, rough);
+    ReliefSurface surface = surfaceOf(tiles);
+    const ReliefSurface before = surface;
+    surface.style = style;
+    renewRelief(surface, tiles, 0.25, {});
+    QVERIFY(std::ranges::equal(surface.tiles, before.tiles)); // The pointers are the same.
+    const OrbitCamera camera = cameraAt({0, 0, 0}, 90.0, 60.0, 40.0);
+    const ReliefPicture one = drawnRelief(sceneOf(before, camera), width_px, height_px);
+    const ReliefPicture other = drawnRelief(sceneOf(surface, camera), width_px, height_px);
+    QVERIFY(one.argb != other.argb);
+    QVERIFY(one.nearness_per_m == other.nearness_per_m);
+}
+
+void tst_Relief::squaresHaveTheColorsOfTheMap_data() {
+    QTest::addColumn<ColorMap>("color_map");
+    QTest::newRow("color") << ColorMap::Color;
+    QTest::newRow("gray") << ColorMap::Gray;
+}
+
+/// They differ by less than one of 127 parts of the light can change.
+void tst_Relief::squaresHaveTheColorsOfTheMap() {
+    QFETCH(ColorMap, color_map);
+    ReliefSurface surface = surfaceOf(tilesOf(0, 64, rough));
+    surface.style.color_map = color_map;
+    std::vector<float> from_the_top;
+    for (int row = 63; row >= 0; --row)
+        for (int column = 0; column < 64; ++column)
+            from_the_top.push_back(rough(column, row));
+    const HeightGrid grid{from_the_top, 64, 64, 0.25};
+    for (int row = 0; row < 64; ++row)
+        for (int column = 0; column < 64; ++column) {
+            const std::uint32_t map = shadeCell(grid, column, 63 - row, surface.style.range, color_map);
+            const std::uint32_t seen = squareColor(*surface.tiles.at({0, 0}), 0, column, row, surface.style);
+            for (const int shift : {0, 8, 16, 24})
+                QVERIFY(std::abs(int(map >> shift & 0xff) - int(seen >> shift & 0xff)) <= 1);
+        }
 }
 
 void tst_Relief::aRasterHasTheSurfaceOfItsTiles() {
@@ -230,26 +290,31 @@ void tst_Relief::noGapBetweenLevels() {
         return std::uniform_real_distribution(low, high)(random);
     };
     constexpr int cameras = 15;
-    std::size_t inside_px = 0;
+    constexpr int sample_px = 10;
+    int meeting = 0;
+    const double highest_m = double(surface.range()->maximum_m), lowest_m = double(surface.range()->minimum_m);
     for (int i = 0; i < cameras; ++i) {
         ReliefScene scene = sceneOf(surface, cameraAt({between(-25, 25), between(-25, 25), 0}, between(-180, 180),
                                                       between(10, 90), between(5, 120)));
         scene.square_px = square_px;
         const ReliefPicture picture = drawnRelief(scene, width_px, height_px);
         const ReliefProjection projection(scene.camera, width_px, height_px);
+        const auto meetsIt = [&](int x, int y) {
+            const auto enters = projection.onPlane(x + 0.5, y + 0.5, highest_m);
+            const auto leaves = projection.onPlane(x + 0.5, y + 0.5, lowest_m);
+            return enters && leaves && inside.contains(Vec2(enters->head<2>())) &&
+                   inside.contains(Vec2(leaves->head<2>()));
+        };
         for (int y = 0; y < height_px; ++y)
             for (int x = 0; x < width_px; ++x) {
-                const auto enters = projection.onPlane(x + 0.5, y + 0.5, double(surface.range()->maximum_m));
-                const auto leaves = projection.onPlane(x + 0.5, y + 0.5, double(surface.range()->minimum_m));
-                if (!enters || !leaves || !inside.contains(Vec2(enters->head<2>())) ||
-                    !inside.contains(Vec2(leaves->head<2>())))
-                    continue;
-                ++inside_px;
-                if (picture.argb[picture.indexOf(x, y)] == sky)
+                if (picture.argb[picture.indexOf(x, y)] == sky && meetsIt(x, y))
                     QFAIL(qPrintable(QString("camera %1: a gap at %2, %3").arg(i).arg(x).arg(y)));
+                // Every pixel is looked at above; a sample tells how many of them count.
+                if (x % sample_px == 0 && y % sample_px == 0)
+                    meeting += meetsIt(x, y);
             }
     }
-    QVERIFY(inside_px > std::size_t(cameras) * width_px * height_px / 4);
+    QVERIFY(meeting > cameras * (width_px / sample_px) * (height_px / sample_px) / 4);
 }
 
 void tst_Relief::theNearestIsSeen_data() {
@@ -360,8 +425,8 @@ void tst_Relief::oneFarTileDoesNotWidenTheView() {
     tiles.merge(tilesOf(-far, 1 - far, level));
     const ReliefSurface surface = surfaceOf(tiles);
     QCOMPARE(surface.tiles.size(), near.tiles.size() + 2);
-    QCOMPARE(surface.bounds_in_map(), (Rectangle{{0, 0}, {48, 48}}));
-    QVERIFY(surface.someCorners() == near.someCorners());
+    QCOMPARE(shownBounds(surface), (Rectangle{{0, 0}, {48, 48}}));
+    QVERIFY(pointsToShow(sceneOf(surface, {}), {}) == pointsToShow(sceneOf(near, {}), {}));
     // Where no tile is near the median, the nearest one counts.
     HeightMap map(0.25);
     for (const GridIndex cell : {GridIndex{0, far}, GridIndex{far, -far}, GridIndex{-far, 0}})
@@ -369,7 +434,61 @@ void tst_Relief::oneFarTileDoesNotWidenTheView() {
     HeightTiles scattered;
     for (const auto& tile : map.takeChangedTiles())
         scattered[tile->index] = tile;
-    QCOMPARE(surfaceOf(scattered).bounds_in_map().width_m(), 0.25);
+    QCOMPARE(shownBounds(surfaceOf(scattered)).width_m(), 0.25);
+}
+
+void tst_Relief::aSmallGroupFarAwayIsLeftOut_data() {
+    QTest::addColumn<int>("first"); // of a square of cells beside one of 128 from (0, 0)
+    QTest::addColumn<int>("side");
+    QTest::addColumn<Rectangle>("area_in_map");
+    QTest::addColumn<bool>("shown");
+    QTest::newRow("a scan far away") << 6400 << 10 << Rectangle{} << false;
+    QTest::newRow("on the other side") << -6400 << 10 << Rectangle{} << false;
+    QTest::newRow("in the area") << 6400 << 10 << Rectangle{{1595, 1595}, {1605, 1605}} << true;
+    QTest::newRow("beside the area") << 6400 << 10 << Rectangle{{0, 0}, {1595, 1595}} << false;
+    QTest::newRow("as large as a quarter") << 6400 << 64 << Rectangle{} << true;
+    QTest::newRow("smaller than a quarter") << 6400 << 63 << Rectangle{} << false;
+    QTest::newRow("as near as the rest is long") << 256 << 10 << Rectangle{} << true;
+    QTest::newRow("farther than that") << 320 << 10 << Rectangle{} << false;
+}
+
+void tst_Relief::aSmallGroupFarAwayIsLeftOut() {
+    QFETCH(int, first);
+    QFETCH(int, side);
+    QFETCH(Rectangle, area_in_map);
+    QFETCH(bool, shown);
+    HeightTiles tiles = tilesOf(0, 128, level);
+    tiles.merge(tilesOf(first, first + side, level));
+    const ReliefSurface surface = surfaceOf(tiles);
+    const auto points = pointsToShow(sceneOf(surface, {}), std::span(&area_in_map, 1));
+    const double middle_m = 0.25 * (first + side / 2);
+    QCOMPARE(std::ranges::any_of(points, [&](const Vec3& point) { return std::abs(point.x() - middle_m) < 17.0; }),
+             shown);
+    QVERIFY(std::ranges::any_of(points, [](const Vec3& point) { return point == Vec3(32, 32, 2); }));
+}
+
+void tst_Relief::someCornersAreFewOfALargeMap() {
+    ReliefSurface surface = surfaceOf(tilesOf(0, 64, level));
+    const auto tile = surface.tiles.at({0, 0});
+    const std::vector<const ReliefTile*> many(10000, tile.get());
+    const std::vector<Vec3> corners = someCorners(many, 0.25);
+    QVERIFY(corners.size() >= 4 * many.size() && corners.size() < 120000);
+    QVERIFY(std::ranges::find(corners, Vec3(16, 16, 2)) != corners.end());
+}
+
+void tst_Relief::aRequestToStopEndsIt() {
+    HeightMap map(0.25);
+    for (int row = 0; row < 100; ++row)
+        for (int column = 0; column < 100; ++column)
+            map.write({column, row}, 1.0f, {1});
+    std::stop_source source;
+    const Raster raster = rasterOf(map);
+    for (const int most_cells : {100000, 1000})
+        QCOMPARE(reliefOf(raster, {}, most_cells, source.get_token()).tiles.empty(), false);
+    source.request_stop();
+    for (const int most_cells : {100000, 1000})
+        QVERIFY(reliefOf(raster, {}, most_cells, source.get_token()).tiles.empty());
+    QVERIFY(drawnRelief(sceneOf({}, {}), width_px, height_px, source.get_token()).empty());
 }
 
 void tst_Relief::aBodyUnderTheGroundIsDrawnOnIt() {

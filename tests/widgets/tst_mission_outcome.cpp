@@ -27,7 +27,7 @@ MissionOutcome wholeFlight() {
             .heights_m = std::pair(-2.96, 18.37),
             .error_m = 0.437,
             .files = {QStringLiteral("/scans/S_001.bil"), QStringLiteral("/scans/S_001_height.png"),
-                      QStringLiteral("/scans/S_001_picture.png")}};
+                      QStringLiteral("/scans/S_001_picture.png"), QStringLiteral("/scans/S_001_3d.png")}};
 }
 
 QStringList textsOf(const MissionOutcome& outcome) {
@@ -93,6 +93,7 @@ private slots:
                               QStringLiteral("Error 0.44 m"), QStringLiteral("Charges 1")}));
         QCOMPARE(titleOf(wholeFlight()), QStringLiteral("R1: mission complete"));
         QCOMPARE(pictureOf(wholeFlight()), QStringLiteral("/scans/S_001_picture.png"));
+        QCOMPARE(reliefPictureOf(wholeFlight()), QStringLiteral("/scans/S_001_3d.png"));
         QCOMPARE(folderOf(wholeFlight()), QStringLiteral("/scans"));
     }
 
@@ -100,7 +101,7 @@ private slots:
         const MissionOutcome drive{.robot = QStringLiteral("R2"), .duration = Seconds(12.0), .distance_m = 3.0};
         QCOMPARE(textsOf(drive), (QStringList{QStringLiteral("Time 12 s"), QStringLiteral("Distance 3 m")}));
         QCOMPARE(titleOf(drive), QStringLiteral("R2: mission ended early"));
-        QVERIFY(pictureOf(drive).isEmpty() && folderOf(drive).isEmpty());
+        QVERIFY(pictureOf(drive).isEmpty() && reliefPictureOf(drive).isEmpty() && folderOf(drive).isEmpty());
     }
 
     void theCardIsSeenOnceThereIsSomethingToTell() {
@@ -137,23 +138,31 @@ private slots:
         QVERIFY(button(card, QStringLiteral("Fly again"))->isHidden());
     }
 
-    void thePictureNeedsRoom() {
+    void thePicturesNeedRoom() {
         QWidget window; // A card that is a window itself would not become that narrow.
         ResultCard card(&window);
         window.show();
         card.tell(wholeFlight());
-        card.resize(700, 150);
         QImage picture(ResultCard::picture_px, QImage::Format_RGB32);
         picture.fill(Qt::gray);
-        card.setPicture(picture);
         const auto shown = [&] {
-            return std::ranges::any_of(card.findChildren<QLabel*>(), [](const QLabel* label) {
+            return std::ranges::count_if(card.findChildren<QLabel*>(), [](const QLabel* label) {
                 return !label->isHidden() && !label->pixmap(Qt::ReturnByValue).isNull();
             });
         };
-        QVERIFY(shown());
+        card.resize(700, 150);
+        card.setPictures(picture, {});
+        QCOMPARE(shown(), 1);
+        card.setPictures(picture, picture);
+        QCOMPARE(shown(), 2);
+        card.resize(card.minimumSizeHint().width() + ResultCard::picture_px.width() + 40, 150);
+        QCOMPARE(shown(), 1);
         card.resize(card.minimumSizeHint());
-        QVERIFY(!shown());
+        QCOMPARE(shown(), 0);
+        card.resize(700, 150);
+        QCOMPARE(shown(), 2);
+        card.tell(wholeFlight()); // Those of another mission are not there yet.
+        QCOMPARE(shown(), 0);
     }
 };
 

@@ -1,10 +1,14 @@
 #include <cmath>
 
+#include <sys/resource.h>
+
+#include <QDir>
 #include <QSignalSpy>
 #include <QTest>
 #include <QWheelEvent>
 
 #include "tests/suite/suite.h"
+#include "widgets/map/map_overlay.h"
 #include "widgets/relief/relief_view.h"
 #include "widgets/style/theme.h"
 
@@ -90,8 +94,16 @@ private slots:
     void keysPanAtAnyElevation_data();
     void keysPanAtAnyElevation();
     void theNewestRequestWins();
+    void aReplacedRequestLeavesItsTiles_data();
+    void aReplacedRequestLeavesItsTiles();
+    void onlyChangedTilesAreHandedOver();
+    void itDrawsAfterTheOtherThreads();
     void aHiddenViewDoesNothing();
     void thePointerTellsTheHeight();
+    void theMiddleIsReadByKeyboard_data();
+    void theMiddleIsReadByKeyboard();
+    void aNameStandsAboveTheGround();
+    void thePictureHasNamesAndNoFrame();
     void heightsAreExaggerated();
     void theStateComesBack_data();
     void theStateComesBack();
@@ -374,16 +386,82 @@ void tst_ReliefView::theNewestRequestWins() {
     connect(&renderer, &ReliefRenderer::drawn, this,
             [&](const std::shared_ptr<const ReliefFrame>& frame) { distances_m.push_back(frame->camera.distance_m); });
     ReliefRequest request;
-    request.tiles[{0, 0}] = tileAt({0, 0});
+    request.changed[{0, 0}] = tileAt({0, 0});
     request.style.range = range;
     request.size_px = {200, 100};
     for (int i = 1; i <= 50; ++i) {
-        request.scene.camera.distance_m = 10.0 * i;
+        request.camera.distance_m = 10.0 * i;
         renderer.draw(request);
     }
     QTRY_VERIFY(!renderer.busy());
     QCOMPARE(distances_m, (std::vector{10.0, 500.0})); // The first was begun, the last waited.
     QCOMPARE(renderer.frameCount(), 2);
+}
+
+void tst_ReliefView::aReplacedRequestLeavesItsTiles_data() {
+    QTest::addColumn<bool>("cleared"); // by the request that is replaced
+    QTest::addColumn<bool>("last_cleared");
+    QTest::addColumn<std::vector<bool>>("seen"); // tiles 0, 1 and 2
+    QTest::newRow("the map grows") << false << false << std::vector{true, true, true};
+    QTest::newRow("it is cleared first") << true << false << std::vector{false, true, true};
+    QTest::newRow("it is cleared last") << false << true << std::vector{false, false, true};
+}
+
+void tst_ReliefView::aReplacedRequestLeavesItsTiles() {
+    QFETCH(bool, cleared);
+    QFETCH(bool, last_cleared);
+    QFETCH(std::vector<bool>, seen);
+    ReliefRenderer renderer;
+    std::shared_ptr<const ReliefFrame> frame;
+    connect(&renderer, &ReliefRenderer::drawn, this,
+            [&](const std::shared_ptr<const ReliefFrame>& drawn) { frame = drawn; });
+    ReliefRequest request;
+    request.style.range = range;
+    request.size_px = {300, 100};
+    request.camera.target_in_map_m = {24, 8, 0};
+    request.camera.elevation_rad = mapping::OrbitCamera::highest_elevation_rad;
+    for (int i = 0; i < 3; ++i) { // The first is begun, the third replaces the second.
+        request.changed = {{{i, 0}, tileAt({i, 0})}};
+        request.forgets_tiles = (i == 1 && cleared) || (i == 2 && last_cleared);
+        renderer.draw(request);
+    }
+    QTRY_VERIFY(!renderer.busy());
+    QCOMPARE(renderer.frameCount(), 2);
+    for (int i = 0; i < 3; ++i) {
+        const auto at = frame->projection().project({8.0 + 16.0 * i, 8.0, 0.0});
+        QCOMPARE(frame->picture.pick(int(at->x_px), int(at->y_px), frame->projection()).has_value(),
+                 bool(seen[std::size_t(i)]));
+    }
+}
+
+/// The renderer keeps the tiles, so one that the view would hand over again is held by one more.
+void tst_ReliefView::onlyChangedTilesAreHandedOver() {
+    Pair pair;
+    pair.scan();
+    QVERIFY(pair.drawn());
+    QTRY_VERIFY(!pair.map.heights().busy()); // Its worker holds tiles, too.
+    const auto heldBy = [&pair] { return pair.map.heights().tiles().at({0, 0}).use_count(); };
+    const long before = heldBy();
+    int held_more = 0;
+    for (int i = 1; i <= 5; ++i) {
+        const int frames = pair.view.renderer().frameCount();
+        QTest::keyClick(&pair.canvas(), Qt::Key_Left);
+        held_more += heldBy() > before;
+        QTRY_VERIFY(pair.view.renderer().frameCount() > frames);
+    }
+    QCOMPARE(held_more, 0);
+    QVERIFY(pair.drawn());
+    QVERIFY(pair.canvas().pick(pair.middle()));
+}
+
+void tst_ReliefView::itDrawsAfterTheOtherThreads() {
+    Pair pair;
+    pair.scan();
+    QVERIFY(pair.drawn());
+    int nice_threads = 0;
+    for (const QString& task : QDir("/proc/self/task").entryList(QDir::Dirs | QDir::NoDotAndDotDot))
+        nice_threads += getpriority(PRIO_PROCESS, task.toUInt()) > getpriority(PRIO_PROCESS, 0);
+    QVERIFY(nice_threads >= 1); // The job's own thread waits for the next one.
 }
 
 void tst_ReliefView::aHiddenViewDoesNothing() {
@@ -414,6 +492,90 @@ void tst_ReliefView::thePointerTellsTheHeight() {
     const auto point_m = pointed.last()[0].value<std::optional<Vec3>>();
     QVERIFY(point_m && pair.map.heights().probe(point_m->head<2>()));
     QVERIFY(pair.canvas().probe().contains("z "));
+}
+
+void tst_ReliefView::theMiddleIsReadByKeyboard_data() {
+    QTest::addColumn<QString>("before");
+    QTest::addColumn<bool>("read");
+    QTest::newRow("without focus") << "" << false;
+    QTest::newRow("focused") << "focus" << true;
+    QTest::newRow("a key, with the mouse over it") << "mouse key" << true;
+    QTest::newRow("the mouse has left") << "focus mouse leave" << true;
+    QTest::newRow("the focus has left") << "focus blur" << false;
+}
+
+void tst_ReliefView::theMiddleIsReadByKeyboard() {
+    QFETCH(QString, before);
+    QFETCH(bool, read);
+    Pair pair;
+    pair.scan();
+    pair.view.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&pair.view));
+    pair.view.findChild<QComboBox*>()->setFocus();
+    QVERIFY(pair.drawn());
+    const QPoint corner = pair.middle() + QPoint(-60, 40);
+    for (const QString& step : before.split(' ')) {
+        if (step == "focus")
+            pair.canvas().setFocus();
+        else if (step == "blur")
+            pair.view.findChild<QComboBox*>()->setFocus();
+        else if (step == "leave") {
+            QEvent leave(QEvent::Leave);
+            QCoreApplication::sendEvent(&pair.canvas(), &leave);
+        } else if (step == "key") {
+            pair.canvas().setFocus();
+            QTest::keyClick(&pair.canvas(), Qt::Key_Right);
+        } else if (step == "mouse") {
+            QMouseEvent move(QEvent::MouseMove, corner, pair.canvas().mapToGlobal(corner), Qt::NoButton, Qt::NoButton,
+                             Qt::NoModifier);
+            QCoreApplication::sendEvent(&pair.canvas(), &move);
+        }
+    }
+    QVERIFY(pair.drawn());
+    if (!read) {
+        QVERIFY(pair.canvas().probe().isEmpty());
+        return;
+    }
+    const auto middle_m = pair.canvas().pick(QRectF(pair.canvas().rect()).center());
+    QVERIFY(middle_m);
+    const Vec2 at_m = middle_m->head<2>();
+    QCOMPARE(pair.canvas().probe(), probeText(at_m, pair.map.heights().probe(at_m)));
+    QTest::keyClick(&pair.canvas(), Qt::Key_Up, Qt::ShiftModifier);
+    QVERIFY(pair.drawn());
+    QVERIFY(pair.canvas().probe() != probeText(at_m, pair.map.heights().probe(at_m)));
+}
+
+void tst_ReliefView::aNameStandsAboveTheGround() {
+    Pair pair;
+    pair.scan();
+    for (const double z_m : {-20.0, 5.0}) {
+        pair.map.setRobot({"R1", 1, {{8.0, 8.0, z_m}, 0.0, 0.0, 0.0}});
+        const double wanted_m = std::max(z_m, double(pair.map.heights().probe({8.0, 8.0})->height_m));
+        QTRY_VERIFY(!pair.canvas().labels().empty() && pair.canvas().labels()[0].place_in_map_m.z() == wanted_m);
+    }
+}
+
+void tst_ReliefView::thePictureHasNamesAndNoFrame() {
+    Pair pair;
+    QVERIFY(pair.canvas().picture().isNull());
+    pair.scan();
+    QVERIFY(pair.drawn());
+    pair.canvas().setFocus();
+    const auto differs = [&pair] {
+        const QImage picture = pair.canvas().picture();
+        const mapping::ReliefPicture& drawn = pair.canvas().frame()->picture;
+        int different = 0;
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = 0; x < picture.width(); ++x)
+                different += picture.pixel(x, y) != drawn.argb[drawn.indexOf(x, y)];
+        return different;
+    };
+    QCOMPARE(pair.canvas().picture().size(), pair.canvas().wantedSize_px());
+    const int axes = differs();
+    QVERIFY(axes > 1000);
+    QCOMPARE(pair.canvas().picture().pixel(0, 0), pair.canvas().frame()->picture.argb.front()); // No ring of the focus.
+    pair.canvas().setLabels({{"R1", pair.camera().target_in_map_m}});
+    QVERIFY(differs() > axes + 100);
 }
 
 void tst_ReliefView::heightsAreExaggerated() {

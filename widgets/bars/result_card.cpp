@@ -28,6 +28,8 @@ ResultCard::ResultCard(QWidget* parent) : QFrame(parent) {
 }
 
 void ResultCard::lay() {
+    named(picture_, tr("Picture of the map"), tr("The map from above, with its marks"));
+    named(relief_, tr("3D picture of the map"), tr("The map from the south-east, with the path and the marks"));
     title_->setFont(themeFont(FontRole::Body, QFont::DemiBold));
     reason_->setWordWrap(true);
     figures_->setWordWrap(true);
@@ -38,8 +40,8 @@ void ResultCard::lay() {
         button->setFocusPolicy(Qt::TabFocus); // A click leaves the keys to the map.
     auto* const column = laidOut(new QVBoxLayout, gap::tiny, {title_, reason_, figures_});
     column->addLayout(buttons);
-    auto* const row =
-        laidOut(new QHBoxLayout(this), {gap::medium, gap::small, gap::small, gap::small}, gap::medium, {picture_});
+    auto* const row = laidOut(new QHBoxLayout(this), {gap::medium, gap::small, gap::small, gap::small}, gap::medium,
+                              {picture_, relief_});
     row->addLayout(column, 1);
     row->addWidget(close_, 0, Qt::AlignTop);
 }
@@ -49,8 +51,7 @@ void ResultCard::tell(const MissionOutcome& outcome) {
     title_->setText(titleOf(outcome));
     reason_->setText(outcome.reason);
     setAccessibleDescription(title_->text() + QStringLiteral(". ") + outcome.reason);
-    picture_->setPixmap({});
-    picture_->hide();
+    setPictures({}, {});
     folder_->setVisible(!folderOf(outcome).isEmpty());
     open_picture_->setVisible(!pictureOf(outcome).isEmpty());
     compare_->setVisible(!summaryOf(outcome).isEmpty());
@@ -59,21 +60,25 @@ void ResultCard::tell(const MissionOutcome& outcome) {
     show();
 }
 
-void ResultCard::setPicture(const QImage& picture) {
-    if (picture.isNull())
-        return;
-    picture_->setPixmap(QPixmap::fromImage(picture));
-    picture_->setAccessibleName(tr("Picture of the map"));
-    picture_->setVisible(hasRoomForPicture());
+void ResultCard::setPictures(const QImage& map, const QImage& relief) {
+    picture_->setPixmap(QPixmap::fromImage(map));
+    relief_->setPixmap(QPixmap::fromImage(relief));
+    showPictures();
 }
 
-bool ResultCard::hasRoomForPicture() const {
-    return width() >= minimumSizeHint().width() + picture_px.width() + gap::medium;
+void ResultCard::showPictures() {
+    int room_px = width() - minimumSizeHint().width();
+    for (QLabel* const label : {picture_, relief_}) {
+        const bool has_picture = !label->pixmap(Qt::ReturnByValue).isNull();
+        if (has_picture)
+            room_px -= picture_px.width() + gap::medium;
+        label->setVisible(has_picture && room_px >= 0);
+    }
 }
 
 void ResultCard::resizeEvent(QResizeEvent* event) {
     QFrame::resizeEvent(event);
-    picture_->setVisible(!picture_->pixmap(Qt::ReturnByValue).isNull() && hasRoomForPicture());
+    showPictures();
 }
 
 void ResultCard::showFigures() {

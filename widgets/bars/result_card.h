@@ -19,13 +19,13 @@ public:
 
     /// Tells this outcome in place of the one before, without a picture yet.
     void tell(const MissionOutcome& outcome);
-    /// Shows a picture of the map, no larger than `picture_px`; a null one changes nothing.
-    void setPicture(const QImage& picture);
+    /// Shows pictures of the map from above and in perspective, no larger than `picture_px`; a null one is not shown.
+    void setPictures(const QImage& map, const QImage& relief);
     /// False: the robot is gone and cannot fly again.
     void setCanFlyAgain(bool can) { again_->setVisible(can); }
 
     static constexpr QSize picture_px{140, 92};
-    /// Without the picture, for which a narrow window has no room.
+    /// Without the pictures, for which a narrow window has no room.
     QSize minimumSizeHint() const override { return {300, QFrame::minimumSizeHint().height()}; }
 
 signals:
@@ -41,10 +41,11 @@ protected:
 private:
     void lay();
     void showFigures();
-    bool hasRoomForPicture() const;
+    void showPictures(); ///< as many as there is room for, the map first
 
     MissionOutcome outcome_;
     QLabel* picture_ = new QLabel(this);
+    QLabel* relief_ = new QLabel(this);
     QLabel* title_ = new QLabel(this);
     QLabel* reason_ = new QLabel(this);
     QLabel* figures_ = new QLabel(this);

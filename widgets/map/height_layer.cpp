@@ -53,6 +53,7 @@ void HeightLayer::clear(double cell_size_m) {
     trim_due_ = false;
     trim_pause_.stop();
     ++generation_;
+    emit cleared();
     emit changed();
 }
 
@@ -83,6 +84,7 @@ void HeightLayer::take(const std::vector<std::shared_ptr<const HeightTile>>& til
                        const std::optional<mapping::HeightRange>& range) {
     for (const auto& tile : tiles)
         takeTile(tile);
+    emit tilesTaken(tiles);
     if (range)
         scan_range_ = range;
     trim();

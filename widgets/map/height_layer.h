@@ -54,6 +54,9 @@ public:
 signals:
     /// Finished pictures were swapped in, all were removed, or the look has changed.
     void changed();
+    /// At once, and not only when they are painted: these tiles are new or other ones.
+    void tilesTaken(const std::vector<std::shared_ptr<const usar::mapping::HeightTile>>& tiles);
+    void cleared(); ///< all tiles were removed
     /// Before `changed`: this part of the ground is painted differently from now on.
     void groundChanged(const usar::Rectangle& in_map);
 

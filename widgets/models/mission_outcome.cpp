@@ -6,6 +6,7 @@
 #include <QObject>
 
 #include "core/mapping/raster_export.h"
+#include "core/mapping/relief/relief_scene.h"
 #include "widgets/models/figures.h"
 
 namespace usar::widgets {
@@ -76,6 +77,10 @@ QString titleOf(const MissionOutcome& outcome) {
 
 QString pictureOf(const MissionOutcome& outcome) {
     return fileWith(mapping::picture_ending, outcome);
+}
+
+QString reliefPictureOf(const MissionOutcome& outcome) {
+    return fileWith(mapping::relief_picture_ending, outcome);
 }
 
 QString summaryOf(const MissionOutcome& outcome) {

@@ -48,8 +48,9 @@ struct OutcomeFigure {
 std::vector<OutcomeFigure> figuresOf(const MissionOutcome& outcome);
 /// "R1: mission complete", or "R1: mission ended early".
 QString titleOf(const MissionOutcome& outcome);
-/// Path of the picture among the files; empty: there is none.
+/// Path of a picture among the files, of the map and of it in perspective; empty: there is none.
 QString pictureOf(const MissionOutcome& outcome);
+QString reliefPictureOf(const MissionOutcome& outcome);
 /// Path of the summary (.json) among the files; empty: there is none.
 QString summaryOf(const MissionOutcome& outcome);
 /// The folder of the files; empty: there are none.

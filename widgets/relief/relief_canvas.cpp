@@ -36,7 +36,7 @@ ReliefCanvas::ReliefCanvas(QWidget* parent) : QWidget(parent) {
     setCursor(Qt::OpenHandCursor);
     setAccessibleName(tr("3D view"));
     setAccessibleDescription(tr("Arrow keys orbit, with Shift they pan, plus and minus zoom, Home shows all, N turns y "
-                                "up, T looks from above."));
+                                "up, T looks from above. The place in the middle is read."));
     rest_.setSingleShot(true);
     rest_.setInterval(rest_ms);
     connect(&rest_, &QTimer::timeout, this, &ReliefCanvas::frameWanted);
@@ -55,8 +55,14 @@ void ReliefCanvas::setFrame(const std::shared_ptr<const ReliefFrame>& frame) {
         camera_ = frame->camera;
     if (frame->picture.width_px >= wholeSize_px().width())
         whole_took_ms_ = frame->took_ms;
-    if (pointer_px_)
-        emit pointed(pick(*pointer_px_));
+    tellPointed();
+}
+
+void ReliefCanvas::tellPointed() {
+    if (pointer_px_ || readsMiddle())
+        emit pointed(pick(pointer_px_.value_or(QRectF(rect()).center())));
+    else
+        emit pointed(std::nullopt);
 }
 
 void ReliefCanvas::setCamera(const mapping::OrbitCamera& camera) {
@@ -190,8 +196,8 @@ void ReliefCanvas::mousePressEvent(QMouseEvent* event) {
 void ReliefCanvas::mouseMoveEvent(QMouseEvent* event) {
     if (!grabbed_px_ || event->buttons() == Qt::NoButton) {
         pointer_px_ = event->position();
-        emit pointed(pick(event->position()));
-        return;
+        update(); // The cross in the middle goes.
+        return tellPointed();
     }
     const QPointF from_px = std::exchange(*grabbed_px_, event->position());
     const QPointF by_px = event->position() - from_px;
@@ -222,7 +228,18 @@ void ReliefCanvas::wheelEvent(QWheelEvent* event) {
 
 void ReliefCanvas::leaveEvent(QEvent*) {
     pointer_px_.reset();
-    emit pointed(std::nullopt);
+    update();
+    tellPointed();
+}
+
+void ReliefCanvas::focusInEvent(QFocusEvent* event) {
+    QWidget::focusInEvent(event);
+    tellPointed();
+}
+
+void ReliefCanvas::focusOutEvent(QFocusEvent* event) {
+    QWidget::focusOutEvent(event);
+    tellPointed();
 }
 
 bool ReliefCanvas::actByKey(int key, bool shift) {
@@ -257,7 +274,9 @@ bool ReliefCanvas::actByKey(int key, bool shift) {
 
 void ReliefCanvas::keyPressEvent(QKeyEvent* event) {
     if (!actByKey(event->key(), event->modifiers() & Qt::ShiftModifier))
-        QWidget::keyPressEvent(event);
+        return QWidget::keyPressEvent(event);
+    pointer_px_.reset(); // Whoever uses keys reads the middle, even if the mouse lies over the view.
+    tellPointed();
 }
 
 void ReliefCanvas::paintLabels(QPainter& painter) const {
@@ -293,12 +312,17 @@ void ReliefCanvas::paintAxes(QPainter& painter) const {
     }
 }
 
-void ReliefCanvas::paintEvent(QPaintEvent*) {
-    QPainter painter(this);
-    if (!frame_) {
-        painter.fillRect(rect(), tokens().background);
-        return;
+void ReliefCanvas::paintMiddle(QPainter& painter) const {
+    const QPointF middle = QRectF(rect()).center();
+    constexpr double inner_px = 4.0, outer_px = 11.0;
+    for (const QPen& pen : {QPen(faded(tokens().background, 0.8), 3.5), QPen(tokens().accent, 1.5)}) {
+        painter.setPen(pen);
+        for (const QPointF& way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
+            painter.drawLine(middle + inner_px * way, middle + outer_px * way);
     }
+}
+
+void ReliefCanvas::paintFrame(QPainter& painter) const {
     const mapping::ReliefPicture& picture = frame_->picture;
     const QImage image(reinterpret_cast<const uchar*>(picture.argb.data()), picture.width_px, picture.height_px,
                        picture.width_px * 4, QImage::Format_RGB32);
@@ -307,6 +331,27 @@ void ReliefCanvas::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     paintLabels(painter);
     paintAxes(painter);
+}
+
+QImage ReliefCanvas::picture() const {
+    if (!frame_)
+        return {};
+    QImage image(frame_->picture.width_px, frame_->picture.height_px, QImage::Format_RGB32);
+    QPainter painter(&image);
+    painter.scale(double(image.width()) / std::max(width(), 1), double(image.height()) / std::max(height(), 1));
+    paintFrame(painter);
+    return image;
+}
+
+void ReliefCanvas::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    if (!frame_) {
+        painter.fillRect(rect(), tokens().background);
+        return;
+    }
+    paintFrame(painter);
+    if (readsMiddle())
+        paintMiddle(painter);
     if (!probe_.isEmpty())
         paintChip(painter, QPointF(gap::medium, height() - gap::medium), probe_, Qt::AlignLeft | Qt::AlignBottom);
     if (hasFocus()) {

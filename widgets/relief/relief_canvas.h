@@ -15,7 +15,8 @@ namespace usar::widgets {
 
 /// Shows the newest frame, and asks for another one when the camera should move. The mouse: left drag orbits; right or
 /// middle drag, or with Shift, pans; the wheel zooms toward the pointer; a double-click centers. Keys when focused:
-/// arrows orbit, with Shift they pan; + and - zoom; Home shows all; N turns y up; T looks from above. GUI thread.
+/// arrows orbit, with Shift they pan; + and - zoom; Home shows all; N turns y up; T looks from above. Until the mouse
+/// moves over it, the focused view reads the place in its middle. GUI thread.
 class ReliefCanvas : public QWidget {
     Q_OBJECT
 public:
@@ -44,10 +45,13 @@ public:
         bool operator==(const Label&) const = default;
     };
     void setLabels(const std::vector<Label>& labels);
+    const std::vector<Label>& labels() const { return labels_; }
     /// Size of the picture that should be asked for: that of the widget, or less while the camera moves if whole
     /// pictures take too long.
     QSize wantedSize_px() const;
     const QString& probe() const { return probe_; }
+    /// What is seen, with names and axes, in the size of the newest frame; null before the first.
+    QImage picture() const;
     /// The place of the surface or mark that is seen there; nullopt for the background.
     std::optional<Vec3> pick(const QPointF& at_px) const;
     QSize sizeHint() const override { return {560, 320}; }
@@ -56,7 +60,7 @@ public:
 signals:
     void frameWanted(); ///< camera or size are others
     void movedByUser(); ///< to another target: by panning, by centering, or by the key that shows all
-    /// The mouse is over this point; nullopt: over none.
+    /// The mouse is over this point, or without it the middle of the focused view; nullopt: over none.
     void pointed(const std::optional<usar::Vec3>& point_in_map_m);
 
 public slots:
@@ -73,6 +77,8 @@ protected:
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
@@ -84,7 +90,11 @@ private:
     void panOverGround(const QPointF& way);                ///< to the right and ahead, by one step of the keys
     void zoom(const Vec3& toward_in_map_m, double factor); ///< the point stays where it is in the picture
     bool actByKey(int key, bool shift);
+    bool readsMiddle() const { return hasFocus() && !pointer_px_; }
+    void tellPointed();
+    void paintFrame(QPainter& painter) const; ///< in pixels of the widget
     void paintLabels(QPainter& painter) const;
+    void paintMiddle(QPainter& painter) const; ///< the cross over the place that is read
     void paintAxes(QPainter& painter) const;
 
     std::shared_ptr<const ReliefFrame> frame_;

@@ -1,8 +1,6 @@
 #include "widgets/relief/relief_renderer.h"
 
 #include <algorithm>
-#include <iterator>
-#include <span>
 #include <utility>
 
 #include <QElapsedTimer>
@@ -10,29 +8,9 @@
 #include <QThread>
 
 #include "core/base/hand_over.h"
+#include "core/base/thread_priority.h"
 
 namespace usar::widgets {
-
-namespace {
-
-/// Bit by bit, which is fast, and by which the NaN of a gap is the same as itself.
-bool sameBits(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
-    return std::ranges::equal(std::as_bytes(std::span(a)), std::as_bytes(std::span(b)));
-}
-
-/// The points that show_all brings into the picture: the surface and the trails over it, but nothing far away from it.
-std::vector<Vec3> pointsToShow(const mapping::ReliefScene& scene) {
-    std::vector<Vec3> points = scene.surface.someCorners();
-    const Rectangle bounds = scene.surface.bounds_in_map();
-    for (const mapping::ReliefLine& line : scene.lines)
-        std::ranges::copy_if(line.points_in_map_m, std::back_inserter(points), [&](const Vec3& point) {
-            const Vec2 place_m = point.head<2>();
-            return bounds.contains(place_m) && scene.surface.height_m(place_m).has_value();
-        });
-    return points;
-}
-
-} // namespace
 
 ReliefRenderer::ReliefRenderer(QObject* parent) : QObject(parent) {
     pool_.setMaxThreadCount(1);
@@ -43,56 +21,73 @@ ReliefRenderer::~ReliefRenderer() {
 }
 
 void ReliefRenderer::draw(ReliefRequest request) {
-    if (working_)
-        waiting_ = std::move(request);
-    else
-        start(std::move(request));
+    if (!working_)
+        return start(std::move(request));
+    if (waiting_ && !request.forgets_tiles) {
+        request.forgets_tiles = waiting_->forgets_tiles;
+        request.changed.merge(waiting_->changed); // The newer tile stays.
+    }
+    waiting_ = std::move(request);
 }
 
 bool ReliefRenderer::renewSurface(Made& made, const ReliefRequest& request) {
+    mapping::ReliefSurface& surface = made.scene.surface;
+    if (request.forgets_tiles) {
+        made.tiles.clear();
+        surface.tiles.clear();
+    }
     std::vector<mapping::GridIndex> changed;
-    bool gone = false;
-    for (const auto& [index, tile] : made.tiles)
-        gone = gone || !request.tiles.contains(index);
-    if (gone) // The map was cleared.
-        made = {};
-    for (const auto& [index, tile] : request.tiles)
-        if (const auto before = made.tiles.find(index); before == made.tiles.end() || before->second != tile)
-            changed.push_back(index);
-    const bool same =
-        changed.empty() && made.surface.cell_size_m == request.cell_size_m && made.surface.style == request.style;
-    mapping::renewRelief(made.surface, request.tiles, request.cell_size_m, request.style, changed);
-    made.tiles = request.tiles;
-    return gone || !same;
+    for (const auto& [index, tile] : request.changed) {
+        made.tiles[index] = tile;
+        changed.push_back(index);
+    }
+    surface.style = request.style;
+    const bool same = changed.empty() && !request.forgets_tiles && surface.cell_size_m == request.cell_size_m;
+    mapping::renewRelief(surface, made.tiles, request.cell_size_m, changed);
+    return !same;
 }
 
-void ReliefRenderer::raiseLines(Made& made, mapping::ReliefScene& scene, bool surface_changed) {
-    made.lines.resize(scene.lines.size());
-    for (std::size_t i = 0; i < scene.lines.size(); ++i) {
-        std::vector<Vec3>& points_m = scene.lines[i].points_in_map_m;
-        RaisedLine& line = made.lines[i];
-        if (surface_changed || !sameBits(line.points_in_map_m, points_m)) {
-            line.raised_in_map_m = mapping::aboveSurface(made.surface, points_m);
-            line.points_in_map_m = std::move(points_m);
+void ReliefRenderer::raiseTrails(Made& made, const ReliefThings& things, bool surface_changed) {
+    std::vector<mapping::ReliefLine>& lines = made.scene.lines;
+    lines.resize(things.trails.size()); // The outlines are made anew.
+    made.trails.resize(things.trails.size());
+    for (std::size_t i = 0; i < things.trails.size(); ++i) {
+        const ReliefTrail& trail = things.trails[i];
+        if (std::exchange(made.trails[i], trail.points_in_map_m) != trail.points_in_map_m || surface_changed) {
+            lines[i].points_in_map_m = mapping::aboveSurface(made.scene.surface, *trail.points_in_map_m);
+            made.points_to_show.reset();
         }
-        points_m = line.raised_in_map_m;
+        lines[i].color = trail.color;
+        lines[i].edge_color = things.edge_color;
+        lines[i].width_px = trail.width_px;
     }
 }
 
-std::shared_ptr<const ReliefFrame> ReliefRenderer::work(Made& made, ReliefRequest request) {
+std::shared_ptr<const ReliefFrame> ReliefRenderer::work(Made& made, const ReliefRequest& request) {
     QElapsedTimer clock;
     clock.start();
+    mapping::ReliefScene& scene = made.scene;
+    const ReliefThings& things = request.things;
     const bool surface_changed = renewSurface(made, request);
-    mapping::ReliefScene& scene = request.scene;
-    scene.surface = made.surface;
-    raiseLines(made, scene, surface_changed);
-    if (request.show_all)
+    const bool other_areas = std::exchange(made.areas_in_map, things.areas_in_map) != things.areas_in_map;
+    if (surface_changed || other_areas || made.trails.size() != things.trails.size())
+        made.points_to_show.reset();
+    raiseTrails(made, things, surface_changed);
+    scene.bodies = things.bodies;
+    scene.sky = things.sky;
+    scene.ground = things.ground;
+    scene.exaggeration = request.exaggeration;
+    scene.camera = request.camera;
+    if (request.show_all) {
+        if (!made.points_to_show)
+            made.points_to_show = mapping::pointsToShow(scene, things.areas_in_map);
         scene.camera = scene.camera.showing(
-            pointsToShow(scene), double(request.size_px.width()) / request.size_px.height(), scene.exaggeration);
+            *made.points_to_show, double(request.size_px.width()) / request.size_px.height(), scene.exaggeration);
+    }
     scene.camera = scene.camera.limited();
-    for (const Rectangle& area : request.areas_in_map)
+    for (const Rectangle& area : things.areas_in_map)
         scene.lines.push_back(
-            {mapping::outlineOnSurface(scene.surface, area), request.area_color, request.edge_color, 2});
+            {mapping::outlineOnSurface(scene.surface, area), things.area_color, things.edge_color, 2});
     auto frame = std::make_shared<ReliefFrame>();
     frame->picture = {request.size_px.width(), request.size_px.height()};
     frame->camera = scene.camera;
@@ -105,8 +100,9 @@ std::shared_ptr<const ReliefFrame> ReliefRenderer::work(Made& made, ReliefReques
 
 void ReliefRenderer::start(ReliefRequest request) {
     working_ = true;
-    pool_.start(HandedOver([this, request = std::move(request)]() mutable {
-        auto frame = work(*made_, std::move(request));
+    pool_.start(HandedOver([this, request = std::move(request)] {
+        yieldToOthers(); // The threads that draw the strips inherit it.
+        auto frame = work(*made_, request);
         // The destructor waits for this job, so `this` is valid here; if the object is destroyed, the queued call is
         // discarded.
         QMetaObject::invokeMethod(this, HandedOver([this, frame = std::move(frame)] {

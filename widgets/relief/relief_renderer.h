@@ -13,16 +13,40 @@
 
 namespace usar::widgets {
 
+/// Points that nobody changes any more.
+using SharedPoints = std::shared_ptr<const std::vector<Vec3>>;
+
+/// The way of a robot, which is raised above the surface. Two are the same if they share their points.
+struct ReliefTrail {
+    SharedPoints points_in_map_m;
+    std::uint32_t color = 0xffffffffu; ///< 0xffRRGGBB
+    int width_px = 2;
+    bool operator==(const ReliefTrail&) const = default;
+};
+
+/// What is seen beside the surface, in the colors of the theme; it is cheap to copy and to compare.
+struct ReliefThings {
+    std::vector<ReliefTrail> trails{};
+    std::vector<mapping::ReliefBody> bodies{};
+    std::vector<Rectangle> areas_in_map{}; ///< outlined on the surface
+    // As 0xffRRGGBB:
+    std::uint32_t area_color = 0;
+    std::uint32_t edge_color = 0; ///< of trails and outlines
+    std::uint32_t sky = 0;
+    std::uint32_t ground = 0; ///< where nothing is known
+    bool operator==(const ReliefThings&) const = default;
+};
+
 /// What a frame is to show: plain values and immutable tiles.
 struct ReliefRequest {
-    mapping::HeightTiles tiles{};
+    bool forgets_tiles = false;     ///< those of earlier requests are gone
+    mapping::HeightTiles changed{}; ///< those that are new or other ones since the request before
     double cell_size_m = 0.25;
     mapping::ReliefStyle style{};
-    mapping::ReliefScene scene{};          ///< without surface; its lines are raised above it
-    std::vector<Rectangle> areas_in_map{}; ///< outlined on the surface, in the color below
-    std::uint32_t area_color = 0;          ///< 0xffRRGGBB, and so is the next
-    std::uint32_t edge_color = 0;          ///< of trails and outlines
-    bool show_all = false;                 ///< the camera moves so that all of the surface is seen
+    ReliefThings things{};
+    mapping::OrbitCamera camera{};
+    double exaggeration = 1.0;
+    bool show_all = false; ///< the camera moves so that all of the surface is seen
     QSize size_px{};
 };
 
@@ -37,8 +61,9 @@ struct ReliefFrame {
     mapping::ReliefProjection projection() const { return {camera, picture.width_px, picture.height_px, exaggeration}; }
 };
 
-/// One job runs at a time and draws in as many threads as there are processors. A request that comes meanwhile waits,
-/// and replaces the one that waited before it. GUI thread.
+/// One job runs at a time and draws in as many threads as there are processors, after those that the sessions need. A
+/// request that comes meanwhile waits, and replaces the one that waited before it, whose tiles it takes over. GUI
+/// thread.
 class ReliefRenderer : public QObject {
     Q_OBJECT
 public:
@@ -53,20 +78,18 @@ signals:
     void drawn(const std::shared_ptr<const usar::widgets::ReliefFrame>& frame);
 
 private:
-    struct RaisedLine {
-        std::vector<Vec3> points_in_map_m; ///< as they were requested
-        std::vector<Vec3> raised_in_map_m; ///< above the surface
-    };
     /// What the job keeps for the next one: tiles and lines that are the same are not made again.
     struct Made {
-        mapping::ReliefSurface surface;
         mapping::HeightTiles tiles;
-        std::vector<RaisedLine> lines; ///< in the order of the scene
+        mapping::ReliefScene scene;       ///< its lines are the trails above the surface, and then the outlines
+        std::vector<SharedPoints> trails; ///< what the first lines were made of
+        std::vector<Rectangle> areas_in_map;
+        std::optional<std::vector<Vec3>> points_to_show; ///< nullopt: not known for these
     };
-    static std::shared_ptr<const ReliefFrame> work(Made& made, ReliefRequest request);
+    static std::shared_ptr<const ReliefFrame> work(Made& made, const ReliefRequest& request);
     /// False if the surface stays as it is.
     static bool renewSurface(Made& made, const ReliefRequest& request);
-    static void raiseLines(Made& made, mapping::ReliefScene& scene, bool surface_changed);
+    static void raiseTrails(Made& made, const ReliefThings& things, bool surface_changed);
     void start(ReliefRequest request);
 
     std::unique_ptr<Made> made_ = std::make_unique<Made>(); ///< only the running job uses it

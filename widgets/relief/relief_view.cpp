@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <QBoxLayout>
 #include <QJsonArray>
@@ -20,36 +21,15 @@ namespace {
 constexpr int glance_ms = 50;
 constexpr std::array exaggerations{1.0, 1.5, 2.0, 3.0, 5.0};
 
-std::vector<Vec3> pointsOf(const Trail& trail) {
-    std::vector<Vec3> points;
-    points.reserve(trail.points_m().size());
-    for (std::size_t i = 0; i < trail.points_m().size(); ++i)
-        points.emplace_back(trail.points_m()[i].x(), trail.points_m()[i].y(), trail.heights_m()[i]);
-    return points;
+Vec3 pointAt(const Trail& trail, std::size_t i) {
+    return {trail.points_m()[i].x(), trail.points_m()[i].y(), trail.heights_m()[i]};
 }
 
-/// NaN in gaps is the same as NaN.
-bool samePoints(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
-    return std::ranges::equal(
-        a, b, [](const Vec3& one, const Vec3& other) { return one == other || (one.hasNaN() && other.hasNaN()); });
-}
-
-bool sameThings(const mapping::ReliefScene& a, const mapping::ReliefScene& b) {
-    const auto same_line = [](const mapping::ReliefLine& one, const mapping::ReliefLine& other) {
-        return one.color == other.color && one.width_px == other.width_px &&
-               samePoints(one.points_in_map_m, other.points_in_map_m);
-    };
-    return std::ranges::equal(a.lines, b.lines, same_line) && a.bodies == b.bodies && a.sky == b.sky &&
-           a.ground == b.ground;
-}
-
-mapping::ReliefBody markBody(const agent::MapMark& mark) {
-    return {.in_map = {mark.position_in_map_m, 0.0, 0.0, 0.0},
-            .color = markColor(mark.kind).rgb(),
-            .pointed = false,
-            .length_m = 0.3,
-            .least_px = 12,
-            .stalk = false};
+/// A trail grows or its last point moves, so there is no need to compare all of them. Neither end is a gap.
+bool sameTrail(const std::vector<Vec3>& points_m, const Trail& trail) {
+    const std::size_t count = trail.points_m().size();
+    return points_m.size() == count &&
+           (count == 0 || (points_m.front() == pointAt(trail, 0) && points_m.back() == pointAt(trail, count - 1)));
 }
 
 } // namespace
@@ -60,6 +40,15 @@ ReliefView::ReliefView(MapView& map, QWidget* parent) : QWidget(parent), map_(ma
                                                    "some ground, a replay plays or a scan is opened."));
     glance_.setInterval(glance_ms);
     connect(&glance_, &QTimer::timeout, this, &ReliefView::look);
+    changed_ = map.heights().tiles();
+    connect(&map.heights(), &HeightLayer::tilesTaken, this, [this](const auto& tiles) {
+        for (const auto& tile : tiles)
+            changed_[tile->index] = tile;
+    });
+    connect(&map.heights(), &HeightLayer::cleared, this, [this] {
+        forgets_tiles_ = true;
+        changed_.clear();
+    });
     connect(&map.heights(), &HeightLayer::changed, this, [this] { heights_changed_ = true; });
     connect(canvas_, &ReliefCanvas::frameWanted, this, &ReliefView::askForFrame);
     connect(canvas_, &ReliefCanvas::movedByUser, this, [this] { follow_->setChecked(false); });
@@ -83,6 +72,10 @@ void ReliefView::makeControls() {
         canvas_->keepTarget(on);
         look();
     });
+    save_ = new QToolButton(this);
+    makeFlat(save_);
+    save_->setFocusPolicy(Qt::StrongFocus);
+    save_->hide();
     named(exaggeration_, tr("Height exaggeration"), tr("How many times as high as they are heights are drawn"));
     exaggeration_->setMinimumHeight(minimum_target);
     for (const double factor : exaggerations)
@@ -93,11 +86,18 @@ void ReliefView::makeControls() {
     auto* const row = laidOut(new QHBoxLayout, {gap::tiny, gap::tiny, gap::tiny, gap::tiny}, gap::tiny,
                               {all_, follow_, exaggeration_});
     row->addStretch(1);
+    row->addWidget(save_);
     column->addLayout(row);
     column->addWidget(canvas_, 1);
     setTabOrder(all_, follow_);
     setTabOrder(follow_, exaggeration_);
-    setTabOrder(exaggeration_, canvas_);
+    setTabOrder(exaggeration_, save_);
+    setTabOrder(save_, canvas_);
+}
+
+void ReliefView::setSaveAction(QAction* save) {
+    showAction(save_, save);
+    save_->show();
 }
 
 void ReliefView::setUncovered(bool uncovered) {
@@ -122,78 +122,92 @@ void ReliefView::watchedOrNot() {
     look();
 }
 
-mapping::ReliefScene ReliefView::sceneNow() const {
+SharedPoints ReliefView::pointsOf(const QString& robot, const Trail& trail) {
+    SharedPoints& points = trail_points_[robot];
+    if (points && sameTrail(*points, trail))
+        return points;
+    auto copied = std::make_shared<std::vector<Vec3>>();
+    copied->reserve(trail.points_m().size());
+    for (std::size_t i = 0; i < trail.points_m().size(); ++i)
+        copied->push_back(pointAt(trail, i));
+    return points = std::move(copied);
+}
+
+ReliefThings ReliefView::thingsNow() {
     const MapContent& content = map_.content();
     const auto shown = [&content](MapLayer layer) { return content.layer(layer).visible; };
-    mapping::ReliefScene scene;
-    scene.camera = canvas_->camera();
-    scene.exaggeration = canvas_->exaggeration();
-    scene.sky = tokens().raised.rgb();
-    scene.ground = tokens().background.rgb();
-    const std::uint32_t edge = tokens().background.rgb();
+    ReliefThings things;
+    things.sky = tokens().raised.rgb();
+    things.ground = things.edge_color = tokens().background.rgb();
+    things.area_color = tokens().accent.rgb();
+    if (content.area.area_in_map && shown(MapLayer::Area))
+        things.areas_in_map = {*content.area.area_in_map};
+    std::erase_if(trail_points_, [&content](const auto& entry) { return !content.robots.contains(entry.first); });
     for (const auto& [name, robot] : content.robots) {
         const std::uint32_t color = robotColor(robot.robot.number).rgb();
         if (shown(MapLayer::Trails))
-            scene.lines.push_back({pointsOf(robot.trail), color, edge, content.bright(name) ? 2 : 1});
+            things.trails.push_back({pointsOf(name, robot.trail), color, content.bright(name) ? 2 : 1});
         if (shown(MapLayer::Robots) && robot.robot.base_in_map.position_m.allFinite())
-            scene.bodies.push_back({.in_map = robot.robot.base_in_map,
-                                    .color = robot.robot.stale ? tokens().stale.rgb() : color,
-                                    .pointed = !robot.robot.station,
-                                    .length_m = robot.robot.footprint ? robot.robot.footprint->length_m : 0.5,
-                                    .least_px = content.selected_robot == name ? 26 : 20});
+            things.bodies.push_back({.in_map = robot.robot.base_in_map,
+                                     .color = robot.robot.stale ? tokens().stale.rgb() : color,
+                                     .pointed = !robot.robot.station,
+                                     .length_m = robot.robot.footprint ? robot.robot.footprint->length_m : 0.5,
+                                     .least_px = content.selected_robot == name ? 26 : 20});
     }
     if (shown(MapLayer::Marks))
         for (const auto& [name, marks] : content.marks)
             for (const agent::MapMark& mark : marks)
                 if (mark.kind != agent::MarkKind::Path && mark.position_in_map_m.allFinite())
-                    scene.bodies.push_back(markBody(mark));
-    return scene;
+                    things.bodies.push_back(mapping::markBody(mark.position_in_map_m, markColor(mark.kind).rgb(), 12));
+    return things;
 }
 
-std::vector<Rectangle> ReliefView::areasNow() const {
+std::vector<ReliefCanvas::Label> ReliefView::labelsNow() const {
     const MapContent& content = map_.content();
-    if (!content.area.area_in_map || !content.layer(MapLayer::Area).visible)
-        return {};
-    return {*content.area.area_in_map};
+    std::vector<ReliefCanvas::Label> labels;
+    if (!content.layer(MapLayer::Robots).visible)
+        return labels;
+    for (const auto& [name, robot] : content.robots) {
+        Vec3 place_m = robot.robot.base_in_map.position_m;
+        if (!place_m.allFinite())
+            continue;
+        if (const auto ground = map_.heights().probe(place_m.head<2>())) // The body is drawn on it, too.
+            place_m.z() = std::max(place_m.z(), double(ground->height_m));
+        labels.push_back({name, place_m});
+    }
+    return labels;
 }
 
 void ReliefView::look() {
     if (!glance_.isActive())
         return;
-    const MapContent& content = map_.content();
     const bool empty = map_.heights().empty();
     empty_state_->setVisible(empty);
     if (empty)
         canvas_->setFrame(nullptr);
-    std::vector<ReliefCanvas::Label> labels;
-    if (content.layer(MapLayer::Robots).visible)
-        for (const auto& [name, robot] : content.robots)
-            if (robot.robot.base_in_map.position_m.allFinite())
-                labels.push_back({name, robot.robot.base_in_map.position_m});
-    canvas_->setLabels(labels);
-    const MapRobot* const selected = content.selectedRobot();
+    canvas_->setLabels(labelsNow());
+    const MapRobot* const selected = map_.content().selectedRobot();
     follow_->setEnabled(selected);
     if (selected && follow_->isChecked())
         canvas_->lookAt(selected->base_in_map.position_m);
-    if (heights_changed_ || areasNow() != asked_areas_ || !sameThings(sceneNow(), asked_))
+    if (heights_changed_ || thingsNow() != asked_)
         askForFrame();
 }
 
 void ReliefView::askForFrame() {
     if (!glance_.isActive() || map_.heights().empty())
         return;
-    const HeightLayer& heights = map_.heights();
+    const HeightStyle& style = map_.heights().style();
     heights_changed_ = false;
-    asked_ = sceneNow();
-    asked_areas_ = areasNow();
+    asked_ = thingsNow();
     ReliefRequest request;
-    request.tiles = heights.tiles();
-    request.cell_size_m = heights.cellSize_m();
-    request.style = {heights.style().range, heights.style().color_map, heights.style().contour_step_m};
-    request.scene = asked_;
-    request.areas_in_map = asked_areas_;
-    request.area_color = tokens().accent.rgb();
-    request.edge_color = tokens().background.rgb();
+    request.forgets_tiles = std::exchange(forgets_tiles_, false);
+    request.changed = std::exchange(changed_, {});
+    request.cell_size_m = map_.heights().cellSize_m();
+    request.style = {style.range, style.color_map, style.contour_step_m};
+    request.things = asked_;
+    request.camera = canvas_->camera();
+    request.exaggeration = canvas_->exaggeration();
     request.show_all = canvas_->showsAll();
     request.size_px = canvas_->wantedSize_px();
     renderer_->draw(std::move(request));

@@ -1,6 +1,8 @@
 // The dock "3D view": the height map as a surface with trails, robots and marks, seen by a camera that orbits.
 #pragma once
 
+#include <map>
+
 #include <QComboBox>
 #include <QJsonObject>
 #include <QToolButton>
@@ -23,6 +25,8 @@ public:
     const ReliefRenderer& renderer() const { return *renderer_; }
     EmptyState* emptyState() const { return empty_state_; } ///< shown while there are no heights
     bool following() const { return follow_->isChecked(); } ///< the selected robot stays in the middle
+    /// Shows it as a button.
+    void setSaveAction(QAction* save);
     /// Camera, exaggeration and following, for settings and layouts: {"yaw_deg": 135, …}.
     QJsonObject state() const;
     /// What is missing or nonsense stays as it is; but without "target_m" the camera shows all.
@@ -40,8 +44,10 @@ private:
     /// Asks for a frame if what is to be seen has changed.
     void look();
     void askForFrame();
-    mapping::ReliefScene sceneNow() const;
-    std::vector<Rectangle> areasNow() const;
+    ReliefThings thingsNow();
+    /// The points of a trail, which are copied only if they are others than the last time.
+    SharedPoints pointsOf(const QString& robot, const Trail& trail);
+    std::vector<ReliefCanvas::Label> labelsNow() const;
     void showProbe(const std::optional<Vec3>& point_in_map_m);
 
     MapView& map_;
@@ -51,11 +57,15 @@ private:
     QComboBox* exaggeration_ = new QComboBox(this);
     QToolButton* all_ = nullptr;
     QToolButton* follow_ = nullptr;
+    QToolButton* save_ = nullptr;
     QTimer glance_; ///< runs while the view is seen
     bool heights_changed_ = true;
     bool uncovered_ = true;
-    mapping::ReliefScene asked_; ///< for the newest frame, without surface
-    std::vector<Rectangle> asked_areas_;
+    ReliefThings asked_; ///< for the newest frame
+    // What the renderer does not have yet:
+    bool forgets_tiles_ = false;
+    mapping::HeightTiles changed_;
+    std::map<QString, SharedPoints> trail_points_; ///< by the robot's name
 };
 
 } // namespace usar::widgets

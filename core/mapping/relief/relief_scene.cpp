@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <system_error>
 #include <thread>
@@ -192,10 +193,37 @@ void drawReliefByStrips(const ReliefScene& scene, ReliefPicture& picture, int th
     work();
 }
 
-ReliefPicture drawnRelief(const ReliefScene& scene, int width_px, int height_px) {
+ReliefPicture drawnRelief(const ReliefScene& scene, int width_px, int height_px, const std::stop_token& stop) {
+    constexpr int strips = 8; // Between two of them it can stop.
     ReliefPicture picture(width_px, height_px);
-    drawRelief(scene, picture, {0, width_px});
+    const FramePlan plan = planOf(scene, picture);
+    for (int strip = 0; strip < strips; ++strip) {
+        if (stop.stop_requested())
+            return {};
+        drawBand(scene, plan, picture, {width_px * strip / strips, width_px * (strip + 1) / strips});
+    }
     return picture;
+}
+
+ReliefBody markBody(const Vec3& place_in_map_m, std::uint32_t color, int least_px) {
+    return {.in_map = {place_in_map_m, 0.0, 0.0, 0.0},
+            .color = color,
+            .pointed = false,
+            .length_m = 0.3,
+            .least_px = least_px,
+            .stalk = false};
+}
+
+std::vector<Vec3> pointsToShow(const ReliefScene& scene, std::span<const Rectangle> areas_in_map) {
+    const std::vector<const ReliefTile*> tiles = tilesToShow(scene.surface, areas_in_map);
+    std::vector<Vec3> points = someCorners(tiles, scene.surface.cell_size_m);
+    const Rectangle bounds = boundsOf(tiles, scene.surface.cell_size_m);
+    for (const ReliefLine& line : scene.lines)
+        std::ranges::copy_if(line.points_in_map_m, std::back_inserter(points), [&](const Vec3& point) {
+            const Vec2 place_m = point.head<2>();
+            return bounds.contains(place_m) && scene.surface.height_m(place_m).has_value();
+        });
+    return points;
 }
 
 std::vector<Vec3> aboveSurface(const ReliefSurface& surface, const std::vector<Vec3>& points_in_map_m) {

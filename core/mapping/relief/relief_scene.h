@@ -1,12 +1,17 @@
 // The scene that a view of the relief shows, and the functions that draw it.
 #pragma once
 
+#include <span>
+#include <stop_token>
 #include <vector>
 
 #include "core/mapping/relief/relief_picture.h"
 #include "core/mapping/relief/relief_surface.h"
 
 namespace usar::mapping {
+
+/// How the name of a mission's picture in perspective ends; what is before it is the stem of all its files.
+inline constexpr char relief_picture_ending[] = "_3d.png";
 
 /// A line through points of the map; a point of NaN makes a gap. Colors are 0xffRRGGBB.
 struct ReliefLine {
@@ -32,7 +37,10 @@ struct ReliefBody {
     bool operator==(const ReliefBody&) const = default;
 };
 
-/// A plain value; the surface is shared.
+/// The body of a mark that is no smaller than this in the picture.
+ReliefBody markBody(const Vec3& place_in_map_m, std::uint32_t color, int least_px);
+
+/// A plain value; the surface's tiles are shared.
 struct ReliefScene {
     ReliefSurface surface{};
     std::vector<ReliefLine> lines{};
@@ -54,8 +62,12 @@ void drawRelief(const ReliefScene& scene, ReliefPicture& picture, PictureBand ba
 /// more.
 void drawReliefByStrips(const ReliefScene& scene, ReliefPicture& picture, int threads);
 
-/// The whole picture in one go.
-ReliefPicture drawnRelief(const ReliefScene& scene, int width_px, int height_px);
+/// The whole picture in one go, in the calling thread; empty after a request to stop.
+ReliefPicture drawnRelief(const ReliefScene& scene, int width_px, int height_px, const std::stop_token& stop = {});
+
+/// The points that a camera which shows all must have in its picture: those tiles of the surface that tilesToShow()
+/// tells, and the lines above them.
+std::vector<Vec3> pointsToShow(const ReliefScene& scene, std::span<const Rectangle> areas_in_map);
 
 /// A way over the map, raised to the surface where it would pass below it, as the way of a robot on the ground does.
 /// Points are put in between, so that there is at least one per cell, but at most 4096 in a straight stretch.

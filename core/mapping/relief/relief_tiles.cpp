@@ -254,19 +254,21 @@ void SurfaceDrawing::placeCorners(const Seen& seen) {
 }
 
 void SurfaceDrawing::drawSquares(const Seen& seen) {
-    const auto squares = static_cast<std::size_t>(ReliefTile::squaresAt(seen.level));
-    const std::uint32_t* color = seen.tile->levels[static_cast<std::size_t>(seen.level)].colors.data();
-    for (std::size_t row = 0; row < squares; ++row)
-        for (std::size_t column = 0; column < squares; ++column, ++color) {
-            if (*color == 0)
+    const int squares = ReliefTile::squaresAt(seen.level);
+    for (int row = 0; row < squares; ++row)
+        for (int column = 0; column < squares; ++column) {
+            const std::uint32_t color = squareColor(*seen.tile, seen.level, column, row, surface_.style);
+            if (color == 0)
                 continue;
-            const std::size_t a = row * (squares + 1) + column, b = a + 1, d = a + squares + 1, c = d + 1;
+            const auto across = static_cast<std::size_t>(squares) + 1;
+            const std::size_t a = static_cast<std::size_t>(row) * across + static_cast<std::size_t>(column);
+            const std::size_t b = a + 1, d = a + across, c = d + 1;
             if (corners_->has_place[a] && corners_->has_place[b] && corners_->has_place[c] && corners_->has_place[d]) {
-                pen_.triangle(corners_->drawn[a], corners_->drawn[b], corners_->drawn[c], *color);
-                pen_.triangle(corners_->drawn[a], corners_->drawn[c], corners_->drawn[d], *color);
+                pen_.triangle(corners_->drawn[a], corners_->drawn[b], corners_->drawn[c], color);
+                pen_.triangle(corners_->drawn[a], corners_->drawn[c], corners_->drawn[d], color);
             } else {
-                pen_.clippedTriangle({corners_->at(a), corners_->at(b), corners_->at(c)}, *color);
-                pen_.clippedTriangle({corners_->at(a), corners_->at(c), corners_->at(d)}, *color);
+                pen_.clippedTriangle({corners_->at(a), corners_->at(b), corners_->at(c)}, color);
+                pen_.clippedTriangle({corners_->at(a), corners_->at(c), corners_->at(d)}, color);
             }
         }
 }

@@ -50,6 +50,7 @@ public:
     const std::optional<Error>& error() const { return error_; }
     /// True after an error or a request to stop; what comes next need not even be prepared.
     bool stopped();
+    const std::stop_token& stopToken() const { return stop_; } ///< for what takes long to prepare
 
 private:
     void save(const QString& ending, const std::function<bool(QSaveFile&)>& write);

@@ -1,9 +1,8 @@
 #include "core/mission/files/relief_picture.h"
 
-#include <algorithm>
 #include <cstring>
-#include <iterator>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "core/agent/mark_style.h"
@@ -36,37 +35,37 @@ std::vector<Vec3> pathWithGaps(const std::vector<Vec3>& path_m) {
     return with_gaps_m;
 }
 
-mapping::ReliefScene sceneOf(const ScanRecord& record, const mapping::HeightLook& look) {
+/// Without what a request to stop leaves out.
+mapping::ReliefScene sceneOf(const ScanRecord& record, const mapping::HeightLook& look, const std::stop_token& stop) {
     mapping::ReliefScene scene;
-    scene.surface = mapping::reliefOf(record.raster, {colorRange(record.raster, look), look.color_map, 0.0});
+    const mapping::ReliefStyle style{colorRange(record.raster, look), look.color_map, 0.0};
+    scene.surface = mapping::reliefOf(record.raster, style, mapping::most_relief_cells, stop);
+    if (stop.stop_requested())
+        return scene;
     scene.sky = sky_color;
     scene.ground = unknown_color;
     scene.camera.yaw_rad = radians(135.0);
-    const std::vector<Vec3> path_m = mapping::aboveSurface(scene.surface, pathWithGaps(record.path_m));
-    std::vector<Vec3> seen = scene.surface.someCorners();
-    std::ranges::copy_if(path_m, std::back_inserter(seen), [&scene](const Vec3& point) {
-        return scene.surface.height_m(point.head<2>()).has_value(); // Not the way to and from a far place.
-    });
-    scene.camera = scene.camera.showing(seen, double(relief_width_px) / relief_height_px);
-    scene.lines.push_back({mapping::outlineOnSurface(scene.surface, record.area_in_map), area_color, edge_color, 2});
-    scene.lines.push_back({path_m, colorOf(agent::MarkKind::Path), edge_color, 2});
+    scene.lines.push_back({mapping::aboveSurface(scene.surface, pathWithGaps(record.path_m)),
+                           colorOf(agent::MarkKind::Path), edge_color, 2});
+    scene.camera = scene.camera.showing(mapping::pointsToShow(scene, std::span(&record.area_in_map, 1)),
+                                        double(relief_width_px) / relief_height_px);
+    scene.lines.insert(scene.lines.begin(), {mapping::outlineOnSurface(scene.surface, record.area_in_map), area_color,
+                                             edge_color, 2}); // The path is drawn over it.
     for (const agent::MapMark& mark : record.marks)
         if (mark.kind != agent::MarkKind::Path && mark.position_in_map_m.allFinite())
-            scene.bodies.push_back({.in_map = {mark.position_in_map_m, 0.0, 0.0, 0.0},
-                                    .color = colorOf(mark.kind),
-                                    .pointed = false,
-                                    .length_m = 0.3,
-                                    .least_px = 16,
-                                    .stalk = false});
+            scene.bodies.push_back(mapping::markBody(mark.position_in_map_m, colorOf(mark.kind), 16));
     return scene;
 }
 
 } // namespace
 
-QImage reliefPicture(const ScanRecord& record, const mapping::HeightLook& look) {
+QImage reliefPicture(const ScanRecord& record, const mapping::HeightLook& look, const std::stop_token& stop) {
     if (record.raster.empty())
         return {};
-    const mapping::ReliefPicture drawn = mapping::drawnRelief(sceneOf(record, look), relief_width_px, relief_height_px);
+    const mapping::ReliefPicture drawn =
+        mapping::drawnRelief(sceneOf(record, look, stop), relief_width_px, relief_height_px, stop);
+    if (drawn.empty())
+        return {};
     QImage image(drawn.width_px, drawn.height_px, QImage::Format_RGB32);
     for (int row = 0; row < drawn.height_px; ++row)
         std::memcpy(image.scanLine(row), &drawn.argb[drawn.indexOf(0, row)], std::size_t(drawn.width_px) * 4);

@@ -13,6 +13,7 @@
 
 #include "core/agent/mark_style.h"
 #include "core/base/numbers.h"
+#include "core/mapping/relief/relief_scene.h"
 #include "core/mission/files/file_set.h"
 #include "core/mission/files/map_picture.h"
 #include "core/mission/files/relief_picture.h"
@@ -95,7 +96,7 @@ void writePicture(FileSet& files, const ScanRecord& record, const mapping::Heigh
     files.image(mapping::picture_ending, mapPicture(record, look));
     files.image("_legend.png", legendPicture(record, look));
     if (!files.stopped())
-        files.image("_3d.png", reliefPicture(record, look));
+        files.image(mapping::relief_picture_ending, reliefPicture(record, look, files.stopToken()));
 }
 
 QByteArray correctedPath(const std::vector<CorrectedPoint>& path) {

@@ -91,6 +91,14 @@ private slots:
             QCOMPARE(picture.text(key), value);
     }
 
+    void aCanceledExportHasNoPicture() {
+        std::stop_source source;
+        const ScanRecord record = sampleScan(20);
+        QVERIFY(!reliefPicture(record, {}, source.get_token()).isNull());
+        source.request_stop();
+        QVERIFY(reliefPicture(record, {}, source.get_token()).isNull());
+    }
+
     void thePathIsBrokenWhereItJumps_data() {
         QTest::addColumn<double>("step_m");
         QTest::addColumn<bool>("shown");
