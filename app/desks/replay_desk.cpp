@@ -122,8 +122,9 @@ void ReplayDesk::askForLimit() {
             setLimit(limit_mb);
             notices_.note("record-limit",
                           limit_mb_ == 0 ? tr("Recordings keep everything.")
-                                         : tr("Each recording has at most %1 MB and keeps at least its newest nine "
-                                              "tenths of that.")
+                                         : tr("Each recording has at most %1 MB and keeps at least its newest eight "
+                                              "tenths of that. What was recorded before the limit was set or lowered "
+                                              "goes as a whole.")
                                                .arg(limit_mb_));
         },
         tr("no limit"));

@@ -18,7 +18,7 @@ namespace usar::link {
 /// joins the survey when `next` meets it.
 enum class OpenMode { Thorough, Quick };
 
-/// One file.
+/// This is one file of a recording.
 struct RecordingPart {
     std::string name; ///< of the file, without its folder
     std::unique_ptr<RecordingFile> file;
@@ -28,7 +28,7 @@ struct RecordingPart {
     std::uint64_t begin_bytes = 0; ///< size of the files before
 };
 
-/// What was found.
+/// Holds the files of a recording that were found.
 struct RecordingChain {
     std::vector<RecordingPart> parts; ///< at least one, in their order
     std::string broken;               ///< why those before them are missing; empty if none are

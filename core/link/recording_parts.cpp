@@ -42,10 +42,14 @@ bool renameTo(const QString& from, const QString& to) {
     return ::rename(old_name.constData(), new_name.constData()) == 0;
 }
 
+bool areAtOnePlace(const struct stat& a, const struct stat& b) {
+    return a.st_dev == b.st_dev && a.st_ino == b.st_ino;
+}
+
 /// An inode alone would not do, for a new file may get that of a deleted one.
 bool isSameFile(const struct stat& a, const struct stat& b) {
-    return a.st_dev == b.st_dev && a.st_ino == b.st_ino && a.st_size == b.st_size &&
-           a.st_mtim.tv_sec == b.st_mtim.tv_sec && a.st_mtim.tv_nsec == b.st_mtim.tv_nsec;
+    return areAtOnePlace(a, b) && a.st_size == b.st_size && a.st_mtim.tv_sec == b.st_mtim.tv_sec &&
+           a.st_mtim.tv_nsec == b.st_mtim.tv_nsec;
 }
 
 } // namespace
@@ -112,7 +116,7 @@ Result<void> RecordingParts::setAside(int file, std::uint64_t newest_bytes, Seco
     if (::fstat(file, &status) != 0 || ::lstat(path_.toLocal8Bit().constData(), &there) != 0)
         return failure(std::string("the part cannot be found where it was written: ") + std::strerror(errno),
                        path_.toStdString(), "Leave a recording in its place while it is being written");
-    if (status.st_dev != there.st_dev || status.st_ino != there.st_ino)
+    if (!areAtOnePlace(status, there))
         return failure("this is another file than the part that was written there, and it is left alone",
                        path_.toStdString(), "Leave a recording in its place while it is being written");
     if (!renameTo(path_, aside)) {
@@ -125,6 +129,15 @@ Result<void> RecordingParts::setAside(int file, std::uint64_t newest_bytes, Seco
     older_bytes_ += newest_bytes;
     ++number_;
     return {};
+}
+
+void RecordingParts::noteClosed() {
+    if (older_.empty())
+        return;
+    Older& newest = older_.back();
+    struct stat status = {};
+    if (::lstat(newest.path.toLocal8Bit().constData(), &status) == 0 && areAtOnePlace(status, newest.status))
+        newest.status = status; // Otherwise somebody else's file is there, which makeRoom leaves alone.
 }
 
 Result<void> RecordingParts::takeBack() {
@@ -150,7 +163,7 @@ std::optional<Result<RecordingParts::Dropped>> RecordingParts::makeRoom(std::uin
     older_bytes_ -= oldest.bytes;
     const QByteArray name = oldest.path.toLocal8Bit();
     struct stat status = {};
-    const bool there = ::stat(name.constData(), &status) == 0;
+    const bool there = ::lstat(name.constData(), &status) == 0;
     if (there && !isSameFile(status, oldest.status))
         return failure("this is another file than the part that was written there, and it is left alone",
                        oldest.path.toStdString(), "Look whether you need it");

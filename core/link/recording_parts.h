@@ -77,6 +77,9 @@ public:
     /// free for the next. `file` is its descriptor, by which it is told from a file that somebody else has put there.
     /// Errors leave everything as it is.
     Result<void> setAside(int file, std::uint64_t newest_bytes, Seconds end);
+    /// To be called when the file of that part has been closed, which sets its time on some file systems: from then on
+    /// the part is known by this time.
+    void noteClosed();
     /// Undoes the last setAside, if the next part could not be begun.
     Result<void> takeBack();
     /// Deletes the oldest part if all parts and another one are more than the limit; nullopt if there is room, or

@@ -18,7 +18,7 @@ std::string withUnit(std::uint64_t count, const char* one, const char* many) {
     return std::to_string(count) + ' ' + (count == 1 ? one : many);
 }
 
-/// Two texts with a space between them if both are there.
+/// Puts a space between two texts if both are there.
 std::string joined(const std::string& first, const std::string& second) {
     return first.empty() || second.empty() ? first + second : first + ' ' + second;
 }

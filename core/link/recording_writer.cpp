@@ -31,6 +31,34 @@ std::string startText(const std::map<std::string, std::string>& facts) {
     return text;
 }
 
+/// Takes the first bytes out of the batch; they end with a whole record.
+PackedBatch takeFirst(PackedBatch& batch, std::size_t size) {
+    if (size == batch.bytes.size())
+        return std::exchange(batch, {});
+    PackedBatch first;
+    first.bytes = batch.bytes.substr(0, size);
+    batch.bytes.erase(0, size);
+    const auto behind = std::ranges::lower_bound(batch.groups, size);
+    first.groups.assign(batch.groups.begin(), behind);
+    batch.groups.erase(batch.groups.begin(), behind);
+    for (std::size_t& group : batch.groups)
+        group -= size;
+    return first;
+}
+
+/// Closes a file and returns 0 or the error: on some file systems only this tells that bytes were not written.
+int closeFile(int file) {
+    return ::close(file) == 0 || errno == EINTR ? 0 : errno;
+}
+
+/// Locks the file of a recording. Without the lock, readers take an unfinished end for a broken one. A reader that
+/// looks whether it is locked has a lock of its own for a moment, so that a few milliseconds are enough.
+void lockFile(int file) {
+    constexpr int tries = 20;
+    for (int i = 0; i < tries && ::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK; ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
+
 /// Creates the file of a recording, and locks it.
 Result<int> createFile(const std::string& path) {
     const int file =
@@ -41,7 +69,7 @@ Result<int> createFile(const std::string& path) {
     if (file < 0)
         return failure(std::string("the recording cannot be written: ") + std::strerror(errno), path,
                        "Record to another folder");
-    (void)::flock(file, LOCK_EX | LOCK_NB); // Without the lock, readers take an unfinished end for a broken one.
+    lockFile(file);
     return file;
 }
 
@@ -82,18 +110,21 @@ std::optional<Error> RecordingWriter::finish() {
     thread_.request_stop();
     wake_.notify_all();
     thread_.join();
-    ::close(file_);
+    if (const int error = file_ < 0 ? 0 : closeFile(file_); error != 0) {
+        const std::lock_guard lock(mutex_);
+        breakOff(writingTrouble(error, path_, bytes_));
+    }
     auto trouble = takeTrouble();
     broken_ = true;
     return trouble;
 }
 
 void RecordingWriter::write(Record record) {
-    if (broken_)
-        return;
     record.time = std::chrono::steady_clock::now() - began_;
     newest_line_ = record.line;
     const std::lock_guard lock(mutex_);
+    if (broken_)
+        return;
     const std::size_t before = waiting_.size();
     const std::size_t all_before = before + (cut_ ? cut_->last.bytes.size() : 0) - free_waiting_;
     if (!in_head_ && all_before + record.bytes.size() > limits_.buffer_bytes)
@@ -122,10 +153,11 @@ void RecordingWriter::writeHead(const std::function<void()>& write) {
     in_head_ = true;
     write();
     in_head_ = false;
-    flush([this] {
-        head_bytes_.store(bytes_);
-        cutting_ = false;
-    });
+    const std::lock_guard lock(mutex_);
+    if (broken_)
+        return;
+    head_end_ = waiting_.size();
+    wake_.notify_one();
 }
 
 void RecordingWriter::beginPart(const std::map<std::string, std::string>& facts, LineNumber line, Seconds end) {
@@ -138,6 +170,7 @@ void RecordingWriter::beginPart(const std::map<std::string, std::string>& facts,
             return;
         cut_ = Cut{waiting_.take(), end};
         waiting_ = {};
+        head_end_.reset(); // That of the part that ends.
         cutting_ = true;
         wake_.notify_one();
     }
@@ -146,9 +179,11 @@ void RecordingWriter::beginPart(const std::map<std::string, std::string>& facts,
     write({.kind = RecordKind::Start, .line = line, .bytes = startText(facts)});
 }
 
-void RecordingWriter::makeRoom(std::uint64_t limit_bytes) {
+void RecordingWriter::makeRoom(std::optional<std::uint64_t> limit_bytes) {
     const std::lock_guard lock(mutex_);
     limit_bytes_ = limit_bytes;
+    if (now_limit_bytes_)
+        now_limit_bytes_ = limit_bytes;
     wake_.notify_one();
 }
 
@@ -177,13 +212,15 @@ std::optional<Error> RecordingWriter::takeTrouble() {
 RecordingWriter::Work RecordingWriter::waitForWork(const std::stop_token& stop) {
     Work work;
     std::unique_lock lock(mutex_);
-    wake_.wait_for(lock, stop, limits_.flush,
-                   [this] { return waiting_.size() >= batch_bytes || !on_flushed_.empty() || cut_ || limit_bytes_; });
+    wake_.wait_for(lock, stop, limits_.flush, [this] {
+        return waiting_.size() >= batch_bytes || !on_flushed_.empty() || cut_ || head_end_ || limit_bytes_;
+    });
     work.last = stop.stop_requested();
     work.cut = std::exchange(cut_, std::nullopt);
     work.records = waiting_.take();
+    work.head_end = std::exchange(head_end_, std::nullopt);
     free_waiting_ = 0;
-    work.limit_bytes = std::exchange(limit_bytes_, std::nullopt);
+    now_limit_bytes_ = std::exchange(limit_bytes_, std::nullopt);
     now_flushed_.swap(on_flushed_);
     return work;
 }
@@ -197,14 +234,22 @@ void RecordingWriter::run(std::stop_token stop) {
         last = work.last;
         if (work.cut && !cutHere(*std::move(work.cut), bytes))
             break;
+        std::uint64_t head_bytes = 0;
+        if (work.head_end) {
+            blocks_->append(bytes, takeFirst(work.records, *work.head_end));
+            head_bytes = bytes_ + bytes.size();
+        }
         blocks_->append(bytes, std::move(work.records));
         if (last)
             blocks_->appendIndex(bytes);
-        const bool written = drain(bytes);
-        if (written && work.limit_bytes)
-            dropOldest(*work.limit_bytes);
-        if (written)
-            tellFlushed();
+        if (!drain(bytes))
+            break;
+        if (head_bytes > 0) {
+            head_bytes_ = head_bytes;
+            cutting_ = false;
+        }
+        dropOldest();
+        tellFlushed();
         bytes.clear();
     }
     tellFlushed(); // Also if the file has broken off.
@@ -237,23 +282,40 @@ bool RecordingWriter::cutHere(Cut cut, std::string& bytes) {
 Result<void> RecordingWriter::beginFile(Seconds end) {
     if (auto aside = parts_.setAside(file_, bytes_, end); !aside)
         return aside;
-    const auto file = createFile(path_);
+    const int error_at_end = closeFile(std::exchange(file_, -1));
+    parts_.noteClosed();
+    const Result<int> file =
+        error_at_end == 0
+            ? createFile(path_)
+            : Result<int>(tl::unexpect, Error{std::string("the part before it could not be written to its end: ") +
+                                                  std::strerror(error_at_end),
+                                              path_, "Record to another folder"});
     if (!file) {
         Error error = file.error();
         if (const auto back = parts_.takeBack(); !back)
             error.what += "; " + back.error().text();
         return tl::unexpected(error);
     }
-    ::close(std::exchange(file_, *file));
+    file_ = *file;
     const std::lock_guard lock(mutex_);
     older_bytes_ = parts_.bytes(0);
     bytes_ = 0;
     return {};
 }
 
-void RecordingWriter::dropOldest(std::uint64_t limit_bytes) {
-    while (auto dropped = parts_.makeRoom(bytes_, limit_bytes)) {
+/// Looks at the limit before each part, for the user may raise it while the disk is busy.
+void RecordingWriter::dropOldest() {
+    const auto now_limit_bytes = [this] {
         const std::lock_guard lock(mutex_);
+        return now_limit_bytes_;
+    };
+    while (const auto limit_bytes = now_limit_bytes()) {
+        auto dropped = parts_.makeRoom(bytes_, *limit_bytes);
+        const std::lock_guard lock(mutex_);
+        if (!dropped) {
+            now_limit_bytes_.reset();
+            return;
+        }
         dropped_.push_back(*std::move(dropped));
         older_bytes_ = parts_.bytes(0);
     }
@@ -287,10 +349,15 @@ bool RecordingWriter::drain(const std::string& batch) {
     return true;
 }
 
+/// The first trouble is the reason; what follows may only come of it.
 void RecordingWriter::breakOff(Error trouble) {
-    trouble_ = std::move(trouble);
+    if (!broken_)
+        trouble_ = std::move(trouble);
     broken_ = true;
     waiting_.take();
+    free_waiting_ = 0;
+    cut_.reset();
+    head_end_.reset();
 }
 
 } // namespace usar::link

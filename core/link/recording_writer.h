@@ -62,9 +62,10 @@ public:
     bool cutting() const { return cutting_; }
     /// Number of the newest part, from 1.
     int partNumber() const { return number_; }
-    /// Deletes the oldest parts soon, as RecordingParts::makeRoom does.
-    void makeRoom(std::uint64_t limit_bytes);
-    /// What has come of that since the last call.
+    /// Deletes the oldest parts soon, as RecordingParts::makeRoom does. Another call replaces the limit of those
+    /// before, also while they are being carried out; with nullopt, nothing further is deleted for them.
+    void makeRoom(std::optional<std::uint64_t> limit_bytes);
+    /// Returns the parts that have gone, or could not be deleted, since the last call.
     std::vector<Result<RecordingParts::Dropped>> takeDropped();
 
     /// Reason why the recording ended early; nullopt if it has not, and after the first call that gave the reason.
@@ -80,16 +81,16 @@ public:
     std::uint64_t allBytes();
 
 private:
-    /// A part that ends.
+    /// Describes a part that ends.
     struct Cut {
         PackedBatch last; ///< records
         Seconds end{0.0};
     };
-    /// What the thread has to do.
+    /// Tells the thread what it has to do next.
     struct Work {
         std::optional<Cut> cut; ///< comes before the records
         PackedBatch records;
-        std::optional<std::uint64_t> limit_bytes; ///< oldest parts are to be deleted because of it
+        std::optional<std::size_t> head_end; ///< offset in `records` behind the last record of `writeHead`
         bool last = false;
     };
 
@@ -99,7 +100,7 @@ private:
     bool drain(const std::string& batch);
     bool cutHere(Cut cut, std::string& bytes);
     Result<void> beginFile(Seconds end);
-    void dropOldest(std::uint64_t limit_bytes);
+    void dropOldest();
     void tellFlushed();
     void breakOff(Error trouble);
 
@@ -119,7 +120,9 @@ private:
     RecordPacker waiting_;
     std::size_t free_waiting_ = 0; ///< bytes that wait and do not count against the buffer
     std::optional<Cut> cut_;
-    std::optional<std::uint64_t> limit_bytes_; ///< for which room is to be made
+    std::optional<std::size_t> head_end_;          ///< as in Work, in `waiting_`
+    std::optional<std::uint64_t> limit_bytes_;     ///< for which room is to be made
+    std::optional<std::uint64_t> now_limit_bytes_; ///< for which room is being made
     std::vector<Result<RecordingParts::Dropped>> dropped_;
     std::uint64_t older_bytes_ = 0; ///< size of the parts before the newest
     std::vector<std::function<void()>> on_flushed_;

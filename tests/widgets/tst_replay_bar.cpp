@@ -117,7 +117,7 @@ void tst_ReplayBar::theBadgeSaysWhatIsWritten() {
     QVERIFY(!badge.toolTip().contains("deleted"));
     badge.setState(RecordState{Seconds{76.0}, 3'560'000, "/a/R1.usarrec", 500'000'000});
     QCOMPARE(badge.text(), QString("00:01:16 3.6 MB"));
-    QVERIFY(badge.toolTip().contains("/a/R1.usarrec") && badge.toolTip().contains("newest 500 MB"));
+    QVERIFY(badge.toolTip().contains("/a/R1.usarrec") && badge.toolTip().contains("at most 500 MB"));
     badge.setState(std::nullopt);
     QCOMPARE(badge.text(), QString("REC ready"));
     action.setChecked(false);

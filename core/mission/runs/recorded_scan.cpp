@@ -167,7 +167,10 @@ void ScanPlayer::takeMission(std::string_view text) {
 }
 
 std::string ScanPlayer::missingParts() const {
-    const std::string here = replayer_.survey().missingParts();
+    const link::RecordingSurvey& survey = replayer_.survey();
+    std::string here = survey.missingParts();
+    if (!survey.not_read.empty())
+        here += (here.empty() ? "" : " ") + survey.not_read;
     if (here.empty())
         return recorded_.missing;
     return (recorded_.missing.empty() ? "" : recorded_.missing + ' ') + QFileInfo(path_).fileName().toStdString() +

@@ -16,7 +16,7 @@ namespace usar::mission {
 namespace {
 
 constexpr std::chrono::milliseconds look_after{500};
-constexpr Seconds time_to_object{60.0}; ///< from the warning to the deletion, where a limit was set late
+constexpr Seconds time_to_object{60.0}; ///< at least, from the warning to the deletion, where a limit was set late
 
 /// Most bytes of a trace in one note. A byte takes up to four characters there, and a note that spreads over two
 /// records could not be read.
@@ -52,6 +52,7 @@ Result<void> RecordKeeping::begin(const QString& path, RecordingFacts facts) {
     end();
     began_ = Clock::now();
     warned_ = false;
+    set_late_ = false;
     const RecordingScene scene = scene_();
     if (!scene.link.host.isEmpty()) {
         facts["host"] = scene.link.host.toStdString();
@@ -105,8 +106,12 @@ void RecordKeeping::end() {
 void RecordKeeping::setLimit(RecordingLimit limit_bytes) {
     if (limit_bytes)
         limit_bytes = std::max(*limit_bytes, link::RecordingParts::least_limit_bytes);
-    if (std::exchange(limit_bytes_, limit_bytes) != limit_bytes)
-        warned_ = false;
+    if (std::exchange(limit_bytes_, limit_bytes) == limit_bytes)
+        return;
+    warned_ = false;
+    set_late_ = on();
+    if (writer_)
+        writer_->makeRoom(std::nullopt); // What the limit before has asked for may not have happened yet.
 }
 
 std::optional<RecordingFigures> RecordKeeping::figures() const {
@@ -170,16 +175,18 @@ void RecordKeeping::put(link::Record record) {
 }
 
 void RecordKeeping::look() {
-    if (writer_ && writer_->broken())
-        end();
-    else if (writer_ && limit_bytes_)
+    if (!writer_)
+        return;
+    if (writer_->broken())
+        return end();
+    sayDropped();
+    if (limit_bytes_)
         keepLimit();
 }
 
 void RecordKeeping::keepLimit() {
-    sayDropped();
-    const bool full = link::RecordingParts::isFull(writer_->bytes(), writer_->headBytes(), *limit_bytes_);
-    if (full && !writer_->cutting())
+    // In this order, for the sizes are those of the part before until the new one is there.
+    if (!writer_->cutting() && link::RecordingParts::isFull(writer_->bytes(), writer_->headBytes(), *limit_bytes_))
         beginNextPart();
     // Nothing is deleted in the same moment in which it is said.
     if (!warned_)
@@ -205,16 +212,19 @@ void RecordKeeping::beginNextPart() {
 
 void RecordKeeping::warn() {
     constexpr double near = 0.8;
+    const bool is_new = std::exchange(set_late_, false);
     const auto limit = static_cast<double>(*limit_bytes_);
     const auto used = static_cast<double>(writer_->allBytes());
     if (used < near * limit)
         return;
     warned_ = true;
-    // A limit that was set late may be reached already; then there is time to raise it.
-    const bool is_late = used > limit;
-    delete_from_ = is_late ? elapsed() + time_to_object : Seconds{0.0};
     const double free = std::max(0.0, 0.9 * limit - used); // Until there is no room for another part.
-    const Seconds left = is_late ? time_to_object : elapsed() * free / used;
+    Seconds left = elapsed() * free / used;
+    // What was recorded before the limit was set is one part, so that nearly all would go; there is time to raise it.
+    const bool is_late = is_new && left < time_to_object;
+    if (is_late)
+        left = time_to_object;
+    delete_from_ = is_late ? elapsed() + time_to_object : Seconds{0.0};
     notices_.say(Severity::Warning, Topic::Recording,
                  "The recording has " + link::megabytesText(writer_->allBytes()) + " of the " +
                      link::megabytesText(*limit_bytes_) + " that it may have. In about " + wholeSeconds(left) +

@@ -48,7 +48,7 @@ public:
     Result<void> begin(const QString& path, RecordingFacts facts);
     void end();
     /// The limit holds for this recording and later ones; at first there is none. A number below
-    /// RecordingParts::least_limit_bytes counts as that.
+    /// RecordingParts::least_limit_bytes counts as that. Deletions that an earlier limit has asked for are called off.
     void setLimit(RecordingLimit limit_bytes);
     bool on() const { return writer_ != nullptr; }
     /// Path of the file; empty if nothing is recorded.
@@ -108,6 +108,7 @@ private:
     Clock::time_point began_; ///< The recording that is on began then.
     RecordingLimit limit_bytes_;
     bool warned_ = false;      ///< about this recording and this limit
+    bool set_late_ = false;    ///< The limit was set in this recording, and was not looked at yet.
     Seconds delete_from_{0.0}; ///< since the recording began
     StandingFaults faults_;
     BehaviorSoFar so_far_; ///< what the running behavior has published

@@ -57,7 +57,10 @@ const link::LinkStatus& RobotSession::linkStatus() const {
 }
 
 void RobotSession::open(const QString& host, quint16 port, bool lockstep) {
+    const link::LinkStatus before = d_->link.status();
     close();
+    if (host.trimmed() != before.host || port != before.port)
+        d_->records.forgetFaults(); // Another simulator has others.
     d_->lockstep_wanted = lockstep;
     d_->link.open(host, port);
 }
@@ -70,7 +73,6 @@ void RobotSession::close() {
     d_->spawning.dropWaiting();
     d_->notices.endAll();
     d_->link.close();
-    d_->records.forgetFaults(); // Another simulator has others.
 }
 
 void RobotSession::spawn(const SpawnRequest& request) {

@@ -230,6 +230,7 @@ void RobotSession::Private::endReplay() {
     updates.mute(false);
     behavior_running = false;
     replay.end();
+    records.forgetFaults(); // Those of the replay.
     notices.forget(Topic::Replay);
 }
 

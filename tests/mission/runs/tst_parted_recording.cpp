@@ -176,6 +176,12 @@ private slots:
         for (const QString& name : QDir(path("cut")).entryList(QDir::Files))
             if (name != "a.part1.usarrec")
                 QVERIFY(QFile::copy(path("cut/") + name, path("late/") + name));
+        // Nothing is left in the two newest files of this one, as after a loss of power.
+        QVERIFY(QDir(folder_.path()).mkpath("early"));
+        for (const QString& name : QDir(path("cut")).entryList(QDir::Files))
+            QVERIFY(QFile::copy(path("cut/") + name, path("early/") + name));
+        QVERIFY(QFile::resize(path("early/a.usarrec"), 0));
+        QVERIFY(QFile::resize(path(QString("early/a.part%1.usarrec").arg(partsIn("cut") - 1)), 0));
     }
 
     void theyHoldTheSameLines() {
@@ -254,19 +260,29 @@ private slots:
         QCOMPARE(cut->start_in_map.has_value(), whole->start_in_map.has_value());
     }
 
-    void aMapWhoseBeginningIsMissingSaysSo() {
-        const std::string words = "a.usarrec: The first part of this recording is missing, because a.part1.usarrec is "
-                                  "gone or elsewhere; it begins ";
+    void aMapWhoseBeginningOrEndIsMissingSaysSo_data() {
+        QTest::addColumn<QString>("recording");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("beginning") << "late/a.usarrec"
+                                   << "a.usarrec: The first part of this recording is missing, because "
+                                      "a.part1.usarrec is gone or elsewhere; it begins ";
+        QTest::newRow("end") << "early/a.usarrec"
+                             << "a.usarrec: The end of this recording is missing, because nothing can be read in "
+                                "a.usarrec (the file is empty), ";
+    }
+    void aMapWhoseBeginningOrEndIsMissingSaysSo() {
+        QFETCH(const QString, recording);
+        QFETCH(const QString, words);
         const auto whole = readRecordedScan(path("whole/a.usarrec"));
-        const auto late = readRecordedScan(path("late/a.usarrec"));
-        QVERIFY(whole && late);
-        QVERIFY2(late->missing.starts_with(words), late->missing.c_str());
-        QCOMPARE(late->flown.mission.area_in_map, area_in_map);
-        QVERIFY(late->scan.run.cells > 0 && late->scan.run.cells < whole->scan.run.cells);
-        QVERIFY(late->rest_in_map.area_m2() >= whole->rest_in_map.area_m2());
-        const auto source = openExportSource(path("late/a.usarrec"), false);
+        const auto less = readRecordedScan(path(recording));
+        QVERIFY(whole && less);
+        QVERIFY2(less->missing.starts_with(words.toStdString()), less->missing.c_str());
+        QCOMPARE(less->flown.mission.area_in_map, area_in_map);
+        QVERIFY(less->scan.run.cells > 0 && less->scan.run.cells < whole->scan.run.cells);
+        QVERIFY(less->rest_in_map.area_m2() >= whole->rest_in_map.area_m2());
+        const auto source = openExportSource(path(recording), false);
         QVERIFY(source);
-        QCOMPARE(source->missing, late->missing);
+        QCOMPARE(source->missing, less->missing);
         QVERIFY(openExportSource(path("cut/a.usarrec"), false)->missing.empty());
     }
 

@@ -1,5 +1,6 @@
 // What is written into a recording, and when, without a connection.
 #include <algorithm>
+#include <functional>
 #include <future>
 
 #include <QDir>
@@ -53,6 +54,20 @@ struct Keeping : test::NoticeBook {
         std::promise<void> flushed;
         records.flush([&flushed] { flushed.set_value(); });
         flushed.get_future().wait();
+    }
+
+    /// Calls `act` while the writer's thread stands, as if the disk were slow.
+    void whileTheDiskIsBusy(const std::function<void()>& act) {
+        std::promise<void> let_go;
+        std::promise<void> stands;
+        records.flush([&] {
+            stands.set_value();
+            let_go.get_future().wait();
+        });
+        stands.get_future().wait();
+        act();
+        let_go.set_value();
+        flush();
     }
 
     QTemporaryDir folder;
@@ -204,7 +219,15 @@ private slots:
         QCOMPARE(newest, static_cast<std::uint64_t>(lines - 1));
     }
 
+    void aLimitThatIsSetLateDeletesNothingAtOnce_data() {
+        QTest::addColumn<quint64>("limit_percent"); ///< of what is recorded
+        QTest::newRow("far beyond it") << quint64(0);
+        QTest::newRow("just beyond it") << quint64(98);
+        QTest::newRow("at 95 %") << quint64(105);
+        QTest::newRow("at 85 %") << quint64(118);
+    }
     void aLimitThatIsSetLateDeletesNothingAtOnce() {
+        QFETCH(const quint64, limit_percent);
         Keeping k;
         QVERIFY(k.records.begin(k.path(), {}));
         Random random(3);
@@ -214,8 +237,10 @@ private slots:
         k.flush();
         k.records.look();
         QVERIFY(!k.records.figures()->limit_bytes && k.said.empty());
-        k.records.setLimit(1);
-        QCOMPARE(k.records.figures()->limit_bytes, RecordingLimit(link::RecordingParts::least_limit_bytes));
+        const std::uint64_t limit = k.records.figures()->bytes * limit_percent / 100;
+        k.records.setLimit(limit);
+        QCOMPARE(k.records.figures()->limit_bytes,
+                 RecordingLimit(std::max(limit, link::RecordingParts::least_limit_bytes)));
         for (int looks = 0; looks < 5; ++looks) {
             k.records.look();
             k.flush();
@@ -230,6 +255,44 @@ private slots:
         QVERIFY(reader);
         QVERIFY((*reader)->survey().bytes_in >= noise.size()); // Nothing of it is lost.
         QCOMPARE((*reader)->survey().parts_lost, 0);
+    }
+
+    void aLimitThatIsRaisedCallsOffADeletion_data() {
+        QTest::addColumn<quint64>("other_limit"); ///< set while the disk is busy; 0: none
+        QTest::addColumn<bool>("deleted");
+        QTest::newRow("it stays") << quint64(link::RecordingParts::least_limit_bytes) << true;
+        QTest::newRow("it is raised") << quint64(3 * link::RecordingParts::least_limit_bytes) << false;
+        QTest::newRow("it is taken away") << quint64(0) << false;
+    }
+    void aLimitThatIsRaisedCallsOffADeletion() {
+        QFETCH(const quint64, other_limit);
+        QFETCH(const bool, deleted);
+        Keeping k;
+        k.records.setLimit(link::RecordingParts::least_limit_bytes);
+        QVERIFY(k.records.begin(k.path(), {}));
+        Random random(3);
+        const auto record_a_part = [&] {
+            std::string noise;
+            appendNoise(noise, 1'300'000, random);
+            k.records.received(noise);
+            k.flush();
+        };
+        for (int parts = 0; parts < 12 && k.said.empty(); ++parts) {
+            record_a_part();
+            k.records.look();
+            k.flush();
+        }
+        QCOMPARE(k.said.size(), std::size_t(1)); // the warning
+        record_a_part();
+        k.whileTheDiskIsBusy([&] {
+            k.records.look();
+            k.records.setLimit(other_limit > 0 ? RecordingLimit(other_limit) : std::nullopt);
+        });
+        QCOMPARE(QFile::exists(k.folder.filePath("a.part1.usar")), !deleted);
+        k.records.setLimit(std::nullopt);
+        k.records.look(); // What was deleted is said without a limit, too.
+        const bool said = k.said.back().text.find("was deleted to keep the limit") != std::string::npos;
+        QCOMPARE(said, deleted);
     }
 
     void aPartThatCannotBeginEndsTheRecordingWithAReason_data() {
@@ -282,21 +345,14 @@ private slots:
         appendNoise(noise, 1'500'000, random);
         k.records.received(noise);
         k.flush();
-        std::promise<void> let_go;
-        std::promise<void> stands;
-        k.records.flush([&] { // In the writer's thread, as if the disk were slow.
-            stands.set_value();
-            let_go.get_future().wait();
+        k.whileTheDiskIsBusy([&] {
+            k.records.received("before\r\n");
+            k.records.look();
+            for (int i = 0; i < 1000; ++i)
+                k.records.received("behind " + std::to_string(i) + "\r\n");
+            QVERIFY(!QFile::exists(k.folder.filePath("a.part1.usar")));
+            k.records.look(); // The seam is still to come, so that there is no second one.
         });
-        stands.get_future().wait();
-        k.records.received("before\r\n");
-        k.records.look();
-        for (int i = 0; i < 1000; ++i)
-            k.records.received("behind " + std::to_string(i) + "\r\n");
-        QVERIFY(!QFile::exists(k.folder.filePath("a.part1.usar")));
-        k.records.look(); // The seam is still to come, so that there is no second one.
-        let_go.set_value();
-        k.flush();
         QVERIFY(QFile::exists(k.folder.filePath("a.part1.usar")));
         QVERIFY(!QFile::exists(k.folder.filePath("a.part2.usar")));
         const QStringList texts = k.written();
@@ -305,6 +361,35 @@ private slots:
         QCOMPARE(texts.mid(before + 1, 3), (QStringList{"2 0  sim:3000", "6 0 part ", "4 0  behind 0\r\n"}));
         QCOMPARE(texts.size(), before + 1 + 2 + 1000);
         QCOMPARE(texts.last(), QString("4 0  behind 999\r\n"));
+    }
+
+    /// Otherwise the part would have to be twice as large as all of that.
+    void whatComesWhileTheDiskIsBusyIsNotCountedAsItsBeginning() {
+        Keeping k;
+        k.scene = Keeping::connected();
+        k.records.setLimit(link::RecordingParts::least_limit_bytes);
+        QVERIFY(k.records.begin(k.path(), {}));
+        Random random(3);
+        std::string noise;
+        appendNoise(noise, 1'500'000, random);
+        k.records.received(noise);
+        k.flush();
+        k.whileTheDiskIsBusy([&] {
+            k.records.look();
+            k.records.received(noise);
+        });
+        QVERIFY(QFile::exists(k.folder.filePath("a.part1.usar")));
+        k.records.look();
+        k.flush();
+        QVERIFY(QFile::exists(k.folder.filePath("a.part2.usar")));
+        k.records.end();
+        const auto reader = link::RecordingReader::open(k.path());
+        QVERIFY(reader && (*reader)->survey().complaint().empty());
+        QVERIFY((*reader)->survey().bytes_in == 2 * noise.size());
+        std::uint64_t read = 0;
+        while (const auto record = (*reader)->next())
+            read += record->kind == RecordKind::In ? record->bytes.size() : 0;
+        QCOMPARE(read, (*reader)->survey().bytes_in);
     }
 
     void faultsThatStillHoldAreInLaterParts() {

@@ -381,7 +381,49 @@ private slots:
         }
     }
 
+    void aFaultHoldsOnTheServerOnWhichItWasMade_data() {
+        QTest::addColumn<QString>("host"); ///< opened next
+        QTest::addColumn<bool>("holds");
+        QTest::newRow("the same server") << "127.0.0.1" << true;
+        QTest::newRow("another server") << "localhost" << false;
+    }
+    void aFaultHoldsOnTheServerOnWhichItWasMade() {
+        QFETCH(const QString, host);
+        QFETCH(const bool, holds);
+        SessionFixture live;
+        QVERIFY(live.connectNow());
+        live.session.noteFault("3.0 s: fault begins: wind speed=5");
+        live.session.close();
+        live.session.open(host, live.server.port(), false);
+        QCOMPARE(faultsAtTheBeginning(live.session), holds ? 1 : 0);
+    }
+
+    void aFaultInAReplayIsNoneLater() {
+        SessionFixture live;
+        const QString path = recordAFlight(live, 3);
+        QVERIFY(!path.isEmpty());
+        RobotSession session;
+        QVERIFY(playsToItsEnd(session, path));
+        session.close();
+        QCOMPARE(faultsAtTheBeginning(session), 0);
+    }
+
 private:
+    /// Records nothing and counts the faults with which that begins.
+    int faultsAtTheBeginning(RobotSession& session) {
+        const QString path = newPath();
+        if (!session.startRecording(path, {}))
+            return -1;
+        session.stopRecording();
+        const auto reader = link::RecordingReader::open(path);
+        if (!reader)
+            return -1;
+        int faults = 0;
+        while (const auto record = (*reader)->next())
+            faults += record->name == "fault" ? 1 : 0;
+        return faults;
+    }
+
     static bool playsToItsEnd(RobotSession& session, const QString& path, double speed = as_fast_as_it_can) {
         QSignalSpy ended(&session, &RobotSession::replayEnded);
         session.openRecording(path);
