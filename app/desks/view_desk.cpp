@@ -52,8 +52,8 @@ void ViewDesk::registerCommands() {
     commands_.offer([this] { return plots(); });
     docks_.registerCommands();
     help_.registerCommands();
-    const auto has_frame = [this] { return views_.relief->isVisible() && views_.relief->canvas().frame(); };
-    add("relief.save", has_frame, [this] { saveReliefPicture(); });
+    add(
+        "relief.save", [this] { return views_.relief->hasPicture(); }, [this] { saveReliefPicture(); });
     add("help.manual", [this] { openManual(); });
 }
 
@@ -102,10 +102,7 @@ std::vector<widgets::PaletteOffer> ViewDesk::plots() const {
 
 void ViewDesk::wire() {
     views_.relief->setSaveAction(action("relief.save"));
-    connect(&views_.relief->renderer(), &widgets::ReliefRenderer::drawn, this, [this, had = false]() mutable {
-        if (!std::exchange(had, true))
-            commands_.refresh();
-    });
+    connect(views_.relief, &widgets::ReliefView::hasPictureChanged, this, [this] { commands_.refresh(); });
     wireHistory();
     wireFiles();
     docks_.wire();

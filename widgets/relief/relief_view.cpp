@@ -56,6 +56,7 @@ ReliefView::ReliefView(MapView& map, QWidget* parent) : QWidget(parent), map_(ma
     connect(renderer_, &ReliefRenderer::drawn, this, [this](const std::shared_ptr<const ReliefFrame>& frame) {
         if (!map_.heights().empty())
             canvas_->setFrame(frame);
+        tellPicture();
     });
     onThemeChange(this, [this] { heights_changed_ = true; });
 }
@@ -116,6 +117,7 @@ void ReliefView::hideEvent(QHideEvent* event) {
 }
 
 void ReliefView::watchedOrNot() {
+    tellPicture();
     if (!isVisible() || !uncovered_)
         return glance_.stop();
     glance_.start();
@@ -178,6 +180,12 @@ std::vector<ReliefCanvas::Label> ReliefView::labelsNow() const {
     return labels;
 }
 
+void ReliefView::tellPicture() {
+    const bool has = hasPicture();
+    if (std::exchange(had_picture_, has) != has)
+        emit hasPictureChanged();
+}
+
 void ReliefView::look() {
     if (!glance_.isActive())
         return;
@@ -185,6 +193,7 @@ void ReliefView::look() {
     empty_state_->setVisible(empty);
     if (empty)
         canvas_->setFrame(nullptr);
+    tellPicture();
     canvas_->setLabels(labelsNow());
     const MapRobot* const selected = map_.content().selectedRobot();
     follow_->setEnabled(selected);

@@ -33,6 +33,11 @@ public:
     void setState(const QJsonObject& state);
     /// Set to false while another tab covers the dock: Qt sends no hide event then.
     void setUncovered(bool uncovered);
+    /// True if there is a picture to be seen.
+    bool hasPicture() const { return isVisible() && canvas_->frame(); }
+
+signals:
+    void hasPictureChanged();
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -41,6 +46,8 @@ protected:
 private:
     void makeControls();
     void watchedOrNot();
+    /// Emits hasPictureChanged if that is so.
+    void tellPicture();
     /// Asks for a frame if what is to be seen has changed.
     void look();
     void askForFrame();
@@ -61,6 +68,7 @@ private:
     QTimer glance_; ///< runs while the view is seen
     bool heights_changed_ = true;
     bool uncovered_ = true;
+    bool had_picture_ = false;
     ReliefThings asked_; ///< for the newest frame
     // What the renderer does not have yet:
     bool forgets_tiles_ = false;

@@ -86,7 +86,7 @@ std::vector<std::int8_t> cellLights(const Patch& cells, double cell_size_m) {
     return lights;
 }
 
-/// Of blocks from the known ones below them.
+/// The light of each block is the mean of the known blocks below it.
 std::vector<std::int8_t> halvedLights(const ReliefTile& tile, int level) {
     const int squares = ReliefTile::squaresAt(level), fine = 2 * squares;
     std::vector<std::int8_t> coarse;
@@ -105,7 +105,7 @@ std::vector<std::int8_t> halvedLights(const ReliefTile& tile, int level) {
     return coarse;
 }
 
-/// Those over the tile, and one more on each side.
+/// Returns the blocks over the tile, and one more on each side.
 std::vector<float> blocksOf(const Patch& blocks) {
     const int squares = blocks.columns / 2, before = squares / 2 - 1;
     std::vector<float> heights_m;

@@ -35,7 +35,7 @@ std::vector<Vec3> pathWithGaps(const std::vector<Vec3>& path_m) {
     return with_gaps_m;
 }
 
-/// Without what a request to stop leaves out.
+/// A request to stop leaves the rest out.
 mapping::ReliefScene sceneOf(const ScanRecord& record, const mapping::HeightLook& look, const std::stop_token& stop) {
     mapping::ReliefScene scene;
     const mapping::ReliefStyle style{colorRange(record.raster, look), look.color_map, 0.0};
