@@ -23,16 +23,27 @@ Result<void> writeReport(const QString& path, const QByteArray& text) {
     return path.isEmpty() ? Result<void>() : campaign::writeWhole(path, text);
 }
 
-/// The candidate that was asked for; else all variants but the baseline, with two campaigns those of the second.
-std::vector<std::string> candidatesOf(const campaign::CompareOptions& options, const std::string& baseline,
-                                      const campaign::CampaignFigures& figures) {
+/// The candidate that was asked for, or else all that can be compared; tells which cannot.
+Result<std::vector<std::string>> candidatesOf(const campaign::CompareOptions& options, const std::string& baseline,
+                                              const campaign::CampaignFigures& figures) {
     if (!options.candidate.isEmpty())
-        return {options.candidate.toStdString()};
-    std::vector<std::string> candidates = figures.variants;
-    if (options.folders.size() > 1)
-        candidates.erase(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(figures.of_first));
-    std::erase(candidates, baseline);
-    return candidates;
+        return std::vector{options.candidate.toStdString()};
+    std::vector<std::string> candidates;
+    std::optional<Error> trouble;
+    for (const campaign::Candidate& one : campaign::candidatesFor(baseline, figures)) {
+        if (one.trouble)
+            trouble = one.trouble;
+        else
+            candidates.push_back(one.variant);
+        if (one.trouble && figures.variants.size() > 2) // A single one is told as the error.
+            complain(one.trouble->text());
+    }
+    if (!candidates.empty())
+        return candidates;
+    if (trouble)
+        return tl::unexpected(*trouble);
+    return failure("there is only one variant", options.folders.join(", ").toStdString(),
+                   "Give the campaign another variant, or compare two campaigns");
 }
 
 Result<void> writeReports(const campaign::CompareOptions& options, const campaign::CampaignReport& report) {
@@ -55,11 +66,10 @@ Result<int> report(const campaign::CompareOptions& options) {
         return tl::unexpected(written.error());
     const std::string baseline =
         options.baseline.isEmpty() ? figures->variants.front() : options.baseline.toStdString();
-    const std::vector<std::string> candidates = candidatesOf(options, baseline, *figures);
-    if (candidates.empty())
-        return failure("there is only one variant", options.folders.join(", ").toStdString(),
-                       "Give the campaign another variant, or compare two campaigns");
-    const auto comparisons = campaign::compareAll(figures->runs, baseline, candidates);
+    const auto candidates = candidatesOf(options, baseline, *figures);
+    if (!candidates)
+        return tl::unexpected(candidates.error());
+    const auto comparisons = campaign::compareAll(figures->runs, baseline, *candidates);
     if (!comparisons)
         return tl::unexpected(comparisons.error());
     const campaign::CampaignReport all{*comparisons, figures->runs, figures->title, figures->facts};

@@ -34,34 +34,40 @@ QString withoutPeriod(const QString& sentence) {
     return sentence.endsWith('.') ? sentence.chopped(1) : sentence;
 }
 
+widgets::CampaignVerdict verdictOf(const campaign::Comparison& comparison) {
+    widgets::CampaignVerdict verdict{campaign::headline(comparison), {}, {}};
+    for (const campaign::VerdictLine& line : campaign::verdictLines(comparison))
+        verdict.words.push_back({line.title, line.word, line.detail});
+    for (const QString& sentence : campaign::omissions(comparison))
+        verdict.notes << sentence;
+    return verdict;
+}
+
 Judgement judgeFolder(const QString& folder) {
     const auto figures = campaign::readCampaigns({folder});
     if (!figures)
         return without(figures.error());
     if (figures->variants.size() < 2)
         return {{}, CampaignResults::tr("The campaign has only one variant; there is nothing to compare it with.")};
-    Judgement judgement;
-    std::vector<std::string> candidates; // All together, so that the report has the same words.
-    for (std::size_t i = 1; i < figures->variants.size(); ++i) {
-        const auto pairs = campaign::pairUp(figures->runs, figures->variants.front(), figures->variants[i]);
-        if (pairs) {
-            candidates.push_back(figures->variants[i]);
-            continue;
-        }
-        judgement.instead = QString::fromStdString(pairs.error().text());
-        if (figures->variants.size() > 2) // The other candidates' verdicts would hide it.
-            judgement.verdicts.push_back({withoutPeriod(judgement.instead), {}, {}});
-    }
-    const auto comparisons = campaign::compareAll(figures->runs, figures->variants.front(), candidates);
+    const std::string& baseline = figures->variants.front();
+    const std::vector<campaign::Candidate> candidates = campaign::candidatesFor(baseline, *figures);
+    std::vector<std::string> comparable; // All are compared together, as in the report.
+    for (const campaign::Candidate& one : candidates)
+        if (!one.trouble)
+            comparable.push_back(one.variant);
+    const auto comparisons = campaign::compareAll(figures->runs, baseline, comparable);
     if (!comparisons)
         return without(comparisons.error());
-    for (const campaign::Comparison& comparison : *comparisons) {
-        widgets::CampaignVerdict verdict{campaign::headline(comparison), {}, {}};
-        for (const campaign::VerdictLine& line : campaign::verdictLines(comparison))
-            verdict.words.push_back({line.title, line.word, line.detail});
-        for (const QString& sentence : campaign::omissions(comparison))
-            verdict.notes << sentence;
-        judgement.verdicts.push_back(std::move(verdict));
+    Judgement judgement;
+    auto next = comparisons->begin();
+    for (const campaign::Candidate& one : candidates) {
+        if (!one.trouble) {
+            judgement.verdicts.push_back(verdictOf(*next++));
+            continue;
+        }
+        judgement.instead = QString::fromStdString(one.trouble->text());
+        if (candidates.size() > 1) // The other candidates' verdicts would hide it.
+            judgement.verdicts.push_back({withoutPeriod(judgement.instead), {}, {}});
     }
     return judgement;
 }

@@ -110,21 +110,25 @@ private slots:
     void aVariantThatNoRunCouldFlyIsRefusedBeforeTheFirst_data() {
         QTest::addColumn<QByteArray>("values");
         QTest::addColumn<QByteArray>("said");
-        QTest::newRow("an unknown key") << QByteArray(R"("adjusts": true)") << QByteArray("Did you mean \"adjust\"?");
-        QTest::newRow("an unknown preset")
-            << QByteArray(R"("preset": "fest")") << QByteArray("has no preset \"fest\". Did you mean \"fast\"?");
+        QTest::newRow("an unknown key") << QByteArray(R"("set": {"adjusts": true})")
+                                        << QByteArray("Did you mean \"adjust\"?");
+        QTest::newRow("an unknown preset") << QByteArray(R"("set": {"preset": "fest"})")
+                                           << QByteArray("has no preset \"fest\". Did you mean \"fast\"?");
         QTest::newRow("a parameter out of range")
-            << QByteArray(R"("parameters.scan_altitude_m": 99)") << QByteArray("99 is out of range");
+            << QByteArray(R"("set": {"parameters.scan_altitude_m": 99})") << QByteArray("99 is out of range");
+        QTest::newRow("a behavior that nobody has, told of the variant and not of the mission's file")
+            << QByteArray(R"("behavior": "airrobot/lisp")")
+            << QByteArray("usar-mission: behavior airrobot/lisp: in the variant \"wrong\", no loaded plugin");
         QTest::newRow("an unknown parameter")
-            << QByteArray(R"("parameters.scan_altitude": 8)") << QByteArray("Did you mean scan_altitude_m?");
+            << QByteArray(R"("set": {"parameters.scan_altitude": 8})") << QByteArray("Did you mean scan_altitude_m?");
     }
 
     void aVariantThatNoRunCouldFlyIsRefusedBeforeTheFirst() {
         QFETCH(QByteArray, values);
         QFETCH(QByteArray, said);
         folder_->write("wrong.json", R"({ "name": "Wrong", "missions": ["small.json"], "variants": [
-            { "name": "as written" }, { "name": "wrong", "set": {)" +
-                                         values + "} }] }");
+            { "name": "as written" }, { "name": "wrong", )" +
+                                         values + " }] }");
         const ProgramFolder::Ended ended = folder_->run({"campaign", "wrong.json", "--out", "results"});
         QCOMPARE(ended.exit_code, 2);
         QVERIFY2(ended.err.contains(said), ended.err);

@@ -82,6 +82,16 @@ private slots:
         QVERIFY((one[0].end_m - one[0].start_m).norm() > 35.0);
     }
 
+    /// The tour ends at home, so what is on the way there comes last.
+    void endsNearHome() {
+        const ScanLedger ledger = ledgerWithout({{{-40, -28}, {-36, 28}}, {{30, -28}, {38, 28}}});
+        for (const double home_x_m : {-60.0, 60.0}) {
+            const auto lanes = crossLanes(ledger, {0.6, 1000.0, 0.5}, {-3, 0}, {home_x_m, 0});
+            QCOMPARE(lanes.size(), std::size_t(2));
+            QVERIFY(lanes[1].end_m.x() * home_x_m > 0.0);
+        }
+    }
+
     /// The more a lane must show, the fewer there are.
     void asksForAGain_data() {
         QTest::addColumn<double>("gain_m");

@@ -187,6 +187,7 @@ QWidget* ParameterForm::makePresetRow() {
     auto* label = new QLabel(tr("&Preset"), preset_row_);
     presets_box_ = new QuietComboBox(preset_row_);
     presets_box_->setObjectName(QStringLiteral("preset"));
+    presets_box_->setMinimumHeight(minimum_target);
     presets_box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     named(presets_box_, tr("Preset"), tr("Sets all parameters to values that belong together"));
     label->setBuddy(presets_box_);
@@ -205,6 +206,8 @@ void ParameterForm::setPresets(const std::vector<agent::ParameterPreset>& preset
             presets_box_->setItemData(presets_box_->count() - 1, QString::fromStdString(preset.help), Qt::ToolTipRole);
         }
         presets_box_->addItem(tr("Own values"));
+        // It is shown, but nobody can choose it.
+        presets_box_->setItemData(presets_box_->count() - 1, QVariant(0), Qt::UserRole - 1);
     }
     preset_row_->setVisible(!presets_.empty());
     showPreset();
@@ -216,7 +219,6 @@ void ParameterForm::choosePreset(int index) {
         replaceValues({});
     else if (preset < presets_.size())
         replaceValues(presets_[preset].values);
-    showPreset(); // Own values are no values, so the list goes back to what it was.
 }
 
 void ParameterForm::showPreset() {
@@ -225,13 +227,16 @@ void ParameterForm::showPreset() {
     const Values shown = values();
     const auto fits = [&](const agent::ParameterPreset& preset) {
         const auto all = agent::ParameterSet::make(specs_, preset.values);
-        return all && all->values() == shown;
+        return all && std::ranges::equal(all->values(), shown, [](const auto& a, const auto& b) {
+                   return a.first == b.first && sameValue(a.second, b.second); // An angle loses digits in degrees.
+               });
     };
     const auto found = std::ranges::find_if(presets_, fits);
     const auto place = static_cast<int>(found - presets_.begin());
     presets_box_->setCurrentIndex(found == presets_.end() && modified().empty() ? 0 : 1 + place);
-    presets_box_->setToolTip(found != presets_.end() ? QString::fromStdString(found->help)
-                                                     : tr("Sets all parameters to values that belong together"));
+    const QString help = found != presets_.end() ? QString::fromStdString(found->help) + '\n' : QString();
+    presets_box_->setToolTip(help + tr("Sets all parameters to values that belong together"));
+    presets_box_->setAccessibleDescription(presets_box_->toolTip());
 }
 
 void ParameterForm::replaceValues(const Values& values) {

@@ -9,6 +9,7 @@
 #include <QJsonDocument>
 
 #include "core/base/numbers.h"
+#include "core/campaign/comparison/pairing.h"
 #include "core/campaign/plan/manifest_head.h"
 #include "core/campaign/runs/parallel.h"
 #include "core/campaign/runs/shard_file.h"
@@ -74,6 +75,22 @@ void addRuns(CampaignFigures& figures, std::vector<RunResult>& results, const st
 }
 
 } // namespace
+
+std::vector<Candidate> candidatesFor(const std::string& baseline, const CampaignFigures& figures) {
+    const auto second = figures.variants.begin() + static_cast<std::ptrdiff_t>(figures.of_first);
+    const bool one_campaign = second == figures.variants.end();
+    const bool of_first = std::find(figures.variants.begin(), second, baseline) != second;
+    const auto begin = of_first && !one_campaign ? second : figures.variants.begin();
+    const auto end = of_first || one_campaign ? figures.variants.end() : second;
+    std::vector<Candidate> candidates;
+    for (const std::string& variant : std::vector(begin, end)) {
+        if (variant == baseline)
+            continue;
+        const auto pairs = pairUp(figures.runs, baseline, variant);
+        candidates.push_back({variant, pairs ? std::nullopt : std::optional(pairs.error())});
+    }
+    return candidates;
+}
 
 RunFigures figuresOf(const RunResult& result) {
     RunFigures figures;

@@ -1,6 +1,7 @@
 // Reads from the folders of campaigns what a comparison needs.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +22,15 @@ struct CampaignFigures {
     /// Names and values for reports: versions, hashes, processor time.
     std::vector<std::pair<std::string, std::string>> facts;
 };
+
+/// A variant that is to be compared with a baseline.
+struct Candidate {
+    std::string variant;
+    std::optional<Error> trouble; ///< why it cannot be compared: it has no runs yet
+};
+
+/// All variants but the baseline, in their order; of two campaigns those of the one that the baseline is not of.
+std::vector<Candidate> candidatesFor(const std::string& baseline, const CampaignFigures& figures);
 
 /// The figures of a result that are compared.
 RunFigures figuresOf(const RunResult& result);

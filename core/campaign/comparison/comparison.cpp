@@ -84,9 +84,10 @@ void adjust(std::vector<Comparison>& comparisons) {
 }
 
 /// Gives the verdict on one question; `Question` is a success or a metric comparison, with its p-values adjusted.
+/// `is_alone`: there is one candidate only.
 template <class Question>
 void judge(Question& question, const MeasuredDifference& measured, bool lower_is_better, double margin,
-           const ComparisonOptions& options) {
+           const ComparisonOptions& options, bool is_alone) {
     const Evidence evidence{gainOf(measured.interval, lower_is_better), margin, measured.pairs >= options.least_pairs,
                             question.holm_p < options.alpha};
     question.verdict = verdictOn(evidence);
@@ -97,17 +98,17 @@ void judge(Question& question, const MeasuredDifference& measured, bool lower_is
     else if (question.more_pairs && measured.pairs + *question.more_pairs < options.least_pairs)
         question.more_pairs = options.least_pairs - measured.pairs;
     else if (question.more_pairs == std::size_t{0}) // The test beside the interval hesitates still.
-        question.more_pairs = 1;
+        question.more_pairs = is_alone ? std::optional<std::size_t>(1) : std::nullopt;
 }
 
-void judgeAll(Comparison& comparison) {
+void judgeAll(Comparison& comparison, bool is_alone) {
     SuccessComparison& success = comparison.success;
     const double rate_difference = success.count.candidate().rate() - success.count.baseline().rate();
     judge(success, {success.count.pairs(), rate_difference, success.difference}, false,
-          comparison.options.success_margin, comparison.options);
+          comparison.options.success_margin, comparison.options, is_alone);
     for (MetricComparison& metric : comparison.metrics)
         judge(metric, {metric.pairs(), metric.difference, metric.interval}, metric.metric.lower_is_better,
-              metric.margin, comparison.options);
+              metric.margin, comparison.options, is_alone);
 }
 
 /// Measures the differences; the verdicts follow when all p-values are adjusted.
@@ -173,7 +174,7 @@ Result<std::vector<Comparison>> compareAll(const std::vector<RunFigures>& runs, 
     }
     adjust(all);
     for (Comparison& comparison : all) {
-        judgeAll(comparison);
+        judgeAll(comparison, all.size() == 1);
         comparison.overall = overallOf(comparison);
     }
     return all;

@@ -30,7 +30,7 @@ struct SuccessComparison {
     Interval candidate;
     Interval difference;            ///< candidate minus baseline
     double p = 1.0;                 ///< McNemar's
-    double holm_p = 1.0;            ///< adjusted together with those of the metrics
+    double holm_p = 1.0;            ///< adjusted together with those of the metrics and of the other candidates
     std::vector<RunPair> differing; ///< the runs to look at
     Verdict verdict = Verdict::Undecided;
     bool not_worse = false;

@@ -173,7 +173,8 @@ void writeVerdicts(QXmlStreamWriter& xml, const Comparison& comparison) {
         QString("Both variants have their median; the difference is the interquartile mean of the paired differences, "
                 "for charges and collisions their mean, with its %1 % interval. The shaded band is the margin within "
                 "which a difference does not matter: an interval wholly within it is equal, one wholly beyond it is "
-                "better or worse. p is Wilcoxon's, for success McNemar's, after Holm. r tells how much of a run is "
+                "better or worse. p is Wilcoxon's, for success McNemar's, after Holm over all figures of all "
+                "candidates; the intervals are those of each figure alone. r tells how much of a run is "
                 "due to its seed. A run that was not done counts its time limit as its duration.")
             .arg(100.0 * (1.0 - comparison.options.alpha)),
         "note");

@@ -79,20 +79,44 @@ QString labelOf(const TradePoint& point) {
     return point.done == point.runs ? name : name + QString(", %1 of %2 done").arg(point.done).arg(point.runs);
 }
 
-/// Where the names of the variants stand: beside their crosses, and below each other where those are near.
-std::vector<QPointF> labelPlaces(const TradeOff& trade_off, const Scale& x, const Scale& y) {
-    constexpr double line = 15.0, beside = 90.0;
-    std::vector<QPointF> places;
-    for (const TradePoint& point : trade_off.points) {
-        QPointF place(x(point.x.median) + 7.0, y(point.y.median) - 7.0);
-        const auto collides = [&](const QPointF& other) {
-            return std::abs(other.x() - place.x()) < beside && std::abs(other.y() - place.y()) < line;
-        };
-        while (std::ranges::any_of(places, collides))
-            place.ry() += line;
-        places.push_back(place);
+/// The name of a variant in a plot.
+struct Label {
+    QPointF at; ///< where its line begins, or ends if it stands on the left of its dot
+    bool on_left = false;
+    double left = 0.0;
+    double right = 0.0;
+
+    bool covers(const Label& other) const {
+        constexpr double line = 15.0;
+        return std::abs(at.y() - other.at.y()) < line && left < other.right && other.left < right;
     }
-    return places;
+};
+
+/// The names beside their dots; where one would cover another, or leave the plot, it stands higher or lower.
+std::vector<Label> labelsOf(const TradeOff& trade_off, const Scale& x, const Scale& y) {
+    constexpr double character = 7.0, beside = 7.0, step = 15.0;
+    std::vector<Label> labels;
+    for (const TradePoint& point : trade_off.points) {
+        const QPointF dot(x(point.x.median), y(point.y.median));
+        const double width = character * static_cast<double>(labelOf(point).size());
+        Label label;
+        label.on_left = dot.x() + beside + width > x.last && dot.x() - x.first > x.last - dot.x();
+        label.at.setX(label.on_left ? dot.x() - beside : dot.x() + beside);
+        label.left = label.on_left ? label.at.x() - width : label.at.x();
+        label.right = label.left + width;
+        const auto fits = [&](double height) {
+            label.at.setY(height);
+            return height < y.first && height > y.last &&
+                   std::ranges::none_of(labels, [&](const Label& other) { return label.covers(other); });
+        };
+        bool found = false;
+        for (int steps = 0; !found && steps * step < y.first - y.last; ++steps)
+            found = fits(dot.y() - beside + steps * step) || fits(dot.y() - beside - steps * step);
+        if (!found) // There are more names than lines.
+            label.at.setY(dot.y() - beside);
+        labels.push_back(label);
+    }
+    return labels;
 }
 
 /// One plot with its upper left corner at `corner`.
@@ -110,7 +134,7 @@ void drawInto(SvgCanvas& canvas, const TradeOff& trade_off, QPointF corner) {
     }
     for (const double value : columns)
         canvas.text({x(value), bottom + 17.0}, "middle", tickText(value, columns));
-    const std::vector<QPointF> labels = labelPlaces(trade_off, x, y);
+    const std::vector<Label> labels = labelsOf(trade_off, x, y);
     for (std::size_t i = 0; i < trade_off.points.size(); ++i) {
         const TradePoint& point = trade_off.points[i];
         const QPointF at(x(point.x.median), y(point.y.median));
@@ -118,9 +142,7 @@ void drawInto(SvgCanvas& canvas, const TradeOff& trade_off, QPointF corner) {
         canvas.line({x(point.x.half.low), at.y()}, {x(point.x.half.high), at.y()}, "reach" + color);
         canvas.line({at.x(), y(point.y.half.low)}, {at.x(), y(point.y.half.high)}, "reach" + color);
         canvas.circle(at, 3.5, "estimate" + color);
-        const bool flips = labels[i].x() > right - 110.0;
-        canvas.text(flips ? QPointF(at.x() - 7.0, labels[i].y()) : labels[i], flips ? "end" : "start", labelOf(point),
-                    "legend" + color);
+        canvas.text(labels[i].at, labels[i].on_left ? "end" : "start", labelOf(point), "legend" + color);
     }
 }
 

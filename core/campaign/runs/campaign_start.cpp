@@ -10,7 +10,8 @@
 #include "core/campaign/plan/test_folder.h"
 #include "core/campaign/runs/parallel.h"
 #include "core/mission/files/mission_file.h"
-#include "core/mission/files/mission_value.h"
+#include "core/mission/files/mission_options.h"
+#include "core/mission/files/scan_record.h"
 
 namespace usar::campaign {
 
@@ -41,16 +42,19 @@ Result<void> hashAll(const std::vector<Input>& inputs, Manifest& manifest) {
 
 /// The mission as a run flies it, or why it cannot.
 Result<mission::Mission> missionOf(const mission::Mission& written, const PlannedRun& run, const Campaign& campaign) {
-    mission::Mission flown = written;
-    for (const std::string& value : run.values)
-        if (const auto set = mission::setValue(flown, QString::fromStdString(value)); !set)
-            return tl::unexpected(set.error());
     const Variant& variant = campaign.variants[run.variant];
-    if (!variant.plan.empty())
-        flown.plan = variant.plan;
-    if (!variant.behavior.empty())
-        flown.behavior = variant.behavior;
-    return flown;
+    mission::MissionOptions options;
+    options.values = mission::textsOf(run.values);
+    options.behavior = QString::fromStdString(variant.behavior);
+    options.plan = QString::fromStdString(variant.plan);
+    mission::Mission flown = written;
+    return mission::applyTo(flown, options).map([&] { return std::move(flown); });
+}
+
+/// An error of a variant's mission, which its reader seeks in the campaign's file if it names no mission's.
+Error ofVariant(const Variant& variant, Error error) {
+    error.what = "in the variant \"" + variant.name + "\", " + error.what;
+    return error;
 }
 
 /// Checks the runs' missions and adds them with their worlds and plans.
@@ -72,11 +76,12 @@ Result<void> addMissions(const std::vector<PlannedRun>& runs, const Campaign& ca
         if (!checked.emplace(run.mission, run.variant, run.values).second)
             continue;
         const auto flown = missionOf(written[run.mission], run, campaign);
+        const Variant& variant = campaign.variants[run.variant];
         if (!flown)
-            return tl::unexpected(flown.error());
+            return tl::unexpected(ofVariant(variant, flown.error()));
         if (flyable.emplace(run.mission, run.variant).second)
             if (const auto possible = host.check_mission(*flown); !possible)
-                return tl::unexpected(possible.error());
+                return tl::unexpected(ofVariant(variant, possible.error()));
         worlds.insert(flown->world);
         if (!flown->plan.empty())
             plans.insert(flown->plan);

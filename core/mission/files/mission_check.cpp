@@ -81,8 +81,8 @@ Result<std::optional<agent::PlanText>> readOwnPlan(const QString& path, const st
     return *std::move(plan);
 }
 
-Result<std::map<std::string, agent::ParameterValue>> parametersOf(const Mission& mission,
-                                                                  const agent::BehaviorDescription& behavior) {
+Result<std::map<std::string, agent::ParameterValue>> resolvedParameters(const Mission& mission,
+                                                                        const agent::BehaviorDescription& behavior) {
     auto values = withAnglesInRadians(mission.parameters, behavior.parameters);
     if (mission.preset.empty())
         return values;
@@ -108,7 +108,7 @@ Result<PreparedBehavior> prepareBehavior(const Mission& mission, const agent::Pl
     const agent::BehaviorDescription* description = plugins.behavior(mission.behavior);
     if (const auto good = checkParameters(mission, description->parameters); !good)
         return tl::unexpected(good.error());
-    const auto values = parametersOf(mission, *description);
+    const auto values = resolvedParameters(mission, *description);
     if (!values)
         return tl::unexpected(values.error());
     auto parameters = agent::ParameterSet::make(description->parameters, *values);

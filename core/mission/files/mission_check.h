@@ -26,8 +26,8 @@ Result<PreparedBehavior> prepareBehavior(const Mission& mission, const agent::Pl
 
 /// The parameters of a mission in the units of its behavior: the values of its preset, and its own in their place.
 /// Fails on a preset that the behavior does not have.
-Result<std::map<std::string, agent::ParameterValue>> parametersOf(const Mission& mission,
-                                                                  const agent::BehaviorDescription& behavior);
+Result<std::map<std::string, agent::ParameterValue>> resolvedParameters(const Mission& mission,
+                                                                        const agent::BehaviorDescription& behavior);
 
 /// Reads the plan in the file at `path` and checks it against the robot of the behavior; nullopt for an empty path.
 /// Fails if the behavior is unknown or takes no plan, or the plan cannot be read, has errors or does not fit.

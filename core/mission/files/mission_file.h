@@ -47,7 +47,7 @@ struct Mission {
     std::string plan;                                        ///< path of a plan file; empty: the robot's own plan
     Rectangle area_in_map;                                   ///< meters; empty: none
     std::string preset;                                      ///< id of a preset; empty: none, which means the defaults
-    std::map<std::string, agent::ParameterValue> parameters; ///< as written; see `parametersOf`
+    std::map<std::string, agent::ParameterValue> parameters; ///< as written; see `resolvedParameters`
     double cell_size_m = 0.25;                               ///< smallest_cell_m .. largest_cell_m
     std::optional<double> limit_h;                           ///< above 0; absent: no limit
     std::vector<std::string> faults;                         ///< for the embedded simulator, in its --fault syntax

@@ -36,7 +36,7 @@ checkMission(const Mission& mission, const agent::PluginLoader& plugins, const S
         return tl::unexpected(prepared.error());
     if (const auto inside = checkAreaInWorld(mission, place.extent_in_map); !inside)
         return tl::unexpected(inside.error());
-    return parametersOf(mission, *plugins.behavior(mission.behavior));
+    return resolvedParameters(mission, *plugins.behavior(mission.behavior));
 }
 
 Result<void> checkLineTo(const RobotView* robot) {

@@ -80,7 +80,11 @@ std::string MissionRunner::missionNote() const {
     FlownMission flown{mission_, options_.seed, {}};
     if (options_.earlier)
         flown.continues = options_.earlier->scan.run.recording;
-    return noteOf(flown);
+    if (mission_.preset.empty())
+        return noteOf(flown);
+    flown.mission.preset.clear(); // A later version may mean something else by it.
+    flown.mission.parameters = behavior_->parameters.values();
+    return noteOf(flown, plugins_.behavior(mission_.behavior)->parameters);
 }
 
 void MissionRunner::interrupt() {

@@ -95,6 +95,34 @@ private slots:
         QVERIFY(!no_results && no_results.error().what.find("no results yet") != std::string::npos);
     }
 
+    void candidatesAreTheOthers_data() {
+        QTest::addColumn<QString>("baseline");
+        QTest::addColumn<int>("of_first");
+        QTest::addColumn<QStringList>("candidates");
+        QTest::newRow("one campaign") << "a" << 4 << QStringList{"b", "c", "none"};
+        QTest::newRow("one campaign, another baseline") << "b" << 4 << QStringList{"a", "c", "none"};
+        QTest::newRow("the first of two") << "a" << 2 << QStringList{"c", "none"};
+        QTest::newRow("the second of two") << "c" << 2 << QStringList{"a", "b"};
+    }
+    void candidatesAreTheOthers() {
+        QFETCH(QString, baseline);
+        QFETCH(int, of_first);
+        CampaignFigures figures;
+        figures.variants = {"a", "b", "c", "none"};
+        figures.of_first = static_cast<std::size_t>(of_first);
+        for (const char* variant : {"a", "b", "c"}) {
+            RunFigures run;
+            run.variant = variant;
+            figures.runs.push_back(run);
+        }
+        QStringList found;
+        for (const Candidate& one : candidatesFor(baseline.toStdString(), figures)) {
+            found << QString::fromStdString(one.variant);
+            QCOMPARE(one.trouble.has_value(), one.variant == "none");
+        }
+        QTEST(found, "candidates");
+    }
+
     void readsWhatIsTyped() {
         const auto options = readCompareOptions({"compare", "a", "b", "--html", "h", "--junit", "j", "--curve", "c",
                                                  "--json", "--baseline", "x", "--candidate", "y"});
