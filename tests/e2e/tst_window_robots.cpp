@@ -59,7 +59,7 @@ void tst_WindowRobots::parametersOfAMissionFileSurviveSpawning() {
     QFile json(file);
     QVERIFY(json.open(QIODevice::WriteOnly));
     json.write(R"({"name": "small", "area": {"x": -10, "y": -8, "width": 20, "height": 16},
-                   "parameters": {"scan_altitude_m": 7.5, "maximum_scan_tilt_rad": 10}})");
+                   "preset": "exact", "parameters": {"scan_altitude_m": 7.5, "maximum_scan_tilt_rad": 10}})");
     json.close();
     WindowPage page;
     QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
@@ -68,6 +68,7 @@ void tst_WindowRobots::parametersOfAMissionFileSurviveSpawning() {
     QVERIFY(page.spawnAt("PlayerStart"));
     const auto values = page.window().views().parameters->values();
     QCOMPARE(std::get<double>(values.at("scan_altitude_m")), 7.5);
+    QCOMPARE(std::get<double>(values.at("scan_speed_m_s")), 2.0); // by the preset
     QVERIFY(qAbs(std::get<double>(values.at("maximum_scan_tilt_rad")) - radians(10.0)) < 1e-6);
     QVERIFY(page.map().area().has_value());
     QVERIFY(!page.map().content().area.lanes_in_map_m.empty());

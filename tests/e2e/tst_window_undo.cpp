@@ -1,6 +1,7 @@
 // What a person edits in the window is undone and redone there, and layouts are kept under names of one's own.
 #include <algorithm>
 
+#include <QComboBox>
 #include <QDir>
 #include <QImage>
 #include <QLineEdit>
@@ -49,6 +50,7 @@ private slots:
     void eachDragOfTheAreaIsUndoneByOneKey();
     void theEditOfAnotherRobotIsShownWhereItIsUndone();
     void aParameterIsUndoneInItsForm();
+    void aPresetIsOneEdit();
     void aLayerIsUndone();
     void aPlotIsUndone();
     void plotsThatComeBackAfterTheNextStartAreNoEdit();
@@ -109,6 +111,30 @@ void tst_WindowUndo::aParameterIsUndoneInItsForm() {
     QVERIFY(textOf(page, "edit.undo").startsWith("Undo set "));
     page.window().commands().action("edit.undo")->trigger();
     QVERIFY(page.window().views().parameters->values() == before);
+}
+
+void tst_WindowUndo::aPresetIsOneEdit() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(page.spawnAt("PlayerStart"));
+    page.typeArea(area);
+    widgets::ParameterForm* const form = page.window().views().parameters;
+    auto* const list = form->findChild<QComboBox*>("preset");
+    QVERIFY(list && list->isVisible());
+    QCOMPARE(list->currentText(), QString("Defaults"));
+    const auto lanes = [&] { return page.map().content().area.lanes_in_map_m.size(); };
+    QTRY_VERIFY(lanes() > 0);
+    const std::size_t before = lanes();
+    list->setFocus();
+    QTest::keyClick(list, Qt::Key_B);
+    QCOMPARE(list->currentText(), QString("Balanced"));
+    QCOMPARE(std::get<double>(form->values().at("scan_altitude_m")), 8.0);
+    QTRY_VERIFY(lanes() < before);
+    page.screenshot("preset");
+    page.pressKey(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(form->modified().empty());
+    QCOMPARE(list->currentText(), QString("Defaults"));
+    QTRY_COMPARE(lanes(), before);
 }
 
 void tst_WindowUndo::aLayerIsUndone() {
