@@ -184,7 +184,7 @@ ParameterForm::ParameterForm(QWidget* parent)
 
 QWidget* ParameterForm::makePresetRow() {
     preset_row_ = new QWidget(this);
-    auto* label = new QLabel(tr("&Preset"), preset_row_);
+    auto* label = new QLabel(tr("Preset"), preset_row_);
     presets_box_ = new QuietComboBox(preset_row_);
     presets_box_->setObjectName(QStringLiteral("preset"));
     presets_box_->setMinimumHeight(minimum_target);
