@@ -20,7 +20,7 @@ enum class OpenMode { Thorough, Quick };
 
 /// This is one file of a recording.
 struct RecordingPart {
-    std::string name; ///< of the file, without its folder
+    std::string name; ///< It is the file's, without its folder.
     std::unique_ptr<RecordingFile> file;
     std::unique_ptr<RecordSource> source;
     RecordingSurvey survey;

@@ -25,7 +25,7 @@ QString partPath(const QString& path, int number);
 /// A size as messages about recordings tell it: "12.3 MB".
 std::string megabytesText(std::uint64_t bytes);
 
-/// What a path says that is named as an earlier part. Only the file itself tells whether it is one.
+/// Holds what the name of an earlier part tells. Only the file itself tells whether it is one.
 struct PartName {
     QString recording; ///< path of the recording whose part it would be
     int number = 0;

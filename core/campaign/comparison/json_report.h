@@ -17,8 +17,8 @@ namespace usar::campaign {
 /// and `facts`, an object of texts. What is not known or not finite is null.
 QJsonObject jsonReport(const Report& report);
 
-/// Of one candidate its report; of several an object with `title`, `baseline`, `exit_code`, `facts`, and `comparisons`,
-/// a list of reports without facts.
+/// Returns the report of a single candidate. Several give an object with `title`, `baseline`, `exit_code`, `facts`, and
+/// `comparisons`, a list of reports without facts.
 QJsonObject jsonReport(const CampaignReport& report);
 
 } // namespace usar::campaign

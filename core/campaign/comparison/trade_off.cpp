@@ -15,7 +15,7 @@ extern const char curve_style[]; // resources/reports/curve.css, for readers tha
 namespace {
 
 constexpr double width_px = 430.0, height_px = 300.0;
-constexpr std::size_t colors = 8; ///< of the style sheets: v0 to v7
+constexpr std::size_t colors = 8; ///< The style sheets have v0 to v7.
 
 Middle middleOf(const std::vector<double>& values) {
     const std::vector<double> sorted = sortedCopy(values);

@@ -26,7 +26,7 @@ struct TradePoint {
     std::size_t place = 0; ///< among all variants; gives it its color
     std::size_t done = 0;
     std::size_t runs = 0; ///< those that count (see counts)
-    Middle x;             ///< of the runs that were done and have both figures
+    Middle x;             ///< Only runs count that were done and have both figures.
     Middle y;
 };
 

@@ -9,9 +9,9 @@
 
 namespace usar::mission {
 
-/// What such a sentence says. A plain value.
+/// Holds what such a sentence says, as a plain value.
 struct FaultNote {
-    Seconds time{0.0}; ///< of the simulation
+    Seconds time{0.0}; ///< It is the simulation's.
     bool begins = true;
     std::string fault; ///< in the syntax of --fault
 };

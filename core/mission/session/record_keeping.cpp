@@ -111,7 +111,7 @@ void RecordKeeping::setLimit(RecordingLimit limit_bytes) {
     warned_ = false;
     set_late_ = on();
     if (writer_)
-        writer_->makeRoom(std::nullopt); // What the limit before has asked for may not have happened yet.
+        writer_->makeRoom(std::nullopt); // A deletion for the limit before may still wait.
 }
 
 std::optional<RecordingFigures> RecordKeeping::figures() const {
@@ -220,7 +220,7 @@ void RecordKeeping::warn() {
     warned_ = true;
     const double free = std::max(0.0, 0.9 * limit - used); // Until there is no room for another part.
     Seconds left = elapsed() * free / used;
-    // What was recorded before the limit was set is one part, so that nearly all would go; there is time to raise it.
+    // All that was recorded before the limit was set is one part, and would go as a whole; there is time to raise it.
     const bool is_late = is_new && left < time_to_object;
     if (is_late)
         left = time_to_object;

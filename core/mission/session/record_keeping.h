@@ -104,7 +104,7 @@ private:
     QTimer timer_; ///< runs during a recording
     std::function<RecordingScene()> scene_;
     std::unique_ptr<link::RecordingWriter> writer_;
-    RecordingFacts facts_;    ///< of the recording that is on
+    RecordingFacts facts_;    ///< They describe the recording that is on.
     Clock::time_point began_; ///< The recording that is on began then.
     RecordingLimit limit_bytes_;
     bool warned_ = false;      ///< about this recording and this limit
