@@ -77,6 +77,7 @@ Result<std::unique_ptr<server::HeadlessSimulator>> serverFor(const mission::Miss
     if (!simulator)
         return tl::unexpected(mission::atValue(plan, "world", simulator.error()));
     run_options.port = (*simulator)->port();
+    run_options.in_process = (*simulator)->inProcess();
     run_options.truth = app::truthOf(**simulator);
     run_options.world_extent = (*simulator)->extent();
     run_options.dry_above_m = (*simulator)->dryAbove_m();

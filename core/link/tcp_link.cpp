@@ -74,7 +74,7 @@ void GreetingCheck::takeLine(std::string_view line) {
 }
 
 TcpLink::TcpLink(QObject* parent) : QObject(parent) {
-    socket_.setProxy(QNetworkProxy::NoProxy);
+    socket_->setProxy(QNetworkProxy::NoProxy);
     retry_timer_.setSingleShot(true);
     connect_timer_.setSingleShot(true);
     connect(&retry_timer_, &QTimer::timeout, this, &TcpLink::connectNow);
@@ -82,13 +82,23 @@ TcpLink::TcpLink(QObject* parent) : QObject(parent) {
         failed(QStringLiteral("No answer from %1 after %2. Is %3 running there?")
                    .arg(place(), inWords(limits_.connect_timeout), service_));
     });
-    connect(&socket_, &QTcpSocket::connected, this, &TcpLink::takeConnection);
-    connect(&socket_, &QTcpSocket::readyRead, this, &TcpLink::takeBytes);
-    connect(&socket_, &QTcpSocket::errorOccurred, this, &TcpLink::takeError);
+    wire();
+}
+
+void TcpLink::wire() {
+    connect(socket_, &QTcpSocket::connected, this, &TcpLink::takeConnection);
+    connect(socket_, &QTcpSocket::readyRead, this, &TcpLink::takeBytes);
+    connect(socket_, &QTcpSocket::errorOccurred, this, &TcpLink::takeError);
+}
+
+void TcpLink::useInProcess(InProcessServer server) {
+    close();
+    delete std::exchange(socket_, new InProcessSocket(std::move(server), this));
+    wire();
 }
 
 TcpLink::~TcpLink() {
-    socket_.disconnect(this);
+    socket_->disconnect(this);
 }
 
 void TcpLink::open(const QString& host, quint16 port) {
@@ -105,7 +115,7 @@ void TcpLink::close() {
     retry_timer_.stop();
     const bool was_connected = status_.state == LinkState::Connected;
     if (was_connected)
-        socket_.flush();
+        socket_->flush();
     dropConnection();
     setStatus(LinkState::Disconnected);
     if (was_connected)
@@ -115,8 +125,8 @@ void TcpLink::close() {
 void TcpLink::send(std::string_view line) {
     if (status_.state != LinkState::Connected)
         return;
-    socket_.write(line.data(), static_cast<qint64>(line.size()));
-    socket_.write("\r\n", 2);
+    socket_->write(line.data(), static_cast<qint64>(line.size()));
+    socket_->write("\r\n", 2);
     ++counts_.lines_out;
     counts_.bytes_out += line.size() + 2;
     if (unsentBytes() > limits_.most_unsent_bytes) // Queued, because the caller may be in the middle of its own work.
@@ -134,7 +144,7 @@ std::optional<Seconds> TcpLink::roundTrip() const {
         return std::nullopt;
     tcp_info info{};
     socklen_t size = sizeof info;
-    const int descriptor = static_cast<int>(socket_.socketDescriptor());
+    const int descriptor = static_cast<int>(socket_->socketDescriptor());
     if (getsockopt(descriptor, IPPROTO_TCP, TCP_INFO, &info, &size) != 0 || info.tcpi_rtt == 0)
         return std::nullopt;
     return std::chrono::microseconds(info.tcpi_rtt);
@@ -147,13 +157,13 @@ protocol::TrafficCounts TcpLink::counts() const {
 }
 
 void TcpLink::connectNow() {
-    if (socket_.state() != QAbstractSocket::UnconnectedState) { // Still sending the last bytes of a closed connection.
+    if (socket_->state() != QAbstractSocket::UnconnectedState) { // Still sending the last bytes of a closed connection.
         const QSignalBlocker quiet(socket_);
-        socket_.abort();
+        socket_->abort();
     }
     setStatus(LinkState::Connecting);
     connect_timer_.start(toMilliseconds(limits_.connect_timeout));
-    socket_.connectToHost(status_.host, status_.port);
+    socket_->connectToHost(status_.host, status_.port);
 }
 
 void TcpLink::takeConnection() {
@@ -162,8 +172,8 @@ void TcpLink::takeConnection() {
     greeting_.reset();
     counts_ = {};
     overlong_before_ = splitter_.overlongCount();
-    socket_.setSocketOption(QAbstractSocket::LowDelayOption, 1);
-    socket_.setSocketOption(QAbstractSocket::KeepAliveOption, 1);
+    socket_->setSocketOption(QAbstractSocket::LowDelayOption, 1);
+    socket_->setSocketOption(QAbstractSocket::KeepAliveOption, 1);
     setStatus(LinkState::Connected);
     emit opened();
 }
@@ -171,7 +181,7 @@ void TcpLink::takeConnection() {
 void TcpLink::takeBytes() {
     std::array<char, 65536> buffer;
     while (status_.state == LinkState::Connected) {
-        const qint64 count = socket_.read(buffer.data(), buffer.size());
+        const qint64 count = socket_->read(buffer.data(), buffer.size());
         if (count <= 0)
             return;
         const std::string_view bytes(buffer.data(), static_cast<std::size_t>(count));
@@ -224,7 +234,7 @@ QString TcpLink::reasonOf(QAbstractSocket::SocketError error) const {
             .arg(place());
     default:
         return QStringLiteral("Trouble with %1: %2. Check the network and the address.")
-            .arg(place(), socket_.errorString());
+            .arg(place(), socket_->errorString());
     }
 }
 
@@ -243,10 +253,10 @@ void TcpLink::dropConnection() {
     connect_timer_.stop();
     const QSignalBlocker quiet(socket_);
     // Ends gracefully first, so that queued bytes are still sent; aborts if none are queued or nothing was connected.
-    if (socket_.state() == QAbstractSocket::ConnectedState)
-        socket_.disconnectFromHost();
-    if (socket_.state() != QAbstractSocket::UnconnectedState && socket_.bytesToWrite() == 0)
-        socket_.abort();
+    if (socket_->state() == QAbstractSocket::ConnectedState)
+        socket_->disconnectFromHost();
+    if (socket_->state() != QAbstractSocket::UnconnectedState && socket_->bytesToWrite() == 0)
+        socket_->abort();
 }
 
 void TcpLink::setStatus(LinkState state, const QString& trouble, Seconds retry_in) {

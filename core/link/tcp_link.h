@@ -13,6 +13,7 @@
 #include <QTimer>
 
 #include "core/base/clock.h"
+#include "core/link/in_process_socket.h"
 #include "core/protocol/line_splitter.h"
 #include "core/protocol/traffic_counts.h"
 #include "core/protocol/usual_values.h"
@@ -94,6 +95,9 @@ public:
     /// The received part of a line that has not ended.
     std::string_view pending() const { return splitter_.pending(); }
 
+    /// Closes any open connection. From now on `open` connects to this server of the same thread instead of by TCP; its
+    /// host and port are only what the status says.
+    void useInProcess(InProcessServer server);
     /// Closes any open connection, then connects to this server.
     void open(const QString& host, quint16 port);
     /// Sends what is queued, closes, and does not reconnect.
@@ -101,9 +105,9 @@ public:
     /// Queues the line, to which CR LF is added; dropped while there is no connection.
     void send(std::string_view line);
     /// Bytes queued here because the server does not read; does not include what the network holds.
-    std::size_t unsentBytes() const { return static_cast<std::size_t>(socket_.bytesToWrite()); }
+    std::size_t unsentBytes() const { return static_cast<std::size_t>(socket_->bytesToWrite()); }
     /// Hands queued bytes to the network now instead of in the event loop's next turn.
-    void flush() { socket_.flush(); }
+    void flush() { socket_->flush(); }
     const LinkStatus& status() const { return status_; }
     /// Number of lines that were dropped because they exceed the splitter's cap, over all connections.
     std::size_t overlongCount() const { return splitter_.overlongCount(); }
@@ -121,6 +125,7 @@ signals:
     void closed();
 
 private:
+    void wire();
     void connectNow();
     void takeConnection();
     void takeBytes();
@@ -134,7 +139,7 @@ private:
     void dropConnection();
     void setStatus(LinkState state, const QString& trouble = {}, Seconds retry_in = Seconds{0.0});
 
-    QTcpSocket socket_{this};
+    QTcpSocket* socket_ = new QTcpSocket(this);
     QTimer retry_timer_{this};
     QTimer connect_timer_{this};
     LineTaker take_line_;

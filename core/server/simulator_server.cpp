@@ -107,17 +107,21 @@ void SimulatorServer::publishFaults() {
 }
 
 void SimulatorServer::acceptAll() {
-    while (QTcpSocket* const socket = server_.nextPendingConnection()) {
-        socket->setSocketOption(QAbstractSocket::LowDelayOption, 1);
-        const sim::ClientId client = simulation_->connect();
-        sockets_[client] = socket;
-        connect(socket, &QTcpSocket::readyRead, this, [=, this] { readFrom(socket, client); });
-        // Queued, because writing to a client that has disconnected emits this in the middle of flush(), which iterates
-        // over the sockets.
-        connect(
-            socket, &QTcpSocket::disconnected, this, [=, this] { forget(socket, client); }, Qt::QueuedConnection);
-        emit logged(tr("client %1: connected").arg(client.value));
-    }
+    while (QTcpSocket* const socket = server_.nextPendingConnection())
+        accept(socket);
+}
+
+void SimulatorServer::accept(QTcpSocket* socket) {
+    socket->setParent(this);
+    socket->setSocketOption(QAbstractSocket::LowDelayOption, 1);
+    const sim::ClientId client = simulation_->connect();
+    sockets_[client] = socket;
+    connect(socket, &QTcpSocket::readyRead, this, [=, this] { readFrom(socket, client); });
+    // Queued, because writing to a client that has disconnected emits this in the middle of flush(), which iterates
+    // over the sockets.
+    connect(
+        socket, &QTcpSocket::disconnected, this, [=, this] { forget(socket, client); }, Qt::QueuedConnection);
+    emit logged(tr("client %1: connected").arg(client.value));
     flush();
 }
 

@@ -51,6 +51,8 @@ public:
     Result<quint16> listen(quint16 port);
     /// The port that it listens on; 0 before `listen`.
     quint16 port() const { return server_.serverPort(); }
+    /// Serves a client that is already connected; owns the socket from now on.
+    void accept(QTcpSocket* socket);
     SimulatorFigures figures() const;
     /// For the servers of other channels; in the simulator's thread only.
     sim::Simulation& simulation() { return *simulation_; }

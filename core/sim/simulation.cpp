@@ -329,6 +329,10 @@ const World& Simulation::world() const {
     return state_->world;
 }
 
+const RayCaster& Simulation::caster() const {
+    return state_->caster;
+}
+
 CameraScene Simulation::cameraScene() const {
     CameraScene seen{
         .still = state_->still, .tick = state_->ticks, .attached = state_->attached, .viewports = state_->viewports};

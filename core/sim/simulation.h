@@ -17,6 +17,7 @@
 #include "core/sim/camera/camera_scene.h"
 #include "core/sim/faults/fault_schedule.h"
 #include "core/sim/radio.h"
+#include "core/sim/rays/ray_caster.h"
 #include "core/sim/robots/robot_figures.h"
 #include "core/sim/robots/robot_model.h"
 #include "core/sim/snapshot.h"
@@ -110,6 +111,8 @@ public:
     Seconds now() const;
     const SimulationOptions& options() const;
     const World& world() const;
+    /// Rays at it, which other threads may share.
+    const RayCaster& caster() const;
     CameraScene cameraScene() const; ///< a value that any thread can render
     std::vector<RobotTruth> robots() const;
     std::optional<RobotTruth> lastGone() const; ///< the robot that was removed last, as it was then

@@ -63,6 +63,8 @@ Flight fly(HeadlessSimulator& simulator, quint16 port, bool lockstep, int timeou
             flight.collisions = figures->collisions;
         flight.path_m = session.record().path_m;
     });
+    if (const auto in_process = simulator.inProcess())
+        session.useInProcess(in_process);
     session.open("127.0.0.1", port, lockstep);
     flight.finished = test::waitForSignal(&session, &RobotSession::behaviorFinished, timeout_ms);
     session.close();
@@ -77,13 +79,14 @@ Flight flyAtFullSpeed(std::uint64_t seed) {
 
 } // namespace
 
-/// Controller and simulator over loopback TCP.
+/// Controller and simulator over loopback TCP, unless they share a thread.
 class tst_FlightLoop : public QObject {
     Q_OBJECT
 private slots:
     void climbsAndHoversByDriveCommands();
     void theSameSeedGivesTheSameLines();
     void aRoughWireChangesNothing();
+    void withoutTcpEachByteIsTheSame();
     void fliesAtThePaceThatItIsGiven();
     void fliesWithoutLockstepInRealTime();
     void aCutWireEndsTheFlightAndKeepsThePath();
@@ -116,6 +119,18 @@ void tst_FlightLoop::aRoughWireChangesNothing() {
     const Flight rough = fly(**simulator, relay.port(), true);
     QVERIFY(rough.finished);
     QVERIFY(straight.lines == rough.lines);
+}
+
+void tst_FlightLoop::withoutTcpEachByteIsTheSame() {
+    const Flight by_tcp = flyAtFullSpeed(5);
+    const auto simulator = HeadlessSimulator::serve(doubles::flatWorld(), {.seed = 5, .own_thread = false});
+    QVERIFY(simulator);
+    QVERIFY((*simulator)->inProcess());
+    const Flight in_process = fly(**simulator, (*simulator)->port(), true);
+    QVERIFY(in_process.finished && in_process.success);
+    QVERIFY(by_tcp.lines.size() > 200);
+    QVERIFY(by_tcp.lines == in_process.lines);
+    QVERIFY(by_tcp.path_m == in_process.path_m);
 }
 
 void tst_FlightLoop::fliesAtThePaceThatItIsGiven() {

@@ -66,6 +66,8 @@ void MissionRunner::start() {
         return;
     phase_ = Phase::Connecting;
     timer_.start();
+    if (options_.in_process)
+        session_.useInProcess(options_.in_process);
     session_.open(options_.host, options_.port, options_.lockstep);
 }
 

@@ -39,7 +39,8 @@ struct RunLimits {
 struct RunOptions {
     QString host = "127.0.0.1";
     quint16 port = protocol::usual_port::bot;
-    bool lockstep = true;   ///< ask for it; a real server does not answer
+    link::InProcessServer in_process{}; ///< an embedded simulator in this thread; if empty, host and port are used
+    bool lockstep = true;               ///< ask for it; a real server does not answer
     std::uint64_t seed = 1; ///< only reported in the summary; whoever created the simulator has given it the seed
     QString result_folder;  ///< empty: the default folder
     ResultFiles files = ResultFiles::Always;

@@ -23,6 +23,10 @@ RobotSession::~RobotSession() {
     d_->link.disconnect(this);
 }
 
+void RobotSession::useInProcess(link::InProcessServer server) {
+    d_->link.useInProcess(std::move(server));
+}
+
 void RobotSession::setLimits(const SessionLimits& limits) {
     d_->limits = limits;
     d_->link.setLimits(limits.link);

@@ -23,7 +23,6 @@ Result<std::unique_ptr<HeadlessSimulator>> HeadlessSimulator::serve(sim::World w
         return tl::unexpected(simulation.error());
     std::unique_ptr<HeadlessSimulator> host(new HeadlessSimulator);
     host->simulation_ = simulation->get();
-    host->rays_ = std::make_unique<sim::RayCaster>(host->simulation_->world());
     if (spec.own_thread) {
         host->worker_->moveToThread(&host->thread_);
         QObject::connect(&host->thread_, &QThread::finished, host->worker_, &QObject::deleteLater);
@@ -55,6 +54,12 @@ void HeadlessSimulator::run(const std::function<void()>& call) const {
         link::postAndWait(worker_, call);
     else
         call();
+}
+
+link::InProcessServer HeadlessSimulator::inProcess() {
+    if (thread_.isRunning())
+        return {};
+    return [server = server_](QTcpSocket* client) { server->accept(client); };
 }
 
 void HeadlessSimulator::onFault(QObject* context, const std::function<void(const QString&)>& tell) {

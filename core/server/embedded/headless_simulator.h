@@ -12,6 +12,7 @@
 #include <QThread>
 
 #include "core/base/result.h"
+#include "core/link/in_process_socket.h"
 #include "core/server/simulator_server.h"
 #include "core/sim/rays/ray_caster.h"
 #include "core/sim/simulation.h"
@@ -43,12 +44,14 @@ public:
     ~HeadlessSimulator();
 
     quint16 port() const { return port_; }
+    /// Takes clients of this thread without TCP; empty if the simulator has a thread of its own.
+    link::InProcessServer inProcess();
     /// Extent of the world in meters, map frame.
     Rectangle extent() const;
     double dryAbove_m() const; ///< see sim::dryAbove_m
     /// True height in meters, z up, at a point of the map frame: of what is seen from above (ground, crown or roof),
     /// and of the bare terrain.
-    double surface_m(const Vec2& point_in_map_m) const { return rays_->surface_m(point_in_map_m); }
+    double surface_m(const Vec2& point_in_map_m) const { return simulation_->caster().surface_m(point_in_map_m); }
     double ground_m(const Vec2& point_in_map_m) const { return simulation_->world().terrain.height_m(point_in_map_m); }
     /// Says what a flight can reach of the area; see sim::reachFrom.
     ReachMap reach(const FlightLimits& flight, const Rectangle& area_in_map) const {
@@ -74,7 +77,6 @@ private:
     SimulatorServer* server_ = nullptr;
     /// Owned by the server and used in its thread only, except for the world, which does not change.
     const sim::Simulation* simulation_ = nullptr;
-    std::unique_ptr<sim::RayCaster> rays_; ///< for `surface_m`
     quint16 port_ = 0;
 };
 

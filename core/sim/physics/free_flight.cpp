@@ -10,22 +10,14 @@ namespace usar::sim {
 
 namespace {
 
-constexpr double reach_m = 0.9;
-/// Two bodies may each have moved this far before and after the other one looked around.
-constexpr double free_travel_m = reach_m / 3.0;
+/// How far a body may fly before it looks around again.
+constexpr double free_travel_m = 0.3;
+/// Another body may have moved as far before it looked around, and as far after.
+constexpr double reach_m = 3.0 * free_travel_m;
 /// Bullet brings bodies closer than this to its solver already.
 constexpr double gap_m = 0.05;
-/// A body with something near it looks again after so many steps: looking costs more than a few steps of Bullet.
-constexpr int steps_until_next_look = 12;
-
-struct AnyContact : btCollisionWorld::ContactResultCallback {
-    bool found = false;
-    btScalar addSingleResult(btManifoldPoint&, const btCollisionObjectWrapper*, int, int,
-                             const btCollisionObjectWrapper*, int, int) override {
-        found = true;
-        return 0.0;
-    }
-};
+/// A body with something near it looks again after so many steps. A look costs a tenth of a step of Bullet.
+constexpr int steps_until_next_look = 3;
 
 struct ObjectsWithin : btBroadphaseAabbCallback {
     bool process(const btBroadphaseProxy* proxy) override {
@@ -35,17 +27,51 @@ struct ObjectsWithin : btBroadphaseAabbCallback {
     std::vector<btCollisionObject*> objects{};
 };
 
-struct AnyLeaf : btDbvt::ICollide {
-    bool found = false;
-    void Process(const btDbvtNode*) override { found = true; }
+/// The numbers of those parts of a compound whose boxes were met.
+struct PartsWithin : btDbvt::ICollide {
+    void Process(const btDbvtNode* leaf) override { parts.push_back(leaf->dataAsInt); }
+    std::vector<int> parts{};
 };
 
-/// True if the box around a part of the compound, which must be at the origin of the map frame, meets this box.
-bool anyPartIn(const btCompoundShape& compound, const btVector3& low, const btVector3& high) {
-    AnyLeaf leaf;
-    compound.getDynamicAabbTree()->collideTV(compound.getDynamicAabbTree()->m_root, btDbvtVolume::FromMM(low, high),
-                                             leaf);
-    return leaf.found;
+/// Distance from a point to a rectangle around the origin with these half sides; 0 inside.
+template <class Vector>
+double outside(const Vector& point_m, const Vector& half_m) {
+    return (point_m.cwiseAbs() - half_m).cwiseMax(0.0).norm();
+}
+
+/// Distance from a point in the frame of a cone, whose base is at the origin, to its surface; 0 or less inside.
+double fromCone(const Vec2& out_and_up_m, double radius_m, double height_m) {
+    if (out_and_up_m.y() <= 0.0)
+        return outside(out_and_up_m, Vec2(radius_m, 0.0));
+    const Vec2 rim_m(radius_m, 0.0);
+    const Vec2 side = Vec2(-radius_m, height_m).normalized();
+    const Vec2 from_rim_m = out_and_up_m - rim_m;
+    const double along_m = std::clamp(from_rim_m.dot(side), 0.0, std::hypot(radius_m, height_m));
+    const bool inside = side.x() * from_rim_m.y() - side.y() * from_rim_m.x() > 0.0;
+    return inside ? 0.0 : (from_rim_m - along_m * side).norm();
+}
+
+/// At most the distance from a point in the shape's frame to the shape; 0 for a shape that no ground has.
+double distanceTo(const btCollisionShape& shape, const btVector3& point) {
+    const Vec3 point_m = fromBullet(point);
+    const Vec2 out_and_up_m(point_m.head<2>().norm(), point_m.z());
+    switch (shape.getShapeType()) {
+    case BOX_SHAPE_PROXYTYPE:
+        return outside(point_m, fromBullet(static_cast<const btBoxShape&>(shape).getHalfExtentsWithMargin()));
+    case CYLINDER_SHAPE_PROXYTYPE: {
+        const btVector3 half = static_cast<const btCylinderShape&>(shape).getHalfExtentsWithMargin();
+        return outside(out_and_up_m, Vec2(half.x(), half.z()));
+    }
+    case SPHERE_SHAPE_PROXYTYPE:
+        return point_m.norm() - static_cast<const btSphereShape&>(shape).getRadius();
+    case CONVEX_HULL_SHAPE_PROXYTYPE: { // Only cones are hulls here.
+        btVector3 low, high;
+        shape.getAabb(btTransform::getIdentity(), low, high);
+        return fromCone(out_and_up_m, high.x(), high.z());
+    }
+    default:
+        return 0.0;
+    }
 }
 
 /// True if the object can touch this sphere, however it turns around its origin.
@@ -106,29 +132,40 @@ bool FreeFlight::isClear(BulletBody& body, Seconds dt) {
 
 bool FreeFlight::hasNothingNear(const BulletBody& body) {
     const BulletPiece& piece = body.pieces().front();
-    btSphereShape sphere(piece.radius_m + reach_m);
-    btCollisionObject around;
-    around.setCollisionShape(&sphere);
-    around.setWorldTransform(btTransform(btQuaternion::getIdentity(), body.position()));
-    const btVector3 half(sphere.getRadius(), sphere.getRadius(), sphere.getRadius());
-    const btVector3 low = body.position() - half;
-    const btVector3 high = body.position() + half;
+    const auto boxAround = [&](double radius_m, btVector3& low, btVector3& high) {
+        const btVector3 half(radius_m, radius_m, radius_m);
+        low = body.position() - half;
+        high = body.position() + half;
+    };
+    btVector3 low, high;
+    boxAround(piece.radius_m + free_travel_m, low, high);
     if (!isAboveGround(low, high))
         return false;
+    boxAround(piece.radius_m + reach_m, low, high);
     world_.updateAabbs(); // The others may have flown freely, too.
     ObjectsWithin near;
     broadphase_.aabbTest(low, high, near);
     return std::ranges::none_of(near.objects, [&](btCollisionObject* object) {
         if (object == piece.object || object->getUserIndex() == static_cast<int>(Surface::Ground))
             return false;
-        const bool is_plants = object->getUserIndex() == static_cast<int>(Surface::Plant);
-        if (is_plants && !anyPartIn(static_cast<const btCompoundShape&>(*object->getCollisionShape()), low, high))
-            return false; // Nearly always, and found out much sooner.
         if (object->getUserIndex() == static_cast<int>(Surface::Body))
-            return mayTouch(*object, body.position(), sphere.getRadius());
-        AnyContact contact;
-        world_.contactPairTest(&around, object, contact);
-        return contact.found;
+            return mayTouch(*object, body.position(), piece.radius_m + reach_m);
+        return reaches(*object, body.position(), piece.radius_m + free_travel_m);
+    });
+}
+
+bool FreeFlight::reaches(btCollisionObject& object, const btVector3& center, double radius_m) {
+    const btVector3 point = object.getWorldTransform().invXform(center);
+    const btCollisionShape& shape = *object.getCollisionShape();
+    if (!shape.isCompound())
+        return distanceTo(shape, point) < radius_m;
+    const auto& compound = static_cast<const btCompoundShape&>(shape);
+    const btVector3 half(radius_m, radius_m, radius_m);
+    const btDbvt& tree = *compound.getDynamicAabbTree();
+    PartsWithin near;
+    tree.collideTV(tree.m_root, btDbvtVolume::FromMM(point - half, point + half), near);
+    return std::ranges::any_of(near.parts, [&](int part) {
+        return distanceTo(*compound.getChildShape(part), compound.getChildTransform(part).invXform(point)) < radius_m;
     });
 }
 

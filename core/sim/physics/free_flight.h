@@ -13,9 +13,10 @@ namespace usar::sim {
 /// Moves bodies that can touch nothing just as Bullet's world would, bit for bit, but without its search for contacts
 /// and its solver, which take most of the time of a robot that flies alone.
 ///
-/// A body is clear while nothing else is within its sphere enlarged by 0.9 m. It stays clear until it has moved by a
-/// third of that: if another flying body does the same, they cannot meet. Whoever adds or places a body, or lets Bullet
-/// move one that does not fly, must make all bodies forget their FreeSpace.
+/// A body is clear while nothing that stands is within its sphere enlarged by 0.3 m, and no other body within its
+/// sphere enlarged by 0.9 m. It stays clear until it has moved by 0.3 m: if another flying body does the same, they
+/// cannot meet. Whoever adds or places a body, or lets Bullet move one that does not fly, must make all bodies forget
+/// their FreeSpace.
 class FreeFlight {
 public:
     /// All must outlive it.
@@ -32,6 +33,8 @@ public:
 private:
     bool isClear(BulletBody& body, Seconds dt);
     bool hasNothingNear(const BulletBody& body);
+    /// `center` and `radius_m` are of a sphere in the map frame.
+    bool reaches(btCollisionObject& object, const btVector3& center, double radius_m);
     bool isAboveGround(const btVector3& low, const btVector3& high) const;
 
     btCollisionWorld& world_;

@@ -25,9 +25,9 @@ struct GridAxis {
     double leaves(std::ptrdiff_t cell, std::ptrdiff_t width) const {
         return speed != 0.0 ? (static_cast<double>((cell + forward) * width) - start) * inverse : no_hit_m;
     }
-    /// The cell at time t, clamped to `first`..`last`.
-    std::ptrdiff_t cellAt(double t, std::ptrdiff_t first, std::ptrdiff_t last) const {
-        return std::clamp(static_cast<std::ptrdiff_t>(std::floor(at(t))), first, last);
+    /// The cell at time t, clamped to 0..`last`.
+    std::ptrdiff_t cellAt(double t, std::ptrdiff_t last) const {
+        return static_cast<std::ptrdiff_t>(std::min(std::max(0.0, at(t)), static_cast<double>(last)));
     }
 
     double start, speed, inverse;
@@ -66,8 +66,8 @@ struct GridWalk {
 /// The cell under a ray at a given time, `width` grid units wide.
 struct GridCell {
     GridCell(const GridWalk& walk, double t, std::ptrdiff_t columns, std::ptrdiff_t rows, std::ptrdiff_t unit_width)
-        : column(walk.x.cellAt(t, 0, columns * unit_width - 1) / unit_width)
-        , row(walk.y.cellAt(t, 0, rows * unit_width - 1) / unit_width)
+        : column(walk.x.cellAt(t, columns * unit_width - 1) / unit_width)
+        , row(walk.y.cellAt(t, rows * unit_width - 1) / unit_width)
         , width(unit_width) {}
 
     /// Moves to the next cell and returns the time at which the ray enters it.

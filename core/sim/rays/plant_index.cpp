@@ -8,6 +8,7 @@ namespace usar::sim {
 namespace {
 
 constexpr double slack_m = 0.001;
+constexpr std::ptrdiff_t most_buckets = 64; ///< each ray of a bundle over more of them is better cast on its own
 
 double reach_m(const Plant& plant) {
     return std::max(plant.trunk_radius_m, plant.crown_radius_m);
@@ -63,6 +64,14 @@ double nearer(const Plant& plant, const Ray& ray, double nearest_m) {
     return passesNear(plant, ray) ? std::min(nearest_m, hitPlant(plant, ray)) : nearest_m;
 }
 
+/// Like `nearer`; `hit` becomes the plant if the ray meets it before.
+double lookAt(const Plant& plant, const Ray& ray, double nearest_m, const Plant*& hit) {
+    const double hit_m = nearer(plant, ray, nearest_m);
+    if (hit_m < nearest_m)
+        hit = &plant;
+    return hit_m;
+}
+
 double nearestOn(const Plant& plant, const RayBundle& bundle, double nearest_m) {
     if (!bundle.mayMeetColumn(plant.base_in_map_m.head<2>(), reach_m(plant), nearest_m))
         return nearest_m;
@@ -110,28 +119,49 @@ PlantIndex::PlantIndex(const std::vector<Plant>& plants) {
     starts_.push_back(static_cast<std::uint32_t>(plants_.size()));
 }
 
-double PlantIndex::castNearest(const RayBundle& bundle, double maximum_m) const {
-    constexpr std::ptrdiff_t most_buckets = 64; // Beyond this, each ray of a wide bundle is better cast on its own.
-    const Eigen::AlignedBox3d box = bundle.box(maximum_m);
+template <class Take>
+void PlantIndex::forEachIn(const BucketGrid::Range& range, const Eigen::AlignedBox3d& box, Take take) const {
     const double bottom = box.min().z() - slack_m;
     const double top = box.max().z() + slack_m;
     if (plants_.empty() || bottom > maximum_z_m_ || top < minimum_z_m_)
-        return maximum_m;
-    double nearest_m = maximum_m;
+        return;
+    grid_.anyIn(range, [&](std::size_t bucket) {
+        if (static_cast<double>(tops_m_[bucket]) >= bottom)
+            for (std::uint32_t i = starts_[bucket]; i < starts_[bucket + 1]; ++i)
+                if (bottom_m(plants_[i]) <= top && top_m(plants_[i]) >= bottom)
+                    take(i);
+        return false;
+    });
+}
+
+double PlantIndex::castNearest(const RayBundle& bundle, double maximum_m) const {
+    const Eigen::AlignedBox3d box = bundle.box(maximum_m);
     const BucketGrid::Range range = grid_.under(box.min().head<2>(), box.max().head<2>());
+    double nearest_m = maximum_m;
     if (range.buckets() > most_buckets) {
         for (const Vec3& direction : bundle.directions())
             nearest_m = cast({bundle.origin_m(), direction}, nearest_m);
         return nearest_m;
     }
-    grid_.anyIn(range, [&](std::size_t bucket) {
-        if (static_cast<double>(tops_m_[bucket]) >= bottom)
-            for (std::uint32_t i = starts_[bucket]; i < starts_[bucket + 1]; ++i)
-                if (bottom_m(plants_[i]) <= top && top_m(plants_[i]) >= bottom)
-                    nearest_m = nearestOn(plants_[i], bundle, nearest_m);
-        return false;
-    });
+    forEachIn(range, box, [&](std::uint32_t i) { nearest_m = nearestOn(plants_[i], bundle, nearest_m); });
     return nearest_m;
+}
+
+std::optional<std::vector<std::uint32_t>> PlantIndex::near(const RayBundle& bundle, double length_m) const {
+    const Eigen::AlignedBox3d box = bundle.box(length_m);
+    const BucketGrid::Range range = grid_.under(box.min().head<2>(), box.max().head<2>());
+    if (range.buckets() > most_buckets)
+        return std::nullopt;
+    std::vector<std::uint32_t> numbers;
+    const auto is_copy_of = [&](std::uint32_t i) {
+        return [&, i](std::uint32_t other) { return plants_[other] == plants_[i]; };
+    };
+    forEachIn(range, box, [&](std::uint32_t i) {
+        if (bundle.mayMeetColumn(plants_[i].base_in_map_m.head<2>(), reach_m(plants_[i]), length_m) &&
+            std::ranges::none_of(numbers, is_copy_of(i)))
+            numbers.push_back(i);
+    });
+    return numbers;
 }
 
 template <class TakeBucket>
@@ -155,15 +185,27 @@ double PlantIndex::cast(const Ray& ray, double maximum_m) const {
     });
 }
 
+double PlantIndex::cast(const Ray& ray, double maximum_m, std::span<const std::uint32_t> numbers) const {
+    double nearest_m = maximum_m;
+    for (const std::uint32_t i : numbers)
+        nearest_m = nearer(plants_[i], ray, nearest_m);
+    return nearest_m;
+}
+
 double PlantIndex::look(const Ray& ray, double maximum_m, const Plant*& hit) const {
     return walk(ray, maximum_m, [&](std::uint32_t first, std::uint32_t last, double nearest_m) {
         for (std::uint32_t i = first; i < last; ++i)
-            if (const double hit_m = nearer(plants_[i], ray, nearest_m); hit_m < nearest_m) {
-                nearest_m = hit_m;
-                hit = &plants_[i];
-            }
+            nearest_m = lookAt(plants_[i], ray, nearest_m, hit);
         return nearest_m;
     });
+}
+
+double PlantIndex::look(const Ray& ray, double maximum_m, std::span<const std::uint32_t> numbers,
+                        const Plant*& hit) const {
+    double nearest_m = maximum_m;
+    for (const std::uint32_t i : numbers)
+        nearest_m = lookAt(plants_[i], ray, nearest_m, hit);
+    return nearest_m;
 }
 
 bool isCrown(const Plant& plant, const Ray& ray, double distance_m) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "core/sim/rays/grid_walk.h"
@@ -22,6 +24,12 @@ public:
     double look(const Ray& ray, double maximum_m, const Plant*& first) const;
     /// The minimum of `cast` over the bundle's rays.
     double castNearest(const RayBundle& bundle, double maximum_m) const;
+    /// The numbers of the plants, in this index, that a ray of the bundle may meet within this length; nullopt if they
+    /// are spread so far that each ray finds its own sooner.
+    std::optional<std::vector<std::uint32_t>> near(const RayBundle& bundle, double length_m) const;
+    /// Like `cast` and `look`, for a ray that can meet only these plants.
+    double cast(const Ray& ray, double maximum_m, std::span<const std::uint32_t> numbers) const;
+    double look(const Ray& ray, double maximum_m, std::span<const std::uint32_t> numbers, const Plant*& first) const;
     /// Height of the highest plant's top; 0 if there are no plants.
     double maximum_z_m() const { return maximum_z_m_; }
 
@@ -29,6 +37,9 @@ private:
     /// `takeBucket(first, last, nearest_m)` returns how far the ray gets among these plants.
     template <class TakeBucket>
     double walk(const Ray& ray, double maximum_m, TakeBucket takeBucket) const;
+    /// Calls `take(number)` for the plants in these buckets whose heights meet the box's.
+    template <class Take>
+    void forEachIn(const BucketGrid::Range& range, const Eigen::AlignedBox3d& box, Take take) const;
 
     BucketGrid grid_{.bucket_m = 4.0};
     double minimum_z_m_ = 0.0;

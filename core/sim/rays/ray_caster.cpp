@@ -68,8 +68,8 @@ struct RayCaster::Index {
             boxes.push_back({box.center_in_map.position_m, half_size_m, box.center_in_map.rotation().toRotationMatrix(),
                              half_size_m.norm()});
         }
-        all_boxes.resize(boxes.size());
-        std::iota(all_boxes.begin(), all_boxes.end(), 0u);
+        all.boxes.resize(boxes.size());
+        std::iota(all.boxes.begin(), all.boxes.end(), 0u);
         findTopAndBottom(world);
     }
 
@@ -92,9 +92,13 @@ struct RayCaster::Index {
         }
     }
 
-    double castAtThings(const Ray& ray, double maximum_m, std::span<const std::uint32_t> near) const {
-        double nearest_m = plants.cast(ray, maximum_m);
-        for (const std::uint32_t number : near)
+    double castAtGround(const Ray& ray, double maximum_m, const NearThings& near) const {
+        return near.over_ground ? ground.cast(ray, maximum_m, true) : ground.cast(ray, maximum_m);
+    }
+
+    double castAtThings(const Ray& ray, double maximum_m, const NearThings& near) const {
+        double nearest_m = near.plants ? plants.cast(ray, maximum_m, *near.plants) : plants.cast(ray, maximum_m);
+        for (const std::uint32_t number : near.boxes)
             nearest_m = nearer(boxes[number], ray, nearest_m);
         return nearest_m;
     }
@@ -116,11 +120,12 @@ struct RayCaster::Index {
         return nearest_m;
     }
 
-    RayHit lookAtThings(const Ray& ray, double maximum_m, std::span<const std::uint32_t> near) const {
+    RayHit lookAtThings(const Ray& ray, double maximum_m, const NearThings& near) const {
         const Plant* plant = nullptr;
         const PlacedBox* met_box = nullptr;
-        double nearest_m = plants.look(ray, maximum_m, plant);
-        for (const std::uint32_t number : near)
+        double nearest_m =
+            near.plants ? plants.look(ray, maximum_m, *near.plants, plant) : plants.look(ray, maximum_m, plant);
+        for (const std::uint32_t number : near.boxes)
             if (const double hit_m = nearer(boxes[number], ray, nearest_m); hit_m < nearest_m) {
                 nearest_m = hit_m;
                 met_box = &boxes[number];
@@ -138,9 +143,9 @@ struct RayCaster::Index {
     PlantIndex plants;
     TerrainRays ground;
     std::vector<PlacedBox> boxes;
-    std::vector<std::uint32_t> all_boxes; ///< their numbers
-    double top_m = 0.0;                   ///< above everything, but below a ceiling if there is one
-    double bottom_m = 0.0;                ///< below everything
+    NearThings all;        ///< for rays of which nothing is known
+    double top_m = 0.0;    ///< above everything, but below a ceiling if there is one
+    double bottom_m = 0.0; ///< below everything
     bool roofed = false;
 };
 
@@ -149,14 +154,13 @@ RayCaster::RayCaster(const World& world) : world_(&world), index_(std::make_uniq
 RayCaster::~RayCaster() = default;
 
 double RayCaster::cast(const Vec3& origin_m, const Vec3& direction, double maximum_m) const {
-    return cast(origin_m, direction, maximum_m, index_->all_boxes);
+    return cast(origin_m, direction, maximum_m, index_->all);
 }
 
-double RayCaster::cast(const Vec3& origin_m, const Vec3& direction, double maximum_m,
-                       std::span<const std::uint32_t> boxes) const {
+double RayCaster::cast(const Vec3& origin_m, const Vec3& direction, double maximum_m, const NearThings& things) const {
     const Ray ray{origin_m, direction};
     // Things first: their hits shorten the walk over the ground, which costs more.
-    return index_->ground.cast(ray, index_->castAtThings(ray, maximum_m, boxes));
+    return index_->castAtGround(ray, index_->castAtThings(ray, maximum_m, things), things);
 }
 
 double RayCaster::castNearest(const RayBundle& bundle, double maximum_m) const {
@@ -165,27 +169,27 @@ double RayCaster::castNearest(const RayBundle& bundle, double maximum_m) const {
 }
 
 RayHit RayCaster::look(const Vec3& origin_m, const Vec3& direction, double maximum_m) const {
-    return look(origin_m, direction, maximum_m, index_->all_boxes);
+    return look(origin_m, direction, maximum_m, index_->all);
 }
 
-std::vector<std::uint32_t> RayCaster::boxesNear(const RayBundle& bundle, double length_m) const {
+NearThings RayCaster::thingsNear(const RayBundle& bundle, double length_m) const {
     const Eigen::AlignedBox3d reach = bundle.box(length_m);
-    std::vector<std::uint32_t> near;
-    for (const std::uint32_t number : index_->all_boxes)
+    NearThings near{.plants = index_->plants.near(bundle, length_m),
+                    .over_ground = index_->ground.isOver(bundle.origin_m())};
+    for (const std::uint32_t number : index_->all.boxes)
         if (Index::mayMeet(bundle, reach, index_->boxes[number], length_m))
-            near.push_back(number);
+            near.boxes.push_back(number);
     return near;
 }
 
-RayHit RayCaster::look(const Vec3& origin_m, const Vec3& direction, double maximum_m,
-                       std::span<const std::uint32_t> boxes) const {
+RayHit RayCaster::look(const Vec3& origin_m, const Vec3& direction, double maximum_m, const NearThings& things) const {
     const Ray ray{origin_m, direction};
     // The range is long. Downward, the ground soon ends the ray; upward, the plants limit how far to look for ground.
     const bool down = direction.z() < 0.0;
-    double ground_m = down ? index_->ground.cast(ray, maximum_m) : maximum_m;
-    RayHit hit = index_->lookAtThings(ray, ground_m, boxes);
+    double ground_m = down ? index_->castAtGround(ray, maximum_m, things) : maximum_m;
+    RayHit hit = index_->lookAtThings(ray, ground_m, things);
     if (!down)
-        ground_m = index_->ground.cast(ray, hit.distance_m);
+        ground_m = index_->castAtGround(ray, hit.distance_m, things);
     if (ground_m < hit.distance_m || (hit.met == Met::Nothing && ground_m < maximum_m))
         hit = {ground_m, Met::Ground, normalOfGround(world_->terrain, (origin_m + ground_m * direction).head<2>())};
     return hit;
@@ -212,7 +216,7 @@ bool RayCaster::onRoof(const Vec3& point_m) const {
 double RayCaster::surface_m(const Vec2& point_m) const {
     const double ground_m = world_->terrain.empty() ? index_->bottom_m : world_->terrain.height_m(point_m);
     const Ray down{{point_m.x(), point_m.y(), index_->top_m}, -Vec3::UnitZ()};
-    return index_->top_m - index_->castAtThings(down, index_->top_m - ground_m, index_->all_boxes);
+    return index_->top_m - index_->castAtThings(down, index_->top_m - ground_m, index_->all);
 }
 
 } // namespace usar::sim

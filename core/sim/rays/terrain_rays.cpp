@@ -85,7 +85,14 @@ TerrainRays::Maxima TerrainRays::coarser(const Maxima& fine) {
     return maxima;
 }
 
-double TerrainRays::cast(const Ray& ray, double maximum_m) const {
+bool TerrainRays::isOver(const Vec3& point_m) const {
+    const Vec2 at = (point_m.head<2>() - terrain_->origin_m()) / terrain_->step_m();
+    const Vec2 last(static_cast<double>(terrain_->columns()) - 1.0, static_cast<double>(terrain_->rows()) - 1.0);
+    return !terrain_->empty() && (at.array() >= 0.0).all() && (at.array() <= last.array()).all() &&
+           point_m.z() >= terrain_->height_m(point_m.head<2>());
+}
+
+double TerrainRays::cast(const Ray& ray, double maximum_m, bool starts_over) const {
     if (terrain_->empty())
         return maximum_m;
     GridWalk walk(ray, terrain_->origin_m(), terrain_->step_m(), no_hit_m);
@@ -93,9 +100,11 @@ double TerrainRays::cast(const Ray& ray, double maximum_m) const {
     walk.clip(walk.y, 0.0, static_cast<double>(terrain_->rows() - 1));
     if (std::min(walk.leave, maximum_m) < walk.enter)
         return maximum_m;
-    const Vec3 enters_m = ray.origin_m + walk.enter * ray.direction;
-    if (enters_m.z() < terrain_->height_m(enters_m.head<2>()))
-        return walk.enter;
+    if (!starts_over) {
+        const Vec3 enters_m = ray.origin_m + walk.enter * ray.direction;
+        if (enters_m.z() < terrain_->height_m(enters_m.head<2>()))
+            return walk.enter;
+    }
     // One meter of slack below keeps rays that end exactly on the lowest ground.
     walk.clip(walk.z, static_cast<double>(terrain_->minimum_m()) - 1.0, static_cast<double>(terrain_->maximum_m()));
 
@@ -119,10 +128,11 @@ double TerrainRays::castNearest(const RayBundle& bundle, double maximum_m) const
         return maximum_m;
     const double highest_m = highestUnder_m(bundle.box(maximum_m)) + rounding_m;
     const double start_m = bundle.origin_m().z();
+    const bool starts_over = isOver(bundle.origin_m());
     double nearest_m = maximum_m;
     for (const Vec3& direction : bundle.directions())
         if (std::min(start_m, start_m + nearest_m * direction.z()) <= highest_m)
-            nearest_m = cast({bundle.origin_m(), direction}, nearest_m);
+            nearest_m = cast({bundle.origin_m(), direction}, nearest_m, starts_over);
     return nearest_m;
 }
 

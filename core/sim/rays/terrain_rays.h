@@ -21,7 +21,11 @@ public:
 
     /// Distance to the ground: `maximum_m` on a miss, 0 from below ground. The ground is a solid block: a ray that
     /// enters the extent below its rim hits there. `maximum_m` decides whether a hit counts, not where it is.
-    double cast(const Ray& ray, double maximum_m) const;
+    double cast(const Ray& ray, double maximum_m) const { return cast(ray, maximum_m, isOver(ray.origin_m)); }
+    /// The same for a ray of which it is known whether it starts over the ground: neighbors start at the same point.
+    double cast(const Ray& ray, double maximum_m, bool starts_over) const;
+    /// True on or above the ground, and not beyond its rim.
+    bool isOver(const Vec3& point_m) const;
 
     /// The minimum of `cast` over the bundle's rays.
     double castNearest(const RayBundle& bundle, double maximum_m) const;

@@ -61,10 +61,10 @@ public:
         for (std::size_t first = 0; first < directions.size(); first += neighbors) {
             const auto some = directions.subspan(first, std::min(neighbors, directions.size() - first));
             const RayBundle bundle(origin_m, some);
-            const std::vector<std::uint32_t> boxes = still_.boxesNear(bundle, maximum_m);
+            const NearThings things = still_.thingsNear(bundle, maximum_m);
             const bool bodies = moving_.hasBodies(bundle.box(maximum_m), self_);
             for (const Vec3& direction : some) {
-                const double still_m = still_.cast(origin_m, direction, maximum_m, boxes);
+                const double still_m = still_.cast(origin_m, direction, maximum_m, things);
                 distances_m.push_back(bodies ? moving_.castAtBodies(origin_m, direction, maximum_m, still_m, self_)
                                              : still_m);
             }
@@ -87,10 +87,10 @@ public:
         const bool bodies = moving_.hasBodies(bundle.box(maximum_m), self_);
         if (!bodies && still_.castNearest(bundle, maximum_m) >= maximum_m)
             return maximum_m;
-        const std::vector<std::uint32_t> boxes = still_.boxesNear(bundle, maximum_m);
+        const NearThings things = still_.thingsNear(bundle, maximum_m);
         double nearest_m = maximum_m;
         for (const Vec3& direction : directions) {
-            const RayHit still = still_.look(origin_m, direction, nearest_m, boxes);
+            const RayHit still = still_.look(origin_m, direction, nearest_m, things);
             const double body_m =
                 bodies ? moving_.castAtBodies(origin_m, direction, maximum_m, still.distance_m, self_) : maximum_m;
             if (body_m < still.distance_m || still_.sendsEcho(origin_m, direction, still))

@@ -286,16 +286,22 @@ std::vector<bool> grow(const Air& from, const std::vector<bool>& marked, const A
     return flood(to, columns, std::move(seeds), steps);
 }
 
-/// By column: the body gets there, or so near that nothing solid is in between. Empty: it gets nowhere.
+/// What boxes that are widened like this take of the columns.
+std::vector<Taken> takenBy(const std::vector<Box>& boxes, const Columns& columns, double wider_m, double taller_m) {
+    std::vector<Taken> taken;
+    for (const Box& box : boxes)
+        take(box, columns, wider_m, taller_m, taken);
+    return taken;
+}
+
+/// By column: the body gets there, or so near that nothing solid is in between. Empty: it gets nowhere. `taken`: by the
+/// boxes, widened for the body.
 std::vector<bool> reachedColumns(const World& world, const FlightLimits& flight, const Columns& columns,
-                                 const std::vector<Span>& whole) {
+                                 const std::vector<Span>& whole, std::vector<Taken> taken) {
     const auto airFor = [&](double wider_m, double taller_m) {
-        std::vector<Taken> taken;
-        for (const Box& box : world.boxes)
-            take(box, columns, wider_m, taller_m, taken);
-        return Air(whole, std::move(taken));
+        return Air(whole, takenBy(world.boxes, columns, wider_m, taller_m));
     };
-    Air air = airFor(flight.body_radius_m, half_height_m); // At most two at a time, because they are large.
+    Air air(whole, std::move(taken)); // At most two at a time, because they are large.
     std::vector<Place> start = startIn(air, columns, flight, whole);
     if (start.empty())
         return {};
@@ -319,8 +325,9 @@ std::vector<bool> reachedColumns(const World& world, const FlightLimits& flight,
 Filled fill(const World& world, const FlightLimits& flight, const Rectangle& part_m, const Columns& columns) {
     Filled filled{.extent = part_m, .columns = columns, .water = {}, .reached = {}};
     const std::vector<Span> whole = heightsOfFlight(world, flight, columns, filled.water);
-    if (!world.boxes.empty()) {
-        filled.reached = reachedColumns(world, flight, columns, whole);
+    std::vector<Taken> taken = takenBy(world.boxes, columns, flight.body_radius_m, half_height_m);
+    if (!taken.empty()) { // Otherwise there is a way from each column to each other.
+        filled.reached = reachedColumns(world, flight, columns, whole, std::move(taken));
         filled.has_start = !filled.reached.empty();
     }
     return filled;
