@@ -1,6 +1,7 @@
 // Where the beams of a scan hit something.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <utility>
 #include <vector>
@@ -21,7 +22,18 @@ struct Beams {
     double angle_rad(std::size_t beam) const { return -fov_rad / 2.0 + double(beam) * resolution_rad; }
 };
 
-/// Computes hits, and keeps the directions of the beams for the next scan, which usually has the same.
+/// Directions of a scanner's beams, kept for the next scan, which usually has the same.
+class BeamDirections {
+public:
+    /// Unit vectors in the scanner's plane, one for each of `count` beams, whose angles are those of Beams.
+    const std::vector<Vec2>& of(double resolution_rad, double fov_rad, std::size_t count);
+
+private:
+    std::vector<Vec2> directions_;
+    std::pair<double, double> geometry_{}; ///< resolution and field of view, in rad, that they have
+};
+
+/// Computes hits.
 class HitFinder {
 public:
     /// Points hit by the beams, in the map frame and in beam order; NaN for misses. With a pose that is not finite, all
@@ -29,11 +41,7 @@ public:
     void find(const Beams& beams, const Pose& scanner_in_map, std::vector<Vec3>& hits_m);
 
 private:
-    /// Computes `rays_` for these beams. Usually they are those of the scan before, and nothing is done.
-    void aim(const Beams& beams);
-
-    std::vector<Vec2> rays_;                 ///< directions of the beams, in the scanner's plane
-    std::pair<double, double> directions_{}; ///< resolution and field of view, in rad, that `rays_` have
+    BeamDirections directions_;
 };
 
 } // namespace usar::mapping

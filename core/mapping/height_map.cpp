@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/whole_number.h"
+
 namespace usar::mapping {
 
 namespace {
@@ -24,9 +26,9 @@ std::size_t offsetOf(GridIndex cell) {
 
 std::int32_t cellIndex(double coordinate_m, double cell_size_m) {
     constexpr double limit = 1 << 30;
-    const double cell = std::floor(coordinate_m / cell_size_m);
+    const double cell = coordinate_m / cell_size_m;
     // The comparison is false for NaN, whose cast would be undefined behavior.
-    return cell > -limit ? static_cast<std::int32_t>(std::min(cell, limit)) : static_cast<std::int32_t>(-limit);
+    return static_cast<std::int32_t>(cell > -limit ? wholeBelow(std::min(cell, limit)) : wholeBelow(-limit));
 }
 
 /// The height of a cell in one of the tile's arrays; nullopt if it is unknown or there is no tile.

@@ -15,7 +15,9 @@ public:
         : map_(map)
         , line_(line)
         , height_limit_m_(gap_limit_m)
-        , ground_limit_m_(std::max(gap_limit_m, 2.0 * map.cellSize_m())) {}
+        , ground_limit_m_(std::max(gap_limit_m, 2.0 * map.cellSize_m()))
+        , step_m_(0.5 * map.cellSize_m())
+        , surely_one_step_m2_(step_m_ * step_m_ * (1.0 - 1e-9)) {}
 
     /// True if two hits are near enough to be joined; false if one of them is NaN.
     bool near(const Vec3& a_m, const Vec3& b_m) const {
@@ -25,14 +27,13 @@ public:
     }
 
     /// Number of steps of at most half a cell, so that only cells can be skipped that the line hardly touches.
-    int stepsBetween(const Vec3& a_m, const Vec3& b_m) const {
-        return static_cast<int>(std::ceil((b_m - a_m).head<2>().norm() / (0.5 * map_.cellSize_m())));
-    }
+    int stepsBetween(const Vec3& a_m, const Vec3& b_m) const { return stepsFor((b_m - a_m).head<2>().squaredNorm()); }
 
     /// Fills the cells between a and b, each with the height of the line at the point nearest to the cell's center.
     void join(const Vec3& a_m, const Vec3& b_m) const {
-        const int steps = stepsBetween(a_m, b_m);
         const Vec2 along_m = (b_m - a_m).head<2>();
+        const double along_m2 = along_m.squaredNorm();
+        const int steps = stepsFor(along_m2);
         std::optional<GridIndex> last;
         for (int i = 1; i < steps; ++i) {
             const GridIndex cell = map_.cellAt(a_m.head<2>() + along_m * (double(i) / steps));
@@ -40,7 +41,7 @@ public:
                 continue;
             last = cell;
             const Vec2 from_a_m = map_.center_m(cell) - a_m.head<2>();
-            const double part = std::clamp(from_a_m.dot(along_m) / along_m.squaredNorm(), 0.0, 1.0);
+            const double part = std::clamp(from_a_m.dot(along_m) / along_m2, 0.0, 1.0);
             map_.fill(cell, static_cast<float>(a_m.z() + part * (b_m.z() - a_m.z())), line_);
         }
     }
@@ -55,10 +56,17 @@ public:
     }
 
 private:
+    /// Most neighbors are so near that no root is needed.
+    int stepsFor(double length_m2) const {
+        return length_m2 < surely_one_step_m2_ ? 1 : static_cast<int>(std::ceil(std::sqrt(length_m2) / step_m_));
+    }
+
     HeightMap& map_;
     LineNumber line_;
     double height_limit_m_;
     double ground_limit_m_;
+    double step_m_;
+    double surely_one_step_m2_;
 };
 
 } // namespace

@@ -9,6 +9,7 @@
 #include "core/base/numbers.h"
 #include "core/base/plain_decimal.h"
 #include "core/base/random.h"
+#include "core/base/whole_number.h"
 #include "tests/suite/suite.h"
 
 namespace tst_numbers {
@@ -27,6 +28,7 @@ private slots:
     void cuttingNeverMakesANumberLarger();
     void shortestTextReadsBackExactly();
     void plainDecimalsReadAsFromCharsReadsThem();
+    void theWholeNumberBelowIsTheFloor();
     void ignoresTheLocale();
 };
 
@@ -146,6 +148,16 @@ void tst_Numbers::shortestTextReadsBackExactly() {
         std::string text;
         appendShortest(text, value);
         QCOMPARE(readNumber(text).value(), value);
+    }
+}
+
+void tst_Numbers::theWholeNumberBelowIsTheFloor() {
+    for (const double value : {0.0, -0.0, 1.0, -1.0, 0.999999, -0.999999, 1e15 + 0.5, -1e15 - 0.5, -4e18, 4e18})
+        QCOMPARE(static_cast<double>(wholeBelow(value)), std::floor(value));
+    Random random = seeded(4, 1);
+    for (int i = 0; i < 10000; ++i) {
+        const double value = uniform(random, -1, 1) * std::pow(10.0, uniform(random, -3, 9));
+        QCOMPARE(static_cast<double>(wholeBelow(value)), std::floor(value));
     }
 }
 

@@ -1,17 +1,17 @@
 // The cells of a grid that moves along with the robot: it wraps around, so a cell is a new one after a whole side.
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 
 #include "core/base/geometry.h"
+#include "core/base/whole_number.h"
 
 namespace usar::airrobot {
 
 inline constexpr double grid_cell_m = 0.5;
 
 inline int cellOf(double coordinate_m) {
-    return static_cast<int>(std::floor(coordinate_m / grid_cell_m));
+    return static_cast<int>(wholeBelow(coordinate_m / grid_cell_m));
 }
 
 inline Vec2 centerOf(int column, int row) {

@@ -92,9 +92,11 @@ const ObstacleMemory::Cell* ObstacleMemory::known(int column, int row) const {
 
 template <class Visit>
 void ObstacleMemory::visitDisc(const Vec2& at_m, double radius_m, Visit&& visit) const {
-    for (int row = cellOf(at_m.y() - radius_m); row <= cellOf(at_m.y() + radius_m); ++row)
-        for (int column = cellOf(at_m.x() - radius_m); column <= cellOf(at_m.x() + radius_m); ++column)
-            if (const Vec2 center_m = centerOf(column, row); (center_m - at_m).norm() <= radius_m)
+    const int last_row = cellOf(at_m.y() + radius_m);
+    const int last_column = cellOf(at_m.x() + radius_m);
+    for (int row = cellOf(at_m.y() - radius_m); row <= last_row; ++row)
+        for (int column = cellOf(at_m.x() - radius_m); column <= last_column; ++column)
+            if (const Vec2 center_m = centerOf(column, row); (center_m - at_m).squaredNorm() <= radius_m * radius_m)
                 visit(center_m, known(column, row));
 }
 

@@ -34,14 +34,13 @@ SonarEcho echoOf(const SonarMount& mount, double range_m, const Pose& base_in_ma
 }
 
 /// Fills in where the beams of these ranges end.
-void placeBeams(const protocol::RangeScan& scan, const std::vector<double>& ranges_m, double maximum_m,
+void placeBeams(const std::vector<Vec2>& directions, const std::vector<double>& ranges_m, double maximum_m,
                 PlacedScan& placed) {
     const Eigen::Isometry3d scanner_in_map = placed.scanner_in_map.isometry();
     placed.hits_in_map_m.reserve(ranges_m.size());
     for (std::size_t i = 0; i < ranges_m.size(); ++i) {
         const double range_m = ranges_m[i];
-        const double angle_rad = scan.beamAngle_rad(i);
-        const Vec3 along(std::cos(angle_rad), std::sin(angle_rad), 0.0);
+        const Vec3 along(directions[i].x(), directions[i].y(), 0.0);
         if (!(range_m > 0.0))
             continue;
         const Vec3 end_m = scanner_in_map * (std::min(range_m, maximum_m) * along);
@@ -162,7 +161,9 @@ void SenseReader::readScan(Senses& senses, const modules::RobotModules& robot, c
     const auto& taken_at = scan->value.time;
     const Pose base_in_map = taken_at ? history_.at(*taken_at).value_or(senses.base_in_map) : senses.base_in_map;
     PlacedScan placed{scan->line, base_in_map * layout.scanner_in_base, base_in_map, {}};
-    placeBeams(scan->value, ranges_m, layout.scanner_maximum_m, placed);
+    const protocol::RangeScan& told = scan->value;
+    placeBeams(beam_directions_.of(told.step_rad(), told.fov_rad, ranges_m.size()), ranges_m, layout.scanner_maximum_m,
+               placed);
     senses.ground_m = ground_m_ = groundBelow(placed.hits_in_map_m, base_in_map.position_m);
     senses.scan = std::move(placed);
 }

@@ -10,6 +10,7 @@
 #include "core/base/cause.h"
 #include "core/base/clock.h"
 #include "core/base/geometry.h"
+#include "core/mapping/beam_hits.h"
 #include "core/modules/robot_modules.h"
 #include "core/protocol/usual_values.h"
 #include "robots/airrobot/flight/pose_estimate.h"
@@ -125,6 +126,7 @@ private:
     CourseFilter course_;
     PoseCheck pose_check_;
     ScanCheck scan_check_;
+    mapping::BeamDirections beam_directions_;
     SonarCheck sonar_check_;
     Vec2 commanded_m_s_ = Vec2::Zero(); ///< robot frame
     double commanded_climb_m_s_ = 0.0;
