@@ -102,6 +102,7 @@ void RunFlights::begin(const protocol::StartPoses& poses) {
         return notices_.complain("campaign-run", id.error());
     control_.robot(*id)->setCellSize(mission.cell_size_m);
     control_.robot(*id)->setAdjust(mission.adjust);
+    control_.robot(*id)->setFlightLimit(mission::limitFrom(mission.limit_h));
     // At once, and not when the robot has been heard: the behavior must not miss a line.
     const auto started = control_.startBehavior(*id, mission.behavior, mission.area_in_map, *values,
                                                 QString::fromStdString(mission.plan), mission.isolate);

@@ -62,6 +62,11 @@ void TaskDesk::wire() {
         drafts_.shown().adjust = adjust;
         edits_.replaced(before, tr("correct the map"));
     });
+    connect(panel, &widgets::BehaviorPanel::limitChosen, this, [this](std::optional<double> hours) {
+        const mission::TaskDraft before = drafts_.shown();
+        drafts_.shown().limit_h = hours;
+        edits_.replaced(before, tr("set the time limit"));
+    });
     connect(&plugins_, &PluginDesk::isolationChanged, this, &TaskDesk::showIsolation);
     connect(views_.parameters, &widgets::ParameterForm::changed, this, &TaskDesk::applyParameters);
     connect(&selection_, &Selection::changed, this, &TaskDesk::show);
@@ -166,6 +171,7 @@ void TaskDesk::show(RobotId robot_id) {
     panel->chooseBehavior(draft.behavior_id);
     showChosenBehavior();
     panel->setAdjust(draft.adjust);
+    panel->setLimit(draft.limit_h);
     panel->setArea(draft.area_in_map);
     views_.map->setArea(draft.area_in_map);
     refreshRunState();
@@ -311,6 +317,7 @@ bool TaskDesk::startOne(Robot& robot) {
     const mission::TaskDraft& draft = drafts_.of(id);
     robot.setCellSize(draft.cell_size_m);
     robot.setAdjust(draft.adjust);
+    robot.setFlightLimit(mission::limitFrom(draft.limit_h));
     const auto started = control_.startBehavior(id, draft.behavior_id, draft.area(), draft.values,
                                                 QString::fromStdString(draft.plan_path),
                                                 plugins_.isolates(plugins_.pluginOf(draft.behavior_id)));

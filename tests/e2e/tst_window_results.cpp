@@ -1,4 +1,6 @@
 // The end of a mission in the real window: a card tells it, and leads to the files and to the next flight.
+#include <algorithm>
+
 #include <QCheckBox>
 #include <QDir>
 #include <QLabel>
@@ -86,6 +88,42 @@ private slots:
             figures << QString(label->text()).replace("&nbsp;", " ");
         QVERIFY2(figures.join(' ').contains("Overlaps <b>"), qPrintable(figures.join('\n')));
         page.screenshot("result_card_corrected");
+    }
+
+    /// A limit that is typed ends the flight on the robot's clock, and its undoing takes it away.
+    void aTimeLimitEndsTheFlight() {
+        WindowPage page;
+        QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+        QVERIFY(page.spawnAt("PlayerStart"));
+        page.pressKey(Qt::Key_A);
+        page.drawArea({{-20, -15}, {20, 15}});
+        auto* const panel = page.window().views().behavior;
+        QVERIFY(!panel->limit_h());
+        const auto boxes = panel->findChildren<widgets::QuantityBox*>();
+        const auto found = std::ranges::find(boxes, QStringLiteral("Time limit"), &QWidget::accessibleName);
+        QVERIFY(found != boxes.end());
+        auto* const box = *found;
+        QCOMPARE(box->text(), "none");
+        const auto type = [&](const QString& hours) {
+            box->setFocus();
+            box->selectAll();
+            QTest::keyClicks(box, hours);
+            QTest::keyClick(box, Qt::Key_Return);
+        };
+        type("2");
+        QCOMPARE(panel->limit_h(), std::optional(2.0));
+        type("0.01");
+        QCOMPARE(panel->limit_h(), std::optional(0.01));
+        page.window().commands().action("edit.undo")->trigger();
+        QCOMPARE(panel->limit_h(), std::optional(2.0));
+        page.window().commands().action("edit.redo")->trigger();
+        page.screenshot("time_limit");
+        page.pressKey(Qt::Key_0, Qt::ControlModifier);
+        page.press("Start");
+        QTRY_VERIFY_WITH_TIMEOUT(!page.notified("longer than its limit of 36 s").isEmpty(), flight_ms);
+        const auto& figures = page.window().control().robot({1})->view().figures;
+        QTRY_VERIFY_WITH_TIMEOUT(!page.window().control().robot({1})->running(), soon_ms);
+        QVERIFY2(figures.now.count() > 36.0, qPrintable(QString::number(figures.now.count())));
     }
 
     /// The map of a robot in flight, in every format, and once more where it cannot be written.

@@ -43,7 +43,9 @@ BehaviorPanel::BehaviorPanel(QWidget* parameter_form, QWidget* parent) : QWidget
     auto* row = laidOut(new QHBoxLayout, gap::tiny, {behavior_box_, rescan_});
     row->setStretchFactor(behavior_box_, 1);
     column->addLayout(row);
-    laidOut(column, gap::small, {help_label_, plan_, isolated_, adjust_, area_box_, summary_label_, parameter_form});
+    laidOut(column, gap::small, {help_label_, plan_, isolated_, adjust_});
+    column->addLayout(makeLimitRow());
+    laidOut(column, gap::small, {area_box_, summary_label_, parameter_form});
     column->setStretchFactor(parameter_form, 1);
     // Start must be seen in the smallest window, so the rest scrolls above it.
     laidOut(new QVBoxLayout(this), {gap::small, gap::small, gap::small, gap::small}, gap::small,
@@ -55,6 +57,30 @@ BehaviorPanel::BehaviorPanel(QWidget* parameter_form, QWidget* parent) : QWidget
         emit behaviorChosen(QString::fromStdString(behaviorId()));
     });
     setRunState(RunState::NoRobot, {});
+}
+
+QLayout* BehaviorPanel::makeLimitRow() {
+    auto* const label = new QLabel(tr("Time limit"));
+    label->setBuddy(limit_);
+    limit_->setSpecialValueText(tr("none"));
+    limit_->setSuffix(tr(" h"));
+    limit_->setDecimals(6); // A limit in a file may be one of seconds.
+    limit_->setRange(0.0, 1e4);
+    limit_->setMinimumHeight(minimum_target);
+    named(limit_, tr("Time limit"), tr("Simulated time after which the behavior is ended; 0: never"));
+    auto* const row = laidOut(new QHBoxLayout, -1, {label, limit_});
+    row->setStretchFactor(label, 1);
+    connect(limit_, &QuantityBox::valueChanged, this, [this] { emit limitChosen(limit_h()); });
+    return row;
+}
+
+std::optional<double> BehaviorPanel::limit_h() const {
+    return limit_->value() > 0.0 ? std::optional(limit_->value()) : std::nullopt;
+}
+
+void BehaviorPanel::setLimit(const std::optional<double>& hours) {
+    const QSignalBlocker blocker(limit_);
+    limit_->setValue(hours.value_or(0.0));
 }
 
 void BehaviorPanel::makeAreaBox() {
@@ -167,6 +193,7 @@ void BehaviorPanel::setBehaviors(const std::vector<agent::BehaviorDescription>& 
     behavior_box_->setEnabled(!busy() && !behaviors_.empty());
     isolated_->setEnabled(behavior_box_->isEnabled());
     adjust_->setEnabled(behavior_box_->isEnabled());
+    limit_->setEnabled(behavior_box_->isEnabled());
     const auto old = std::ranges::find(before, behaviorId(), &agent::BehaviorDescription::id);
     if (old == before.end() || !looksLike(*old, behaviors_[static_cast<std::size_t>(behavior_box_->currentIndex())]))
         showBehavior();
@@ -236,6 +263,7 @@ bool BehaviorPanel::setRunState(RunState state, const QString& robot_name) {
     behavior_box_->setEnabled(!busy() && behavior_box_->count() > 0);
     isolated_->setEnabled(behavior_box_->isEnabled());
     adjust_->setEnabled(behavior_box_->isEnabled());
+    limit_->setEnabled(behavior_box_->isEnabled());
     return true;
 }
 

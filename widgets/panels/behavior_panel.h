@@ -15,6 +15,7 @@
 #include "core/agent/robot_plugin.h"
 #include "core/base/geometry.h"
 #include "widgets/panels/behavior_parts.h"
+#include "widgets/panels/quantity_box.h"
 #include "widgets/style/form_parts.h"
 
 class QAction;
@@ -52,6 +53,9 @@ public:
     /// True if the height map is to be corrected where its strips overlap. Setting it emits nothing.
     bool adjusts() const { return adjust_->isChecked(); }
     void setAdjust(bool adjust) { adjust_->setChecked(adjust); }
+    /// Hours of simulated time after which the behavior is ended; nullopt: never. Setting it emits nothing.
+    std::optional<double> limit_h() const;
+    void setLimit(const std::optional<double>& hours);
 
     /// Area in meters of the map frame; nullopt: not drawn yet. Emits nothing. The form is hidden for behaviors that
     /// need no area.
@@ -91,6 +95,7 @@ signals:
     /// By the user only.
     void isolationChosen(bool isolated);
     void adjustChosen(bool adjust);
+    void limitChosen(std::optional<double> hours);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -100,6 +105,7 @@ private:
     /// Hides the help line if there is no room for it; the list's tooltip still has it.
     void fitHelp();
     void makeAreaBox();
+    QLayout* makeLimitRow();
     QWidget* makeButtons();
     std::array<QPushButton*, 4> buttons() const { return {start_, pause_, land_, stop_}; }
     /// Enables or disables the button as its action is. Moves the focus to another button before the one that has it is
@@ -115,6 +121,7 @@ private:
     QLabel* help_label_ = mutedLabel();
     QCheckBox* isolated_ = new QCheckBox(tr("Run in a separate process"));
     QCheckBox* adjust_ = new QCheckBox(tr("Correct the map where strips overlap"));
+    QuantityBox* limit_ = new QuantityBox;
     PlanChoice* plan_ = new PlanChoice;
     QWidget* area_box_ = new QWidget;
     AreaForm* area_form_ = new AreaForm;

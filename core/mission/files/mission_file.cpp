@@ -177,6 +177,10 @@ withAnglesInRadians(std::map<std::string, agent::ParameterValue> parameters,
     return parameters;
 }
 
+Seconds limitFrom(const std::optional<double>& limit_h) {
+    return Seconds{limit_h.value_or(std::numeric_limits<double>::infinity()) * 3600.0};
+}
+
 double typedDegrees(double angle_rad) {
     constexpr double grain = 1e9;
     return std::round(degrees(angle_rad) * grain) / grain;

@@ -12,6 +12,7 @@
 #include <QString>
 
 #include "core/agent/parameters.h"
+#include "core/base/clock.h"
 #include "core/base/geometry.h"
 #include "core/base/result.h"
 #include "core/mission/files/claim.h"
@@ -32,7 +33,7 @@ inline constexpr double largest_cell_m = 10.0;
 /// to use instead of the robot's own; a relative path begins at the mission's folder), area {x, y, width, height}
 /// (lowest corner and size, meters, map frame: x forward, y left; width along x), preset (of the behavior's parameters,
 /// by its id), parameters {} (what differs from the preset, or from the defaults), cell_size_m, limit_h
-/// (hours of simulated time after which the run is given up), faults [] (texts, as for the simulator's --fault; their
+/// (hours of simulated time after which the behavior is ended), faults [] (texts, as for the simulator's --fault; their
 /// times count from the beginning of the mission), isolate (true: the behavior runs in a process of its own), adjust
 /// (true: the height map is corrected where its strips overlap), seed (of the embedded simulator, a whole number),
 /// claims [] (what a test of the flight checks, see readClaims: the mission is then stopped as soon as they are
@@ -80,6 +81,9 @@ withAnglesInRadians(std::map<std::string, agent::ParameterValue> parameters,
 /// Returns the degrees that the user typed, without the rounding error of the conversion to radians: 90 and not
 /// 89.99..9.
 double typedDegrees(double angle_rad);
+
+/// Returns the time on the protocol clock that a behavior may run; infinite without a limit.
+Seconds limitFrom(const std::optional<double>& limit_h);
 
 /// Returns JSON that `readMission` accepts, ending with a newline. Values in `mission` are in a behavior's units: those
 /// whose spec says "rad" are written in degrees. Reading the text and converting the angles back gives the same

@@ -1,7 +1,6 @@
 #include "core/mission/files/mission_options.h"
 
 #include <cstring>
-#include <limits>
 #include <utility>
 
 #include <QFileInfo>
@@ -222,8 +221,7 @@ Result<void> applyTo(Mission& mission, const MissionOptions& options) {
 }
 
 Seconds limitOf(const MissionOptions& options, const Mission& mission) {
-    const Seconds in_file{mission.limit_h.value_or(std::numeric_limits<double>::infinity()) * 3600.0};
-    return options.limit.value_or(in_file);
+    return options.limit.value_or(limitFrom(mission.limit_h));
 }
 
 Result<void> checkFaultsArePossible(const MissionOptions& options, const Mission& mission) {

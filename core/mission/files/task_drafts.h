@@ -21,8 +21,8 @@ struct TaskDraft {
     std::map<std::string, agent::ParameterValue> values; ///< SI units and radians
     double cell_size_m = Mission{}.cell_size_m;          ///< edge of a height map cell
     bool adjust = false;                                 ///< correct the height map where its strips overlap
-    std::optional<double> limit_h;                       ///< hours of simulated time for usar-mission; absent: none
-    std::vector<std::string> faults;                     ///< faults for the embedded simulator, as texts
+    std::optional<double> limit_h;   ///< hours of simulated time that the behavior may run; absent: none
+    std::vector<std::string> faults; ///< faults for the embedded simulator, as texts
     bool operator==(const TaskDraft&) const = default;
 
     /// The drawn area, or an empty one.

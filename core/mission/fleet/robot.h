@@ -91,8 +91,9 @@ public:
     void setRecordingLimit(RecordingLimit limit_bytes) { call(&RobotSession::setRecordingLimit, limit_bytes); }
     /// Brings what was recorded to the disk; `recordingFlushed` follows.
     void flushRecording() { call(&RobotSession::flushRecording); }
-    /// Whether strips are adjusted by their overlap; see ScanBook::setAdjust.
+    /// See ScanBook::setAdjust and SessionLimits::flight.
     void setAdjust(bool on) { call(&RobotSession::setAdjust, on); }
+    void setFlightLimit(Seconds limit) { call(&RobotSession::setFlightLimit, limit); }
     void noteFault(const QString& sentence) { call(&RobotSession::noteFault, sentence.toStdString()); }
     /// Replaces `open`; `replayOpened` or `replayFailed` follows. `looks_back_on`: see RobotView.
     void openRecording(const QString& path, ConnectionId looks_back_on = {});

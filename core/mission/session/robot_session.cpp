@@ -99,6 +99,7 @@ void RobotSession::startBehavior(std::shared_ptr<agent::RunningBehavior> host, c
     d_->records.noteMission(mission_note);
     d_->records.noteTask(d_->book.record());
     d_->behavior_running = true;
+    d_->behavior_since = d_->incoming.now();
     d_->helm.start(std::move(host));
     d_->touched();
 }
@@ -177,6 +178,10 @@ void RobotSession::requestMap(bool with_scans) {
         return;
     }
     emit mapReady(std::make_shared<const ScanRecord>(snapshot(with_scans)));
+}
+
+void RobotSession::setFlightLimit(Seconds limit) {
+    d_->limits.flight = limit;
 }
 
 void RobotSession::setAdjust(bool on) {

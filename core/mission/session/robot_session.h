@@ -87,6 +87,8 @@ public slots:
     void sendCommand(const usar::protocol::Command& command, const usar::by::Source& source);
     /// Whether the map is adjusted at each landing and at the end, see ScanBook::setAdjust.
     void setAdjust(bool on);
+    /// Replaces SessionLimits::flight, for this behavior and later ones.
+    void setFlightLimit(Seconds limit);
     /// Whether scans are kept for exports of points, see ScanBook::keepScans; to be called before the first scan.
     void keepScans(bool on);
     /// Emits `recordReady` with a copy of everything that was scanned, for the export pool, once an adjustment of the

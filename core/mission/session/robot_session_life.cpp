@@ -112,14 +112,15 @@ void RobotSession::Private::takeLine(std::string_view text) {
 
 /// On the protocol clock, so that equal runs end at equal moments, however fast they are.
 void RobotSession::Private::endAtLimit() {
-    const Seconds since = spawning.spawnedAt();
+    const Seconds since = std::max(behavior_since, spawning.spawnedAt());
     if (!helm.hasBehavior() || since.count() == 0.0 || incoming.now() - since <= limits.flight)
         return;
     const double limit_s = limits.flight.count();
     const std::string limit = limit_s < 3600.0 ? fixed(limit_s, 0) + " s" : fixed(limit_s / 3600.0, 2) + " h";
-    helm.stopBehavior(by::Session{"time limit"},
-                      "The mission took longer than its limit of " + limit +
-                          ". Raise it with --limit or \"limit_h\", or make the area smaller.");
+    helm.stopBehavior(
+        by::Session{"time limit"},
+        "The mission took longer than its limit of " + limit +
+            ". Give it more time (--limit, \"limit_h\", or Time limit in the window), or make the area smaller.");
 }
 
 void RobotSession::Private::endWithClaims() {

@@ -110,6 +110,7 @@ struct RobotSession::Private : SpawnOwner, HelmOwner, ReplayStage {
     /// The user's wish; whether lockstep is in effect is up to the server.
     bool lockstep_wanted = false;
     bool behavior_running = false; ///< here or in the replay
+    Seconds behavior_since{};      ///< protocol clock when the newest behavior was started here
 };
 
 } // namespace usar::mission
