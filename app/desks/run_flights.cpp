@@ -100,9 +100,7 @@ void RunFlights::begin(const protocol::StartPoses& poses) {
     const auto id = control_.spawn({mission.robot_class, {}, *pose});
     if (!id)
         return notices_.complain("campaign-run", id.error());
-    control_.robot(*id)->setCellSize(mission.cell_size_m);
-    control_.robot(*id)->setAdjust(mission.adjust);
-    control_.robot(*id)->setFlightLimit(mission::limitFrom(mission.limit_h));
+    control_.robot(*id)->setTaskOptions(mission);
     // At once, and not when the robot has been heard: the behavior must not miss a line.
     const auto started = control_.startBehavior(*id, mission.behavior, mission.area_in_map, *values,
                                                 QString::fromStdString(mission.plan), mission.isolate);

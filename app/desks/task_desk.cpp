@@ -315,9 +315,7 @@ void TaskDesk::start() {
 bool TaskDesk::startOne(Robot& robot) {
     const RobotId id = robot.view().id;
     const mission::TaskDraft& draft = drafts_.of(id);
-    robot.setCellSize(draft.cell_size_m);
-    robot.setAdjust(draft.adjust);
-    robot.setFlightLimit(mission::limitFrom(draft.limit_h));
+    robot.setTaskOptions(draft.mission());
     const auto started = control_.startBehavior(id, draft.behavior_id, draft.area(), draft.values,
                                                 QString::fromStdString(draft.plan_path),
                                                 plugins_.isolates(plugins_.pluginOf(draft.behavior_id)));

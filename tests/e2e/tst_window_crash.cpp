@@ -21,7 +21,8 @@ using namespace usar;
 namespace {
 
 QByteArray missionOver(const Rectangle& area) {
-    return QString("{ \"name\": \"Cut\", \"area\": { \"x\": %1, \"y\": %2, \"width\": %3, \"height\": %4 } }")
+    return QString("{ \"name\": \"Cut\", \"area\": { \"x\": %1, \"y\": %2, \"width\": %3, \"height\": %4 },"
+                   " \"adjust\": true, \"limit_h\": 3 }")
         .arg(area.min_m.x())
         .arg(area.min_m.y())
         .arg(area.width_m())
@@ -136,6 +137,8 @@ private slots:
         QTRY_VERIFY(std::ranges::any_of(page.window().views().hint->findChildren<QLabel*>(), isSaid));
         QVERIFY(whole.contains(started->area_in_map) && started->area_in_map.area_m2() < whole.area_m2());
         QCOMPARE(page.robot(1)->area_in_map, whole);
+        QVERIFY(page.robot(1)->adjust);
+        QCOMPARE(page.robot(1)->limit_h, std::optional(3.0));
         const auto map_is_there = [&] {
             const auto covered_pct = page.window().control().robot({1})->coverage_pct();
             return covered_pct && *covered_pct > 20.0;

@@ -314,7 +314,7 @@ Result<RobotId> Fleet::flyRest(const std::shared_ptr<const RecordedScan>& earlie
     const auto id = spawn(*std::move(request));
     if (!id)
         return id;
-    robot(*id)->setCellSize(earlier->flown.mission.cell_size_m);
+    robot(*id)->setTaskOptions(earlier->flown.mission);
     d_->rests.add(*id, earlier);
     return id;
 }

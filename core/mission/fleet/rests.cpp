@@ -35,6 +35,8 @@ std::string missionNote(const RobotView& robot, const StartedBehavior& start, st
     mission.area_in_map = start.continues ? start.continues->flown.mission.area_in_map : start.area_in_map;
     mission.parameters = start.parameters;
     mission.cell_size_m = robot.cell_size_m;
+    mission.adjust = robot.adjust;
+    mission.limit_h = robot.limit_h;
     mission.isolate = start.isolated;
     if (start.continues)
         flown.continues = start.continues->scan.run.recording;

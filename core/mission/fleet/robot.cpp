@@ -144,14 +144,15 @@ void Robot::beginTask(const std::string& behavior_id, const Rectangle& area_in_m
     countCovered();
 }
 
-bool Robot::setCellSize(double cell_size_m) {
-    if (view_.cell_size_m == cell_size_m)
-        return false;
-    call(&RobotSession::setCellSize, cell_size_m);
-    if (!view_.tiles.empty())
-        return false;
-    view_.cell_size_m = cell_size_m;
-    return true;
+void Robot::setTaskOptions(const Mission& mission) {
+    if (view_.cell_size_m != mission.cell_size_m)
+        call(&RobotSession::setCellSize, mission.cell_size_m);
+    if (view_.tiles.empty())
+        view_.cell_size_m = mission.cell_size_m;
+    view_.adjust = mission.adjust;
+    view_.limit_h = mission.limit_h;
+    call(&RobotSession::setAdjust, mission.adjust);
+    call(&RobotSession::setFlightLimit, limitFrom(mission.limit_h));
 }
 
 void Robot::order(agent::Order order) {

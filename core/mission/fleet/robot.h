@@ -10,6 +10,7 @@
 #include <QThread>
 
 #include "core/agent/behavior_start.h"
+#include "core/mission/files/mission_file.h"
 #include "core/mission/fleet/own_thread.h"
 #include "core/mission/fleet/robot_view.h"
 #include "core/mission/session/robot_session.h"
@@ -64,8 +65,6 @@ public:
                                const std::string& mission_note = {});
     /// The newest started behavior; nullopt before the first.
     const std::optional<StartedBehavior>& started() const { return started_; }
-    /// Returns true if this changes the cells. A map that has heights keeps its cell size, and a notice says so.
-    bool setCellSize(double cell_size_m);
     void order(agent::Order order);
     void setParameters(const agent::ParameterSet& parameters);
     /// Controls the plan of the behavior. Breakpoints are also kept for behaviors that start later.
@@ -91,9 +90,9 @@ public:
     void setRecordingLimit(RecordingLimit limit_bytes) { call(&RobotSession::setRecordingLimit, limit_bytes); }
     /// Brings what was recorded to the disk; `recordingFlushed` follows.
     void flushRecording() { call(&RobotSession::flushRecording); }
-    /// See ScanBook::setAdjust and SessionLimits::flight.
-    void setAdjust(bool on) { call(&RobotSession::setAdjust, on); }
-    void setFlightLimit(Seconds limit) { call(&RobotSession::setFlightLimit, limit); }
+    /// Takes cell size, adjustment and limit of this mission, for the next behavior. A map that has heights keeps its
+    /// cell size, and a notice says so.
+    void setTaskOptions(const Mission& mission);
     void noteFault(const QString& sentence) { call(&RobotSession::noteFault, sentence.toStdString()); }
     /// Replaces `open`; `replayOpened` or `replayFailed` follows. `looks_back_on`: see RobotView.
     void openRecording(const QString& path, ConnectionId looks_back_on = {});

@@ -26,10 +26,12 @@ struct RobotIdentity {
     SpawnRequest spawn;
     /// State of its own connection.
     link::LinkStatus link;
-    double cell_size_m = 0.25;  ///< edge of a height map cell
-    QString recording;          ///< the file that is replayed; empty: live
-    std::string recorded_name;  ///< what the robot was called in it; empty: live, or unknown
-    ConnectionId looks_back_on; ///< `connection` of the live robot whose past this replay shows; 0: none
+    double cell_size_m = 0.25;       ///< edge of a height map cell
+    bool adjust = false;             ///< the map is corrected where its strips overlap
+    std::optional<double> limit_h{}; ///< hours that a behavior may run; absent: no limit
+    QString recording;               ///< the file that is replayed; empty: live
+    std::string recorded_name;       ///< what the robot was called in it; empty: live, or unknown
+    ConnectionId looks_back_on;      ///< `connection` of the live robot whose past this replay shows; 0: none
 };
 
 /// Newest values of a robot, for views that show it later or switch to it. Positions are in meters in the map frame; an
