@@ -196,7 +196,7 @@ private:
     }
 
     std::unique_ptr<Served> served_;
-    std::unique_ptr<InProcessSocket> client_;
+    std::unique_ptr<QTcpSocket> client_;
 };
 
 USAR_TEST(tst_InProcessSocket)

@@ -29,9 +29,9 @@ World gardenWorld() {
 
 struct AnyContact : btCollisionWorld::ContactResultCallback {
     bool found = false;
-    btScalar addSingleResult(btManifoldPoint&, const btCollisionObjectWrapper*, int, int,
+    btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
                              const btCollisionObjectWrapper*, int, int) override {
-        found = true;
+        found |= point.getDistance() < 0.0; // Bullet also reports what comes near.
         return 0.0;
     }
 };
