@@ -21,8 +21,7 @@ public:
     void add(InProcessSocket& socket) {
         if (std::ranges::none_of(due_, [&](const auto& one) { return one == &socket; }))
             due_.emplace_back(&socket);
-        if (!running_)
-            post();
+        post(); // Also while turns are taken: a slot may run an event loop of its own.
     }
 
 private:
@@ -34,7 +33,6 @@ private:
     void run() {
         const auto self = shared_from_this(); // Both ends may go meanwhile.
         posted_ = false;
-        running_ = true;
         QElapsedTimer since;
         since.start();
         while (!due_.empty() && since.elapsed() < turn_ms) {
@@ -43,14 +41,12 @@ private:
             if (next)
                 next->deliver();
         }
-        running_ = false;
         if (!due_.empty())
             post();
     }
 
     QObject context_; ///< in whose thread the turns are taken
     std::deque<QPointer<InProcessSocket>> due_;
-    bool running_ = false;
     bool posted_ = false;
 };
 
@@ -72,6 +68,7 @@ InProcessSocket::~InProcessSocket() {
 
 void InProcessSocket::connectToHost(const QString&, quint16, OpenMode, NetworkLayerProtocol) {
     leave();
+    left_alone_ = false;
     setSocketState(ConnectingState);
     turns_->add(*this);
 }
@@ -88,7 +85,10 @@ void InProcessSocket::leave() {
     if (state() == UnconnectedState)
         return;
     const bool was_connected = state() == ConnectedState;
+    received_.clear();
+    read_ = 0;
     if (const QPointer<InProcessSocket> other = std::exchange(peer_, nullptr)) {
+        other->peer_ = nullptr; // This end may be on its next connection when the other one leaves.
         other->left_alone_ = true;
         turns_->add(*other);
     }
@@ -99,21 +99,23 @@ void InProcessSocket::leave() {
 }
 
 void InProcessSocket::deliver() {
+    const QPointer<InProcessSocket> self = this; // Each slot may delete this end.
     if (state() == ConnectingState) {
         auto* const accepted = new InProcessSocket(turns_, *this);
         peer_ = accepted;
         becomeConnected();
         server_(accepted);
-        emit connected();
+        if (self)
+            emit connected();
     }
-    const QPointer<InProcessSocket> self = this;
-    if (bytesAvailable() > 0)
+    if (self && state() == ConnectedState && bytesAvailable() > 0)
         emit readyRead();
-    if (!self || !left_alone_ || state() != ConnectedState)
+    const auto is_left_alone = [&] { return self && left_alone_ && state() == ConnectedState; };
+    if (!is_left_alone())
         return;
     setSocketError(RemoteHostClosedError);
     emit errorOccurred(RemoteHostClosedError);
-    if (self)
+    if (is_left_alone()) // Unless a slot has begun another connection.
         leave();
 }
 

@@ -13,6 +13,7 @@
 #include <QTimer>
 
 #include "core/base/clock.h"
+#include "core/link/greeting_check.h"
 #include "core/link/in_process_socket.h"
 #include "core/protocol/line_splitter.h"
 #include "core/protocol/traffic_counts.h"
@@ -36,30 +37,6 @@ struct LinkStatus {
 
 /// The server as "host:port".
 std::string placeOf(const LinkStatus& status);
-
-/// Distinguishes a USARSim server from another kind of server by the first bytes that it sends. A line of the protocol
-/// is a type word of letters, digits and underscores, followed by nothing or by a segment (protocol.md 1.1). One such
-/// line with a segment proves that this is USARSim. Until then, control bytes, a known greeting of another protocol
-/// (HTTP, SSH, SMTP …) or three lines of another shape prove that it is not; a single garbled line does not. Plain
-/// class, one per connection, reset for the next.
-class GreetingCheck {
-public:
-    enum class Verdict { Unknown, Usarsim, Foreign };
-
-    /// Takes raw bytes before they are cut into lines; recognizes binary data.
-    void takeBytes(std::string_view bytes);
-    /// Takes one line without its line end.
-    void takeLine(std::string_view line);
-    /// Unknown at first; once it is Usarsim or Foreign it stays so until reset().
-    Verdict verdict() const { return verdict_; }
-    /// True if something odd was received and nothing has proved that this is USARSim.
-    bool suspicious() const { return verdict_ == Verdict::Foreign || (verdict_ == Verdict::Unknown && strange_ > 0); }
-    void reset() { *this = {}; }
-
-private:
-    Verdict verdict_ = Verdict::Unknown;
-    int strange_ = 0;
-};
 
 /// Wall-clock limits. Tests shorten them.
 struct LinkLimits {
@@ -104,7 +81,8 @@ public:
     void close();
     /// Queues the line, to which CR LF is added; dropped while there is no connection.
     void send(std::string_view line);
-    /// Bytes queued here because the server does not read; does not include what the network holds.
+    /// Bytes queued here because the server does not read, without what the network holds; in process, all that it has
+    /// not read.
     std::size_t unsentBytes() const { return static_cast<std::size_t>(socket_->bytesToWrite()); }
     /// Hands queued bytes to the network now instead of in the event loop's next turn.
     void flush() { socket_->flush(); }

@@ -111,7 +111,7 @@ public:
     Seconds now() const;
     const SimulationOptions& options() const;
     const World& world() const;
-    /// Rays at it, which other threads may share.
+    /// Casts rays at the still world; other threads may share it.
     const RayCaster& caster() const;
     CameraScene cameraScene() const; ///< a value that any thread can render
     std::vector<RobotTruth> robots() const;

@@ -148,24 +148,89 @@ private slots:
         QCOMPARE(errors, QList{QAbstractSocket::RemoteHostClosedError});
     }
 
+    void aConnectionOutlivesTheOneBefore() {
+        QVERIFY(connectNow());
+        served_->ends.front()->write("late");
+        client_->disconnectFromHost();
+        QVERIFY(connectNow());
+        QTRY_COMPARE(served_->gone, 1);
+        QCOMPARE(client_->state(), QAbstractSocket::ConnectedState);
+        QCOMPARE(client_->bytesAvailable(), 0);
+        client_->write("a");
+        QTRY_COMPARE(served_->heard, "a");
+        QCOMPARE(served_->ends.size(), std::size_t(2));
+    }
+
+    /// A link connects again in the slot that hears of the error.
+    void aNewConnectionMayBeginInTheSlotOfTheError() {
+        QVERIFY(connectNow());
+        connect(client_.get(), &QTcpSocket::errorOccurred, this, [&] {
+            client_->abort();
+            client_->connectToHost("nowhere", 1);
+        });
+        served_->ends.front()->abort();
+        QTRY_COMPARE(served_->ends.size(), std::size_t(2));
+        QTRY_COMPARE(client_->state(), QAbstractSocket::ConnectedState);
+    }
+
+    /// After a cut the client reads what came before it, and answers nobody.
+    void anEndThatLeftHearsNothing() {
+        QVERIFY(connectNow());
+        connect(client_.get(), &QTcpSocket::readyRead, this, [&] { client_->write(client_->readAll()); });
+        served_->ends.front()->write("last");
+        served_->ends.front()->abort();
+        QTRY_COMPARE(client_->state(), QAbstractSocket::UnconnectedState);
+        QCoreApplication::processEvents();
+        QCOMPARE(served_->heard, "");
+    }
+
+    void aSlotMayRunAnEventLoop() {
+        QVERIFY(connectNow());
+        served_->answer = [](QTcpSocket& end, const QByteArray& bytes) { end.write(bytes); };
+        QByteArray back;
+        connect(client_.get(), &QTcpSocket::readyRead, this, [&] {
+            back += client_->readAll();
+            if (back == "a") {
+                client_->write("b");
+                QVERIFY(QTest::qWaitFor([&] { return back == "ab"; }));
+            }
+        });
+        client_->write("a");
+        QTRY_COMPARE(back, "ab");
+    }
+
     void anEndMayGoWhileItIsTold_data() {
-        QTest::addColumn<bool>("client");
-        QTest::newRow("the client's") << true;
-        QTest::newRow("the server's") << false;
+        QTest::addColumn<QString>("which");
+        for (const char* which : {"the client's in the server's slot", "the server's later",
+                                  "the client's as it connects", "the client's in its own slot"})
+            QTest::newRow(which) << which;
     }
     void anEndMayGoWhileItIsTold() {
-        QFETCH(bool, client);
+        QFETCH(QString, which);
+        if (which.endsWith("as it connects")) {
+            connect(client_.get(), &QTcpSocket::connected, this, [&] { client_.reset(); });
+            client_->connectToHost("nowhere", 1);
+            QTRY_COMPARE(served_->gone, 1);
+            return;
+        }
         QVERIFY(connectNow());
+        const bool by_server = which.startsWith("the server's");
+        const bool in_its_own = which.endsWith("its own slot");
+        connect(client_.get(), &QTcpSocket::readyRead, this, [&] { client_.reset(); });
         served_->answer = [&](QTcpSocket& end, const QByteArray&) {
-            client ? client_.reset() : end.deleteLater();
-            served_->answer = {};
+            if (in_its_own)
+                end.write("b");
+            else if (by_server)
+                end.deleteLater();
+            else
+                client_.reset();
         };
         client_->write("a");
         QTRY_COMPARE(served_->heard, "a");
-        if (client)
-            QTRY_COMPARE(served_->gone, 1);
-        else
+        if (by_server)
             QTRY_COMPARE(client_->state(), QAbstractSocket::UnconnectedState);
+        else
+            QTRY_COMPARE(served_->gone, 1);
     }
 
     void aLinkUsesItAndConnectsAgain() {

@@ -90,6 +90,7 @@ private slots:
     void fliesAtThePaceThatItIsGiven();
     void fliesWithoutLockstepInRealTime();
     void aCutWireEndsTheFlightAndKeepsThePath();
+    void aCutInMemoryEndsTheFlightAndKeepsThePath();
 };
 
 void tst_FlightLoop::climbsAndHoversByDriveCommands() {
@@ -157,6 +158,17 @@ void tst_FlightLoop::aCutWireEndsTheFlightAndKeepsThePath() {
     RoughRelay relay((*simulator)->port());
     relay.cut_after_bytes = 50000;
     const Flight flight = fly(**simulator, relay.port(), true);
+    QVERIFY(flight.finished && !flight.success);
+    QVERIFY(!flight.path_m.empty());
+}
+
+void tst_FlightLoop::aCutInMemoryEndsTheFlightAndKeepsThePath() {
+    const auto cut = sim::readFault("link_cut from=5");
+    QVERIFY(cut);
+    const auto simulator =
+        HeadlessSimulator::serve(doubles::flatWorld(), {.seed = 1, .faults = {*cut}, .own_thread = false});
+    QVERIFY(simulator);
+    const Flight flight = fly(**simulator, (*simulator)->port(), true);
     QVERIFY(flight.finished && !flight.success);
     QVERIFY(!flight.path_m.empty());
 }

@@ -64,8 +64,8 @@ QLayout* BehaviorPanel::makeLimitRow() {
     label->setBuddy(limit_);
     limit_->setSpecialValueText(tr("none"));
     limit_->setSuffix(tr(" h"));
-    limit_->setDecimals(6); // A limit in a file may be one of seconds.
-    limit_->setRange(0.0, 1e4);
+    limit_->setDecimals(6);     // A limit in a file may be one of seconds.
+    limit_->setRange(0.0, 1e4); // No mission file has more.
     limit_->setMinimumHeight(minimum_target);
     named(limit_, tr("Time limit"), tr("Simulated time after which the behavior is ended; 0: never"));
     auto* const row = laidOut(new QHBoxLayout, -1, {label, limit_});
@@ -190,15 +190,18 @@ void BehaviorPanel::setBehaviors(const std::vector<agent::BehaviorDescription>& 
         const int index = behavior_box_->findData(QString::fromStdString(chosen));
         behavior_box_->setCurrentIndex(index >= 0 ? index : 0);
     }
-    behavior_box_->setEnabled(!busy() && !behaviors_.empty());
-    isolated_->setEnabled(behavior_box_->isEnabled());
-    adjust_->setEnabled(behavior_box_->isEnabled());
-    limit_->setEnabled(behavior_box_->isEnabled());
+    lockChoices();
     const auto old = std::ranges::find(before, behaviorId(), &agent::BehaviorDescription::id);
     if (old == before.end() || !looksLike(*old, behaviors_[static_cast<std::size_t>(behavior_box_->currentIndex())]))
         showBehavior();
     if (behaviorId() != chosen)
         emit behaviorChosen(QString::fromStdString(behaviorId()));
+}
+
+void BehaviorPanel::lockChoices() {
+    const bool open = !busy() && behavior_box_->count() > 0;
+    for (QWidget* const widget : std::initializer_list<QWidget*>{behavior_box_, isolated_, adjust_, limit_})
+        widget->setEnabled(open);
 }
 
 /// Shows what depends on the chosen behavior: its help, its plan, its area.
@@ -260,10 +263,7 @@ bool BehaviorPanel::setRunState(RunState state, const QString& robot_name) {
         return false;
     pause_->setChecked(state == RunState::Paused);
     pause_->setText(state == RunState::Paused ? tr("Resume") : tr("Pause"));
-    behavior_box_->setEnabled(!busy() && behavior_box_->count() > 0);
-    isolated_->setEnabled(behavior_box_->isEnabled());
-    adjust_->setEnabled(behavior_box_->isEnabled());
-    limit_->setEnabled(behavior_box_->isEnabled());
+    lockChoices();
     return true;
 }
 

@@ -106,6 +106,8 @@ private:
     void fitHelp();
     void makeAreaBox();
     QLayout* makeLimitRow();
+    /// Locks what cannot change while a behavior runs.
+    void lockChoices();
     QWidget* makeButtons();
     std::array<QPushButton*, 4> buttons() const { return {start_, pause_, land_, stop_}; }
     /// Enables or disables the button as its action is. Moves the focus to another button before the one that has it is

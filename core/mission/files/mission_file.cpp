@@ -54,6 +54,9 @@ void readLimit(JsonReading& reading, const QJsonObject& root, std::optional<doub
     if (!(*limit_h > 0.0))
         reading.failAt("limit_h", "the limit is no time above 0",
                        "write hours of simulated time, such as 20, or leave it out: then there is no limit");
+    else if (!(*limit_h >= shortest_limit_h && *limit_h <= longest_limit_h))
+        reading.failAt("limit_h", "the limit is not between 0.000001 and 10000 hours",
+                       "write hours of simulated time, such as 20, or leave it out: then there is no limit");
 }
 
 /// Larger seeds than a number in JSON can hold exactly are written as texts.

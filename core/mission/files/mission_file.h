@@ -28,6 +28,8 @@ struct KeyPlace {
 
 inline constexpr double smallest_cell_m = 0.02;
 inline constexpr double largest_cell_m = 10.0;
+inline constexpr double shortest_limit_h = 1e-6;
+inline constexpr double longest_limit_h = 1e4;
 
 /// A mission as written in its file. Keys of the file: name, world, robot, start, behavior, plan (file of a POSH plan
 /// to use instead of the robot's own; a relative path begins at the mission's folder), area {x, y, width, height}
@@ -50,7 +52,7 @@ struct Mission {
     std::string preset;                                      ///< id of a preset; empty: none, which means the defaults
     std::map<std::string, agent::ParameterValue> parameters; ///< as written; see `resolvedParameters`
     double cell_size_m = 0.25;                               ///< smallest_cell_m .. largest_cell_m
-    std::optional<double> limit_h;                           ///< above 0; absent: no limit
+    std::optional<double> limit_h;                           ///< shortest_ .. longest_limit_h; absent: no limit
     std::vector<std::string> faults;                         ///< for the embedded simulator, in its --fault syntax
     bool isolate = false;                                    ///< the behavior runs in a process of its own
     bool adjust = false;                                     ///< see ScanBook::setAdjust

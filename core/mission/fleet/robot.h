@@ -90,8 +90,7 @@ public:
     void setRecordingLimit(RecordingLimit limit_bytes) { call(&RobotSession::setRecordingLimit, limit_bytes); }
     /// Brings what was recorded to the disk; `recordingFlushed` follows.
     void flushRecording() { call(&RobotSession::flushRecording); }
-    /// Takes cell size, adjustment and limit of this mission, for the next behavior. A map that has heights keeps its
-    /// cell size, and a notice says so.
+    /// Takes adjustment, limit and, unless the map has heights, cell size, for the behavior that is started next.
     void setTaskOptions(const Mission& mission);
     void noteFault(const QString& sentence) { call(&RobotSession::noteFault, sentence.toStdString()); }
     /// Replaces `open`; `replayOpened` or `replayFailed` follows. `looks_back_on`: see RobotView.

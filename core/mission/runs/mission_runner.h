@@ -37,9 +37,9 @@ struct RunLimits {
 
 /// Options of one run.
 struct RunOptions {
-    QString host = "127.0.0.1";
+    QString host = "127.0.0.1"; ///< used unless the server is in_process
     quint16 port = protocol::usual_port::bot;
-    link::InProcessServer in_process{}; ///< an embedded simulator in this thread; if empty, host and port are used
+    link::InProcessServer in_process{}; ///< an embedded simulator in this thread; empty: there is none
     bool lockstep = true;               ///< ask for it; a real server does not answer
     std::uint64_t seed = 1; ///< only reported in the summary; whoever created the simulator has given it the seed
     QString result_folder;  ///< empty: the default folder

@@ -30,7 +30,7 @@ public:
 
     /// To be called before `open`.
     void setLimits(const SessionLimits& limits);
-    /// See TcpLink.
+    /// Lets `open` connect in memory; see TcpLink::useInProcess.
     void useInProcess(link::InProcessServer server);
     /// What the user can do on this server about a robot that lacks sensors, in sentences; a warning repeats it when a
     /// behavior could not begin for that. Empty: nothing is said.

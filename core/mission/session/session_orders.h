@@ -50,7 +50,7 @@ struct SessionLimits {
     Seconds sensor_silence = protocol::silence::sensor; ///< protocol clock: silence of a sensor that used to send
     Seconds hand{0.3};          ///< wall: silence of an input device that drives; it then counts as released
     agent::Patience behavior{}; ///< wall: the behavior's answers
-    /// protocol clock, since the behavior was started on the spawned robot: the behavior is ended
+    /// protocol clock: how long a behavior may run, from its start, before it is ended
     Seconds flight{std::numeric_limits<double>::infinity()};
     std::size_t unsent_bytes = 1u << 16; ///< above this, DRIVEs wait, and newer ones replace older ones
 };

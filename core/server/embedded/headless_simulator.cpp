@@ -1,5 +1,7 @@
 #include "core/server/embedded/headless_simulator.h"
 
+#include <QPointer>
+
 #include "core/link/across_threads.h"
 #include "core/server/embedded/simulator_files.h"
 
@@ -59,7 +61,12 @@ void HeadlessSimulator::run(const std::function<void()>& call) const {
 link::InProcessServer HeadlessSimulator::inProcess() {
     if (thread_.isRunning())
         return {};
-    return [server = server_](QTcpSocket* client) { server->accept(client); };
+    return [server = QPointer(server_)](QTcpSocket* client) {
+        if (server)
+            server->accept(client);
+        else
+            client->deleteLater(); // The client hears that the server has closed the connection.
+    };
 }
 
 void HeadlessSimulator::onFault(QObject* context, const std::function<void(const QString&)>& tell) {

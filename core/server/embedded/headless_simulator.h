@@ -32,9 +32,9 @@ struct HeadlessSpec {
     bool own_thread = true;
 };
 
-/// Serves one world on a free loopback port until it is destroyed, from a thread of its own or from the main thread's
-/// event loop; simulated time begins with the first robot. The truth and the figures that it gives out are for scoring
-/// only; behaviors see only what the server sends. Belongs to the main thread.
+/// Serves one world on a free loopback port, or in memory, until it is destroyed, from a thread of its own or from the
+/// main thread's event loop; simulated time begins with the first robot. The truth and the figures that it gives out
+/// are for scoring only; behaviors see only what the server sends. Belongs to the main thread.
 class HeadlessSimulator {
 public:
     /// Loads a world by name or folder and serves it. An unknown world is an error that lists the known ones.
@@ -44,7 +44,8 @@ public:
     ~HeadlessSimulator();
 
     quint16 port() const { return port_; }
-    /// Takes clients of this thread without TCP; empty if the simulator has a thread of its own.
+    /// Takes clients of this thread without TCP, and may outlive the simulator, which then hangs up; empty if the
+    /// simulator has a thread of its own.
     link::InProcessServer inProcess();
     /// Extent of the world in meters, map frame.
     Rectangle extent() const;
@@ -75,7 +76,7 @@ private:
     QThread thread_;
     QObject* worker_ = new QObject; ///< belongs to thread_ if that runs, owns the server, and is deleted there
     SimulatorServer* server_ = nullptr;
-    /// Owned by the server and used in its thread only, except for the world, which does not change.
+    /// Owned by the server and used in its thread only, except for the world and its ray caster, which do not change.
     const sim::Simulation* simulation_ = nullptr;
     quint16 port_ = 0;
 };

@@ -39,7 +39,7 @@ double outside(const Vector& point_m, const Vector& half_m) {
     return (point_m.cwiseAbs() - half_m).cwiseMax(0.0).norm();
 }
 
-/// Distance from a point in the frame of a cone, whose base is at the origin, to its surface; 0 or less inside.
+/// Distance from a point in the frame of a cone, whose base is at the origin, to its surface; 0 inside.
 double fromCone(const Vec2& out_and_up_m, double radius_m, double height_m) {
     if (out_and_up_m.y() <= 0.0)
         return outside(out_and_up_m, Vec2(radius_m, 0.0));
@@ -51,7 +51,8 @@ double fromCone(const Vec2& out_and_up_m, double radius_m, double height_m) {
     return inside ? 0.0 : (from_rim_m - along_m * side).norm();
 }
 
-/// At most the distance from a point in the shape's frame to the shape; 0 for a shape that no ground has.
+/// Distance from a point in the shape's frame to the shape, or less: Bullet's cones have twelve sides. Below a cone it
+/// is more by the margin of 1 mm, which `gap_m` has room for. It is 0 for a shape that no ground has.
 double distanceTo(const btCollisionShape& shape, const btVector3& point) {
     const Vec3 point_m = fromBullet(point);
     const Vec2 out_and_up_m(point_m.head<2>().norm(), point_m.z());

@@ -326,7 +326,7 @@ Filled fill(const World& world, const FlightLimits& flight, const Rectangle& par
     Filled filled{.extent = part_m, .columns = columns, .water = {}, .reached = {}};
     const std::vector<Span> whole = heightsOfFlight(world, flight, columns, filled.water);
     std::vector<Taken> taken = takenBy(world.boxes, columns, flight.body_radius_m, half_height_m);
-    if (!taken.empty()) { // Otherwise there is a way from each column to each other.
+    if (!taken.empty()) { // Otherwise there is a way from each column to each other, as in a world without boxes.
         filled.reached = reachedColumns(world, flight, columns, whole, std::move(taken));
         filled.has_start = !filled.reached.empty();
     }

@@ -90,6 +90,7 @@ const ObstacleMemory::Cell* ObstacleMemory::known(int column, int row) const {
     return valid ? &cell : nullptr;
 }
 
+/// A cell whose center lies on the circle to the last digit may count or not.
 template <class Visit>
 void ObstacleMemory::visitDisc(const Vec2& at_m, double radius_m, Visit&& visit) const {
     const int last_row = cellOf(at_m.y() + radius_m);

@@ -261,6 +261,9 @@ void tst_MissionFile::rejectsUnfitValuesAndSaysWhere_data() {
     refused("cell size zero", good + ",\n\"cell_size_m\": 0}", "m.json:4:16", "cell size", "0.25");
     refused("cell size a text", good + ",\n\"cell_size_m\": \"fine\"}", "m.json:4:16", "not a number", "meters");
     refused("limit zero", good + ",\n\"limit_h\": 0}", "m.json:4:12", "no time above 0", "hours");
+    refused("limit too long", good + ",\n\"limit_h\": 10001}", "m.json:4:12", "between 0.000001 and 10000",
+            "leave it out");
+    refused("limit too short", good + ",\n\"limit_h\": 1e-9}", "m.json:4:12", "between 0.000001 and 10000", "hours");
     refused("limit negative", good + ",\n\"limit_h\": -2}", "m.json:4:12", "no time above 0", "leave it out");
     refused("limit with a unit", good + ",\n\"limit_h\": \"20h\"}", "m.json:4:12", "not a number", "in hours");
     refused("limit null", good + ",\n\"limit_h\": null}", "m.json:4:12", "not a number", "in hours");

@@ -248,6 +248,27 @@ private slots:
         QCOMPARE(script->ticks, 1);
     }
 
+    /// A limit counts from the start of each behavior, however long the robot has stood before.
+    void aBehaviorIsEndedAtItsLimit() {
+        QVERIFY(f->spawnNow());
+        QSignalSpy finished(&f->session, &RobotSession::behaviorFinished);
+        f->session.setFlightLimit(Seconds{2.0});
+        for (int flight = 1; flight <= 2; ++flight) {
+            for (int i = 0; i < 15; ++i)
+                QVERIFY(f->tickNow()); // 3 s without a behavior.
+            f->session.startBehavior(hostOf(script), task);
+            const double start_s = f->server.time_s();
+            while (f->server.time_s() < start_s + 1.9)
+                QVERIFY(f->tickNow());
+            QCOMPARE(finished.size(), flight - 1);
+            for (int i = 0; i < 2; ++i)
+                QVERIFY(f->tickNow());
+            QCOMPARE(finished.size(), flight);
+            QCOMPARE(finished.back().at(0).toBool(), false);
+            QVERIFY(finished.back().at(1).toString().contains("longer than its limit of 2 s"));
+        }
+    }
+
     void advisesAboutSensorsThatAreMissing_data() {
         QTest::addColumn<QStringList>("missing");
         QTest::addColumn<QString>("advice");
