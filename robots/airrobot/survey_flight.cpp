@@ -289,9 +289,12 @@ Leg SurveyFlight::leg() const {
     }
     if (survey_.done())
         return {craft_.senses.position2_m(), craft_.senses.position2_m(), settings.transit_speed_m_s, words()};
-    return {survey_.goal_m(settings), survey_.aim_m(craft_.senses.position2_m(), settings),
-            survey_.onLane() ? settings.scan_speed_m_s : settings.transit_speed_m_s, words(),
-            craft_.ways.isUnder() ? Width::Least : Width::Usual};
+    return {survey_.goal_m(settings),
+            survey_.aim_m(craft_.senses.position2_m(), settings),
+            survey_.onLane() ? settings.scan_speed_m_s : settings.transit_speed_m_s,
+            words(),
+            craft_.ways.isUnder() ? Width::Least : Width::Usual,
+            survey_.onLane() ? std::optional(survey_.laneEnd_m()) : std::nullopt};
 }
 
 Leg SurveyFlight::takeLeg() {
