@@ -342,7 +342,8 @@ void SurveyFlight::afterGoal(SurveyEvent event, agent::CommandPort& port) {
     if (event == SurveyEvent::AllDone &&
         !leftovers_.addLanes(craft_, survey_, ledger_, base_in_map_.position_m.head<2>(), port))
         goHome(Errand::Done, "", port);
-    else if (event == SurveyEvent::QuadrantDone && !craft_.settings.navigate_by_truth)
+    else if (event == SurveyEvent::QuadrantDone && !craft_.settings.navigate_by_truth &&
+             isWorthACharge(craft_.battery.sinceCharge_m(), craft_.settings))
         goHome(Errand::Quadrant, "A quadrant is done; home to set the INS and to charge.", port);
 }
 
