@@ -16,14 +16,15 @@ namespace {
 constexpr int side_cells = 7;
 constexpr int step_cells = 2; ///< distance between lines
 /// The way to a lane costs about as much as a lane of this length, and one that shows less than this is left out.
-constexpr double way_m = 12.0;
+constexpr double usual_way_m = 12.0;
 constexpr double least_m2 = 12.0;
+constexpr double rounding_m2 = 1e-9;
 constexpr double least_lane_m = 5.0; ///< If less is left of the length of all lanes, no more are added.
 /// A coarser map may well miss cells of a meter that nothing hides.
 constexpr double coarsest_m = 0.75;
 
 /// Where nothing was seen in a square of this half width, there is no shadow: the robot did not get there.
-constexpr int shadow_cells = 5;
+constexpr int shadow_cells = 10;
 
 double weight(int aside_cells) {
     return 1.0 - static_cast<double>(std::abs(aside_cells)) / (side_cells + 1);
@@ -72,7 +73,8 @@ std::vector<bool> notVisited(const ScanLedger& ledger) {
 struct Piece {
     int from = 0;
     int to = 0;
-    double worth_m2 = 0.0; ///< gain less the cost of its length
+    double worth_m2 = 0.0; ///< gain less the cost of its length, and of the way to it where that is known
+    double shown_m2 = 0.0; ///< gain
 };
 
 /// The hidden cells of an area, and what each line along one of the axes would show of them.
@@ -99,16 +101,22 @@ public:
         int across = 0;
         Piece piece;
     };
-    /// The piece that is worth most; nullopt if none is worth anything.
-    std::optional<Found> best() {
+    /// The piece that is worth most if `way_m(found)` is the way to it; nullopt if none is worth anything.
+    template <class Way>
+    std::optional<Found> best(Way&& way_m) {
         std::optional<Found> best;
         for (int axis : {0, 1})
             for (int i = 0; i < static_cast<int>(lines_[axis].size()); ++i) {
                 Line& line = lines_[axis][std::size_t(i)];
                 if (std::exchange(line.changed, false))
                     line.best = bestPiece(line.gain_m2);
-                if (line.best.worth_m2 > (best ? best->piece.worth_m2 : 0.0))
-                    best = Found{axis, i * step_cells, line.best};
+                const double least_worth_m2 = best ? best->piece.worth_m2 : 0.0;
+                if (line.best.worth_m2 <= least_worth_m2)
+                    continue;
+                Found found{axis, i * step_cells, line.best};
+                found.piece.worth_m2 -= least_gain_m_ * way_m(found);
+                if (found.piece.worth_m2 > least_worth_m2)
+                    best = found;
             }
         return best;
     }
@@ -169,10 +177,9 @@ private:
                 from = i;
             }
             sum_m2 += gain_m2[std::size_t(i)] - cost_m2;
-            const double worth_m2 = sum_m2 - least_gain_m_ * way_m;
             const double shown_m2 = sum_m2 + cost_m2 * (i + 1 - from);
-            if (worth_m2 > best.worth_m2 && shown_m2 > least_m2)
-                best = {from, i + 1, worth_m2};
+            if (sum_m2 > best.worth_m2 && shown_m2 > least_m2)
+                best = {from, i + 1, sum_m2, shown_m2};
         }
         return best;
     }
@@ -183,26 +190,102 @@ private:
     std::vector<Line> lines_[2];
 };
 
+/// Chooses the lanes and orders them.
+class LaneChoice {
+public:
+    LaneChoice(const ScanLedger& ledger, const LaneTerms& terms, const Vec2& from_m, const Vec2& home_m)
+        : ledger_(ledger)
+        , terms_(terms)
+        , from_m_(from_m)
+        , home_m_(home_m) {}
+
+    std::vector<mapping::Lane> choose() {
+        addLanes([](const mapping::Lane&) { return usual_way_m; });
+        orderAndDrop();
+        if (lanes_.size() > few_lanes)
+            return lanes_;
+        // What was not worth a way of its own may be worth a short detour on the way between the others.
+        addLanes([this](const mapping::Lane& lane) { return detour_m(from_m_, lanes_, home_m_, lane); });
+        orderAndDrop();
+        return lanes_;
+    }
+
+private:
+    mapping::Lane laneOf(const HiddenCells::Found& found, int id) const {
+        const auto at = [&](int along) {
+            return found.axis == 0 ? ledger_.centerOf_m(along, found.across) : ledger_.centerOf_m(found.across, along);
+        };
+        return {at(found.piece.from), at(found.piece.to - 1), id};
+    }
+
+    /// Adds lanes past what the present ones leave hidden, always the one that is worth most.
+    template <class Way>
+    void addLanes(Way&& way_m) {
+        HiddenCells hidden(ledger_, terms_.least_gain_m);
+        double left_m = terms_.most_m;
+        for (const mapping::Lane& lane : lanes_) {
+            const HiddenCells::Found& found = found_[static_cast<std::size_t>(lane.quadrant)];
+            hidden.fly(found);
+            left_m -= (found.piece.to - found.piece.from) * ScanLedger::cell_m;
+        }
+        const auto way = [&](const HiddenCells::Found& found) { return way_m(laneOf(found, 0)); };
+        for (auto found = hidden.best(way); found && left_m > least_lane_m; found = hidden.best(way)) {
+            const auto most_cells = static_cast<int>(left_m / ScanLedger::cell_m);
+            found->piece.to = std::min(found->piece.to, found->piece.from + most_cells);
+            lanes_.push_back(laneOf(*found, static_cast<int>(found_.size())));
+            found_.push_back(*found);
+            left_m -= (found->piece.to - found->piece.from) * ScanLedger::cell_m;
+            hidden.fly(*found);
+        }
+    }
+
+    /// Orders the lanes, and drops the one that is worth least for as long as the flight to it costs more than it
+    /// shows; where there are many, all of those at once.
+    void orderAndDrop() {
+        bool dropped = true;
+        while (dropped) {
+            orderFlights(from_m_, lanes_, home_m_, terms_.endurance);
+            const std::vector<double> worths = worths_m2();
+            const double least_m2 = worths.empty() ? 0.0 : std::ranges::min(worths);
+            const double drop_to_m2 = lanes_.size() > few_lanes ? 0.0 : least_m2 + rounding_m2;
+            dropped = least_m2 < 0.0;
+            for (std::size_t i = lanes_.size(); dropped && i-- > 0;)
+                if (worths[i] < drop_to_m2)
+                    lanes_.erase(lanes_.begin() + static_cast<std::ptrdiff_t>(i));
+        }
+    }
+
+    /// What each lane shows, less what the flight to it and along it costs.
+    std::vector<double> worths_m2() const {
+        const double all_m = flight_m(from_m_, lanes_, home_m_, terms_.endurance);
+        std::vector<double> worths;
+        for (std::size_t i = 0; i < lanes_.size(); ++i) {
+            std::vector<mapping::Lane> others = lanes_;
+            others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+            const double saved_m = all_m - flight_m(from_m_, others, home_m_, terms_.endurance);
+            worths.push_back(found_[static_cast<std::size_t>(lanes_[i].quadrant)].piece.shown_m2 -
+                             terms_.least_gain_m * saved_m);
+        }
+        return worths;
+    }
+
+    const ScanLedger& ledger_;
+    const LaneTerms& terms_;
+    Vec2 from_m_;
+    Vec2 home_m_;
+    std::vector<mapping::Lane> lanes_; ///< their quadrants are indices into `found_`
+    std::vector<HiddenCells::Found> found_;
+};
+
 } // namespace
 
 std::vector<mapping::Lane> crossLanes(const ScanLedger& ledger, const LaneTerms& terms, const Vec2& from_m,
                                       const Vec2& home_m) {
-    std::vector<mapping::Lane> lanes;
     if (terms.resolution_m > coarsest_m)
-        return lanes;
-    HiddenCells hidden(ledger, terms.least_gain_m);
-    double left_m = terms.most_m;
-    for (auto found = hidden.best(); found && left_m > least_lane_m; found = hidden.best()) {
-        const auto most_cells = static_cast<int>(left_m / ScanLedger::cell_m);
-        found->piece.to = std::min(found->piece.to, found->piece.from + most_cells);
-        const auto at = [&](int along) {
-            return found->axis == 0 ? ledger.centerOf_m(along, found->across) : ledger.centerOf_m(found->across, along);
-        };
-        lanes.push_back({at(found->piece.from), at(found->piece.to - 1), 0});
-        left_m -= (found->piece.to - found->piece.from) * ScanLedger::cell_m;
-        hidden.fly(*found);
-    }
-    orderTour(from_m, lanes, home_m);
+        return {};
+    std::vector<mapping::Lane> lanes = LaneChoice(ledger, terms, from_m, home_m).choose();
+    for (mapping::Lane& lane : lanes)
+        lane.quadrant = 0;
     return lanes;
 }
 

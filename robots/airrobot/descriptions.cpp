@@ -17,8 +17,9 @@ std::vector<agent::ParameterPreset> presets() {
                                                       {"transit_speed_m_s", 2.0},
                                                       {"turn_rate_rad_s", radians(60.0)},
                                                       {"acceleration_m_s2", 1.5}};
-    const auto balanced = fast;
+    auto balanced = fast;
     fast["least_gain_m"] = 1000.0;
+    balanced["least_gain_m"] = 0.8;
     return {{"as-in-the-thesis",
              "As in the thesis",
              "Lanes 9 m apart at 1 m/s, quadrant by quadrant, and none past what was hidden.",

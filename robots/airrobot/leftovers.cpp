@@ -13,8 +13,10 @@ namespace {
 /// length that was planned.
 constexpr int most_left_out = 3;
 constexpr double most_added = 0.5;
-constexpr int most_crossings = 2; ///< The second one sees a little of what the first one leaves.
-constexpr int most_tries = 3;     ///< to get through the door
+constexpr int most_crossings = 2;      ///< The second one sees a little of what the first one leaves.
+constexpr double evasion_share = 1.05; ///< of the straight ways is what it flies
+constexpr double landing_and_take_off_s = 45.0;
+constexpr int most_tries = 3; ///< to get through the door
 constexpr double at_base_m = 4.0;
 constexpr double stub_m = 0.5;      ///< length of a lane that is only a place to go to
 constexpr double beyond_m = 3.3;    ///< so far from all places that it could reach before, it is beyond the door
@@ -67,7 +69,10 @@ bool Leftovers::crossOnce(const Craft& craft, Survey& survey, const ScanLedger& 
     gaps_left_out_ = survey.addedLeftOut(); // Only lanes past gaps count for those.
     const double most_m = most_added * survey.plannedLength_m() - added_m_;
     const Settings& settings = craft.settings;
-    const LaneTerms terms{settings.least_gain_m, most_m, settings.ground_resolution_m};
+    const Endurance endurance{craft.battery.rangeLeft_m(0.0, settings) / evasion_share,
+                              usableRange_m(settings) / evasion_share,
+                              settings.transit_speed_m_s * (settings.recharge_time_s + landing_and_take_off_s)};
+    const LaneTerms terms{settings.least_gain_m, most_m, settings.ground_resolution_m, endurance};
     return fly(crossLanes(ledger, terms, craft.senses.position2_m(), base_m), survey,
                "More lanes show ground that was hidden: ", port);
 }

@@ -81,7 +81,7 @@ ScanLedger::Cell ScanLedger::at(int column, int row) const {
 
 double ScanLedger::hidden(int column, int row) const {
     const std::uint8_t bits = cells_[indexOf(column, row)];
-    return bits == bottomless_bit ? 0.0 : 1.0 - std::popcount<unsigned>(bits & all_quarters) / 4.0;
+    return 1.0 - std::popcount<unsigned>(bits & all_quarters) / 4.0;
 }
 
 bool ScanLedger::isSeen(const Vec2& at_m) const {

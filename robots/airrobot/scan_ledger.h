@@ -33,9 +33,8 @@ public:
     int rows() const { return rows_; }
     /// The cell must be in the area.
     Cell at(int column, int row) const;
-    /// The share of the cell that no scan has hit, in quarters, 0 to 1; 0 where beams met nothing
-    /// but an end of their reach. From high up, some of them end above ground that others hit. The
-    /// cell must be in the area.
+    /// The share of the cell that no scan has hit, in quarters, 0 to 1. It is 1 where beams met nothing, too: from high
+    /// up, they end above ground that is there. The cell must be in the area.
     double hidden(int column, int row) const;
     Vec2 centerOf_m(int column, int row) const { return area_in_map_.min_m + cell_m * Vec2(column + 0.5, row + 0.5); }
     /// True if a scan hit something in the cell of this place; false outside the area.

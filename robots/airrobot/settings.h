@@ -1,6 +1,8 @@
 // The settings of the AirRobot's flight, and the parameters through which the user sets them.
 #pragma once
 
+#include <algorithm>
+
 #include "core/agent/parameters.h"
 #include "core/base/geometry.h"
 
@@ -107,6 +109,11 @@ struct Settings {
     /// The risk ranges by ring (see ringOf), which must be 0 to 4.
     double lowRisk_m(std::size_t ring) const;
     double highRisk_m(std::size_t ring) const;
+
+    /// Up to this speed, the robot stops early enough among trees. One that is to fly faster takes more care there, and
+    /// looks farther ahead.
+    static constexpr double unhurried_m_s = 1.6;
+    bool hurried() const { return std::max(scan_speed_m_s, transit_speed_m_s) > unhurried_m_s; }
 
     /// Returns these settings with a lane spacing and a scan speed that follow from resolution, overlap and scan
     /// altitude if they are 0. Over level ground, the beam at angle t from straight down meets the ground h pi/180 /

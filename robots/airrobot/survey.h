@@ -51,6 +51,8 @@ public:
     /// The point to reach next: where the lane is entered, or the end of its present piece. The survey must not be
     /// done.
     Vec2 goal_m(const Settings& settings) const { return pointAt_m(on_lane_ ? pieceEnd_m(settings) : entry_along_m_); }
+    /// Where the present lane ends. The survey must not be done.
+    Vec2 laneEnd_m() const { return pointAt_m(length_m()); }
     /// The point to steer at: on the lane ahead of the robot, so that it returns to the lane after a detour. The survey
     /// must not be done.
     Vec2 aim_m(const Vec2& position_m, const Settings& settings) const;

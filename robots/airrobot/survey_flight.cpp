@@ -289,9 +289,12 @@ Leg SurveyFlight::leg() const {
     }
     if (survey_.done())
         return {craft_.senses.position2_m(), craft_.senses.position2_m(), settings.transit_speed_m_s, words()};
-    return {survey_.goal_m(settings), survey_.aim_m(craft_.senses.position2_m(), settings),
-            survey_.onLane() ? settings.scan_speed_m_s : settings.transit_speed_m_s, words(),
-            craft_.ways.isUnder() ? Width::Least : Width::Usual};
+    return {survey_.goal_m(settings),
+            survey_.aim_m(craft_.senses.position2_m(), settings),
+            survey_.onLane() ? settings.scan_speed_m_s : settings.transit_speed_m_s,
+            words(),
+            craft_.ways.isUnder() ? Width::Least : Width::Usual,
+            survey_.onLane() ? std::optional(survey_.laneEnd_m()) : std::nullopt};
 }
 
 Leg SurveyFlight::takeLeg() {
@@ -339,7 +342,8 @@ void SurveyFlight::afterGoal(SurveyEvent event, agent::CommandPort& port) {
     if (event == SurveyEvent::AllDone &&
         !leftovers_.addLanes(craft_, survey_, ledger_, base_in_map_.position_m.head<2>(), port))
         goHome(Errand::Done, "", port);
-    else if (event == SurveyEvent::QuadrantDone && !craft_.settings.navigate_by_truth)
+    else if (event == SurveyEvent::QuadrantDone && !craft_.settings.navigate_by_truth &&
+             isWorthACharge(craft_.battery.sinceCharge_m(), craft_.settings))
         goHome(Errand::Quadrant, "A quadrant is done; home to set the INS and to charge.", port);
 }
 

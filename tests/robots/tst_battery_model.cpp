@@ -52,6 +52,7 @@ private slots:
         battery.moveTo({30, 0, 0});
         QVERIFY(std::abs(battery.rangeLeft_m(home_m, settings) - left_m) < 1e-9);
         QCOMPARE(battery.used_pct(settings), 30.0);
+        QCOMPARE(battery.sinceCharge_m(), 30.0);
     }
 
     void beginsAnewAfterACharge() {

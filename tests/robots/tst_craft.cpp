@@ -133,6 +133,28 @@ private slots:
         QVERIFY(std::abs(*drive.forward_m_s) < 1e-9);
     }
 
+    /// Beside a trunk on its right and low over the ground, the robot is to fly to the left.
+    void waitsInAHurryOnlyRightBeforeSomething_data() {
+        QTest::addColumn<double>("transit_m_s");
+        QTest::addColumn<double>("left_m");
+        QTest::addColumn<bool>("waits");
+        QTest::newRow("in no hurry") << 1.6 << 20.0 << true;
+        QTest::newRow("in a hurry") << 2.0 << 20.0 << false;
+        QTest::newRow("in a hurry, with something far ahead") << 2.0 << 9.0 << false;
+        QTest::newRow("in a hurry, right before something") << 2.0 << 4.5 << true;
+    }
+    void waitsInAHurryOnlyRightBeforeSomething() {
+        QFETCH(double, transit_m_s);
+        QFETCH(double, left_m);
+        QFETCH(bool, waits);
+        craft->settings.transit_speed_m_s = transit_m_s;
+        perceive(3.0, {}, left_m, 1.8);
+        perceive(3.0, {}, left_m, 1.8);
+        const FlightState state = craft->fly({Vec2(0, 30), Vec2(0, 8), transit_m_s, "test"}, port);
+        QCOMPARE(state == FlightState::Evading, waits);
+        QCOMPARE(std::get<protocol::AerialDrive>(port.takeCommands().back().command).climb_m_s, std::optional(0.0));
+    }
+
     void sinksBesideATrunkAllTheSame() {
         perceive(9.0, {}, 1.8);
         perceive(9.0, {}, 1.8);

@@ -41,6 +41,7 @@ private slots:
         QTest::newRow("a strip along") << QList<Rectangle>{{{-40, 6}, {40, 9}}} << 1 << true;
         QTest::newRow("half of each cell of a strip") << QList<Rectangle>{} << 1 << true;
         QTest::newRow("where the robot did not get") << QList<Rectangle>{{{-50, -30}, {-10, 30}}} << 0 << false;
+        QTest::newRow("a ravine, wider than a crown") << QList<Rectangle>{{{-40, -6}, {40, 6}}} << 1 << true;
         QTest::newRow("two strips far apart")
             << QList<Rectangle>{{{-40, -28}, {-36, 28}}, {{36, -28}, {40, 28}}} << 2 << false;
     }
@@ -97,7 +98,8 @@ private slots:
         QTest::addColumn<double>("gain_m");
         QTest::addColumn<int>("lanes");
         QTest::newRow("little") << 0.3 << 1;
-        QTest::newRow("as much as there is") << 1.4 << 1;
+        QTest::newRow("as much as there is on the whole way") << 0.8 << 1;
+        QTest::newRow("as much as there is on the lane") << 1.4 << 0;
         QTest::newRow("more") << 4.0 << 0;
         QTest::newRow("none") << 1000.0 << 0;
     }
@@ -115,20 +117,39 @@ private slots:
         QVERIFY(crossLanes(ledger, {0.6, 1000.0, 2.0}, {0, 0}, {0, 0}).empty());
     }
 
-    void nothingIsHiddenWhereThereIsNoGround() {
+    /// Beams that end in the air may have been too short: the robot was high above a ravine.
+    void whereNoGroundWasInReachItMayStillBe() {
         ScanLedger ledger = ledgerWithout({{{10, -28}, {14, 28}}});
         Senses senses = sensesAt({12, 0, 6});
         senses.scan = PlacedScan{senses.line, senses.base_in_map, senses.base_in_map, {}};
         senses.scan->scanner_in_map.position_m = {12.5, 0.0, 6.0};
         senses.scan->misses_in_map_m.emplace_back(12.5, 0.1, -14.0);
-        QVERIFY(ledger.hidden(62, 30) > 0.9);
         ledger.note(senses, true, true);
-        QCOMPARE(ledger.hidden(62, 30), 0.0);
+        QCOMPARE(ledger.at(62, 30), ScanLedger::Cell::Bottomless);
+        QCOMPARE(ledger.hidden(62, 30), 1.0);
         senses.scan->misses_in_map_m.clear();
         senses.scan->hits_in_map_m.emplace_back(12.2, 0.2, 0.0);
         ledger.note(senses, true, true);
-        QCOMPARE(ledger.hidden(62, 30), 0.75); // The beam ended above ground that is there.
+        QCOMPARE(ledger.hidden(62, 30), 0.75);
         QCOMPARE(ledger.at(62, 30), ScanLedger::Cell::Seen);
+    }
+
+    /// What is far from all other lanes must be worth the way there, and a charge if it takes one.
+    void isWorthTheWay_data() {
+        QTest::addColumn<double>("x_m"); // of the base
+        QTest::addColumn<double>("left_m");
+        QTest::addColumn<int>("lanes");
+        QTest::newRow("near the base") << 15.0 << 1000.0 << 1;
+        QTest::newRow("far from the base") << 100.0 << 1000.0 << 0;
+        QTest::newRow("near the base, but the battery is empty") << 15.0 << 5.0 << 0;
+    }
+    void isWorthTheWay() {
+        QFETCH(double, x_m);
+        QFETCH(double, left_m);
+        QFETCH(int, lanes);
+        const ScanLedger ledger = ledgerWithout({{{10, -20}, {12, 10}}});
+        const LaneTerms terms{0.6, 1000.0, 0.5, {left_m, 1000.0, 150.0}};
+        QCOMPARE(static_cast<int>(crossLanes(ledger, terms, {x_m, 0}, {x_m, 0}).size()), lanes);
     }
 
     void doesNotWatchWhatIsTooLarge() {

@@ -97,6 +97,56 @@ private slots:
         QVERIFY(all_m < 1.05 * best_m + 1e-9);
     }
 
+    /// Lanes 30 m long and 20 m apart, from 10 m beside the base on. Turns count 5 m for each lane.
+    void aFlightGoesHomeForCharges_data() {
+        QTest::addColumn<double>("left_m");
+        QTest::addColumn<double>("full_m");
+        QTest::addColumn<double>("way_m"); // of two lanes up and down: 10 + 30 + 20 + 30 + 30
+        QTest::newRow("not at all") << 1000.0 << 1000.0 << 120.0 + 10.0;
+        QTest::newRow("just not") << 120.1 << 1000.0 << 120.0 + 10.0;
+        QTest::newRow("before the second lane")
+            << 100.0 << 1000.0 << 10.0 + 30.0 + std::hypot(10.0, 30.0) + 200.0 + std::hypot(30.0, 30.0) + 60.0 + 10.0;
+        QTest::newRow("first of all") << 5.0 << 1000.0 << 200.0 + 120.0 + 10.0;
+        QTest::newRow("never, because a full battery does not last either") << 5.0 << 6.0 << 600.0 + 120.0 + 10.0;
+    }
+    void aFlightGoesHomeForCharges() {
+        QFETCH(double, left_m);
+        QFETCH(double, full_m);
+        QFETCH(double, way_m);
+        const Lanes lanes{{{10, 0}, {10, 30}, 0}, {{30, 30}, {30, 0}, 0}};
+        const double flown_m = flight_m({0, 0}, lanes, {0, 0}, {left_m, full_m, 200.0});
+        if (full_m > 10.0)
+            QVERIFY2(std::abs(flown_m - way_m) < 0.01, qPrintable(QString::number(flown_m)));
+        QVERIFY(flown_m < 2000.0);
+    }
+
+    /// It breaks off a lane where the battery lasts just for the way home, and resumes it there.
+    void aLaneIsBrokenOff() {
+        const Lanes lanes{{{0, 0}, {100, 0}, 0}};
+        const double flown_m = flight_m({0, 0}, lanes, {0, 0}, {100.0, 1000.0, 0.0});
+        QVERIFY2(std::abs(flown_m - (50.0 + 50.0 + 50.0 + 50.0 + 100.0 + 5.0)) < 0.01,
+                 qPrintable(QString::number(flown_m)));
+    }
+
+    void flightsAreOrderedByTheirBattery() {
+        Random random = seeded(9, 0);
+        const Endurance endurance{150.0, 500.0, 140.0};
+        double tours_m = 0.0, flights_m = 0.0;
+        for (int count = 1; count <= 16; ++count) {
+            const Lanes lanes = randomLanes(random, count);
+            Lanes tour = lanes, flight = lanes;
+            orderTour({0, 0}, tour, {0, 0});
+            orderFlights({0, 0}, flight, {0, 0}, endurance);
+            QCOMPARE(ends(flight), ends(lanes));
+            const double tour_m = flight_m({0, 0}, tour, {0, 0}, endurance);
+            const double way_m = flight_m({0, 0}, flight, {0, 0}, endurance);
+            QVERIFY(way_m <= tour_m + 1e-9);
+            tours_m += tour_m;
+            flights_m += way_m;
+        }
+        QVERIFY2(flights_m < 0.99 * tours_m, qPrintable(QString::number(flights_m / tours_m)));
+    }
+
     void noLaneIsLostAndNoTourIsLonger() {
         Random random = seeded(8, 0);
         double nearest_m = 0.0, tour_m = 0.0;

@@ -43,15 +43,21 @@ private slots:
     void fliesOnlyWhereItLooks_data() {
         QTest::addColumn<double>("off_deg");
         QTest::addColumn<double>("speed_m_s");
-        QTest::newRow("ahead") << 0.0 << 1.0;
-        QTest::newRow("aside") << 45.0 << 0.0;
-        QTest::newRow("behind") << 180.0 << 0.0;
+        QTest::addColumn<double>("round_m_s"); // where it may round corners
+        QTest::newRow("ahead") << 0.0 << 1.0 << 1.0;
+        QTest::newRow("aside, where a sonar looks") << 45.0 << 0.0 << 35.0 / 80.0;
+        QTest::newRow("abeam, where none looks") << 85.0 << 0.0 << 0.0;
+        QTest::newRow("behind") << 180.0 << 0.0 << 0.0;
     }
     void fliesOnlyWhereItLooks() {
         QFETCH(double, off_deg);
         QFETCH(double, speed_m_s);
         const Motion motion = toward(sensesAt({0, 0, 6}), radians(off_deg), 1.0, settings);
         QVERIFY(std::abs(motion.velocity_in_map_m_s.norm() - speed_m_s) < 1e-9);
+        QFETCH(double, round_m_s);
+        const Motion round = toward(sensesAt({0, 0, 6}), radians(off_deg), 1.0, settings, Corner::Round);
+        QVERIFY(std::abs(round.velocity_in_map_m_s.norm() - round_m_s) < 1e-9);
+        QCOMPARE(round.yaw_rate_rad_s, motion.yaw_rate_rad_s);
     }
 
     void turnsMapVelocitiesIntoTheBodysFrame() {

@@ -231,6 +231,28 @@ private slots:
         QVERIFY(contains(toy.events(), "quadrant"));
     }
 
+    /// In a hurry it does not charge a battery that it has hardly used.
+    void fliesOnAfterASmallQuadrantInAHurry_data() {
+        QTest::addColumn<double>("transit_m_s");
+        QTest::addColumn<double>("range_m");
+        QTest::addColumn<bool>("goes_home");
+        QTest::newRow("in no hurry") << 1.6 << 1000.0 << true;
+        QTest::newRow("in a hurry") << 2.0 << 1000.0 << false;
+        QTest::newRow("in a hurry, with a battery half empty") << 2.0 << 200.0 << true;
+    }
+    void fliesOnAfterASmallQuadrantInAHurry() {
+        QFETCH(double, transit_m_s);
+        QFETCH(double, range_m);
+        QFETCH(bool, goes_home);
+        ToyFlight toy =
+            flight({}, field_task,
+                   {{"quadrant_limit_m", 30.0}, {"transit_speed_m_s", transit_m_s}, {"battery_range_m", range_m}},
+                   {.ins_drifts = true});
+        toy.run(Seconds(3000));
+        QVERIFY(toy.ending() && toy.ending()->success);
+        QCOMPARE(contains(toy.events(), "quadrant"), goes_home);
+    }
+
     void fliesOnAfterAQuadrantWhereNoInsNeedsToBeSet() {
         ToyFlight toy = flight({}, field_task, {{"quadrant_limit_m", 30.0}, {"navigate_by_truth", true}});
         toy.run(Seconds(3000));

@@ -110,6 +110,9 @@ private slots:
         const Survey survey = surveyOver({{-30, -20}, {30, 20}}, settings);
         QCOMPARE(survey.plan().quadrants.size(), std::size_t(4));
         const double by_ins_s = TimeEstimate().whole(survey, Vec2::Zero(), settings).count();
+        settings.transit_speed_m_s = 2.0; // in a hurry
+        QVERIFY(by_ins_s - TimeEstimate().whole(survey, Vec2::Zero(), settings).count() > 3 * settings.recharge_time_s);
+        settings.transit_speed_m_s = Settings().transit_speed_m_s;
         settings.navigate_by_truth = true;
         QVERIFY(by_ins_s - TimeEstimate().whole(survey, Vec2::Zero(), settings).count() > 3 * settings.recharge_time_s);
         settings = {};

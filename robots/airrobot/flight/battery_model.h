@@ -16,6 +16,12 @@ inline double usableRange_m(const Settings& settings) {
     return settings.battery_range_m * (1.0 - settings.battery_reserve_pct / 100.0);
 }
 
+/// Whether a charge is worth its time after a flight of this length: a robot in a hurry does not charge a battery of
+/// which it has hardly used half.
+inline bool isWorthACharge(double since_charge_m, const Settings& settings) {
+    return !settings.hurried() || since_charge_m > 0.5 * settings.battery_range_m;
+}
+
 /// Adds up the distance flown since the last charge, according to the INS. Positions and distances are
 /// three-dimensional, in meters. Owned by one robot.
 class BatteryModel {
@@ -42,6 +48,7 @@ public:
     double flown_m() const { return total_m_; }
     /// The number of recharges.
     int charges() const { return charges_; }
+    double sinceCharge_m() const { return since_charge_m_; } ///< the distance flown since then
     /// The used share of the battery's range, 0 to 100.
     double used_pct(const Settings& settings) const {
         return std::clamp(100.0 * since_charge_m_ / settings.battery_range_m, 0.0, 100.0);

@@ -12,15 +12,16 @@ constexpr double look_around_m = 8.0;
 /// If the robot needs to climb no more than this, it continues past an overhang at the same height.
 constexpr double bearable_deficit_m = 1.5;
 constexpr double path_half_width_m = 0.75;
+/// A robot that must not climb where it is flies on until something is so near before it that it must.
+constexpr double soon_m = 5.0;
+constexpr double soon_half_width_m = 1.5;
 /// The robot keeps its height for this distance from the place of a climb.
 constexpr double over_way_m = 12.0;
 /// A robot that is so much higher than where it ended a climb is climbing again.
 constexpr double over_again_m = 0.7;
 constexpr double least_climb_m = 1.0; ///< A climb over an obstacle needs this much room below a ceiling.
-/// A robot that is to fly faster than this is slow among things within this distance and bearing, and slower while it
-/// climbs faster than `rising_m_s`: trunks carry crowns, and no sensor looks at what is higher. Up to this speed, it
-/// stops early enough without that.
-constexpr double unhurried_m_s = 1.6;
+/// A robot that is to fly fast is slow among things within this distance and bearing, and slower while it climbs faster
+/// than `rising_m_s`: trunks carry crowns, and no sensor looks at what is higher.
 constexpr double near_m = 6.0;
 constexpr double ahead_rad = radians(75.0);
 constexpr double crowded_m_s = 1.2;
@@ -79,11 +80,14 @@ void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool a
         overhead.observe(senses, {commanded_climb_m_s_, std::exchange(ascending_, false)});
         if (overhead.found()) { // What was seen of this ceiling before was taken for walls.
             memory.clear();
+            atlas_.clear();
             ways.map().clear();
         }
         const double below_m = overhead.ceiling_m(senses.position2_m()).value_or(1e9) - below_ceiling_m;
-        const bool hurried = std::max(settings.scan_speed_m_s, settings.transit_speed_m_s) > unhurried_m_s;
-        memory.take(senses, {Seconds(settings.scan_memory_s), Seconds(settings.sonar_memory_s), below_m, hurried});
+        memory.take(senses,
+                    {Seconds(settings.scan_memory_s), Seconds(settings.sonar_memory_s), below_m, settings.hurried()});
+        if (settings.hurried())
+            atlas_.take(senses, below_m);
         ways.take(senses, below_m, senses.heightOverGround_m(1e9) > sure_of_walls_m, overhead.hasCeiling());
         refuge.note(senses, memory, dry_m());
         battery.moveTo(senses.position_m());
@@ -237,20 +241,23 @@ Motion Craft::cruise(const Leg& leg, FlightState& state) {
     const double level_m = senses.position_m().z() - passesBelow_m();
     const double half_width_m = ways.isNarrow() ? std::min(Ways::door_half_width_m, settings.side_clearance_m / 2.0)
                                                 : settings.side_clearance_m / 2.0;
+    const double straight_m = (leg.end_m.value_or(leg.goal_m) - here_m).norm();
     const auto bearing = steering_.choose(obstacles_, here_m, leg.aim_m, level_m, {half_width_m, 3.5});
     if (!bearing) {
         state = FlightState::Evading;
         Motion motion = holding(senses, here_m);
         motion.yaw_rate_rad_s = turnRate_rad_s(senses, bearingOf(leg.aim_m - here_m), settings);
-        motion.climb_m_s = climbRate(bearingOf(leg.aim_m - here_m), 0.0);
+        motion.climb_m_s = climbRate({here_m, bearingOf(leg.aim_m - here_m), 0.0, straight_m});
         return motion;
     }
     const double distance_m = (leg.aim_m - here_m).norm();
-    const bool crowded = leg.speed_m_s > unhurried_m_s && nearsSomething(obstacles_, here_m, *bearing);
+    const bool fast = leg.speed_m_s > Settings::unhurried_m_s;
+    const bool crowded = fast && nearsSomething(obstacles_, here_m, *bearing);
     const double most_m_s = crowded ? std::min(leg.speed_m_s, crowded_m_s) : leg.speed_m_s;
     const double speed_m_s = std::min(most_m_s, 0.2 + stoppingSpeed_m_s(distance_m, settings.braking_m_s2 / 2.0));
-    Motion motion = toward(senses, *bearing, speed_m_s, settings);
-    motion.climb_m_s = climbRate(*bearing, motion.velocity_in_map_m_s.norm());
+    const Corner corner = fast && !crowded ? Corner::Round : Corner::Sharp;
+    Motion motion = toward(senses, *bearing, speed_m_s, settings, corner);
+    motion.climb_m_s = climbRate({here_m, *bearing, motion.velocity_in_map_m_s.norm(), straight_m});
     if (crowded && motion.climb_m_s > rising_m_s)
         motion.velocity_in_map_m_s *= rising_speed_m_s / std::max(speed_m_s, rising_speed_m_s);
     if (!climb_forbidden_)
@@ -283,12 +290,18 @@ std::optional<double> Craft::heldHeight_m() {
     return climbed_at_ ? std::optional(climbed_at_->z()) : std::nullopt;
 }
 
-double Craft::climbRate(double way_bearing_rad, double speed_m_s) {
-    const double wanted_m = altitudeGoal_m(senses, memory, way_bearing_rad, speed_m_s, heldHeight_m(), settings);
-    const double goal_m = std::min(wanted_m, overhead.limit_m(senses.position2_m()));
-    const double rate_m_s = altitude_.climbRate_m_s(senses, memory, goal_m, way_bearing_rad, speed_m_s, settings);
+double Craft::climbRate(const WayAhead& way) {
+    double wanted_m = altitudeGoal_m(senses, memory, way.bearing_rad, way.speed_m_s, heldHeight_m(), settings);
+    double needed_m = wanted_m; // at once
+    if (settings.hurried() && !overhead.hasCeiling()) {
+        const auto ahead_m = memory.highestAlong_m(way.from_m, way.bearing_rad, soon_half_width_m, soon_m);
+        needed_m = ahead_m ? *ahead_m + settings.clearance_m : senses.position_m().z();
+        wanted_m = std::max(wanted_m, drapedHeight_m(atlas_, way, settings).value_or(wanted_m));
+    }
+    const double goal_m = std::min(wanted_m, overhead.limit_m(way.from_m));
+    const double rate_m_s = altitude_.climbRate_m_s(senses, memory, goal_m, way.bearing_rad, way.speed_m_s, settings);
     const bool overhang = rate_m_s > 0.0 && besideOverhang();
-    climb_forbidden_ = overhang && goal_m - senses.position_m().z() > bearable_deficit_m;
+    climb_forbidden_ = overhang && std::min(needed_m, goal_m) - senses.position_m().z() > bearable_deficit_m;
     return overhang ? 0.0 : rate_m_s;
 }
 
@@ -379,6 +392,7 @@ void Craft::rest(agent::CommandPort& port, const std::string& source) {
 
 void Craft::forgetPlaces() {
     memory.clear();
+    atlas_.endFlight();
     ways.startAnew(senses.position_m().z());
     refuge = {};
     overhead.forgetPlaces();

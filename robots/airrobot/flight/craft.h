@@ -9,6 +9,7 @@
 #include "robots/airrobot/flight/climb_over.h"
 #include "robots/airrobot/flight/crash_watch.h"
 #include "robots/airrobot/flight/detour.h"
+#include "robots/airrobot/flight/drape.h"
 #include "robots/airrobot/flight/evasion.h"
 #include "robots/airrobot/flight/flight_log.h"
 #include "robots/airrobot/flight/landing.h"
@@ -55,8 +56,7 @@ public:
     void comeUp();
     /// Ground lower than this (map z) may be the bed of water, so that the robot must not land on it in need.
     double dry_m() const;
-    /// Says what has become of a robot that has crashed, such as "it falls"; nullptr while it flies or stands.
-    const char* crash() const { return crash_; }
+    const char* crash() const { return crash_; } ///< what has become of it, such as "it falls"; nullptr: no crash
     /// Time spent avoiding obstacles since the last progress toward the goal.
     Seconds hindered() const { return stuck_.hindered(); }
 
@@ -79,7 +79,6 @@ public:
     void brace(agent::CommandPort& port, const std::string& source);
     /// Sends a zero DRIVE. This time does not count toward `stuck`.
     void rest(agent::CommandPort& port, const std::string& source);
-
     /// Forgets everything that depends on the old position estimate; call it after an INS reset.
     void forgetPlaces();
     /// Forgets evasion, steering and progress; call it before a goal of another kind and when a goal is given up.
@@ -111,7 +110,7 @@ private:
     Vec2 awayFromTrunks_m(const Vec2& at_m) const;
     /// Starts a climb over what is in the way, or a detour around it where the robot may not climb.
     void findWay(const Leg& leg);
-    double climbRate(double way_bearing_rad, double speed_m_s);
+    double climbRate(const WayAhead& way);
     /// Returns whether a nearby obstacle reaches the robot's height and may be wider above, like a trunk.
     bool besideOverhang() const;
     /// Reduces the speed so that the robot can stop before the obstacles on its way.
@@ -124,6 +123,7 @@ private:
     std::optional<EvasionDecision> decision_; ///< decision of this tick
     Steering steering_;
     AltitudeHold altitude_;
+    HeightAtlas atlas_;
     ClimbOver climb_over_;
     Ascent ascent_;
     Column column_;

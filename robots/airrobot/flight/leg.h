@@ -1,6 +1,7 @@
 // What the robot is to do in one tick of flight, and what becomes of it.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/base/geometry.h"
@@ -13,8 +14,9 @@ struct Leg {
     Vec2 goal_m = Vec2::Zero(); ///< point to reach
     Vec2 aim_m = Vec2::Zero();  ///< point to steer at on the way there
     double speed_m_s = 1.0;
-    std::string source;         ///< named as the cause of the commands
-    Width width = Width::Usual; ///< of the ways that may be taken
+    std::string source;          ///< named as the cause of the commands
+    Width width = Width::Usual;  ///< of the ways that may be taken
+    std::optional<Vec2> end_m{}; ///< where the straight way ends if it goes on beyond the goal
 };
 
 /// The result of one tick of flight. Unreachable: the goal should be given up.

@@ -13,6 +13,7 @@ constexpr Seconds longest_ramp = 2 * usual_tick;
 constexpr Seconds repeat_after{1.0};
 constexpr double turn_gain_per_s = 1.4;
 constexpr double stop_to_turn_rad = 0.6;
+constexpr double sonars_hear_rad = radians(80.0); ///< from the nose to either side
 constexpr double firm_braking_m_s2 = 2.0;
 constexpr double hold_gain_per_s = 0.6;
 constexpr double hold_speed_m_s = 0.5;
@@ -32,9 +33,10 @@ double turnRate_rad_s(const Senses& senses, double bearing_rad, const Settings& 
     return std::clamp(turn_gain_per_s * error_rad, -settings.turn_rate_rad_s, settings.turn_rate_rad_s);
 }
 
-Motion toward(const Senses& senses, double bearing_rad, double speed_m_s, const Settings& settings) {
+Motion toward(const Senses& senses, double bearing_rad, double speed_m_s, const Settings& settings, Corner corner) {
     const double error_rad = std::abs(normalizedAngle(bearing_rad - senses.base_in_map.yaw_rad));
-    const double part = std::max(0.0, 1.0 - error_rad / stop_to_turn_rad);
+    const double stop_rad = corner == Corner::Round ? sonars_hear_rad : stop_to_turn_rad;
+    const double part = std::max(0.0, 1.0 - error_rad / stop_rad);
     return {.velocity_in_map_m_s = speed_m_s * part * Vec2(std::cos(bearing_rad), std::sin(bearing_rad)),
             .yaw_rate_rad_s = turnRate_rad_s(senses, bearing_rad, settings)};
 }

@@ -20,9 +20,12 @@ struct Motion {
 
 /// Returns the yaw rate that turns the nose to `bearing_rad` (map frame).
 double turnRate_rad_s(const Senses& senses, double bearing_rad, const Settings& settings);
+/// How the robot flies while it turns: hardly at all, or wherever a sonar looks.
+enum class Corner { Sharp, Round };
 /// Returns a flight along `bearing_rad` (map frame). It is slower, down to zero, while the nose points elsewhere, so
 /// that the robot does not fly where it cannot see.
-Motion toward(const Senses& senses, double bearing_rad, double speed_m_s, const Settings& settings);
+Motion toward(const Senses& senses, double bearing_rad, double speed_m_s, const Settings& settings,
+              Corner corner = Corner::Sharp);
 /// Returns a motion that holds the place (map frame) and flies back to it if necessary.
 Motion holding(const Senses& senses, const Vec2& place_m);
 

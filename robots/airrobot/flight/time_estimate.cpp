@@ -48,6 +48,7 @@ public:
         , at_m_(state.position_m)
         , used_m_(state.since_charge_m) {}
 
+    double used_m() const { return used_m_; }
     double stage_s(Stage stage) const { return stages_s_[static_cast<std::size_t>(stage)]; }
     void transit(const Vec2& to_m) {
         const double way_m = move(to_m);
@@ -119,7 +120,8 @@ void flyOn(ThoughtFlight& flight, const Survey& survey, const MissionState& stat
     const auto& lanes = survey.plan().lanes;
     for (std::size_t i = survey.laneIndex(); i < lanes.size(); ++i) {
         const bool first = i == survey.laneIndex();
-        if (!first && lanes[i].quadrant != lanes[i - 1].quadrant && !settings.navigate_by_truth) {
+        if (!first && lanes[i].quadrant != lanes[i - 1].quadrant && !settings.navigate_by_truth &&
+            isWorthACharge(flight.used_m(), settings)) {
             flight.land();
             flight.charge();
         }

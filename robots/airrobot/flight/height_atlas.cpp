@@ -1,0 +1,72 @@
+#include "robots/airrobot/flight/height_atlas.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "robots/airrobot/flight/moving_grid.h"
+
+namespace usar::airrobot {
+
+namespace {
+
+constexpr double atlas_cell_m = 1.0;
+constexpr double corridor_half_width_m = 1.5;
+constexpr double past_half_width_m = 2.5;
+/// A hit that is less than this below the scanner may be on something that goes on above it.
+constexpr double level_with_m = 0.5;
+/// A later hit that is no more than this below the highest one, but well below the scanner, shows that nothing goes on.
+constexpr double near_top_m = 0.7;
+
+int atlasCellOf(double coordinate_m) {
+    return static_cast<int>(std::floor(coordinate_m / atlas_cell_m));
+}
+
+} // namespace
+
+void HeightAtlas::take(const Senses& senses, double below_m) {
+    if (!senses.scan)
+        return;
+    if (cells_.empty())
+        cells_.resize(std::size_t(side) * side);
+    const double level_m = senses.scan->scanner_in_map.position_m.z() - level_with_m;
+    for (const Vec3& hit : senses.scan->hits_in_map_m) {
+        if (hit.z() >= below_m)
+            continue;
+        const int column = atlasCellOf(hit.x());
+        const int row = atlasCellOf(hit.y());
+        const auto top_m = static_cast<float>(hit.z());
+        const bool goes_on = hit.z() > level_m;
+        Cell& cell = cells_[slotOf<side>(column, row)];
+        if (cell.column != column || cell.row != row || cell.flight != flight_ || top_m > cell.top_m)
+            cell = {column, row, top_m, goes_on, flight_};
+        else if (!goes_on && top_m > cell.top_m - near_top_m)
+            cell.goes_on = false;
+    }
+}
+
+std::optional<double> HeightAtlas::highest_m(const Corridor& corridor) const {
+    const Vec2 along(std::cos(corridor.bearing_rad), std::sin(corridor.bearing_rad));
+    const double half_length_m = corridor.length_m / 2.0;
+    const Vec2 middle_m = corridor.from_m + along * (corridor.start_m + half_length_m);
+    const double reach_m = half_length_m + past_half_width_m;
+    std::optional<double> highest;
+    if (cells_.empty())
+        return highest;
+    for (int row = atlasCellOf(middle_m.y() - reach_m); row <= atlasCellOf(middle_m.y() + reach_m); ++row)
+        for (int column = atlasCellOf(middle_m.x() - reach_m); column <= atlasCellOf(middle_m.x() + reach_m);
+             ++column) {
+            const Cell& cell = cells_[slotOf<side>(column, row)];
+            if (cell.column != column || cell.row != row || cell.flight == 0)
+                continue;
+            const Vec2 offset_m = Vec2(column + 0.5, row + 0.5) * atlas_cell_m - middle_m;
+            const double aside_m = std::abs(along.x() * offset_m.y() - along.y() * offset_m.x());
+            const double half_width_m = cell.flight == flight_ ? corridor_half_width_m : past_half_width_m;
+            if (std::abs(offset_m.dot(along)) > half_length_m || aside_m > half_width_m)
+                continue;
+            const double top_m = static_cast<double>(cell.top_m) + (cell.goes_on ? hidden_top_m : 0.0);
+            highest = std::max(highest.value_or(top_m), top_m);
+        }
+    return highest;
+}
+
+} // namespace usar::airrobot
