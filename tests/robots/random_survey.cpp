@@ -254,6 +254,12 @@ void surveyRows(int first, int last) {
         QTest::addRow("survey %d", number) << number;
 }
 
+void surveyRowsOrAsked(int first, int last) {
+    const QList<QByteArray> asked = qgetenv("USAR_SURVEYS").split('-');
+    const bool both = asked.size() == 2;
+    surveyRows(both ? asked.first().toInt() : first, both ? asked.last().toInt() + 1 : last);
+}
+
 void tryRandomSurvey(int number) {
     const RandomSurvey survey = drawSurvey(number);
     const SurveyOutcome outcome = fly(survey);

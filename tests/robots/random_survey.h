@@ -58,6 +58,8 @@ SurveyOutcome fly(const RandomSurvey& survey);
 
 /// Rows of a Qt test with the column `number`, from `first` to before `last`.
 void surveyRows(int first, int last);
+/// The same, or the numbers that the environment variable USAR_SURVEYS asks for, "3100-3159".
+void surveyRowsOrAsked(int first, int last);
 /// Flies it, says how it went, and demands that the mission ended by itself and that the robot is whole.
 void tryRandomSurvey(int number);
 /// Flies it with its fault, says how it went, and demands that the mission ended by itself and is no false success.

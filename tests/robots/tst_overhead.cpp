@@ -102,6 +102,24 @@ private slots:
     }
 
     /// As flown in `tall_test` with seed 16: it sank after its lane, and the climb over a crown took a second to begin.
+    void whatARobotThatObeysLateHasTouchedMayBeNothing() {
+        for (const bool late : {false, true}) {
+            Overhead overhead;
+            for (int tick = 0; tick < 11; ++tick) { // 2 s and a tick, in which it does not climb yet
+                Senses senses = sensesAt({0.0, 0.0, 5.0}, 0.0, 100.0 + 0.2 * tick);
+                senses.late = Seconds(late ? 1.6 : 0.0);
+                overhead.observe(senses, {.climb_m_s = 0.4, .ascending = false});
+            }
+            QCOMPARE(overhead.hasCeiling(), !late);
+            overhead.forgetTouches();
+            QVERIFY(!overhead.hasCeiling());
+        }
+        Overhead overhead;
+        overhead.observe(sensesWith(scanBelow(6.0, 12.0, radians(14.0), {0.0, 0.0, 4.3})), {0.0, true});
+        overhead.forgetTouches();
+        QVERIFY(overhead.hasCeiling()); // It was seen.
+    }
+
     void aClimbThatBeginsWhileItSinksHasMetNothing() {
         Overhead overhead;
         Senses senses = sensesAt({1.0, 2.0, 14.3});

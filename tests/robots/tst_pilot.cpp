@@ -40,6 +40,30 @@ private slots:
         QVERIFY(std::abs(rate_rad_s) <= settings.turn_rate_rad_s);
     }
 
+    void isCalmOnALateLink_data() {
+        QTest::addColumn<double>("late_s");
+        QTest::addColumn<double>("speed_m_s");
+        QTest::addColumn<double>("share");
+        QTest::newRow("in time") << 0.0 << 1.6 << 1.0;
+        // By hand: in the second that it takes to obey it passes v, and v^2 / 2 as it brakes at 1 m/s2, together 1.2 m.
+        QTest::newRow("0.6 s") << 0.6 << 0.844 << 0.4545;
+        QTest::newRow("3 s") << 3.0 << 0.336 << 0.1429;
+    }
+    void isCalmOnALateLink() {
+        QFETCH(double, late_s);
+        QFETCH(double, speed_m_s);
+        QFETCH(double, share);
+        Senses senses = sensesAt({0, 0, 6});
+        senses.late = Seconds(late_s);
+        const Motion motion = calmed({Vec2(0.0, 1.6), 1.0, 10.0}, senses, settings);
+        QVERIFY2(std::abs(motion.velocity_in_map_m_s.y() - speed_m_s) < 1e-3,
+                 qPrintable(QString::number(motion.velocity_in_map_m_s.y())));
+        QVERIFY(std::abs(motion.climb_m_s - share) < 1e-3);
+        QVERIFY(late_s == 0.0 || std::abs(motion.yaw_rate_rad_s - share * settings.turn_rate_rad_s) < 1e-3);
+        QVERIFY(std::abs(turnRate_rad_s(senses, 0.1, settings) - share * 0.14) < 1e-3);
+        QVERIFY(std::abs(holding(senses, {0.5, 0.0}).velocity_in_map_m_s.x() - share * 0.3) < 1e-3);
+    }
+
     void fliesOnlyWhereItLooks_data() {
         QTest::addColumn<double>("off_deg");
         QTest::addColumn<double>("speed_m_s");

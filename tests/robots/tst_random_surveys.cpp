@@ -29,6 +29,12 @@ private slots:
         QVERIFY2(!outcome.broken && outcome.reachable_coverage_pct.value_or(0.0) >= 97.0, outcome.text().c_str());
     }
 
+    // Its commands come 1.6 s late. It once swung from side to side, took that for ceilings, and broke after 26 min.
+    void scansOverALateLink() {
+        const test::SurveyOutcome outcome = test::fly(test::drawFaultySurvey(4006));
+        QVERIFY2(outcome.success && outcome.collisions == 0 && outcome.elapsed_s < 900.0, outcome.text().c_str());
+    }
+
     void tellsTheTruthOfAFault_data() { test::surveyRows(13, 20); }
     void tellsTheTruthOfAFault() {
         QFETCH(int, number);

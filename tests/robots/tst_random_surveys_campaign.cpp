@@ -11,13 +11,13 @@ class tst_RandomSurveysCampaign : public QObject {
     Q_OBJECT
 
 private slots:
-    void endsByItselfAndWhole_data() { test::surveyRows(20, 1000); }
+    void endsByItselfAndWhole_data() { test::surveyRowsOrAsked(20, 1000); }
     void endsByItselfAndWhole() {
         QFETCH(int, number);
         test::tryRandomSurvey(number);
     }
 
-    void tellsTheTruthOfAFault_data() { test::surveyRows(1000, 1500); }
+    void tellsTheTruthOfAFault_data() { test::surveyRowsOrAsked(1000, 1500); }
     void tellsTheTruthOfAFault() {
         QFETCH(int, number);
         ++faulty_;

@@ -352,18 +352,53 @@ private slots:
             return Vec3(simulation->robots().front().base_in_map.position_m - Vec3(0.0, 0.0, 3.0));
         };
         QVERIFY(way({}).norm() < 0.1);
-        // Drag at 6 m/s is 7.2 N, more than the tilt limit of 25 degrees can hold against (4.6 N): it goes with the
-        // wind.
-        const Vec3 blown_m = way({"wind speed=6 toward_deg=90"});
+        // 7.57 m/s at 10 m are 6 m/s at 3 m, where drag is 7.2 N, more than the tilt limit of 25 degrees can hold
+        // against (4.6 N): it goes with the wind.
+        const Vec3 blown_m = way({"wind speed=7.57 toward_deg=90"});
         QVERIFY(blown_m.y() > 5.0);
         QVERIFY(std::abs(blown_m.x()) < 0.2 * blown_m.y());
         const Vec3 held_m = way({"wind speed=2 toward_deg=180"}); // a breeze that it can stand
         QVERIFY(held_m.x() < -0.01 && held_m.x() > -3.0);
     }
 
+    /// Where a robot hovers, and how far the wind takes it there while it holds no place.
+    void windCountsFromWhatIsBelow() {
+        World bridge = flatWorld();
+        bridge.boxes = {{Pose{.position_m = {0.0, 0.0, 3.5}}, {30.0, 30.0, 1.0}}};
+        const auto driftOf_m = [](World world, double z_m) {
+            SimulationOptions options;
+            options.noise = false;
+            options.faults = faultsOf({"wind speed=4"});
+            const auto simulation = simulationOf(std::move(world), options);
+            Talker talker(*simulation);
+            talker.say("INIT {ClassName USARBot.AirRobot} {Name R1} {Location 0,0," + std::to_string(-z_m) + "}");
+            steps(*simulation, 25);
+            return simulation->robots().front().base_in_map.position_m.x();
+        };
+        const double low_m = driftOf_m(flatWorld(), 1.5);
+        QVERIFY2(low_m > 0.1, qPrintable(QString::number(low_m)));
+        QVERIFY(std::abs(driftOf_m(bridge, 5.5) - low_m) < 0.01);
+        QVERIFY(std::abs(driftOf_m(bridge, 1.5) - low_m) < 0.01);
+        QVERIFY(std::abs(driftOf_m(lake(), 31.5) - low_m) < 0.01);
+        QVERIFY(driftOf_m(flatWorld(), 5.5) > 1.2 * low_m);
+    }
+
+    // The wind of 10 m height once blew at the ground, too, and threw robots over there.
+    void aRobotOnItsLegsStandsInTheWind() {
+        const auto simulation = faultySimulation({"wind speed=5"});
+        Talker talker(*simulation);
+        talker.say("INIT {ClassName USARBot.AirRobot} {Name R1} {Location 0,0,-0.23}");
+        steps(*simulation, 15);
+        const Vec3 stood_m = simulation->robots().front().base_in_map.position_m;
+        steps(*simulation, 100);
+        const RobotTruth robot = simulation->robots().front();
+        QVERIFY(!robot.broken);
+        QVERIFY((robot.base_in_map.position_m - stood_m).norm() < 0.02);
+    }
+
     // It once stood asleep while its drag added up, and left at once with the speed of the wind.
     void aRobotThatStoodInTheWindRisesFromItsPlace() {
-        const auto simulation = faultySimulation({"wind speed=3.5"});
+        const auto simulation = faultySimulation({"wind speed=6"});
         Talker talker(*simulation);
         talker.say("INIT {ClassName USARBot.AirRobot} {Name R1} {Location 0,0,-0.3}");
         const auto place_m = [&] { return simulation->robots().front().base_in_map.position_m; };

@@ -223,6 +223,27 @@ private slots:
         QVERIFY(std::abs(RayCaster(world).surface_m(point_m) - surface_m) < 1e-9);
     }
 
+    void theFloorBelowIsGroundOrABox_data() {
+        QTest::addColumn<Vec3>("from_m");
+        QTest::addColumn<double>("floor_m");
+        QTest::newRow("ground") << Vec3{-10, 3, 7} << 0.0;
+        QTest::newRow("ground, through a crown") << Vec3{5, 0, 12} << 0.0;
+        QTest::newRow("a roof") << Vec3{-20, -20, 9} << 4.0;
+        QTest::newRow("in a box") << Vec3{-20, -20, 3} << 3.0;
+        QTest::newRow("under a bridge") << Vec3{20, 20, 2} << 0.0;
+        QTest::newRow("on a bridge") << Vec3{20, 20, 5.2} << 5.0;
+        QTest::newRow("below the ground") << Vec3{-10, 3, -1} << -1.0;
+    }
+    void theFloorBelowIsGroundOrABox() {
+        QFETCH(Vec3, from_m);
+        QFETCH(double, floor_m);
+        World world = doubles::flatWorld();
+        world.plants = {roundTree()};
+        world.boxes = {{Pose{.position_m = {-20.0, -20.0, 2.0}, .yaw_rad = 0.3}, {6.0, 8.0, 4.0}},
+                       {Pose{.position_m = {20.0, 20.0, 4.5}}, {6.0, 8.0, 1.0}}};
+        QVERIFY(std::abs(RayCaster(world).floorBelow_m(from_m) - floor_m) < 1e-9);
+    }
+
     void surfaceOfARoomLiesUnderItsCeiling() {
         World world = doubles::flatWorld(20.0);
         world.boxes = {{Pose{.position_m = {0.0, 0.0, 3.5}}, {20.0, 20.0, 1.0}},

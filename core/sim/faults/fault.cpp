@@ -31,7 +31,7 @@ constexpr std::array rotor_numbers{
     FaultNumber{"rotor", "", 1.0, 4.0, 1.0, "1 front left, 2 front right, 3 rear right, 4 rear left", true},
     FaultNumber{"thrust", "", 0.0, 1.0, 0.0, "share of the thrust that is left"}};
 constexpr std::array wind_numbers{
-    FaultNumber{"speed", "m/s", 0.0, 60.0, 3.0, "mean"},
+    FaultNumber{"speed", "m/s", 0.0, 60.0, 3.0, "mean at 10 m above the ground, less below"},
     FaultNumber{"toward_deg", "deg", -360.0, 360.0, 0.0, "where it blows to, counter-clockwise from the map's x"},
     FaultNumber{"gust", "m/s", 0.0, 30.0, 0.0, "standard deviation of the gusts"}};
 constexpr std::array vanish_numbers{FaultNumber{"after", "s", 0.0, longest_s, 1.0, "since the robot was spawned"}};

@@ -14,7 +14,7 @@
 namespace usar::sim {
 
 struct WindParameters {
-    Vec3 mean_in_map_m_s = Vec3::Zero(); ///< points to where it blows
+    Vec3 mean_in_map_m_s = Vec3::Zero(); ///< at 10 m above the ground; points to where it blows
     double gust_m_s = 0.0;               ///< standard deviation along each horizontal axis; half of it vertically
 };
 
@@ -68,7 +68,8 @@ public:
     /// True if an active cut concerns this robot. The cut is over at the next `advance`, so it cuts off each robot
     /// once.
     bool takeCut(std::string_view robot_name);
-    /// Velocity of the air during the next `dt`, map frame: the sum of all active winds.
+    /// Velocity of the air during the next `dt` at 10 m above the ground (see windShare), map frame: the sum of all
+    /// active winds.
     Vec3 wind(Seconds dt);
 
     /// All faults ever added, in the order of their numbers.

@@ -219,4 +219,14 @@ double RayCaster::surface_m(const Vec2& point_m) const {
     return index_->top_m - index_->castAtThings(down, index_->top_m - ground_m, index_->all);
 }
 
+double RayCaster::floorBelow_m(const Vec3& point_m) const {
+    const Terrain& terrain = world_->terrain;
+    const double ground_m = terrain.empty() ? index_->bottom_m : terrain.height_m(point_m.head<2>());
+    const Ray down{point_m, -Vec3::UnitZ()};
+    double free_m = std::max(0.0, point_m.z() - ground_m);
+    for (const PlacedBox& box : index_->boxes)
+        free_m = nearer(box, down, free_m);
+    return point_m.z() - free_m;
+}
+
 } // namespace usar::sim

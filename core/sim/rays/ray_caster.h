@@ -73,6 +73,9 @@ public:
     /// point. A box that covers all the ground, such as the ceiling of a closed room, is ignored; the result is the
     /// surface below it.
     double surface_m(const Vec2& point_m) const;
+    /// Height of the ground, or of the box on it, straight below a point; plants do not count. Where nothing is below,
+    /// that of the lowest thing in the world.
+    double floorBelow_m(const Vec3& point_m) const;
 
 private:
     struct Index;

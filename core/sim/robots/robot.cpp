@@ -7,6 +7,7 @@
 
 #include "core/base/text.h"
 #include "core/protocol/vehicle_words.h"
+#include "core/sim/faults/wind_profile.h"
 
 namespace usar::sim {
 
@@ -163,6 +164,7 @@ Robot::Robot(const RobotModel& model, const RobotSurroundings& surroundings, con
     , stay_(options.base_in_map.position_m)
     , rays_(surroundings.caster, surroundings.physics, body_.id())
     , world_(surroundings.world)
+    , caster_(surroundings.caster)
     , scene_(surroundings.scene)
     , profile_(options.profile)
     , tick_(options.scan_interval)
@@ -236,6 +238,23 @@ void Robot::discharge(Seconds dt) {
         switchOff();
 }
 
+void Robot::feelWind(const Vec3& wind_at_10_m_m_s) {
+    if (body_.model().kind != protocol::VehicleKind::Aerial)
+        return;
+    const bool blows = !wind_at_10_m_m_s.isZero(0.0);
+    drive_->feelWind(blows ? Vec3(windShare(heightForWind_m()) * wind_at_10_m_m_s) : Vec3(Vec3::Zero()));
+}
+
+double Robot::heightForWind_m() {
+    const Vec3 here_m = body_.link_in_map(-1).translation();
+    if (!floor_m_) {
+        floor_m_ = caster_.floorBelow_m(here_m);
+        if (world_.water)
+            floor_m_ = std::max(*floor_m_, world_.water->surface_z_m);
+    }
+    return here_m.z() - *floor_m_;
+}
+
 void Robot::switchOff() {
     drive_->switchOff();
     for (MissionPackage& package : packages_)
@@ -246,6 +265,7 @@ void Robot::switchOff() {
 
 void Robot::measure(Seconds now, bool first, std::vector<protocol::InfoMessage>& out) {
     watch();
+    floor_m_.reset();
     const bool is_udk = profile_ == protocol::Dialect::Udk;
     if (is_udk)
         out.emplace_back(state(now)); // In UT2004 it comes last.

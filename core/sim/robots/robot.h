@@ -69,7 +69,9 @@ public:
     void setFaults(const std::vector<Fault>& active);
     /// True if the robot has the sensor or the rotors that the fault is about.
     bool canHave(const Fault& fault) const;
-    void feelWind(const Vec3& wind_in_map_m_s) { drive_->feelWind(wind_in_map_m_s); }
+    /// Sets the velocity of the air at 10 m above the ground; nearer to it, there is less (see windShare). What is
+    /// below is looked up once a tick, and only while air moves around a robot that flies.
+    void feelWind(const Vec3& wind_at_10_m_m_s);
 
     /// The robot as it is now; the statistics count from the spawn.
     RobotFigures figures() const;
@@ -83,6 +85,7 @@ private:
     Robot(const RobotModel& model, const RobotSurroundings& surroundings, const RobotOptions& options);
     Result<void> equip(const RobotSurroundings& surroundings, const RobotOptions& options);
     bool atRest() const;
+    double heightForWind_m();
     void watch();
     void discharge(Seconds dt);
     void switchOff();
@@ -98,6 +101,8 @@ private:
     bool went_under_ = false; ///< a submarine that has been below the surface
     WorldRays rays_;
     const World& world_;
+    const RayCaster& caster_;
+    std::optional<double> floor_m_; ///< under it in this tick, map z; nullopt while nobody has asked
     Scene& scene_;
     std::unique_ptr<Drive> drive_;
     SensorSuite sensors_;

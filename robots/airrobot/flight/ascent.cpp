@@ -51,9 +51,10 @@ AscentStep Ascent::step(const Senses& senses, const Vec3& goal_m, const Overhead
         const Seconds looked = senses.now - *looking_since_;
         if (looked < setting_off)
             return {.left_m_s = set_off_m_s};
-        const bool back = (senses.position2_m() - goal_m.head<2>()).norm() < returned_m &&
+        const bool back = looked >= setting_off + senses.late &&
+                          (senses.position2_m() - goal_m.head<2>()).norm() < returned_m &&
                           senses.velocity_in_map_m_s.head<2>().norm() < slow_m_s;
-        if (looked < longest_return && !back)
+        if (looked < longest_return + senses.late && !back)
             return {.returns = true};
         looking_since_.reset();
         next_look_m_ = z_m + look_again_m;

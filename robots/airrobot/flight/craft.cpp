@@ -74,6 +74,14 @@ void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool a
     reader_.tellCommand(aloft ? pilot_.wantedInBase_m_s() : Vec2::Zero(),
                         aloft && !ascending_ ? commanded_climb_m_s_ : 0.0);
     senses = reader_.read(tick.now, tick.line, tick.robot, layout, Seconds(settings.sensor_timeout_s));
+    const Vec3 measured_m_s =
+        Eigen::AngleAxisd(-senses.base_in_map.yaw_rad, Vec3::UnitZ()) * senses.velocity_in_map_m_s;
+    const bool was_late = link_.late() > Seconds{0.0};
+    link_.note(senses.now, pilot_.told(), {measured_m_s, senses.yaw_rate_rad_s},
+               senses.heightOverGround_m(1e9) > surely_aloft_m);
+    senses.late = link_.late();
+    if (!was_late && senses.late > Seconds{0.0})
+        overhead.forgetTouches();
     crash_ = nullptr;
     if (airborne) {
         crash_ = crash_watch_.update(senses, {pilot_.wantedInBase_m_s().norm(), commanded_climb_m_s_});
@@ -192,7 +200,7 @@ FlightState Craft::perform(Maneuver maneuver, const Leg& asked, agent::CommandPo
         climb_over_.active() || climbs_on_ || again || overhead.hasCeiling() || overhead.besideWall(senses.now);
     const bool unseen = maybe_roofed && senses.position_m().z() > overhead.freeTo_m();
     motion.climb_m_s = overhead.allowed_m_s(senses, motion.climb_m_s, unseen ? Overhead::gentle_m_s : motion.climb_m_s);
-    command(motion, port, leg.source);
+    command(calmed(motion, senses, settings), port, leg.source);
     return state;
 }
 
@@ -254,7 +262,9 @@ Motion Craft::cruise(const Leg& leg, FlightState& state) {
     const bool fast = leg.speed_m_s > Settings::unhurried_m_s;
     const bool crowded = fast && nearsSomething(obstacles_, here_m, *bearing);
     const double most_m_s = crowded ? std::min(leg.speed_m_s, crowded_m_s) : leg.speed_m_s;
-    const double speed_m_s = std::min(most_m_s, 0.2 + stoppingSpeed_m_s(distance_m, settings.braking_m_s2 / 2.0));
+    const double stops_m_s =
+        stoppingSpeed_m_s(distance_m, settings.braking_m_s2 / 2.0, (reaction + senses.late).count());
+    const double speed_m_s = std::min(most_m_s, 0.2 + stops_m_s);
     const Corner corner = fast && !crowded ? Corner::Round : Corner::Sharp;
     Motion motion = toward(senses, *bearing, speed_m_s, settings, corner);
     motion.climb_m_s = climbRate({here_m, *bearing, motion.velocity_in_map_m_s.norm(), straight_m});
@@ -319,7 +329,7 @@ void Craft::makeSafe(Motion& motion) const {
     const double bearing_rad = std::atan2(motion.velocity_in_map_m_s.y(), motion.velocity_in_map_m_s.x());
     const double free_m = clearance_m(obstacles_, senses.position2_m(), bearing_rad, path_half_width_m, look_around_m) -
                           settings.safety_margin_m;
-    const double safe_m_s = stoppingSpeed_m_s(free_m, settings.braking_m_s2);
+    const double safe_m_s = stoppingSpeed_m_s(free_m, settings.braking_m_s2, (reaction + senses.late).count());
     if (safe_m_s < speed_m_s)
         motion.velocity_in_map_m_s *= safe_m_s / speed_m_s;
 }
@@ -354,7 +364,8 @@ bool Craft::rise(double goal_z_m, const Vec2& over_m, agent::CommandPort& port) 
         motion.velocity_in_map_m_s = left_m_s * Vec2(-std::sin(yaw_rad), std::cos(yaw_rad));
         motion.sudden = true;
     }
-    command(motion, port, step.left_m_s != 0.0 ? "looking up" : "taking off");
+    command(step.left_m_s != 0.0 ? motion : calmed(motion, senses, settings), port,
+            step.left_m_s != 0.0 ? "looking up" : "taking off");
     return step.reached;
 }
 
@@ -373,7 +384,7 @@ void Craft::hover(const Vec2& place_m, agent::CommandPort& port, const std::stri
     Motion motion = holding(senses, place_m);
     makeSafe(motion);
     stuck_.wait(senses.now);
-    command(motion, port, source);
+    command(calmed(motion, senses, settings), port, source);
 }
 
 void Craft::brace(agent::CommandPort& port, const std::string& source) {

@@ -23,8 +23,7 @@
 
 namespace usar::airrobot {
 
-/// Call `perceive` first in each tick and then at most one function that commands the robot; in flight, call `look`
-/// between the two. Owned by one behavior.
+/// In each tick: `perceive`, in flight `look`, then at most one function that commands. Owned by one behavior.
 class Craft {
 public:
     /// Updates senses and threats and, if `airborne`, memory and battery; publishes pose, scan, path and threat zones.
@@ -119,6 +118,7 @@ private:
     std::optional<double> heldHeight_m();
 
     SenseReader reader_;
+    LinkWatch link_;
     Evasion evasion_;
     std::optional<EvasionDecision> decision_; ///< decision of this tick
     Steering steering_;

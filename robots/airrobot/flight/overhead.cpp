@@ -108,7 +108,7 @@ void Overhead::lookUp(const PlacedScan& scan, bool ascending) {
     const std::span<const Vec3> hits(scan.hits_in_map_m);
     for (std::size_t first = 0; ascending && first < hits.size(); ++first)
         if (const auto ceiling = ceilingFrom(hits.subspan(first), from_m))
-            return add({from_m.head<2>(), *ceiling}, false);
+            return add({from_m.head<2>(), *ceiling, false});
 }
 
 void Overhead::lookBeside(const PlacedScan& scan, Seconds now) {
@@ -137,24 +137,25 @@ void Overhead::feelAbove(const Senses& senses, double commanded_climb_m_s) {
         pushing_since_ = senses.now;
         pushed_from_m_ = z_m;
         pushed_m_ = 0.0;
-    } else if (senses.now - *pushing_since_ >= push_time) {
+    } else if (senses.now - *pushing_since_ >= push_time + senses.late) {
         pushing_since_.reset();
         if (gained_m < pushed_share * pushed_m_) // A command that grew meanwhile has not had its time yet.
-            add({senses.position2_m(), z_m}, true);
+            add({senses.position2_m(), z_m, true});
     }
 }
 
-void Overhead::add(const Ceiling& ceiling, bool touched) {
+void Overhead::add(const Ceiling& ceiling) {
     const auto known = std::ranges::find_if(
         ceilings_, [&](const Ceiling& one) { return (one.at_m - ceiling.at_m).norm() < same_place_m; });
     if (known == ceilings_.end()) {
         ceilings_.push_back(ceiling);
-        found_ = {ceiling.z_m, touched};
+        found_ = {ceiling.z_m, ceiling.touched};
         return;
     }
     if (ceiling.z_m < known->z_m - flat_m)
-        found_ = {ceiling.z_m, touched};
+        found_ = {ceiling.z_m, ceiling.touched};
     known->z_m = std::min(known->z_m, ceiling.z_m);
+    known->touched = known->touched && ceiling.touched;
 }
 
 std::optional<double> Overhead::ceiling_m(const Vec2& at_m) const {

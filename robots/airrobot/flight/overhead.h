@@ -53,6 +53,10 @@ public:
     };
     const std::optional<Find>& found() const { return found_; }
 
+    /// Forgets the ceilings that were touched and not seen: a robot that obeys late seems to be held up by something.
+    void forgetTouches() {
+        std::erase_if(ceilings_, [](const Ceiling& one) { return one.touched; });
+    }
     /// Forgets everything, because the position estimate has jumped.
     void forgetPlaces() { *this = {}; }
 
@@ -60,6 +64,7 @@ private:
     struct Ceiling {
         Vec2 at_m = Vec2::Zero();
         double z_m = 0.0;
+        bool touched = false; ///< not seen
     };
 
     static constexpr Seconds wall_memory{10.0};
@@ -67,7 +72,7 @@ private:
     void lookUp(const PlacedScan& scan, bool ascending);
     void lookBeside(const PlacedScan& scan, Seconds now);
     void feelAbove(const Senses& senses, double commanded_climb_m_s);
-    void add(const Ceiling& ceiling, bool touched);
+    void add(const Ceiling& ceiling);
 
     std::vector<Ceiling> ceilings_;
     std::optional<double> lid_m_;

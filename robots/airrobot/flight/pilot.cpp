@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robots/airrobot/flight/steering.h"
+
 namespace usar::airrobot {
 
 namespace {
@@ -20,6 +22,7 @@ constexpr double hold_speed_m_s = 0.5;
 constexpr double hold_tolerance_m = 0.15;
 constexpr double drift_gain_per_s = 0.35;
 constexpr double largest_drift_m_s = 1.5;
+constexpr double late_way_m = 1.2; ///< On a late link, it is so slow that it stands within this distance.
 
 Vec2 limited(const Vec2& vector, double length) {
     const double norm = vector.norm();
@@ -30,7 +33,8 @@ Vec2 limited(const Vec2& vector, double length) {
 
 double turnRate_rad_s(const Senses& senses, double bearing_rad, const Settings& settings) {
     const double error_rad = normalizedAngle(bearing_rad - senses.base_in_map.yaw_rad);
-    return std::clamp(turn_gain_per_s * error_rad, -settings.turn_rate_rad_s, settings.turn_rate_rad_s);
+    const double fastest_rad_s = senses.steadyShare() * settings.turn_rate_rad_s;
+    return std::clamp(senses.steadyShare() * turn_gain_per_s * error_rad, -fastest_rad_s, fastest_rad_s);
 }
 
 Motion toward(const Senses& senses, double bearing_rad, double speed_m_s, const Settings& settings, Corner corner) {
@@ -45,7 +49,18 @@ Motion holding(const Senses& senses, const Vec2& place_m) {
     Motion motion;
     const Vec2 error_m = place_m - senses.position2_m();
     if (error_m.norm() > hold_tolerance_m)
-        motion.velocity_in_map_m_s = limited(hold_gain_per_s * error_m, hold_speed_m_s);
+        motion.velocity_in_map_m_s = limited(senses.steadyShare() * hold_gain_per_s * error_m, hold_speed_m_s);
+    return motion;
+}
+
+Motion calmed(Motion motion, const Senses& senses, const Settings& settings) {
+    if (senses.late <= Seconds{0.0})
+        return motion;
+    const double most_m_s = stoppingSpeed_m_s(late_way_m, settings.braking_m_s2, (reaction + senses.late).count());
+    const double most_rad_s = senses.steadyShare() * settings.turn_rate_rad_s;
+    motion.velocity_in_map_m_s = limited(motion.velocity_in_map_m_s, most_m_s);
+    motion.climb_m_s *= senses.steadyShare();
+    motion.yaw_rate_rad_s = std::clamp(motion.yaw_rate_rad_s, -most_rad_s, most_rad_s);
     return motion;
 }
 
@@ -94,7 +109,7 @@ void Pilot::brace(const Senses& senses, double climb_m_s, agent::CommandPort& po
 
 void Pilot::learnDrift(const Senses& senses, double dt_s) {
     const Vec2 error_m_s = senses.velocity_in_map_m_s.head<2>() - commanded_m_s_;
-    drift_m_s_ = limited(drift_m_s_ + drift_gain_per_s * dt_s * error_m_s, largest_drift_m_s);
+    drift_m_s_ = limited(drift_m_s_ + senses.steadyShare() * drift_gain_per_s * dt_s * error_m_s, largest_drift_m_s);
 }
 
 void Pilot::stop(agent::CommandPort& port, const std::string& source) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/agent/command_port.h"
+#include "robots/airrobot/flight/link_watch.h"
 #include "robots/airrobot/flight/senses.h"
 #include "robots/airrobot/settings.h"
 
@@ -29,6 +30,12 @@ Motion toward(const Senses& senses, double bearing_rad, double speed_m_s, const 
 /// Returns a motion that holds the place (map frame) and flies back to it if necessary.
 Motion holding(const Senses& senses, const Vec2& place_m);
 
+/// What passes from what a robot senses to what it does.
+inline constexpr Seconds reaction{0.4};
+/// Returns the motion for a link as late as the senses say: so slow that the robot stands soon and does not swing. The
+/// motion itself if the link is not late.
+Motion calmed(Motion motion, const Senses& senses, const Settings& settings);
+
 /// Increases speeds gently, because tilt blinds the sonars, and decreases them firmly. Steers against the wind, which
 /// shows as a difference between the velocity over ground and the commanded one. Sends a DRIVE only if it differs from
 /// the last one. Owned by one robot.
@@ -44,6 +51,13 @@ public:
     void brace(const Senses& senses, double climb_m_s, agent::CommandPort& port, const std::string& source);
     /// The horizontal velocity over ground that was wanted last, in the robot's frame.
     Vec2 wantedInBase_m_s() const { return wanted_in_base_m_s_; }
+    /// The last DRIVE, in the robot's frame.
+    LinkWatch::Motion told() const {
+        if (!last_)
+            return {};
+        return {Vec3(last_->forward_m_s.value_or(0.0), last_->left_m_s.value_or(0.0), last_->climb_m_s.value_or(0.0)),
+                last_->yaw_rate_rad_s.value_or(0.0)};
+    }
     /// Never commands a greater level speed.
     void limitSpeed(double fastest_m_s) { fastest_m_s_ = fastest_m_s; }
 

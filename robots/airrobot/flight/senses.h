@@ -73,6 +73,11 @@ struct Senses {
     Seconds ins_age{0.0};                 ///< time since the last INS reading; huge before the first
     Seconds sonar_age{0.0};               ///< the same for the sonar that has been silent the longest
     Seconds scan_age{0.0};                ///< the same for the scanner
+    Seconds late{0.0};                    ///< The robot obeys so much later than usual, see LinkWatch.
+
+    /// What is left of the gain of a control loop, so that a late link does not make it swing: a loop is steady while
+    /// its gain times its delay is small. The robot itself takes half a second to obey.
+    double steadyShare() const { return 0.5 / (0.5 + late.count()); }
 
     /// The estimated position, map frame; the second form is horizontal.
     Vec3 position_m() const { return base_in_map.position_m; }

@@ -8,6 +8,7 @@
 
 #include "core/sim/faults/fault_schedule.h"
 #include "core/sim/faults/faulty_wire.h"
+#include "core/sim/faults/wind_profile.h"
 #include "tests/suite/suite.h"
 
 namespace tst_fault_schedule {
@@ -167,6 +168,25 @@ private slots:
         schedule.advance(Seconds{0.0});
         for (int i = 0; i < 3; ++i)
             QVERIFY((schedule.wind(Seconds{0.1}) - expected_m_s).norm() < 1e-12);
+    }
+
+    /// By hand: ln(10 / 0.03) is 5.809; 0.03 e is 0.0815 m, where the logarithm is 1.
+    void windGrowsWithTheHeight_data() {
+        QTest::addColumn<double>("height_m");
+        QTest::addColumn<double>("share");
+        QTest::newRow("below the ground") << -2.0 << 0.0;
+        QTest::newRow("at the roughness length") << 0.03 << 0.0;
+        QTest::newRow("e times as high") << 0.08155 << 0.1721;
+        QTest::newRow("a robot on its legs") << 0.23 << 0.3506;
+        QTest::newRow("3 m") << 3.0 << 0.7927;
+        QTest::newRow("where the AirRobot scans") << 6.0 << 0.9121;
+        QTest::newRow("where it is stated") << 10.0 << 1.0;
+        QTest::newRow("30 m") << 30.0 << 1.1891;
+    }
+    void windGrowsWithTheHeight() {
+        QFETCH(const double, height_m);
+        QFETCH(const double, share);
+        QVERIFY2(std::abs(windShare(height_m) - share) < 1e-4, qPrintable(QString::number(windShare(height_m))));
     }
 
     void gustsDependOnTheSeedAndTheNumberAlone() {
