@@ -240,16 +240,24 @@ private:
     }
 
     /// Orders the lanes, and drops the one that is worth least for as long as the flight to it costs more than it
-    /// shows; where there are many, all of those at once.
+    /// shows; where there are many, all of those at once. A search for an order from the beginning after each lane
+    /// would take longer than a behavior may think.
     void orderAndDrop() {
-        bool dropped = true;
-        while (dropped) {
-            orderFlights(from_m_, lanes_, home_m_, terms_.endurance);
+        orderFlights(from_m_, lanes_, home_m_, terms_.endurance);
+        while (dropTheWorthless())
+            improveFlights(from_m_, lanes_, home_m_, terms_.endurance);
+    }
+
+    /// Returns true if there were any.
+    bool dropTheWorthless() {
+        const std::size_t before = lanes_.size();
+        for (;;) {
             const std::vector<double> worths = worths_m2();
-            const double least_m2 = worths.empty() ? 0.0 : std::ranges::min(worths);
-            const double drop_to_m2 = lanes_.size() > few_lanes ? 0.0 : least_m2 + rounding_m2;
-            dropped = least_m2 < 0.0;
-            for (std::size_t i = lanes_.size(); dropped && i-- > 0;)
+            const double worst_m2 = worths.empty() ? 0.0 : std::ranges::min(worths);
+            if (worst_m2 >= 0.0)
+                return lanes_.size() < before;
+            const double drop_to_m2 = lanes_.size() > few_lanes ? 0.0 : worst_m2 + rounding_m2;
+            for (std::size_t i = lanes_.size(); i-- > 0;)
                 if (worths[i] < drop_to_m2)
                     lanes_.erase(lanes_.begin() + static_cast<std::ptrdiff_t>(i));
         }

@@ -101,14 +101,16 @@ public:
     }
 
     void scanTo(const Vec2& end_m) {
+        bool charged = false;
         while (left_m_ < (end_m - here_m_).norm() + (home_m_ - end_m).norm()) {
-            const bool was_full = left_m_ + (here_m_ - home_m_).norm() >= endurance_.full_m;
-            const Vec2 break_m = here_m_ + pieceTo_m(end_m) * (end_m - here_m_).normalized();
-            if (was_full && (break_m - here_m_).norm() < least_piece_m)
+            const double piece_m = pieceTo_m(end_m);
+            if (charged && piece_m < least_piece_m)
                 break; // It is out of reach anyway.
+            const Vec2 break_m = here_m_ + piece_m * (end_m - here_m_).normalized();
             go(break_m);
             charge();
             go(break_m);
+            charged = true;
         }
         go(end_m);
     }
@@ -227,6 +229,10 @@ double flight_m(const Vec2& from_m, const Lanes& lanes, const Vec2& home_m, cons
 
 void orderFlights(const Vec2& from_m, Lanes& lanes, const Vec2& home_m, const Endurance& endurance) {
     orderTour(from_m, lanes, home_m);
+    improveFlights(from_m, lanes, home_m, endurance);
+}
+
+void improveFlights(const Vec2& from_m, Lanes& lanes, const Vec2& home_m, const Endurance& endurance) {
     if (lanes.size() > few_lanes)
         return;
     FlightSearch search(from_m, lanes, home_m, endurance);

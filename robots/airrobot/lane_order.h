@@ -35,6 +35,10 @@ inline constexpr std::size_t few_lanes = 40;
 void orderFlights(const Vec2& from_m, std::vector<mapping::Lane>& lanes, const Vec2& home_m,
                   const Endurance& endurance);
 
+/// Changes the order for as long as that makes the flight shorter, if there are few lanes.
+void improveFlights(const Vec2& from_m, std::vector<mapping::Lane>& lanes, const Vec2& home_m,
+                    const Endurance& endurance);
+
 /// The least way that one more lane adds to a tour, with its turns and without the lane itself.
 double detour_m(const Vec2& from_m, const std::vector<mapping::Lane>& lanes, const Vec2& to_m,
                 const mapping::Lane& lane);

@@ -99,7 +99,7 @@ double SurveyFlight::batteryMargin() const {
 }
 
 bool SurveyFlight::robotBatteryLow() const {
-    return isLow(craft_.senses.robot_battery, beelineHome_m(), craft_.settings);
+    return isLow(craft_.senses.robot_battery, beelineHome_m() / craft_.senses.steadyShare(), craft_.settings);
 }
 
 bool SurveyFlight::charged() const {
@@ -233,7 +233,7 @@ bool SurveyFlight::climb(double altitude_m, agent::CommandPort& port) {
         return true;
     }
     const Seconds longest = spare_for_take_off + Seconds(2.0 * altitude_m / carefulClimb_m_s(craft_.settings));
-    if (craft_.senses.now - sortie_.took_off < longest)
+    if (craft_.senses.now - sortie_.took_off < longest / craft_.senses.steadyShare())
         return false;
     const double risen_m = craft_.senses.position_m().z() - sortie_.take_off_m->z();
     if (risen_m > off_the_ground_m) {

@@ -17,9 +17,11 @@ inline double usableRange_m(const Settings& settings) {
 }
 
 /// Whether a charge is worth its time after a flight of this length: a robot in a hurry does not charge a battery of
-/// which it has hardly used half.
+/// which it has hardly used half. A charge sets the INS, too, which drifts by the way: after 500 m it is worth that
+/// alone.
 inline bool isWorthACharge(double since_charge_m, const Settings& settings) {
-    return !settings.hurried() || since_charge_m > 0.5 * settings.battery_range_m;
+    constexpr double longest_drift_m = 500.0;
+    return !settings.hurried() || since_charge_m > std::min(0.5 * settings.battery_range_m, longest_drift_m);
 }
 
 /// Adds up the distance flown since the last charge, according to the INS. Positions and distances are
@@ -67,7 +69,8 @@ private:
 };
 
 /// True if the robot's own battery may not last for the way home: 30 % longer than the beeline, at transit speed, and
-/// the reserve. `left` is what the server last said; unknown is not low.
+/// the reserve. A robot that is slower must tell a beeline that is longer by as much. `left` is what the server last
+/// said; unknown is not low.
 inline bool isLow(const std::optional<Seconds>& left, double beeline_home_m, const Settings& settings) {
     const Seconds way_home(1.3 * beeline_home_m / settings.transit_speed_m_s + settings.robot_battery_reserve_s);
     return left && *left < way_home;

@@ -69,7 +69,7 @@ ClimbStep ClimbOver::step(const Senses& senses, const ThreatPicture& picture, st
                           const Vec2& goal_m, double highest_m, const Settings& settings) {
     if (state_ == ClimbState::Backing) {
         const bool there = (senses.position2_m() - place_m_).norm() < arrived_m;
-        if (there || senses.now - since_ > backing_time) {
+        if (there || senses.now - since_ > backing_time / senses.steadyShare()) {
             state_ = ClimbState::Climbing;
             place_m_ = senses.position2_m();
         }

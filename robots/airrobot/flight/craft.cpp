@@ -349,7 +349,7 @@ bool Craft::rise(double goal_z_m, const Vec2& over_m, agent::CommandPort& port) 
         column_.at_m = awayFromTrunks_m(over_m);
         column_.moving_since = senses.now;
     }
-    if (column_.at_m && senses.now - column_.moving_since > longest_move && !column_.there)
+    if (column_.at_m && senses.now - column_.moving_since > longest_move / senses.steadyShare() && !column_.there)
         column_.at_m = senses.position2_m(); // Something is in the way.
     Motion motion = holding(senses, column_m);
     makeSafe(motion);

@@ -32,8 +32,11 @@ Eigen::Vector4d valuesOf(const LinkWatch::Motion& motion) {
 } // namespace
 
 void LinkWatch::note(Seconds now, const Motion& commanded, const Motion& measured, bool free) {
-    if (!entries_.empty() && (now < entries_.back().at || now - entries_.back().at > gap))
+    if (!entries_.empty() && (now < entries_.back().at || now - entries_.back().at > gap)) {
         entries_.clear();
+        candidate_.reset();
+        estimated_ = now;
+    }
     if (!entries_.empty() && now - entries_.back().at < step)
         return;
     Values smooth = valuesOf(commanded);

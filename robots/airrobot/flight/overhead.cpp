@@ -126,7 +126,8 @@ void Overhead::feelAbove(const Senses& senses, double commanded_climb_m_s) {
     const double z_m = senses.position_m().z();
     const Seconds since_last = senses.now - std::exchange(felt_at_, senses.now);
     const bool on_ground = senses.heightOverGround_m(lifted_m) < lifted_m;
-    if (commanded_climb_m_s < least_push_m_s || on_ground) {
+    // A robot on a late link climbs more gently, and pushes all the same.
+    if (commanded_climb_m_s < least_push_m_s * senses.steadyShare() || on_ground) {
         pushing_since_.reset();
         return;
     }
