@@ -8,6 +8,7 @@
 #include "widgets/style/icons.h"
 #include "widgets/style/scroll_box.h"
 #include "widgets/style/theme.h"
+#include "widgets/style/tips.h"
 
 namespace usar::widgets {
 
@@ -67,7 +68,9 @@ QLayout* BehaviorPanel::makeLimitRow() {
     limit_->setDecimals(6);     // A limit in a file may be one of seconds.
     limit_->setRange(0.0, 1e4); // No mission file has more.
     limit_->setMinimumHeight(minimum_target);
-    named(limit_, tr("Time limit"), tr("Simulated time after which the behavior is ended; 0: never"));
+    const QString help = tr("Simulated time after which the behavior is ended; 0: never");
+    named(limit_, tr("Time limit"), help);
+    tellRange(limit_, help);
     auto* const row = laidOut(new QHBoxLayout, -1, {label, limit_});
     row->setStretchFactor(label, 1);
     connect(limit_, &QuantityBox::valueChanged, this, [this] { emit limitChosen(limit_h()); });
