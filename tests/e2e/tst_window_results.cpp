@@ -18,6 +18,19 @@ namespace tst_window_results {
 
 using namespace usar;
 
+namespace {
+
+/// Spawns a robot and draws an area around it.
+bool hasAFieldToScan(WindowPage& page) {
+    if (!QTest::qWaitFor([&] { return page.hasStartPoses(); }, soon_ms) || !page.spawnAt("PlayerStart"))
+        return false;
+    page.pressKey(Qt::Key_A);
+    page.drawArea({{-20, -15}, {20, 15}});
+    return page.map().area().has_value();
+}
+
+} // namespace
+
 class tst_WindowResults : public QObject {
     Q_OBJECT
 private slots:
@@ -64,10 +77,7 @@ private slots:
     /// With the box ticked, the map is made again at the end, and the card tells how much better its strips agree.
     void aCorrectedMapTellsBeforeAndAfter() {
         WindowPage page;
-        QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
-        QVERIFY(page.spawnAt("PlayerStart"));
-        page.pressKey(Qt::Key_A);
-        page.drawArea({{-20, -15}, {20, 15}});
+        QVERIFY(hasAFieldToScan(page));
         auto* const panel = page.window().views().behavior;
         QVERIFY(!panel->adjusts());
         for (QCheckBox* box : panel->findChildren<QCheckBox*>())
@@ -93,10 +103,7 @@ private slots:
     /// A limit that is typed ends the flight on the robot's clock, and its undoing takes it away.
     void aTimeLimitEndsTheFlight() {
         WindowPage page;
-        QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
-        QVERIFY(page.spawnAt("PlayerStart"));
-        page.pressKey(Qt::Key_A);
-        page.drawArea({{-20, -15}, {20, 15}});
+        QVERIFY(hasAFieldToScan(page));
         auto* const panel = page.window().views().behavior;
         QVERIFY(!panel->limit_h());
         const auto boxes = panel->findChildren<widgets::QuantityBox*>();

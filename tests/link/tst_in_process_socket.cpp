@@ -85,7 +85,7 @@ private slots:
             QCOMPARE(client_->write(bytes), bytes.size());
             sent += bytes;
             if (random() % 5 == 0)
-                QCoreApplication::processEvents();
+                QTRY_COMPARE(back.size(), sent.size());
         }
         QTRY_COMPARE(back.size(), sent.size());
         QVERIFY(back == sent && served_->heard == sent);
@@ -180,7 +180,7 @@ private slots:
         served_->ends.front()->write("last");
         served_->ends.front()->abort();
         QTRY_COMPARE(client_->state(), QAbstractSocket::UnconnectedState);
-        QCoreApplication::processEvents();
+        QVERIFY(connectNow()); // It waited behind all that was to be delivered before.
         QCOMPARE(served_->heard, "");
     }
 
