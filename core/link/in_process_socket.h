@@ -17,8 +17,8 @@ using InProcessServer = std::function<void(QTcpSocket* accepted)>;
 
 /// Carries the same bytes as TCP, in the same order, but asks neither the system nor the event loop for each of them:
 /// client and server take turns until both have nothing more to say, or for 10 ms at most, so that timers and other
-/// events get their turn, too. Nothing is delivered while `write` is on the stack. No address, no options and no limit
-/// of what may wait to be read.
+/// events get their turn, too. Nothing is delivered while `write` is on the stack. It has no address and no options,
+/// and any number of bytes may wait to be read.
 class InProcessSocket : public QTcpSocket {
     Q_OBJECT
 public:

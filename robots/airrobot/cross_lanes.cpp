@@ -204,7 +204,7 @@ public:
         orderAndDrop();
         if (lanes_.size() > few_lanes)
             return lanes_;
-        // What was not worth a way of its own may be worth a short detour on the way between the others.
+        // A lane that was not worth a way of its own may be worth a short detour between the others.
         addLanes([this](const mapping::Lane& lane) { return detour_m(from_m_, lanes_, home_m_, lane); });
         orderAndDrop();
         return lanes_;
@@ -263,7 +263,7 @@ private:
         }
     }
 
-    /// What each lane shows, less what the flight to it and along it costs.
+    /// Returns the ground that each lane shows, less the ground that the flight to it and along it must be worth.
     std::vector<double> worths_m2() const {
         const double all_m = flight_m(from_m_, lanes_, home_m_, terms_.endurance);
         std::vector<double> worths;

@@ -27,8 +27,8 @@ struct RayHit {
     Vec3 thing_in_map_m = Vec3::Zero(); ///< the base of a plant or the center of a box; zero otherwise
 };
 
-/// What rays from one point may meet: boxes by their numbers in the world, and plants by those of the caster's own;
-/// without plants' numbers each ray looks for its own.
+/// The things that rays from one point may meet. Boxes have their numbers in the world, and plants those in the caster;
+/// if `plants` is absent, each ray looks for its own.
 struct NearThings {
     std::vector<std::uint32_t> boxes{};
     std::optional<std::vector<std::uint32_t>> plants{};

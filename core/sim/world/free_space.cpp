@@ -286,7 +286,7 @@ std::vector<bool> grow(const Air& from, const std::vector<bool>& marked, const A
     return flood(to, columns, std::move(seeds), steps);
 }
 
-/// What boxes that are widened like this take of the columns.
+/// Returns the parts of the columns that the boxes take if they are widened like this.
 std::vector<Taken> takenBy(const std::vector<Box>& boxes, const Columns& columns, double wider_m, double taller_m) {
     std::vector<Taken> taken;
     for (const Box& box : boxes)

@@ -12,7 +12,8 @@ constexpr double beyond_m = 2.0; ///< So far beyond where it turns, it may come.
 /// So far ahead, and so much farther for each m/s, the whole height must be reached.
 constexpr double at_once_m = 4.0;
 constexpr double at_once_s = 4.0;
-constexpr double climb_share = 0.8; ///< of the climb speed, which is not reached at once
+/// The climb is planned with this share of the climb speed, which is not reached at once.
+constexpr double climb_share = 0.8;
 constexpr double slowest_m_s = 0.5;
 
 } // namespace

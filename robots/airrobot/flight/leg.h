@@ -15,7 +15,7 @@ struct Leg {
     Vec2 aim_m = Vec2::Zero();  ///< point to steer at on the way there
     double speed_m_s = 1.0;
     std::string source;          ///< named as the cause of the commands
-    Width width = Width::Usual;  ///< of the ways that may be taken
+    Width width = Width::Usual;  ///< Ways may be as narrow as this.
     std::optional<Vec2> end_m{}; ///< where the straight way ends if it goes on beyond the goal
 };
 

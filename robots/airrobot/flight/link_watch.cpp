@@ -10,7 +10,7 @@ namespace usar::airrobot {
 namespace {
 
 constexpr Seconds step = 0.75 * usual_tick; ///< Entries are not closer than this, because UDK's ticks are shorter.
-constexpr Seconds gap{0.6};                 ///< After a longer silence, it begins anew.
+constexpr Seconds gap{0.6};                 ///< After a longer silence, the watch begins anew.
 constexpr std::size_t window = 25;          ///< entries that are compared
 constexpr std::size_t longest_delay = 20;   ///< entries
 constexpr Seconds estimate_every{1.0};
@@ -65,7 +65,8 @@ std::optional<double> LinkWatch::unexplained(std::size_t delay) const {
     }
     double rest = 0.0;
     double motion = 0.0;
-    for (std::size_t i = first; i < entries_.size(); ++i) { // What is steady is wind as well as command.
+    // The means are taken out, because a steady motion may come from the wind.
+    for (std::size_t i = first; i < entries_.size(); ++i) {
         const Values moved = entries_[i].measured - mean_measured;
         rest += (moved - (entries_[i - delay].commanded - mean_commanded)).squaredNorm();
         motion += moved.squaredNorm();

@@ -15,7 +15,7 @@ namespace usar::airrobot {
 /// one robot.
 class LinkWatch {
 public:
-    /// What was commanded or measured in one tick, in the robot's frame.
+    /// A motion in the robot's frame that was commanded, or measured, in one tick.
     struct Motion {
         Vec3 velocity_m_s = Vec3::Zero();
         double yaw_rate_rad_s = 0.0;
