@@ -125,6 +125,48 @@ private slots:
         QVERIFY(flight.pose().position_m.x() < 3.5);
     }
 
+    void theGuardBearsWhatLiesOnIt_data() {
+        QTest::addColumn<Pose>("thing_in_map");
+        QTest::addColumn<Vec3>("size_m");
+        QTest::addColumn<double>("climb_m_s");
+        QTest::addColumn<bool>("breaks");
+        const Pose above{{0.0, 0.0, 4.0}, 0.0, 0.0, 0.0};
+        const Pose over_rotor{{0.19, 0.19, 4.0}, 0.0, 0.0, 0.0};
+        QTest::newRow("a roof, slowly") << above << Vec3(6.0, 6.0, 1.0) << 0.3 << false;
+        QTest::newRow("a roof, with care") << above << Vec3(6.0, 6.0, 1.0) << 0.42 << false;
+        QTest::newRow("a roof, fast") << above << Vec3(6.0, 6.0, 1.0) << 1.0 << true;
+        QTest::newRow("the border of a roof over two rotors")
+            << Pose{{3.1, 0.0, 4.0}, 0.0, 0.0, 0.0} << Vec3(6.0, 6.0, 1.0) << 0.3 << false;
+        QTest::newRow("a beam across the ring") << over_rotor << Vec3(0.1, 6.0, 1.0) << 0.3 << false;
+        QTest::newRow("a post that hangs into a rotor") << over_rotor << Vec3(0.1, 0.1, 1.0) << 0.1 << true;
+    }
+    void theGuardBearsWhatLiesOnIt() {
+        QFETCH(Pose, thing_in_map);
+        QFETCH(Vec3, size_m);
+        QFETCH(double, climb_m_s);
+        QFETCH(bool, breaks);
+        World world = flatWorld();
+        world.boxes.push_back({thing_in_map, size_m});
+        Flight flight(world, inTheAir({0.0, 0.0, 2.0}));
+        flight.drive(0.0, 0.0, climb_m_s, 0.6);
+        flight.run(Seconds{16.0});
+        QCOMPARE(flight.robot.broken(), breaks);
+        QVERIFY(flight.robot.collisions() >= 1);
+        if (breaks)
+            return;
+        flight.drive(0.0, 0.0, -0.3);
+        flight.run(Seconds{4.0});
+        QVERIFY(!flight.robot.broken());
+        QVERIFY(flight.pose().position_m.z() < 3.3);
+    }
+
+    void aTwigReachesThroughTheGuardAtAnySpeed() {
+        Flight flight(treeWorld(), inTheAir({0.12, 8.3, 7.5})); // The tip of the fir is below a rotor.
+        flight.drive(0.0, 0.0, -0.1);
+        flight.run(Seconds{10.0});
+        QVERIFY(flight.robot.broken());
+    }
+
     void landsOnARoof() {
         Flight flight(treeWorld(), inTheAir({0.0, -8.0, 5.0}));
         flight.drive(0.0, 0.0, -0.5);

@@ -102,13 +102,27 @@ void RotorDrive::feelContacts() {
         }
         collided = true;
         impulse_n_s += contact.impulse_n_s;
-        broke |= partAt(parameters_, contact.point_in_body_m) == AirRobotPart::RotorDisc;
+        broke = broke || (!broken() && reachesRotor(contact));
     }
     broke |= impulse_n_s > parameters_.breaking_impulse_n_s;
     if ((collided || broke) && !broken())
         collisions_.touch();
     if (broke && !broken())
         enter(MotorState::Broken);
+}
+
+/// To the engine the ring is a solid disc, so what lies on the ring, such as a roof, may press on it anywhere.
+bool RotorDrive::reachesRotor(const Contact& contact) const {
+    if (partAt(parameters_, contact.point_in_body_m) != AirRobotPart::RotorDisc)
+        return false;
+    if (contact.surface == Surface::Plant)
+        return true; // Twigs reach through the ring.
+    const BodyState now = state();
+    return std::ranges::none_of(
+        ringAsFarAsRotors(parameters_, contact.point_in_body_m.z() > 0.0), [&](const BodyBox& box) {
+            return physics_.meetsBox(now.position_m + now.rotation * box.center_m,
+                                     now.rotation * Eigen::AngleAxisd(box.yaw_rad, Vec3::UnitZ()), box.size_m, id_);
+        });
 }
 
 bool RotorDrive::isTouchdown(const Contact& contact) const {

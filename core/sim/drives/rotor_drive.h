@@ -11,9 +11,9 @@ namespace usar::sim {
 /// SpoolingUp: the lift returns while it is still on its legs. Broken and Dead (switched off): it never flies again.
 enum class MotorState { Idle, SpoolingUp, Flying, Settling, Broken, Dead };
 
-/// Breaks on a contact of a rotor disc, on an impulse above 0.5 N s, and on touching down at 1 m/s or faster; then it
-/// falls without control (robots-and-worlds.md 3.1). It has landed when its legs are on the ground while it is told to
-/// sink: the motors then go idle until it is told to climb.
+/// Breaks when something gets past the ring guard to a rotor disc, on an impulse above 0.5 N s, and on touching down at
+/// 1 m/s or faster; then it falls without control (robots-and-worlds.md 3.1). It has landed when its legs are on the
+/// ground while it is told to sink: the motors then go idle until it is told to climb.
 class RotorDrive : public Drive {
 public:
     /// Flies this body, and lands by itself if it is `near_ground`. `physics` must outlive it.
@@ -40,6 +40,8 @@ public:
 private:
     RotorWrench wantedWrench(const BodyState& state, Seconds dt);
     void feelContacts();
+    /// True if the contact is in a rotor's disc, and the ring guard does not keep the thing from the rotor.
+    bool reachesRotor(const Contact& contact) const;
     bool isTouchdown(const Contact& contact) const;
     void touchDown();
     void leaveGround();

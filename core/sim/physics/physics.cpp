@@ -195,6 +195,24 @@ public:
         });
     }
 
+    bool meetsBox(const Vec3& center_in_map_m, const Eigen::Quaterniond& rotation, const Vec3& size_m,
+                  BodyId except) override {
+        btBoxShape shape(0.5 * toBullet(size_m));
+        btCollisionObject box;
+        box.setCollisionShape(&shape);
+        box.setWorldTransform(
+            btTransform({rotation.x(), rotation.y(), rotation.z(), rotation.w()}, toBullet(center_in_map_m)));
+        Space space;
+        shape.getAabb(box.getWorldTransform(), space.low, space.high);
+        DeepestContact deepest;
+        for (btCollisionObject* const other : objectsIn(space)) {
+            const BulletBody* const body = bodyOf(*other);
+            if (!body || body != bodies_.at(except).get())
+                dynamics_.contactPairTest(&box, other, deepest);
+        }
+        return deepest.depth_m > 0.0;
+    }
+
     double distanceToBodies_m(const Vec3& point_m, BodyId except) const override {
         double nearest_m = std::numeric_limits<double>::infinity();
         for (const auto& [id, body] : bodies_)

@@ -85,6 +85,9 @@ public:
                                 BodyId except) const = 0;
     /// True if a body other than `except` may reach into the box; if false, there is none.
     virtual bool hasBodies(const Eigen::AlignedBox3d& box_in_map_m, BodyId except) const = 0;
+    /// True if the fixed world or a body other than `except` reaches into the box around `center_in_map_m`.
+    virtual bool meetsBox(const Vec3& center_in_map_m, const Eigen::Quaterniond& rotation, const Vec3& size_m,
+                          BodyId except) = 0;
     /// Distance from a point to the nearest body's origin, that of `except` left out; infinite if there is none.
     virtual double distanceToBodies_m(const Vec3& point_m, BodyId except) const = 0;
 };

@@ -34,6 +34,7 @@ struct AirRobotParameters {
     double tilt_rate_limit_rad_s = numberOr(numbers, "tilt_rate_limit", 0.67);
 
     // The rotor discs are inside a ring guard; below them hang a belly pod and four legs.
+    double ring_radius_m = numberOr(numbers, "ring_radius", 0.4995);
     double ring_height_m = numberOr(numbers, "ring_height", 0.05);
     double pod_width_m = numberOr(numbers, "pod_width", 0.20);
 
@@ -45,6 +46,16 @@ struct AirRobotParameters {
 
 /// Centers of the rotors in this order: front left, front right, rear right, rear left.
 std::array<Vec3, 4> rotorCenters(const AirRobotParameters& parameters);
+
+/// A box, in the body frame.
+struct BodyBox {
+    Vec3 center_m = Vec3::Zero();
+    double yaw_rad = 0.0;
+    Vec3 size_m = Vec3::Zero();
+};
+/// Boxes that cover the ring outside of the discs, from its middle to where its upper edge (`above`) or its lower one
+/// would be if it had gone on until the plane of the rotors is where that edge is now.
+std::array<BodyBox, 24> ringAsFarAsRotors(const AirRobotParameters& parameters, bool above);
 
 /// Gear is the legs; Guard the ring outside of the discs; Belly the pod.
 enum class AirRobotPart { Gear, Guard, RotorDisc, Belly };
