@@ -18,6 +18,10 @@ constexpr int step_cells = 2; ///< distance between lines
 /// The way to a lane costs about as much as a lane of this length, and one that shows less than this is left out.
 constexpr double usual_way_m = 12.0;
 constexpr double least_m2 = 12.0;
+/// In a small area, ways are shorter, and less is a substantial part: lanes are held to these shares of its cells and
+/// of the mean of its sides.
+constexpr double least_share = 0.02;
+constexpr double usual_way_share = 0.5;
 constexpr double rounding_m2 = 1e-9;
 constexpr double least_lane_m = 5.0; ///< If less is left of the length of all lanes, no more are added.
 /// A coarser map may well miss cells of a meter that nothing hides.
@@ -82,6 +86,7 @@ class HiddenCells {
 public:
     explicit HiddenCells(const ScanLedger& ledger, double least_gain_m)
         : size_{ledger.columns(), ledger.rows()}
+        , least_m2_(std::min(least_m2, least_share * size_[0] * size_[1] * ScanLedger::cell_m * ScanLedger::cell_m))
         , least_gain_m_(least_gain_m)
         , hidden_(std::size_t(size_[0]) * std::size_t(size_[1])) {
         for (int axis : {0, 1}) {
@@ -178,13 +183,14 @@ private:
             }
             sum_m2 += gain_m2[std::size_t(i)] - cost_m2;
             const double shown_m2 = sum_m2 + cost_m2 * (i + 1 - from);
-            if (sum_m2 > best.worth_m2 && shown_m2 > least_m2)
+            if (sum_m2 > best.worth_m2 && shown_m2 > least_m2_)
                 best = {from, i + 1, sum_m2, shown_m2};
         }
         return best;
     }
 
     int size_[2];
+    double least_m2_;
     double least_gain_m_;
     std::vector<float> hidden_; ///< share of each cell, row by row
     std::vector<Line> lines_[2];
@@ -200,7 +206,8 @@ public:
         , home_m_(home_m) {}
 
     std::vector<mapping::Lane> choose() {
-        addLanes([](const mapping::Lane&) { return usual_way_m; });
+        const double side_m = 0.5 * ScanLedger::cell_m * (ledger_.columns() + ledger_.rows());
+        addLanes([&](const mapping::Lane&) { return std::min(usual_way_m, usual_way_share * side_m); });
         orderAndDrop();
         if (lanes_.size() > few_lanes)
             return lanes_;

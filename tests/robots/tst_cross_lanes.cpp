@@ -110,6 +110,20 @@ private slots:
         QCOMPARE(static_cast<int>(crossLanes(ledger, {gain_m, 1000.0, 0.5}, {0, 0}, {0, 0}).size()), lanes);
     }
 
+    /// A tenth of a small area is worth a lane that so little would not be worth in a large one.
+    void showsLessInASmallArea() {
+        const Rectangle small{{0, 0}, {10, 10}};
+        ScanLedger ledger(small);
+        Senses senses = sensesAt({5, 5, 6});
+        senses.scan = PlacedScan{senses.line, senses.base_in_map, senses.base_in_map, {}};
+        for (double x_m = 0.25; x_m < 10.0; x_m += 0.5)
+            for (double y_m = 0.25; y_m < 10.0; y_m += 0.5)
+                if (x_m < 8.5)
+                    senses.scan->hits_in_map_m.emplace_back(x_m, y_m, 0.0);
+        ledger.note(senses, true, true);
+        QCOMPARE(crossLanes(ledger, {0.6, 1000.0, 0.5}, {5, 5}, {5, 5}).size(), std::size_t(1));
+    }
+
     /// A map with points 2 m apart has cells without any, which nothing hides.
     void addsNothingToACoarseMap() {
         const ScanLedger ledger = ledgerWithout({{{10, -28}, {14, 28}}});
