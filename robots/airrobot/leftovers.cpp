@@ -13,8 +13,9 @@ namespace {
 /// length that was planned.
 constexpr int most_left_out = 3;
 constexpr double most_added = 0.5;
-constexpr int most_crossings = 2;      ///< The second one sees a little of what the first one leaves.
-constexpr double evasion_share = 1.05; ///< of the straight ways is what it flies
+constexpr double always_added_m = 15.0; ///< So much may be added to a survey of any length.
+constexpr int most_crossings = 2;       ///< The second one sees a little of what the first one leaves.
+constexpr double evasion_share = 1.05;  ///< of the straight ways is what it flies
 constexpr double landing_and_take_off_s = 45.0;
 constexpr int most_tries = 3; ///< to get through the door
 constexpr double at_base_m = 4.0;
@@ -67,7 +68,7 @@ bool Leftovers::crossOnce(const Craft& craft, Survey& survey, const ScanLedger& 
         return false;
     ++crossings_;
     gaps_left_out_ = survey.addedLeftOut(); // Only lanes past gaps count for those.
-    const double most_m = most_added * survey.plannedLength_m() - added_m_;
+    const double most_m = std::max(always_added_m, most_added * survey.plannedLength_m()) - added_m_;
     const Settings& settings = craft.settings;
     const Endurance endurance{craft.battery.rangeLeft_m(0.0, settings) / evasion_share,
                               usableRange_m(settings) / evasion_share,

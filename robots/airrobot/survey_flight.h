@@ -42,7 +42,9 @@ public:
     bool returning() const; ///< the base is the goal
     /// Whether the robot is over the base, or where it is to land instead.
     bool atBase() const;
-    bool goalReached() const { return survey_.goalReached(craft_.senses.position2_m(), craft_.settings); }
+    bool goalReached() const {
+        return survey_.goalReached(craft_.senses.position2_m(), craft_.settings, !craft_.avoiding());
+    }
     /// Whether no goals are left, or the survey was given up.
     bool scanOver() const { return errand_ == Errand::Done || errand_ == Errand::GivenUp; }
     /// The share of the simulated battery beyond the beeline home and the reserve; negative if it is too late.

@@ -56,6 +56,23 @@ private slots:
         QCOMPARE(survey.doneLength_m(), 10.0);
     }
 
+    void fliesToTheVeryEndsWhereNothingIsInTheWay() {
+        Survey survey = twoLanes();
+        QVERIFY(!survey.goalReached({1.0, 0.0}, settings, true));
+        QVERIFY(survey.goalReached({1.0, 0.0}, settings, false));
+        QVERIFY(survey.goalReached({0.4, 0.0}, settings, true));
+        for (const SurveyEvent event : {SurveyEvent::LaneEntered, SurveyEvent::GoalReached, SurveyEvent::GoalReached})
+            QCOMPARE(survey.next(settings), event);
+        QVERIFY(survey.goalReached({59.0, 0.0}, settings, true)); // The way to the next lane shows the rest.
+        QCOMPARE(survey.next(settings), SurveyEvent::LaneDone);
+        QVERIFY(survey.goalReached({59.0, 10.0}, settings, true));
+        for (const SurveyEvent event : {SurveyEvent::LaneEntered, SurveyEvent::GoalReached, SurveyEvent::GoalReached})
+            QCOMPARE(survey.next(settings), event);
+        QVERIFY(!survey.goalReached({1.0, 10.0}, settings, true));
+        QVERIFY(survey.goalReached({1.0, 10.0}, settings, false));
+        QVERIFY(survey.goalReached({0.4, 10.0}, settings, true));
+    }
+
     void fliesLaneAfterLane() {
         Survey survey = twoLanes();
         using enum SurveyEvent;
