@@ -44,13 +44,14 @@ Vec2 farthestReached_m(const ReachablePlaces& reach, const Vec2& middle_m, const
 
 } // namespace
 
-GapSearch::Gaps GapSearch::gapsIn(const ScanLedger& ledger, const Surroundings& surroundings) const {
+GapSearch::Gaps GapSearch::gapsIn(const ScanLedger& ledger, const Surroundings& surroundings,
+                                  const std::vector<bool>& tried) {
     static const std::vector<Vec2> beside = placesBeside();
     Gaps gaps;
     for (int row = 0; row < ledger.rows(); ++row)
         for (int column = 0; column < ledger.columns(); ++column) {
             const std::size_t index = std::size_t(row) * std::size_t(ledger.columns()) + std::size_t(column);
-            if (tried_[index] || ledger.at(column, row) != ScanLedger::Cell::Unknown)
+            if (tried[index] || ledger.at(column, row) != ScanLedger::Cell::Unknown)
                 continue;
             const Vec2 center_m = ledger.centerOf_m(column, row);
             const auto place = std::ranges::find_if(beside, [&](const Vec2& offset_m) {
@@ -123,11 +124,38 @@ bool GapSearch::isNeedless(const ScanLedger& ledger) {
     return unknown < least_share * (seen + unknown);
 }
 
+double GapSearch::missed(const ScanLedger& ledger, const Surroundings& surroundings) {
+    const auto indexOf = [&](int column, int row) {
+        return std::size_t(row) * std::size_t(ledger.columns()) + std::size_t(column);
+    };
+    std::vector<bool> counted(std::size_t(ledger.columns()) * std::size_t(ledger.rows()));
+    Gaps found = gapsIn(ledger, surroundings, counted);
+    for (const Gap& gap : found)
+        counted[indexOf(gap.column, gap.row)] = true;
+    for (std::size_t next = 0; next < found.size(); ++next) // What lies beyond a gap is found from there.
+        for (const auto& [right, up] : {std::pair(-1, 0), std::pair(1, 0), std::pair(0, -1), std::pair(0, 1)}) {
+            const Gap from = found[next];
+            const int column = from.column + right;
+            const int row = from.row + up;
+            if (column < 0 || row < 0 || column >= ledger.columns() || row >= ledger.rows() ||
+                counted[indexOf(column, row)] || ledger.at(column, row) != ScanLedger::Cell::Unknown)
+                continue;
+            const Vec2 center_m = ledger.centerOf_m(column, row);
+            if (!surroundings.reach.knows(center_m) || !surroundings.reach.contains(center_m) ||
+                !surroundings.in_sight(from.center_m, center_m))
+                continue;
+            counted[indexOf(column, row)] = true;
+            found.push_back({column, row, center_m, center_m});
+        }
+    const double seen = ledger.seen() * static_cast<double>(counted.size());
+    return found.empty() ? 0.0 : static_cast<double>(found.size()) / (seen + static_cast<double>(found.size()));
+}
+
 std::vector<mapping::Lane> GapSearch::lanes(const ScanLedger& ledger, const Surroundings& surroundings,
                                             const Vec2& from_m) {
     const std::size_t cells = std::size_t(ledger.columns()) * std::size_t(ledger.rows());
     tried_.resize(cells);
-    Gaps gaps = gapsIn(ledger, surroundings);
+    Gaps gaps = gapsIn(ledger, surroundings, tried_);
     const double seen = ledger.seen() * static_cast<double>(cells);
     if (static_cast<double>(gaps.size()) < least_share * (seen + static_cast<double>(gaps.size())))
         return {};

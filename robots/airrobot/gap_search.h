@@ -24,6 +24,9 @@ public:
 
     /// True if all that was not seen is too little to matter.
     static bool isNeedless(const ScanLedger& ledger);
+    /// The share of the ground within the robot's reach that no scan has shown: gaps, and what lies in sight beyond
+    /// them.
+    static double missed(const ScanLedger& ledger, const Surroundings& surroundings);
     /// Returns short lanes past the gaps, each of which is nearest to the end of the one before, from `from_m` on; none
     /// if the gaps are too small to matter. Each gap is tried once.
     std::vector<mapping::Lane> lanes(const ScanLedger& ledger, const Surroundings& surroundings, const Vec2& from_m);
@@ -37,7 +40,8 @@ private:
     };
     using Gaps = std::vector<Gap>;
 
-    Gaps gapsIn(const ScanLedger& ledger, const Surroundings& surroundings) const;
+    /// `tried`: cells that are no gaps any more.
+    static Gaps gapsIn(const ScanLedger& ledger, const Surroundings& surroundings, const std::vector<bool>& tried);
 
     std::vector<bool> tried_; ///< by cell of the ledger, row by row
 };

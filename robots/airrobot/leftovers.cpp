@@ -26,12 +26,21 @@ constexpr double at_ground_m = 1.0; ///< or so near to the ground that was seen.
 constexpr double before_door_m = 0.4;
 constexpr double near_door_m = 4.0;
 constexpr double never_m = 1e9;
+/// A search of more would take longer than a behavior may think.
+constexpr int most_judged_cells = 20000;
 
 /// A lane that leads to a place.
 mapping::Lane laneTo(const Vec2& from_m, const Vec2& to_m) {
     const Vec2 way_m = to_m - from_m;
     const Vec2 along = way_m.norm() > stub_m ? Vec2(way_m.normalized()) : Vec2(Vec2::UnitX());
     return {to_m - stub_m * along, to_m, 0};
+}
+
+GapSearch::Surroundings surroundingsOf(const Craft& craft) {
+    const auto in_sight = [&craft](const Vec2& from_m, const Vec2& to_m) {
+        return craft.ways.map().isInSight(from_m, to_m, craft.senses.position_m().z());
+    };
+    return {craft.ways.reach(craft.senses), in_sight};
 }
 
 void note(agent::CommandPort& port, const std::string& words) {
@@ -57,9 +66,17 @@ void Leftovers::noteWall(const ReachablePlaces& reach) {
 bool Leftovers::addLanes(Craft& craft, Survey& survey, const ScanLedger& ledger, const Vec2& base_m,
                          agent::CommandPort& port) {
     begun_ = true;
-    if (!craft.overhead.hasCeiling() && craft.mayClimb() && survey.cutOff_m() == 0.0)
-        return crossOnce(craft, survey, ledger, base_m, port);
-    return closeGaps(craft, survey, ledger, port) || tryDoor(craft, survey, base_m, port);
+    const bool open = !craft.overhead.hasCeiling() && craft.mayClimb() && survey.cutOff_m() == 0.0;
+    if (open ? crossOnce(craft, survey, ledger, base_m, port)
+             : closeGaps(craft, survey, ledger, port) || tryDoor(craft, survey, base_m, port))
+        return true;
+    if (knowsWays(craft, ledger))
+        missed_ = GapSearch::missed(ledger, surroundingsOf(craft));
+    return false;
+}
+
+bool Leftovers::knowsWays(const Craft& craft, const ScanLedger& ledger) {
+    return craft.battery.charges() == 0 && ledger.columns() * ledger.rows() <= most_judged_cells;
 }
 
 bool Leftovers::crossOnce(const Craft& craft, Survey& survey, const ScanLedger& ledger, const Vec2& base_m,
@@ -95,10 +112,7 @@ bool Leftovers::closeGaps(Craft& craft, Survey& survey, const ScanLedger& ledger
     if (craft.battery.charges() > 0 || GapSearch::isNeedless(ledger) ||
         survey.addedLeftOut() - gaps_left_out_ > most_left_out || added_m_ > most_added * survey.plannedLength_m())
         return false;
-    const auto in_sight = [&craft](const Vec2& from_m, const Vec2& to_m) {
-        return craft.ways.map().isInSight(from_m, to_m, craft.senses.position_m().z());
-    };
-    const auto lanes = gaps_.lanes(ledger, {craft.ways.reach(craft.senses), in_sight}, craft.senses.position2_m());
+    const auto lanes = gaps_.lanes(ledger, surroundingsOf(craft), craft.senses.position2_m());
     return fly(lanes, survey, "The map has gaps that can be reached; lanes past them: ", port);
 }
 

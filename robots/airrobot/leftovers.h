@@ -26,6 +26,9 @@ public:
     const std::optional<Vec2>& door_m() const { return door_m_; }
     /// Takes all places to which ways lead when none leads to a goal.
     void noteWall(const ReachablePlaces& reach);
+    /// The share of the ground within reach that no scan has shown, when nothing was left to add, see
+    /// GapSearch::missed; 0 where the robot does not know, as after a charge.
+    double missed() const { return missed_; }
     /// Whether the lanes that were planned are done.
     bool begun() const { return begun_; }
     /// Forgets the door, because the robot takes off anew and its map of the walls is empty.
@@ -38,6 +41,8 @@ private:
     /// Adds these lanes and says why; false if there are none.
     bool fly(const std::vector<mapping::Lane>& lanes, Survey& survey, const std::string& why, agent::CommandPort& port);
     bool closeGaps(Craft& craft, Survey& survey, const ScanLedger& ledger, agent::CommandPort& port);
+    /// Whether the map of ways tells for how much of the area there is a way to it.
+    static bool knowsWays(const Craft& craft, const ScanLedger& ledger);
     bool tryDoor(Craft& craft, Survey& survey, const Vec2& base_m, agent::CommandPort& port);
 
     enum class Door { Unknown, ToBase, Outward, Through, Homeward };
@@ -46,7 +51,8 @@ private:
     int crossings_ = 0; ///< how often lanes across the others were sought
     GapSearch gaps_;
     int gaps_left_out_ = 0; ///< Survey::addedLeftOut when the search for gaps began
-    double added_m_ = 0.0;  ///< All lanes that were added are so long together.
+    double missed_ = 0.0;
+    double added_m_ = 0.0; ///< All lanes that were added are so long together.
     Door state_ = Door::Unknown;
     int tries_ = 0;
     ReachablePlaces reach_;        ///< when no way led to a goal, at the usual height

@@ -440,7 +440,7 @@ void SurveyFlight::recharge() {
 void SurveyFlight::conclude(agent::CommandPort& port) {
     if (errand_ != Errand::Done)
         return finish(false, end_reason_, port);
-    const agent::BehaviorFinished verdict = verdictOf(survey_, ledger_, craft_.settings);
+    const agent::BehaviorFinished verdict = verdictOf(survey_, ledger_, craft_.settings, leftovers_.missed());
     finish(verdict.success, verdict.reason, port);
 }
 

@@ -16,6 +16,9 @@ constexpr double least_mapped = 0.2;
 /// Share of the area that the scans must show, of as much of it as the lanes were flown over. Houses and crowns hide
 /// some.
 constexpr double least_looked_at = 0.8;
+/// Share of the ground within reach of which a survey may miss so much without a word, and so much in a success.
+constexpr double little_missed = 0.03;
+constexpr double most_missed = 0.12;
 constexpr double least_seen = 0.05; ///< the same for ground on the map
 
 agent::BehaviorFinished failed(const std::string& reason) {
@@ -28,7 +31,8 @@ std::string rounded(double number) {
 
 } // namespace
 
-agent::BehaviorFinished verdictOf(const Survey& survey, const ScanLedger& ledger, const Settings& settings) {
+agent::BehaviorFinished verdictOf(const Survey& survey, const ScanLedger& ledger, const Settings& settings,
+                                  double missed) {
     const double cut_off_m = survey.cutOff_m();
     if (cut_off_m > most_cut_off * survey.plannedLength_m())
         return failed("No way was found into the area.");
@@ -47,10 +51,16 @@ agent::BehaviorFinished verdictOf(const Survey& survey, const ScanLedger& ledger
     if (looked_at < least_looked_at * (1.0 - survey.leftOut()))
         return failed("The lanes were flown, but the scans show only " + rounded(100.0 * looked_at) +
                       " % of the area. Are lines lost on the way, or does something hide the rest?");
+    if (missed > most_missed)
+        return failed("The lanes were flown, but no scan shows " + rounded(100.0 * missed) +
+                      " % of the ground that the robot could have reached. Lanes that are nearer to one another show "
+                      "more.");
     std::string scanned = settings.navigate_by_truth ? "The area is scanned by ground truth" : "The area is scanned";
     if (cut_off_m > 0.0)
         scanned += " as far as a way was found; none was found to " + fixed(cut_off_m, 0) + " m of the lanes (" +
                    fixed(100.0 * cut_off_m / survey.plannedLength_m(), 0) + " %)";
+    if (missed > little_missed)
+        scanned += "; no scan shows " + rounded(100.0 * missed) + " % of the ground within reach";
     return {true, scanned + (survey.goalsGivenUp() == 0 ? "." : "; " + goals + ".")};
 }
 

@@ -8,7 +8,8 @@
 namespace usar::airrobot {
 
 /// A success only if the lanes were flown as far as ways lead, few of them were given up, and the scans show most of
-/// what the lanes lead over. The reason says what was left out.
-agent::BehaviorFinished verdictOf(const Survey& survey, const ScanLedger& ledger, const Settings& settings);
+/// what the lanes lead over. The reason says what was left out. `missed`: see Leftovers::missed.
+agent::BehaviorFinished verdictOf(const Survey& survey, const ScanLedger& ledger, const Settings& settings,
+                                  double missed = 0.0);
 
 } // namespace usar::airrobot

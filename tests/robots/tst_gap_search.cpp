@@ -42,6 +42,22 @@ class tst_GapSearch : public QObject {
     }
 
 private slots:
+    void tellsHowMuchWithinReachWasMissed_data() {
+        QTest::addColumn<Rectangle>("hidden");
+        QTest::addColumn<double>("wall_y_m");
+        QTest::addColumn<double>("share");
+        QTest::newRow("nothing") << Rectangle{{0, 0}, {0, 0}} << 18.0 << 0.0;
+        QTest::newRow("a square that is wider than a glance") << Rectangle{{10, 4}, {20, 14}} << 18.0 << 0.125;
+        QTest::newRow("beyond the wall") << Rectangle{{10, 13}, {20, 20}} << 12.0 << 0.0;
+    }
+    void tellsHowMuchWithinReachWasMissed() {
+        QFETCH(Rectangle, hidden);
+        QFETCH(double, wall_y_m);
+        QFETCH(double, share);
+        const double missed = GapSearch::missed(ledgerWithout({hidden}), southOf(wall_y_m));
+        QVERIFY2(std::abs(missed - share) < 0.01, qPrintable(QString::number(missed)));
+    }
+
     void leadsPastWhatCanBeSeen_data() {
         QTest::addColumn<Rectangle>("hidden");
         QTest::addColumn<double>("wall_y_m");

@@ -80,6 +80,21 @@ private slots:
         QCOMPARE(verdict.success, verdict.reason.starts_with("The area is scanned"));
     }
 
+    void tellsWhatItMissedWithinReach_data() {
+        QTest::addColumn<double>("missed");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("next to nothing") << 0.02 << "The area is scanned.";
+        QTest::newRow("some") << 0.08 << "The area is scanned; no scan shows 8 % of the ground within reach.";
+        QTest::newRow("much") << 0.19 << "no scan shows 19 % of the ground that the robot could have reached";
+    }
+    void tellsWhatItMissedWithinReach() {
+        QFETCH(double, missed);
+        QFETCH(QString, words);
+        const auto verdict = verdictOf(surveyDone(), ledgerOf(36.0, 36.0), settings, missed);
+        QVERIFY2(QString::fromStdString(verdict.reason).contains(words), verdict.reason.c_str());
+        QCOMPARE(verdict.success, missed < 0.1);
+    }
+
     void aVoidIsNoGroundOnTheMap() {
         ScanLedger ledger(area);
         Senses senses = sensesAt({5, 10, 6});
