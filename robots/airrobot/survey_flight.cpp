@@ -17,6 +17,9 @@ constexpr Seconds lost_after{15.0};
 /// A take-off may take this long, and in addition twice the time of a careful climb, because of the looks on its way.
 constexpr Seconds spare_for_take_off{60.0};
 constexpr double off_the_ground_m = 1.0;
+/// So many places to land may be no good before it hovers and asks for help.
+constexpr std::size_t most_landing_places = 5;
+constexpr double high_enough_m = 1.5; ///< to turn back from a landing
 /// A robot between these distances from its start pose was spawned there because the start pose was occupied; a robot
 /// farther away was flown there.
 constexpr double beside_start_m = 1.0;
@@ -395,9 +398,10 @@ void SurveyFlight::landHere(agent::CommandPort& port) {
     }
     end_reason_ = "The way home was blocked.";
     errand_ = Errand::GivenUp;
-    const bool blocked_again = sortie_.refuge_m.has_value();
+    if (sortie_.refuge_m) // No way leads there either.
+        sortie_.refused_m.push_back(*sortie_.refuge_m);
     craft_.startAnew();
-    if (!blocked_again && landNearby(craft_.dry_m(), port))
+    if (sortie_.refused_m.size() <= most_landing_places && landNearby(craft_.dry_m(), port))
         return port.publish(agent::BehaviorEvent{Severity::Error,
                                                  "The way home is blocked; the robot lands on the nearest "
                                                  "ground that it has seen to be fit for it."});
@@ -408,20 +412,38 @@ void SurveyFlight::landHere(agent::CommandPort& port) {
 }
 
 bool SurveyFlight::landNearby(double dry_m, agent::CommandPort& port) {
-    const auto place_m = craft_.refuge.place_m(craft_.senses, craft_.memory, dry_m);
+    const auto place_m = craft_.refuge.place_m(craft_.senses, craft_.memory, dry_m, sortie_.refused_m);
     if (!place_m)
         return false;
-    if ((*place_m - craft_.senses.position2_m()).norm() <= craft_.settings.landing_radius_m) {
-        landAt(*place_m);
-        return true;
-    }
     sortie_.refuge_m = place_m;
-    goHome(Errand::GivenUp, "", port);
+    sortie_.landing_m.reset();
+    if ((*place_m - craft_.senses.position2_m()).norm() <= craft_.settings.landing_radius_m)
+        landAt(*place_m);
+    else
+        goHome(errand_, "", port);
     return true;
 }
 
+void SurveyFlight::landElsewhere(agent::CommandPort& port) {
+    sortie_.refused_m.push_back(*sortie_.landing_m);
+    if (sortie_.refused_m.size() <= most_landing_places && landNearby(craft_.dry_m(), port))
+        return port.publish(agent::BehaviorEvent{
+            Severity::Warning, "The robot cannot land where it was to land and goes to the next place."});
+    finish(false,
+           "No place was found on which the robot can land. It hovers at " + placeWords(craft_.senses.position2_m()) +
+               "; take over by hand.",
+           port);
+}
+
 bool SurveyFlight::land(agent::CommandPort& port) {
-    if (!craft_.descend(*sortie_.landing_m, port))
+    if (phase_ != Phase::Landing)
+        return false; // It is on its way to another place.
+    const bool high = craft_.senses.heightOverGround_m(0.0) > high_enough_m;
+    const Descent descent = craft_.descend(*sortie_.landing_m, port);
+    const bool unfit = sortie_.refuge_m && high && craft_.touchdown.isUneven(craft_.senses); // The base is known.
+    if (unfit || descent == Descent::KeptAway)
+        landElsewhere(port);
+    if (unfit || descent != Descent::Landed)
         return false;
     craft_.rest(port, "landed");
     craft_.log.mark(agent::MarkKind::Landing, craft_.senses.position2_m(), craft_.senses, port);

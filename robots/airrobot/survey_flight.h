@@ -92,7 +92,8 @@ public:
     void obeyRobotBattery(agent::CommandPort& port);
 
     // Down.
-    void beginLanding() { landAt(base_in_map_.position_m.head<2>()); }
+    /// Over the base, or where it is to land instead.
+    void beginLanding() { landAt(home_m()); }
     /// Ends the survey because the way home is blocked; lands on the nearest ground that is fit for it.
     void landHere(agent::CommandPort& port);
     /// Sinks; returns true once the robot is on the ground with its rotors at rest.
@@ -118,6 +119,8 @@ private:
     void afterGoal(SurveyEvent event, agent::CommandPort& port);
     void goHome(Errand errand, const std::string& why, agent::CommandPort& port);
     void landAt(const Vec2& near_m);
+    /// Goes to the next place, because the present one is no good; hovers and tells where there is none.
+    void landElsewhere(agent::CommandPort& port);
     /// Lands at the nearest place that is fit for it, after a flight there if it is not here; false if none is known.
     bool landNearby(double dry_m, agent::CommandPort& port);
     Vec2 home_m() const { return sortie_.refuge_m.value_or(base_in_map_.position_m.head<2>()); }

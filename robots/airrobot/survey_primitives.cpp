@@ -150,7 +150,10 @@ public:
                 flight.beginLanding();
         });
     }
-    ActResult run(SurveyBody& body, const PoshArguments&) { return until(body.with(&SurveyFlight::land)); }
+    ActResult run(SurveyBody& body, const PoshArguments&) {
+        const bool down = body.with(&SurveyFlight::land);
+        return body.flight().landing() ? until(down) : ActResult::Failed; // It has to fly to another place first.
+    }
 };
 
 ActResult climbTo(SurveyBody& body, const PoshArguments& arguments) {

@@ -195,6 +195,41 @@ private slots:
         QVERIFY2(fastest_m_s <= Overhead::careful_m_s && fastest_m_s > 0.2, qPrintable(QString::number(fastest_m_s)));
     }
 
+    void climbsStraightUpWithCareWhereNobodyHasLooked() {
+        perceive(3.0, {});
+        const auto climb = [&] {
+            craft->fly({Vec2(x_m, 0), Vec2(x_m, 0), 0.0, "test"}, port);
+            return *std::get<protocol::AerialDrive>(port.takeCommands().back().command).climb_m_s;
+        };
+        QCOMPARE(climb(), Overhead::careful_m_s);
+    }
+
+    void sinksOverItsPlaceOnly() {
+        craft->touchdown.start();
+        const auto descend = [&](double to_m) {
+            craft->descend({x_m + to_m, 0}, port);
+            return std::get<protocol::AerialDrive>(port.takeCommands().back().command);
+        };
+        perceive(6.0, {});
+        const protocol::AerialDrive aside = descend(2.0);
+        QCOMPARE(*aside.climb_m_s, 0.0);
+        QVERIFY(*aside.forward_m_s > 0.0);
+        perceive(6.0, {});
+        QVERIFY(*descend(0.2).climb_m_s < 0.0);
+    }
+
+    void tellsThatSomethingKeepsItFromItsPlace() {
+        craft->touchdown.start();
+        Descent descent = Descent::UnderWay;
+        int ticks = 0;
+        for (; ticks < 200 && descent == Descent::UnderWay; ++ticks) {
+            perceive(6.0, {{"L1", 1.0}, {"M0", 1.0}, {"R1", 1.0}});
+            descent = craft->descend({x_m + 3.0, 0}, port);
+        }
+        QCOMPARE(descent, Descent::KeptAway);
+        QVERIFY2(ticks > 70 && ticks < 90, qPrintable(QString::number(ticks)));
+    }
+
     void sinksStraightAwayFromARoofThatItHasTouched() {
         protocol::AerialDrive drive;
         for (int tick = 0; tick < 9; ++tick) { // It is told to climb, and does not.

@@ -148,6 +148,103 @@ private slots:
         QVERIFY(!Refuge().place_m(senses, around, -1.0));
     }
 
+    void takesTheNextPlaceWhereOneWasNoGood() {
+        Senses senses = sensesAt({0, 0, 6});
+        const ObstacleMemory around = meadow();
+        Refuge refuge;
+        refuge.note(senses, around, -1.0);
+        const std::vector<Vec2> refused_m{Vec2(0, 0)};
+        const auto place_m = refuge.place_m(senses, around, -1.0, refused_m);
+        QVERIFY(place_m && place_m->norm() >= 1.5 && place_m->norm() < 3.0);
+        senses.base_in_map.position_m.x() = 60.0;
+        QVERIFY(!refuge.place_m(senses, around, -1.0, refused_m));
+    }
+
+    void seesWhatItCannotStandOn_data() {
+        QTest::addColumn<double>("edge_m");
+        QTest::addColumn<double>("step_m");
+        QTest::addColumn<bool>("uneven");
+        QTest::newRow("a meadow") << 0.3 << 0.0 << false;
+        QTest::newRow("a curb") << 0.3 << 0.2 << false;
+        QTest::newRow("the edge of a rack") << 0.3 << 1.0 << true;
+        QTest::newRow("the edge of a rack beside it") << 0.8 << 1.0 << false;
+    }
+    void seesWhatItCannotStandOn() {
+        QFETCH(double, edge_m);
+        QFETCH(double, step_m);
+        QFETCH(bool, uneven);
+        Touchdown touchdown;
+        touchdown.start();
+        Senses senses = sensesAt({0, 0, 6});
+        setFlatScan(senses, {0, 0}, 5.0, 0.0);
+        for (Vec3& hit : senses.scan->hits_in_map_m)
+            hit.z() = hit.x() > edge_m ? step_m : 0.0;
+        QVERIFY(!touchdown.isUneven(senses)); // One scan may have been placed wrong.
+        QVERIFY(!touchdown.isUneven(senses));
+        QCOMPARE(touchdown.isUneven(senses), uneven);
+    }
+
+    void sinksOverItsPlaceOnly() {
+        Touchdown touchdown;
+        touchdown.start();
+        QVERIFY(!touchdown.isOver(sensesAt({0.8, 0, 6}), {0, 0}));
+        QVERIFY(touchdown.isOver(sensesAt({0.4, 0, 6}), {0, 0}));
+        QVERIFY(touchdown.isOver(sensesAt({0.8, 0, 5}), {0, 0})); // A gust moved it as it sank.
+        QVERIFY(!touchdown.isOver(sensesAt({1.0, 0, 5}), {0, 0}));
+    }
+
+    void saysWhenItDoesNotGetThere_data() {
+        QTest::addColumn<double>("late_s");
+        QTest::addColumn<double>("after_s");
+        QTest::newRow("usual link") << 0.0 << 15.0;
+        QTest::newRow("late link") << 1.0 << 45.0;
+    }
+    void saysWhenItDoesNotGetThere() {
+        QFETCH(double, late_s);
+        QFETCH(double, after_s);
+        Touchdown touchdown;
+        touchdown.start();
+        const auto keptAwayAt = [&](double now_s) {
+            Senses senses = sensesAt({2, 0, 6}, 0.0, now_s);
+            senses.late = Seconds(late_s);
+            touchdown.isOver(senses, {0, 0});
+            return touchdown.keptAway(senses);
+        };
+        QVERIFY(!keptAwayAt(100.0));
+        QVERIFY(!keptAwayAt(99.0 + after_s));
+        QVERIFY(keptAwayAt(101.0 + after_s));
+    }
+
+    void takesNoRobotThatHoversForLanded() {
+        Touchdown touchdown;
+        touchdown.start();
+        Senses senses = sensesAt({0, 0, 0.3});
+        senses.ground_m = 0.1;
+        const auto touchedAt = [&](double x_m) {
+            senses.now += Seconds(0.2);
+            senses.base_in_map.position_m.x() = x_m;
+            return touchdown.isOver(senses, {0, 0}) && touchdown.touched(senses);
+        };
+        for (int tick = 0; tick < 20; ++tick)
+            QVERIFY(!touchedAt(1.0));
+        QVERIFY(!touchedAt(0.0));
+        QVERIFY(!touchedAt(1.0));
+        QVERIFY(!touchedAt(0.0)); // The time before it held its height does not count.
+        QVERIFY(!touchedAt(0.0));
+    }
+
+    void aRobotThatObeysLateIsGivenTimeToSink() {
+        Touchdown touchdown;
+        touchdown.start();
+        Senses senses = sensesAt({0, 0, 0.3});
+        senses.ground_m = 0.1;
+        senses.late = Seconds(1.0);
+        for (int tick = 0; tick < 9; ++tick) {
+            senses.now += Seconds(0.2);
+            QVERIFY(!touchdown.touched(senses));
+        }
+    }
+
     void sinksSlowlyNearTheGround() {
         const Settings settings;
         Touchdown touchdown;

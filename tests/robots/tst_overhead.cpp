@@ -294,6 +294,29 @@ private slots:
         QFAIL("It never arrives.");
     }
 
+    /// A thin trunk may stand between two scans of the turn.
+    void hearsTrunksAsItLooksAround_data() {
+        QTest::addColumn<double>("height_m");
+        QTest::addColumn<bool>("hears");
+        QTest::newRow("well above the ground") << 2.6 << true;
+        QTest::newRow("so low that it may be the ground") << 1.4 << false;
+    }
+    void hearsTrunksAsItLooksAround() {
+        QFETCH(double, height_m);
+        QFETCH(bool, hears);
+        Ascent ascent;
+        const auto step = [&](double z_m) {
+            Senses senses = sensesAt({0.0, 0.0, z_m});
+            senses.ground_m = 0.0;
+            setSonars(senses, {{"R2", 3.0}});
+            ascent.step(senses, {0.0, 0.0, 6.3}, {}, {}, settings);
+        };
+        step(0.3);
+        QVERIFY(ascent.heard().empty());
+        step(height_m);
+        QCOMPARE(ascent.heard().size(), std::size_t(hears ? 1 : 0));
+    }
+
     /// Beside a rack that it cannot see in this plane, a roll to the side would end in it.
     void doesNotRollBesideWhatMayReachItsHeight_data() {
         QTest::addColumn<double>("aside_m");

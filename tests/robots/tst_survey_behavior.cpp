@@ -409,6 +409,25 @@ private slots:
         QVERIFY((toy.robot().position_m() - asked_at_m).head<2>().norm() < 5.0);
     }
 
+    /// Only the base and one place in the area are fit for a landing.
+    void inNeedItLandsAtThePlaceThatItChose() {
+        const Vec2 fit_m(25, 10);
+        ToyWorld world;
+        world.ground_m = [&](const Vec2& at_m) {
+            const double off_m = std::min((at_m - fit_m).norm() - 2.0, at_m.norm() - 4.0);
+            return std::clamp(off_m, 0.0, 1.0) * (0.5 + 0.5 * std::sin(2.0 * at_m.x()) * std::sin(2.0 * at_m.y()));
+        };
+        ToyFlight toy = flight(world);
+        runInto(toy, "scanning lane 2 of 4", Seconds(12));
+        QVERIFY((toy.robot().position_m().head<2>() - fit_m).norm() > 5.0);
+        toy.order(Order::LandNow);
+        toy.run(Seconds(120));
+        QVERIFY(toy.ending() && !toy.ending()->success);
+        QVERIFY2(toy.robot().onGround(), toy.ending()->reason.c_str());
+        QVERIFY2((toy.robot().position_m().head<2>() - fit_m).norm() < 1.5,
+                 qPrintable(QString("%1 %2").arg(toy.robot().position_m().x()).arg(toy.robot().position_m().y())));
+    }
+
     void waitsForASilentSensorThenAsksForAHand_data() {
         QTest::addColumn<bool>("sonars");
         QTest::addColumn<QString>("one_sonar");

@@ -22,6 +22,8 @@ constexpr double slow_m_s = 0.25;
 constexpr double room_m = 2.5;
 constexpr double level_m = 1.5; ///< above or below the robot
 constexpr double tolerance_m = 0.3;
+/// On a slope of 15 degrees, a sonar hears the ground where its beam is lower than this over the ground below.
+constexpr double surely_no_ground_m = 1.3;
 constexpr double early_m = 0.3; ///< A look begins so much below the height up to which the air is known.
 
 /// True if nothing beside the robot is known to be in its way as it rolls. The scan shows only what is exactly beside
@@ -85,9 +87,16 @@ bool Ascent::lookAround(const Senses& senses, AscentStep& step) {
     const double yaw_rad = senses.base_in_map.yaw_rad;
     turned_rad_ += std::abs(normalizedAngle(yaw_rad - last_yaw_rad_.value_or(yaw_rad)));
     last_yaw_rad_ = yaw_rad;
+    listen(senses);
     step.looked_around = turned_rad_ >= half_turn_rad;
     step.turns = !step.looked_around;
     return step.looked_around;
+}
+
+void Ascent::listen(const Senses& senses) {
+    for (const SonarEcho& echo : senses.sonars)
+        if (echo.hit && senses.ground_m && echo.low_m > *senses.ground_m + surely_no_ground_m)
+            heard_.push_back({echo.center_in_map_m.head<2>(), echo.high_m, false});
 }
 
 double carefulClimb_m_s(const Settings& settings) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "robots/airrobot/flight/obstacle_memory.h"
 #include "robots/airrobot/flight/overhead.h"
@@ -46,8 +47,12 @@ public:
     AscentStep step(const Senses& senses, const Vec3& goal_m, const Overhead& overhead, const ObstacleMemory& memory,
                     const Settings& settings);
 
+    /// What the sonars heard as it looked around, well above the ground: a thin trunk may stand between two scans.
+    const std::vector<Obstacle>& heard() const { return heard_; }
+
 private:
     bool lookAround(const Senses& senses, AscentStep& step);
+    void listen(const Senses& senses);
 
     double known_m_;
     std::optional<double> from_z_m_;
@@ -55,6 +60,7 @@ private:
     double next_look_m_ = 0.0; ///< height of the next look
     double turned_rad_ = 0.0;
     std::optional<double> last_yaw_rad_;
+    std::vector<Obstacle> heard_;
 };
 
 /// The rate of climb where nobody has been yet.

@@ -27,6 +27,8 @@ constexpr double ahead_rad = radians(75.0);
 constexpr double crowded_m_s = 1.2;
 constexpr double rising_m_s = 0.2;
 constexpr double rising_speed_m_s = 1.0;
+/// A robot that climbs and is slower than this on the level does not see what it climbs toward.
+constexpr double straight_m_s = 0.2;
 constexpr double stands_m_s = 0.05; ///< A slower robot does not get past what is before it.
 constexpr Seconds longest_move{12.0};
 constexpr double crown_m = 4.5; ///< Crowns reach so far from their trunks.
@@ -198,8 +200,12 @@ FlightState Craft::perform(Maneuver maneuver, const Leg& asked, agent::CommandPo
     const bool again = climbed_at_ && senses.position_m().z() > climbed_at_->z() + over_again_m;
     const bool maybe_roofed =
         climb_over_.active() || climbs_on_ || again || overhead.hasCeiling() || overhead.besideWall(senses.now);
-    const bool unseen = maybe_roofed && senses.position_m().z() > overhead.freeTo_m();
-    motion.climb_m_s = overhead.allowed_m_s(senses, motion.climb_m_s, unseen ? Overhead::gentle_m_s : motion.climb_m_s);
+    const bool straight_up = motion.velocity_in_map_m_s.norm() < straight_m_s;
+    const bool unseen = senses.position_m().z() > overhead.freeTo_m();
+    const double unseen_m_s = maybe_roofed  ? Overhead::gentle_m_s
+                              : straight_up ? Overhead::careful_m_s
+                                            : motion.climb_m_s;
+    motion.climb_m_s = overhead.allowed_m_s(senses, motion.climb_m_s, unseen ? unseen_m_s : motion.climb_m_s);
     command(calmed(motion, senses, settings), port, leg.source);
     return state;
 }
@@ -337,7 +343,8 @@ void Craft::makeSafe(Motion& motion) const {
 /// The place nearby that is farthest from all trunks, which reach up to this height.
 Vec2 Craft::awayFromTrunks_m(const Vec2& at_m) const {
     std::vector<Obstacle> trunks = memory.near(at_m, look_around_m, senses.position_m().z() - trunk_margin_m);
-    std::erase_if(trunks, [](const Obstacle& one) { return !one.top_known; }); // So low, sonars hear the ground.
+    std::erase_if(trunks, [](const Obstacle& one) { return !one.top_known; }); // Sonars may have heard the ground.
+    trunks.insert(trunks.end(), ascent_.heard().begin(), ascent_.heard().end());
     return climbPlace_m(trunks, at_m, crown_m);
 }
 
@@ -369,15 +376,21 @@ bool Craft::rise(double goal_z_m, const Vec2& over_m, agent::CommandPort& port) 
     return step.reached;
 }
 
-bool Craft::descend(const Vec2& place_m, agent::CommandPort& port) {
+Descent Craft::descend(const Vec2& place_m, agent::CommandPort& port) {
     Motion motion = holding(senses, place_m);
-    motion.climb_m_s = -touchdown.sinkRate_m_s(senses, settings);
+    const bool over = touchdown.isOver(senses, place_m);
+    if (over)
+        motion.climb_m_s = -touchdown.sinkRate_m_s(senses, settings);
+    else if (senses.heightOverGround_m(0.0) > sure_of_walls_m)
+        makeSafe(motion);
     const double z_m = senses.position_m().z();
     const bool straight = (place_m - senses.position2_m()).norm() < in_column_m;
     column_.top_m = straight ? std::max(column_.top_m, z_m) : z_m;
     column_.come_down_m = column_.top_m - z_m;
     command(motion, port, "landing");
-    return touchdown.touched(senses);
+    if (!over)
+        return touchdown.keptAway(senses) ? Descent::KeptAway : Descent::UnderWay;
+    return touchdown.touched(senses) ? Descent::Landed : Descent::UnderWay;
 }
 
 void Craft::hover(const Vec2& place_m, agent::CommandPort& port, const std::string& source) {

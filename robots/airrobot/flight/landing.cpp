@@ -30,6 +30,16 @@ constexpr double still_m_s = 0.06;
 /// Slightly less than a second, because printed times are rounded.
 constexpr Seconds still_needed{0.95};
 constexpr double near_ground_m = 1.5;
+/// Wind may push a robot that sinks so far from its place, around which there is room for it.
+constexpr double over_place_m = 0.5;
+constexpr double still_over_m = 0.9;
+constexpr Seconds longest_aside{15.0};
+constexpr double apart_m = 1.5; ///< from a place that was no good to the next one
+/// Hits below the ring that differ by more than this in so many scans in a row are on something that it cannot stand
+/// on.
+constexpr double under_ring_m = 0.6;
+constexpr double odd_m = 0.5;
+constexpr int odd_scans = 3;
 /// Older tops are not those of this estimate: it has drifted meanwhile, by a decimeter or two in this time. The brink
 /// of a slope was hidden by them (`quick_scan`, seed 55).
 constexpr Seconds fresh{30.0};
@@ -100,20 +110,53 @@ void Refuge::note(const Senses& senses, const ObstacleMemory& memory, double dry
         last_m_ = senses.position2_m();
 }
 
-std::optional<Vec2> Refuge::place_m(const Senses& senses, const ObstacleMemory& memory, double dry_m) const {
+std::optional<Vec2> Refuge::place_m(const Senses& senses, const ObstacleMemory& memory, double dry_m,
+                                    std::span<const Vec2> refused_m) const {
     const Vec2 here_m = senses.position2_m();
-    if (canLand(memory, here_m, dry_m))
+    const auto refused = [&](const Vec2& place_m) {
+        return std::ranges::any_of(refused_m, [&](const Vec2& one_m) { return (one_m - place_m).norm() < apart_m; });
+    };
+    if (!refused(here_m) && canLand(memory, here_m, dry_m))
         return here_m;
     for (double ring_m = ring_step_m; ring_m <= in_sight_m; ring_m += ring_step_m) {
         const int places = spots + static_cast<int>(2.0 * ring_m);
         for (int i = 0; i < places; ++i) {
             const double bearing_rad = 2.0 * pi * i / places;
             const Vec2 place_m = here_m + ring_m * Vec2(std::cos(bearing_rad), std::sin(bearing_rad));
-            if (canLand(memory, place_m, dry_m))
+            if (!refused(place_m) && canLand(memory, place_m, dry_m))
                 return place_m;
         }
     }
-    return last_m_;
+    return last_m_ && !refused(*last_m_) ? last_m_ : std::nullopt;
+}
+
+bool Touchdown::isOver(const Senses& senses, const Vec2& place_m) {
+    over_ = (senses.position2_m() - place_m).norm() < (over_ ? still_over_m : over_place_m);
+    if (over_)
+        aside_since_.reset();
+    else if (!aside_since_)
+        aside_since_ = senses.now;
+    if (!over_) // A robot that holds its height has not touched the ground.
+        still_since_.reset();
+    return over_;
+}
+
+bool Touchdown::isUneven(const Senses& senses) {
+    if (!senses.scan)
+        return uneven_scans_ >= odd_scans;
+    double low_m = std::numeric_limits<double>::infinity();
+    double high_m = -low_m;
+    for (const Vec3& hit : senses.scan->hits_in_map_m)
+        if ((hit.head<2>() - senses.position2_m()).norm() < under_ring_m) {
+            low_m = std::min(low_m, hit.z());
+            high_m = std::max(high_m, hit.z());
+        }
+    uneven_scans_ = high_m - low_m > odd_m ? uneven_scans_ + 1 : 0;
+    return uneven_scans_ >= odd_scans;
+}
+
+bool Touchdown::keptAway(const Senses& senses) const {
+    return aside_since_ && senses.now - *aside_since_ > longest_aside / senses.steadyShare();
 }
 
 double Touchdown::sinkRate_m_s(const Senses& senses, const Settings& settings) const {
@@ -128,7 +171,8 @@ bool Touchdown::touched(const Senses& senses) {
         still_since_.reset();
     else if (!still_since_)
         still_since_ = senses.now;
-    return still_since_ && senses.now - *still_since_ >= (height_m < near_ground_m ? still_needed : long_still);
+    const Seconds needed = senses.late + (height_m < near_ground_m ? still_needed : long_still);
+    return still_since_ && senses.now - *still_since_ >= needed;
 }
 
 } // namespace usar::airrobot

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "robots/airrobot/flight/obstacle_memory.h"
 #include "robots/airrobot/flight/senses.h"
@@ -24,8 +25,9 @@ public:
     /// water, which the scanner looks through. Call it once per tick in the air.
     void note(const Senses& senses, const ObstacleMemory& memory, double dry_m);
     /// The nearest place in sight where the robot could land, or else the last one that it flew over; nullopt if there
-    /// is none.
-    std::optional<Vec2> place_m(const Senses& senses, const ObstacleMemory& memory, double dry_m) const;
+    /// is none. It is well away from all `refused_m`.
+    std::optional<Vec2> place_m(const Senses& senses, const ObstacleMemory& memory, double dry_m,
+                                std::span<const Vec2> refused_m = {}) const;
 
 private:
     std::optional<Seconds> noted_; ///< time of the last look at the ground
@@ -35,11 +37,24 @@ private:
 /// True if the scanner has seen the ground there, and it is even, wide enough to stand on, and not lower than `dry_m`.
 bool canLand(const ObstacleMemory& memory, const Vec2& place_m, double dry_m);
 
-/// Sinks fast at first and slowly near the ground. The robot has landed if it was commanded to sink and has not sunk
-/// for about a second, or for some seconds if its scanner has a bias. Owned by one robot.
+enum class Descent {
+    UnderWay,
+    Landed,
+    KeptAway, ///< it does not get over its place, or cannot stand there
+};
+
+/// Sinks over the chosen place only, fast at first and slowly near the ground. The robot has landed if it was commanded
+/// to sink and has not sunk for about a second, or for some seconds if its scanner has a bias. Owned by one robot.
 class Touchdown {
 public:
-    void start() { still_since_.reset(); }
+    void start() { *this = {}; }
+    /// Returns whether the robot is over its place, so that it may sink. Call it once per tick of a landing.
+    bool isOver(const Senses& senses, const Vec2& place_m);
+    /// True if the scanner sees again and again that the robot cannot stand on what is below its ring: the drift of the
+    /// pose has moved a place that was fit. Call it once per tick over the place.
+    bool isUneven(const Senses& senses);
+    /// True if it has not been over its place for so long that something must be in its way.
+    bool keptAway(const Senses& senses) const;
     /// Returns the rate of descent, positive downward.
     double sinkRate_m_s(const Senses& senses, const Settings& settings) const;
     /// Returns whether the robot has landed. Call it once per tick while sinking.
@@ -47,6 +62,9 @@ public:
 
 private:
     std::optional<Seconds> still_since_;
+    std::optional<Seconds> aside_since_; ///< it is not over its place since then
+    bool over_ = false;
+    int uneven_scans_ = 0; ///< in a row
 };
 
 } // namespace usar::airrobot
