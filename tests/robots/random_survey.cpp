@@ -33,6 +33,7 @@ constexpr double standing_m = 0.23;
 constexpr double off_the_ground_m = 0.3;
 /// A tenth of the lanes may be given up in a success.
 constexpr double least_scanned_pct = 85.0;
+constexpr const char* crashed = "The robot has crashed";
 constexpr const char* confession = "none was found to "; ///< how much of the lanes
 
 /// A world and its number, which is kept for the next mission there.
@@ -146,7 +147,8 @@ SurveyOutcome outcomeOf(const SimulatedFlight& flight, const sim::World& world, 
     const sim::RobotTruth truth = flight.truth();
     SurveyOutcome outcome;
     outcome.ended = flight.ending().has_value();
-    outcome.broken = truth.broken;
+    // A robot that lies on its back has not always broken a rotor, and is lost all the same.
+    outcome.broken = truth.broken || (outcome.ended && flight.ending()->reason.starts_with(crashed));
     outcome.success = outcome.ended && flight.ending()->success && !outcome.broken; // So do missions.
     outcome.collisions = truth.collisions;
     outcome.elapsed_s = flight.status().elapsed.count();

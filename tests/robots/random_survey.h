@@ -34,7 +34,7 @@ struct RandomSurvey {
 struct SurveyOutcome {
     bool ended = false;   ///< by itself, within ten hours of simulated time
     bool success = false; ///< never with a broken robot, see mission::judgeDamage
-    bool broken = false;
+    bool broken = false;  ///< or crashed, by its own account
     int collisions = 0;
     double elapsed_s = 0.0;
     double coverage_pct = 0.0;
