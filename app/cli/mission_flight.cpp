@@ -73,7 +73,7 @@ Result<std::unique_ptr<server::HeadlessSimulator>> serverFor(const mission::Miss
          .speed_x = options.speed_x,
          .faults = *std::move(faults),
          .battery_life = options.battery_life_s ? Seconds{*options.battery_life_s} : sim::survey_battery_life,
-         .own_thread = options.speed_x.has_value() || !options.one_thread});
+         .own_thread = options.speed_x.has_value()});
     if (!simulator)
         return tl::unexpected(mission::atValue(plan, "world", simulator.error()));
     run_options.port = (*simulator)->port();
@@ -101,6 +101,8 @@ int run(const mission::MissionOptions& options, mission::Mission plan, Preloaded
     run_options.course = options.course;
     if (options.one_thread)
         run_options.behavior_thread = agent::BehaviorThread::Callers;
+    else if (!options.server && !options.speed_x)
+        run_options.behavior_thread = agent::BehaviorThread::Awake;
     run_options.limits.session.flight = mission::limitOf(options, plan);
     run_options.earlier = std::move(earlier);
     run_options.behavior_host = server::behaviorHostProgram();

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -32,6 +34,10 @@ public:
 
     /// Call it once before the first line. Does what takes time, such as starting a process.
     virtual Output begin() { return {}; }
+    /// The next calls of `receive` will be for these lines, of which the first has this number, unless an end comes
+    /// before: a behavior that thinks elsewhere may begin at once. An order that comes in between reaches it after all
+    /// of them.
+    virtual void expect(LineNumber, std::span<const std::string_view>) {}
     /// Takes one info line; call it for every line of the connection.
     virtual Output receive(const protocol::InfoLine& line) = 0;
     virtual Output order(Order order) = 0;

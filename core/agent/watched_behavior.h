@@ -3,24 +3,29 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "core/agent/behavior_host.h"
 #include "core/agent/remote_behavior.h"
 
 namespace usar::agent {
 
-/// The owner's thread hands over one call at a time and waits for the answer. A call that is not answered within the
-/// patience is the last one: the robot gets the safe command that the behavior gave after the previous call, and the
-/// thread is abandoned together with everything that it may still access, because a thread cannot be ended from
-/// outside. The thread ends by itself if the call ever returns.
+/// The owner's thread hands over one call at a time and waits for the answer; lines that it expects are handed over
+/// together, and the answers taken one by one. A call that is not answered within the patience is the last one: the
+/// robot gets the safe command that the behavior gave after the previous call, and the thread is abandoned together
+/// with everything that it may still access, because a thread cannot be ended from outside. The thread ends by itself
+/// if the call ever returns.
 class WatchedBehavior final : public RemoteBehavior {
 public:
-    /// Starts the thread, in which all calls of `host` are made.
-    explicit WatchedBehavior(std::unique_ptr<BehaviorHost> host);
+    /// Starts the thread, in which all calls of `host` are made. `awake`: both threads wait for one another awake for a
+    /// moment (Doorbell), for missions that fly as fast as they can.
+    explicit WatchedBehavior(std::unique_ptr<BehaviorHost> host, bool awake = false);
     ~WatchedBehavior() override;
 
     Output begin() override;
+    void expect(LineNumber first, std::span<const std::string_view> lines) override;
     Output receive(const protocol::InfoLine& line) override;
     Output order(Order order) override;
     Output control(const PlanControl& control) override;
@@ -34,6 +39,9 @@ private:
     Output giveUp(const std::string& what);
 
     std::shared_ptr<Worker> worker_; ///< also owned by its thread
+    LineNumber next_expected_;       ///< of the lines that were handed over, the next one to be received
+    LineNumber end_of_expected_;
+    std::uint64_t calls_before_ = 0; ///< asked before those lines
 };
 
 } // namespace usar::agent

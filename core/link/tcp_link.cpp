@@ -146,7 +146,11 @@ void TcpLink::takeBytes() {
         if (take_bytes_)
             take_bytes_(bytes);
         greeting_.takeBytes(bytes);
-        splitter_.feed(bytes, [this](std::string_view line) { giveLine(line); });
+        splitter_.split(bytes, lines_);
+        if (take_ahead_ && lines_.size() > 1 && greeting_.verdict() == GreetingCheck::Verdict::Usarsim)
+            take_ahead_(lines_);
+        for (const std::string_view line : lines_)
+            giveLine(line);
         if (status_.state == LinkState::Connected && greeting_.verdict() == GreetingCheck::Verdict::Foreign)
             failed(foreignReason());
     }

@@ -3,9 +3,11 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <QObject>
 #include <QString>
@@ -67,6 +69,11 @@ public:
     /// Sets the receiver of lines. It is a plain call, because a signal with a copy is too expensive at hundreds of
     /// times real time. The taker may call any function of the link.
     void setLineTaker(LineTaker taker) { take_line_ = std::move(taker); }
+    /// Sets a receiver of the lines that came together, which are then given one by one, unless the connection ends
+    /// before. It is called where there are two and more, and must not call the link.
+    void setAheadTaker(std::function<void(std::span<const std::string_view> lines)> taker) {
+        take_ahead_ = std::move(taker);
+    }
     /// Sets a receiver of all incoming bytes, as each read returned them, before their lines.
     void setByteTaker(std::function<void(std::string_view bytes)> taker) { take_bytes_ = std::move(taker); }
     /// The received part of a line that has not ended.
@@ -122,10 +129,12 @@ private:
     QTimer connect_timer_{this};
     LineTaker take_line_;
     std::function<void(std::string_view)> take_bytes_;
+    std::function<void(std::span<const std::string_view>)> take_ahead_;
     LinkLimits limits_;
     QString service_ = QStringLiteral("USARSim");
     quint16 usual_port_ = protocol::usual_port::bot;
     protocol::LineSplitter splitter_;
+    std::vector<std::string_view> lines_; ///< those of the newest bytes; kept to reuse memory
     GreetingCheck greeting_;
     protocol::TrafficCounts counts_;
     std::size_t overlong_before_ = 0; ///< overlong lines of earlier connections

@@ -1,13 +1,12 @@
 #include "core/protocol/line_splitter.h"
 
-#include <algorithm>
-
 namespace usar::protocol {
 
 bool LineSplitter::takePiece(std::string_view& bytes, std::string_view& line) {
-    const auto end = std::find_if(bytes.begin(), bytes.end(), [](char c) { return c == '\r' || c == '\n'; });
-    const bool ended = end != bytes.end();
-    const std::string_view piece = bytes.substr(0, static_cast<std::size_t>(end - bytes.begin()));
+    // Twice for one byte takes a fraction of the time of once for any of two.
+    const std::string_view to_line_feed = bytes.substr(0, bytes.find('\n'));
+    const std::string_view piece = to_line_feed.substr(0, to_line_feed.find('\r'));
+    const bool ended = piece.size() < bytes.size();
     bytes.remove_prefix(piece.size() + (ended ? 1 : 0));
 
     if (!dropping_ && pending_.size() + piece.size() > cap_bytes_) {
@@ -25,6 +24,20 @@ bool LineSplitter::takePiece(std::string_view& bytes, std::string_view& line) {
         line = pending_;
     }
     return ended;
+}
+
+void LineSplitter::split(std::string_view bytes, std::vector<std::string_view>& lines) {
+    lines.clear();
+    std::string_view line;
+    while (takePiece(bytes, line)) {
+        if (!line.empty() && line.data() == pending_.data()) { // Only the first one can be.
+            joined_.swap(pending_);
+            line = joined_;
+        }
+        if (!line.empty())
+            lines.push_back(line);
+        pending_.clear();
+    }
 }
 
 void LineSplitter::reset() {

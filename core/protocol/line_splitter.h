@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace usar::protocol {
 
@@ -21,6 +22,9 @@ public:
     /// only.
     template <class Take>
     void feed(std::string_view bytes, Take&& take);
+    /// The same for whoever wants to see all lines before taking the first: replaces `lines` by every line that `bytes`
+    /// completes. The views are valid as long as `bytes`, and until the next call of this.
+    void split(std::string_view bytes, std::vector<std::string_view>& lines);
 
     /// Number of lines dropped because they were longer than the cap.
     std::size_t overlongCount() const { return overlong_count_; }
@@ -38,6 +42,7 @@ private:
 
     std::size_t cap_bytes_;
     std::string pending_;
+    std::string joined_;    ///< the line of the last `split` that did not come in one piece
     bool dropping_ = false; ///< the current line is too long; its rest is discarded
     std::size_t overlong_count_ = 0;
 };

@@ -7,6 +7,8 @@
 #include <QTest>
 
 #include "core/agent/watched_behavior.h"
+#include "core/protocol/command_writer.h"
+#include "core/protocol/reader.h"
 #include "tests/doubles/scripted_behavior.h"
 #include "tests/suite/suite.h"
 
@@ -25,8 +27,47 @@ protocol::InfoLine stateLine(std::uint64_t number, double time_s) {
     return {LineNumber{number}, "STA", state, {}};
 }
 
-WatchedBehavior watched(const std::shared_ptr<Script>& script) {
-    return WatchedBehavior(std::make_unique<BehaviorHost>(std::make_unique<ScriptedBehavior>(script), "test/scripted"));
+WatchedBehavior watched(const std::shared_ptr<Script>& script, bool awake = false) {
+    return WatchedBehavior(std::make_unique<BehaviorHost>(std::make_unique<ScriptedBehavior>(script), "test/scripted"),
+                           awake);
+}
+
+/// Lines of two ticks as they come from a server, from number 5 on.
+const std::vector<std::string_view> two_ticks{"SEN {Time 1.0} {Type Sonar} {Name F1 Range 4.56}",
+                                              "STA {Type AerialVehicle} {Time 1.0}", "this is no line of the protocol",
+                                              "STA {Type AerialVehicle} {Time 1.2}"};
+constexpr std::uint64_t first_number = 5;
+
+/// What a behavior answers to these lines, each as text; `expected`: it is told before which lines will come.
+std::vector<std::string> answersTo(RunningBehavior& behavior, bool expected) {
+    std::vector<std::string> answers;
+    behavior.begin();
+    if (expected)
+        behavior.expect({first_number}, two_ticks);
+    protocol::Reader reader;
+    reader.continueAfter({first_number - 1});
+    for (const std::string_view text : two_ticks) {
+        std::string all = std::to_string(answers.size());
+        const auto output = behavior.receive(reader.read(text));
+        for (const CausedCommand& command : output.commands)
+            all += " " + protocol::write(command.command) + " " + toText(command.cause.source) + " " +
+                   std::to_string(command.cause.trigger.value);
+        all += " published " + std::to_string(output.published.size()) + " safe " +
+               protocol::write(behavior.safeCommand({}).command);
+        answers.push_back(all);
+    }
+    return answers;
+}
+
+/// Climbs faster at each tick, is safe at what it did last, and talks about each line.
+void letItClimb(Script& script) {
+    script.on_info = [](const protocol::InfoLine& line, CommandPort& port) {
+        port.publish(BehaviorEvent{Severity::Note, line.text});
+    };
+    script.on_tick = [&script](const Tick& tick, CommandPort& port) {
+        script.safe = protocol::AerialDrive{tick.now.count(), {}, {}, {}};
+        port.send(script.safe, "climbing");
+    };
 }
 
 } // namespace
@@ -107,6 +148,66 @@ private slots:
         QVERIFY(behavior.safeCommand(by::Other{"operator"}).command ==
                 protocol::Command(protocol::SkidDrive{0.0, 0.0}));
         *let_go = true;
+    }
+
+    void linesThatItExpectsAreAnsweredAsIfTheyCameAlone_data() {
+        QTest::addColumn<bool>("awake");
+        QTest::newRow("asleep") << false;
+        QTest::newRow("awake at first") << true;
+    }
+    void linesThatItExpectsAreAnsweredAsIfTheyCameAlone() {
+        QFETCH(bool, awake);
+        letItClimb(*script);
+        BehaviorHost in_this_thread(std::make_unique<ScriptedBehavior>(script), "test/scripted");
+        const auto answers = answersTo(in_this_thread, false);
+        QVERIFY2(answers[3].find("climbing") != std::string::npos, answers[3].c_str());
+        const auto lines = std::exchange(script->lines, {});
+        script->safe = Script().safe;
+        auto behavior = watched(script, awake);
+        QCOMPARE(answersTo(behavior, true), answers);
+        QCOMPARE(script->lines, lines);
+    }
+
+    void anExpectedLineInWhichItHangsIsNamed() {
+        const auto let_go = std::make_shared<std::atomic<bool>>(false);
+        script->on_tick = [let_go](const Tick& tick, CommandPort& port) {
+            port.send(protocol::AerialDrive{1.0, {}, {}, {}}, "climbing");
+            while (tick.now > Seconds{1.1} && !*let_go)
+                std::this_thread::yield();
+        };
+        auto behavior = watched(script);
+        behavior.setPatience(Seconds{0.2});
+        behavior.begin();
+        behavior.expect({first_number}, two_ticks);
+        protocol::Reader reader;
+        reader.continueAfter({first_number - 1});
+        for (int i = 0; i < 3; ++i) {
+            behavior.receive(reader.read(two_ticks[static_cast<std::size_t>(i)]));
+            QVERIFY(!behavior.finished());
+        }
+        const auto output = behavior.receive(reader.read(two_ticks[3]));
+        QVERIFY(behavior.finished() && behavior.broke());
+        const QString reason = QString::fromStdString(std::get<BehaviorFinished>(output.published.back()).reason);
+        QVERIFY2(reason.contains("has not come back from line 8"), qPrintable(reason));
+        behavior.expect({9}, two_ticks); // It is left alone.
+        QVERIFY(behavior.receive(reader.read(two_ticks[3])).commands.empty());
+        *let_go = true;
+    }
+
+    void expectedLinesThatDoNotComeAreNoAnswerToOthers() {
+        letItClimb(*script);
+        auto behavior = watched(script);
+        behavior.begin();
+        behavior.expect({first_number}, two_ticks);
+        protocol::Reader reader;
+        reader.continueAfter({first_number - 1});
+        behavior.receive(reader.read(two_ticks[0]));
+        QVERIFY(behavior.order(Order::Pause).commands.empty());
+        reader.continueAfter({19});
+        const auto output = behavior.receive(reader.read("STA {Type AerialVehicle} {Time 7}"));
+        QCOMPARE(output.commands.size(), std::size_t(1));
+        QVERIFY(output.commands[0].command == protocol::Command(protocol::AerialDrive{7.0, {}, {}, {}}));
+        QCOMPARE(output.commands[0].cause.trigger.value, std::uint64_t(20));
     }
 
     void newParametersReachItAndAThrowAfterThemIsSaid() {

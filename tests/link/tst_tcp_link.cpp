@@ -37,6 +37,7 @@ private slots:
 
     void connectsAndGivesWholeLines_data();
     void connectsAndGivesWholeLines();
+    void showsTheLinesThatCameTogetherBeforeItGivesThem();
     void sendsLinesWithCrLf();
     void closeSendsWhatIsQueuedAndStaysClosed();
     void saysWhyItCannotConnect_data();
@@ -97,6 +98,23 @@ void tst_TcpLink::connectsAndGivesWholeLines() {
     QCOMPARE(opened.size(), 1);
     QCOMPARE(link_->status().state, LinkState::Connected);
     QVERIFY(link_->status().reason.isEmpty());
+}
+
+void tst_TcpLink::showsTheLinesThatCameTogetherBeforeItGivesThem() {
+    QList<QByteArray> ahead;
+    link_->setAheadTaker([&](std::span<const std::string_view> lines) {
+        for (const std::string_view line : lines)
+            ahead.append(QByteArray::number(lines_.size()) + ' ' + QByteArray(line.data(), qsizetype(line.size())));
+    });
+    server_->on_connect = [&] { server_->say(greeting); };
+    link_->open("127.0.0.1", server_->port());
+    QTRY_COMPARE(lines_.size(), 1);
+    server_->say("SEN {Type INS}\r\nSTA {Time 1}\r\nSTA {Ti");
+    QTRY_COMPARE(lines_.size(), 3);
+    server_->say("me 2}\r\n");
+    QTRY_COMPARE(lines_.size(), 4);
+    QCOMPARE(lines_.at(3), QByteArray("STA {Time 2}"));
+    QCOMPARE(ahead, (QList<QByteArray>{"1 SEN {Type INS}", "1 STA {Time 1}"})); // Neither the greeting nor one alone.
 }
 
 void tst_TcpLink::sendsLinesWithCrLf() {

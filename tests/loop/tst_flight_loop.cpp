@@ -1,5 +1,8 @@
+#include <QTemporaryDir>
 #include <QTest>
 
+#include "core/agent/watched_behavior.h"
+#include "core/link/recording_reader.h"
 #include "core/mission/session/robot_session.h"
 #include "core/server/embedded/headless_simulator.h"
 #include "tests/doubles/rough_relay.h"
@@ -12,8 +15,8 @@ namespace tst_flight_loop {
 
 using namespace usar;
 using namespace usar::mission;
+using agent::BehaviorThread;
 using usar::server::HeadlessSimulator;
-using usar::test::hostOf;
 using usar::test::RoughRelay;
 using usar::test::Script;
 
@@ -47,16 +50,43 @@ struct Flight {
     std::vector<std::string> lines;
     std::vector<Vec3> path_m;
     std::optional<int> collisions;
+    std::string heard;             ///< every byte from the server
+    std::vector<std::string> said; ///< what was sent and noted, with its cause and the line after which it was
 };
 
-Flight fly(HeadlessSimulator& simulator, quint16 port, bool lockstep, int timeout_ms = 20000) {
+std::shared_ptr<agent::RunningBehavior> behaviorOf(const std::shared_ptr<Script>& script, BehaviorThread thread) {
+    auto host = std::make_unique<agent::BehaviorHost>(std::make_unique<test::ScriptedBehavior>(script), "test");
+    if (thread == BehaviorThread::Callers)
+        return host;
+    return std::make_shared<agent::WatchedBehavior>(std::move(host), thread == BehaviorThread::Awake);
+}
+
+/// Adds what the recording has of the flight, without its times, which are those of a clock on the wall.
+void readInto(Flight& flight, const QString& path) {
+    const auto reader = link::RecordingReader::open(path);
+    while (const auto record = reader ? (*reader)->next() : std::nullopt) {
+        if (record->kind == link::RecordKind::In)
+            flight.heard += record->bytes;
+        else if (record->kind == link::RecordKind::Out || record->kind == link::RecordKind::Note)
+            flight.said.push_back(std::to_string(record->line.value) + ' ' + std::to_string(record->trigger.value) +
+                                  ' ' + std::string(record->name) + ' ' + std::string(record->bytes));
+    }
+}
+
+Flight fly(HeadlessSimulator& simulator, quint16 port, bool lockstep, BehaviorThread thread = BehaviorThread::Callers) {
+    constexpr int timeout_ms = 20000;
     Flight flight;
     RobotSession session;
+    const QTemporaryDir folder;
+    const QString recording = folder.filePath("flight.usarrec");
     const auto script = climbAndHover();
+    if (!session.startRecording(recording, {}))
+        return flight;
     QObject::connect(&session, &RobotSession::startPosesKnown, &session, [&](const protocol::StartPoses& poses) {
         session.spawn({"USARBot.AirRobot", "R1", poses.poses.front().pose_in_map});
     });
-    QObject::connect(&session, &RobotSession::spawned, &session, [&] { session.startBehavior(hostOf(script), {}); });
+    QObject::connect(&session, &RobotSession::spawned, &session,
+                     [&] { session.startBehavior(behaviorOf(script, thread), {}); });
     QObject::connect(&session, &RobotSession::behaviorFinished, &session, [&](bool success) {
         flight.success = success;
         if (const auto figures = simulator.firstRobot())
@@ -68,6 +98,8 @@ Flight fly(HeadlessSimulator& simulator, quint16 port, bool lockstep, int timeou
     session.open("127.0.0.1", port, lockstep);
     flight.finished = test::waitForSignal(&session, &RobotSession::behaviorFinished, timeout_ms);
     session.close();
+    session.stopRecording();
+    readInto(flight, recording);
     flight.lines = script->lines;
     return flight;
 }
@@ -86,7 +118,8 @@ private slots:
     void climbsAndHoversByDriveCommands();
     void theSameSeedGivesTheSameLines();
     void aRoughWireChangesNothing();
-    void withoutTcpEachByteIsTheSame();
+    void howeverTheyAreConnectedEachByteIsTheSame_data();
+    void howeverTheyAreConnectedEachByteIsTheSame();
     void fliesAtThePaceThatItIsGiven();
     void fliesWithoutLockstepInRealTime();
     void aCutWireEndsTheFlightAndKeepsThePath();
@@ -122,16 +155,43 @@ void tst_FlightLoop::aRoughWireChangesNothing() {
     QVERIFY(straight.lines == rough.lines);
 }
 
-void tst_FlightLoop::withoutTcpEachByteIsTheSame() {
+void tst_FlightLoop::howeverTheyAreConnectedEachByteIsTheSame_data() {
+    QTest::addColumn<QString>("wire");
+    QTest::addColumn<int>("thread");
+    QTest::addColumn<int>("longest_piece");
+    const auto row = [](const char* name, const char* wire, BehaviorThread thread, int longest_piece = 0) {
+        QTest::newRow(name) << wire << static_cast<int>(thread) << longest_piece;
+    };
+    row("in memory, all in one thread", "memory", BehaviorThread::Callers);
+    row("in memory, the behavior in its own thread", "memory", BehaviorThread::Own);
+    row("in memory, the behavior in its own thread and awake", "memory", BehaviorThread::Awake);
+    row("by TCP, the behavior in its own thread", "tcp", BehaviorThread::Own);
+    row("in pieces of up to 100 bytes, the behavior in its own thread", "rough", BehaviorThread::Own, 100);
+    row("in pieces of up to 900 bytes, the behavior in its own thread", "rough", BehaviorThread::Own, 900);
+    row("in pieces of up to 3000 bytes, the behavior in its own thread and awake", "rough", BehaviorThread::Awake,
+        3000);
+}
+
+/// A behavior in its own thread gets the lines that come together at once, and its answers are taken line by line.
+void tst_FlightLoop::howeverTheyAreConnectedEachByteIsTheSame() {
+    QFETCH(QString, wire);
+    QFETCH(int, thread);
+    QFETCH(int, longest_piece);
     const Flight by_tcp = flyAtFullSpeed(5);
-    const auto simulator = HeadlessSimulator::serve(doubles::flatWorld(), {.seed = 5, .own_thread = false});
+    const auto simulator = HeadlessSimulator::serve(doubles::flatWorld(), {.seed = 5, .own_thread = wire != "memory"});
     QVERIFY(simulator);
-    QVERIFY((*simulator)->inProcess());
-    const Flight in_process = fly(**simulator, (*simulator)->port(), true);
-    QVERIFY(in_process.finished && in_process.success);
+    QCOMPARE(bool((*simulator)->inProcess()), wire == "memory");
+    RoughRelay relay((*simulator)->port());
+    relay.longest_piece = longest_piece;
+    const Flight flight = fly(**simulator, wire == "rough" ? relay.port() : (*simulator)->port(), true,
+                              static_cast<BehaviorThread>(thread));
+    QVERIFY(flight.finished && flight.success);
     QVERIFY(by_tcp.lines.size() > 200);
-    QVERIFY(by_tcp.lines == in_process.lines);
-    QVERIFY(by_tcp.path_m == in_process.path_m);
+    QVERIFY(by_tcp.said.size() > 200);
+    QVERIFY(by_tcp.lines == flight.lines);
+    QVERIFY(by_tcp.path_m == flight.path_m);
+    QVERIFY(by_tcp.heard == flight.heard);
+    QCOMPARE(flight.said, by_tcp.said);
 }
 
 void tst_FlightLoop::fliesAtThePaceThatItIsGiven() {

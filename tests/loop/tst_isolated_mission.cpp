@@ -65,7 +65,8 @@ private slots:
     void aBehaviorThatGoesWrongEndsTheMissionWithItsReason();
 
 private:
-    Flown fly(const Mission& mission, std::optional<double> speed_x = {});
+    /// `in_memory`: the simulator shares the thread of the mission, as in `usar-mission run` at full speed.
+    Flown fly(const Mission& mission, std::optional<double> speed_x = {}, bool in_memory = false);
 
     agent::PluginLoader plugins_;
 };
@@ -77,13 +78,17 @@ void tst_IsolatedMission::initTestCase() {
     QVERIFY(plugins_.behavior("airrobot/posh"));
 }
 
-Flown tst_IsolatedMission::fly(const Mission& mission, std::optional<double> speed_x) {
+Flown tst_IsolatedMission::fly(const Mission& mission, std::optional<double> speed_x, bool in_memory) {
     QTemporaryDir folder;
-    auto simulator = HeadlessSimulator::serve(doubles::flatWorld(), {.seed = 7, .speed_x = speed_x});
+    auto simulator =
+        HeadlessSimulator::serve(doubles::flatWorld(), {.seed = 7, .speed_x = speed_x, .own_thread = !in_memory});
     if (!simulator)
         return {};
     RunOptions options;
     options.port = (*simulator)->port();
+    options.in_process = (*simulator)->inProcess();
+    if (in_memory)
+        options.behavior_thread = agent::BehaviorThread::Awake;
     options.result_folder = folder.path();
     options.recording = folder.filePath("flight.usarrec");
     options.behavior_host = QStringLiteral(USAR_BINARY_DIR "/bin/usar-behavior-host");
@@ -113,8 +118,10 @@ void tst_IsolatedMission::isCommandByCommandTheMissionWithoutIsolation() {
     mission.behavior = behavior;
     mission.area_in_map = {{-12.0, -8.0}, {12.0, 8.0}};
     const Flown here = fly(mission);
+    areTheSame(here, fly(mission, {}, true));
     mission.isolate = true;
     areTheSame(here, fly(mission));
+    areTheSame(here, fly(mission, {}, true));
 }
 
 void tst_IsolatedMission::isTheSameAtAnySpeed() {
@@ -130,24 +137,28 @@ void tst_IsolatedMission::aBehaviorThatGoesWrongEndsTheMissionWithItsReason_data
     QTest::addColumn<std::string>("behavior");
     QTest::addColumn<bool>("isolate");
     QTest::addColumn<QString>("words");
-    QTest::newRow("dies") << std::string("faulty/segfault") << true << "died by SIGSEGV";
-    QTest::newRow("aborts") << std::string("faulty/abort") << true << "died by SIGABRT";
-    QTest::newRow("throws") << std::string("faulty/throw") << true << "faulty/throw failed: lost my way";
+    QTest::addColumn<bool>("in_memory");
+    QTest::newRow("dies") << std::string("faulty/segfault") << true << "died by SIGSEGV" << false;
+    QTest::newRow("aborts") << std::string("faulty/abort") << true << "died by SIGABRT" << true;
+    QTest::newRow("throws") << std::string("faulty/throw") << true << "faulty/throw failed: lost my way" << false;
     QTest::newRow("throws in this process")
-        << std::string("faulty/throw") << false << "faulty/throw failed: lost my way";
-    QTest::newRow("hangs") << std::string("faulty/loop") << true << "faulty/loop hangs";
-    QTest::newRow("hangs in this process") << std::string("faulty/loop") << false << "faulty/loop hangs";
+        << std::string("faulty/throw") << false << "faulty/throw failed: lost my way" << true;
+    QTest::newRow("hangs") << std::string("faulty/loop") << true << "faulty/loop hangs" << false;
+    QTest::newRow("hangs in this process") << std::string("faulty/loop") << false << "faulty/loop hangs" << false;
+    QTest::newRow("hangs beside a simulator in memory")
+        << std::string("faulty/loop") << false << "faulty/loop hangs" << true;
 }
 
 void tst_IsolatedMission::aBehaviorThatGoesWrongEndsTheMissionWithItsReason() {
     QFETCH(std::string, behavior);
     QFETCH(bool, isolate);
     QFETCH(QString, words);
+    QFETCH(bool, in_memory);
     Mission mission;
     mission.name = "Fault";
     mission.behavior = behavior;
     mission.isolate = isolate;
-    const Flown flown = fly(mission);
+    const Flown flown = fly(mission, {}, in_memory);
     QCOMPARE(flown.exit_code, int(MissionFailed));
     QVERIFY2(flown.summary["reason"].toString().contains(words), qPrintable(flown.summary["reason"].toString()));
     const auto last_drive =

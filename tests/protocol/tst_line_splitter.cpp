@@ -42,6 +42,7 @@ private slots:
     void everyTerminatorInTheWildEndsALine();
     void anUnfinishedLineWaits();
     void chunkingChangesNothing();
+    void splitGivesTheSameLinesAtOnce();
     void recordedChunksGiveTheSameLinesAsOnePiece();
     void dropsALineOverTheCapAndGoesOnBehindIt_data();
     void dropsALineOverTheCapAndGoesOnBehindIt();
@@ -86,6 +87,25 @@ void tst_LineSplitter::chunkingChangesNothing() {
     for (int round = 0; round < 50; ++round) {
         LineSplitter splitter;
         QCOMPARE(linesOf(splitter, cutAtRandom(bytes, random)), expected);
+    }
+}
+
+void tst_LineSplitter::splitGivesTheSameLinesAtOnce() {
+    std::string bytes;
+    for (const corpus::Line& line : corpus::infoLines())
+        bytes += line.text + "\r\n";
+    Random random = seeded(12, 1);
+    for (int round = 0; round < 50; ++round) {
+        LineSplitter one_by_one(200);
+        LineSplitter at_once(200);
+        std::vector<std::string_view> lines;
+        for (const std::string& chunk : cutAtRandom(bytes, random)) {
+            at_once.split(chunk, lines);
+            QCOMPARE(Lines(lines.begin(), lines.end()), linesOf(one_by_one, {chunk}));
+            QCOMPARE(at_once.pending(), one_by_one.pending());
+        }
+        QVERIFY(one_by_one.overlongCount() > 0);
+        QCOMPARE(at_once.overlongCount(), one_by_one.overlongCount());
     }
 }
 

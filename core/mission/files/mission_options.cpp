@@ -46,8 +46,7 @@ QList<QCommandLineOption> runOptions() {
         {"plugins", "robot plugins, besides those that come with the program; repeat for more", "FOLDER"},
         {"course", "add to the summary how the coverage grew, and where the robot flew, collided and gave goals up"},
         {"one-thread",
-         "simulator and behavior have no threads of their own, which costs least; a behavior that hangs then hangs "
-         "the program"},
+         "the behavior has no thread of its own, which costs least; one that hangs then hangs the program"},
         {"adjust",
          "on: the map is corrected where strips overlap (the mission's adjust, or off); off: the thesis's map",
          "on|off"},

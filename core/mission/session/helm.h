@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -67,6 +68,11 @@ public:
 
     /// `on`: the server has agreed to wait for a STEP after each STA.
     void setLockstep(bool on) { lockstep_ = on; }
+    /// These lines come next, of which the first has this number; see RunningBehavior::expect.
+    void expect(LineNumber first, std::span<const std::string_view> lines) {
+        if (host_)
+            host_->expect(first, lines);
+    }
     /// To be called with a line, as text and as a value, before what it says is acted upon.
     void hear(std::string_view text, const protocol::InfoLine& line);
     /// Lets the behavior answer to a line and sends what it says. An STA ends the tick, also without a behavior.

@@ -2,6 +2,7 @@
 #include "core/mission/session/robot_session_private.h"
 
 #include <functional>
+#include <span>
 #include <utility>
 
 #include <QMetaMethod>
@@ -30,6 +31,8 @@ RobotSession::Private::Private(RobotSession& session, double cell_size_m)
     watch_timer.setInterval(toMilliseconds(limits.stale) / 8);
     connect(&watch_timer, &QTimer::timeout, &q, [this] { watch(); });
     link.setLineTaker(std::bind_front(&Private::takeLine, this));
+    link.setAheadTaker(
+        [this](std::span<const std::string_view> lines) { helm.expect({incoming.newest().value + 1}, lines); });
     link.setByteTaker(std::bind_front(&RecordKeeping::received, &records));
     connect(&link, &link::TcpLink::statusChanged, &q, &RobotSession::linkChanged);
     connect(&link, &link::TcpLink::opened, &q, [this] { opened(); });
