@@ -256,6 +256,17 @@ private slots:
         QVERIFY(again.step(senses, {0.0, 0.0, 6.3}, overhead, {}, settings).climb_m_s <= Overhead::careful_m_s);
     }
 
+    void climbsWithCareBeyondADoor() {
+        Ascent ascent = Ascent::beyondDoor();
+        Senses senses = sensesAt({0.0, 0.0, 2.4});
+        for (const double z_m : {2.4, 3.0}) {
+            senses.base_in_map.position_m.z() = z_m;
+            const AscentStep step = ascent.step(senses, {0.0, 0.0, 6.3}, {}, {}, settings);
+            QCOMPARE(step.climb_m_s, Overhead::careful_m_s);
+            QVERIFY(!step.turns);
+        }
+    }
+
     /// A robot that goes where it is told and rolls as it sets off, in a hall with this ceiling.
     void endsItsAscentBelowTheCeiling_data() {
         QTest::addColumn<double>("ceiling_m");
@@ -321,14 +332,17 @@ private slots:
     void doesNotRollBesideWhatMayReachItsHeight_data() {
         QTest::addColumn<double>("aside_m");
         QTest::addColumn<double>("top_m");
+        QTest::addColumn<double>("echo_m");
         QTest::addColumn<bool>("rolls");
-        QTest::newRow("nothing near") << 8.0 << 2.95 << true;
-        QTest::newRow("a rack whose top it could not see from below") << 1.6 << 2.95 << false;
-        QTest::newRow("a pallet") << 1.6 << 1.0 << true;
+        QTest::newRow("nothing near") << 8.0 << 2.95 << 5.0 << true;
+        QTest::newRow("a rack whose top it could not see from below") << 1.6 << 2.95 << 5.0 << false;
+        QTest::newRow("a pallet") << 1.6 << 1.0 << 5.0 << true;
+        QTest::newRow("a rack that a sonar alone has met") << 8.0 << 2.95 << 1.7 << false;
     }
     void doesNotRollBesideWhatMayReachItsHeight() {
         QFETCH(double, aside_m);
         QFETCH(double, top_m);
+        QFETCH(double, echo_m);
         QFETCH(bool, rolls);
         Ascent ascent;
         Overhead overhead;
@@ -339,7 +353,8 @@ private slots:
         ascent.step(sensesAt({0.0, 0.0, 0.3}), {0.0, 0.0, 6.3}, overhead, memory, settings);
         for (double yaw_rad = 0.0; yaw_rad < 3.3; yaw_rad += 0.1) // It looks around.
             ascent.step(sensesAt({0.0, 0.0, 2.9}, yaw_rad), {0.0, 0.0, 6.3}, overhead, memory, settings);
-        const Senses senses = sensesWith(scanBelow(100.0, 100.0, 0.0, {0.0, 0.0, 4.8}));
+        Senses senses = sensesWith(scanBelow(100.0, 100.0, 0.0, {0.0, 0.0, 4.8}));
+        setSonars(senses, {{"L4", echo_m}});
         QCOMPARE(ascent.step(senses, {0.0, 0.0, 6.3}, overhead, memory, settings).left_m_s != 0.0, rolls);
     }
 

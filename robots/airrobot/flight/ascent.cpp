@@ -7,7 +7,6 @@ namespace usar::airrobot {
 
 namespace {
 
-constexpr double first_look_m = 2.0; ///< above the place of the take-off
 constexpr double turn_above_m = 1.0;
 constexpr double turn_below_m = 2.8;
 constexpr double half_turn_rad = pi; ///< The scanner sees both sides.
@@ -28,11 +27,12 @@ constexpr double early_m = 0.3; ///< A look begins so much below the height up t
 
 /// True if nothing beside the robot is known to be in its way as it rolls. The scan shows only what is exactly beside
 /// it; what reached as high as the robot when it looked around, at most at `seen_from_m` (map z), may be as high as it
-/// is now.
+/// is now. A sonar that looks to the side hears what the scan has not come to yet.
 bool hasRoom(const Senses& senses, const ObstacleMemory& memory, double seen_from_m) {
     const Vec3 here_m = senses.position_m();
     const auto near = memory.near(here_m.head<2>(), room_m, std::min(here_m.z(), seen_from_m) - trunk_margin_m);
     return senses.scan && std::ranges::none_of(near, [](const Obstacle& one) { return one.top_known; }) &&
+           std::ranges::none_of(senses.sonars, [](const SonarEcho& one) { return one.hit && one.range_m < room_m; }) &&
            std::ranges::none_of(senses.scan->hits_in_map_m, [&](const Vec3& hit) {
                return std::abs(hit.z() - here_m.z()) < level_m && (hit - here_m).head<2>().norm() < room_m;
            });
@@ -65,7 +65,7 @@ AscentStep Ascent::step(const Senses& senses, const Vec3& goal_m, const Overhead
     const bool around = lookAround(senses, step);
     if (std::abs(error_m) < tolerance_m && around)
         return {.reached = true};
-    const double known_to_m = *from_z_m_ + std::max(first_look_m, known_m_ - Overhead::margin_m);
+    const double known_to_m = *from_z_m_ + std::max(free_m_, known_m_ - Overhead::margin_m);
     const double free_to_m = std::max(overhead.freeTo_m(), known_to_m);
     if (z_m >= next_look_m_ && goal_z_m > free_to_m && z_m > free_to_m - early_m &&
         hasRoom(senses, memory, *from_z_m_ + turn_below_m)) {
@@ -74,7 +74,7 @@ AscentStep Ascent::step(const Senses& senses, const Vec3& goal_m, const Overhead
     }
     const double wanted_m_s = std::clamp(error_m, -settings.descent_speed_m_s, settings.climb_speed_m_s);
     const double careful_m_s = overhead.besideWall(senses.now) ? Overhead::gentle_m_s : Overhead::careful_m_s;
-    step.climb_m_s = overhead.allowed_m_s(senses, wanted_m_s, z_m > known_to_m ? careful_m_s : wanted_m_s);
+    step.climb_m_s = overhead.allowed_m_s(senses, wanted_m_s, z_m >= known_to_m ? careful_m_s : wanted_m_s);
     if (!around)
         step.climb_m_s = std::min(step.climb_m_s, std::max(0.0, *from_z_m_ + turn_below_m - z_m));
     return step;
@@ -82,8 +82,9 @@ AscentStep Ascent::step(const Senses& senses, const Vec3& goal_m, const Overhead
 
 /// Returns true if it knows what is around.
 bool Ascent::lookAround(const Senses& senses, AscentStep& step) {
-    if (known_m_ > 0.0 || turned_rad_ >= half_turn_rad || senses.position_m().z() < *from_z_m_ + turn_above_m)
-        return known_m_ > 0.0 || turned_rad_ >= half_turn_rad;
+    const bool knows = knows_around_ || known_m_ > 0.0 || turned_rad_ >= half_turn_rad;
+    if (knows || senses.position_m().z() < *from_z_m_ + turn_above_m)
+        return knows;
     const double yaw_rad = senses.base_in_map.yaw_rad;
     turned_rad_ += std::abs(normalizedAngle(yaw_rad - last_yaw_rad_.value_or(yaw_rad)));
     last_yaw_rad_ = yaw_rad;

@@ -41,6 +41,13 @@ class Ascent {
 public:
     /// The robot came straight down to this place from `known_m` above it.
     explicit Ascent(double known_m = 0.0) : known_m_(known_m) {}
+    /// In the air, after a flight through a door: it has seen what is around, and nothing of what is above.
+    static Ascent beyondDoor() {
+        Ascent ascent;
+        ascent.knows_around_ = true;
+        ascent.free_m_ = 0.0;
+        return ascent;
+    }
 
     /// Call it once per tick. The caller holds the robot over the goal. The height counts as reached below a ceiling,
     /// too.
@@ -54,7 +61,11 @@ private:
     bool lookAround(const Senses& senses, AscentStep& step);
     void listen(const Senses& senses);
 
+    static constexpr double first_look_m = 2.0; ///< above the place of the take-off, where people stand
+
     double known_m_;
+    bool knows_around_ = false;
+    double free_m_ = first_look_m; ///< above its beginning, nothing is in the way
     std::optional<double> from_z_m_;
     std::optional<Seconds> looking_since_;
     double next_look_m_ = 0.0; ///< height of the next look

@@ -232,7 +232,7 @@ void Craft::comeUp() {
     ways.comeUp(overhead);
     memory.clear();
     column_ = {};
-    ascent_ = Ascent(sure_of_walls_m); // It has seen what is around.
+    ascent_ = Ascent::beyondDoor();
     startAnew();
 }
 
