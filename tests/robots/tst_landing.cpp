@@ -191,6 +191,10 @@ private slots:
         QVERIFY(touchdown.isOver(sensesAt({0.4, 0, 6}), {0, 0}));
         QVERIFY(touchdown.isOver(sensesAt({0.8, 0, 5}), {0, 0})); // A gust moved it as it sank.
         QVERIFY(!touchdown.isOver(sensesAt({1.0, 0, 5}), {0, 0}));
+        QVERIFY(touchdown.isOver(sensesAt({0.4, 0, 5}), {0, 0}));
+        Senses low = sensesAt({1.0, 0, 0.8});
+        low.ground_m = 0.0;
+        QVERIFY(touchdown.isOver(low, {0, 0})); // Its legs may be on the ground.
     }
 
     void saysWhenItDoesNotGetThere_data() {
@@ -220,6 +224,7 @@ private slots:
         touchdown.start();
         Senses senses = sensesAt({0, 0, 0.3});
         senses.ground_m = 0.1;
+        senses.base_in_map.position_m.z() = 1.2; // Higher up than its legs reach.
         const auto touchedAt = [&](double x_m) {
             senses.now += Seconds(0.2);
             senses.base_in_map.position_m.x() = x_m;

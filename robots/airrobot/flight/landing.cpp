@@ -33,6 +33,7 @@ constexpr double near_ground_m = 1.5;
 /// Wind may push a robot that sinks so far from its place, around which there is room for it.
 constexpr double over_place_m = 0.5;
 constexpr double still_over_m = 0.9;
+constexpr double nearly_down_m = 1.0;
 constexpr Seconds longest_aside{15.0};
 constexpr double apart_m = 1.5; ///< from a place that was no good to the next one
 /// Hits below the ring that differ by more than this in so many scans in a row are on something that it cannot stand
@@ -131,7 +132,9 @@ std::optional<Vec2> Refuge::place_m(const Senses& senses, const ObstacleMemory& 
 }
 
 bool Touchdown::isOver(const Senses& senses, const Vec2& place_m) {
-    over_ = (senses.position2_m() - place_m).norm() < (over_ ? still_over_m : over_place_m);
+    // So low, its legs may be on the ground already, and it would not answer.
+    const bool nearly_down = over_ && senses.heightOverGround_m(0.0) < nearly_down_m;
+    over_ = nearly_down || (senses.position2_m() - place_m).norm() < (over_ ? still_over_m : over_place_m);
     if (over_)
         aside_since_.reset();
     else if (!aside_since_)
