@@ -328,6 +328,27 @@ private slots:
         QCOMPARE(ascent.heard().size(), std::size_t(hears ? 1 : 0));
     }
 
+    void hearsTrunksAheadOfIt_data() {
+        QTest::addColumn<QString>("sonar");
+        QTest::addColumn<double>("range_m");
+        QTest::addColumn<double>("height_m");
+        QTest::addColumn<bool>("hears");
+        QTest::newRow("near and ahead") << "R2" << 3.0 << 2.6 << true;
+        QTest::newRow("far") << "R2" << 4.0 << 2.6 << false;
+        QTest::newRow("beside it") << "R4" << 3.0 << 2.6 << false;
+        QTest::newRow("the ground, perhaps") << "R2" << 3.0 << 1.4 << false;
+    }
+    void hearsTrunksAheadOfIt() {
+        QFETCH(QString, sonar);
+        QFETCH(double, range_m);
+        QFETCH(double, height_m);
+        QFETCH(bool, hears);
+        Senses senses = sensesAt({0.0, 0.0, height_m});
+        senses.ground_m = 0.0;
+        setSonars(senses, {{sonar.toStdString(), range_m}});
+        QCOMPARE(hearsAhead(senses, 3.2), hears);
+    }
+
     /// Beside a rack that it cannot see in this plane, a roll to the side would end in it.
     void doesNotRollBesideWhatMayReachItsHeight_data() {
         QTest::addColumn<double>("aside_m");

@@ -23,7 +23,12 @@ constexpr double level_m = 1.5; ///< above or below the robot
 constexpr double tolerance_m = 0.3;
 /// On a slope of 15 degrees, a sonar hears the ground where its beam is lower than this over the ground below.
 constexpr double surely_no_ground_m = 1.3;
+constexpr double ahead_rad = radians(60.0);
 constexpr double early_m = 0.3; ///< A look begins so much below the height up to which the air is known.
+
+bool isNoGround(const SonarEcho& echo, const Senses& senses) {
+    return echo.hit && senses.ground_m && echo.low_m > *senses.ground_m + surely_no_ground_m;
+}
 
 /// True if nothing beside the robot is known to be in its way as it rolls. The scan shows only what is exactly beside
 /// it; what reached as high as the robot when it looked around, at most at `seen_from_m` (map z), may be as high as it
@@ -96,8 +101,14 @@ bool Ascent::lookAround(const Senses& senses, AscentStep& step) {
 
 void Ascent::listen(const Senses& senses) {
     for (const SonarEcho& echo : senses.sonars)
-        if (echo.hit && senses.ground_m && echo.low_m > *senses.ground_m + surely_no_ground_m)
+        if (isNoGround(echo, senses))
             heard_.push_back({echo.center_in_map_m.head<2>(), echo.high_m, false});
+}
+
+bool hearsAhead(const Senses& senses, double within_m) {
+    return std::ranges::any_of(senses.sonars, [&](const SonarEcho& echo) {
+        return isNoGround(echo, senses) && echo.range_m < within_m && std::abs(echo.bearing_rad) < ahead_rad;
+    });
 }
 
 double carefulClimb_m_s(const Settings& settings) {

@@ -18,6 +18,7 @@ struct Column {
     std::optional<Vec2> at_m{}; ///< place of the climb if it is not that of the take-off
     Seconds moving_since{0.0};  ///< when that place was chosen
     bool there = false;         ///< the robot is over it
+    bool faced = false;         ///< it looks there
     double top_m = -1e9;        ///< where the straight way down began, map z
     double come_down_m = 0.0;   ///< height that it has lost since then
 };
@@ -73,6 +74,9 @@ private:
     std::optional<double> last_yaw_rad_;
     std::vector<Obstacle> heard_;
 };
+
+/// True if a sonar hears something ahead, nearer than this, that is surely not the ground.
+bool hearsAhead(const Senses& senses, double within_m);
 
 /// The rate of climb where nobody has been yet.
 double carefulClimb_m_s(const Settings& settings);

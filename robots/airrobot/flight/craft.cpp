@@ -30,7 +30,7 @@ constexpr double rising_speed_m_s = 1.0;
 /// A robot that climbs and is slower than this on the level does not see what it climbs toward.
 constexpr double straight_m_s = 0.2;
 constexpr double stands_m_s = 0.05; ///< A slower robot does not get past what is before it.
-constexpr Seconds longest_move{12.0};
+constexpr Seconds longest_move{18.0};
 constexpr double crown_m = 4.5; ///< Crowns reach so far from their trunks.
 constexpr double hold_still_m = 0.5;
 /// A robot that is hindered for so long looks for a detour, and again after the same time.
@@ -44,6 +44,7 @@ constexpr Seconds longest_press{6.0};
 constexpr double sure_of_walls_m = 2.5; ///< Lower down, sonars hear the ground.
 /// Lower than this, the robot may stand on the ground, or its rotors may still be gathering speed.
 constexpr double surely_aloft_m = 2.0;
+constexpr double faces_rad = 0.3;
 constexpr double in_column_m = 0.7; ///< A robot so near to its landing place comes straight down.
 
 /// Limits speeds to what the robot can do, because the course filter and the stopping distance rely on the command.
@@ -358,9 +359,15 @@ bool Craft::rise(double goal_z_m, const Vec2& over_m, agent::CommandPort& port) 
     }
     if (column_.at_m && senses.now - column_.moving_since > longest_move / senses.steadyShare() && !column_.there)
         column_.at_m = senses.position2_m(); // Something is in the way.
+    if (column_.at_m && !column_.there && column_.faced && hearsAhead(senses, settings.climb_standoff_m))
+        column_.at_m = senses.position2_m(); // A trunk that it did not know, with a crown
     Motion motion = holding(senses, column_m);
+    const Vec2 way_m = column_m - senses.position2_m();
+    column_.there = way_m.norm() < in_column_m;
+    column_.faced = std::abs(normalizedAngle(bearingOf(way_m) - senses.base_in_map.yaw_rad)) < faces_rad;
+    if (column_.at_m && !column_.there) // It looks where it goes, because no sonar looks backward.
+        motion = toward(senses, bearingOf(way_m), motion.velocity_in_map_m_s.norm(), settings);
     makeSafe(motion);
-    column_.there = (senses.position2_m() - column_m).norm() < in_column_m;
     motion.climb_m_s = column_.there ? step.climb_m_s : std::min(step.climb_m_s, 0.0);
     if (step.turns)
         motion.yaw_rate_rad_s = settings.turn_rate_rad_s;
