@@ -1,6 +1,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/agent/behavior_start.h"
 #include "core/agent/watched_behavior.h"
 #include "core/link/recording_reader.h"
 #include "core/mission/session/robot_session.h"
@@ -51,7 +52,7 @@ struct Flight {
     std::vector<Vec3> path_m;
     std::optional<int> collisions;
     std::string heard;             ///< every byte from the server
-    std::vector<std::string> said; ///< what was sent and noted, with its cause and the line after which it was
+    std::vector<std::string> said; ///< what was sent and noted to the behavior's end, with its cause and line
 };
 
 std::shared_ptr<agent::RunningBehavior> behaviorOf(const std::shared_ptr<Script>& script, BehaviorThread thread) {
@@ -64,10 +65,12 @@ std::shared_ptr<agent::RunningBehavior> behaviorOf(const std::shared_ptr<Script>
 /// Adds what the recording has of the flight, without its times, which are those of a clock on the wall.
 void readInto(Flight& flight, const QString& path) {
     const auto reader = link::RecordingReader::open(path);
+    bool over = false;
     while (const auto record = reader ? (*reader)->next() : std::nullopt) {
+        over |= record->bytes.find("Hovered.") != std::string_view::npos; // Its last word.
         if (record->kind == link::RecordKind::In)
             flight.heard += record->bytes;
-        else if (record->kind == link::RecordKind::Out || record->kind == link::RecordKind::Note)
+        else if (!over && (record->kind == link::RecordKind::Out || record->kind == link::RecordKind::Note))
             flight.said.push_back(std::to_string(record->line.value) + ' ' + std::to_string(record->trigger.value) +
                                   ' ' + std::string(record->name) + ' ' + std::string(record->bytes));
     }
@@ -187,10 +190,11 @@ void tst_FlightLoop::howeverTheyAreConnectedEachByteIsTheSame() {
                               static_cast<BehaviorThread>(thread));
     QVERIFY(flight.finished && flight.success);
     QVERIFY(by_tcp.lines.size() > 200);
-    QVERIFY(by_tcp.said.size() > 200);
+    QVERIFY(by_tcp.said.size() > 100);
     QVERIFY(by_tcp.lines == flight.lines);
     QVERIFY(by_tcp.path_m == flight.path_m);
-    QVERIFY(by_tcp.heard == flight.heard);
+    const std::string_view to_its_end = std::string_view(by_tcp.heard).substr(0, by_tcp.heard.find_last_not_of("\r\n"));
+    QVERIFY(flight.heard.starts_with(to_its_end)); // In memory the next tick comes before the test hears of the end.
     QCOMPARE(flight.said, by_tcp.said);
 }
 
