@@ -148,6 +148,10 @@ int goOn(mission::MissionOptions options, Preloaded& loaded) {
     return run(options, std::move(plan), loaded, std::make_shared<const mission::RecordedScan>(*std::move(earlier)));
 }
 
+Result<sim::PreparedWorld> readWorld(const QString& name) {
+    return server::loadWorld(name).and_then(sim::PreparedWorld::make);
+}
+
 } // namespace
 
 const agent::PluginLoader& Preloaded::plugins(const QStringList& more_folders) {
@@ -164,13 +168,13 @@ void Preloaded::load(const QString& world) {
         return;
     world_.reset();
     world_name_ = world;
-    if (auto read = server::loadWorld(world))
+    if (auto read = readWorld(world))
         world_ = *std::move(read);
 }
 
-Result<sim::World> Preloaded::takeWorld(const QString& name) {
+Result<sim::PreparedWorld> Preloaded::takeWorld(const QString& name) {
     if (!world_ || world_name_ != name)
-        return server::loadWorld(name);
+        return readWorld(name);
     return *std::exchange(world_, std::nullopt);
 }
 

@@ -8,12 +8,12 @@
 
 #include "core/agent/plugins/plugin_loader.h"
 #include "core/base/result.h"
-#include "core/sim/world/world.h"
+#include "core/sim/prepared_world.h"
 
 namespace usar::app {
 
 /// Plugins, robots and the world of a flight, which a process that makes a copy of itself for each flight loads before:
-/// then no copy has to read their files.
+/// then no copy has to read their files, nor to make what rays and contacts are searched in.
 class Preloaded {
 public:
     /// Loads everything for a flight in this world, in place of the world that was loaded before. What cannot be read
@@ -23,12 +23,12 @@ public:
     /// The program's plugins, and those in these folders.
     const agent::PluginLoader& plugins(const QStringList& more_folders);
     /// The world by its name or folder, as server::loadWorld reads it. It can be taken once; then it is read again.
-    Result<sim::World> takeWorld(const QString& name);
+    Result<sim::PreparedWorld> takeWorld(const QString& name);
 
 private:
     agent::PluginLoader plugins_;
     QString world_name_;
-    std::optional<sim::World> world_; ///< absent: taken, or never loaded
+    std::optional<sim::PreparedWorld> world_; ///< absent: taken, or never loaded
 };
 
 /// Loads what a flight with these arguments of `run` needs. Nothing is said about arguments that are wrong.

@@ -58,7 +58,10 @@ void place(protocol::ConfigurationInfo& cameras, const ClientSession::Host& host
 
 } // namespace
 
-ClientSession::ClientSession(const World& world, protocol::Dialect profile) : world_(world), profile_(profile) {
+ClientSession::ClientSession(const World& world, protocol::Dialect profile, bool digests)
+    : world_(world)
+    , profile_(profile)
+    , digests_(digests) {
     send(protocol::GameInfo{"BotDeathMatch", world.name, 0});
 }
 
@@ -390,7 +393,7 @@ void ClientSession::send(const protocol::InfoMessage& message, Seconds now) {
         protocol::write(message, output_);
         output_ += "\r\n";
     }
-    for (std::size_t i = before; i < output_.size(); ++i)
+    for (std::size_t i = before; digests_ && i < output_.size(); ++i)
         said_digest_ = (said_digest_ ^ static_cast<unsigned char>(output_[i])) * 1099511628211ull;
     if (orphan_)
         output_.clear(); // No client is there to read it.

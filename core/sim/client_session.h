@@ -2,7 +2,6 @@
 #pragma once
 
 #include <deque>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,10 +13,10 @@
 #include "core/protocol/info_message.h"
 #include "core/protocol/line_splitter.h"
 #include "core/protocol/trace_pen.h"
-#include "core/sim/camera/camera_scene.h"
 #include "core/sim/faults/faulty_wire.h"
 #include "core/sim/physics/scene.h"
 #include "core/sim/robots/robot.h"
+#include "core/sim/session_host.h"
 
 namespace usar::sim {
 
@@ -27,9 +26,10 @@ namespace usar::sim {
 /// Simulation; `world` must outlive it.
 class ClientSession {
 public:
-    using Log = std::function<void(std::string)>;
+    using Log = SessionHost::Log;
 
-    ClientSession(const World& world, protocol::Dialect profile);
+    /// `digests`: somebody may ask for the digest of what it said.
+    ClientSession(const World& world, protocol::Dialect profile, bool digests);
 
     /// Takes bytes in chunks of any size; `log` gets a sentence about each line that is wrong or dropped.
     void receive(std::string_view bytes, const Log& log);
@@ -72,30 +72,11 @@ public:
     std::string wantedName() const;
     /// Gives this session's robot to the client of `fresh`, whose INIT thereby counts as obeyed.
     void takeOver(ClientSession& fresh);
-    std::uint64_t saidDigest() const { return said_digest_; } ///< covers all output bytes ever written
+    std::uint64_t saidDigest() const { return said_digest_; } ///< covers all output bytes ever written, if it digests
     /// True until the new robot has been told of the active faults.
     bool isNew() const { return robot_ && new_; }
 
-    /// Callbacks through which a session acts on its simulation.
-    struct Host {
-        /// Spawns a robot with the name that the INIT has, or returns nullptr; the log tells that and `why` the name.
-        std::function<std::unique_ptr<Robot>(const protocol::Init&, const std::string& why)> spawn;
-        /// The name that an INIT's robot or station gets: the wanted one, or another one and the reason for it.
-        std::function<std::pair<std::string, std::string>(const protocol::Init&)> nameOf;
-        /// Pose of a base station; nullopt if it is refused. It logs as `spawn` does.
-        std::function<std::optional<Pose>(const protocol::Init&, const std::string& why)> stationAt;
-        /// Obeys a CONTROL. Returns a sentence if that is impossible.
-        std::function<std::optional<std::string>(const protocol::Command&)> control;
-        std::function<protocol::WorldObjects(const protocol::GetObjectStates&)> objectStates;
-        /// Obeys AttachCamera and DetachCamera. Returns false if there is no such camera or viewer.
-        std::function<bool(const protocol::Command&)> attach;
-        std::function<void(const Viewports&)> show; ///< sets the viewports; the robot has these cameras
-        std::function<Viewports()> shown;           ///< the current viewports
-        /// Left and top edge of this robot's camera in the window that all cameras share, in pixels.
-        std::function<std::pair<int, int>(const std::string& camera)> place_of;
-        Log log;
-        Seconds now{0.0};
-    };
+    using Host = SessionHost;
     /// Obeys the commands that are due at this tick.
     void obeyWaiting(const Host& host);
     /// Writes the answers to pending queries, then the robot's lines.
@@ -144,6 +125,7 @@ private:
     bool first_tick_ = true;
     bool heard_tick_ = false; ///< the current client has been told of a tick
     bool orphan_ = false;
+    bool digests_;
     std::uint64_t said_digest_ = 14695981039346656037ull; ///< FNV-1a
     bool new_ = true;
     Seconds spawned_at_{0.0};

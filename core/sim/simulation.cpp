@@ -201,8 +201,13 @@ void Simulation::State::reportAll() {
 }
 
 Result<std::unique_ptr<Simulation>> Simulation::make(World world, SimulationOptions options) {
-    if (world.terrain.empty() && world.boxes.empty())
-        return failure("there is nothing to stand on", "world '" + world.name + "'", "Give it a height map or boxes");
+    auto prepared = PreparedWorld::make(std::move(world));
+    if (!prepared)
+        return tl::unexpected(prepared.error());
+    return make(*std::move(prepared), std::move(options));
+}
+
+Result<std::unique_ptr<Simulation>> Simulation::make(PreparedWorld world, SimulationOptions options) {
     if (!(options.tick > Seconds{0.0}) || options.physics_steps_per_tick < 1)
         return failure("a tick needs a length and at least one physics step", "simulation options");
     if (options.battery_life && !(*options.battery_life > Seconds{0.0}))
@@ -217,7 +222,7 @@ Simulation::~Simulation() = default;
 ClientId Simulation::connect() {
     const ClientId client{++state_->last_client.value};
     state_->keep(JournalEntry::Kind::Connect, client.value);
-    state_->sessions.try_emplace(client, state_->world, state_->options.profile);
+    state_->sessions.try_emplace(client, state_->world, state_->options.profile, state_->options.keeps_journal);
     return client;
 }
 

@@ -16,6 +16,7 @@
 #include "core/protocol/info/world_objects.h"
 #include "core/sim/camera/camera_scene.h"
 #include "core/sim/faults/fault_schedule.h"
+#include "core/sim/prepared_world.h"
 #include "core/sim/radio.h"
 #include "core/sim/rays/ray_caster.h"
 #include "core/sim/robots/robot_figures.h"
@@ -55,6 +56,7 @@ class Simulation {
 public:
     /// Fails if there is nothing to stand on, or if tick, physics steps or battery life are not positive.
     static Result<std::unique_ptr<Simulation>> make(World world, SimulationOptions options = {});
+    static Result<std::unique_ptr<Simulation>> make(PreparedWorld world, SimulationOptions options = {});
     ~Simulation();
 
     ClientId connect();               ///< its first output is the greeting

@@ -13,6 +13,7 @@
 #include "core/sim/faults/fault_schedule.h"
 #include "core/sim/physics/physics.h"
 #include "core/sim/physics/scene.h"
+#include "core/sim/prepared_world.h"
 #include "core/sim/rays/ray_caster.h"
 #include "core/sim/robots/robot.h"
 #include "core/sim/simulation.h"
@@ -24,11 +25,11 @@ namespace usar::sim {
 inline constexpr std::size_t most_journal_bytes = std::size_t(256) << 20;
 
 struct Simulation::State {
-    State(World world_, const SimulationOptions& options_)
-        : still(std::make_shared<const StillWorld>(std::move(world_)))
+    State(PreparedWorld prepared, const SimulationOptions& options_)
+        : still(prepared.takeStill())
         , world(still->world)
         , options(options_)
-        , physics(makePhysics(world))
+        , physics(prepared.takePhysics())
         , caster(still->caster)
         , scene(makeScene(world, *physics))
         , controller(world, *physics, scene)

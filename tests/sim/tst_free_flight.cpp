@@ -15,6 +15,9 @@ using namespace usar::sim;
 
 namespace {
 
+/// How far a body flies at least before it looks around again.
+constexpr double short_travel_m = 0.12;
+
 Pose at(const Vec3& position_m) {
     return {position_m, 0.0, 0.0, 0.0};
 }
@@ -116,8 +119,8 @@ private slots:
         int free = 0, near = 0;
         for (int i = 0; i < 3000; ++i) {
             const Vec3 position_m(across_m(random), across_m(random), up_m(random));
-            const bool touches = around.touchSphere(position_m, radius_m + 0.3 - 0.001);
-            const bool clear = !around.touchSphere(position_m, radius_m + 0.3 + 0.1);
+            const bool touches = around.touchSphere(position_m, radius_m + short_travel_m - 0.001);
+            const bool clear = !around.touchSphere(position_m, radius_m + short_travel_m + 0.1);
             BulletRigidBody body(around.bullet, airRobotBody(), at(position_m), BodyId{1});
             std::array<BulletBody*, 1> awake{&body};
             const bool flies = around.flight.step(awake, physics_dt);

@@ -406,7 +406,21 @@ private slots:
         QVERIFY(anyContains(second.hearText(), "STA {Type GroundVehicle}"));
     }
 
+    void aWorldThatWasPreparedBeforeServesAsWell() {
+        const auto usual = simulationOf(startWorld());
+        auto prepared = PreparedWorld::make(startWorld());
+        QVERIFY(prepared);
+        PreparedWorld elsewhere = *std::move(prepared); // What was made of the world refers to it.
+        const auto simulation =
+            Simulation::make(std::move(elsewhere), {.robots = doubles::shippedRobots(), .keeps_journal = false});
+        QVERIFY(simulation);
+        const std::string heard = heardBy(**simulation, init_on_ground.c_str(), 50);
+        QVERIFY(heard.size() > 10000);
+        QVERIFY(heard == heardBy(*usual, init_on_ground.c_str(), 50));
+    }
+
     void aWorldWithoutGroundIsRefused() {
+        QVERIFY(!PreparedWorld::make(World{}));
         const auto made = Simulation::make(World{});
         QVERIFY(!made);
         QVERIFY(made.error().text().find("there is nothing to stand on") != std::string::npos);

@@ -12,6 +12,13 @@ Result<std::unique_ptr<HeadlessSimulator>> HeadlessSimulator::start(const QStrin
 }
 
 Result<std::unique_ptr<HeadlessSimulator>> HeadlessSimulator::serve(sim::World world, const HeadlessSpec& spec) {
+    return sim::PreparedWorld::make(std::move(world)).and_then([&](sim::PreparedWorld&& prepared) {
+        return serve(std::move(prepared), spec);
+    });
+}
+
+Result<std::unique_ptr<HeadlessSimulator>> HeadlessSimulator::serve(sim::PreparedWorld world,
+                                                                    const HeadlessSpec& spec) {
     sim::RobotsRead robots = loadRobots();
     for (const Error& refused : robots.refused)
         qWarning("%s", refused.text().c_str());

@@ -40,6 +40,7 @@ public:
     /// Loads a world by name or folder and serves it. An unknown world is an error that lists the known ones.
     static Result<std::unique_ptr<HeadlessSimulator>> start(const QString& world, const HeadlessSpec& spec);
     static Result<std::unique_ptr<HeadlessSimulator>> serve(sim::World world, const HeadlessSpec& spec);
+    static Result<std::unique_ptr<HeadlessSimulator>> serve(sim::PreparedWorld world, const HeadlessSpec& spec);
     /// Waits for the simulator's thread to end.
     ~HeadlessSimulator();
 

@@ -50,6 +50,7 @@ struct BulletPiece {
 struct FreeSpace {
     bool known = false;
     btVector3 center{0.0, 0.0, 0.0};
+    double travel_m = 0.0; ///< how far from the center it may fly
     int steps_to_wait = 0; ///< until it is worth looking around again
 };
 

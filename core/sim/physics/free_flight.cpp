@@ -10,8 +10,9 @@ namespace usar::sim {
 
 namespace {
 
-/// How far a body may fly before it looks around again.
+/// How far a body may fly before it looks around again; less where something is too near for that.
 constexpr double free_travel_m = 0.3;
+constexpr double short_travel_m = 0.12;
 /// Another body may have moved as far before it looked around, and as far after.
 constexpr double reach_m = 3.0 * free_travel_m;
 /// Bullet brings bodies closer than this to its solver already.
@@ -118,20 +119,22 @@ bool FreeFlight::isClear(BulletBody& body, Seconds dt) {
         return false;
     FreeSpace& space = body.free_space;
     const double next_m = rigid->getLinearVelocity().length() * dt.count() + gap_m;
-    const auto stays = [&] { return space.known && body.position().distance(space.center) + next_m < free_travel_m; };
+    const auto stays = [&] { return space.known && body.position().distance(space.center) + next_m < space.travel_m; };
     if (stays())
         return true;
     if (space.steps_to_wait > 0) {
         --space.steps_to_wait;
         return false;
     }
-    space = {.known = hasNothingNear(body), .center = body.position()};
+    space = {.known = hasNothingNear(body, free_travel_m), .center = body.position(), .travel_m = free_travel_m};
+    if (!space.known)
+        space = {.known = hasNothingNear(body, short_travel_m), .center = body.position(), .travel_m = short_travel_m};
     if (!space.known)
         space.steps_to_wait = steps_until_next_look;
     return stays();
 }
 
-bool FreeFlight::hasNothingNear(const BulletBody& body) {
+bool FreeFlight::hasNothingNear(const BulletBody& body, double travel_m) {
     const BulletPiece& piece = body.pieces().front();
     const auto boxAround = [&](double radius_m, btVector3& low, btVector3& high) {
         const btVector3 half(radius_m, radius_m, radius_m);
@@ -139,7 +142,7 @@ bool FreeFlight::hasNothingNear(const BulletBody& body) {
         high = body.position() + half;
     };
     btVector3 low, high;
-    boxAround(piece.radius_m + free_travel_m, low, high);
+    boxAround(piece.radius_m + travel_m, low, high);
     if (!isAboveGround(low, high))
         return false;
     boxAround(piece.radius_m + reach_m, low, high);
@@ -151,7 +154,7 @@ bool FreeFlight::hasNothingNear(const BulletBody& body) {
             return false;
         if (object->getUserIndex() == static_cast<int>(Surface::Body))
             return mayTouch(*object, body.position(), piece.radius_m + reach_m);
-        return reaches(*object, body.position(), piece.radius_m + free_travel_m);
+        return reaches(*object, body.position(), piece.radius_m + travel_m);
     });
 }
 

@@ -32,7 +32,8 @@ public:
 
 private:
     bool isClear(BulletBody& body, Seconds dt);
-    bool hasNothingNear(const BulletBody& body);
+    /// Nothing can touch the body, however it turns, while it flies less than this far.
+    bool hasNothingNear(const BulletBody& body, double travel_m);
     /// `center` and `radius_m` are of a sphere in the map frame.
     bool reaches(btCollisionObject& object, const btVector3& center, double radius_m);
     bool isAboveGround(const btVector3& low, const btVector3& high) const;
