@@ -11,17 +11,21 @@ namespace usar::mapping {
 namespace {
 
 constexpr float floor_gap_m = 0.5f; ///< Hits that are farther from the mean of a floor are on another one.
-constexpr float edge_m = 1.0f;      ///< A neighbor that is so much lower makes a cell an edge.
-constexpr double near_m = 0.1;      ///< At this distance from the center a vote counts half.
+constexpr float edge_m = 1.0f;      ///< A thing is so much higher than what is near it.
 constexpr float flat_weight = 0.02f;
-/// How much more a vertical beam to the lower floor counts than a vote for the higher one.
-constexpr float down_weight = 10.0f;
-constexpr std::int32_t reach = 2; ///< Cells so near to each side are neighbors.
+/// Crowns are widest where they begin, so their outline is at the lowest hits on them; but hits on what is lower than
+/// this share of their height may be on trunks or bushes below.
+constexpr float least_share = 0.4f;
+constexpr float outline_above_m = 0.1f; ///< above the lowest hits, for what is left of the drift
+/// What is so much lower than the outline, and half way down to the ground at most, belongs to the ground.
+constexpr float below_outline_m = 1.0f;
+constexpr double bell_cells = 0.6; ///< standard deviation of the weights of neighbors
+/// A cell is half covered whose share is this. It is more than a half, because a crown on open ground is a greater
+/// error to whoever wants to know the ground than ground in a crown.
+constexpr double middle_share = 0.8;
+constexpr double share_width = 0.4; ///< Shares in between give heights in between.
+constexpr std::int32_t reach = 2;   ///< Cells so near to each side are neighbors.
 constexpr std::int32_t window_side = HeightTile::side + 2 * reach;
-
-float square(float value) {
-    return value * value;
-}
 
 std::size_t offsetOf(std::int32_t column, std::int32_t row) {
     return static_cast<std::size_t>(row * HeightTile::side + column);
@@ -31,15 +35,47 @@ std::size_t offsetOf(std::int32_t column, std::int32_t row) {
 
 struct CellFloors::Window {
     std::vector<float> low_m, high_m; ///< NaN: unknown
+    std::vector<float> lowest_m;      ///< hits of the higher floor
+
+    /// Calls `take` with the place in the window of each neighbor of a cell and of the cell itself, and with its
+    /// weight.
+    template <class Take>
+    static void eachNear(std::size_t at, Take&& take) {
+        for (std::int32_t row = -reach; row <= reach; ++row)
+            for (std::int32_t column = -reach; column <= reach; ++column)
+                take(at + static_cast<std::size_t>(row * window_side + column),
+                     std::exp(-(row * row + column * column) / (2.0 * bell_cells * bell_cells)));
+    }
+    static std::size_t placeOf(std::int32_t column, std::int32_t row) {
+        return static_cast<std::size_t>((row + reach) * window_side + column + reach);
+    }
+    std::optional<EdgeLooks::Edge> edgeAt(std::size_t at) const;
 };
+
+/// The edge that may be at this place: something near is well above what is lowest near.
+std::optional<EdgeLooks::Edge> CellFloors::Window::edgeAt(std::size_t at) const {
+    float ground_m = std::numeric_limits<float>::quiet_NaN(), top_m = ground_m; // fmin and fmax leave out NaN.
+    eachNear(at, [&](std::size_t near, double) {
+        ground_m = std::fmin(ground_m, low_m[near]);
+        top_m = std::fmax(top_m, high_m[near]);
+    });
+    if (!(top_m > ground_m + edge_m))
+        return std::nullopt;
+    float outline_m = top_m;
+    eachNear(at, [&](std::size_t near, double) {
+        if (lowest_m[near] > ground_m + least_share * (top_m - ground_m))
+            outline_m = std::min(outline_m, lowest_m[near]);
+    });
+    outline_m += outline_above_m;
+    return EdgeLooks::Edge{outline_m, outline_m - std::min(below_outline_m, (outline_m - ground_m) / 2.0f)};
+}
 
 void CellFloors::Floor::take(const Floor& other) {
     if (!(other.weight > 0.0f))
         return;
+    lowest_m = weight > 0.0f ? std::min(lowest_m, other.lowest_m) : other.lowest_m;
     weight += other.weight;
     mean_m += (other.mean_m - mean_m) * (other.weight / weight);
-    before += other.before;
-    after += other.after;
 }
 
 CellFloors::Tile& CellFloors::tileFor(GridIndex tile_index) {
@@ -60,14 +96,9 @@ void CellFloors::add(const Vec3& scanner_m, const Vec3& hit_m) {
         return;
     const Vec2 cell = place.array().floor().matrix();
     const GridIndex index{static_cast<std::int32_t>(cell.x()), static_cast<std::int32_t>(cell.y())};
-    const Vec2 from_center_m = (place - cell - Vec2::Constant(0.5)) * cell_size_m_;
-    const auto near = static_cast<float>(1.0 / (1.0 + from_center_m.squaredNorm() / (near_m * near_m)));
     const auto steepness = static_cast<float>(std::max(0.0, -ray_m.z() / ray_m.norm()));
-    const float vote = near * steepness;
-    const bool passed = from_center_m.dot(ray_m.head<2>()) >= 0.0;
     const auto z_m = static_cast<float>(hit_m.z());
-    const Floor hit{z_m, steepness + flat_weight, passed ? 0.0f : vote, passed ? vote : 0.0f};
-    const float down = near * square(square(steepness));
+    const Floor hit{z_m, steepness + flat_weight, z_m};
 
     constexpr std::int32_t side = HeightTile::side;
     const auto tileOf = [](std::int32_t at) { return (at >= 0 ? at : at - side + 1) / side; };
@@ -75,19 +106,16 @@ void CellFloors::add(const Vec3& scanner_m, const Vec3& hit_m) {
     Cell& known = tileFor(tile)[offsetOf(index.column - tile.column * side, index.row - tile.row * side)];
     if (known.low.weight > 0.0f && z_m > known.low.mean_m + floor_gap_m)
         return known.high.take(hit);
-    if (known.low.weight > 0.0f && z_m < known.low.mean_m - floor_gap_m) {
+    if (known.low.weight > 0.0f && z_m < known.low.mean_m - floor_gap_m)
         known.high.take(std::exchange(known.low, {}));
-        known.down = 0.0f;
-    }
     known.low.take(hit);
-    known.down += down;
 }
 
 CellFloors::Window CellFloors::windowAround(GridIndex tile_index, const HeightMap& map) const {
     constexpr std::int32_t side = HeightTile::side;
     constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
-    Window window{std::vector<float>(window_side * window_side, unknown), {}};
-    window.high_m = window.low_m;
+    Window window{std::vector<float>(window_side * window_side, unknown), {}, {}};
+    window.high_m = window.lowest_m = window.low_m;
     for (std::int32_t d_row = -1; d_row <= 1; ++d_row)
         for (std::int32_t d_column = -1; d_column <= 1; ++d_column) {
             const GridIndex index{tile_index.column + d_column, tile_index.row + d_row};
@@ -104,7 +132,9 @@ CellFloors::Window CellFloors::windowAround(GridIndex tile_index, const HeightMa
                     if (floors && (*floors)[from].low.weight > 0.0f) {
                         const Cell& cell = (*floors)[from];
                         window.low_m[to] = cell.low.mean_m;
-                        window.high_m[to] = cell.high.weight > 0.0f ? cell.high.mean_m : cell.low.mean_m;
+                        const Floor& high = cell.high.weight > 0.0f ? cell.high : cell.low;
+                        window.high_m[to] = high.mean_m;
+                        window.lowest_m[to] = high.lowest_m;
                     } else if (heights) {
                         window.low_m[to] = window.high_m[to] = heights->height_m[from];
                     }
@@ -113,33 +143,39 @@ CellFloors::Window CellFloors::windowAround(GridIndex tile_index, const HeightMa
     return window;
 }
 
-/// `at` is the place of the cell in the window.
-float CellFloors::height_m(const Cell& cell, const Window& window, std::size_t at) {
-    const auto aroundIt = [at](auto&& look) {
-        for (std::int32_t row = -reach; row <= reach; ++row)
-            for (std::int32_t column = -reach; column <= reach; ++column)
-                if (row != 0 || column != 0)
-                    look(at + static_cast<std::size_t>(row * window_side + column));
-    };
-    const bool two = cell.high.weight > 0.0f;
-    const Floor& high = two ? cell.high : cell.low;
-    float low_m = cell.low.mean_m;
-    if (!two) {
-        aroundIt([&](std::size_t near) { low_m = std::min(low_m, window.low_m[near]); }); // It keeps low_m if NaN.
-        if (low_m > cell.low.mean_m - edge_m)
-            return cell.low.mean_m;
+void CellFloors::findEdges(const HeightMap& map) {
+    constexpr std::int32_t side = HeightTile::side;
+    for (const auto& [index, tile] : tiles_) {
+        const Window window = windowAround(index, map);
+        for (std::int32_t row = 0; row < side; ++row)
+            for (std::int32_t column = 0; column < side; ++column)
+                if (const auto edge = window.edgeAt(Window::placeOf(column, row)))
+                    looks_.addEdge({index.column * side + column, index.row * side + row}, *edge);
     }
-    const float middle_m = (low_m + high.mean_m) / 2.0f;
-    float known = 0.0f, as_high = 0.0f;
-    aroundIt([&](std::size_t near) {
-        known += std::isnan(window.high_m[near]) ? 0.0f : 1.0f;
-        as_high += window.high_m[near] > middle_m ? 1.0f : 0.0f;
+}
+
+float CellFloors::height_m(const Cell& cell, std::optional<double> share, const Window& window, std::size_t at) {
+    const bool two = cell.high.weight > 0.0f;
+    const auto edge = share ? window.edgeAt(at) : std::nullopt;
+    if (!edge)
+        return two && cell.high.weight > cell.low.weight ? cell.high.mean_m : cell.low.mean_m;
+    double ground_m = 0.0, grounds = 0.0, thing_m = 0.0, things = 0.0;
+    Window::eachNear(at, [&](std::size_t near, double weight) {
+        if (window.low_m[near] < edge->least_m) {
+            ground_m += weight * double(window.low_m[near]);
+            grounds += weight;
+        }
+        if (window.high_m[near] >= edge->least_m) {
+            thing_m += weight * double(window.high_m[near]);
+            things += weight;
+        }
     });
-    const float odds = square((as_high + 0.5f) / (known - as_high + 0.5f));
-    const float covered = odds * high.before, open = two ? down_weight * cell.down : high.after;
-    if (!(covered + open > 0.0f)) // All beams were flat.
-        return high.mean_m;
-    return low_m + (high.mean_m - low_m) * covered / (covered + open);
+    const Floor& high = two ? cell.high : cell.low;
+    const double low_m =
+        cell.low.mean_m < edge->least_m || !(grounds > 0.0) ? double(cell.low.mean_m) : ground_m / grounds;
+    const double high_m = high.mean_m >= edge->least_m || !(things > 0.0) ? double(high.mean_m) : thing_m / things;
+    const double covered = std::clamp((*share - middle_share) / share_width + 0.5, 0.0, 1.0);
+    return static_cast<float>(low_m + covered * (high_m - low_m));
 }
 
 void CellFloors::settle(HeightMap& map) const {
@@ -151,15 +187,15 @@ void CellFloors::settle(HeightMap& map) const {
         for (std::int32_t row = 0; heights && row < side; ++row)
             for (std::int32_t column = 0; column < side; ++column) {
                 const std::size_t offset = offsetOf(column, row);
-                Cell cell = (*tile)[offset];
                 if (std::isnan(heights->height_m[offset]))
                     continue;
-                if (heights->hits[offset] == 0) // Whatever it is filled with ends at the center as likely as not.
-                    cell = {.low = {heights->height_m[offset], 1.0f, 1.0f, 1.0f}, .high = {}};
-                const auto at = static_cast<std::size_t>((row + reach) * window_side + column + reach);
+                Cell cell = (*tile)[offset];
+                const GridIndex at{index.column * side + column, index.row * side + row};
+                if (heights->hits[offset] == 0)
+                    cell = {.low = {heights->height_m[offset], 1.0f, heights->height_m[offset]}, .high = {}};
                 if (cell.low.weight > 0.0f)
-                    settled.emplace_back(GridIndex{index.column * side + column, index.row * side + row},
-                                         height_m(cell, window, at));
+                    settled.emplace_back(at,
+                                         height_m(cell, looks_.coveredShare(at), window, Window::placeOf(column, row)));
             }
     }
     for (const auto& [cell, height_m] : settled)
