@@ -18,8 +18,8 @@ struct Level {
     double cell_size_m;
     double width_m;
 };
-constexpr std::array<Level, 7> levels{
-    {{2.0, 0.5}, {1.0, 0.4}, {1.0, 0.25}, {0.5, 0.15}, {0.5, 0.1}, {0.5, 0.1}, {0.5, 0.1}}};
+constexpr std::array<Level, 9> levels{
+    {{2.0, 0.5}, {2.0, 0.5}, {1.0, 0.4}, {1.0, 0.25}, {1.0, 0.25}, {0.5, 0.15}, {0.5, 0.1}, {0.5, 0.1}, {0.5, 0.1}}};
 constexpr std::size_t fewest_overlaps = 200;
 /// The correction must explain differences of so much (root mean square). A path without any drift has smaller ones,
 /// because of the noise of the ranges and because two looks at a cell hit different places in it.

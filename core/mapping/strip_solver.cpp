@@ -24,7 +24,7 @@ constexpr double set_sigma_m = 0.02;
 constexpr double least_step_m = 0.003;
 constexpr double begin_sigma_rad = 0.02;
 /// The robot corrects its yaw by its course, so the error does not grow without limit.
-constexpr double yaw_sigma_rad = 0.05;
+constexpr double yaw_sigma_rad = 0.1;
 /// The INS's noise of a turn, as in the robot's own filter of its course: (1.1 degrees)^2 per right angle.
 constexpr double turn_variance_rad = 2.4e-4;
 constexpr double least_turn_rad = 0.004;
