@@ -146,11 +146,14 @@ void TcpLink::takeBytes() {
         if (take_bytes_)
             take_bytes_(bytes);
         greeting_.takeBytes(bytes);
-        splitter_.split(bytes, lines_);
-        if (take_ahead_ && lines_.size() > 1 && greeting_.verdict() == GreetingCheck::Verdict::Usarsim)
-            take_ahead_(lines_);
-        for (const std::string_view line : lines_)
+        // Its own while they are given: a taker may run an event loop, in which more bytes come.
+        std::vector<std::string_view> lines = std::exchange(lines_, {});
+        splitter_.split(bytes, lines);
+        if (take_ahead_ && lines.size() > 1 && greeting_.verdict() == GreetingCheck::Verdict::Usarsim)
+            take_ahead_(lines);
+        for (const std::string_view line : lines)
             giveLine(line);
+        lines_ = std::move(lines);
         if (status_.state == LinkState::Connected && greeting_.verdict() == GreetingCheck::Verdict::Foreign)
             failed(foreignReason());
     }

@@ -134,7 +134,7 @@ private:
     QString service_ = QStringLiteral("USARSim");
     quint16 usual_port_ = protocol::usual_port::bot;
     protocol::LineSplitter splitter_;
-    std::vector<std::string_view> lines_; ///< those of the newest bytes; kept to reuse memory
+    std::vector<std::string_view> lines_; ///< those of earlier bytes; kept to reuse their memory
     GreetingCheck greeting_;
     protocol::TrafficCounts counts_;
     std::size_t overlong_before_ = 0; ///< overlong lines of earlier connections
