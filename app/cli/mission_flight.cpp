@@ -101,8 +101,6 @@ int run(const mission::MissionOptions& options, mission::Mission plan, Preloaded
     run_options.course = options.course;
     if (options.one_thread)
         run_options.behavior_thread = agent::BehaviorThread::Callers;
-    else if (!options.server && !options.speed_x)
-        run_options.behavior_thread = agent::BehaviorThread::Awake;
     run_options.limits.session.flight = mission::limitOf(options, plan);
     run_options.earlier = std::move(earlier);
     run_options.behavior_host = server::behaviorHostProgram();

@@ -58,7 +58,7 @@ Result<std::shared_ptr<RunningBehavior>> startBehavior(const PluginLoader& plugi
         std::make_unique<BehaviorHost>(*std::move(behavior), behavior_id, plugins.robotOf(behavior_id)->sensors_needed);
     if (thread == BehaviorThread::Callers)
         return std::shared_ptr<RunningBehavior>(std::move(host));
-    return std::make_shared<WatchedBehavior>(std::move(host), thread == BehaviorThread::Awake);
+    return std::make_shared<WatchedBehavior>(std::move(host));
 }
 
 } // namespace usar::agent

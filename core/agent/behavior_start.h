@@ -20,9 +20,8 @@ Result<std::unique_ptr<Behavior>> makeBehavior(const RobotPlugin& plugin, const 
 Result<TaskPreview> previewTask(const RobotPlugin& plugin, const std::string& id, const BehaviorContext& context);
 
 /// Whose thread makes the calls of a behavior. One of its own can be abandoned if the behavior hangs; in the caller's,
-/// nobody has to be woken up for each tick, which takes longer than most behaviors think. Awake: one of its own that,
-/// like the caller's, does not fall asleep at once where it has to wait.
-enum class BehaviorThread { Own, Awake, Callers };
+/// nobody has to be woken up for each tick, which takes longer than most behaviors think.
+enum class BehaviorThread { Own, Callers };
 
 /// Creates the behavior in `thread`, or, with `host_program` (path of usar-behavior-host), prepares a process that will
 /// create it. Plugins are third-party code: if one throws or refuses, this returns an error (in an

@@ -25,10 +25,7 @@ constexpr Seconds a_day{86400.0};
 /// The data shared by both threads. What is not atomic belongs to the thread whose turn it is: the worker's while fewer
 /// calls are answered than asked, except for the answers that are there already; otherwise the owner's.
 struct WatchedBehavior::Worker {
-    Worker(std::unique_ptr<BehaviorHost> watched, bool awake)
-        : host(std::move(watched))
-        , at_work(awake)
-        , at_owner(awake) {}
+    explicit Worker(std::unique_ptr<BehaviorHost> watched) : host(std::move(watched)) {}
 
     /// The thread.
     void work() {
@@ -111,9 +108,9 @@ private:
     static constexpr std::uint64_t none = ~std::uint64_t(0);
 };
 
-WatchedBehavior::WatchedBehavior(std::unique_ptr<BehaviorHost> host, bool awake)
+WatchedBehavior::WatchedBehavior(std::unique_ptr<BehaviorHost> host)
     : RemoteBehavior(host->behaviorId())
-    , worker_(std::make_shared<Worker>(std::move(host), awake)) {
+    , worker_(std::make_shared<Worker>(std::move(host))) {
     std::thread([worker = worker_] { worker->work(); }).detach();
 }
 

@@ -19,9 +19,8 @@ namespace usar::agent {
 /// if the call ever returns.
 class WatchedBehavior final : public RemoteBehavior {
 public:
-    /// Starts the thread, in which all calls of `host` are made. `awake`: both threads wait for one another awake for a
-    /// moment (Doorbell), for missions that fly as fast as they can.
-    explicit WatchedBehavior(std::unique_ptr<BehaviorHost> host, bool awake = false);
+    /// Starts the thread, in which all calls of `host` are made.
+    explicit WatchedBehavior(std::unique_ptr<BehaviorHost> host);
     ~WatchedBehavior() override;
 
     Output begin() override;

@@ -16,10 +16,8 @@ using usar::agent::Doorbell;
 class tst_Doorbell : public QObject {
     Q_OBJECT
 private slots:
-    void tellsThatNobodyRangWhenItsPatienceIsOver_data() { addWays(); }
     void tellsThatNobodyRangWhenItsPatienceIsOver() {
-        QFETCH(bool, awake);
-        Doorbell bell(awake);
+        Doorbell bell;
         QElapsedTimer timer;
         timer.start();
         QVERIFY(!bell.wait([] { return false; }, Seconds{0.05}));
@@ -28,13 +26,11 @@ private slots:
     }
 
     /// A ring that got lost would cost one of them its whole patience.
-    void noRingIsLost_data() { addWays(); }
     void noRingIsLost() {
-        QFETCH(bool, awake);
         constexpr int turns = 5000;
         constexpr Seconds patience{30.0};
-        Doorbell at_one(awake);
-        Doorbell at_other(awake);
+        Doorbell at_one;
+        Doorbell at_other;
         std::atomic<int> asked = 0;
         std::atomic<int> answered = 0;
         int plain = 0; // ThreadSanitizer sees whether the atomics guard it.
@@ -58,13 +54,6 @@ private slots:
         }
         other.join();
         QCOMPARE(came, turns);
-    }
-
-private:
-    static void addWays() {
-        QTest::addColumn<bool>("awake");
-        QTest::newRow("asleep") << false;
-        QTest::newRow("awake at first") << true;
     }
 };
 

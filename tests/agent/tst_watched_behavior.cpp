@@ -27,9 +27,8 @@ protocol::InfoLine stateLine(std::uint64_t number, double time_s) {
     return {LineNumber{number}, "STA", state, {}};
 }
 
-WatchedBehavior watched(const std::shared_ptr<Script>& script, bool awake = false) {
-    return WatchedBehavior(std::make_unique<BehaviorHost>(std::make_unique<ScriptedBehavior>(script), "test/scripted"),
-                           awake);
+WatchedBehavior watched(const std::shared_ptr<Script>& script) {
+    return WatchedBehavior(std::make_unique<BehaviorHost>(std::make_unique<ScriptedBehavior>(script), "test/scripted"));
 }
 
 /// Lines of two ticks as they come from a server, from number 5 on.
@@ -150,20 +149,14 @@ private slots:
         *let_go = true;
     }
 
-    void linesThatItExpectsAreAnsweredAsIfTheyCameAlone_data() {
-        QTest::addColumn<bool>("awake");
-        QTest::newRow("asleep") << false;
-        QTest::newRow("awake at first") << true;
-    }
     void linesThatItExpectsAreAnsweredAsIfTheyCameAlone() {
-        QFETCH(bool, awake);
         letItClimb(*script);
         BehaviorHost in_this_thread(std::make_unique<ScriptedBehavior>(script), "test/scripted");
         const auto answers = answersTo(in_this_thread, false);
         QVERIFY2(answers[3].find("climbing") != std::string::npos, answers[3].c_str());
         const auto lines = std::exchange(script->lines, {});
         script->safe = Script().safe;
-        auto behavior = watched(script, awake);
+        auto behavior = watched(script);
         QCOMPARE(answersTo(behavior, true), answers);
         QCOMPARE(script->lines, lines);
     }

@@ -59,7 +59,7 @@ std::shared_ptr<agent::RunningBehavior> behaviorOf(const std::shared_ptr<Script>
     auto host = std::make_unique<agent::BehaviorHost>(std::make_unique<test::ScriptedBehavior>(script), "test");
     if (thread == BehaviorThread::Callers)
         return host;
-    return std::make_shared<agent::WatchedBehavior>(std::move(host), thread == BehaviorThread::Awake);
+    return std::make_shared<agent::WatchedBehavior>(std::move(host));
 }
 
 /// Adds what the recording has of the flight, without its times, which are those of a clock on the wall.
@@ -167,12 +167,10 @@ void tst_FlightLoop::howeverTheyAreConnectedEachByteIsTheSame_data() {
     };
     row("in memory, all in one thread", "memory", BehaviorThread::Callers);
     row("in memory, the behavior in its own thread", "memory", BehaviorThread::Own);
-    row("in memory, the behavior in its own thread and awake", "memory", BehaviorThread::Awake);
     row("by TCP, the behavior in its own thread", "tcp", BehaviorThread::Own);
     row("in pieces of up to 100 bytes, the behavior in its own thread", "rough", BehaviorThread::Own, 100);
     row("in pieces of up to 900 bytes, the behavior in its own thread", "rough", BehaviorThread::Own, 900);
-    row("in pieces of up to 3000 bytes, the behavior in its own thread and awake", "rough", BehaviorThread::Awake,
-        3000);
+    row("in pieces of up to 3000 bytes, the behavior in its own thread", "rough", BehaviorThread::Own, 3000);
 }
 
 /// A behavior in its own thread gets the lines that come together at once, and its answers are taken line by line.

@@ -87,8 +87,6 @@ Flown tst_IsolatedMission::fly(const Mission& mission, std::optional<double> spe
     RunOptions options;
     options.port = (*simulator)->port();
     options.in_process = (*simulator)->inProcess();
-    if (in_memory)
-        options.behavior_thread = agent::BehaviorThread::Awake;
     options.result_folder = folder.path();
     options.recording = folder.filePath("flight.usarrec");
     options.behavior_host = QStringLiteral(USAR_BINARY_DIR "/bin/usar-behavior-host");
