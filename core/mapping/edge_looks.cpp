@@ -11,13 +11,13 @@ namespace usar::mapping {
 
 namespace {
 
-constexpr std::int32_t side = HeightTile::side;
-constexpr std::int32_t reach = 2; ///< Points in cells so near to each side count.
-constexpr double bell_m = 0.25;   ///< Standard deviation of the weights by distance.
+constexpr std::int32_t tile_cells = HeightTile::side;
+constexpr std::int32_t cells_aside = 2; ///< Points in cells so near to each side count.
+constexpr double bell_m = 0.25;         ///< Standard deviation of the weights by distance.
 constexpr double least_weight = 0.3;
 constexpr double ridge = 0.01; ///< keeps the slope of the regression small where points are in a line
 constexpr double flattest = 0.2;
-constexpr double flat_weight = 0.05;
+constexpr double least_hit_weight = 0.05;
 /// A beam that ends sooner after it went through the height of an outline, and no lower than the thing, has hit the
 /// thing: the outline of a flat roof is told a little too high.
 constexpr double beyond_m = 1.0;
@@ -28,7 +28,7 @@ constexpr double deepest_m = 14.0;  ///< So much below the scanner, outlines are
 constexpr double most_lean = 0.3;
 
 std::int32_t tileOf(std::int32_t cell) {
-    return (cell >= 0 ? cell : cell - side + 1) / side;
+    return (cell >= 0 ? cell : cell - tile_cells + 1) / tile_cells;
 }
 
 /// 1, x and y.
@@ -37,7 +37,8 @@ Eigen::Vector3f pointAt(const Vec2& from_center_m) {
 }
 
 std::size_t offsetOf(GridIndex cell, GridIndex tile) {
-    return static_cast<std::size_t>((cell.row - tile.row * side) * side + cell.column - tile.column * side);
+    return static_cast<std::size_t>((cell.row - tile.row * tile_cells) * tile_cells + cell.column -
+                                    tile.column * tile_cells);
 }
 
 /// The cells near the plane of a scan: those near the line in which it meets level ground, which is not below the
@@ -132,7 +133,7 @@ void EdgeLooks::takeHits(const Vec3& scanner_m) {
         Cell* const cell = cellAt(at);
         if (!cell || !(hit_m.z() > double(cell->edge.least_m)))
             continue;
-        const auto weight = static_cast<float>(std::max(flat_weight, -(hit_m - scanner_m).normalized().z()));
+        const auto weight = static_cast<float>(std::max(least_hit_weight, -(hit_m - scanner_m).normalized().z()));
         const Eigen::Vector3f point = pointAt(hit_m.head<2>() - cell_size_m_ * (place + Vec2::Constant(0.5)));
         cell->normal += weight * point * point.transpose();
         cell->covered += weight * point;
@@ -167,8 +168,8 @@ std::optional<double> EdgeLooks::coveredShare(GridIndex at) const {
     Eigen::Vector3d sides = Eigen::Vector3d::Zero();
     if (!cellAt(at))
         return std::nullopt;
-    for (std::int32_t row = -reach; row <= reach; ++row)
-        for (std::int32_t column = -reach; column <= reach; ++column) {
+    for (std::int32_t row = -cells_aside; row <= cells_aside; ++row)
+        for (std::int32_t column = -cells_aside; column <= cells_aside; ++column) {
             const Cell* const cell = cellAt({at.column + column, at.row + row});
             if (!cell || !(cell->normal(0, 0) > 0.0f))
                 continue;

@@ -20,7 +20,7 @@ constexpr double usual_way_m = 12.0;
 constexpr double least_m2 = 12.0;
 /// In a small area, ways are shorter, and less is a substantial part: lanes are held to these shares of its cells and
 /// of the mean of its sides.
-constexpr double least_share = 0.02;
+constexpr double small_area_share = 0.02;
 constexpr double usual_way_share = 0.5;
 constexpr double rounding_m2 = 1e-9;
 constexpr double least_lane_m = 5.0; ///< If less is left of the length of all lanes, no more are added.
@@ -86,7 +86,7 @@ class HiddenCells {
 public:
     explicit HiddenCells(const ScanLedger& ledger, double least_gain_m)
         : size_{ledger.columns(), ledger.rows()}
-        , least_m2_(std::min(least_m2, least_share * size_[0] * size_[1] * ScanLedger::cell_m * ScanLedger::cell_m))
+        , least_m2_(std::min(least_m2, small_area_share * size_[0] * size_[1] * ScanLedger::cell_m * ScanLedger::cell_m))
         , least_gain_m_(least_gain_m)
         , hidden_(std::size_t(size_[0]) * std::size_t(size_[1])) {
         for (int axis : {0, 1}) {
