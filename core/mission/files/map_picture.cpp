@@ -1,5 +1,4 @@
 #include "core/mission/files/map_picture.h"
-#include "core/mapping/height_histogram.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,12 +6,16 @@
 #include <QLineF>
 #include <QPainter>
 
+#include "core/base/numbers.h"
+#include "core/mapping/height_histogram.h"
+#include "core/mapping/hole_fill.h"
 #include "core/mission/files/picture_legend.h"
 
 namespace usar::mission {
 
 namespace {
 
+using mapping::FilledRaster;
 using mapping::HeightRange;
 using mapping::Raster;
 
@@ -82,8 +85,15 @@ std::vector<std::int64_t> cellsUnderPixels(int pixels, double pixels_per_cell, d
     return cells;
 }
 
-void paintHeights(QImage& image, const Raster& raster, const View& view, const HeightRange& range,
+/// Half way to the color of unknown ground.
+std::uint32_t dulled(std::uint32_t color) {
+    constexpr std::uint32_t without_lowest_bits = 0xfefefe;
+    return 0xff000000 | (((color & without_lowest_bits) >> 1) + ((unknown_color & without_lowest_bits) >> 1));
+}
+
+void paintHeights(QImage& image, const FilledRaster& filled, const View& view, const HeightRange& range,
                   mapping::ColorMap colors) {
+    const Raster& raster = filled.heights;
     const Rectangle map = extentOf(raster);
     const mapping::HeightGrid grid{raster.heights_m, raster.columns, raster.rows, raster.cell_size_m};
     const double per_cell = view.pixels_per_m * raster.cell_size_m;
@@ -91,12 +101,15 @@ void paintHeights(QImage& image, const Raster& raster, const View& view, const H
         cellsUnderPixels(view.width_px, per_cell, (view.extent.min_m.x() - map.min_m.x()) / raster.cell_size_m);
     const auto rows =
         cellsUnderPixels(view.height_px, per_cell, (map.max_m.y() - view.extent.max_m.y()) / raster.cell_size_m);
+    const auto isFilled = [&](std::int64_t column, std::int64_t row) { // Only asked where there is a height.
+        return filled.mask.heights_m[static_cast<std::size_t>(row * raster.columns + column)] > 0.0f;
+    };
     for (int y = 0; y < view.height_px; ++y) {
         const std::int64_t row = rows[static_cast<std::size_t>(y)];
         auto* pixels = reinterpret_cast<std::uint32_t*>(image.scanLine(y));
         for (std::size_t x = 0; x < columns.size(); ++x) {
             const std::uint32_t color = mapping::shadeCell(grid, columns[x], row, range, colors);
-            pixels[x] = color == 0 ? unknown_color : color;
+            pixels[x] = color == 0 ? unknown_color : isFilled(columns[x], row) ? dulled(color) : color;
         }
     }
 }
@@ -136,7 +149,8 @@ void paintArea(QPainter& painter, const Rectangle& area, const View& view, doubl
     painter.drawRect(QRectF(top_left, bottom_right));
 }
 
-Legend legendOf(const ScanRecord& record, const View& view, const mapping::HeightLook& look) {
+/// `filled_m2`: surface of the holes that are filled in.
+Legend legendOf(const ScanRecord& record, const View& view, const mapping::HeightLook& look, double filled_m2) {
     Legend legend;
     legend.range = colorRange(record.raster, look);
     legend.colors = look.color_map;
@@ -145,6 +159,9 @@ Legend legendOf(const ScanRecord& record, const View& view, const mapping::Heigh
     legend.title = QString("%1  ·  %2  ·  %3")
                        .arg(QString::fromStdString(record.level), QString::fromStdString(record.robot_name),
                             QString::fromStdString(record.behavior_id));
+    if (filled_m2 > 0.0)
+        legend.title += QString("  ·  dull: small holes, filled in (%1 m²)")
+                            .arg(QString::fromStdString(fixed(filled_m2, filled_m2 < 10.0 ? 1 : 0)));
     return legend;
 }
 
@@ -170,10 +187,11 @@ QImage mapPicture(const ScanRecord& record, const mapping::HeightLook& look) {
         return {};
     const View view(record);
     const double shorter_px = std::min(view.width_px, view.height_px);
-    const Legend legend = legendOf(record, view, look);
+    const FilledRaster filled = mapping::withHolesFilled(record.raster);
+    const Legend legend = legendOf(record, view, look, filled.filled_m2());
     const int strip_px = legend.heightFor(view.width_px);
     QImage image(view.width_px, view.height_px + strip_px, QImage::Format_RGB32);
-    paintHeights(image, record.raster, view, *legend.range, look.color_map);
+    paintHeights(image, filled, view, *legend.range, look.color_map);
 
     QPainter painter(&image);
     painter.setRenderHint(QPainter::Antialiasing);
@@ -193,7 +211,7 @@ QImage legendPicture(const ScanRecord& record, const mapping::HeightLook& look) 
     if (record.raster.empty())
         return {};
     const View view(record);
-    const Legend legend = legendOf(record, view, look);
+    const Legend legend = legendOf(record, view, look, mapping::holes_m2(record.raster));
     QImage image(view.width_px, legend.heightFor(view.width_px), QImage::Format_RGB32);
     QPainter painter(&image);
     painter.setRenderHint(QPainter::Antialiasing);

@@ -13,6 +13,7 @@
 
 #include "core/agent/mark_style.h"
 #include "core/base/numbers.h"
+#include "core/mapping/hole_fill.h"
 #include "core/mapping/relief/relief_scene.h"
 #include "core/mission/files/file_set.h"
 #include "core/mission/files/map_picture.h"
@@ -117,10 +118,21 @@ void writeAdjustment(FileSet& files, const MapAdjustment& adjustment) {
         writeRaw(files, "_deviation", adjustment.deviation, ".flt"); // A .bil is a map of heights.
 }
 
+/// The map itself stays as it was measured.
+void writeFilled(FileSet& files, const mapping::Raster& raster) {
+    const mapping::FilledRaster filled = mapping::withHolesFilled(raster);
+    if (filled.filled_cells == 0)
+        return;
+    writeRaw(files, "_filled", filled.heights, ".flt"); // A .bil is a map of measured heights.
+    writeRaw(files, "_filled_mask", filled.mask, ".flt");
+}
+
 void writeMap(FileSet& files, const ScanRecord& record, const mapping::HeightLook& look, const FormatList& formats) {
     writeRaw(files, {}, record.raster);
     if (!files.stopped())
         writeText(files, record.raster);
+    if (!files.stopped())
+        writeFilled(files, record.raster);
     if (record.adjustment && !record.adjustment->path.empty() && !files.stopped())
         writeAdjustment(files, *record.adjustment);
     for (std::size_t i = 0; i < record.far_rasters.size() && !files.stopped(); ++i)

@@ -29,7 +29,9 @@ QString defaultResultFolder();
 /// and then renamed; older scans are never overwritten. The stem is `USAR_Scan_LEVEL_ROBOT_NUMBER`, with the first free
 /// number. A map that was adjusted also has `<stem>_path.csv` (the path as it was estimated and as it was corrected,
 /// with its standard deviation) and _deviation.flt and .hdr (what the heights owe to that, in meters, float32 as the
-/// heights). Parts of the map that are too far away to be in one raster with the rest are written as _far1.bil and
+/// heights). Where holes of less than a square meter are filled in (mapping::withHolesFilled), `<stem>_filled.flt` has
+/// these heights, too, and _filled_mask.flt tells which they are (1; measured ones: 0); both have a .hdr. Parts of the
+/// map that are too far away to be in one raster with the rest are written as _far1.bil and
 /// .hdr, _far2 and so on. Each of `formats` is written besides, as writeFormats does.
 /// Returns the full paths of the files. To be called outside the GUI thread; concurrent calls, also from several
 /// programs, get numbers of their own. An unwritable folder is an error that names it. An empty map is an error, too,

@@ -4,6 +4,7 @@
 
 #include <QJsonArray>
 
+#include "core/mapping/hole_fill.h"
 #include "core/mission/files/mission_check.h"
 
 namespace usar::mission {
@@ -152,6 +153,7 @@ void addRecord(RunSummary& summary, const ScanRecord& record, const Truth* truth
     summary.charges = record.status.charges;
     summary.score = score(record.raster, record.area_in_map, truth);
     summary.cells = knownCellCount(record);
+    summary.filled_m2 = mapping::holes_m2(record.raster);
     summary.heights = record.raster.range();
     summary.faults += textsOf(record.faults);
     summary.continues = record.continues;
@@ -186,6 +188,7 @@ QJsonObject toJson(const RunSummary& summary) {
         {"rmse_m", number(summary.score.rmse_m, 4)},
         {"rmse_surface_m", number(summary.score.rmse_surface_m, 4)},
         {"cells", static_cast<qint64>(summary.cells)},
+        {"filled_m2", number(summary.filled_m2, 2)},
         {"lines_received", static_cast<qint64>(summary.lines_received)},
         {"lines_malformed", static_cast<qint64>(summary.lines_malformed)},
         {"lockstep", summary.lockstep},

@@ -70,6 +70,7 @@ struct RunSummary {
     std::optional<AreaReach> reach{};
     QStringList warnings{}; ///< sentences about parts of the area that cannot be scanned
     std::size_t cells = 0;  ///< known cells of the whole map
+    double filled_m2 = 0.0; ///< surface of the small holes that saved files fill in; `coverage_pct` does not count it
     std::optional<mapping::HeightRange>
         heights; ///< range of the map; absent: it is empty. In the files it is under "map"
     std::uint64_t lines_received = 0;

@@ -47,6 +47,23 @@ ScanRecord flatScan(int columns, int rows) {
 class tst_MapPicture : public QObject {
     Q_OBJECT
 private slots:
+    void smallHolesAreFilledInAndDull() {
+        ScanRecord record = flatScan(100, 100);
+        const auto colorInTheMiddle = [&record] {
+            const QImage picture = mapPicture(record);
+            return picture.pixelColor(picture.width() / 2 + 1, picture.width() / 2 + 1);
+        };
+        const QColor ground = colorInTheMiddle();
+        record.raster.heights_m[50 * 100 + 50] = std::nanf("");
+        const QColor filled = colorInTheMiddle();
+        QCOMPARE(filled.green(), (ground.green() + QColor(unknown_color).green()) / 2);
+        QVERIFY(filled != ground);
+        for (int row = 48; row < 52; ++row) // A larger hole stays unknown.
+            for (int column = 48; column < 52; ++column)
+                record.raster.heights_m[std::size_t(row * 100 + column)] = std::nanf("");
+        QCOMPARE(colorInTheMiddle(), QColor(unknown_color));
+    }
+
     void smallMapsAreEnlargedUntilLegible_data() {
         QTest::addColumn<int>("columns");
         QTest::addColumn<int>("rows");

@@ -74,6 +74,26 @@ private slots:
         QVERIFY(!ending(*files, "_deviation.hdr").isEmpty());
     }
 
+    void addsHeightsWithoutSmallHolesAndAMask() {
+        QTemporaryDir folder;
+        ScanRecord record = sampleScan(30);
+        const std::size_t hole = 10 * 30 + 15;
+        record.raster.heights_m[hole] = std::nanf("");
+        const auto files = writeResults(record, {}, folder.path());
+        QVERIFY(files.has_value());
+        const auto valueAt = [&](const char* file) {
+            QFile raw(ending(*files, file));
+            mapping::Raster raster = record.raster;
+            const QByteArray bytes = raw.open(QIODevice::ReadOnly) ? raw.readAll() : QByteArray();
+            return mapping::takeBilBytes(raster, {bytes.data(), std::size_t(bytes.size())}) ? raster.heights_m[hole]
+                                                                                            : -1.0f;
+        };
+        QVERIFY(std::isnan(valueAt("_001.bil")));
+        QVERIFY(std::abs(valueAt("_filled.flt") - record.raster.heights_m[hole + 1]) < 1.0f);
+        QCOMPARE(valueAt("_filled_mask.flt"), 1.0f);
+        QVERIFY(!ending(*files, "_filled.hdr").isEmpty() && !ending(*files, "_filled_mask.hdr").isEmpty());
+    }
+
     void gdalOpensTheRawHeights() {
         QTemporaryDir folder;
         const ScanRecord record = sampleScan(64, 0.5);

@@ -1,6 +1,7 @@
 #include <QBuffer>
 #include <QFile>
 #include <QJsonDocument>
+#include <QJsonObject>
 #include <QTest>
 
 #include "core/mission/reports/plan_report.h"

@@ -34,7 +34,7 @@ private slots:
         flown.truth = TrueFigures{3, 12.5, Seconds(4.0), 1, 2, Seconds(7.5), HeightOverGround{0.5, 4.0, 0.25}};
         flown.seed = 7;
         QCOMPARE(toJson(flown).keys(), refused.keys());
-        QCOMPARE(refused.size(), 34);
+        QCOMPARE(refused.size(), 35);
         for (const char* key :
              {"mission", "behavior", "plan", "seed", "speed_x", "rmse_m", "rmse_surface_m", "collisions",
               "true_distance_m", "least_height_m", "first_touch_s", "reachable_coverage_pct", "unreachable_m2"})
@@ -113,6 +113,18 @@ private slots:
         summary.score = {.coverage_pct = 66.6666, .rmse_m = 0.123456, .rmse_surface_m = std::nullopt};
         summary.truth = TrueFigures{.distance_m = 9.8765};
         QCOMPARE(toJson(summary)[key].toDouble(), value);
+    }
+
+    void smallHolesAreToldButDoNotCountAsCovered() {
+        ScanRecord record = sampleScan(20);
+        RunSummary before;
+        addRecord(before, record, nullptr);
+        QCOMPARE(before.filled_m2, 0.0);
+        record.raster.heights_m[std::size_t(5 * record.raster.columns + 9)] = std::nanf("");
+        RunSummary after;
+        addRecord(after, record, nullptr);
+        QCOMPARE(toJson(after)["filled_m2"].toDouble(), 0.06);
+        QVERIFY(after.score.coverage_pct < before.score.coverage_pct);
     }
 
     void takesWhatTheRecordSays() {
