@@ -43,7 +43,8 @@ public:
     /// Whether the robot is over the base, or where it is to land instead.
     bool atBase() const;
     bool goalReached() const {
-        return survey_.goalReached(craft_.senses.position2_m(), craft_.settings, !craft_.avoiding());
+        const bool in_the_open = !craft_.avoiding() && !craft_.overhead.hasCeiling();
+        return survey_.goalReached(craft_.senses.position2_m(), craft_.settings, in_the_open);
     }
     /// Whether no goals are left, or the survey was given up.
     bool scanOver() const { return errand_ == Errand::Done || errand_ == Errand::GivenUp; }

@@ -206,8 +206,8 @@ private slots:
 
     void sinksOverItsPlaceOnly() {
         craft->touchdown.start();
-        const auto descend = [&](double to_m) {
-            craft->descend({x_m + to_m, 0}, port);
+        const auto descend = [&](double to_m, bool in_need = true) {
+            craft->descend({x_m + to_m, 0}, in_need, port);
             return std::get<protocol::AerialDrive>(port.takeCommands().back().command);
         };
         perceive(6.0, {});
@@ -216,6 +216,11 @@ private slots:
         QVERIFY(*aside.forward_m_s > 0.0);
         perceive(6.0, {});
         QVERIFY(*descend(0.2).climb_m_s < 0.0);
+        craft->touchdown.start();
+        perceive(6.0, {});
+        QVERIFY(*descend(2.0, false).climb_m_s < 0.0); // Over its base, the air is known.
+        perceive(2.8, {});
+        QCOMPARE(*descend(2.0, false).climb_m_s, 0.0);
     }
 
     void tellsThatSomethingKeepsItFromItsPlace() {
@@ -224,7 +229,7 @@ private slots:
         int ticks = 0;
         for (; ticks < 200 && descent == Descent::UnderWay; ++ticks) {
             perceive(6.0, {{"L1", 1.0}, {"M0", 1.0}, {"R1", 1.0}});
-            descent = craft->descend({x_m + 3.0, 0}, port);
+            descent = craft->descend({x_m + 3.0, 0}, true, port);
         }
         QCOMPARE(descent, Descent::KeptAway);
         QVERIFY2(ticks > 70 && ticks < 90, qPrintable(QString::number(ticks)));

@@ -211,9 +211,9 @@ private slots:
         const auto keptAwayAt = [&](double now_s) {
             Senses senses = sensesAt({2, 0, 6}, 0.0, now_s);
             senses.late = Seconds(late_s);
-            touchdown.isOver(senses, {0, 0});
-            return touchdown.keptAway(senses);
+            return touchdown.keptAway(senses, true);
         };
+        QVERIFY(!touchdown.keptAway(sensesAt({2, 0, 6}, 0.0, 50.0), false));
         QVERIFY(!keptAwayAt(100.0));
         QVERIFY(!keptAwayAt(99.0 + after_s));
         QVERIFY(keptAwayAt(101.0 + after_s));

@@ -383,21 +383,27 @@ bool Craft::rise(double goal_z_m, const Vec2& over_m, agent::CommandPort& port) 
     return step.reached;
 }
 
-Descent Craft::descend(const Vec2& place_m, agent::CommandPort& port) {
+Descent Craft::descend(const Vec2& place_m, bool in_need, agent::CommandPort& port) {
     Motion motion = holding(senses, place_m);
-    const bool over = touchdown.isOver(senses, place_m);
-    if (over)
+    const double height_m = senses.heightOverGround_m(0.0);
+    // It has come up near its base, and crowns are wider higher up.
+    const bool sinks = touchdown.isOver(senses, place_m) || (!in_need && height_m > settings.landing_slow_below_m);
+    if (sinks) {
         motion.climb_m_s = -touchdown.sinkRate_m_s(senses, settings);
-    else if (senses.heightOverGround_m(0.0) > sure_of_walls_m)
+    } else if (height_m > sure_of_walls_m) { // It looks where it goes.
+        const Vec2 way_m = place_m - senses.position2_m();
+        const double speed_m_s = hearsAhead(senses, settings.high_risk_0_m) ? 0.0 : motion.velocity_in_map_m_s.norm();
+        motion = toward(senses, bearingOf(way_m), speed_m_s, settings);
         makeSafe(motion);
+    }
     const double z_m = senses.position_m().z();
     const bool straight = (place_m - senses.position2_m()).norm() < in_column_m;
     column_.top_m = straight ? std::max(column_.top_m, z_m) : z_m;
     column_.come_down_m = column_.top_m - z_m;
     command(motion, port, "landing");
-    if (!over)
-        return touchdown.keptAway(senses) ? Descent::KeptAway : Descent::UnderWay;
-    return touchdown.touched(senses) ? Descent::Landed : Descent::UnderWay;
+    if (touchdown.keptAway(senses, !sinks))
+        return Descent::KeptAway;
+    return sinks && touchdown.touched(senses) ? Descent::Landed : Descent::UnderWay;
 }
 
 void Craft::hover(const Vec2& place_m, agent::CommandPort& port, const std::string& source) {

@@ -70,8 +70,8 @@ public:
     bool rise(double goal_z_m, const Vec2& over_m, agent::CommandPort& port);
     /// Where the last `rise` went straight up, if it was not told to do so there; nothing has been above it there.
     const std::optional<Vec2>& column_m() const { return column_.at_m; }
-    /// Sinks onto `place_m` once it is over it, until it touches the ground.
-    Descent descend(const Vec2& place_m, agent::CommandPort& port);
+    /// Sinks onto `place_m` until it touches the ground: high up on its way there unless `in_need`, then only over it.
+    Descent descend(const Vec2& place_m, bool in_need, agent::CommandPort& port);
     /// Waits over a place. This time does not count toward `stuck`.
     void hover(const Vec2& place_m, agent::CommandPort& port, const std::string& source);
     /// Stops without its senses and leans against the wind; below a roof, it sinks a little. Not counted by `stuck`.

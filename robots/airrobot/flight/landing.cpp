@@ -135,10 +135,6 @@ bool Touchdown::isOver(const Senses& senses, const Vec2& place_m) {
     // So low, its legs may be on the ground already, and it would not answer.
     const bool nearly_down = over_ && senses.heightOverGround_m(0.0) < nearly_down_m;
     over_ = nearly_down || (senses.position2_m() - place_m).norm() < (over_ ? still_over_m : over_place_m);
-    if (over_)
-        aside_since_.reset();
-    else if (!aside_since_)
-        aside_since_ = senses.now;
     if (!over_) // A robot that holds its height has not touched the ground.
         still_since_.reset();
     return over_;
@@ -158,8 +154,12 @@ bool Touchdown::isUneven(const Senses& senses) {
     return uneven_scans_ >= odd_scans;
 }
 
-bool Touchdown::keptAway(const Senses& senses) const {
-    return aside_since_ && senses.now - *aside_since_ > longest_aside / senses.steadyShare();
+bool Touchdown::keptAway(const Senses& senses, bool holds) {
+    if (!holds)
+        held_since_.reset();
+    else if (!held_since_)
+        held_since_ = senses.now;
+    return held_since_ && senses.now - *held_since_ > longest_aside / senses.steadyShare();
 }
 
 double Touchdown::sinkRate_m_s(const Senses& senses, const Settings& settings) const {

@@ -53,8 +53,9 @@ public:
     /// True if the scanner sees again and again that the robot cannot stand on what is below its ring: the drift of the
     /// pose has moved a place that was fit. Call it once per tick over the place.
     bool isUneven(const Senses& senses);
-    /// True if it has not been over its place for so long that something must be in its way.
-    bool keptAway(const Senses& senses) const;
+    /// True if it has held its height (`holds`), because it is not over its place, for so long that something must be
+    /// in its way. Call it once per tick of a landing.
+    bool keptAway(const Senses& senses, bool holds);
     /// Returns the rate of descent, positive downward.
     double sinkRate_m_s(const Senses& senses, const Settings& settings) const;
     /// Returns whether the robot has landed. Call it once per tick while sinking.
@@ -62,7 +63,7 @@ public:
 
 private:
     std::optional<Seconds> still_since_;
-    std::optional<Seconds> aside_since_; ///< it is not over its place since then
+    std::optional<Seconds> held_since_; ///< it holds its height since then
     bool over_ = false;
     int uneven_scans_ = 0; ///< in a row
 };
