@@ -10,7 +10,7 @@ namespace {
 /// A goal within a lane counts as reached if the robot passes it no farther to the side than this.
 constexpr double passing_m = 8.0;
 constexpr double end_passing_m = 3.0;
-constexpr double very_end_m = 0.5; ///< The first lane's start and the last one's end count as reached at this distance.
+constexpr double very_end_m = 0.5; ///< The end of the last lane counts as reached at this distance.
 constexpr double resume_back_m = 1.0;
 /// A lane is looked at in such steps for what of it can be reached.
 constexpr double look_every_m = 1.0;
@@ -71,9 +71,8 @@ bool Survey::goalReached(const Vec2& position_m, const Settings& settings, bool 
     if (done())
         return false;
     const double closely_m = in_the_open ? std::min(very_end_m, settings.goal_reached_m) : settings.goal_reached_m;
-    const bool very_start = lane_ == 0 && entry_along_m_ == 0.0;
     if (!on_lane_)
-        return (position_m - pointAt_m(entry_along_m_)).norm() <= (very_start ? closely_m : settings.goal_reached_m);
+        return (position_m - pointAt_m(entry_along_m_)).norm() <= settings.goal_reached_m;
     const Place place = placeOf(position_m);
     const double end_m = pieceEnd_m(settings);
     const bool last = end_m >= length_m();

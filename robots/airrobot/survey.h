@@ -60,7 +60,7 @@ public:
     /// Records how far along the lane the robot has flown. Call it once per tick.
     void note(const Vec2& position_m);
     /// Returns whether the present goal (see goal_m) is reached; false if the survey is done. `in_the_open`: nothing is
-    /// in the robot's way, so it flies to the very ends of all lanes together, beyond which no lane shows the ground.
+    /// in the robot's way, so it flies to the very end of the last lane, which no way to another lane shows.
     bool goalReached(const Vec2& position_m, const Settings& settings, bool in_the_open = false) const;
     /// Moves on to the next goal after the present one was reached.
     SurveyEvent next(const Settings& settings);

@@ -56,11 +56,9 @@ private slots:
         QCOMPARE(survey.doneLength_m(), 10.0);
     }
 
-    void fliesToTheVeryEndsWhereNothingIsInTheWay() {
+    void fliesToTheVeryEndWhereNothingIsInTheWay() {
         Survey survey = twoLanes();
-        QVERIFY(!survey.goalReached({1.0, 0.0}, settings, true));
-        QVERIFY(survey.goalReached({1.0, 0.0}, settings, false));
-        QVERIFY(survey.goalReached({0.4, 0.0}, settings, true));
+        QVERIFY(survey.goalReached({1.0, 0.0}, settings, true));
         for (const SurveyEvent event : {SurveyEvent::LaneEntered, SurveyEvent::GoalReached, SurveyEvent::GoalReached})
             QCOMPARE(survey.next(settings), event);
         QVERIFY(survey.goalReached({59.0, 0.0}, settings, true)); // The way to the next lane shows the rest.

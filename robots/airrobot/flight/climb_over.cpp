@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "robots/airrobot/flight/overhead.h"
-
 namespace usar::airrobot {
 
 namespace {
@@ -91,7 +89,7 @@ ClimbStep ClimbOver::step(const Senses& senses, const ThreatPicture& picture, st
     // Below a ceiling there may be less room than that, and what is in the way may still pass below.
     if (height_m >= settings.maximum_height_m || z_m > highest_m - below_m)
         state_ = free_since_z_m_ ? ClimbState::Over : ClimbState::Failed;
-    return {state_, place_m_, std::min(settings.climb_speed_m_s / 2.0, Overhead::careful_m_s)};
+    return {state_, place_m_, settings.climb_speed_m_s / 2.0};
 }
 
 } // namespace usar::airrobot

@@ -202,11 +202,15 @@ FlightState Craft::perform(Maneuver maneuver, const Leg& asked, agent::CommandPo
     const bool maybe_roofed =
         climb_over_.active() || climbs_on_ || again || overhead.hasCeiling() || overhead.besideWall(senses.now);
     const bool straight_up = motion.velocity_in_map_m_s.norm() < straight_m_s;
-    const bool unseen = senses.position_m().z() > overhead.freeTo_m();
-    const double unseen_m_s = maybe_roofed  ? Overhead::gentle_m_s
-                              : straight_up ? Overhead::careful_m_s
-                                            : motion.climb_m_s;
-    motion.climb_m_s = overhead.allowed_m_s(senses, motion.climb_m_s, unseen ? unseen_m_s : motion.climb_m_s);
+    const double z_m = senses.position_m().z();
+    const bool unseen = z_m > overhead.freeTo_m();
+    const bool unseen_sky = z_m > overhead.seenTo_m();
+    double most_m_s = motion.climb_m_s;
+    if (maybe_roofed && unseen)
+        most_m_s = Overhead::gentle_m_s;
+    else if (straight_up && unseen_sky)
+        most_m_s = Overhead::careful_m_s;
+    motion.climb_m_s = overhead.allowed_m_s(senses, motion.climb_m_s, most_m_s);
     command(calmed(motion, senses, settings), port, leg.source);
     return state;
 }

@@ -103,6 +103,7 @@ void Overhead::lookUp(const PlacedScan& scan, bool ascending) {
     });
     const double twice_m = std::min(scan.highest_near_m, std::exchange(highest_near_m_, scan.highest_near_m));
     std::erase_if(ceilings_, [&](const Ceiling& one) { return twice_m > one.z_m + surely_above_m; });
+    seen_to_m_ = std::max(seen_to_m_, scan.highest_m);
     if (!crowded)
         free_to_m_ = std::max(free_to_m_, scan.highest_m);
     const std::span<const Vec3> hits(scan.hits_in_map_m);

@@ -33,6 +33,8 @@ public:
     /// The height up to which a fast climb is safe: a margin below the highest point that a beam has reached. A ceiling
     /// that is wide enough would have met that beam.
     double freeTo_m() const { return free_to_m_ - margin_m; }
+    /// The same where trees stand around: no roof is lower, though a crown may be.
+    double seenTo_m() const { return seen_to_m_ - margin_m; }
     /// True if there is a ceiling anywhere. Then there may be more of them.
     bool hasCeiling() const { return !ceilings_.empty() || lid_m_; }
     /// Has the robot stay below this height (map z) everywhere as if a ceiling were there, so that it flies under what
@@ -82,6 +84,7 @@ private:
     double pushed_m_ = 0.0;                ///< the climb that was commanded since then
     Seconds felt_at_{0.0};                 ///< time of the last tick
     double free_to_m_ = -1e9;              ///< map z
+    double seen_to_m_ = -1e9;              ///< map z
     double highest_near_m_ = -1e9;         ///< PlacedScan::highest_near_m of the last scan
     int walls_ = 0;                        ///< scans in a row with a wall in them
     std::optional<Seconds> walled_at_;     ///< time of the last of so many that it was no trunk
