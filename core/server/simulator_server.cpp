@@ -134,8 +134,8 @@ void SimulatorServer::readFrom(QTcpSocket* socket, sim::ClientId client) {
 }
 
 void SimulatorServer::forget(QTcpSocket* socket, sim::ClientId client) {
-    sockets_.erase(client);
-    simulation_->disconnect(client);
+    if (sockets_.erase(client) > 0) // Otherwise a fault has cut it off.
+        simulation_->disconnect(client);
     socket->deleteLater();
     emit logged(tr("client %1: gone").arg(client.value));
     advance(); // The others may have been waiting for its STEP.
@@ -195,8 +195,13 @@ void SimulatorServer::tick() {
     for (const std::string& name : simulation_->takeSilenced())
         emit robotSilenced(QString::fromStdString(name));
     for (const sim::ClientId client : simulation_->takeCut())
-        if (const auto found = sockets_.find(client); found != sockets_.end())
-            found->second->abort(); // A fault; to the client it looks like a server that has died.
+        if (const auto found = sockets_.find(client); found != sockets_.end()) {
+            QTcpSocket* const socket = found->second;
+            sockets_.erase(found);
+            // Its robot goes in this tick: nobody knows how many more are made until the event loop's next turn.
+            simulation_->disconnect(client);
+            socket->abort(); // A fault; to the client it looks like a server that has died.
+        }
     emit ticked();
 }
 

@@ -97,6 +97,11 @@ bool SurveyFlight::atBase() const {
     return landing() || (!door_m() && (home_m() - craft_.senses.position2_m()).norm() < over_base_m);
 }
 
+bool SurveyFlight::goalReached() const {
+    const bool in_the_open = !craft_.avoiding() && !craft_.overhead.hasCeiling();
+    return survey_.goalReached(craft_.senses.position2_m(), craft_.settings, in_the_open);
+}
+
 double SurveyFlight::batteryMargin() const {
     return craft_.battery.rangeLeft_m(beelineHome_m(), craft_.settings) / craft_.settings.battery_range_m;
 }

@@ -40,12 +40,8 @@ public:
     /// True from the choice of a landing place until the robot takes off again.
     bool landing() const { return sortie_.landing_m.has_value(); }
     bool returning() const; ///< the base is the goal
-    /// Whether the robot is over the base, or where it is to land instead.
-    bool atBase() const;
-    bool goalReached() const {
-        const bool in_the_open = !craft_.avoiding() && !craft_.overhead.hasCeiling();
-        return survey_.goalReached(craft_.senses.position2_m(), craft_.settings, in_the_open);
-    }
+    bool atBase() const;    ///< It is over the base, or where it is to land instead.
+    bool goalReached() const;
     /// Whether no goals are left, or the survey was given up.
     bool scanOver() const { return errand_ == Errand::Done || errand_ == Errand::GivenUp; }
     /// The share of the simulated battery beyond the beeline home and the reserve; negative if it is too late.
@@ -60,8 +56,7 @@ public:
 
     // Before the start.
     LaunchState checkLaunch(const agent::Tick& tick, agent::CommandPort& port);
-    /// Plans the lanes over the area; ends the flight if that fails.
-    void planSurvey(agent::CommandPort& port);
+    void planSurvey(agent::CommandPort& port); ///< over the area; ends the flight if that fails
     void beginReset() { ins_reset_.start(craft_.senses.now); }
     /// Returns true once the INS is set or all attempts have failed.
     bool stepReset(const agent::Tick& tick, agent::CommandPort& port);
@@ -72,8 +67,7 @@ public:
     /// Climbs straight up to `altitude_m` over the place of the take-off; returns true when it is reached.
     bool climb(double altitude_m, agent::CommandPort& port);
     void beginWork();
-    /// Looks along the present leg (see Craft::look).
-    void look() { craft_.look(leg()); }
+    void look() { craft_.look(leg()); }                            ///< along the present leg, see Craft::look
     void decide(agent::CommandPort& port) { craft_.decide(port); } ///< about threats, see Craft::decide
     void perform(Maneuver maneuver, agent::CommandPort& port) { craft_.perform(maneuver, takeLeg(), port); }
     /// Looks, decides and performs in the usual order.
@@ -84,8 +78,7 @@ public:
 
     // Goals.
     void nextGoal(agent::CommandPort& port) { afterGoal(survey_.next(craft_.settings), port); }
-    /// Gives up a goal that could not be reached in time.
-    void skipGoal(agent::CommandPort& port);
+    void skipGoal(agent::CommandPort& port); ///< It could not be reached in time.
     void returnToCharge(agent::CommandPort& port);
     /// Ends the survey because the place to resume is out of the battery's range; returns home first.
     void abortScan(agent::CommandPort& port);
@@ -93,8 +86,7 @@ public:
     void obeyRobotBattery(agent::CommandPort& port);
 
     // Down.
-    /// Over the base, or where it is to land instead.
-    void beginLanding() { landAt(home_m()); }
+    void beginLanding() { landAt(home_m()); } ///< at the base, or where it is to land instead
     /// Ends the survey because the way home is blocked; lands on the nearest ground that is fit for it.
     void landHere(agent::CommandPort& port);
     /// Sinks; returns true once the robot is on the ground with its rotors at rest.

@@ -178,6 +178,21 @@ private slots:
         QTRY_VERIFY(std::abs(served.now().count() - 0.4) < 1e-9);
     }
 
+    // Nobody waits for a client that hears nothing, so ticks went on after the cut for as long as the machine took.
+    void aRobotGoesInTheTickInWhichItsConnectionIsCut() {
+        Served served(Pace::Fast);
+        const auto half_open = sim::readFault("link_half_open from=1");
+        const auto cut = sim::readFault("link_cut from=5");
+        QVERIFY(half_open && cut);
+        served.server.addFaults({*half_open, *cut}, false);
+        Client client(served.port);
+        QObject::connect(&client.socket(), &QTcpSocket::readyRead, &client.socket(), [&] { client.say("STEP\r\n"); });
+        client.say("LOCKSTEP {On true}\r\n" + init + "STEP\r\n");
+        QTRY_COMPARE(client.socket().state(), QAbstractSocket::UnconnectedState);
+        QTRY_COMPARE(served.server.figures().clients, 0);
+        QVERIFY2(std::abs(served.now().count() - 5.2) < 0.21, qPrintable(QString::number(served.now().count())));
+    }
+
     void aLockstepClientThatLeavesFreesTheOthers() {
         Served served(Pace::Fast);
         Client staying(served.port);
