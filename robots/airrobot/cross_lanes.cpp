@@ -86,7 +86,8 @@ class HiddenCells {
 public:
     explicit HiddenCells(const ScanLedger& ledger, double least_gain_m)
         : size_{ledger.columns(), ledger.rows()}
-        , least_m2_(std::min(least_m2, small_area_share * size_[0] * size_[1] * ScanLedger::cell_m * ScanLedger::cell_m))
+        , least_m2_(
+              std::min(least_m2, small_area_share * size_[0] * size_[1] * ScanLedger::cell_m * ScanLedger::cell_m))
         , least_gain_m_(least_gain_m)
         , hidden_(std::size_t(size_[0]) * std::size_t(size_[1])) {
         for (int axis : {0, 1}) {

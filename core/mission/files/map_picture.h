@@ -11,11 +11,12 @@
 namespace usar::mission {
 
 /// Heights are colored and lit, or gray, over the range that `look` tells, as the window shows them; unknown ground
-/// slate, small holes that are filled in (mapping::withHolesFilled) half as bright; path green, diversion blue, low risk orange, high risk red, recharge yellow squares, landing violet circles
-/// (thesis figure 4.4), abandoned goals white crosses, the mission area a thin frame. Small maps are enlarged by a
-/// whole number until the shorter side has 600 pixels, huge ones reduced until the longer side has 8192. Below the map
-/// is a legend with height range, scale bar and the colors of the marks. Metadata are PNG text keys. A null image for
-/// an empty raster. Works in any thread; text needs a QGuiApplication (without one the legend has no letters).
+/// slate, small holes that are filled in (mapping::withHolesFilled) half as bright; path green, diversion blue, low
+/// risk orange, high risk red, recharge yellow squares, landing violet circles (thesis figure 4.4), abandoned goals
+/// white crosses, the mission area a thin frame. Small maps are enlarged by a whole number until the shorter side has
+/// 600 pixels, huge ones reduced until the longer side has 8192. Below the map is a legend with height range, scale bar
+/// and the colors of the marks. Metadata are PNG text keys. A null image for an empty raster. Works in any thread; text
+/// needs a QGuiApplication (without one the legend has no letters).
 QImage mapPicture(const ScanRecord& record, const mapping::HeightLook& look = {});
 
 /// Of ground that is not known, as 0xffRRGGBB, in all pictures of a map.
