@@ -64,8 +64,8 @@ struct WatchedBehavior::Worker {
     std::function<Output(BehaviorHost&)> call; ///< empty: it has lines to take
     BehaviorAnswer answer;                     ///< to the call
     LineNumber first_line;
-    std::string texts;                   ///< of the lines, one after the other
-    std::vector<std::size_t> ends;       ///< of each line in `texts`
+    std::string texts;                   ///< It holds the lines, one after the other.
+    std::vector<std::size_t> ends;       ///< Each line ends there in `texts`.
     std::vector<BehaviorAnswer> answers; ///< one for each line
 
     std::atomic<std::uint64_t> asked = 0;

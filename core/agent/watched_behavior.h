@@ -38,7 +38,7 @@ private:
     Output giveUp(const std::string& what);
 
     std::shared_ptr<Worker> worker_; ///< also owned by its thread
-    LineNumber next_expected_;       ///< of the lines that were handed over, the next one to be received
+    LineNumber next_expected_;       ///< the line that is to be received next, of those that were handed over
     LineNumber end_of_expected_;
     std::uint64_t calls_before_ = 0; ///< asked before those lines
 };

@@ -17,7 +17,8 @@ constexpr float flat_weight = 0.02f;
 /// this share of their height may be on trunks or bushes below.
 constexpr float least_share = 0.4f;
 constexpr float outline_above_m = 0.1f; ///< above the lowest hits, for what is left of the drift
-/// What is so much lower than the outline, and half way down to the ground at most, belongs to the ground.
+/// A hit belongs to the ground if it is lower than the outline by this, or by half of the way down to the ground if
+/// that is less.
 constexpr float below_outline_m = 1.0f;
 constexpr double bell_cells = 0.6; ///< standard deviation of the weights of neighbors
 /// A cell is half covered whose share is this. It is more than a half, because a crown on open ground is a greater

@@ -70,9 +70,9 @@ public:
 private:
     Vec2 from_; ///< this and the rest in cells
     int axis_ = 0;
-    double slope_ = 0.0; ///< of the line, per cell along the axis
+    double slope_ = 0.0; ///< The line moves aside by this for each cell along the axis.
     double reach_ = 0.0;
-    double shift_ = 0.0; ///< of the line at the greatest depth
+    double shift_ = 0.0; ///< The line is shifted by this at the greatest depth.
 };
 
 } // namespace
@@ -164,7 +164,7 @@ void EdgeLooks::takePasses(Cell& cell, const Vec2& center_m, const Beams& beams,
 }
 
 std::optional<double> EdgeLooks::coveredShare(GridIndex at) const {
-    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero(); // of 1, x and y
+    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero(); // Sums of the products of 1, x and y.
     Eigen::Vector3d sides = Eigen::Vector3d::Zero();
     if (!cellAt(at))
         return std::nullopt;
