@@ -111,10 +111,13 @@ private:
 WatchedBehavior::WatchedBehavior(std::unique_ptr<BehaviorHost> host)
     : RemoteBehavior(host->behaviorId())
     , worker_(std::make_shared<Worker>(std::move(host))) {
-    std::thread([worker = worker_] { worker->work(); }).detach();
+    std::thread thread([worker = worker_] { worker->work(); });
+    processor_.emplace(thread.native_handle());
+    thread.detach();
 }
 
 WatchedBehavior::~WatchedBehavior() {
+    processor_.reset();
     worker_->left = true;
     worker_->ask(0);
 }
@@ -133,6 +136,7 @@ RunningBehavior::Output WatchedBehavior::run(std::function<Output(BehaviorHost&)
 
 RunningBehavior::Output WatchedBehavior::giveUp(const std::string& what) {
     broke_ = true;
+    processor_.reset();
     return finish("stopped because it hangs",
                   "The behavior " + behavior_id_ + " hangs: it has not come back from " + what + " for " +
                       fixed(patience_.count(), 1) +
@@ -146,6 +150,7 @@ RunningBehavior::Output WatchedBehavior::begin() {
 void WatchedBehavior::expect(LineNumber first, std::span<const std::string_view> lines) {
     if (finished_ || !worker_->isIdle())
         return;
+    processor_->turn();
     Worker& worker = *worker_;
     worker.call = nullptr;
     worker.first_line = first;

@@ -3,12 +3,14 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "core/agent/behavior_host.h"
 #include "core/agent/remote_behavior.h"
+#include "core/agent/shared_processor.h"
 
 namespace usar::agent {
 
@@ -40,7 +42,8 @@ private:
     std::shared_ptr<Worker> worker_; ///< also owned by its thread
     LineNumber next_expected_;       ///< the line that is to be received next, of those that were handed over
     LineNumber end_of_expected_;
-    std::uint64_t calls_before_ = 0; ///< asked before those lines
+    std::uint64_t calls_before_ = 0;           ///< asked before those lines
+    std::optional<SharedProcessor> processor_; ///< of both threads, until one hangs; it must end before the thread does
 };
 
 } // namespace usar::agent
