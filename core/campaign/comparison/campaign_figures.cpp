@@ -5,6 +5,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 
@@ -13,6 +14,7 @@
 #include "core/campaign/plan/manifest_head.h"
 #include "core/campaign/runs/parallel.h"
 #include "core/campaign/runs/shard_file.h"
+#include "core/mission/files/small_picture.h"
 
 namespace usar::campaign {
 
@@ -63,13 +65,22 @@ Result<void> checkPairs(const std::vector<RunResult>& first, const std::vector<R
     return {};
 }
 
+/// Looks for it in the campaign's folder, which may lie elsewhere than when the run was flown.
+std::string pictureOf(const RunResult& result, const QString& folder) {
+    for (const QJsonValue file : result.summary.value("files").toArray())
+        if (const QString path = file.toString(); mission::isMapPicture(path))
+            return QDir(runFolder(folder, result.number)).filePath(QFileInfo(path).fileName()).toStdString();
+    return {};
+}
+
 /// Adds the runs and takes the summaries from the results, because nobody needs them any longer.
-void addRuns(CampaignFigures& figures, std::vector<RunResult>& results, const std::string& of) {
+void addRuns(CampaignFigures& figures, std::vector<RunResult>& results, const QString& folder, const std::string& of) {
     const std::size_t first = figures.runs.size();
     figures.runs.resize(first + results.size());
     inParallel(results.size(), [&](std::size_t i) {
         figures.runs[first + i] = figuresOf(results[i]);
         figures.runs[first + i].variant += of;
+        figures.runs[first + i].picture = pictureOf(results[i], folder);
         results[i].summary = {};
     });
 }
@@ -133,7 +144,7 @@ Result<CampaignFigures> readCampaigns(const QStringList& folders) {
         if (&folder == &folders.front())
             figures.of_first = figures.variants.size();
         addFacts(figures, *head, *results, of);
-        addRuns(figures, *results, of);
+        addRuns(figures, *results, folder, of);
         first = *std::move(results);
     }
     return figures;

@@ -6,6 +6,7 @@
 
 #include "core/campaign/comparison/coverage_band.h"
 #include "core/campaign/comparison/svg_canvas.h"
+#include "core/mission/files/small_picture.h"
 
 namespace usar::campaign {
 
@@ -146,6 +147,19 @@ void drawPlaces(QXmlStreamWriter& xml, const VariantRuns& baseline, const Varian
         legend += width / 3.0;
     }
     drawScaleBar(canvas, at, width, height - 14.0);
+}
+
+bool drawMap(QXmlStreamWriter& xml, const RunFigures& run) {
+    constexpr int most_px = 480; // Twice of what is shown, for paper and fine screens.
+    const QByteArray png = mission::smallPicture(QString::fromStdString(run.picture), most_px);
+    if (png.isEmpty())
+        return false;
+    xml.writeStartElement("img");
+    xml.writeAttribute("class", "map");
+    xml.writeAttribute("alt", QString("map of run %1").arg(run.number));
+    xml.writeAttribute("src", "data:image/png;base64," + QString::fromLatin1(png.toBase64()));
+    xml.writeEndElement();
+    return true;
 }
 
 void drawCourse(QXmlStreamWriter& xml, const RunFigures& run) {

@@ -22,6 +22,8 @@ bool havePlaces(const VariantRuns& baseline, const VariantRuns& candidate);
 /// A map of the places where runs collided and gave goals up, x to the right and y up.
 void drawPlaces(QXmlStreamWriter& xml, const VariantRuns& baseline, const VariantRuns& candidate);
 
+/// The picture of its map, made small; false, and nothing is drawn, if none was kept or the file is gone.
+bool drawMap(QXmlStreamWriter& xml, const RunFigures& run);
 /// A small map of one run: its path with its beginning and end, and the same places. Draws nothing without a path.
 void drawCourse(QXmlStreamWriter& xml, const RunFigures& run);
 

@@ -301,7 +301,8 @@ void writeRun(QXmlStreamWriter& xml, const RunFigures& run) {
     write(xml, "td", wordOf(run.outcome));
     const HtmlElement cell(xml, "td", "why");
     xml.writeCharacters(printable(run.reason));
-    drawCourse(xml, run);
+    if (!drawMap(xml, run))
+        drawCourse(xml, run);
     if (!run.command.empty())
         writeCommand(xml, run.command);
 }

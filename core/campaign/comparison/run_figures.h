@@ -38,6 +38,7 @@ struct RunFigures {
     std::string command;                ///< flies the run again; empty: not known
     std::optional<double> time_limit_s; ///< of the mission, on the protocol clock; absent: it has none
     CourseFigures course{};
+    std::string picture{}; ///< file with the picture of its map; empty: none was kept
 };
 
 } // namespace usar::campaign

@@ -67,10 +67,6 @@ CampaignProgress CampaignRunner::progress() const {
     return progress;
 }
 
-QString CampaignRunner::folderOf(const PlannedRun& run) const {
-    return QDir(options_.folder).filePath(QString("runs/%1").arg(run.number, 6, 10, QChar('0')));
-}
-
 void CampaignRunner::startNext() {
     if (waiting_.empty()) {
         if (flying_.empty())
@@ -107,7 +103,7 @@ std::unique_ptr<RunProcess> CampaignRunner::takeProcess(bool again) {
 
 void CampaignRunner::fly(std::unique_ptr<Flight> flight) {
     Flight& one = *flight;
-    one.folder = folderOf(one.run) + (one.again ? "-again" : "");
+    one.folder = runFolder(options_.folder, one.run.number) + (one.again ? "-again" : "");
     QDir(one.folder).removeRecursively(); // An interrupted campaign may have left some of its files.
     QDir().mkpath(one.folder);
     QStringList arguments = flightArgumentsOf(campaign_, one.run, one.folder);
@@ -145,7 +141,7 @@ void CampaignRunner::take(Flight& flight, const ProcessEnd& end) {
                                        : QStringList{"outcome"};
         now = flight.result;
         now.differences = differ;
-        flight.folder = folderOf(flight.run);
+        flight.folder = runFolder(options_.folder, flight.run.number);
     }
     const bool kept =
         campaign_.keep == Keep::Everything || (campaign_.keep == Keep::Failures && now.outcome != Outcome::Done);

@@ -78,7 +78,6 @@ private:
     std::unique_ptr<RunProcess> takeProcess(bool again);
     void fly(std::unique_ptr<Flight> flight);
     void take(Flight& flight, const ProcessEnd& end);
-    QString folderOf(const PlannedRun& run) const;
     void count(const PlannedRun& run, const RunResult& result);
 
     Campaign campaign_;

@@ -110,6 +110,10 @@ Result<void> ShardFile::append(const RunResult& result) {
                    "Make room and go on with --resume; this run will be flown again");
 }
 
+QString runFolder(const QString& campaign_folder, int number) {
+    return QDir(campaign_folder).filePath(QString("runs/%1").arg(number, 6, 10, QChar('0')));
+}
+
 Result<std::vector<RunResult>> readResults(const QString& folder, const std::string& version, ResultPart part) {
     std::map<int, RunResult> results;
     const QDir dir(folder);

@@ -36,6 +36,9 @@ private:
     std::unique_ptr<QFile> file_;
 };
 
+/// Where the run with this number keeps its files: FOLDER/runs/000012.
+QString runFolder(const QString& campaign_folder, int number);
+
 /// Reads the shard files of a folder, in the order of the runs' numbers; of a run that is there twice, the first
 /// counts. A last line without its end is left out. Fails on any other line that is no result, with file and line, and
 /// on results of another version than `version`.

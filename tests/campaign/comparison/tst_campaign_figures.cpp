@@ -1,3 +1,4 @@
+#include <QJsonArray>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -49,6 +50,20 @@ class tst_CampaignFigures : public QObject {
     Q_OBJECT
 private slots:
     void init() { folder_ = std::make_unique<QTemporaryDir>(); }
+
+    /// The folder was copied from another machine after the campaign, with the files that the results name.
+    void aKeptPictureIsFoundWhereTheFolderIsNow() {
+        writeCampaign(folder_->filePath("a"), 7);
+        RunResult with_files = resultOf(2, "one", 7);
+        with_files.summary["files"] =
+            QJsonArray{"/elsewhere/runs/000002/scan_height.png", "/elsewhere/runs/000002/scan_picture.png"};
+        QVERIFY(ShardFile::open(folder_->filePath("a"), {})->append(with_files));
+        const auto figures = readCampaigns({folder_->filePath("a")});
+        QVERIFY2(figures, figures ? "" : figures.error().text().c_str());
+        QCOMPARE(figures->runs.front().picture, std::string());
+        QCOMPARE(QString::fromStdString(figures->runs.back().picture),
+                 folder_->filePath("a/runs/000002/scan_picture.png"));
+    }
 
     void aCampaignIsReadWithItsFacts() {
         writeCampaign(folder_->filePath("a"), 7);

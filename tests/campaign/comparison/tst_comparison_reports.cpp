@@ -1,8 +1,11 @@
+#include <algorithm>
 #include <cmath>
 
+#include <QImage>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QRegularExpression>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QXmlStreamReader>
 
@@ -150,6 +153,29 @@ private slots:
         QCOMPARE(countOfClass(elements, "given-up candidate"), 1 + 1); // The legend has one, too.
         QCOMPARE(countOfClass(elements, "given-up baseline"), 1);
         QCOMPARE(countOfClass(elements, "collision candidate"), 2 * (1 + 2)); // A cross has two lines.
+    }
+
+    void aRunWhoseMapWasKeptIsShownByItsPicture() {
+        const QTemporaryDir folder;
+        QImage map(1000, 500, QImage::Format_RGB32);
+        map.fill(Qt::darkGreen);
+        QVERIFY(map.save(folder.filePath("map.png")));
+        std::vector<RunFigures> runs = doneRuns(20, {-10.0});
+        for (RunFigures& figures : runs) {
+            figures.course.path = {{0.0, 0.0}, {10.0, 5.0}};
+            figures.picture = folder.filePath(figures.variant == "new" ? "map.png" : "gone.png").toStdString();
+        }
+        runs[1].outcome = Failed; // So it is among the worst.
+        const Comparison comparison = compare(runs, "old", "new").value();
+        const auto elements = elementsOf(htmlReport({comparison, runs, "Maps", {}}));
+        const int maps = countOfClass(elements, "map");
+        QVERIFY(maps > 0);
+        QCOMPARE(maps + countOfClass(elements, "course"), 10 + 1); // The worst, and the one that failed alone.
+        const auto shown = std::ranges::find_if(elements, [](const Element& one) { return one.name == "img"; });
+        const QByteArray source = shown->attributes.value("src").toUtf8();
+        QVERIFY(source.startsWith("data:image/png;base64,"));
+        const QImage small = QImage::fromData(QByteArray::fromBase64(source.mid(source.indexOf(',') + 1)));
+        QCOMPARE(small.size(), QSize(480, 240));
     }
 
     void theOutlookIsNoMoreExactThanAnybodyKnows() {
