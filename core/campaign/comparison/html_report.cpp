@@ -292,25 +292,28 @@ void writeCommand(QXmlStreamWriter& xml, const std::string& command) {
     }
 }
 
-/// The seed, how it ended, why, and what flies it again.
+/// The seed, how it ended, why, what flies it again, and its map or its path.
 void writeRun(QXmlStreamWriter& xml, const RunFigures& run) {
     const HtmlElement row(xml, "tr");
     write(xml, "td", QString::number(run.number), "figure");
     write(xml, "td", nameOf(run.variant));
     write(xml, "td", nameOf(run.mission) + ", pair " + QString::number(run.pair));
     write(xml, "td", wordOf(run.outcome));
-    const HtmlElement cell(xml, "td", "why");
-    xml.writeCharacters(printable(run.reason));
+    {
+        const HtmlElement cell(xml, "td", "why");
+        xml.writeCharacters(printable(run.reason));
+        if (!run.command.empty())
+            writeCommand(xml, run.command);
+    }
+    const HtmlElement cell(xml, "td", "drawing");
     if (!drawMap(xml, run))
         drawCourse(xml, run);
-    if (!run.command.empty())
-        writeCommand(xml, run.command);
 }
 
 void writeRuns(QXmlStreamWriter& xml, const QString& title, const std::vector<const RunFigures*>& runs) {
     const HtmlElement table(xml, "table", "runs");
     write(xml, "caption", title);
-    writeHead(xml, {"Run", "Variant", "Mission and pair", "Outcome", "Why, and how to fly it again"});
+    writeHead(xml, {"Run", "Variant", "Mission and pair", "Outcome", "Why, and how to fly it again", ""});
     const HtmlElement body(xml, "tbody");
     for (const RunFigures* run : runs)
         writeRun(xml, *run);
