@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <sys/file.h>
+#include <unistd.h>
 
 #include <QDir>
 
@@ -85,6 +86,19 @@ Result<void> readFile(const QString& path, const std::string& version, ResultPar
     return {};
 }
 
+/// Writes all of it; otherwise returns what the kernel says of the byte that it does not take. QFile has no words for a
+/// disk that fills up in the middle of a line.
+std::string troubleWriting(const QByteArray& bytes, int handle) {
+    for (qsizetype done = 0; done < bytes.size();) {
+        const ssize_t written =
+            ::write(handle, bytes.constData() + done, static_cast<std::size_t>(bytes.size() - done));
+        if (written < 0 && errno != EINTR)
+            return std::strerror(errno);
+        done += std::max<ssize_t>(written, 0);
+    }
+    return {};
+}
+
 } // namespace
 
 Result<ShardFile> ShardFile::open(const QString& folder, const Shard& shard) {
@@ -103,10 +117,10 @@ Result<ShardFile> ShardFile::open(const QString& folder, const Shard& shard) {
 }
 
 Result<void> ShardFile::append(const RunResult& result) {
-    const QByteArray line = toLine(result);
-    if (file_->write(line) == line.size() && file_->flush())
+    const std::string trouble = troubleWriting(toLine(result), file_->handle());
+    if (trouble.empty())
         return {};
-    return failure("a result cannot be written: " + file_->errorString().toStdString(), file_->fileName().toStdString(),
+    return failure("a result cannot be written: " + trouble, file_->fileName().toStdString(),
                    "Make room and go on with --resume; this run will be flown again");
 }
 

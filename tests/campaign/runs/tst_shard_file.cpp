@@ -1,3 +1,10 @@
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+
+#include <sys/resource.h>
+
+#include <QFileInfo>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
@@ -162,6 +169,26 @@ private slots:
         QVERIFY2(file, file ? "" : file.error().text().c_str());
         const auto written = file->append(resultOf(1));
         QVERIFY(!written && written.error().text().find("--resume") != std::string::npos);
+    }
+
+    /// A limit on the size of files ends a write in the middle of a line, as a disk does that fills up.
+    void aLineThatFitsInPartIsToldAndDroppedLater() {
+        auto file = ShardFile::open(folder_->path(), {});
+        QVERIFY(file && file->append(resultOf(1)));
+        const qint64 whole = QFileInfo(folder_->filePath("shard-000.jsonl")).size();
+        std::signal(SIGXFSZ, SIG_IGN);
+        rlimit before{};
+        getrlimit(RLIMIT_FSIZE, &before);
+        const rlimit narrow{static_cast<rlim_t>(whole + 10), before.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &narrow);
+        const auto written = file->append(resultOf(2));
+        setrlimit(RLIMIT_FSIZE, &before);
+        QVERIFY(!written);
+        const QString said = QString::fromStdString(written.error().text());
+        QVERIFY2(said.contains(std::strerror(EFBIG)), qPrintable(said));
+        file = ShardFile::open(folder_->path(), {1, 2}); // The first one lets go of its file.
+        QVERIFY(ShardFile::open(folder_->path(), {}));
+        QCOMPARE(QFileInfo(folder_->filePath("shard-000.jsonl")).size(), whole);
     }
 
 private:
