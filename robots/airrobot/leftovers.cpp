@@ -40,7 +40,7 @@ GapSearch::Surroundings surroundingsOf(const Craft& craft) {
     const auto in_sight = [&craft](const Vec2& from_m, const Vec2& to_m) {
         return craft.ways.map().isInSight(from_m, to_m, craft.senses.position_m().z());
     };
-    return {craft.ways.reach(craft.senses), in_sight};
+    return {craft.ways.reach(craft.senses, craft.narrowest()), in_sight};
 }
 
 void note(agent::CommandPort& port, const std::string& words) {

@@ -14,7 +14,7 @@ constexpr double very_end_m = 0.5; ///< The end of the last lane counts as reach
 constexpr double resume_back_m = 1.0;
 /// A lane is looked at in such steps for what of it can be reached.
 constexpr double look_every_m = 1.0;
-constexpr double worth_a_flight_m = 3.0;
+constexpr double worth_a_flight_m = 1.0;
 } // namespace
 
 Result<Survey> Survey::make(const agent::Task& task, const Settings& settings) {

@@ -301,7 +301,7 @@ Leg SurveyFlight::leg() const {
             survey_.aim_m(craft_.senses.position2_m(), settings),
             survey_.onLane() ? settings.scan_speed_m_s : settings.transit_speed_m_s,
             words(),
-            craft_.ways.isUnder() ? Width::Least : Width::Usual,
+            craft_.narrowest(),
             survey_.onLane() ? std::optional(survey_.laneEnd_m()) : std::nullopt};
 }
 
@@ -325,7 +325,7 @@ bool SurveyFlight::doubtsMap(const ReachablePlaces& reach) {
 void SurveyFlight::skipGoal(agent::CommandPort& port) {
     const bool cut_off = craft_.walledOff();
     const bool room = !craft_.mayClimb();
-    const ReachablePlaces reach = cut_off ? craft_.ways.reach(craft_.senses) : ReachablePlaces();
+    const ReachablePlaces reach = cut_off ? craft_.ways.reach(craft_.senses, craft_.narrowest()) : ReachablePlaces();
     if (cut_off && doubtsMap(reach)) {
         craft_.ways.clear();
         return craft_.startAnew();

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include <QObject>
@@ -273,6 +274,29 @@ private slots:
         perceive(2.2, {{"R4", 0.9}, {"L4", 0.9}});
         QCOMPARE(craft->threats.risk, agent::Risk::High);
         QVERIFY(craft->mayClimb());
+    }
+
+    /// A floor on posts beside the start ended the climb there for good, and the survey under it
+    /// (`tst_random_surveys_campaign`, number 1013).
+    void climbsElsewhereWhereACeilingIsLow() {
+        craft->forgetPlaces();
+        craft->comeUp(); // It knows what is around, so it climbs at once.
+        z_m = 16.5;
+        constexpr double goal_z_m = 20.0;
+        for (int tick = 0; tick < 40 && !craft->overhead.hasCeiling(); ++tick) {
+            perceive(z_m - 13.8, {});
+            QVERIFY(!craft->rise(goal_z_m, {0.0, 0.0}, port));
+            z_m = std::min(z_m + 0.08, 16.9); // There is something above it.
+        }
+        QVERIFY(craft->overhead.hasCeiling());
+        QVERIFY(craft->column_m());
+        const Vec2 aim_m = *craft->column_m();
+        QVERIFY(aim_m.norm() > 3.0);
+        QVERIFY(std::isinf(craft->overhead.limit_m(aim_m)));
+        perceive(z_m - 13.8, {});
+        QVERIFY(!craft->rise(goal_z_m, {0.0, 0.0}, port)); // It is not there yet.
+        craft->startAnew();
+        QVERIFY(craft->overhead.limit_m(aim_m) < 17.0); // Under way, it counts on the ceiling again.
     }
 
     void leavesARoofEvenWithoutAPose() {

@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 
 #include <QObject>
@@ -72,6 +73,40 @@ private slots:
         }
         overhead.observe(senses, {.climb_m_s = 0.0, .ascending = true});
         QVERIFY(!overhead.found()); // It is told once.
+    }
+
+    void aSmallCeilingEndsNotFarFromItsFind() {
+        Overhead overhead;
+        overhead.observe(sensesWith(scanBelow(6.0, 12.0, radians(14.0), {0.0, 0.0, 4.3})),
+                         {.climb_m_s = 0.0, .ascending = true});
+        overhead.takeForSmall(true, 4.3);
+        QVERIFY(overhead.ceiling_m({1.0, 0.0}));
+        QVERIFY(!overhead.ceiling_m({3.0, 0.0}));
+        QCOMPARE(overhead.nearestFind_m({3.0, 0.0}, 4.0), 3.0);
+        QCOMPARE(overhead.nearestFind_m({0.0, 9.0}, 4.0), 4.0);
+        overhead.takeForSmall(false, 8.0); // It is above it elsewhere, so this is a small one.
+        QVERIFY(!overhead.ceiling_m({3.0, 0.0}));
+        overhead.takeForSmall(false, 4.3);
+        QVERIFY(overhead.ceiling_m({30.0, 0.0}));
+    }
+
+    void anotherPlaceForAClimbIsAwayFromTheCeilingAndHasRoom() {
+        Overhead overhead;
+        overhead.observe(sensesWith(scanBelow(6.0, 12.0, radians(14.0), {0.0, 0.0, 4.3})),
+                         {.climb_m_s = 0.0, .ascending = true});
+        const std::vector<Obstacle> rack{wallAt(0.0, 5.0), wallAt(2.0, 5.0), wallAt(-2.0, 5.0)};
+        const Vec2 first_m = otherColumn_m(rack, {0.0, 0.0}, overhead, {});
+        QVERIFY(overhead.nearestFind_m(first_m, 9.0) >= 3.5);
+        QVERIFY(nearest_m(rack, first_m, 9.0) >= room_to_climb_m);
+        const Vec2 second_m = otherColumn_m(rack, {0.0, 0.0}, overhead, std::array{first_m});
+        QVERIFY((second_m - first_m).norm() >= 2.0);
+        const std::vector<Obstacle> all_around = [] {
+            std::vector<Obstacle> ring;
+            for (double bearing_rad = -pi; bearing_rad < pi; bearing_rad += 0.2)
+                ring.push_back(wallAt(1.3 * std::cos(bearing_rad), 1.3 * std::sin(bearing_rad)));
+            return ring;
+        }();
+        QCOMPARE(otherColumn_m(all_around, {0.0, 0.0}, overhead, {}), Vec2(0.0, 0.0));
     }
 
     void aCrownBesideARobotUnderWayIsNoCeiling() {

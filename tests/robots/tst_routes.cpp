@@ -3,6 +3,7 @@
 #include <QTest>
 
 #include "robots/airrobot/flight/detour.h"
+#include "robots/airrobot/flight/way_back.h"
 #include "tests/robots/robot_samples.h"
 #include "tests/suite/suite.h"
 
@@ -46,6 +47,20 @@ class tst_Routes : public QObject {
         Senses senses = sensesAt({0.0, 0.0, 6.0});
         setSonars(senses, {{sonar, range_m}});
         return senses;
+    }
+
+    /// A wall at x = 10 m with a door of 3 m in it, moved along by `drift_m`, as one scan from above shows it at the
+    /// heights of the door: beams end in it beside the door, and on the ground behind it.
+    static PlacedScan wallWithDoor(double drift_m) {
+        PlacedScan scan{{1}, Pose{Vec3(4.0, 0.0, 6.0)}, Pose{Vec3(4.0, 0.0, 6.0)}, {}};
+        for (double y_m = -8.0; y_m <= 8.0; y_m += 0.1) {
+            const double at_y_m = y_m + drift_m;
+            if (std::abs(y_m) > 1.5)
+                scan.hits_in_map_m.emplace_back(10.0, at_y_m, 2.4);
+            else
+                scan.hits_in_map_m.emplace_back(13.0, 1.5 * at_y_m, 0.0);
+        }
+        return scan;
     }
 
 private slots:
@@ -99,6 +114,78 @@ private slots:
         QVERIFY(reach.contains({6.0, -6.0}));
         QCOMPARE(reach.contains({20.0, 0.0}), usual);
         QVERIFY(reach.contains({5000.0, 0.0})); // Nothing is known of what is so far away.
+    }
+
+    /// Each look draws the door frame where the drift of that time has it; all of them together closed the door.
+    void theDriftClosesNoDoor() {
+        constexpr HeightBand band{1.6, 2.7};
+        RouteMap map;
+        map.passOver(passes_closer_m);
+        for (int look = 0; look < 40; ++look)
+            map.takeBand(wallWithDoor(look < 12 ? 1.2 : 0.0), band);
+        const ReachablePlaces behind = map.reach({7.0, 0.0}, 2.4, Width::Least);
+        QVERIFY(behind.contains({13.0, 0.0}));
+        const auto way = map.route({7.0, 0.0}, {13.0, 0.0}, 2.4, 1.0, Width::Least);
+        QVERIFY(way);
+        for (const Vec2& point_m : *way)
+            QVERIFY(std::abs(point_m.x() - 10.0) > 0.6 || std::abs(point_m.y()) < 1.5);
+    }
+
+    void aWallIsClosedThoughSomeBeamsSeemToPassIt() {
+        constexpr HeightBand band{1.6, 2.7};
+        RouteMap map;
+        map.passOver(passes_closer_m);
+        for (int look = 0; look < 40; ++look)
+            map.takeBand(wallWithDoor(look < 12 ? 4.0 : 0.0), band);
+        QVERIFY(map.hasRoom({10.0, 0.0}, 2.4, 0.4));
+        QVERIFY(!map.hasRoom({10.0, 4.0}, 2.4, 0.4));
+    }
+
+    void whereItGetsNoFartherIsClosedWhateverBeamsSaid() {
+        RouteMap map;
+        map.passOver(passes_closer_m);
+        for (int look = 0; look < 40; ++look)
+            map.takeBand(wallWithDoor(0.0), {1.6, 2.7});
+        QVERIFY(map.hasRoom({10.0, 0.0}, 2.4, 0.4));
+        map.block({10.0, 0.0}, 2.4);
+        QVERIFY(!map.hasRoom({10.0, 0.0}, 2.4, 0.4));
+    }
+
+    /// Over a shelf, everything around is in the way, and no map knows a direction.
+    void goesBackTheWayItCame() {
+        WayBack way;
+        double now_s = 0.0;
+        const auto fly = [&](const Vec2& here_m, double nearest_m) {
+            way.note(Seconds(now_s += 0.2), here_m, nearest_m);
+        };
+        for (double x_m = 0.0; x_m <= 4.0; x_m += 0.1)
+            fly({x_m, 0.0}, 4.2 - x_m);
+        QVERIFY(!way.isPinned());
+        for (int tick = 0; tick < 40; ++tick)
+            fly({4.0, 0.0}, 0.2);
+        QVERIFY(way.isPinned());
+        way.begin();
+        Vec2 here_m(4.0, 0.0);
+        for (int tick = 0; tick < 100 && way.active(); ++tick) {
+            const Vec2 aim_m = way.aim_m();
+            QVERIFY(aim_m.x() < here_m.x());
+            QVERIFY(std::abs(aim_m.y()) < 0.01);
+            here_m += 0.1 * (aim_m - here_m).normalized();
+            fly(here_m, 4.2 - here_m.x());
+        }
+        QVERIFY(!way.active());
+        QVERIFY(here_m.x() > 2.0 && here_m.x() < 2.6); // There is room again.
+    }
+
+    void endsAWayBackOnWhichItDoesNotGetOn() {
+        WayBack way;
+        for (int tick = 0; tick < 20; ++tick)
+            way.note(Seconds(0.2 * tick), {0.1 * tick, 0.0}, 0.2);
+        way.begin();
+        QVERIFY(way.active());
+        for (int tick = 20; tick < 150; ++tick)
+            way.note(Seconds(0.2 * tick), {2.0, 0.0}, 0.2);
+        QVERIFY(!way.active());
     }
 
     void whatIsLowOrCeilingIsNotInTheWay() {
@@ -162,7 +249,7 @@ private slots:
             for (double y_m = -1.0; y_m <= 1.0; y_m += 0.25)
                 if (std::abs(x_m - 10.0) > 0.5)
                     senses.scan->hits_in_map_m.emplace_back(x_m, y_m, 0.0);
-        low.takeScan(*senses.scan, 2.9);
+        low.takeBand(*senses.scan, {1.6, 2.9});
         const ReachablePlaces high = room(0.0).reach({0.0, 0.0}, 6.0);
         const auto ground_m = low.groundBeyond_m({0.0, 0.0}, 2.4, 0.6, high, 4.0);
         QCOMPARE(ground_m.has_value(), found);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "robots/airrobot/flight/obstacle_memory.h"
@@ -21,6 +22,14 @@ struct Column {
     bool faced = false;         ///< it looks there
     double top_m = -1e9;        ///< where the straight way down began, map z
     double come_down_m = 0.0;   ///< height that it has lost since then
+    /// The places that were chosen after a low ceiling had ended a climb at another one.
+    std::vector<Vec2> others_m{};
+
+    void moveTo(const Vec2& place_m, Seconds now) {
+        at_m = place_m;
+        there = false;
+        moving_since = now;
+    }
 };
 
 struct AscentStep {
@@ -77,6 +86,13 @@ private:
 
 /// True if a sonar hears something ahead, nearer than this, that is surely not the ground.
 bool hearsAhead(const Senses& senses, double within_m);
+
+inline constexpr double room_to_climb_m = 1.2; ///< around a place to which it goes because of a low ceiling
+
+/// Another place for a climb that a ceiling has ended early: as far as matters from where a ceiling was found, with
+/// room around it by what is `near`, and apart from the places that were `tried_m`; `here_m` if there is none.
+Vec2 otherColumn_m(std::span<const Obstacle> near, const Vec2& here_m, const Overhead& overhead,
+                   std::span<const Vec2> tried_m);
 
 /// The rate of climb where nobody has been yet.
 double carefulClimb_m_s(const Settings& settings);

@@ -33,6 +33,8 @@ constexpr double stands_m_s = 0.05; ///< A slower robot does not get past what i
 constexpr Seconds longest_move{18.0};
 constexpr double crown_m = 4.5; ///< Crowns reach so far from their trunks.
 constexpr double hold_still_m = 0.5;
+constexpr double worth_a_move = 0.3; ///< A climb that lacks this share of the scan altitude is tried at another place,
+constexpr std::size_t most_others = 4; ///< so often.
 /// A robot that is hindered for so long looks for a detour, and again after the same time.
 constexpr Seconds patience{6.0};
 constexpr double detour_m_s = 1.0;
@@ -105,6 +107,10 @@ void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool a
     }
     ways.map().passOver(passesBelow_m());
     obstacles_ = memory.near(senses.position2_m(), look_around_m, senses.position_m().z() - passesBelow_m());
+    if (airborne)
+        way_back_.note(senses.now, senses.position2_m(), nearest_m(obstacles_, senses.position2_m(), look_around_m));
+    if (way_back_.active())
+        obstacles_.clear(); // It has been there, so they are not in its way.
     threats = judgeThreats(senses, ways.forThreats(settings));
     port.publish(agent::SonarZones{threats.zones});
     scanned = log.tick(senses, airborne, settings, port);
@@ -116,7 +122,10 @@ double Craft::dry_m() const {
 
 void Craft::look(const Leg& leg) {
     noteGoal(leg);
-    detour_aim_m_ = detour_.active() ? detour_.aim_m(ways.map(), senses) : leg.aim_m;
+    detour_aim_m_ = way_back_.active() ? way_back_.aim_m()
+                    : detour_.active() ? detour_.aim_m(ways.map(), senses)
+                                       : leg.aim_m;
+    ways.squeeze(detour_.isNarrow());
     evasion_.observe(senses, threats, detour_aim_m_, settings);
     decision_.reset();
 }
@@ -175,9 +184,9 @@ void Craft::findWay(const Leg& leg) {
 FlightState Craft::perform(Maneuver maneuver, const Leg& asked, agent::CommandPort& port) {
     FlightState state = FlightState::Flying;
     Leg leg = asked;
-    if (detour_.active()) {
+    if (detour_.active() || way_back_.active()) {
         leg.aim_m = detour_aim_m_;
-        leg.speed_m_s = std::min(leg.speed_m_s, detour_m_s);
+        leg.speed_m_s = std::min(leg.speed_m_s, way_back_.active() ? Ways::door_m_s : detour_m_s);
     }
     if (ways.isNarrow())
         leg.speed_m_s = std::min(leg.speed_m_s, Ways::door_m_s);
@@ -190,8 +199,12 @@ FlightState Craft::perform(Maneuver maneuver, const Leg& asked, agent::CommandPo
         stuck_.wait(senses.now); // A detour has a time limit of its own.
     else
         stuck_.update(senses.now, senses.position2_m(), leg.goal_m, hindered);
-    if (hindered && !climb_over_.active() && !detour_.active())
+    if (hindered && !mayClimb() && !way_back_.active() && way_back_.isPinned()) {
+        way_back_.begin();
+        detour_.end();
+    } else if (hindered && !climb_over_.active() && !detour_.active()) {
         findWay(leg);
+    }
     const double wanted_m_s = motion.velocity_in_map_m_s.norm();
     makeSafe(motion);
     // Steering counts on the robot to climb on its way; where it stands instead, it must look for another way.
@@ -353,17 +366,32 @@ Vec2 Craft::awayFromTrunks_m(const Vec2& at_m) const {
     return climbPlace_m(trunks, at_m, crown_m);
 }
 
+/// Chooses another place for the climb if a ceiling ends it early here: it may be a floor on posts, or a crown.
+bool Craft::riseElsewhere(double goal_z_m) {
+    const Vec2 here_m = senses.position2_m();
+    if (overhead.limit_m(here_m) > goal_z_m - worth_a_move * settings.scan_altitude_m ||
+        column_.others_m.size() >= most_others)
+        return false;
+    overhead.takeForSmall(true, senses.position_m().z());
+    const auto near = memory.near(here_m, look_around_m, senses.position_m().z() - trunk_margin_m);
+    column_.moveTo(otherColumn_m(near, here_m, overhead, column_.others_m), senses.now);
+    column_.others_m.push_back(*column_.at_m);
+    return true;
+}
+
 bool Craft::rise(double goal_z_m, const Vec2& over_m, agent::CommandPort& port) {
     ascending_ = true;
     const Vec2 column_m = column_.at_m.value_or(over_m);
     const AscentStep step = ascent_.step(senses, {column_m.x(), column_m.y(), goal_z_m}, overhead, memory, settings);
     if (step.looked_around) {
-        column_.at_m = awayFromTrunks_m(over_m);
-        column_.moving_since = senses.now;
+        column_.moveTo(awayFromTrunks_m(over_m), senses.now);
     }
+    if (overhead.found())
+        riseElsewhere(goal_z_m);
     if (column_.at_m && senses.now - column_.moving_since > longest_move / senses.steadyShare() && !column_.there)
         column_.at_m = senses.position2_m(); // Something is in the way.
-    if (column_.at_m && !column_.there && column_.faced && hearsAhead(senses, settings.climb_standoff_m))
+    const double standoff_m = !column_.others_m.empty() ? room_to_climb_m : settings.climb_standoff_m;
+    if (column_.at_m && !column_.there && column_.faced && hearsAhead(senses, standoff_m))
         column_.at_m = senses.position2_m(); // A trunk that it did not know, with a crown
     Motion motion = holding(senses, column_m);
     const Vec2 way_m = column_m - senses.position2_m();
@@ -384,7 +412,7 @@ bool Craft::rise(double goal_z_m, const Vec2& over_m, agent::CommandPort& port) 
     }
     command(step.left_m_s != 0.0 ? motion : calmed(motion, senses, settings), port,
             step.left_m_s != 0.0 ? "looking up" : "taking off");
-    return step.reached;
+    return step.reached && (column_.others_m.empty() || (column_.there && !riseElsewhere(goal_z_m)));
 }
 
 Descent Craft::descend(const Vec2& place_m, bool in_need, agent::CommandPort& port) {
@@ -436,6 +464,7 @@ void Craft::forgetPlaces() {
     atlas_.endFlight();
     ways.startAnew(senses.position_m().z());
     refuge = {};
+    way_back_ = {};
     overhead.forgetPlaces();
     ascent_ = Ascent(std::exchange(column_, {}).come_down_m);
     crash_watch_ = {};
@@ -446,6 +475,7 @@ void Craft::forgetPlaces() {
 }
 
 void Craft::startAnew() {
+    overhead.takeForSmall(false, senses.position_m().z());
     evasion_.reset();
     steering_.reset();
     stuck_.reset();

@@ -19,6 +19,7 @@
 #include "robots/airrobot/flight/pilot.h"
 #include "robots/airrobot/flight/steering.h"
 #include "robots/airrobot/flight/stuck_watch.h"
+#include "robots/airrobot/flight/way_back.h"
 #include "robots/airrobot/flight/ways.h"
 
 namespace usar::airrobot {
@@ -50,6 +51,8 @@ public:
     bool mayClimb() const;
     /// How far below its base something must end for the robot to pass over it at its present height.
     double passesBelow_m() const { return mayClimb() ? passes_below_m : passes_closer_m; }
+    /// The ways to take: where it cannot climb, every aisle counts.
+    Width narrowest() const { return ways.isUnder() || !mayClimb() ? Width::Least : Width::Usual; }
     /// Sinks at this place nearby and stays so low that it gets through doors, until it comes up; call `rise` then.
     void goUnder(const Vec2& place_m);
     void comeUp();
@@ -97,8 +100,7 @@ public:
 
 private:
     void command(const Motion& motion, agent::CommandPort& port, const std::string& source);
-    /// Whether the robot is so near to a ceiling that its ring may touch it.
-    bool touchesRoof() const;
+    bool touchesRoof() const; ///< so near to a ceiling that its ring may touch it
     Motion evade(const EvasionDecision& decision, const Leg& leg, FlightState& state);
     Motion cruise(const Leg& leg, FlightState& state);
     Motion climbOver(const Leg& leg, FlightState& state);
@@ -107,15 +109,12 @@ private:
     /// Looks whether there is a way to a new goal, if there was none to the last one.
     void noteGoal(const Leg& leg);
     Vec2 awayFromTrunks_m(const Vec2& at_m) const;
-    /// Starts a climb over what is in the way, or a detour around it where the robot may not climb.
-    void findWay(const Leg& leg);
+    bool riseElsewhere(double goal_z_m);
+    void findWay(const Leg& leg); ///< a climb over what is in the way, or a detour where it may not climb
     double climbRate(const WayAhead& way);
-    /// Returns whether a nearby obstacle reaches the robot's height and may be wider above, like a trunk.
-    bool besideOverhang() const;
-    /// Reduces the speed so that the robot can stop before the obstacles on its way.
-    void makeSafe(Motion& motion) const;
-    /// Returns the least height to keep after a climb over an obstacle; nullopt if there is none.
-    std::optional<double> heldHeight_m();
+    bool besideOverhang() const;         ///< A nearby obstacle reaches its height and may be wider above, like a trunk.
+    void makeSafe(Motion& motion) const; ///< so slow that the robot can stop before the obstacles on its way
+    std::optional<double> heldHeight_m(); ///< the least one after a climb over an obstacle; nullopt: none
 
     SenseReader reader_;
     LinkWatch link_;
@@ -134,6 +133,7 @@ private:
     double fastest_m_s_ = 0.0; ///< level speed that the robot is capable of
     StuckWatch stuck_;
     Detour detour_;
+    WayBack way_back_;
     Vec2 detour_aim_m_ = Vec2::Zero();
     std::optional<Vec2> goal_m_; ///< of the last tick; nullopt after startAnew()
     bool no_way_ = false;        ///< to this goal

@@ -21,7 +21,8 @@ constexpr double farthest_m = 2.5;
 
 bool Detour::start(const RouteMap& map, const Senses& senses, const Vec2& goal_m, Width width) {
     auto way = map.route(senses.position2_m(), goal_m, senses.position_m().z(), within_m);
-    if (!way && width == Width::Least)
+    narrow_ = !way && width == Width::Least;
+    if (narrow_)
         way = map.route(senses.position2_m(), goal_m, senses.position_m().z(), within_m, width);
     width_ = width;
     way_ = way.value_or(std::vector<Vec2>{});

@@ -13,6 +13,8 @@ class Detour {
 public:
     bool active() const { return !way_.empty(); }
     void end() { way_.clear(); }
+    /// Whether the way leads through a place that is narrower than usual.
+    bool isNarrow() const { return active() && narrow_; }
 
     /// Looks for a way to `goal_m`; false if there is none.
     bool start(const RouteMap& map, const Senses& senses, const Vec2& goal_m, Width width);
@@ -29,6 +31,7 @@ private:
     std::vector<Vec2> way_; ///< what is left of it
     Vec2 goal_m_ = Vec2::Zero();
     Width width_ = Width::Usual;
+    bool narrow_ = false;
     Seconds planned_{0.0};
     Seconds latest_{0.0};
     Vec2 moved_to_m_ = Vec2::Zero(); ///< where the robot was when it moved last

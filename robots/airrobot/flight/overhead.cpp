@@ -18,8 +18,6 @@ constexpr double above_m = 0.3;
 /// Where something higher than the robot stands within this distance, something may be above the robot, too: among
 /// trees, crowns are ahead and behind as well, where the scanner does not look.
 constexpr double crowded_m = 20.0;
-/// A ceiling is taken to reach this far.
-constexpr double ceiling_reach_m = 60.0;
 /// Finds nearer to one another than this are one.
 constexpr double same_place_m = 5.0;
 /// Beams of two scans in a row that get so far above a ceiling nearby show that it was a crown, or wind that pressed
@@ -163,9 +161,15 @@ void Overhead::add(const Ceiling& ceiling) {
 std::optional<double> Overhead::ceiling_m(const Vec2& at_m) const {
     std::optional<double> lowest_m = lid_m_;
     for (const Ceiling& one : ceilings_)
-        if ((one.at_m - at_m).norm() < ceiling_reach_m)
+        if ((one.at_m - at_m).norm() < one.reach_m)
             lowest_m = std::min(lowest_m.value_or(one.z_m), one.z_m);
     return lowest_m;
+}
+
+double Overhead::nearestFind_m(const Vec2& at_m, double otherwise_m) const {
+    for (const Ceiling& one : ceilings_)
+        otherwise_m = std::min(otherwise_m, (one.at_m - at_m).norm());
+    return otherwise_m;
 }
 
 double Overhead::limit_m(const Vec2& at_m) const {

@@ -55,6 +55,14 @@ public:
     };
     const std::optional<Find>& found() const { return found_; }
 
+    /// Takes the ceilings above the height `z_m` (map z) for small ones, such as a floor on posts, which end not far
+    /// from where they were found, or for great ones again. Those that the robot is above are small in any case.
+    void takeForSmall(bool small, double z_m) {
+        for (Ceiling& one : ceilings_)
+            one.reach_m = small || z_m > one.z_m ? small_reach_m : great_reach_m;
+    }
+    /// The distance of the nearest place at which a ceiling was found; `otherwise_m` if there is none so near.
+    double nearestFind_m(const Vec2& at_m, double otherwise_m) const;
     /// Forgets the ceilings that were touched and not seen: a robot that obeys late seems to be held up by something.
     void forgetTouches() {
         std::erase_if(ceilings_, [](const Ceiling& one) { return one.touched; });
@@ -67,8 +75,11 @@ private:
         Vec2 at_m = Vec2::Zero();
         double z_m = 0.0;
         bool touched = false; ///< not seen
+        double reach_m = great_reach_m;
     };
 
+    static constexpr double great_reach_m = 60.0; ///< A ceiling is taken to reach this far,
+    static constexpr double small_reach_m = 2.0;  ///< or so far if it is a small one.
     static constexpr Seconds wall_memory{10.0};
 
     void lookUp(const PlacedScan& scan, bool ascending);

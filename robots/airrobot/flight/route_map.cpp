@@ -53,6 +53,15 @@ const std::vector<Neighbor>& neighbors() {
     return all;
 }
 
+/// Adds one. Both numbers of a pair are halved where one gets too large.
+void addOne(std::uint8_t& one, std::uint8_t& other) {
+    if (one == std::numeric_limits<std::uint8_t>::max()) {
+        one /= 2;
+        other /= 2;
+    }
+    ++one;
+}
+
 /// How dear a place is: `no_way` where the robot does not fit, 1 where nothing is within `matters_m`. `blocked` is
 /// asked about cells.
 template <class Blocked>
@@ -221,7 +230,7 @@ auto RouteMap::blockedAt(double z_m) const {
 
 bool RouteMap::blocked(int column, int row, double level_m) const {
     const Cell& cell = cells_[slotOf<side>(column, row)];
-    return cell.column == column && cell.row == row && std::max(cell.top_m, cell.echo_m) > level_m;
+    return cell.column == column && cell.row == row && cell.height_m() > level_m;
 }
 
 void RouteMap::take(const Senses& senses, double below_m) {
@@ -238,9 +247,42 @@ void RouteMap::take(const Senses& senses, double below_m) {
 void RouteMap::takeScan(const PlacedScan& scan, double below_m) {
     for (const Vec3& hit : scan.hits_in_map_m)
         if (hit.z() < below_m) {
-            float& top_m = at(cellOf(hit.x()), cellOf(hit.y())).top_m;
-            top_m = std::max(top_m, static_cast<float>(hit.z()));
+            Cell& cell = at(cellOf(hit.x()), cellOf(hit.y()));
+            cell.top_m = std::max(cell.top_m, static_cast<float>(hit.z()));
+            cell.passed = 0; // The robot is at this height now, and near.
         }
+}
+
+void RouteMap::takeBand(const PlacedScan& scan, const HeightBand& band) {
+    const Vec3& from_m = scan.scanner_in_map.position_m;
+    for (const Vec3& hit : scan.hits_in_map_m) {
+        passThrough(from_m, hit, band);
+        if (hit.z() > band.high_m)
+            continue;
+        Cell& cell = at(cellOf(hit.x()), cellOf(hit.y()));
+        cell.top_m = std::max(cell.top_m, static_cast<float>(hit.z()));
+        if (hit.z() > band.low_m)
+            addOne(cell.ended, cell.passed);
+    }
+    for (const Vec3& end : scan.misses_in_map_m)
+        passThrough(from_m, end, band);
+}
+
+void RouteMap::passThrough(const Vec3& from_m, const Vec3& to_m, const HeightBand& band) {
+    const Vec3 beam_m = to_m - from_m;
+    const double fall_m = -beam_m.z();
+    if (fall_m <= 0.0 || from_m.z() < band.high_m || to_m.z() > band.high_m)
+        return;
+    const double length_m = beam_m.head<2>().norm();
+    const double first = (from_m.z() - band.high_m) / fall_m;
+    const double last =
+        std::min((from_m.z() - band.low_m) / fall_m, 1.0 - grid_cell_m / std::max(grid_cell_m, length_m));
+    const double step = grid_cell_m / std::max(grid_cell_m, length_m);
+    for (double share = first; share <= last; share += step) {
+        const Vec3 at_m = from_m + share * beam_m;
+        Cell& cell = at(cellOf(at_m.x()), cellOf(at_m.y()));
+        addOne(cell.passed, cell.ended);
+    }
 }
 
 void RouteMap::takeEcho(const SonarEcho& echo) {
@@ -259,7 +301,9 @@ void RouteMap::takeEcho(const SonarEcho& echo) {
 }
 
 void RouteMap::block(const Vec2& at_m, double z_m) {
-    at(cellOf(at_m.x()), cellOf(at_m.y())).top_m = static_cast<float>(z_m);
+    Cell& cell = at(cellOf(at_m.x()), cellOf(at_m.y()));
+    cell.top_m = static_cast<float>(z_m);
+    cell.passed = 0;
 }
 
 bool RouteMap::wasFlown(const Vec2& at_m) const {
@@ -313,7 +357,7 @@ std::vector<bool> RouteMap::closedAround(const Vec2& from_m, double z_m, double 
         return column >= first_column && row >= first_row && column < first_column + side && row < first_row + side;
     };
     for (const Cell& cell : cells_) {
-        if (std::max(cell.top_m, cell.echo_m) <= z_m - passes_below_m_)
+        if (cell.height_m() <= z_m - passes_below_m_)
             continue;
         for (int dy = -reach_cells; dy <= reach_cells; ++dy)
             for (int dx = -reach_cells; dx <= reach_cells; ++dx)

@@ -1,6 +1,7 @@
 // What stands in the way at flying height, kept for a whole sortie, and ways around it.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -16,6 +17,12 @@ namespace usar::airrobot {
 inline constexpr double passes_below_m = 1.2;
 /// The same for a robot that can get no higher, as below a ceiling.
 inline constexpr double passes_closer_m = 0.8;
+
+/// Heights from the lowest to the highest one, map z.
+struct HeightBand {
+    double low_m = 0.0;
+    double high_m = 0.0;
+};
 
 /// Knows to which places ways lead.
 class ReachablePlaces {
@@ -56,8 +63,10 @@ public:
     void passOver(double below_m) { passes_below_m_ = below_m; }
     /// Adds the robot's place and what the sensors saw in this tick below `below_m` (map z), where the ceiling begins.
     void take(const Senses& senses, double below_m);
-    /// Adds only what a scan saw below `below_m` (map z), as for a height at which the robot does not fly.
-    void takeScan(const PlacedScan& scan, double below_m);
+    /// Adds what a scan saw at the heights of `band`, at which the robot does not fly. A place there is closed if more
+    /// beams end in it than pass through: the drift of the pose draws a wall beside its place as well, and would close
+    /// every door in time.
+    void takeBand(const PlacedScan& scan, const HeightBand& band);
     /// Adds an obstacle that reaches the height `z_m` (map z), because the robot does not get past that place.
     void block(const Vec2& at_m, double z_m);
     void clear();
@@ -91,13 +100,21 @@ private:
         float top_m = -1e9f;  ///< highest scanner hit, map z
         float echo_m = -1e9f; ///< height of the last sonar echo; what beams have passed through since is removed
         bool flown = false;
+        std::uint8_t ended = 0;  ///< beams that ended in it within the band of takeBand()
+        std::uint8_t passed = 0; ///< and that passed through it
+
+        /// How high something stands there; that of ground if beams pass through what was seen there once.
+        float height_m() const { return std::max(passed > ended ? -1e9f : top_m, echo_m); }
     };
 
     Cell& at(int column, int row);
     bool blocked(int column, int row, double level_m) const;
     /// A question about cells: does something stand there that ends less than some way below `z_m` (map z)?
     auto blockedAt(double z_m) const;
+    void takeScan(const PlacedScan& scan, double below_m);
     void takeEcho(const SonarEcho& echo);
+    /// Notes where the beam from one place to another one passes through the band, the last cell left out.
+    void passThrough(const Vec3& from_m, const Vec3& to_m, const HeightBand& band);
     /// By cell of a square around the place, row by row: something stands nearer than `needed_m`. The way off a place
     /// next to which something stands is not closed.
     std::vector<bool> closedAround(const Vec2& from_m, double z_m, double needed_m) const;

@@ -7,7 +7,7 @@ namespace {
 /// Doors are higher than this, from the base of a robot that stands. It flies a margin lower through them.
 constexpr double low_room_m = 3.2;
 constexpr double on_floor_m = 0.4;    ///< Ground is not higher than this over the base of a robot that stands.
-constexpr double beyond_door_m = 4.0; ///< behind what ends the ways higher up
+constexpr double beyond_door_m = 5.0; ///< behind what ends the ways higher up
 constexpr double below_lid_m = 0.5;   ///< Scanner hits that are higher are over the robot.
 /// A robot that flies slowly may come so much nearer than the settings say.
 constexpr double nearness = 0.55;
@@ -18,14 +18,14 @@ void Ways::startAnew(double base_z_m) {
     high_.clear();
     low_.clear();
     lid_m_ = base_z_m + low_room_m;
-    under_ = near_ = false;
+    under_ = near_ = squeezes_ = false;
 }
 
 void Ways::take(const Senses& senses, double below_m, bool sure, bool roofed) {
     if (sure)
         map().take(senses, below_m);
     if (senses.scan && roofed && !under_)
-        low_.takeScan(*senses.scan, lid_m_ - below_lid_m);
+        low_.takeBand(*senses.scan, {lid_m_ - Overhead::margin_m - passes_closer_m, lid_m_ - below_lid_m});
 }
 
 std::optional<Vec2> Ways::groundBehindDoor_m(const Vec2& from_m, const ReachablePlaces& higher_up) const {

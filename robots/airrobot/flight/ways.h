@@ -29,8 +29,8 @@ public:
     void take(const Senses& senses, double below_m, bool sure, bool roofed);
 
     /// All places to which ways lead from here at this height.
-    ReachablePlaces reach(const Senses& senses) const {
-        return map().reach(senses.position2_m(), senses.position_m().z());
+    ReachablePlaces reach(const Senses& senses, Width width) const {
+        return map().reach(senses.position2_m(), senses.position_m().z(), width);
     }
     /// Ground to which a way leads from there near the ground, as through a door, but none higher up, where the robot
     /// reaches these places.
@@ -43,8 +43,10 @@ public:
     std::optional<Motion> sink(const Senses& senses, const Settings& settings) const;
     /// Has it go nearer to things from now on or no more; under a lid it does anyway.
     void comeNear(bool near) { near_ = near; }
+    /// The same for as long as its detour leads through a narrow place.
+    void squeeze(bool narrow) { squeezes_ = narrow; }
     bool isUnder() const { return under_; }
-    bool isNarrow() const { return near_ || under_; }
+    bool isNarrow() const { return near_ || under_ || squeezes_; }
     /// The settings with which threats are judged: in a door of 3 m, every sonar to the side would hear a high risk.
     Settings forThreats(Settings settings) const;
 
@@ -54,6 +56,7 @@ private:
     double lid_m_ = 1e9; ///< map z
     bool under_ = false;
     bool near_ = false;
+    bool squeezes_ = false;
     Vec2 sink_at_m_ = Vec2::Zero();
 };
 
