@@ -54,7 +54,31 @@ LinkWatch::Motion alongLanes(double now_s) {
 class tst_LinkWatch : public QObject {
     Q_OBJECT
 
+    static LinkWatch::Motion climbing(double climb_m_s) { return {Vec3(0.0, 0.0, climb_m_s), 0.0}; }
+
 private slots:
+    /// It looked for ceilings, swung from side to side and broke before it had flown enough (random survey 63030).
+    void feelsALateLinkAsItLeavesTheGround_data() {
+        QTest::addColumn<double>("lifts_after_s");
+        QTest::addColumn<double>("late_s");
+        QTest::newRow("usual link") << 0.8 << 0.0;
+        QTest::newRow("a tick more") << 1.0 << 0.0;
+        QTest::newRow("late link") << 2.8 << 2.0;
+    }
+    void feelsALateLinkAsItLeavesTheGround() {
+        QFETCH(double, lifts_after_s);
+        QFETCH(double, late_s);
+        LinkWatch watch;
+        for (int tick = 0; tick < 10; ++tick)
+            watch.note(Seconds(0.2 * tick), {}, {}, false);
+        for (int tick = 0; tick < 30; ++tick) {
+            const double since_s = 0.2 * tick;
+            watch.note(Seconds(2.0 + since_s), climbing(1.0), climbing(since_s > lifts_after_s - 0.1 ? 0.3 : 0.0),
+                       false);
+        }
+        QVERIFY2(std::abs(watch.late().count() - late_s) < 0.01, qPrintable(QString::number(watch.late().count())));
+    }
+
     void measuresHowLateTheRobotObeys_data() {
         QTest::addColumn<double>("late_s");
         QTest::addColumn<double>("told_s");

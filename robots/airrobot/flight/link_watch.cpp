@@ -25,6 +25,11 @@ constexpr double well_explained = 0.35;
 constexpr double better_by = 0.15; ///< than with the usual delay
 constexpr double as_good = 0.05;   ///< Where a motion repeats itself, the shortest of several delays counts.
 
+/// A robot that stands leaves the ground so long after it was told to, and less than a tick more.
+constexpr Seconds usual_lift_off{0.8};
+constexpr Seconds surely_late{0.5};
+constexpr double lifts_m_s = 0.15;
+
 Eigen::Vector4d valuesOf(const LinkWatch::Motion& motion) {
     return {motion.velocity_m_s.x(), motion.velocity_m_s.y(), motion.velocity_m_s.z(), motion.yaw_rate_rad_s};
 }
@@ -32,6 +37,8 @@ Eigen::Vector4d valuesOf(const LinkWatch::Motion& motion) {
 } // namespace
 
 void LinkWatch::note(Seconds now, const Motion& commanded, const Motion& measured, bool free) {
+    if (!free)
+        noteLiftOff(now, commanded.velocity_m_s.z(), measured.velocity_m_s.z());
     if (!entries_.empty() && (now < entries_.back().at || now - entries_.back().at > gap)) {
         entries_.clear();
         candidate_.reset();
@@ -49,6 +56,21 @@ void LinkWatch::note(Seconds now, const Motion& commanded, const Motion& measure
         estimated_ = now;
         estimate();
     }
+}
+
+void LinkWatch::noteLiftOff(Seconds now, double commanded_climb_m_s, double climb_m_s) {
+    if (commanded_climb_m_s < lifts_m_s) {
+        told_to_lift_.reset();
+        return;
+    }
+    if (!told_to_lift_)
+        told_to_lift_ = climb_m_s < lifts_m_s ? std::optional(now) : std::nullopt;
+    if (!told_to_lift_ || climb_m_s < lifts_m_s)
+        return;
+    const Seconds late = now - *told_to_lift_ - usual_lift_off;
+    if (late >= surely_late)
+        late_ = late;
+    told_to_lift_ = Seconds{1e9}; // It is in the air, and is not asked again.
 }
 
 std::optional<double> LinkWatch::unexplained(std::size_t delay) const {

@@ -11,8 +11,8 @@ namespace usar::airrobot {
 
 /// The readings bear the time of the server and are the robot's only clock, so a late link does not show in their age.
 /// It shows in how long the robot takes to do what it is told: the commanded velocities are found again, later, in the
-/// measured ones. The delay with which they fit best is that of the link, both ways, and of the robot itself. Owned by
-/// one robot.
+/// measured ones. The delay with which they fit best is that of the link, both ways, and of the robot itself. Before it
+/// has moved enough for that, the time that it takes to leave the ground tells it. Owned by one robot.
 class LinkWatch {
 public:
     /// A motion in the robot's frame that was commanded, or measured, in one tick.
@@ -37,11 +37,13 @@ private:
     };
 
     void estimate();
+    void noteLiftOff(Seconds now, double commanded_climb_m_s, double climb_m_s);
     /// The share of the measured motion that the command of so many entries before does not explain; nullopt if there
     /// was too little motion to tell.
     std::optional<double> unexplained(std::size_t delay) const;
 
-    std::deque<Entry> entries_; ///< oldest first
+    std::deque<Entry> entries_;           ///< oldest first
+    std::optional<Seconds> told_to_lift_; ///< while it stands on the ground
     Seconds late_{0.0};
     Seconds estimated_{0.0};               ///< time of the last estimate
     std::optional<std::size_t> candidate_; ///< the last estimate, which must be found twice
