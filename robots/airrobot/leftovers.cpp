@@ -72,6 +72,8 @@ bool Leftovers::addLanes(Craft& craft, Survey& survey, const ScanLedger& ledger,
         return true;
     if (knowsWays(craft, ledger))
         missed_ = GapSearch::missed(ledger, surroundingsOf(craft));
+    if (open) // Walls divide cells, too, but nothing behind them is missed.
+        missed_ += (1.0 - missed_) * ledger.hiddenInSeen();
     return false;
 }
 

@@ -89,6 +89,26 @@ bool ScanLedger::isSeen(const Vec2& at_m) const {
     return index && cellOfBits(cells_[*index]) == Cell::Seen;
 }
 
+bool ScanLedger::isVoid(int column, int row) const {
+    const bool inside = column >= 0 && row >= 0 && column < columns_ && row < rows_;
+    return inside && at(column, row) == Cell::Bottomless;
+}
+
+double ScanLedger::hiddenInSeen() const {
+    long long cells = 0;
+    double hidden_cells = 0.0;
+    for (int row = 0; row < rows_; ++row)
+        for (int column = 0; column < columns_; ++column) {
+            const bool beside_void = isVoid(column - 1, row) || isVoid(column + 1, row) || isVoid(column, row - 1) ||
+                                     isVoid(column, row + 1);
+            if (at(column, row) != Cell::Seen || beside_void)
+                continue;
+            ++cells;
+            hidden_cells += hidden(column, row);
+        }
+    return cells == 0 ? 0.0 : hidden_cells / static_cast<double>(cells);
+}
+
 double ScanLedger::mapped() const {
     return lane_ticks_ == 0 ? 1.0 : static_cast<double>(mapped_ticks_) / static_cast<double>(lane_ticks_);
 }

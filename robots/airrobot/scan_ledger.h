@@ -26,6 +26,9 @@ public:
     /// The share of the area's cells that were hit, and of those without ground within reach, 0 to 1.
     double seen() const { return share(Cell::Seen); }
     double bottomless() const { return share(Cell::Bottomless); }
+    /// The share of the seen cells that no scan has hit, in quarters, 0 to 1: crowns hide parts of them, and a map that
+    /// is finer has holes there. Cells beside a void do not count, because the edge of the ground may divide them.
+    double hiddenInSeen() const;
 
     enum class Cell : std::uint8_t { Unknown, Bottomless, Seen };
     static constexpr double cell_m = 1.0;    ///< size of a cell
@@ -49,6 +52,7 @@ private:
     /// Adds these bits to the cell of this place.
     void mark(const Vec2& at_m, std::uint8_t bits);
     double share(Cell what) const;
+    bool isVoid(int column, int row) const; ///< the whole cell is bottomless; false outside the area
 
     Rectangle area_in_map_;
     int columns_ = 0;

@@ -18,8 +18,9 @@ constexpr double least_mapped = 0.2;
 constexpr double least_looked_at = 0.8;
 /// Share of the ground within reach of which a survey may miss so much without a word, and so much in a success.
 constexpr double little_missed = 0.03;
-constexpr double most_missed = 0.12;
-constexpr double least_seen = 0.05; ///< the same for ground on the map
+constexpr double most_missed = 0.1;
+constexpr double little_void = 0.03; ///< of the area
+constexpr double least_seen = 0.05;  ///< the same for ground on the map
 
 agent::BehaviorFinished failed(const std::string& reason) {
     return {false, reason};
@@ -59,6 +60,8 @@ agent::BehaviorFinished verdictOf(const Survey& survey, const ScanLedger& ledger
     if (cut_off_m > 0.0)
         scanned += " as far as a way was found; none was found to " + fixed(cut_off_m, 0) + " m of the lanes (" +
                    fixed(100.0 * cut_off_m / survey.plannedLength_m(), 0) + " %)";
+    if (ledger.bottomless() > little_void)
+        scanned += "; below " + rounded(100.0 * ledger.bottomless()) + " % of it, no ground is within reach";
     if (missed > little_missed)
         scanned += "; no scan shows " + rounded(100.0 * missed) + " % of the ground within reach";
     return {true, scanned + (survey.goalsGivenUp() == 0 ? "." : "; " + goals + ".")};

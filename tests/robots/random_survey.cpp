@@ -34,7 +34,8 @@ constexpr double off_the_ground_m = 0.3;
 /// A tenth of the lanes may be given up in a success.
 constexpr double least_scanned_pct = 85.0;
 constexpr const char* crashed = "The robot has crashed";
-constexpr const char* confession = "none was found to "; ///< how much of the lanes
+/// How much of the lanes, or of the area.
+constexpr std::array confessions{"none was found to ", "no ground is within reach"};
 
 /// A world and its number, which is kept for the next mission there.
 const sim::World& worldOf(const std::string& name, std::uint64_t seed) {
@@ -184,7 +185,8 @@ std::string RandomSurvey::text() const {
 
 bool SurveyOutcome::isFalseSuccess() const {
     return success && reachable_coverage_pct.value_or(0.0) < least_scanned_pct &&
-           reason.find(confession) == std::string::npos;
+           std::ranges::none_of(confessions,
+                                [&](const char* words) { return reason.find(words) != std::string::npos; });
 }
 
 std::string SurveyOutcome::text() const {

@@ -30,15 +30,15 @@ class tst_Verdict : public QObject {
             survey.next(settings);
         return survey;
     }
-    /// Scans on the lanes, a meter apart: hits on the ground up to `seen_to_m` along x, and misses from there to
+    /// Scans on the lanes, half a meter apart: hits on the ground up to `seen_to_m` along x, and misses from there to
     /// `missed_to_m`.
     ScanLedger ledgerOf(double seen_to_m, double missed_to_m, int lost_ticks = 0) const {
         ScanLedger ledger(area);
         double now_s = 100.0;
-        for (double x_m = 0.5; x_m < missed_to_m; x_m += 1.0) {
+        for (double x_m = 0.25; x_m < missed_to_m; x_m += 0.5) {
             Senses senses = sensesAt({x_m, 10.0, 6.0}, 0.0, now_s += 0.2);
             senses.scan = PlacedScan{senses.line, senses.base_in_map, senses.base_in_map, {}};
-            for (double y_m = 0.5; y_m < 20.0; y_m += 0.5) {
+            for (double y_m = 0.25; y_m < 20.0; y_m += 0.5) {
                 const Vec3 ground_m(x_m, y_m, 0.0);
                 if (x_m < seen_to_m)
                     senses.scan->hits_in_map_m.push_back(ground_m);
@@ -52,6 +52,11 @@ class tst_Verdict : public QObject {
         return ledger;
     }
 
+    static double hiddenAfter(const Senses& senses, ScanLedger& ledger) {
+        ledger.note(senses, true, true);
+        return ledger.hiddenInSeen();
+    }
+
 private slots:
     void asksWhatTheScansShow_data() {
         QTest::addColumn<double>("seen_to_m");
@@ -62,7 +67,8 @@ private slots:
         QTest::newRow("all of the area") << 40.0 << 40.0 << 0 << false << "The area is scanned.";
         QTest::newRow("nine tenths of it") << 36.0 << 36.0 << 0 << false << "The area is scanned.";
         QTest::newRow("half of it") << 20.0 << 20.0 << 0 << false << "show only 50 % of the area";
-        QTest::newRow("half of it, and deep water") << 20.0 << 40.0 << 0 << false << "The area is scanned.";
+        QTest::newRow("half of it, and deep water")
+            << 20.0 << 40.0 << 0 << false << "scanned; below 48 % of it, no ground";
         QTest::newRow("deep water") << 0.0 << 40.0 << 0 << false << "hardly any ground";
         QTest::newRow("half of it, as far as ways lead") << 20.0 << 20.0 << 0 << true << "none was found to 40 m";
         QTest::newRow("a quarter of it, as far as ways lead") << 10.0 << 10.0 << 0 << true << "show only 25 %";
@@ -93,6 +99,33 @@ private slots:
         const auto verdict = verdictOf(surveyDone(), ledgerOf(36.0, 36.0), settings, missed);
         QVERIFY2(QString::fromStdString(verdict.reason).contains(words), verdict.reason.c_str());
         QCOMPARE(verdict.success, missed < 0.1);
+    }
+
+    /// Cells of a meter in which every scan hit one half, because crowns hid the other one.
+    void tellsOfHolesWithinWhatWasSeen() {
+        ScanLedger ledger(area);
+        Senses senses = sensesAt({20, 10, 6});
+        senses.scan = PlacedScan{senses.line, senses.base_in_map, senses.base_in_map, {}};
+        for (double x_m = 0.25; x_m < 40.0; x_m += 1.0)
+            for (double y_m = 0.25; y_m < 20.0; y_m += 0.5)
+                senses.scan->hits_in_map_m.emplace_back(x_m, y_m, 0.0);
+        ledger.note(senses, true, true);
+        QCOMPARE(ledger.seen(), 1.0);
+        QCOMPARE(ledger.hiddenInSeen(), 0.5);
+    }
+
+    void theEdgeOfTheGroundHidesNoHoles() {
+        ScanLedger ledger(area);
+        Senses senses = sensesAt({20, 10, 6});
+        senses.scan = PlacedScan{senses.line, senses.base_in_map, senses.base_in_map, {}};
+        for (double x_m = 0.25; x_m < 20.5; x_m += 0.5) // It divides the cells from 20 to 21 m.
+            for (double y_m = 0.25; y_m < 20.0; y_m += 0.5)
+                senses.scan->hits_in_map_m.emplace_back(x_m, y_m, 0.0);
+        QCOMPARE(hiddenAfter(senses, ledger) > 0.02, true);
+        for (double y_m = 0.0; y_m < 20.0; y_m += 0.1)
+            senses.scan->misses_in_map_m.emplace_back(21.5, y_m, -14.0);
+        senses.scan->scanner_in_map.position_m = {21.5, 10.0, 6.0};
+        QCOMPARE(hiddenAfter(senses, ledger), 0.0);
     }
 
     void aVoidIsNoGroundOnTheMap() {
