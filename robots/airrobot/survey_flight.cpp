@@ -107,7 +107,9 @@ double SurveyFlight::batteryMargin() const {
 }
 
 bool SurveyFlight::robotBatteryLow() const {
-    return isLow(craft_.senses.robot_battery, beelineHome_m() / craft_.senses.steadyShare(), craft_.settings);
+    const WayHome way{beelineHome_m(), craft_.senses.heightOverGround_m(craft_.settings.maximum_height_m),
+                      craft_.speedToward_m_s(home_m())};
+    return isLow(craft_.senses.robot_battery, way, craft_.settings);
 }
 
 bool SurveyFlight::charged() const {

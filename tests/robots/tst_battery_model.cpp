@@ -73,6 +73,22 @@ private slots:
         QCOMPARE(battery.flown_m(), 0.0);
     }
 
+    void goesHomeInTimeForAllOfItsWay_data() {
+        QTest::addColumn<double>("height_m");
+        QTest::addColumn<double>("speed_m_s");
+        QTest::addColumn<bool>("low");
+        QTest::newRow("low down, in still air") << 0.0 << 1.6 << false; // 41 s and the reserve of 60 s
+        QTest::newRow("it has to sink, too") << 15.0 << 1.6 << true;
+        QTest::newRow("against the wind") << 0.0 << 0.8 << true;
+    }
+    void goesHomeInTimeForAllOfItsWay() {
+        QFETCH(double, height_m);
+        QFETCH(double, speed_m_s);
+        QFETCH(bool, low);
+        QCOMPARE(isLow(Seconds(110.0), {50.0, height_m, speed_m_s}, Settings{}), low);
+        QVERIFY(!isLow(std::nullopt, {50.0, height_m, speed_m_s}, Settings{}));
+    }
+
     void usesAtMostAllOfIt() {
         Settings settings;
         settings.battery_range_m = 50.0;

@@ -68,12 +68,19 @@ private:
     int charges_ = 0;
 };
 
-/// True if the robot's own battery may not last for the way home: 30 % longer than the beeline, at transit speed, and
-/// the reserve. A robot that is slower must tell a beeline that is longer by as much. `left` is what the server last
-/// said; unknown is not low.
-inline bool isLow(const std::optional<Seconds>& left, double beeline_home_m, const Settings& settings) {
-    const Seconds way_home(1.3 * beeline_home_m / settings.transit_speed_m_s + settings.robot_battery_reserve_s);
-    return left && *left < way_home;
+/// What a robot has to fly until it stands at home.
+struct WayHome {
+    double beeline_m = 0.0;
+    double height_m = 0.0;  ///< over the ground
+    double speed_m_s = 1.0; ///< that it makes good against the wind
+};
+
+/// True if the robot's own battery may not last for the way home: 30 % longer than the beeline, the descent, and the
+/// reserve. `left` is what the server last said; unknown is not low.
+inline bool isLow(const std::optional<Seconds>& left, const WayHome& way, const Settings& settings) {
+    const Seconds needed(1.3 * way.beeline_m / way.speed_m_s + way.height_m / settings.descent_speed_m_s +
+                         settings.robot_battery_reserve_s);
+    return left && *left < needed;
 }
 
 } // namespace usar::airrobot

@@ -58,9 +58,9 @@ public:
     void comeUp();
     /// Ground lower than this (map z) may be the bed of water, so that the robot must not land on it in need.
     double dry_m() const;
-    const char* crash() const { return crash_; } ///< what has become of it, such as "it falls"; nullptr: no crash
-    /// Time spent avoiding obstacles since the last progress toward the goal.
-    Seconds hindered() const { return stuck_.hindered(); }
+    double speedToward_m_s(const Vec2& place_m) const; ///< that it makes good against the wind, at most the transit's
+    const char* crash() const { return crash_; }       ///< what has become of it, such as "it falls"; nullptr: no crash
+    Seconds hindered() const { return stuck_.hindered(); } ///< time spent avoiding since the last progress
 
     /// Decides about the threats judged by `look` and marks risks on the map. Only the first call in a tick decides.
     const EvasionDecision& decide(agent::CommandPort& port);

@@ -60,6 +60,10 @@ public:
     }
     /// Never commands a greater level speed.
     void limitSpeed(double fastest_m_s) { fastest_m_s_ = fastest_m_s; }
+    /// The speed over ground that it can make good along a bearing (map frame), as far as it knows the wind.
+    double fastestAlong_m_s(double bearing_rad) const {
+        return fastest_m_s_ + drift_m_s_.dot(Vec2(std::cos(bearing_rad), std::sin(bearing_rad)));
+    }
 
 private:
     /// Sends the DRIVE for the commanded velocity, unless it is the last one and that is not long ago.
