@@ -26,8 +26,8 @@ public:
     const std::optional<Vec2>& door_m() const { return door_m_; }
     /// Takes all places to which ways lead when none leads to a goal.
     void noteWall(const ReachablePlaces& reach);
-    /// The share of the ground within reach that no scan has shown, when nothing was left to add: GapSearch::missed where
-    /// the robot knows it, which it does not after a charge, and under an open sky ScanLedger::hiddenInSeen.
+    /// The share of the ground within reach that no scan has shown, when nothing was left to add: GapSearch::missed
+    /// where the robot knows it, which it does not after a charge, and under an open sky ScanLedger::hiddenInSeen.
     double missed() const { return missed_; }
     /// Whether the lanes that were planned are done.
     bool begun() const { return begun_; }

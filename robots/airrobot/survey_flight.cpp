@@ -445,9 +445,10 @@ void SurveyFlight::landElsewhere(agent::CommandPort& port) {
 bool SurveyFlight::land(agent::CommandPort& port) {
     if (phase_ != Phase::Landing)
         return false; // It is on its way to another place.
-    const bool high = craft_.senses.heightOverGround_m(0.0) > high_enough_m;
+    const bool judges = craft_.senses.heightOverGround_m(0.0) > high_enough_m &&
+                        (*sortie_.landing_m - craft_.senses.position2_m()).norm() < over_base_m;
     const Descent descent = craft_.descend(*sortie_.landing_m, sortie_.refuge_m.has_value(), port);
-    const bool unfit = sortie_.refuge_m && high && craft_.touchdown.isUneven(craft_.senses); // The base is known.
+    const bool unfit = sortie_.refuge_m && judges && craft_.touchdown.isUneven(craft_.senses); // The base is known.
     if (unfit || descent == Descent::KeptAway)
         landElsewhere(port);
     if (unfit || descent != Descent::Landed)

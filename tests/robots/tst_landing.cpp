@@ -184,6 +184,70 @@ private slots:
         QCOMPARE(touchdown.isUneven(senses), uneven);
     }
 
+    /// It sank into a crown on its way to its base, which stands beside it (random survey 50146).
+    void doesNotSinkIntoWhatStandsOnItsWay_data() {
+        QTest::addColumn<Vec3>("top_m");
+        QTest::addColumn<double>("z_m");
+        QTest::addColumn<bool>("clear");
+        QTest::newRow("far above it") << Vec3(2, 0, 4) << 8.0 << true;
+        QTest::newRow("nearly down to it") << Vec3(2, 0, 4) << 5.0 << false;
+        QTest::newRow("at its place") << Vec3(0.3, 0.3, 4) << 5.0 << false;
+        QTest::newRow("below itself") << Vec3(4, 0, 4) << 5.0 << false;
+        QTest::newRow("beside its way") << Vec3(2, 2, 4) << 5.0 << true;
+        QTest::newRow("a bush that is no higher than its legs") << Vec3(2, 0, 0.5) << 1.6 << true;
+    }
+    void doesNotSinkIntoWhatStandsOnItsWay() {
+        QFETCH(Vec3, top_m);
+        QFETCH(double, z_m);
+        QFETCH(bool, clear);
+        const ObstacleMemory memory = meadow({top_m});
+        QCOMPARE(Touchdown::isClearBelow(sensesAt({4, 0, z_m}), memory, {0, 0}), clear);
+        QVERIFY(Touchdown::isClearBelow(sensesAt({4, 0, z_m}), ObstacleMemory(), {0, 0}));
+    }
+
+    void prefersLevelGroundToASlope() {
+        ObstacleMemory memory;
+        Senses senses = sensesAt({0, 0, 6});
+        setFlatScan(senses, {0, 0}, 6.0, 0.0);
+        for (Vec3& hit : senses.scan->hits_in_map_m) // 13 degrees, which ends in the north.
+            hit.z() = std::min(0.0, 0.23 * (hit.y() - 1.0)) + (hit.y() < 0.0 ? 0.05 * std::sin(9.0 * hit.x()) : 0.0);
+        memory.take(senses, {});
+        QVERIFY(landingPlace_m(memory, {0, -1}, 4.0).y() > 1.0);
+    }
+
+    /// The box is so small that the scanner passed over it at the speed of the flight home (random survey 300028).
+    void looksAroundBeforeItLandsAndStepsAside() {
+        ObstacleMemory memory;
+        Touchdown touchdown;
+        touchdown.start();
+        Senses senses = sensesAt({0, 0, 2.5});
+        senses.ground_m = 0.0;
+        QCOMPARE(touchdown.placeFor_m({0, 0}), Vec2(0, 0));
+        double yaw_rad = 0.0;
+        int ticks = 0;
+        do {
+            senses.now += Seconds(0.2);
+            senses.base_in_map.yaw_rad = yaw_rad += 0.12;
+            setFlatScan(senses, {0, 0}, 4.0, 0.0);
+            senses.scan->hits_in_map_m.emplace_back(0.4, 0.1, 0.3);
+            memory.take(senses, {});
+            ++ticks;
+        } while (touchdown.looksAround(senses, memory, {0, 0}, Vec2::Zero()));
+        QVERIFY(ticks > 25 && ticks < 30);
+        QVERIFY((touchdown.placeFor_m({0, 0}) - Vec2(0.4, 0.1)).norm() > 1.2);
+    }
+
+    void looksAroundJustAboveTheGroundOnly() {
+        Touchdown touchdown;
+        touchdown.start();
+        Senses senses = sensesAt({0, 0, 6});
+        QVERIFY(!touchdown.looksAround(senses, ObstacleMemory(), {0, 0}, Vec2::Zero()));
+        senses.ground_m = 5.5;
+        QVERIFY(!touchdown.looksAround(senses, ObstacleMemory(), {0, 0}, Vec2::Zero()));
+        senses.ground_m = 4.0;
+        QVERIFY(touchdown.looksAround(senses, ObstacleMemory(), {0, 0}, Vec2::Zero()));
+    }
+
     void sinksOverItsPlaceOnly() {
         Touchdown touchdown;
         touchdown.start();

@@ -24,17 +24,7 @@ constexpr double tolerance_m = 0.3;
 /// On a slope of 15 degrees, a sonar hears the ground where its beam is lower than this over the ground below.
 constexpr double surely_no_ground_m = 1.3;
 constexpr double ahead_rad = radians(60.0);
-constexpr double farthest_column_m = 6.5;
-constexpr int column_bearings = 24;
-constexpr double half_way_m = 0.75;
-constexpr double beside_roof_m = 4.0;  ///< A ceiling that is a floor on posts may end so far away.
-constexpr double beside_tried_m = 2.0; ///< So near to a place where it has tried to climb, it does not try again.
-constexpr double cost_of_way = 0.1;
 constexpr double early_m = 0.3; ///< A look begins so much below the height up to which the air is known.
-
-bool isNoGround(const SonarEcho& echo, const Senses& senses) {
-    return echo.hit && senses.ground_m && echo.low_m > *senses.ground_m + surely_no_ground_m;
-}
 
 /// True if nothing beside the robot is known to be in its way as it rolls. The scan shows only what is exactly beside
 /// it; what reached as high as the robot when it looked around, at most at `seen_from_m` (map z), may be as high as it
@@ -111,26 +101,8 @@ void Ascent::listen(const Senses& senses) {
             heard_.push_back({echo.center_in_map_m.head<2>(), echo.high_m, false});
 }
 
-Vec2 otherColumn_m(std::span<const Obstacle> near, const Vec2& here_m, const Overhead& overhead,
-                   std::span<const Vec2> tried_m) {
-    Vec2 best_m = here_m;
-    double best = 0.0;
-    for (double away_m = 1.0; away_m <= farthest_column_m; away_m += 0.5)
-        for (int i = 0; i < column_bearings; ++i) {
-            const double bearing_rad = 2.0 * pi * i / column_bearings;
-            const Vec2 at_m = here_m + away_m * Vec2(std::cos(bearing_rad), std::sin(bearing_rad));
-            const bool tried = std::ranges::any_of(
-                tried_m, [&](const Vec2& other_m) { return (other_m - at_m).norm() < beside_tried_m; });
-            if (tried || nearest_m(near, at_m, farthest_column_m) < room_to_climb_m ||
-                clearance_m(near, here_m, bearing_rad, half_way_m, away_m) < away_m)
-                continue;
-            const double gain = overhead.nearestFind_m(at_m, beside_roof_m) - cost_of_way * away_m;
-            if (gain > best) {
-                best = gain;
-                best_m = at_m;
-            }
-        }
-    return best_m;
+bool isNoGround(const SonarEcho& echo, const Senses& senses) {
+    return echo.hit && senses.ground_m && echo.low_m > *senses.ground_m + surely_no_ground_m;
 }
 
 bool hearsAhead(const Senses& senses, double within_m) {

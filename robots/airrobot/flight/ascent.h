@@ -14,24 +14,6 @@ namespace usar::airrobot {
 /// The visible part of a trunk (for the scanner's level rays and the sonars) ends at most this far below the robot.
 inline constexpr double trunk_margin_m = 0.3;
 
-/// Where the robot goes straight up from the ground or down to it, in the map frame.
-struct Column {
-    std::optional<Vec2> at_m{}; ///< place of the climb if it is not that of the take-off
-    Seconds moving_since{0.0};  ///< when that place was chosen
-    bool there = false;         ///< the robot is over it
-    bool faced = false;         ///< it looks there
-    double top_m = -1e9;        ///< where the straight way down began, map z
-    double come_down_m = 0.0;   ///< height that it has lost since then
-    /// The places that were chosen after a low ceiling had ended a climb at another one.
-    std::vector<Vec2> others_m{};
-
-    void moveTo(const Vec2& place_m, Seconds now) {
-        at_m = place_m;
-        there = false;
-        moving_since = now;
-    }
-};
-
 struct AscentStep {
     double climb_m_s = 0.0;
     double left_m_s = 0.0;      ///< not 0: the robot rolls to look up
@@ -84,15 +66,11 @@ private:
     std::vector<Obstacle> heard_;
 };
 
+/// True if the sonar hears something that is surely not the ground.
+bool isNoGround(const SonarEcho& echo, const Senses& senses);
+
 /// True if a sonar hears something ahead, nearer than this, that is surely not the ground.
 bool hearsAhead(const Senses& senses, double within_m);
-
-inline constexpr double room_to_climb_m = 1.2; ///< around a place to which it goes because of a low ceiling
-
-/// Another place for a climb that a ceiling has ended early: as far as matters from where a ceiling was found, with
-/// room around it by what is `near`, and apart from the places that were `tried_m`; `here_m` if there is none.
-Vec2 otherColumn_m(std::span<const Obstacle> near, const Vec2& here_m, const Overhead& overhead,
-                   std::span<const Vec2> tried_m);
 
 /// The rate of climb where nobody has been yet.
 double carefulClimb_m_s(const Settings& settings);

@@ -8,7 +8,6 @@ namespace usar::airrobot {
 
 namespace {
 
-constexpr double look_around_m = 8.0;
 constexpr double slowest_m_s = 0.3; ///< It waits for a lull rather than being slower against the wind.
 /// If the robot needs to climb no more than this, it continues past an overhang at the same height.
 constexpr double bearable_deficit_m = 1.5;
@@ -31,11 +30,7 @@ constexpr double rising_speed_m_s = 1.0;
 /// A robot that climbs and is slower than this on the level does not see what it climbs toward.
 constexpr double straight_m_s = 0.2;
 constexpr double stands_m_s = 0.05; ///< A slower robot does not get past what is before it.
-constexpr Seconds longest_move{18.0};
-constexpr double crown_m = 4.5; ///< Crowns reach so far from their trunks.
 constexpr double hold_still_m = 0.5;
-constexpr double worth_a_move = 0.3; ///< A climb that lacks this share of the scan altitude is tried at another place,
-constexpr std::size_t most_others = 4; ///< so often.
 /// A robot that is hindered for so long looks for a detour, and again after the same time.
 constexpr Seconds patience{6.0};
 constexpr double detour_m_s = 1.0;
@@ -45,10 +40,6 @@ constexpr double near_roof_m = 0.35;
 /// A robot without a pose sinks away from a roof for so long and no longer, because it does not see how far it sinks.
 constexpr Seconds longest_press{6.0};
 constexpr double sure_of_walls_m = 2.5; ///< Lower down, sonars hear the ground.
-/// Lower than this, the robot may stand on the ground, or its rotors may still be gathering speed.
-constexpr double surely_aloft_m = 2.0;
-constexpr double faces_rad = 0.3;
-constexpr double in_column_m = 0.7; ///< A robot so near to its landing place comes straight down.
 
 /// Limits speeds to what the robot can do, because the course filter and the stopping distance rely on the command.
 Settings withinLimits(Settings settings, const SensorLayout& layout) {
@@ -364,70 +355,18 @@ void Craft::makeSafe(Motion& motion) const {
         motion.velocity_in_map_m_s *= safe_m_s / speed_m_s;
 }
 
-/// The place nearby that is farthest from all trunks, which reach up to this height.
-Vec2 Craft::awayFromTrunks_m(const Vec2& at_m) const {
-    std::vector<Obstacle> trunks = memory.near(at_m, look_around_m, senses.position_m().z() - trunk_margin_m);
-    std::erase_if(trunks, [](const Obstacle& one) { return !one.top_known; }); // Sonars may have heard the ground.
-    trunks.insert(trunks.end(), ascent_.heard().begin(), ascent_.heard().end());
-    return climbPlace_m(trunks, at_m, crown_m);
-}
-
-/// Chooses another place for the climb if a ceiling ends it early here: it may be a floor on posts, or a crown.
-bool Craft::riseElsewhere(double goal_z_m) {
-    const Vec2 here_m = senses.position2_m();
-    if (overhead.limit_m(here_m) > goal_z_m - worth_a_move * settings.scan_altitude_m ||
-        column_.others_m.size() >= most_others)
-        return false;
-    overhead.takeForSmall(true, senses.position_m().z());
-    const auto near = memory.near(here_m, look_around_m, senses.position_m().z() - trunk_margin_m);
-    column_.moveTo(otherColumn_m(near, here_m, overhead, column_.others_m), senses.now);
-    column_.others_m.push_back(*column_.at_m);
-    return true;
-}
-
-bool Craft::rise(double goal_z_m, const Vec2& over_m, agent::CommandPort& port) {
-    ascending_ = true;
-    const Vec2 column_m = column_.at_m.value_or(over_m);
-    const AscentStep step = ascent_.step(senses, {column_m.x(), column_m.y(), goal_z_m}, overhead, memory, settings);
-    if (step.looked_around) {
-        column_.moveTo(awayFromTrunks_m(over_m), senses.now);
-    }
-    if (overhead.found())
-        riseElsewhere(goal_z_m);
-    if (column_.at_m && senses.now - column_.moving_since > longest_move / senses.steadyShare() && !column_.there)
-        column_.at_m = senses.position2_m(); // Something is in the way.
-    const double standoff_m = !column_.others_m.empty() ? room_to_climb_m : settings.climb_standoff_m;
-    if (column_.at_m && !column_.there && column_.faced && hearsAhead(senses, standoff_m))
-        column_.at_m = senses.position2_m(); // A trunk that it did not know, with a crown
-    Motion motion = holding(senses, column_m);
-    const Vec2 way_m = column_m - senses.position2_m();
-    column_.there = way_m.norm() < in_column_m;
-    column_.faced = std::abs(normalizedAngle(bearingOf(way_m) - senses.base_in_map.yaw_rad)) < faces_rad;
-    if (column_.at_m && !column_.there) // It looks where it goes, because no sonar looks backward.
-        motion = toward(senses, bearingOf(way_m), motion.velocity_in_map_m_s.norm(), settings);
-    makeSafe(motion);
-    motion.climb_m_s = column_.there ? step.climb_m_s : std::min(step.climb_m_s, 0.0);
-    if (step.turns)
-        motion.yaw_rate_rad_s = settings.turn_rate_rad_s;
-    motion.sudden = step.returns;
-    if (step.left_m_s != 0.0) {
-        const double yaw_rad = senses.base_in_map.yaw_rad;
-        const double left_m_s = std::clamp(step.left_m_s, -fastest_m_s_, fastest_m_s_);
-        motion.velocity_in_map_m_s = left_m_s * Vec2(-std::sin(yaw_rad), std::cos(yaw_rad));
-        motion.sudden = true;
-    }
-    command(step.left_m_s != 0.0 ? motion : calmed(motion, senses, settings), port,
-            step.left_m_s != 0.0 ? "looking up" : "taking off");
-    return step.reached && (column_.others_m.empty() || (column_.there && !riseElsewhere(goal_z_m)));
-}
-
-Descent Craft::descend(const Vec2& place_m, bool in_need, agent::CommandPort& port) {
+Descent Craft::descend(const Vec2& asked_m, bool in_need, agent::CommandPort& port) {
+    const Vec2 place_m = touchdown.placeFor_m(asked_m);
     Motion motion = holding(senses, place_m);
     const double height_m = senses.heightOverGround_m(0.0);
     // It has come up near its base, and crowns are wider higher up.
-    const bool sinks = touchdown.isOver(senses, place_m) || (!in_need && height_m > settings.landing_slow_below_m);
+    const bool over = touchdown.isOver(senses, place_m);
+    const bool sinks = (over || (!in_need && height_m > settings.landing_slow_below_m)) &&
+                       Touchdown::isClearBelow(senses, memory, place_m);
     if (sinks) {
         motion.climb_m_s = -touchdown.sinkRate_m_s(senses, settings);
+        if (over && touchdown.looksAround(senses, memory, place_m, log.lean().slope(senses.base_in_map.yaw_rad)))
+            motion.yaw_rate_rad_s = settings.turn_rate_rad_s;
     } else if (height_m > sure_of_walls_m) { // It looks where it goes.
         const Vec2 way_m = place_m - senses.position2_m();
         const double speed_m_s = hearsAhead(senses, settings.high_risk_0_m) ? 0.0 : motion.velocity_in_map_m_s.norm();

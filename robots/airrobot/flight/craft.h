@@ -4,9 +4,9 @@
 
 #include "core/agent/behavior.h"
 #include "robots/airrobot/flight/altitude_hold.h"
-#include "robots/airrobot/flight/ascent.h"
 #include "robots/airrobot/flight/battery_model.h"
 #include "robots/airrobot/flight/climb_over.h"
+#include "robots/airrobot/flight/column.h"
 #include "robots/airrobot/flight/crash_watch.h"
 #include "robots/airrobot/flight/detour.h"
 #include "robots/airrobot/flight/drape.h"
@@ -108,7 +108,8 @@ private:
     Retreat retreat() const;
     /// Looks whether there is a way to a new goal, if there was none to the last one.
     void noteGoal(const Leg& leg);
-    Vec2 awayFromTrunks_m(const Vec2& at_m) const;
+    std::vector<Obstacle> trunksNear(const Vec2& at_m) const;
+    void mindColumn(const AscentStep& step, Motion& motion);
     bool riseElsewhere(double goal_z_m);
     void findWay(const Leg& leg); ///< a climb over what is in the way, or a detour where it may not climb
     double climbRate(const WayAhead& way);

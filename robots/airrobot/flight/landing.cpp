@@ -15,6 +15,15 @@ constexpr double body_radius_m = 1.2;
 /// The base is known to be fit, but another place may have an edge that the drift of the pose makes it meet.
 constexpr double roomy_radius_m = 2.2;
 constexpr double even_m = 0.15;
+/// A place on a slope is worse by this share of what makes it steeper than 6 degrees: the legs may find it steeper yet.
+constexpr double slope_share = 0.4;
+constexpr double easy_slope = 0.105;
+/// A robot that sinks stays so far above all within this distance that is so much higher than the ground of its place.
+constexpr double berth_m = 0.9;
+constexpr double over_things_m = 1.2;
+constexpr double no_ground_m = 1.0;
+constexpr double low_m = 1.5; ///< over its place; lower, it is between those things, if there are any
+constexpr double berth_step_m = 0.5;
 constexpr double level_ground_m =
     0.08; ///< The belly is so low between the legs that a board of 0.1 m below it breaks it.
 constexpr double steepest_rad = radians(20.0); ///< steeper, it may slide
@@ -41,17 +50,18 @@ constexpr double apart_m = 1.5; ///< from a place that was no good to the next o
 constexpr double under_ring_m = 0.6;
 constexpr double odd_m = 0.5;
 constexpr int odd_scans = 3;
-/// Older tops are not those of this estimate: it has drifted meanwhile, by a decimeter or two in this time. The brink
-/// of a slope was hidden by them (`quick_scan`, seed 55).
-constexpr Seconds fresh{30.0};
+/// It turns around as it sinks between these heights over the ground, and lands so near to there.
+constexpr double look_from_m = 3.0;
+constexpr double look_to_m = 0.9;
+constexpr double look_within_m = 2.0;
 /// A scanner with a bias sees the ground farther below. A robot that does not sink for so long stands on something.
 constexpr double perhaps_ground_m = 4.0;
 constexpr Seconds long_still{6.0};
 
 /// How far these cells, within `radius_m`, depart from a plane, and more if that plane is steep for a robot that leans
-/// as much; infinite where too little is known.
+/// as much, or by this share of its slope; infinite where too little is known.
 double unevenness_m(const std::vector<Vec3>& tops_m, const Vec2& place_m, double steep_rad,
-                    const Vec2& lean = Vec2::Zero(), double radius_m = body_radius_m) {
+                    const Vec2& lean = Vec2::Zero(), double radius_m = body_radius_m, double share = 0.0) {
     const double disc_m2 = pi * radius_m * radius_m;
     const double seen_m2 = static_cast<double>(tops_m.size()) * ObstacleMemory::cell_m * ObstacleMemory::cell_m;
     if (tops_m.size() < 3 || seen_m2 < seen_share * disc_m2)
@@ -65,22 +75,28 @@ double unevenness_m(const std::vector<Vec3>& tops_m, const Vec2& place_m, double
     }
     const Eigen::Vector3d plane = at.colPivHouseholderQr().solve(height_m);
     const double steep = std::max(0.0, (plane.head<2>() - lean).norm() - std::tan(steep_rad));
-    return (at * plane - height_m).cwiseAbs().maxCoeff() + steep;
+    const double slope = std::max(0.0, plane.head<2>().norm() - easy_slope);
+    return (at * plane - height_m).cwiseAbs().maxCoeff() + steep + share * slope;
 }
 
 } // namespace
 
-Vec2 landingPlace_m(const ObstacleMemory& memory, const Vec2& wanted_m, double radius_m, const Vec2& lean) {
+Vec2 landingPlace_m(const ObstacleMemory& memory, const Vec2& wanted_m, double radius_m, const Vec2& lean,
+                    Seconds fresh) {
     const auto uneven_m = [&](const Vec2& place_m, double needed_m) {
-        return unevenness_m(memory.freshTops_m(place_m, needed_m, fresh), place_m, gentle_rad, lean, needed_m);
+        return unevenness_m(memory.freshTops_m(place_m, needed_m, fresh), place_m, gentle_rad, lean, needed_m,
+                            slope_share);
     };
     const auto long_known_m = [&] {
-        return unevenness_m(memory.tops_m(wanted_m, body_radius_m), wanted_m, gentle_rad, lean);
+        return unevenness_m(memory.tops_m(wanted_m, body_radius_m), wanted_m, gentle_rad, lean, body_radius_m,
+                            slope_share);
     };
     Vec2 best_m = wanted_m;
     double best_unevenness_m = uneven_m(wanted_m, body_radius_m);
     if (std::isinf(best_unevenness_m)) // The robot comes from one side, and may not have seen the place just now.
         best_unevenness_m = long_known_m();
+    if (std::isinf(best_unevenness_m)) // It looks at it before it lands, see Touchdown::looksAround.
+        return wanted_m;
     for (const double needed_m : {roomy_radius_m, body_radius_m}) {
         for (double ring_m = ring_step_m; ring_m <= radius_m && best_unevenness_m > level_ground_m;
              ring_m += ring_step_m) {
@@ -138,6 +154,41 @@ bool Touchdown::isOver(const Senses& senses, const Vec2& place_m) {
     if (!over_) // A robot that holds its height has not touched the ground.
         still_since_.reset();
     return over_;
+}
+
+bool Touchdown::looksAround(const Senses& senses, const ObstacleMemory& memory, const Vec2& place_m, const Vec2& lean) {
+    const double height_m = senses.heightOverGround_m(0.0);
+    if (height_m > look_from_m || height_m < look_to_m || turned_rad_ >= pi)
+        return false;
+    if (!turning_since_)
+        turning_since_ = senses.now;
+    const double yaw_rad = senses.base_in_map.yaw_rad;
+    turned_rad_ += std::abs(normalizedAngle(yaw_rad - last_yaw_rad_.value_or(yaw_rad)));
+    last_yaw_rad_ = yaw_rad;
+    if (turned_rad_ < pi)
+        return true;
+    const Seconds fresh = senses.now - *turning_since_;
+    const double uneven_m = unevenness_m(memory.freshTops_m(place_m, body_radius_m, fresh), place_m, gentle_rad, lean,
+                                         body_radius_m, slope_share);
+    if (std::isfinite(uneven_m) && uneven_m > level_ground_m)
+        better_m_ = landingPlace_m(memory, place_m, look_within_m, lean, fresh);
+    return false;
+}
+
+bool Touchdown::isClearBelow(const Senses& senses, const ObstacleMemory& memory, const Vec2& place_m) {
+    const double z_m = senses.position_m().z();
+    const auto ground_m = memory.lowest_m(place_m, body_radius_m);
+    if (!ground_m || z_m < *ground_m + low_m)
+        return true;
+    const double level_m = std::max(*ground_m + no_ground_m, z_m - over_things_m);
+    const Vec2 way_m = place_m - senses.position2_m();
+    const int steps = static_cast<int>(way_m.norm() / berth_step_m) + 1;
+    for (int step = 0; step <= steps; ++step) {
+        const auto near = memory.near(senses.position2_m() + way_m * step / steps, berth_m, level_m);
+        if (std::ranges::any_of(near, [](const Obstacle& one) { return one.top_known; }))
+            return false;
+    }
+    return true;
 }
 
 bool Touchdown::isUneven(const Senses& senses) {

@@ -10,12 +10,16 @@
 
 namespace usar::airrobot {
 
+/// Older tops are not those of this estimate: it has drifted meanwhile, by a decimeter or two in this time. The brink
+/// of a slope was hidden by them (`quick_scan`, seed 55).
+inline constexpr Seconds newest_tops{30.0};
+
 /// Returns a nearby even place within `radius_m` of `wanted_m` (map frame) where the scanner has just seen the
 /// ground; `wanted_m` itself if it is even enough or no better place is known. `lean` is the slope, upward along the
 /// map's axes, of the ground on which the robot would stand upright: one that leans against the wind as it comes down
-/// must not meet ground that rises toward its low side.
+/// must not meet ground that rises toward its low side. Only what was seen within `fresh` counts.
 Vec2 landingPlace_m(const ObstacleMemory& memory, const Vec2& wanted_m, double radius_m,
-                    const Vec2& lean = Vec2::Zero());
+                    const Vec2& lean = Vec2::Zero(), Seconds fresh = newest_tops);
 
 /// Where to land in need. Owned by one robot; its places belong to one estimate of the pose, so make a new one after
 /// the INS was set.
@@ -50,6 +54,15 @@ public:
     void start() { *this = {}; }
     /// Returns whether the robot is over its place, so that it may sink. Call it once per tick of a landing.
     bool isOver(const Senses& senses, const Vec2& place_m);
+    /// Where to land: `place_m`, or where the ground turned out to be better as it looked at it from low above.
+    Vec2 placeFor_m(const Vec2& place_m) const { return better_m_.value_or(place_m); }
+    /// Returns whether the robot shall turn around as it sinks the last meters, so that its scanner sees all of the
+    /// ground below it. Once it has turned, it lands on the best ground that it saw, at `place_m` if that is even.
+    /// Call it once per tick over the place.
+    bool looksAround(const Senses& senses, const ObstacleMemory& memory, const Vec2& place_m, const Vec2& lean);
+    /// Whether it may sink further on its way to its place: nothing that stands there, or that it may meet beside it,
+    /// is known to reach up to it. Crowns count, and so do walls; the ground of the place does not.
+    static bool isClearBelow(const Senses& senses, const ObstacleMemory& memory, const Vec2& place_m);
     /// True if the scanner sees again and again that the robot cannot stand on what is below its ring: the drift of the
     /// pose has moved a place that was fit. Call it once per tick over the place.
     bool isUneven(const Senses& senses);
@@ -66,6 +79,10 @@ private:
     std::optional<Seconds> held_since_; ///< it holds its height since then
     bool over_ = false;
     int uneven_scans_ = 0; ///< in a row
+    double turned_rad_ = 0.0;
+    std::optional<double> last_yaw_rad_;
+    std::optional<Seconds> turning_since_;
+    std::optional<Vec2> better_m_;
 };
 
 } // namespace usar::airrobot

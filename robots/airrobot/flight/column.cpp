@@ -1,0 +1,142 @@
+#include "robots/airrobot/flight/column.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace usar::airrobot {
+
+namespace {
+
+/// Nothing at the robot's height or above may be nearer to its center; the ring's radius is half a meter.
+constexpr double too_near_m = 1.0;
+constexpr double crowded_m = 4.0; ///< It turns as it climbs where something stands within this distance.
+constexpr double wide_m = 3.0;    ///< More room than this is not sought.
+constexpr double search_m = 5.0;
+constexpr double search_step_m = 0.5;
+constexpr int search_bearings = 24;
+constexpr double way_cost = 0.1; ///< meters of room that a meter of way must bring
+constexpr double way_half_width_m = 0.6;
+constexpr double beside_m = 0.5; ///< What is so far below or above the robot is not beside it.
+constexpr double above_m = 2.0;  ///< What begins so far above it does not matter yet.
+constexpr double matters_m = 8.0;
+constexpr double surely_heard_m = 3.5; ///< A sonar does not say from where in its cone a farther echo came.
+constexpr double same_m = 0.3;
+constexpr std::size_t most_met = 400;
+/// A ring that meets something is pressed down on that side, and the robot no longer climbs as it is told.
+constexpr double leans = 0.06;
+constexpr double held_share = 0.6;
+constexpr double least_climb_m_s = 0.15;
+constexpr Seconds to_speed{1.0}; ///< So long it takes to climb at all.
+constexpr double back_off_m = 0.8;
+constexpr double back_off_m_s = 0.5;
+constexpr double lowest_m = 2.2; ///< over the ground
+constexpr double reach_m = 0.5;  ///< from the robot's center to what it has touched
+constexpr double farthest_column_m = 6.5;
+constexpr double half_way_m = 0.75;
+constexpr double beside_roof_m = 4.0;  ///< A ceiling that is a floor on posts may end so far away.
+constexpr double beside_tried_m = 2.0; ///< So near to a place where it has tried to climb, it does not try again.
+
+/// The place nearby with the most room between all `things`, to which nothing `beside` stands in the way.
+Vec2 roomiest_m(std::span<const Obstacle> things, std::span<const Obstacle> beside, const Vec2& here_m) {
+    Vec2 best_m = here_m;
+    double best = nearest_m(things, here_m, wide_m);
+    for (double away_m = search_step_m; away_m <= search_m; away_m += search_step_m)
+        for (int i = 0; i < search_bearings; ++i) {
+            const double bearing_rad = 2.0 * pi * i / search_bearings;
+            const Vec2 place_m = here_m + away_m * Vec2(std::cos(bearing_rad), std::sin(bearing_rad));
+            const double score = nearest_m(things, place_m, wide_m) - way_cost * away_m;
+            if (score > best && clearance_m(beside, here_m, bearing_rad, way_half_width_m, away_m) >= away_m) {
+                best = score;
+                best_m = place_m;
+            }
+        }
+    return best_m;
+}
+
+} // namespace
+
+void Column::listen(const Senses& senses) {
+    for (const SonarEcho& echo : senses.sonars) {
+        const auto same = [&](const Vec3& one_m) { return (one_m - echo.center_in_map_m).norm() < same_m; };
+        if (isNoGround(echo, senses) && echo.range_m < surely_heard_m && met_m_.size() < most_met &&
+            std::ranges::none_of(met_m_, same))
+            met_m_.push_back(echo.center_in_map_m);
+    }
+}
+
+Column::Minding Column::mind(const Senses& senses, std::span<const Obstacle> known, const Vec2& slope,
+                             double commanded_m_s) {
+    const Vec3 here_m = senses.position_m();
+    listen(senses);
+    std::vector<Obstacle> things(known.begin(), known.end());
+    std::vector<Obstacle> beside;
+    const auto add = [&](const Vec3& thing_m) {
+        const double over_m = thing_m.z() - here_m.z();
+        if (over_m < -beside_m || over_m > above_m || (thing_m - here_m).head<2>().norm() > matters_m)
+            return;
+        things.push_back({thing_m.head<2>(), thing_m.z(), true});
+        if (over_m < beside_m)
+            beside.push_back(things.back());
+    };
+    std::ranges::for_each(met_m_, add);
+    if (senses.scan)
+        std::ranges::for_each(senses.scan->hits_in_map_m, add);
+    const double room_m = nearest_m(things, here_m.head<2>(), matters_m);
+    const bool climbs = commanded_m_s >= least_climb_m_s;
+    if (!sinks_to_m_ && (touches(senses, slope, commanded_m_s) || (climbs && room_m < too_near_m))) {
+        ++tries_;
+        sinks_to_m_ = std::max(here_m.z() - back_off_m, senses.ground_m.value_or(here_m.z()) + lowest_m);
+    }
+    if (sinks_to_m_ && here_m.z() > *sinks_to_m_)
+        return {.at_most_m_s = -back_off_m_s};
+    if (sinks_to_m_) {
+        sinks_to_m_.reset();
+        moveTo(roomiest_m(things, beside, here_m.head<2>()), senses.now);
+        return {.at_most_m_s = 0.0};
+    }
+    return room_m < crowded_m ? Minding{Overhead::gentle_m_s, true} : Minding{};
+}
+
+bool Column::touches(const Senses& senses, const Vec2& slope, double commanded_m_s) {
+    if (commanded_m_s < least_climb_m_s) {
+        climbing_since_.reset();
+        return false;
+    }
+    if (!climbing_since_)
+        climbing_since_ = senses.now;
+    if (senses.now - *climbing_since_ < to_speed + senses.late ||
+        senses.velocity_in_map_m_s.z() > held_share * commanded_m_s)
+        return false;
+    const Vec3 up = senses.base_in_map.rotation() * Vec3::UnitZ();
+    const Vec2 lean = up.head<2>() / up.z() + slope;
+    if (lean.norm() < leans)
+        return false;
+    climbing_since_.reset();
+    const Vec2 met_m = senses.position2_m() + reach_m * lean.normalized();
+    met_m_.emplace_back(met_m.x(), met_m.y(), senses.position_m().z() + beside_m);
+    return true;
+}
+
+Vec2 otherColumn_m(std::span<const Obstacle> near, const Vec2& here_m, const Overhead& overhead,
+                   std::span<const Vec2> tried_m) {
+    Vec2 best_m = here_m;
+    double best = 0.0;
+    for (double away_m = 1.0; away_m <= farthest_column_m; away_m += 0.5)
+        for (int i = 0; i < search_bearings; ++i) {
+            const double bearing_rad = 2.0 * pi * i / search_bearings;
+            const Vec2 at_m = here_m + away_m * Vec2(std::cos(bearing_rad), std::sin(bearing_rad));
+            const bool tried = std::ranges::any_of(
+                tried_m, [&](const Vec2& other_m) { return (other_m - at_m).norm() < beside_tried_m; });
+            if (tried || nearest_m(near, at_m, farthest_column_m) < room_to_climb_m ||
+                clearance_m(near, here_m, bearing_rad, half_way_m, away_m) < away_m)
+                continue;
+            const double gain = overhead.nearestFind_m(at_m, beside_roof_m) - way_cost * away_m;
+            if (gain > best) {
+                best = gain;
+                best_m = at_m;
+            }
+        }
+    return best_m;
+}
+
+} // namespace usar::airrobot

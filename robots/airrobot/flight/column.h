@@ -1,0 +1,70 @@
+// Where the robot goes straight up from the ground or down to it, and what it does about crowns beside that way.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "robots/airrobot/flight/ascent.h"
+#include "robots/airrobot/flight/overhead.h"
+
+namespace usar::airrobot {
+
+inline constexpr double look_around_m = 8.0; ///< What stands farther away than this does not matter yet.
+/// Lower than this, the robot may stand on the ground, or its rotors may still be gathering speed.
+inline constexpr double surely_aloft_m = 2.0;
+inline constexpr double in_column_m = 0.7; ///< A robot so near to its place goes straight up or down.
+
+/// Crowns hang over places that look free from below, and get wider on the way up. A robot that climbs among them turns
+/// around, so that its sonars hear every side in turn, and remembers what they heard. Where something comes too near or
+/// is touched, it sinks back and goes on where there is more room. The places are in the map frame. Owned by one robot;
+/// a new one for each flight.
+class Column {
+public:
+    /// What a climb has to mind in this tick.
+    struct Minding {
+        double at_most_m_s = 1e9; ///< rate of climb; negative: it must sink
+        bool turns = false;
+    };
+
+    /// `known`: what is known to stand around at this height. `slope` is that of a plane on which the robot would lean
+    /// as it usually does now, see Lean. `at_m` may move. Call it once per tick of a climb.
+    Minding mind(const Senses& senses, std::span<const Obstacle> known, const Vec2& slope, double commanded_m_s);
+    /// True if it found no room above, wherever it tried.
+    bool givesUp() const { return tries_ >= most_tries && !sinks_to_m_; }
+    /// Has it go there, and climb from there on.
+    void moveTo(const Vec2& place_m, Seconds now) {
+        at_m = place_m;
+        moving_since = now;
+        there = false;
+    }
+
+    std::optional<Vec2> at_m{}; ///< place of the climb if it is not that of the take-off
+    Seconds moving_since{0.0};  ///< when that place was chosen
+    bool there = false;         ///< the robot is over it
+    bool faced = false;         ///< it looks there
+    double top_m = -1e9;        ///< where the straight way down began, map z
+    double come_down_m = 0.0;   ///< height that it has lost since then
+    /// The places that were chosen after a low ceiling had ended a climb at another one.
+    std::vector<Vec2> others_m{};
+
+private:
+    static constexpr int most_tries = 4;
+
+    void listen(const Senses& senses);
+    bool touches(const Senses& senses, const Vec2& slope, double commanded_m_s);
+
+    std::vector<Vec3> met_m_; ///< where sonars heard something, or the ring touched it
+    std::optional<Seconds> climbing_since_;
+    std::optional<double> sinks_to_m_; ///< map z
+    int tries_ = 0;
+};
+
+inline constexpr double room_to_climb_m = 1.2; ///< around a place to which it goes because of a low ceiling
+
+/// Another place for a climb that a ceiling has ended early: as far as matters from where a ceiling was found, with
+/// room around it by what is `near`, and apart from the places that were `tried_m`; `here_m` if there is none.
+Vec2 otherColumn_m(std::span<const Obstacle> near, const Vec2& here_m, const Overhead& overhead,
+                   std::span<const Vec2> tried_m);
+
+} // namespace usar::airrobot

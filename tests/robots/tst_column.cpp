@@ -1,0 +1,106 @@
+#include <QObject>
+#include <QTest>
+
+#include "robots/airrobot/flight/column.h"
+#include "tests/robots/robot_samples.h"
+#include "tests/suite/suite.h"
+
+namespace tst_column {
+
+using namespace usar;
+using namespace usar::airrobot;
+using namespace usar::test;
+
+class tst_Column : public QObject {
+    Q_OBJECT
+
+    static constexpr double climbs_m_s = 0.4;
+    Column column;
+    Senses senses;
+
+    Column::Minding mind(double commanded_m_s = climbs_m_s, const std::vector<Obstacle>& known = {}) {
+        senses.now += Seconds(0.2);
+        return column.mind(senses, known, Vec2::Zero(), commanded_m_s);
+    }
+
+private slots:
+    void init() {
+        column = {};
+        senses = sensesAt({0, 0, 6});
+        senses.velocity_in_map_m_s.z() = climbs_m_s;
+        setSonars(senses, {});
+    }
+
+    void climbsFreelyInTheOpen() {
+        const auto minding = mind();
+        QVERIFY(minding.at_most_m_s > 1.0 && !minding.turns);
+    }
+
+    void looksAroundAsItClimbsAmongTrunks() {
+        const auto minding = mind(climbs_m_s, {wallAt(3, 0)});
+        QVERIFY(minding.turns);
+        QVERIFY(minding.at_most_m_s > 0.0 && minding.at_most_m_s < 0.4);
+    }
+
+    void sinksBackWhereACrownComesNearAndGoesWhereThereIsRoom() {
+        setSonars(senses, {{"M0", 0.4}}); // ahead, which is east
+        QVERIFY(mind().at_most_m_s < 0.0);
+        senses.base_in_map.position_m.z() = 5.5;
+        setSonars(senses, {}); // It is not as wide here, but the robot has not forgotten it.
+        QVERIFY(mind().at_most_m_s < 0.0);
+        senses.base_in_map.position_m.z() = 5.1;
+        QCOMPARE(mind().at_most_m_s, 0.0);
+        QVERIFY(column.at_m && column.at_m->x() < -1.0);
+        QVERIFY(!column.there);
+    }
+
+    void feelsATouchByItsLean_data() {
+        QTest::addColumn<double>("climbs_m_s");
+        QTest::addColumn<double>("pitch_rad");
+        QTest::addColumn<bool>("touched");
+        QTest::newRow("it climbs as it is told") << 0.4 << 0.1 << false;
+        QTest::newRow("it is slower for a moment") << 0.1 << 0.0 << false;
+        QTest::newRow("something presses its nose down") << 0.1 << 0.1 << true;
+    }
+    void feelsATouchByItsLean() {
+        QFETCH(double, climbs_m_s);
+        QFETCH(double, pitch_rad);
+        QFETCH(bool, touched);
+        for (int tick = 0; tick < 6; ++tick)
+            QVERIFY(mind().at_most_m_s > 0.0);
+        senses.velocity_in_map_m_s.z() = climbs_m_s;
+        senses.base_in_map.pitch_rad = pitch_rad;
+        QCOMPARE(mind().at_most_m_s < 0.0, touched);
+        if (!touched)
+            return;
+        senses.base_in_map.position_m.z() = 5.0;
+        mind();
+        QVERIFY(column.at_m && column.at_m->x() < 0.0); // away from what it has met
+    }
+
+    void staysWellAboveTheGround() {
+        senses.ground_m = 3.5;
+        setSonars(senses, {{"M0", 0.4}});
+        QVERIFY(mind().at_most_m_s < 0.0);
+        senses.base_in_map.position_m.z() = 5.65;
+        QCOMPARE(mind().at_most_m_s, 0.0);
+    }
+
+    void givesUpWhereThereIsRoomNowhere() {
+        for (int tries = 0; tries < 4; ++tries) {
+            QVERIFY(!column.givesUp());
+            senses.base_in_map.position_m.z() = 6.0;
+            setSonars(senses, {{"M0", 0.4}});
+            mind();
+            senses.base_in_map.position_m.z() = 5.0;
+            mind();
+        }
+        QVERIFY(column.givesUp());
+    }
+};
+
+USAR_TEST(tst_Column)
+
+} // namespace tst_column
+
+#include "tst_column.moc"
