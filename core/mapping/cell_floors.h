@@ -32,7 +32,8 @@ public:
     /// Takes a scan once more, for the cells at edges.
     void look(const Beams& beams, const Pose& scanner_in_map) { looks_.look(beams, scanner_in_map); }
     /// Gives the cells of `map` that were hit the heights that the hits tell. Cells that are only filled in stay,
-    /// unless they are at an edge.
+    /// unless they are at an edge. An unknown cell at an edge is filled in where beams tell on which side of the edge
+    /// it is, and that side was hit right beside it. No other unknown cell is.
     void settle(HeightMap& map) const;
 
 private:
@@ -50,11 +51,20 @@ private:
     using Tile = std::array<Cell, HeightTile::cell_count>;
     /// It holds the heights of both floors of a tile's cells and of a margin of two cells around the tile.
     struct Window;
+    /// What is known near a cell at an edge: mean heights, and the sums of the weights in them.
+    struct Sides {
+        double ground_m = 0.0; ///< NaN where there is none; the same for the thing
+        double grounds = 0.0;
+        double thing_m = 0.0;
+        double things = 0.0;
+    };
 
     Tile& tileFor(GridIndex tile_index);
     Window windowAround(GridIndex tile_index, const HeightMap& map) const;
     /// `share` of the cell is covered; nullopt: that is not known. `at` is its place in the window.
     static float height_m(const Cell& cell, std::optional<double> share, const Window& window, std::size_t at);
+    /// The height of a cell that nothing has hit; nullopt where that would be a guess.
+    static std::optional<float> unhitHeight_m(double share, const Window& window, std::size_t at);
 
     double cell_size_m_;
     std::map<GridIndex, std::unique_ptr<Tile>> tiles_;

@@ -28,12 +28,12 @@ double range_m(const Vec3& from_m, const Vec3& ray) {
     return 20.0;
 }
 
-/// Scans of three lanes along x, the middle one over the tower.
-ScanStore flyOverTheTower() {
+/// Scans of lanes along x, by default three, the middle one over the tower.
+ScanStore flyOverTheTower(double step_m = 0.21, const std::vector<double>& lanes_y_m = {-6.03, 0.04, 6.01}) {
     ScanStore store;
     double time_s = 0.0;
-    for (const double y_m : {-6.03, 0.04, 6.01})
-        for (double x_m = -8.0; x_m < 8.0; x_m += 0.21) {
+    for (const double y_m : lanes_y_m)
+        for (double x_m = -8.0; x_m < 8.0; x_m += step_m) {
             const Vec3 at_m(x_m, y_m, 8.0);
             store.move(Seconds(time_s += 0.2), at_m);
             KeptScan scan{.scanner_in_map = {at_m, 0.0, pi / 2.0, 0.0},
@@ -50,6 +50,25 @@ ScanStore flyOverTheTower() {
             store.keep(std::move(scan));
         }
     return store;
+}
+
+HeightMap integrated(const ScanStore& store) {
+    HeightMap map(cell_m);
+    ScanIntegrator integrator;
+    std::vector<double> ranges_m;
+    for (const KeptScan& scan : store.scans()) {
+        if (!scan.continues)
+            integrator.breakStrip();
+        integrator.integrate(scan.beams(ranges_m), scan.scanner_in_map, scan.line, map);
+    }
+    return map;
+}
+
+HeightMap rebuilt(const ScanStore& store) {
+    MapRebuild rebuild(store, {}, HeightMap(cell_m));
+    while (rebuild.step()) {
+    }
+    return rebuild.takeMap();
 }
 
 /// Root mean square of the errors of cells whose centers are between these distances from the tower's middle.
@@ -129,22 +148,48 @@ private slots:
 
     void openGroundBesideAnEdgeIsNearerToTheTruthThanByTheRunningMean() {
         const ScanStore store = flyOverTheTower();
-        HeightMap running_mean(cell_m);
-        ScanIntegrator integrator;
-        std::vector<double> ranges_m;
-        for (const KeptScan& scan : store.scans()) {
-            if (!scan.continues)
-                integrator.breakStrip();
-            integrator.integrate(scan.beams(ranges_m), scan.scanner_in_map, scan.line, running_mean);
-        }
-        MapRebuild rebuild(store, {}, HeightMap(cell_m));
-        while (rebuild.step()) {
-        }
-        const HeightMap floors = rebuild.takeMap();
+        const HeightMap running_mean = integrated(store);
+        const HeightMap floors = rebuilt(store);
         const double floors_m = error_m(floors, 2.1, 2.6), mean_m = error_m(running_mean, 2.1, 2.6);
         QVERIFY2(floors_m < 0.4 * mean_m, qPrintable(QString("%1 m, the running mean %2 m").arg(floors_m).arg(mean_m)));
         const double inside_m = error_m(floors, 0.0, 1.6);
         QVERIFY2(inside_m < 0.3, qPrintable(QString::number(inside_m)));
+    }
+
+    /// Two scans of a fast robot are farther apart than cells are wide, and nothing joins hits on a tower and below it.
+    void fillsInCellsAtAnEdgeOnTheSideThatBeamsTell() {
+        int filled = 0, right = 0;
+        for (const double lane_y_m : {-6.03, -3.02, -1.01, 0.04}) {
+            const ScanStore store = flyOverTheTower(0.4, {lane_y_m});
+            const HeightMap before = integrated(store);
+            const HeightMap after = rebuilt(store);
+            for (double x_m = -3.0; x_m < 3.0; x_m += cell_m)
+                for (double y_m = -3.0; y_m < 3.0; y_m += cell_m) {
+                    const GridIndex cell = after.cellAt({x_m + 0.1, y_m + 0.1});
+                    if (before.height_m(cell) || !after.height_m(cell))
+                        continue;
+                    const Vec2 center_m = after.center_m(cell);
+                    QVERIFY(std::abs(center_m.norm() - 2.1) < 0.8);
+                    QCOMPARE(after.hits(cell), 0);
+                    const double error_m = std::abs(double(*after.height_m(cell)) - tower(center_m.x(), center_m.y()));
+                    ++filled;
+                    right += error_m < 0.5 ? 1 : 0;
+                }
+        }
+        QVERIFY2(filled >= 20, qPrintable(QString::number(filled)));
+        QVERIFY2(right >= 0.9 * filled, qPrintable(QString("%1 of %2").arg(right).arg(filled)));
+    }
+
+    /// A lane on one side sees nothing of the ground behind the tower, and nobody guesses it.
+    void leavesShadowsUnknown() {
+        const ScanStore store = flyOverTheTower(0.4, {-6.03});
+        const HeightMap before = integrated(store);
+        const HeightMap after = rebuilt(store);
+        QVERIFY(after.knownCellCount() > before.knownCellCount());
+        for (double y_m = 2.6; y_m < 5.0; y_m += cell_m) {
+            QVERIFY(!before.height_m(before.cellAt({0.1, y_m})));
+            QVERIFY(!after.height_m(after.cellAt({0.1, y_m})));
+        }
     }
 };
 
