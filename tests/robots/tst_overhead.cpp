@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "robots/airrobot/flight/ascent.h"
+#include "robots/airrobot/flight/column.h"
 #include "robots/airrobot/flight/crash_watch.h"
 #include "tests/robots/robot_samples.h"
 #include "tests/suite/suite.h"

@@ -9,15 +9,15 @@ namespace {
 
 /// Nothing at the robot's height or above may be nearer to its center; the ring's radius is half a meter.
 constexpr double too_near_m = 1.0;
-constexpr double crowded_m = 4.0; ///< It turns as it climbs where something stands within this distance.
-constexpr double wide_m = 3.0;    ///< More room than this is not sought.
-constexpr double search_m = 5.0;
+constexpr double crowded_climb_m = 4.0; ///< It turns as it climbs where something stands within this distance.
+constexpr double enough_room_m = 3.0;   ///< More room than this is not sought.
+constexpr double sought_within_m = 5.0;
 constexpr double search_step_m = 0.5;
 constexpr int search_bearings = 24;
 constexpr double way_cost = 0.1; ///< meters of room that a meter of way must bring
-constexpr double way_half_width_m = 0.6;
-constexpr double beside_m = 0.5; ///< What is so far below or above the robot is not beside it.
-constexpr double above_m = 2.0;  ///< What begins so far above it does not matter yet.
+constexpr double move_half_width_m = 0.6;
+constexpr double level_with_m = 0.5; ///< What is so far below or above the robot is not beside it.
+constexpr double overhangs_m = 2.0;  ///< What begins so far above it does not matter yet.
 constexpr double matters_m = 8.0;
 constexpr double surely_heard_m = 3.5; ///< A sonar does not say from where in its cone a farther echo came.
 constexpr double same_m = 0.3;
@@ -29,8 +29,8 @@ constexpr double least_climb_m_s = 0.15;
 constexpr Seconds to_speed{1.0}; ///< So long it takes to climb at all.
 constexpr double back_off_m = 0.8;
 constexpr double back_off_m_s = 0.5;
-constexpr double lowest_m = 2.2; ///< over the ground
-constexpr double reach_m = 0.5;  ///< from the robot's center to what it has touched
+constexpr double lowest_m = 2.2;      ///< over the ground
+constexpr double touch_reach_m = 0.5; ///< from the robot's center to what it has touched
 constexpr double farthest_column_m = 6.5;
 constexpr double half_way_m = 0.75;
 constexpr double beside_roof_m = 4.0;  ///< A ceiling that is a floor on posts may end so far away.
@@ -39,13 +39,13 @@ constexpr double beside_tried_m = 2.0; ///< So near to a place where it has trie
 /// The place nearby with the most room between all `things`, to which nothing `beside` stands in the way.
 Vec2 roomiest_m(std::span<const Obstacle> things, std::span<const Obstacle> beside, const Vec2& here_m) {
     Vec2 best_m = here_m;
-    double best = nearest_m(things, here_m, wide_m);
-    for (double away_m = search_step_m; away_m <= search_m; away_m += search_step_m)
+    double best = nearest_m(things, here_m, enough_room_m);
+    for (double away_m = search_step_m; away_m <= sought_within_m; away_m += search_step_m)
         for (int i = 0; i < search_bearings; ++i) {
             const double bearing_rad = 2.0 * pi * i / search_bearings;
             const Vec2 place_m = here_m + away_m * Vec2(std::cos(bearing_rad), std::sin(bearing_rad));
-            const double score = nearest_m(things, place_m, wide_m) - way_cost * away_m;
-            if (score > best && clearance_m(beside, here_m, bearing_rad, way_half_width_m, away_m) >= away_m) {
+            const double score = nearest_m(things, place_m, enough_room_m) - way_cost * away_m;
+            if (score > best && clearance_m(beside, here_m, bearing_rad, move_half_width_m, away_m) >= away_m) {
                 best = score;
                 best_m = place_m;
             }
@@ -72,10 +72,10 @@ Column::Minding Column::mind(const Senses& senses, std::span<const Obstacle> kno
     std::vector<Obstacle> beside;
     const auto add = [&](const Vec3& thing_m) {
         const double over_m = thing_m.z() - here_m.z();
-        if (over_m < -beside_m || over_m > above_m || (thing_m - here_m).head<2>().norm() > matters_m)
+        if (over_m < -level_with_m || over_m > overhangs_m || (thing_m - here_m).head<2>().norm() > matters_m)
             return;
         things.push_back({thing_m.head<2>(), thing_m.z(), true});
-        if (over_m < beside_m)
+        if (over_m < level_with_m)
             beside.push_back(things.back());
     };
     std::ranges::for_each(met_m_, add);
@@ -94,7 +94,7 @@ Column::Minding Column::mind(const Senses& senses, std::span<const Obstacle> kno
         moveTo(roomiest_m(things, beside, here_m.head<2>()), senses.now);
         return {.at_most_m_s = 0.0};
     }
-    return room_m < crowded_m ? Minding{Overhead::gentle_m_s, true} : Minding{};
+    return room_m < crowded_climb_m ? Minding{Overhead::gentle_m_s, true} : Minding{};
 }
 
 bool Column::touches(const Senses& senses, const Vec2& slope, double commanded_m_s) {
@@ -112,8 +112,8 @@ bool Column::touches(const Senses& senses, const Vec2& slope, double commanded_m
     if (lean.norm() < leans)
         return false;
     climbing_since_.reset();
-    const Vec2 met_m = senses.position2_m() + reach_m * lean.normalized();
-    met_m_.emplace_back(met_m.x(), met_m.y(), senses.position_m().z() + beside_m);
+    const Vec2 met_m = senses.position2_m() + touch_reach_m * lean.normalized();
+    met_m_.emplace_back(met_m.x(), met_m.y(), senses.position_m().z() + level_with_m);
     return true;
 }
 

@@ -8,7 +8,7 @@ namespace usar::airrobot {
 
 namespace {
 
-constexpr double slowest_m_s = 0.3; ///< It waits for a lull rather than being slower against the wind.
+constexpr double slowest_in_wind_m_s = 0.3; ///< It waits for a lull rather than being slower against the wind.
 /// If the robot needs to climb no more than this, it continues past an overhang at the same height.
 constexpr double bearable_deficit_m = 1.5;
 constexpr double path_half_width_m = 0.75;
@@ -114,7 +114,7 @@ double Craft::dry_m() const {
 
 double Craft::speedToward_m_s(const Vec2& place_m) const {
     const double fastest_m_s = pilot_.fastestAlong_m_s(bearingOf(place_m - senses.position2_m()));
-    return std::clamp(fastest_m_s, slowest_m_s, settings.transit_speed_m_s) * senses.steadyShare();
+    return std::clamp(fastest_m_s, slowest_in_wind_m_s, settings.transit_speed_m_s) * senses.steadyShare();
 }
 
 void Craft::look(const Leg& leg) {

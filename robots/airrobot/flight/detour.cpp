@@ -14,7 +14,7 @@ constexpr double slowest_m_s = 0.25;
 /// A robot that moves less than this in this time does not get past what is before it, so far away.
 constexpr double moves_m = 1.0;
 constexpr Seconds standing{8.0};
-constexpr double nearest_m = 1.0;
+constexpr double nearest_goal_m = 1.0;
 constexpr double farthest_m = 2.5;
 
 } // namespace
@@ -66,7 +66,7 @@ void Detour::learnFromStanding(RouteMap& map, const Senses& senses) {
         return;
     moved_at_ = senses.now;
     for (const Vec2& point_m : way_)
-        if (const double away_m = (point_m - here_m).norm(); away_m > nearest_m && away_m < farthest_m)
+        if (const double away_m = (point_m - here_m).norm(); away_m > nearest_goal_m && away_m < farthest_m)
             map.block(point_m, senses.position_m().z());
     planned_ = Seconds{0.0}; // It plans anew in the next tick.
 }

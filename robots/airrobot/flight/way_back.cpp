@@ -8,18 +8,18 @@ namespace {
 
 constexpr double step_m = 0.5; ///< between the places of the trail
 constexpr std::size_t longest = 200;
-constexpr double passed_m = 0.4;
+constexpr double trail_passed_m = 0.4;
 /// With something nearer than this on all sides, or below it, the robot goes nowhere.
 constexpr double closed_m = 0.75;
 constexpr double roomy_m = 1.75;
-constexpr double moves_m = 0.7;
-constexpr Seconds standing{6.0};
+constexpr double gets_on_m = 0.7;
+constexpr Seconds pinned_for{6.0};
 constexpr Seconds in_vain{20.0};
 
 } // namespace
 
 void WayBack::note(Seconds now, const Vec2& here_m, double nearest_m) {
-    if (trail_.empty() || (here_m - moved_to_m_).norm() > moves_m) {
+    if (trail_.empty() || (here_m - moved_to_m_).norm() > gets_on_m) {
         moved_to_m_ = here_m;
         moved_at_ = now;
     }
@@ -27,7 +27,7 @@ void WayBack::note(Seconds now, const Vec2& here_m, double nearest_m) {
     here_m_ = here_m;
     nearest_m_ = nearest_m;
     if (active_) {
-        while (!trail_.empty() && (trail_.back() - here_m).norm() < passed_m)
+        while (!trail_.empty() && (trail_.back() - here_m).norm() < trail_passed_m)
             trail_.pop_back();
         active_ = !trail_.empty() && nearest_m < roomy_m && now - moved_at_ < in_vain;
     }
@@ -42,11 +42,11 @@ void WayBack::note(Seconds now, const Vec2& here_m, double nearest_m) {
 }
 
 bool WayBack::isPinned() const {
-    return nearest_m_ < closed_m && now_ - moved_at_ > standing;
+    return nearest_m_ < closed_m && now_ - moved_at_ > pinned_for;
 }
 
 void WayBack::begin() {
-    while (!trail_.empty() && (trail_.back() - here_m_).norm() < passed_m)
+    while (!trail_.empty() && (trail_.back() - here_m_).norm() < trail_passed_m)
         trail_.pop_back();
     active_ = !trail_.empty();
     moved_at_ = now_;
