@@ -54,7 +54,7 @@ bool Craft::rise(double goal_z_m, const Vec2& over_m, agent::CommandPort& port) 
     const AscentStep step = ascent_.step(senses, {column_m.x(), column_m.y(), goal_z_m}, overhead, memory, settings);
     if (step.looked_around)
         column_.moveTo(climbPlace_m(trunksNear(over_m), over_m, crown_m), senses.now);
-    if (overhead.found())
+    if (overhead.found() && overhead.found()->touched) // One that it sees from beside may be a crown among others.
         riseElsewhere(goal_z_m);
     if (column_.at_m && senses.now - column_.moving_since > longest_move / senses.steadyShare() && !column_.there)
         column_.at_m = senses.position2_m(); // Something is in the way.
