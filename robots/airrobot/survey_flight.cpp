@@ -14,6 +14,7 @@ namespace {
 constexpr double over_base_m = 0.8;
 constexpr double near_base_m = 2.5; ///< A way that leads so near to the base leads home.
 constexpr Seconds lost_after{15.0};
+constexpr Seconds time_to_land{45.0}; ///< with the way to the nearest place, without the descent
 /// A take-off may take this long, and in addition twice the time of a careful climb, because of the looks on its way.
 constexpr Seconds spare_for_take_off{60.0};
 constexpr double off_the_ground_m = 1.0;
@@ -129,8 +130,15 @@ void SurveyFlight::perceive(const agent::Tick& tick, agent::CommandPort& port) {
     goal_distance_m_.reset();
     if (phase_ != Phase::Launch)
         noteSilence(port);
+    const double height_m = craft_.senses.heightOverGround_m(craft_.settings.maximum_height_m);
     if (inTheAir() && phase_ != Phase::Landing && !silent_ && robotBatteryLow())
         endPause("the robot's own battery runs out", port);
+    if (phase_ == Phase::Home && !silent_ && !sortie_.refuge_m && craft_.senses.robot_battery &&
+        *craft_.senses.robot_battery < time_to_land + Seconds(height_m / craft_.settings.descent_speed_m_s) &&
+        landNearby(craft_.dry_m(), port))
+        port.publish(agent::BehaviorEvent{Severity::Error,
+                                          "The robot's own battery is nearly empty; the robot lands on "
+                                          "the nearest ground that it has seen to be fit for it."});
     ledger_.note(craft_.senses, phase_ == Phase::Lane, craft_.scanned);
     if (phase_ == Phase::ToLane || phase_ == Phase::Lane)
         survey_.note(craft_.senses.position2_m());
@@ -148,16 +156,6 @@ void SurveyFlight::perceive(const agent::Tick& tick, agent::CommandPort& port) {
         goHome(leftovers_.begun() ? Errand::Done : Errand::GivenUp, "The survey takes too long; the robot goes home.",
                port);
     }
-}
-
-void SurveyFlight::noteCeiling(agent::CommandPort& port) {
-    const auto& found = craft_.overhead.found();
-    if (!inTheAir() || !found)
-        return;
-    const double above_m = found->z_m - base_in_map_.position_m.z();
-    port.publish(agent::BehaviorEvent{found->touched ? Severity::Warning : Severity::Note,
-                                      std::string("A ceiling was ") + (found->touched ? "touched " : "seen ") +
-                                          fixed(above_m, 1) + " m above the base; the robot stays below it."});
 }
 
 void SurveyFlight::noteSilence(agent::CommandPort& port) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <string>
 
+#include "core/base/numbers.h"
 #include "robots/airrobot/survey_flight.h"
 
 namespace usar::airrobot {
@@ -29,6 +30,16 @@ std::string SurveyFlight::words() const {
         return "finished";
     }
     return {};
+}
+
+void SurveyFlight::noteCeiling(agent::CommandPort& port) {
+    const auto& found = craft_.overhead.found();
+    if (!inTheAir() || !found)
+        return;
+    const double above_m = found->z_m - base_in_map_.position_m.z();
+    port.publish(agent::BehaviorEvent{found->touched ? Severity::Warning : Severity::Note,
+                                      std::string("A ceiling was ") + (found->touched ? "touched " : "seen ") +
+                                          fixed(above_m, 1) + " m above the base; the robot stays below it."});
 }
 
 MissionState SurveyFlight::missionState() const {

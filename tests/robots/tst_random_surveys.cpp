@@ -35,6 +35,13 @@ private slots:
         QVERIFY2(outcome.success && outcome.collisions == 0 && outcome.elapsed_s < 900.0, outcome.text().c_str());
     }
 
+    // No way led home any more. It looked for one until its battery was empty, and fell.
+    void landsBeforeItsBatteryIsEmpty() {
+        const test::SurveyOutcome outcome = test::fly(test::drawFaultySurvey(80093));
+        QVERIFY2(outcome.ended && !outcome.broken && !outcome.success && outcome.height_m < 0.1,
+                 outcome.text().c_str());
+    }
+
     void tellsTheTruthOfAFault_data() { test::surveyRows(13, 20); }
     void tellsTheTruthOfAFault() {
         QFETCH(int, number);
