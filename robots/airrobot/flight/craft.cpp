@@ -34,6 +34,8 @@ constexpr double hold_still_m = 0.5;
 /// A robot that is hindered for so long looks for a detour, and again after the same time.
 constexpr Seconds patience{6.0};
 constexpr double detour_m_s = 1.0;
+/// A robot that is less above a ceiling than this may be below it: the estimate of its height drifts by decimeters.
+constexpr double surely_above_m = 1.5;
 constexpr double below_ceiling_m = 0.5; ///< Scanner hits higher than this are on the ceiling.
 /// So near to a roof, the robot does nothing but sink: a turn or a lean makes a rotor scrape along it, which breaks it.
 constexpr double near_roof_m = 0.35;
@@ -420,7 +422,7 @@ void Craft::forgetPlaces() {
 }
 
 void Craft::startAnew() {
-    overhead.takeForSmall(false, senses.position_m().z());
+    overhead.takeForSmall(false, senses.position_m().z() - surely_above_m);
     evasion_.reset();
     steering_.reset();
     stuck_.reset();
