@@ -16,9 +16,10 @@ namespace usar::mapping {
 
 /// Writes the scans in the order in which they came, so that without a correction the same cells are known again. At
 /// the end, each measured height becomes the one that CellFloors tells, instead of the running mean of the thesis,
-/// which a map has while it is flown and as long as nobody asks for an adjustment. Works in steps, so that whoever owns
-/// it can do something else in between; a step takes `scans_per_step` scans and about 10 ms, first to write all of them
-/// and then to look at the edges of things. The last step settles all cells, which takes longer the larger the map is.
+/// which a map has while it is flown and as long as nobody asks for an adjustment; CellFloors adds cells along
+/// outlines, too. Works in steps, so that whoever owns it can do something else in between; a step takes
+/// `scans_per_step` scans and about 10 ms, first to write all of them and then to look at the edges of things. The last
+/// step settles all cells, which takes longer the larger the map is.
 class MapRebuild {
 public:
     static constexpr std::size_t scans_per_step = 200;
