@@ -37,7 +37,7 @@ private slots:
 
     // No way led home any more. It looked for one until its battery was empty, and fell.
     void landsBeforeItsBatteryIsEmpty() {
-        const test::SurveyOutcome outcome = test::fly(test::drawFaultySurvey(80093));
+        const test::SurveyOutcome outcome = test::fly(test::drawFaultySurvey(400013));
         QVERIFY2(outcome.ended && !outcome.broken && !outcome.success && outcome.height_m < 0.1,
                  outcome.text().c_str());
     }
