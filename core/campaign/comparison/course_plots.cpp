@@ -151,6 +151,8 @@ void drawPlaces(QXmlStreamWriter& xml, const VariantRuns& baseline, const Varian
 
 bool drawMap(QXmlStreamWriter& xml, const RunFigures& run) {
     constexpr int most_px = 480; // Twice of what is shown, for paper and fine screens.
+    if (run.picture.empty())
+        return false;
     const QByteArray png = mission::smallPicture(QString::fromStdString(run.picture), most_px);
     if (png.isEmpty())
         return false;
