@@ -132,7 +132,8 @@ void tst_UsarExport::thePointsLieInTheKnownCells() {
         QVERIFY(range_m > 0.0f && range_m < 20.0f && time_s >= last_s);
         last_s = time_s;
     }
-    QVERIFY(last_s > 0.9 * flight_.summary["duration_s"].toDouble());
+    const double landed_s = flight_.summary["duration_s"].toDouble();
+    QVERIFY(last_s > 0.8 * landed_s && last_s <= landed_s); // As it sinks and turns, its scans are not used.
 }
 
 void tst_UsarExport::refusalsComeBeforeTheFlight() {
