@@ -43,7 +43,7 @@ private:
     LineNumber next_expected_;       ///< the line that is to be received next, of those that were handed over
     LineNumber end_of_expected_;
     std::uint64_t calls_before_ = 0;           ///< asked before those lines
-    std::optional<SharedProcessor> processor_; ///< of both threads, until one hangs; it must end before the thread does
+    std::optional<SharedProcessor> processor_; ///< It serves both threads and ends before them.
 };
 
 } // namespace usar::agent

@@ -297,7 +297,7 @@ private slots:
         QVERIFY(!craft->rise(goal_z_m, {0.0, 0.0}, port)); // It is not there yet.
         craft->startAnew();
         QVERIFY(craft->overhead.limit_m(aim_m) < 17.0); // Under way, it counts on the ceiling again.
-        z_m = 17.1; // Its height has drifted, so it seems to be above it.
+        z_m = 17.1;                                     // Its height has drifted, so it seems to be above it.
         perceive(z_m - 13.8, {});
         craft->startAnew();
         QVERIFY(craft->overhead.limit_m(aim_m) < 17.0);
