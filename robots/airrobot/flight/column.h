@@ -10,7 +10,7 @@
 
 namespace usar::airrobot {
 
-inline constexpr double look_around_m = 8.0; ///< What stands farther away than this does not matter yet.
+inline constexpr double look_around_m = 8.0; ///< Things farther away than this do not matter yet.
 /// Lower than this, the robot may stand on the ground, or its rotors may still be gathering speed.
 inline constexpr double surely_aloft_m = 2.0;
 inline constexpr double in_column_m = 0.7; ///< A robot so near to its place goes straight up or down.
@@ -21,7 +21,7 @@ inline constexpr double in_column_m = 0.7; ///< A robot so near to its place goe
 /// a new one for each flight.
 class Column {
 public:
-    /// What a climb has to mind in this tick.
+    /// This is how a climb goes on in this tick.
     struct Minding {
         double at_most_m_s = 1e9; ///< rate of climb; negative: it must sink
         bool turns = false;

@@ -15,7 +15,7 @@ constexpr double spare_m = 1.2; ///< beyond its column, nothing is nearer than t
 
 } // namespace
 
-/// What is known to stand around, up to this height or higher.
+/// Returns the things around that are known to reach this height.
 std::vector<Obstacle> Craft::trunksNear(const Vec2& at_m) const {
     std::vector<Obstacle> trunks = memory.near(at_m, look_around_m, senses.position_m().z() - trunk_margin_m);
     std::erase_if(trunks, [](const Obstacle& one) { return !one.top_known; }); // Sonars may have heard the ground.
