@@ -40,9 +40,17 @@ inline mission::TrueFigures trueFiguresOf(const sim::RobotTruth& robot) {
     std::optional<mission::HeightOverGround> height;
     if (robot.height)
         height = {robot.height->least_m, robot.height->mean_m, robot.height->spread_m};
-    return {robot.collisions, robot.distance_m, robot.longest_stay,
-            robot.falls,      robot.touches,    robot.first_touch,
-            height,           robot.broken,     robot.collision_places_in_map_m};
+    return {robot.collisions,
+            robot.distance_m,
+            robot.longest_stay,
+            robot.falls,
+            robot.touches,
+            robot.first_touch,
+            height,
+            robot.broken,
+            robot.powered_for,
+            std::nullopt,
+            robot.collision_places_in_map_m};
 }
 
 /// The same for the first robot of the simulator, also after it has left; nullopt if there was none. Waits for the

@@ -334,6 +334,27 @@ private slots:
         QVERIFY(simulation->robots().front().base_in_map.position_m.z() < 1.0);
     }
 
+    void thePowerOfARobotCountsFromTheLastLackOfIt_data() {
+        QTest::addColumn<QString>("fault");
+        QTest::addColumn<double>("powered_for_s"); // at 6 s; the robot came at 0 s
+        QTest::newRow("none that takes power") << "wind speed=1" << 6.0;
+        QTest::newRow("an empty battery") << "battery left=1 from=2" << 0.0;
+        QTest::newRow("a weak rotor") << "rotor rotor=1 thrust=0.95 from=2" << 0.0;
+        QTest::newRow("a rotor that recovers") << "rotor rotor=1 thrust=0.95 from=2 for=2" << 2.0;
+    }
+
+    void thePowerOfARobotCountsFromTheLastLackOfIt() {
+        QFETCH(QString, fault);
+        QFETCH(double, powered_for_s);
+        const std::string text = fault.toStdString();
+        const auto simulation = faultySimulation({text.c_str()});
+        Talker talker(*simulation);
+        talker.say(init_air_robot);
+        steps(*simulation, 30);
+        const double found_s = simulation->robots().front().powered_for.count();
+        QVERIFY2(std::abs(found_s - powered_for_s) < 0.25, qPrintable(QString::number(found_s)));
+    }
+
     void aDeadRotorTurnsTheRobotOver() {
         const auto simulation = faultySimulation({"rotor rotor=2 from=2"});
         Talker talker(*simulation);

@@ -26,6 +26,8 @@ void checkFigures(const RunResult& result, QStringList& broken) {
     const double duration_s = summary["duration_s"].toDouble();
     if (result.limit_s && duration_s > *result.limit_s + limit_slack_s)
         broken << QString("It flew for %1 s, though its limit is %2 s.").arg(duration_s).arg(*result.limit_s);
+    if (const int contacts = summary["contacts_after_stop"].toInt(); contacts != 0)
+        broken << QString("It collided %1 times after it was stopped.").arg(contacts);
     if (summary["success"].toBool() != (result.outcome == Outcome::Done))
         broken << QString("Its summary and its exit code disagree on the success.");
     if (summary["success"].toBool() && !(duration_s > 0.0))

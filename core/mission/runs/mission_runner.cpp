@@ -29,7 +29,8 @@ MissionRunner::MissionRunner(Mission mission, const agent::PluginLoader& plugins
     : mission_(std::move(mission))
     , plugins_(plugins)
     , options_(std::move(options))
-    , session_(mission_.cell_size_m, this) {
+    , session_(mission_.cell_size_m, this)
+    , after_stop_(session_, [this] { return options_.true_figures(); }) {
     if (options_.result_folder.isEmpty())
         options_.result_folder = defaultResultFolder();
     session_.setLimits(options_.limits.session);
@@ -39,6 +40,7 @@ MissionRunner::MissionRunner(Mission mission, const agent::PluginLoader& plugins
     timer_.setInterval(progress_period);
     connect(&timer_, &QTimer::timeout, this, &MissionRunner::look);
     connect(&session_, &RobotSession::noticed, this, &MissionRunner::noticed);
+    connect(&after_stop_, &AfterStop::over, this, &MissionRunner::finish);
     connect(&session_, &RobotSession::startPosesKnown, this, &MissionRunner::takeStartPoses);
     connect(&session_, &RobotSession::spawned, this, &MissionRunner::takeRobot);
     connect(&session_, &RobotSession::spawnFailed, this,
@@ -173,11 +175,11 @@ void MissionRunner::look() {
                  "The robot did not appear. Is the start pose free, and does the server know " + mission_.robot_class +
                      "?",
                  MissionFailed);
-    } else if (phase_ == Phase::Flying && elapsedOn(since_time_moved_) > options_.limits.stall) {
+    } else if (phase_ >= Phase::Flying && elapsedOn(since_time_moved_) > options_.limits.stall) {
         conclude(false, "The simulation's clock has stood still too long. Is it paused, or has the server hung?",
                  MissionFailed);
     }
-    if (phase_ != Phase::Over)
+    if (phase_ < Phase::Watching)
         emit progressed(progress());
 }
 
@@ -215,34 +217,48 @@ Progress MissionRunner::progress() const {
 void MissionRunner::conclude(bool success, const std::string& reason, int exit_code) {
     if (phase_ == Phase::Flying)
         emit progressed(progress()); // The final progress, even if the flight was shorter than the timer's period.
-    if (std::exchange(phase_, Phase::Over) == Phase::Over)
+    if (phase_ == Phase::Watching)
+        after_stop_.giveUp();
+    if (phase_ >= Phase::Watching)
         return;
-    timer_.stop();
+    phase_ = Phase::Watching;
     QCoreApplication::sendPostedEvents(this, QEvent::MetaCall); // The fault that ended the run may still be queued.
     session_.finishMap();
-    const ScanRecord record = session_.snapshot(needPoints(options_.formats));
-    RunSummary figures = figuresOf(record);
-    figures.success = success;
-    figures.reason = reason;
-    judgeDamage(figures);
-    judgeClaims(figures);
-    for (const QString& warning : figures.warnings)
+    record_ = session_.snapshot(needPoints(options_.formats));
+    figures_ = figuresOf(record_);
+    figures_.success = success;
+    figures_.reason = reason;
+    exit_code_ = exit_code;
+    judgeDamage(figures_);
+    judgeClaims(figures_);
+    if (!after_stop_.begin(figures_.truth))
+        return finish();
+    session_.stopRecording(); // What follows is no part of the mission.
+}
+
+void MissionRunner::finish() {
+    phase_ = Phase::Over;
+    timer_.stop();
+    if (figures_.truth)
+        after_stop_.addTo(*figures_.truth);
+    if (figures_.claims.empty())
+        judgeDamage(figures_);
+    for (const QString& warning : figures_.warnings)
         emit noticed({Severity::Warning, warning.toStdString()});
-    if (!figures.claims.empty() && exit_code != BadInput)
-        exit_code = figures.success ? Done : MissionFailed;
-    else if (success && !figures.success)
-        exit_code = std::max<int>(exit_code, MissionFailed);
+    if (exit_code_ != BadInput)
+        exit_code_ = figures_.success ? Done : MissionFailed;
     session_.close();
-    if (auto files = save(record, figures)) {
-        figures.files = *std::move(files);
+    if (auto files = save(record_, figures_)) {
+        figures_.files = *std::move(files);
     } else {
-        figures.success = false;
-        figures.reason += " " + files.error().text();
-        exit_code = std::max<int>(exit_code, MissionFailed);
+        figures_.success = false;
+        figures_.reason += " " + files.error().text();
+        exit_code_ = std::max<int>(exit_code_, MissionFailed);
     }
-    summary_ = toJson(figures);
+    record_ = {};
+    summary_ = toJson(figures_);
     QMetaObject::invokeMethod(
-        this, [this, exit_code] { emit finished(exit_code); }, Qt::QueuedConnection);
+        this, [this] { emit finished(exit_code_); }, Qt::QueuedConnection);
 }
 
 /// A mission with claims is judged by them alone: it is stopped as soon as they are decided.

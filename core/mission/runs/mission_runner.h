@@ -1,9 +1,6 @@
 // Runs one mission without a window: uses the same session code, reports progress by a signal, and ends with a summary.
 #pragma once
 
-#include <cstdint>
-#include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -17,52 +14,12 @@
 #include "core/base/result.h"
 #include "core/mission/files/mission_check.h"
 #include "core/mission/files/mission_file.h"
-#include "core/mission/files/mission_options.h"
-#include "core/mission/runs/mission_score.h"
-#include "core/mission/runs/recorded_scan.h"
+#include "core/mission/runs/after_stop.h"
+#include "core/mission/runs/run_options.h"
 #include "core/mission/runs/run_summary.h"
 #include "core/mission/session/robot_session.h"
-#include "core/protocol/usual_values.h"
 
 namespace usar::mission {
-
-/// Times after which a run is given up. Wall time, because a server that says nothing tells no other; the limit of the
-/// flight is among those of the session.
-struct RunLimits {
-    SessionLimits session;
-    Seconds connect{8.0}; ///< no connection, or no start poses from the server
-    Seconds spawn{20.0};  ///< no robot, and the session gave no reason
-    Seconds stall{30.0};  ///< the protocol clock stands still
-};
-
-/// Options of one run.
-struct RunOptions {
-    QString host = "127.0.0.1"; ///< used unless the server is in_process
-    quint16 port = protocol::usual_port::bot;
-    link::InProcessServer in_process{}; ///< an embedded simulator in this thread; empty: there is none
-    bool lockstep = true;               ///< ask for it; a real server does not answer
-    std::uint64_t seed = 1; ///< only reported in the summary; whoever created the simulator has given it the seed
-    QString result_folder;  ///< empty: the default folder
-    ResultFiles files = ResultFiles::Always;
-    FormatList formats; ///< in which the map is written besides the usual files
-    QString recording;  ///< new file that records everything sent and received; empty: none
-    RecordingLimit recording_limit{};
-    bool course = false; ///< the summary tells how the run went, see RunCourse
-    agent::BehaviorThread behavior_thread = agent::BehaviorThread::Own; ///< Callers: one that hangs hangs all
-    QString behavior_host;        ///< path of usar-behavior-host, needed by a mission that isolates its behavior
-    std::string equipment_advice; ///< see RobotSession
-    RunLimits limits;
-    /// The run that this one continues: its map is taken over, and only its rest is flown. The mission is that of the
-    /// recording, with the whole area. Null: a run of its own.
-    std::shared_ptr<const RecordedScan> earlier;
-
-    // Known only to the creator of an embedded simulator; absent on a real server.
-    std::optional<Truth> truth;
-    std::optional<Rectangle> world_extent; ///< meters, map frame
-    std::optional<double> dry_above_m;     ///< see agent::Task
-    /// True figures of our robot so far; called before the connection closes.
-    std::function<std::optional<TrueFigures>()> true_figures;
-};
 
 /// Progress of a run, for display.
 struct Progress {
@@ -84,7 +41,8 @@ struct Progress {
 enum ExitCode { Done = 0, MissionFailed = 1, BadInput = 2 };
 
 /// Leads a RobotSession through connect, spawn, behavior and export. Whatever goes wrong on the way, what was scanned
-/// is written, and `finished` is emitted once, from the event loop. Before the robot moves, behavior, parameters, area
+/// is written, and `finished` is emitted once, from the event loop. Figures count up to the behavior's end; in a
+/// simulator the robot is then watched a little longer (AfterStop). Before the robot moves, behavior, parameters, area
 /// and result folder are checked. One run per object. Runs in its owner's thread, which needs an event loop; the
 /// plugins must outlive it.
 class MissionRunner : public QObject {
@@ -113,7 +71,7 @@ signals:
     void finished(int exit_code);
 
 private:
-    enum class Phase { Idle, Connecting, Spawning, Flying, Over };
+    enum class Phase { Idle, Connecting, Spawning, Flying, Watching, Over };
 
     Result<void> prepare();
     void takeStartPoses(const protocol::StartPoses& poses);
@@ -126,7 +84,10 @@ private:
     void continueEarlier();
     /// The mission for the recording.
     std::string missionNote() const;
+    /// Ends the mission, however far it came. Later calls only end the watch.
     void conclude(bool success, const std::string& reason, int exit_code);
+    /// Writes the results and reports the end.
+    void finish();
     void judgeClaims(RunSummary& figures);
     RunSummary figuresOf(const ScanRecord& record);
     /// Writes the results, into the folder for temporary files if the disk has filled up since the check.
@@ -142,6 +103,10 @@ private:
     Pose start_in_map_;
     Seconds last_now_{-1.0};
     Phase phase_ = Phase::Idle;
+    AfterStop after_stop_;
+    ScanRecord record_;  ///< at the end of the behavior
+    RunSummary figures_; ///< likewise
+    int exit_code_ = Done;
     QJsonObject summary_;
 };
 

@@ -66,7 +66,7 @@ QJsonValue seedOf(const RunSummary& summary) {
 /// All keys are there; those of unknown figures are null.
 void addTruth(QJsonObject& json, const std::optional<TrueFigures>& truth) {
     for (const char* key : {"collisions", "true_distance_m", "longest_stay_s", "falls", "touches", "first_touch_s",
-                            "least_height_m", "mean_height_m", "height_spread_m"})
+                            "contacts_after_stop", "least_height_m", "mean_height_m", "height_spread_m"})
         json[key] = QJsonValue::Null;
     if (!truth)
         return;
@@ -77,6 +77,8 @@ void addTruth(QJsonObject& json, const std::optional<TrueFigures>& truth) {
     json["touches"] = truth->touches;
     if (truth->first_touch)
         json["first_touch_s"] = number(truth->first_touch->count(), 1);
+    if (truth->contacts_after_stop)
+        json["contacts_after_stop"] = *truth->contacts_after_stop;
     if (const auto& height = truth->height) {
         json["least_height_m"] = number(height->least_m, 2);
         json["mean_height_m"] = number(height->mean_m, 2);

@@ -35,7 +35,11 @@ struct TrueFigures {
     int touches = 0;                          ///< contacts with things that can be pushed
     std::optional<Seconds> first_touch{};     ///< since the spawn; key first_touch_s
     std::optional<HeightOverGround> height{}; ///< absent for a robot that has not dived
-    bool broken = false; ///< damaged so badly that it can no longer move; no key: it is a reason of failure
+    bool broken = false;      ///< damaged so badly that it can no longer move; no key: it is a reason of failure
+    Seconds powered_for{0.0}; ///< since its battery was empty or a rotor weak, or since the spawn; no key
+    /// Collisions within AfterStop::span of the end of the behavior, which `collisions` does not count; nullopt if
+    /// nobody has watched.
+    std::optional<int> contacts_after_stop{};
     std::vector<Vec3> collision_places_in_map_m{}; ///< the first ones; key course.collisions
 };
 

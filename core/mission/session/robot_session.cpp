@@ -217,6 +217,10 @@ const ClaimWatch& RobotSession::endClaims() {
     return d_->claims;
 }
 
+void RobotSession::awaitTime(Seconds when) {
+    d_->awaited = when;
+}
+
 Result<void> RobotSession::startRecording(const QString& path, const RecordingFacts& facts) {
     stopRecording();
     Result<void> begun;

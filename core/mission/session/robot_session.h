@@ -50,6 +50,8 @@ public:
     void setClaims(std::vector<Claim> claims, CountContacts count_contacts);
     /// Judges what is not judged yet as if the flight were over.
     const ClaimWatch& endClaims();
+    /// `timeReached` is emitted once, after the first line at or after this time on the protocol clock.
+    void awaitTime(Seconds when);
 
     /// Records every byte from now on, with its time and cause, in a new file (resources/docs/recording-format.md),
     /// until `stopRecording` or the end of the session. `facts` are stored with it. Problems are also notices with the
@@ -119,6 +121,7 @@ signals:
     void replayFailed(const QString& reason);
     /// `path` is the file, or empty if nothing is recorded.
     void recordingFlushed(const QString& path);
+    void timeReached(); ///< see awaitTime
     /// The last record has been played.
     void replayEnded();
     void linkChanged(const usar::link::LinkStatus& status);

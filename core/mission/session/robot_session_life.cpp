@@ -110,6 +110,7 @@ void RobotSession::Private::takeLine(std::string_view text) {
     claims.take(line, incoming.now());
     endAtLimit();
     endWithClaims();
+    lookForAwaitedTime();
     updates.touched();
 }
 
@@ -129,6 +130,13 @@ void RobotSession::Private::endAtLimit() {
 void RobotSession::Private::endWithClaims() {
     if (helm.hasBehavior() && claims.decided())
         helm.stopBehavior(by::Session{"claims"}, claims.sentence());
+}
+
+void RobotSession::Private::lookForAwaitedTime() {
+    if (!awaited || incoming.now() < *awaited)
+        return;
+    awaited.reset();
+    emit q.timeReached();
 }
 
 void RobotSession::Private::watch() {

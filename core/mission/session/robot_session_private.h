@@ -1,6 +1,7 @@
 // Implementation of RobotSession: its parts, and what they tell one another. Included by its own .cpp files only.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,6 +36,7 @@ struct RobotSession::Private : SpawnOwner, HelmOwner, ReplayStage {
     void takeLine(std::string_view text);
     void endAtLimit();
     void endWithClaims();
+    void lookForAwaitedTime();
     /// Called regularly while connected, to notice silence and overdue answers.
     void watch();
     /// With what a recording, or a part of it, begins.
@@ -109,8 +111,9 @@ struct RobotSession::Private : SpawnOwner, HelmOwner, ReplayStage {
     ReplayFeed replay;
     /// The user's wish; whether lockstep is in effect is up to the server.
     bool lockstep_wanted = false;
-    bool behavior_running = false; ///< here or in the replay
-    Seconds behavior_since{};      ///< protocol clock when the newest behavior was started here
+    bool behavior_running = false;    ///< here or in the replay
+    Seconds behavior_since{};         ///< protocol clock when the newest behavior was started here
+    std::optional<Seconds> awaited{}; ///< see awaitTime
 };
 
 } // namespace usar::mission

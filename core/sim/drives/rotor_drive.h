@@ -31,6 +31,7 @@ public:
     /// True if no rotor pushes: idle on the ground, broken, or switched off.
     bool idle() const override { return motors_ == MotorState::Idle || ended(); }
     bool broken() const override { return motors_ == MotorState::Broken; }
+    bool weak() const override { return rotors_.weak(); }
     void addSettings(std::vector<protocol::Setting>& settings) const override;
 
     BodyState state() const { return physics_.state(id_); }

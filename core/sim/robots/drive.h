@@ -39,6 +39,8 @@ public:
     virtual bool idle() const = 0;
     /// True if the robot can no longer move because it was damaged.
     virtual bool broken() const { return false; }
+    /// True if a fault takes thrust from it.
+    virtual bool weak() const { return false; }
     /// Contacts that this kind of drive counts as collisions.
     int collisions() const { return collisions_.count(); }
 

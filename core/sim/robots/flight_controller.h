@@ -29,18 +29,21 @@ public:
     void start(double thrust_n);
     /// Makes rotor 0..3 give only this share of its thrust; the mixer does not know about it.
     void weaken(std::size_t rotor, double share) { strengths_[rotor] = share; }
+    /// True if a rotor does not give all of its thrust.
+    bool weak() const { return strengths_ != full_strength; }
     /// Lets the thrusts follow what was commanded.
     void step(Seconds dt);
     /// The wrench that the rotors exert now.
     RotorWrench wrench() const;
-    /// The thrusts that the rotors give now.
 
 private:
+    static constexpr std::array<double, 4> full_strength{1.0, 1.0, 1.0, 1.0};
+
     AirRobotParameters parameters_;
     std::array<Vec3, 4> centers_m_;
     std::array<double, 4> commanded_n_{};
     std::array<double, 4> thrusts_n_{};
-    std::array<double, 4> strengths_{1.0, 1.0, 1.0, 1.0}; ///< see weaken()
+    std::array<double, 4> strengths_ = full_strength; ///< see weaken()
 };
 
 /// A velocity command in the robot's level frame (yaw only), within the robot's limits.

@@ -288,6 +288,7 @@ void Robot::watch() {
     stay_.step(tick_, position_m);
     falls_.step(base_in_map.linear()(2, 2));
     collided_.step(drive_->collisions(), position_m);
+    powered_for_ = alive() && !drive_->weak() ? powered_for_ + tick_ : Seconds{0.0};
     const bool dives = body_.model().kind == protocol::VehicleKind::Nautic && world_.water && !world_.terrain.empty();
     went_under_ = went_under_ || (dives && position_m.z() < world_.water->surface_z_m);
     if (went_under_)
@@ -398,12 +399,12 @@ bool Robot::atRest() const {
 }
 
 RobotFigures Robot::figures() const {
-    return {body_.base_in_map(), body_.velocity_in_map_m_s(),
-            drive_->broken(),    drive_->collisions(),
-            body_.distance_m(),  stay_.longest(),
-            falls_.count(),      touches_.count(),
-            touches_.first(),    heights_.figures(),
-            collided_.places_m()};
+    return {body_.base_in_map(),  body_.velocity_in_map_m_s(),
+            drive_->broken(),     powered_for_,
+            drive_->collisions(), body_.distance_m(),
+            stay_.longest(),      falls_.count(),
+            touches_.count(),     touches_.first(),
+            heights_.figures(),   collided_.places_m()};
 }
 
 } // namespace usar::sim

@@ -111,6 +111,7 @@ private:
     protocol::Dialect profile_;
     Seconds tick_;
     Seconds battery_left_;
+    Seconds powered_for_{0.0}; ///< see RobotFigures
     bool light_on_ = false;
 };
 

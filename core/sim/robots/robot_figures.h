@@ -22,6 +22,7 @@ struct RobotFigures {
     Vec3 velocity_in_map_m_s = Vec3::Zero();
     /// The robot was damaged so badly that it can no longer move.
     bool broken = false;
+    Seconds powered_for{0.0}; ///< since its battery was empty or a rotor weak; since the spawn if none ever was
     int collisions = 0;
     double distance_m = 0.0;               ///< length of the path it actually traveled
     Seconds longest_stay{0.0};             ///< see StayWatch in robot_watches.h

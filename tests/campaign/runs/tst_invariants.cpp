@@ -57,6 +57,9 @@ private slots:
         QTest::newRow("reached too much") << with("reachable_coverage_pct", 101) << "reachable_coverage_pct is 101";
         QTest::newRow("went back") << with("distance_m", -1) << "distance_m is -1";
         QTest::newRow("fewer than no collisions") << with("collisions", -1) << "collisions is -1";
+        QTest::newRow("nothing touched later") << with("contacts_after_stop", 0) << "";
+        QTest::newRow("nobody watched it") << with("contacts_after_stop", {}) << "";
+        QTest::newRow("not at rest") << with("contacts_after_stop", 2) << "It collided 2 times after it was stopped";
         QTest::newRow("beyond its limit") << with("duration_s", 602) << "It flew for 602 s";
         QTest::newRow("just at its limit") << with("duration_s", 600.2) << "";
         QTest::newRow("no success, but code 0") << with("success", false) << "disagree";

@@ -340,6 +340,52 @@ private slots:
         QVERIFY(!runner_->summary()["success"].toBool());
     }
 
+    void theRobotIsWatchedAfterItsStop_data() {
+        QTest::addColumn<TrueFigures>("later");
+        QTest::addColumn<bool>("closes"); // the server, meanwhile
+        QTest::addColumn<bool>("success");
+        QTest::addColumn<QJsonValue>("contacts");
+        const Seconds flight{10.0};
+        const QJsonValue unknown = QJsonValue::Null;
+        QTest::newRow("it rests") << TrueFigures{.collisions = 1, .powered_for = flight} << false << true
+                                  << QJsonValue(0);
+        QTest::newRow("it drifts into something")
+            << TrueFigures{.collisions = 3, .powered_for = flight} << false << true << QJsonValue(2);
+        QTest::newRow("it slides off and breaks")
+            << TrueFigures{.collisions = 2, .broken = true, .powered_for = flight} << false << false << QJsonValue(1);
+        QTest::newRow("it falls without power")
+            << TrueFigures{.collisions = 2, .powered_for = Seconds{1.0}} << false << true << unknown;
+        QTest::newRow("the server closes")
+            << TrueFigures{.collisions = 2, .powered_for = flight} << true << true << unknown;
+    }
+
+    void theRobotIsWatchedAfterItsStop() {
+        QFETCH(TrueFigures, later);
+        QFETCH(bool, closes);
+        QFETCH(bool, success);
+        QFETCH(QJsonValue, contacts);
+        constexpr int well_after_the_hop = 12; // ticks
+        options_.true_figures = [&] {
+            return std::optional(server_->tickCount() < well_after_the_hop ? TrueFigures{.collisions = 1} : later);
+        };
+        server_->on_command = [&](const QByteArray&) {
+            if (closes && server_->tickCount() >= well_after_the_hop)
+                server_->hangUp();
+        };
+        QCOMPARE(run(hop()), success ? 0 : 1);
+        const QJsonObject& summary = runner_->summary();
+        QCOMPARE(summary["contacts_after_stop"], contacts);
+        QCOMPARE(summary["collisions"].toInt(), 1);
+        QCOMPARE(summary["duration_s"].toDouble(), 0.8);
+        QCOMPARE(summary["success"].toBool(), success);
+    }
+
+    void nobodyIsWatchedOnARealServer() {
+        QCOMPARE(run(hop()), 0);
+        QVERIFY(runner_->summary()["contacts_after_stop"].isNull());
+        QVERIFY2(server_->tickCount() < 10, "it ends at once");
+    }
+
     void scoresAgainstTheTruthAndAsksForCollisions() {
         options_.truth = Truth{[](const Vec2&) { return 2.5; }, [](const Vec2&) { return 2.5; }};
         options_.true_figures = [] {
