@@ -154,6 +154,24 @@ private slots:
         QVERIFY((braced_m_s + wind_m_s).norm() < 0.2);
     }
 
+    /// It gathers speed, but its senses tell the velocity of the moment in which they fell silent.
+    void silentSensesTeachNoWind() {
+        Pilot pilot;
+        agent::CommandPort port;
+        Senses senses = sensesAt({0, 0, 6});
+        Motion motion;
+        motion.velocity_in_map_m_s = {2.0, 0.0};
+        for (int tick = 0; tick < 7; ++tick) {
+            senses.now += Seconds(0.2);
+            senses.ins_age += Seconds(0.2);
+            pilot.fly(motion, senses, port, "test", settings);
+        }
+        port.takeCommands();
+        pilot.brace(senses, 0.0, port, "test");
+        const auto last = port.takeCommands();
+        QCOMPARE(*std::get<protocol::AerialDrive>(last.at(0).command).forward_m_s, 0.0);
+    }
+
     void repeatsACommandThatMayHaveBeenLost() {
         Pilot pilot;
         agent::CommandPort port;

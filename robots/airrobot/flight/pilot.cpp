@@ -76,7 +76,8 @@ void Pilot::fly(const Motion& motion, const Senses& senses, agent::CommandPort& 
     const bool slower = motion.velocity_in_map_m_s.norm() < commanded_m_s_.norm();
     const double rate_m_s2 = slower ? firm_braking_m_s2 : settings.acceleration_m_s2;
     const double ramp_s = rampTime(senses.now).count();
-    if (!motion.sudden) // A sudden motion takes its time, which is not the wind's doing.
+    // A sudden motion takes its time, which is not the wind's doing, and an old velocity is that of another moment.
+    if (!motion.sudden && senses.ins_age <= Seconds{0.0})
         learnDrift(senses, ramp_s);
     commanded_m_s_ =
         motion.sudden ? motion.velocity_in_map_m_s : commanded_m_s_ + limited(change_m_s, rate_m_s2 * ramp_s);
