@@ -69,7 +69,7 @@ public:
     }
 
     void setParameters(const agent::ParameterSet& parameters) override { flight_.setParameters(parameters); }
-    protocol::Command safeCommand() const override { return protocol::AerialDrive{0.0, 0.0, 0.0, 0.0}; }
+    protocol::Command safeCommand() const override { return flight_.craft().still(); }
 
 private:
     void publishEnding(agent::CommandPort& port) const {

@@ -40,8 +40,7 @@ public:
     void setParameters(const agent::ParameterSet& parameters) override { flight_.setParameters(parameters); }
     void describe(agent::BehaviorStatus& status) const override { status = flight_.status(); }
     std::optional<agent::BehaviorFinished> ended() const override { return flight_.ending(); }
-    /// Hovering.
-    protocol::Command safeCommand() const override { return protocol::AerialDrive{0.0, 0.0, 0.0, 0.0}; }
+    protocol::Command safeCommand() const override { return flight_.craft().still(); }
 
 private:
     /// Passes on what the flight sent and published when the act that caused it returns.

@@ -152,6 +152,26 @@ private slots:
         const auto& drive = std::get<protocol::AerialDrive>(last.at(0).command);
         const Vec2 braced_m_s = Eigen::Rotation2Dd(0.7) * Vec2(*drive.forward_m_s, *drive.left_m_s);
         QVERIFY((braced_m_s + wind_m_s).norm() < 0.2);
+        QCOMPARE(pilot.still(senses).forward_m_s, drive.forward_m_s); // Whoever stops it, it leans on.
+        QCOMPARE(pilot.still(senses).left_m_s, drive.left_m_s);
+        senses.late = Seconds(1.0);
+        QVERIFY(pilot.still(senses) == (protocol::AerialDrive{0.0, 0.0, 0.0, 0.0}));
+        senses.late = Seconds(0.0);
+        pilot.stop(port, "landed");
+        QVERIFY(pilot.still(senses) == (protocol::AerialDrive{0.0, 0.0, 0.0, 0.0}));
+    }
+
+    /// A faulty INS that starts to add two meters, for one.
+    void aLeapOfThePoseIsNoWind() {
+        Pilot pilot;
+        agent::CommandPort port;
+        Senses senses = sensesAt({0, 0, 6});
+        for (const double velocity_m_s : {0.0, 10.0, 0.0}) {
+            senses.now += Seconds(0.2);
+            senses.velocity_in_map_m_s = {velocity_m_s, 0.0, 0.0};
+            pilot.fly({}, senses, port, "test", settings);
+        }
+        QVERIFY(pilot.still(senses) == (protocol::AerialDrive{0.0, 0.0, 0.0, 0.0}));
     }
 
     /// It gathers speed, but its senses tell the velocity of the moment in which they fell silent.

@@ -45,10 +45,8 @@ public:
     bool stuck() const {
         return no_way_ || detour_.late(senses.now) || stuck_.withoutProgress() > Seconds(settings.give_up_after_s);
     }
-    /// Whether what the robot has seen closes all ways to the goal. It never does where the robot may climb.
-    bool walledOff() const { return no_way_; }
-    /// False below a ceiling that leaves no room, and where a person forbids it.
-    bool mayClimb() const;
+    bool walledOff() const { return no_way_; } ///< what it has seen closes all ways; never where it may climb
+    bool mayClimb() const; ///< false below a ceiling that leaves no room, and where a person forbids it
     /// How far below its base something must end for the robot to pass over it at its present height.
     double passesBelow_m() const { return mayClimb() ? passes_below_m : passes_closer_m; }
     /// The ways to take: where it cannot climb, every aisle counts.
@@ -79,6 +77,7 @@ public:
     void hover(const Vec2& place_m, agent::CommandPort& port, const std::string& source);
     /// Stops without its senses and leans against the wind; below a roof, it sinks a little. Not counted by `stuck`.
     void brace(agent::CommandPort& port, const std::string& source);
+    protocol::AerialDrive still() const { return pilot_.still(senses); } ///< see Pilot::still
     /// Sends a zero DRIVE. This time does not count toward `stuck`.
     void rest(agent::CommandPort& port, const std::string& source);
     /// Forgets everything that depends on the old position estimate; call it after an INS reset.

@@ -22,7 +22,9 @@ constexpr double hold_speed_m_s = 0.5;
 constexpr double hold_tolerance_m = 0.15;
 constexpr double drift_gain_per_s = 0.35;
 constexpr double largest_drift_m_s = 1.5;
-constexpr double late_way_m = 1.2; ///< On a late link, it is so slow that it stands within this distance.
+constexpr double most_at_once_m_s = 2.0; ///< A greater error is a leap of the pose.
+constexpr double felt_wind_m_s = 0.4;    ///< What speeding up and turning teach in calm air is less.
+constexpr double late_way_m = 1.2;       ///< On a late link, it is so slow that it stands within this distance.
 
 Vec2 limited(const Vec2& vector, double length) {
     const double norm = vector.norm();
@@ -108,8 +110,18 @@ void Pilot::brace(const Senses& senses, double climb_m_s, agent::CommandPort& po
     send({.climb_m_s = climb_m_s}, senses, port, source);
 }
 
+protocol::AerialDrive Pilot::still(const Senses& senses) const {
+    protocol::AerialDrive drive{0.0, 0.0, 0.0, 0.0};
+    if (drift_m_s_.norm() < felt_wind_m_s || senses.late > Seconds{0.0})
+        return drive;
+    const Vec2 in_base_m_s = Eigen::Rotation2Dd(-senses.base_in_map.yaw_rad) * -limited(drift_m_s_, fastest_m_s_);
+    drive.forward_m_s = in_base_m_s.x();
+    drive.left_m_s = in_base_m_s.y();
+    return drive;
+}
+
 void Pilot::learnDrift(const Senses& senses, double dt_s) {
-    const Vec2 error_m_s = senses.velocity_in_map_m_s.head<2>() - commanded_m_s_;
+    const Vec2 error_m_s = limited(senses.velocity_in_map_m_s.head<2>() - commanded_m_s_, most_at_once_m_s);
     drift_m_s_ = limited(drift_m_s_ + senses.steadyShare() * drift_gain_per_s * dt_s * error_m_s, largest_drift_m_s);
 }
 

@@ -49,6 +49,9 @@ public:
     /// Commands level rest without a ramp and without a look at the senses, which may be silent: the robot leans
     /// against the wind as far as it knows it. `climb_m_s` is positive upward.
     void brace(const Senses& senses, double climb_m_s, agent::CommandPort& port, const std::string& source);
+    /// The DRIVE that keeps it where it is without its senses: it leans against the wind if it has felt any. On
+    /// a late link, what seems to be wind may be its own motion of a moment ago, so it does not lean.
+    protocol::AerialDrive still(const Senses& senses) const;
     /// The horizontal velocity over ground that was wanted last, in the robot's frame.
     Vec2 wantedInBase_m_s() const { return wanted_in_base_m_s_; }
     /// The last DRIVE, in the robot's frame.

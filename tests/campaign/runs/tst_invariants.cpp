@@ -1,3 +1,4 @@
+#include <QJsonArray>
 #include <QTest>
 
 #include "core/campaign/runs/invariants.h"
@@ -60,6 +61,11 @@ private slots:
         QTest::newRow("nothing touched later") << with("contacts_after_stop", 0) << "";
         QTest::newRow("nobody watched it") << with("contacts_after_stop", {}) << "";
         QTest::newRow("not at rest") << with("contacts_after_stop", 2) << "It collided 2 times after it was stopped";
+        RunResult blown = with("contacts_after_stop", 1);
+        blown.summary["faults"] = QJsonArray{"31.2 s: fault begins: wind speed=5.116 from=31.2"};
+        QTest::newRow("blown into something") << blown << "";
+        blown.summary["faults"] = QJsonArray{"31.2 s: fault begins: sensor_freeze from=31.2"};
+        QTest::newRow("not blown") << blown << "It collided 1 times after it was stopped";
         QTest::newRow("beyond its limit") << with("duration_s", 602) << "It flew for 602 s";
         QTest::newRow("just at its limit") << with("duration_s", 600.2) << "";
         QTest::newRow("no success, but code 0") << with("success", false) << "disagree";
