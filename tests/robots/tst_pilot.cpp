@@ -154,10 +154,14 @@ private slots:
         QVERIFY((braced_m_s + wind_m_s).norm() < 0.2);
         QCOMPARE(pilot.still(senses).forward_m_s, drive.forward_m_s); // Whoever stops it, it leans on.
         QCOMPARE(pilot.still(senses).left_m_s, drive.left_m_s);
+        Pilot landed = pilot;
+        landed.stop(port, "landed");
+        QVERIFY(landed.still(senses) == (protocol::AerialDrive{0.0, 0.0, 0.0, 0.0}));
         senses.late = Seconds(1.0);
         QVERIFY(pilot.still(senses) == (protocol::AerialDrive{0.0, 0.0, 0.0, 0.0}));
-        senses.late = Seconds(0.0);
-        pilot.stop(port, "landed");
+        port.takeCommands();
+        pilot.brace(senses, 0.0, port, "test");
+        QCOMPARE(*std::get<protocol::AerialDrive>(port.takeCommands().at(0).command).forward_m_s, 0.0);
         QVERIFY(pilot.still(senses) == (protocol::AerialDrive{0.0, 0.0, 0.0, 0.0}));
     }
 

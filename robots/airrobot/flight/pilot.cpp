@@ -107,6 +107,8 @@ void Pilot::send(const Motion& motion, const Senses& senses, agent::CommandPort&
 void Pilot::brace(const Senses& senses, double climb_m_s, agent::CommandPort& port, const std::string& source) {
     commanded_m_s_ = Vec2::Zero();
     last_at_.reset();
+    if (senses.late > Seconds{0.0})
+        drift_m_s_ = Vec2::Zero(); // It may be its own motion of a moment ago.
     send({.climb_m_s = climb_m_s}, senses, port, source);
 }
 

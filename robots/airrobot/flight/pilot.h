@@ -47,7 +47,7 @@ public:
     /// Commands zero speed without a ramp.
     void stop(agent::CommandPort& port, const std::string& source);
     /// Commands level rest without a ramp and without a look at the senses, which may be silent: the robot leans
-    /// against the wind as far as it knows it. `climb_m_s` is positive upward.
+    /// against the wind as far as it knows it, unless the link is late. `climb_m_s` is positive upward.
     void brace(const Senses& senses, double climb_m_s, agent::CommandPort& port, const std::string& source);
     /// The DRIVE that keeps it where it is without its senses: it leans against the wind if it has felt any. On
     /// a late link, what seems to be wind may be its own motion of a moment ago, so it does not lean.
