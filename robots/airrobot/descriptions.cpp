@@ -47,6 +47,7 @@ class SurveyBehavior : public agent::Behavior {
 public:
     explicit SurveyBehavior(agent::BehaviorContext context) : flight_(std::move(context)) {}
 
+    void onInfo(const protocol::InfoLine& line, agent::CommandPort&) override { flight_.hear(line); }
     void tick(const agent::Tick& tick, agent::CommandPort& port) override {
         if (flight_.finished())
             return;

@@ -29,6 +29,7 @@ public:
     /// The current tick; valid only between begin and end.
     const agent::Tick& tick() const { return *tick_; }
 
+    void onInfo(const protocol::InfoLine& line) override { flight_.hear(line); }
     /// Perceives and, in flight, looks along the leg, so that senses can be asked before the first act.
     void begin(const agent::Tick& tick) override;
     void end(const agent::Tick&) override {

@@ -18,7 +18,7 @@ namespace usar::airrobot {
 class SurveyFlight {
 public:
     explicit SurveyFlight(agent::BehaviorContext context);
-
+    void hear(const protocol::InfoLine& line) { craft_.hear(line.message); } ///< Call it with every line.
     void perceive(const agent::Tick& tick, agent::CommandPort& port);
     agent::BehaviorStatus status() const;
     void setParameters(const agent::ParameterSet& parameters);

@@ -35,6 +35,18 @@ private slots:
         QVERIFY2(outcome.success && outcome.collisions == 0 && outcome.elapsed_s < 900.0, outcome.text().c_str());
     }
 
+    // It flew on until the echo of its motion told it, or took the backlog of a silent link for a ceiling.
+    void staysWholeOverALinkThatGetsLateOrSilent_data() {
+        QTest::addColumn<int>("number");
+        QTest::newRow("late by 2.4 s both ways, between the walls of a quarry") << 87007;
+        QTest::newRow("silent for 16 s, among the houses of a town") << 87062;
+    }
+    void staysWholeOverALinkThatGetsLateOrSilent() {
+        QFETCH(int, number);
+        const test::SurveyOutcome outcome = test::fly(test::drawFaultySurvey(number));
+        QVERIFY2(outcome.success && outcome.collisions == 0, outcome.text().c_str());
+    }
+
     // No way led home any more. It looked for one until its battery was empty, and fell.
     void landsBeforeItsBatteryIsEmpty() {
         const test::SurveyOutcome outcome = test::fly(test::drawFaultySurvey(400013));

@@ -75,6 +75,8 @@ void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool a
     senses = reader_.read(tick.now, tick.line, tick.robot, layout, Seconds(settings.sensor_timeout_s));
     const Vec3 measured_m_s =
         Eigen::AngleAxisd(-senses.base_in_map.yaw_rad, Vec3::UnitZ()) * senses.velocity_in_map_m_s;
+    if (airborne)
+        link_.ask(tick.now, port);
     const bool was_late = link_.late() > Seconds{0.0};
     link_.note(senses.now, pilot_.told(), {measured_m_s, senses.yaw_rate_rad_s},
                senses.heightOverGround_m(1e9) > surely_aloft_m);

@@ -29,7 +29,7 @@ class Craft {
 public:
     /// Updates senses and threats and, if `airborne`, memory and battery; publishes pose, scan, path and threat zones.
     void perceive(const agent::Tick& tick, const SensorLayout& layout, bool airborne, agent::CommandPort& port);
-
+    void hear(const protocol::InfoMessage& message) { link_.hear(message); } ///< Call it with every info line.
     /// Judges the threats on the way of this tick. The functions below use the result.
     void look(const Leg& leg);
     /// Whether there is a high risk, or a low one on the way.
@@ -78,8 +78,7 @@ public:
     /// Stops without its senses and leans against the wind; below a roof, it sinks a little. Not counted by `stuck`.
     void brace(agent::CommandPort& port, const std::string& source);
     protocol::AerialDrive still() const { return pilot_.still(senses); } ///< see Pilot::still
-    /// Sends a zero DRIVE. This time does not count toward `stuck`.
-    void rest(agent::CommandPort& port, const std::string& source);
+    void rest(agent::CommandPort& port, const std::string& source); ///< Sends a zero DRIVE. Not counted by `stuck`.
     /// Forgets everything that depends on the old position estimate; call it after an INS reset.
     void forgetPlaces();
     /// Forgets evasion, steering and progress; call it before a goal of another kind and when a goal is given up.

@@ -6,6 +6,7 @@
 
 #include "core/base/clock.h"
 #include "core/base/geometry.h"
+#include "robots/airrobot/flight/link_probe.h"
 
 namespace usar::airrobot {
 
@@ -24,8 +25,12 @@ public:
     /// Takes what is measured in a tick, and the command before it. `free`: nothing but the command moves the robot.
     /// Call it once per tick.
     void note(Seconds now, const Motion& commanded, const Motion& measured, bool free);
+    /// Asks the server, whose answers tell it sooner and better; a server may give none. Call it once per tick.
+    void ask(Seconds now, agent::CommandPort& port) { probe_.step(now, port); }
+    /// Takes every info line, among which are the answers.
+    void hear(const protocol::InfoMessage& message) { probe_.hear(message); }
     /// How much later than usual the robot obeys; 0 unless that is sure.
-    Seconds late() const { return late_; }
+    Seconds late() const { return probe_.late().value_or(late_); }
 
 private:
     using Values = Eigen::Vector4d;
@@ -42,6 +47,7 @@ private:
     /// was too little motion to tell.
     std::optional<double> unexplained(std::size_t delay) const;
 
+    LinkProbe probe_;
     std::deque<Entry> entries_;           ///< oldest first
     std::optional<Seconds> told_to_lift_; ///< while it stands on the ground
     Seconds late_{0.0};
