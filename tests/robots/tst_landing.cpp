@@ -160,6 +160,45 @@ private slots:
         QVERIFY(!refuge.place_m(senses, around, -1.0, refused_m));
     }
 
+    /// It came down on a treetop, slid off, and broke (random survey 86120).
+    void takesNoTreetopForGround() {
+        std::vector<Vec3> crown;
+        for (double x_m = -2.6; x_m < 2.7; x_m += 0.25)
+            for (double y_m = -2.6; y_m < 2.7; y_m += 0.25)
+                crown.emplace_back(x_m, y_m, 5.0);
+        const ObstacleMemory around = meadow(crown);
+        Senses senses = sensesAt({0, 0, 9});
+        const Vec2 partly_on_it_m(0, 2.4);
+        QVERIFY(landingPlace_m(around, partly_on_it_m, 4.0).norm() > 3.8);
+        QVERIFY(canLand(around, {0, 0}, -1.0));
+        Refuge refuge;
+        refuge.note(senses, around, -1.0);
+        const auto place_m = refuge.place_m(senses, around, -1.0);
+        QVERIFY(place_m && place_m->norm() > 3.8);
+        senses.base_in_map.position_m.x() = 60.0;
+        QVERIFY(!refuge.place_m(senses, around, -1.0));
+    }
+
+    void prefersAPlaceToWhichNothingStandsInTheWay_data() {
+        QTest::addColumn<double>("wall_m");
+        QTest::addColumn<bool>("goes_east");
+        QTest::newRow("a low wall in the east") << 1.0 << true;
+        QTest::newRow("a wall as high as it is") << 6.0 << false;
+    }
+    void prefersAPlaceToWhichNothingStandsInTheWay() {
+        QFETCH(double, wall_m);
+        QFETCH(bool, goes_east);
+        std::vector<Vec3> things;
+        for (double y_m = -10.0; y_m < 10.1; y_m += 0.25)
+            things.emplace_back(1.0, y_m, wall_m);
+        for (double y_m = -10.0; y_m < 10.1; y_m += 1.0)
+            for (double x_m = -3.5; x_m < 1.0; x_m += 1.0) // bushes
+                things.emplace_back(x_m, y_m, 0.9);
+        const auto place_m = Refuge().place_m(sensesAt({0, 0, 6}), meadow(things), -1.0);
+        QVERIFY(place_m);
+        QCOMPARE(place_m->x() > 1.0, goes_east);
+    }
+
     void seesWhatItCannotStandOn_data() {
         QTest::addColumn<double>("edge_m");
         QTest::addColumn<double>("step_m");

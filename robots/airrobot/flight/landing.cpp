@@ -30,6 +30,9 @@ constexpr double steepest_rad = radians(20.0); ///< steeper, it may slide
 /// With 14 degrees and more between its legs and the ground, the robot fell onto its last leg so hard that it broke
 /// (`tst_random_surveys_campaign`, numbers 74, 128 and 1059).
 constexpr double gentle_rad = radians(14.0);
+/// A place beside which the ground is so much lower, within this distance, is on top of something that may be a crown.
+constexpr double stands_out_m = 1.5;
+constexpr double stands_out_within_m = 3.5;
 constexpr double ring_step_m = 1.0;
 constexpr int spots = 12;
 constexpr double seen_share = 0.8;  ///< of the ground below the body
@@ -79,6 +82,13 @@ double unevenness_m(const std::vector<Vec3>& tops_m, const Vec2& place_m, double
     return (at * plane - height_m).cwiseAbs().maxCoeff() + steep + share * slope;
 }
 
+/// True if the place lies on top of something narrow. A crown is as even on top as the ground of a wood.
+bool standsOut(const ObstacleMemory& memory, const Vec2& place_m) {
+    const auto here_m = memory.lowest_m(place_m, body_radius_m);
+    const auto around_m = memory.lowest_m(place_m, stands_out_within_m);
+    return here_m && around_m && *around_m < *here_m - stands_out_m;
+}
+
 } // namespace
 
 Vec2 landingPlace_m(const ObstacleMemory& memory, const Vec2& wanted_m, double radius_m, const Vec2& lean,
@@ -103,7 +113,8 @@ Vec2 landingPlace_m(const ObstacleMemory& memory, const Vec2& wanted_m, double r
             for (int i = 0; i < spots; ++i) {
                 const double bearing_rad = 2.0 * pi * i / spots;
                 const Vec2 place_m = wanted_m + ring_m * Vec2(std::cos(bearing_rad), std::sin(bearing_rad));
-                if (const double there_m = uneven_m(place_m, needed_m); there_m < best_unevenness_m) {
+                if (const double there_m = uneven_m(place_m, needed_m);
+                    there_m < best_unevenness_m && !standsOut(memory, place_m)) {
                     best_m = place_m;
                     best_unevenness_m = there_m;
                 }
@@ -123,7 +134,7 @@ void Refuge::note(const Senses& senses, const ObstacleMemory& memory, double dry
     if (noted_ && senses.now - *noted_ < look_every)
         return;
     noted_ = senses.now;
-    if (canLand(memory, senses.position2_m(), dry_m))
+    if (canLand(memory, senses.position2_m(), dry_m) && !standsOut(memory, senses.position2_m()))
         last_m_ = senses.position2_m();
 }
 
@@ -133,17 +144,23 @@ std::optional<Vec2> Refuge::place_m(const Senses& senses, const ObstacleMemory& 
     const auto refused = [&](const Vec2& place_m) {
         return std::ranges::any_of(refused_m, [&](const Vec2& one_m) { return (one_m - place_m).norm() < apart_m; });
     };
-    if (!refused(here_m) && canLand(memory, here_m, dry_m))
+    std::optional<Vec2> behind_m; ///< the nearest one to which something stands in the way
+    if (!refused(here_m) && canLand(memory, here_m, dry_m) && !standsOut(memory, here_m))
         return here_m;
     for (double ring_m = ring_step_m; ring_m <= in_sight_m; ring_m += ring_step_m) {
         const int places = spots + static_cast<int>(2.0 * ring_m);
         for (int i = 0; i < places; ++i) {
             const double bearing_rad = 2.0 * pi * i / places;
             const Vec2 place_m = here_m + ring_m * Vec2(std::cos(bearing_rad), std::sin(bearing_rad));
-            if (!refused(place_m) && canLand(memory, place_m, dry_m))
+            if (refused(place_m) || !canLand(memory, place_m, dry_m) || standsOut(memory, place_m))
+                continue;
+            if (Touchdown::isClearBelow(senses, memory, place_m))
                 return place_m;
+            behind_m = behind_m ? behind_m : place_m;
         }
     }
+    if (behind_m)
+        return behind_m;
     return last_m_ && !refused(*last_m_) ? last_m_ : std::nullopt;
 }
 

@@ -28,8 +28,9 @@ public:
     /// Remembers the place of the robot if it could land there. Ground lower than `dry_m` (map z) may be the bed of
     /// water, which the scanner looks through. Call it once per tick in the air.
     void note(const Senses& senses, const ObstacleMemory& memory, double dry_m);
-    /// The nearest place in sight where the robot could land, or else the last one that it flew over; nullopt if there
-    /// is none. It is well away from all `refused_m`.
+    /// The nearest place in sight where the robot could land and to which nothing stands in the way, or else the
+    /// nearest one, or the last one that it flew over; nullopt if there is none. It is well away from all `refused_m`,
+    /// and no narrow thing's top, because a crown is as even.
     std::optional<Vec2> place_m(const Senses& senses, const ObstacleMemory& memory, double dry_m,
                                 std::span<const Vec2> refused_m = {}) const;
 
