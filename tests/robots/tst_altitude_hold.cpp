@@ -111,24 +111,27 @@ private slots:
     void sinksNoSteeperThanTheSonarsSee_data() {
         QTest::addColumn<double>("speed_m_s");
         QTest::addColumn<bool>("known_ahead");
+        QTest::addColumn<bool>("told");
         QTest::addColumn<double>("at_most_m_s");
-        QTest::newRow("over unknown ground") << 1.0 << false << 0.13;
-        QTest::newRow("over ground seen from another lane") << 1.0 << true << settings.descent_speed_m_s;
-        QTest::newRow("straight down") << 0.0 << false << settings.descent_speed_m_s;
+        QTest::newRow("over unknown ground") << 1.0 << false << false << 0.13;
+        QTest::newRow("over ground seen from another lane") << 1.0 << true << false << settings.descent_speed_m_s;
+        QTest::newRow("over ground that the caller knows") << 1.0 << false << true << settings.descent_speed_m_s;
+        QTest::newRow("straight down") << 0.0 << false << false << settings.descent_speed_m_s;
     }
     void sinksNoSteeperThanTheSonarsSee() {
         QFETCH(double, speed_m_s);
         QFETCH(bool, known_ahead);
+        QFETCH(bool, told);
         QFETCH(double, at_most_m_s);
         ObstacleMemory memory;
         Senses senses = sensesAt({0, 0, 16});
         setFlatScan(senses, {known_ahead ? 0.0 : -8.0, 0.0}, 7.0, 0.0);
         memory.take(senses, spans);
         AltitudeHold hold;
-        const double rate_m_s = hold.climbRate_m_s(senses, memory, 6.0, 0.0, speed_m_s, settings);
+        const double rate_m_s = hold.climbRate_m_s(senses, memory, 6.0, 0.0, speed_m_s, settings, told);
         QVERIFY(rate_m_s < 0.0);
         QVERIFY(-rate_m_s <= at_most_m_s + 1e-9);
-        if (known_ahead || speed_m_s == 0.0)
+        if (known_ahead || told || speed_m_s == 0.0)
             QCOMPARE(-rate_m_s, settings.descent_speed_m_s);
     }
 };

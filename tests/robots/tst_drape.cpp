@@ -1,4 +1,4 @@
-// What a fast robot knows of the heights ahead, and how early it climbs for them.
+// What a fast robot knows of the heights ahead, how early it climbs for them, and where it may sink fast.
 #include <QObject>
 #include <QTest>
 
@@ -125,6 +125,33 @@ private slots:
         see(atlas, 30.0, {Vec3(5.5, 0.5, 2.0), Vec3(25.5, 0.5, 12.0)});
         const auto height_m = drapedHeight_m(atlas, {{0.5, 0.5}, 0.0, 2.0, 100.0}, settings);
         QVERIFY(height_m && *height_m > 2.0 + settings.clearance_m && *height_m < 12.0 + settings.clearance_m);
+    }
+
+    void sinksFastWhereTheWayIsKnownOrFarBelow_data() {
+        QTest::addColumn<double>("seen_m"); // ahead
+        QTest::addColumn<bool>("past");
+        QTest::addColumn<double>("height_m");
+        QTest::addColumn<bool>("fast");
+        QTest::newRow("all of it was seen") << 8.0 << false << 10.0 << true;
+        QTest::newRow("all of it was seen on an earlier flight") << 8.0 << true << 10.0 << true;
+        QTest::newRow("half of it was seen") << 3.0 << false << 10.0 << false;
+        QTest::newRow("nothing was seen") << 0.0 << false << 10.0 << false;
+        QTest::newRow("nothing was seen, far above the ground") << 0.0 << false << 17.0 << true;
+    }
+    void sinksFastWhereTheWayIsKnownOrFarBelow() {
+        QFETCH(double, seen_m);
+        QFETCH(bool, past);
+        QFETCH(double, height_m);
+        QFETCH(bool, fast);
+        HeightAtlas atlas;
+        std::vector<Vec3> hits_m{{-20.0, 0.0, 0.0}};
+        for (double x_m = 0.5; x_m < seen_m; x_m += 1.0)
+            for (double y_m = -1.5; y_m < 2.0; y_m += 1.0)
+                hits_m.emplace_back(x_m, y_m, 1.0);
+        see(atlas, 20.0, hits_m);
+        if (past)
+            atlas.endFlight();
+        QCOMPARE(maySinkFast(atlas, {{0, 0}, 0.0, 2.0, 100.0}, height_m), fast);
     }
 };
 

@@ -45,7 +45,7 @@ double altitudeGoal_m(const Senses& senses, const ObstacleMemory& memory, double
 }
 
 double AltitudeHold::climbRate_m_s(const Senses& senses, const ObstacleMemory& memory, double goal_m,
-                                   double way_bearing_rad, double speed_m_s, const Settings& settings) {
+                                   double way_bearing_rad, double speed_m_s, const Settings& settings, bool known) {
     const double error_m = goal_m - senses.base_in_map.position_m.z();
     moving_ = std::abs(error_m) > (moving_ ? stop_moving_m : start_moving_m);
     if (!moving_)
@@ -54,8 +54,8 @@ double AltitudeHold::climbRate_m_s(const Senses& senses, const ObstacleMemory& m
     if (wanted_m_s > 0.0)
         return std::min(wanted_m_s, settings.climb_speed_m_s);
     double sink_m_s = settings.descent_speed_m_s;
-    const bool known =
-        memory.knownAlong(senses.position2_m(), way_bearing_rad, way_half_width_m, way_ahead_m) >= known_enough;
+    known = known ||
+            memory.knownAlong(senses.position2_m(), way_bearing_rad, way_half_width_m, way_ahead_m) >= known_enough;
     if (speed_m_s > standing_m_s && !known)
         sink_m_s = std::min(sink_m_s, sonar_slope * speed_m_s);
     return -std::min(-wanted_m_s, sink_m_s);

@@ -22,13 +22,15 @@ double altitudeGoal_m(const Senses& senses, const ObstacleMemory& memory, double
                       std::optional<double> at_least_m, const Settings& settings);
 
 /// Computes the climb rate. Climbing is limited only by the climb speed. Sinking is no steeper than the sonars can see
-/// ahead and down (half their beam), unless the scanner has seen the way ahead from another lane or the robot is not
-/// moving. So the robot never sinks onto a peak that it has not seen (thesis 4.6). Owned by one robot.
+/// ahead and down (half their beam), unless the scanner has seen the way ahead from another lane, the robot is not
+/// moving, or the caller knows the way. So the robot never sinks onto a peak that it has not seen (thesis 4.6). Owned
+/// by one robot.
 class AltitudeHold {
 public:
-    /// Returns the climb rate toward the height `goal_m`, positive upward; call it once per tick.
+    /// Returns the climb rate toward the height `goal_m`, positive upward; call it once per tick. `known`: the way
+    /// ahead is known to the caller, even if not to the memory.
     double climbRate_m_s(const Senses& senses, const ObstacleMemory& memory, double goal_m, double way_bearing_rad,
-                         double speed_m_s, const Settings& settings);
+                         double speed_m_s, const Settings& settings, bool known = false);
 
 private:
     bool moving_ = false; ///< for hysteresis: small errors are ignored, because every change makes the INS drift

@@ -328,13 +328,16 @@ std::optional<double> Craft::heldHeight_m() {
 double Craft::climbRate(const WayAhead& way) {
     double wanted_m = altitudeGoal_m(senses, memory, way.bearing_rad, way.speed_m_s, heldHeight_m(), settings);
     double needed_m = wanted_m; // at once
+    bool known = false;
     if (settings.hurried() && !overhead.hasCeiling()) {
         const auto ahead_m = memory.highestAlong_m(way.from_m, way.bearing_rad, soon_half_width_m, soon_m);
         needed_m = ahead_m ? *ahead_m + settings.clearance_m : senses.position_m().z();
         wanted_m = std::max(wanted_m, drapedHeight_m(atlas_, way, settings).value_or(wanted_m));
+        known = maySinkFast(atlas_, way, senses.heightOverGround_m(1e9));
     }
     const double goal_m = std::min(wanted_m, overhead.limit_m(way.from_m));
-    const double rate_m_s = altitude_.climbRate_m_s(senses, memory, goal_m, way.bearing_rad, way.speed_m_s, settings);
+    const double rate_m_s =
+        altitude_.climbRate_m_s(senses, memory, goal_m, way.bearing_rad, way.speed_m_s, settings, known);
     const bool overhang = rate_m_s > 0.0 && besideOverhang();
     climb_forbidden_ = overhang && std::min(needed_m, goal_m) - senses.position_m().z() > bearable_deficit_m;
     return overhang ? 0.0 : rate_m_s;

@@ -15,6 +15,10 @@ constexpr double at_once_s = 4.0;
 /// The climb is planned with this share of the climb speed, which is not reached at once.
 constexpr double climb_share = 0.8;
 constexpr double slowest_m_s = 0.5;
+/// A way is known of which so much of so many meters was seen; crowns hide the rest.
+constexpr double known_share = 0.85;
+constexpr double known_ahead_m = 6.0;
+constexpr double over_trees_m = 16.0;
 
 } // namespace
 
@@ -31,6 +35,10 @@ std::optional<double> drapedHeight_m(const HeightAtlas& atlas, const WayAhead& w
         height_m = std::max(height_m.value_or(needed_m), needed_m);
     }
     return height_m;
+}
+
+bool maySinkFast(const HeightAtlas& atlas, const WayAhead& way, double height_m) {
+    return height_m > over_trees_m || atlas.seenShare({way.from_m, way.bearing_rad, 0.0, known_ahead_m}) >= known_share;
 }
 
 } // namespace usar::airrobot

@@ -21,4 +21,9 @@ struct WayAhead {
 /// nullopt if nothing is known.
 std::optional<double> drapedHeight_m(const HeightAtlas& atlas, const WayAhead& way, const Settings& settings);
 
+/// Whether the robot may sink as fast as it can: it knows the heights of the next meters, if only within the drift from
+/// an earlier flight, or is so high over the ground below, `height_m`, that even a tall tree ahead would be below it.
+/// Otherwise it would be too high to see the ground of a ravine, and would not get to know that there is room in it.
+bool maySinkFast(const HeightAtlas& atlas, const WayAhead& way, double height_m);
+
 } // namespace usar::airrobot

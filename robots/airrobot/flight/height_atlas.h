@@ -36,6 +36,8 @@ public:
     /// Returns the height (map z) of the highest thing in the corridor; nullopt if none is known there. What earlier
     /// flights saw may have drifted, so it counts farther to the sides.
     std::optional<double> highest_m(const Corridor& corridor) const;
+    /// Returns the share of the corridor that was seen, on whichever flight, 0 to 1.
+    double seenShare(const Corridor& corridor) const;
 
 private:
     static constexpr int side = 512; ///< cells per side of the grid, which is 512 m
@@ -47,6 +49,10 @@ private:
         bool goes_on = false; ///< The top is hidden, because it was as high as the scanner.
         int flight = 0;       ///< the last one that saw it; 0: none
     };
+    /// Calls `visit(cell, aside_m)` for each cell with its center along the corridor and so near to its middle that it
+    /// may be in it; `cell` is nullptr if it was never seen.
+    template <class Visit>
+    void visitAlong(const Corridor& corridor, Visit&& visit) const;
 
     std::vector<Cell> cells_; ///< empty before the first scan
     int flight_ = 1;
