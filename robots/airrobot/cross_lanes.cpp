@@ -19,9 +19,10 @@ constexpr int step_cells = 2; ///< distance between lines
 constexpr double usual_way_m = 12.0;
 constexpr double least_m2 = 12.0;
 /// In a small area, ways are shorter, and less is a substantial part: lanes are held to these shares of its cells and
-/// of the mean of its sides.
+/// of the mean of its sides, and what they must show for their way shrinks with the area below this size.
 constexpr double small_area_share = 0.02;
 constexpr double usual_way_share = 0.5;
+constexpr double small_area_m2 = 6400.0;
 constexpr double rounding_m2 = 1e-9;
 constexpr double least_lane_m = 5.0; ///< If less is left of the length of all lanes, no more are added.
 /// A coarser map may well miss cells of a meter that nothing hides.
@@ -286,7 +287,7 @@ private:
     }
 
     const ScanLedger& ledger_;
-    const LaneTerms& terms_;
+    LaneTerms terms_;
     Vec2 from_m_;
     Vec2 home_m_;
     std::vector<mapping::Lane> lanes_; ///< their quadrants are indices into `found_`
@@ -299,7 +300,10 @@ std::vector<mapping::Lane> crossLanes(const ScanLedger& ledger, const LaneTerms&
                                       const Vec2& home_m) {
     if (terms.resolution_m > coarsest_m)
         return {};
-    std::vector<mapping::Lane> lanes = LaneChoice(ledger, terms, from_m, home_m).choose();
+    const double area_m2 = ledger.columns() * ledger.rows() * ScanLedger::cell_m * ScanLedger::cell_m;
+    LaneTerms held = terms;
+    held.least_gain_m *= std::min(1.0, area_m2 / small_area_m2);
+    std::vector<mapping::Lane> lanes = LaneChoice(ledger, held, from_m, home_m).choose();
     for (mapping::Lane& lane : lanes)
         lane.quadrant = 0;
     return lanes;

@@ -15,6 +15,7 @@ std::vector<agent::ParameterPreset> presets() {
                                                       {"lane_spacing_m", Settings::by_resolution},
                                                       {"scan_speed_m_s", Settings::by_resolution},
                                                       {"transit_speed_m_s", 2.0},
+                                                      {"descent_speed_m_s", 0.8},
                                                       {"turn_rate_rad_s", radians(60.0)},
                                                       {"acceleration_m_s2", 1.5}};
     auto balanced = fast;

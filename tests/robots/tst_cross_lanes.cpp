@@ -124,6 +124,31 @@ private slots:
         QCOMPARE(crossLanes(ledger, {0.6, 1000.0, 0.5}, {5, 5}, {5, 5}).size(), std::size_t(1));
     }
 
+    /// The same hole is worth a long way in a small area only, and none if no lanes are wanted.
+    void isWorthALongerWayInASmallArea_data() {
+        QTest::addColumn<double>("width_m");
+        QTest::addColumn<double>("gain_m");
+        QTest::addColumn<int>("lanes");
+        QTest::newRow("a small area") << 60.0 << 0.8 << 1;
+        QTest::newRow("a large one") << 160.0 << 0.8 << 0;
+        QTest::newRow("a small area, no lanes wanted") << 60.0 << 1000.0 << 0;
+    }
+    void isWorthALongerWayInASmallArea() {
+        QFETCH(double, width_m);
+        QFETCH(double, gain_m);
+        QFETCH(int, lanes);
+        ScanLedger ledger(Rectangle{{0, 0}, {width_m, 40}});
+        Senses senses = sensesAt({5, 5, 6});
+        senses.scan = PlacedScan{senses.line, senses.base_in_map, senses.base_in_map, {}};
+        for (double x_m = 0.25; x_m < width_m; x_m += 0.5)
+            for (double y_m = 0.25; y_m < 40.0; y_m += 0.5)
+                if (x_m < 4.0 || x_m > 9.0 || y_m < 35.0)
+                    senses.scan->hits_in_map_m.emplace_back(x_m, y_m, 0.0);
+        ledger.note(senses, true, true);
+        const Vec2 here_m(30, 20);
+        QCOMPARE(static_cast<int>(crossLanes(ledger, {gain_m, 1000.0, 0.5}, here_m, here_m).size()), lanes);
+    }
+
     /// A map with points 2 m apart has cells without any, which nothing hides.
     void addsNothingToACoarseMap() {
         const ScanLedger ledger = ledgerWithout({{{10, -28}, {14, 28}}});
