@@ -13,9 +13,9 @@ namespace {
 constexpr Seconds ask_every{0.6};
 /// Answers come with the lines of the next tick, and a tick may be a fifth of a second.
 constexpr Seconds usual_answer{0.4};
-constexpr Seconds least_late{0.3};
+constexpr Seconds told_from{0.3};
 /// An answer that has not come for so long got lost.
-constexpr Seconds lost_after{30.0};
+constexpr Seconds answer_lost_after{30.0};
 /// A single question that stays open may have been lost on its way.
 constexpr int sure_of = 2;
 
@@ -29,7 +29,7 @@ constexpr std::array questions{Question{"INS", true}, Question{"INS", false}, Qu
 
 Seconds beyondUsual(Seconds time) {
     const Seconds late = time - usual_answer;
-    return late < least_late ? Seconds(0.0) : late;
+    return late < told_from ? Seconds(0.0) : late;
 }
 
 } // namespace
@@ -67,7 +67,7 @@ void LinkProbe::take(std::size_t kind, Seconds now) {
 
 void LinkProbe::ask(Seconds now, agent::CommandPort& port) {
     Asked& asked = asked_[next_];
-    if (asked.open && now >= asked.at && now - asked.at < lost_after)
+    if (asked.open && now >= asked.at && now - asked.at < answer_lost_after)
         return;
     const protocol::Token type = *protocol::Token::make(questions[next_].type);
     if (questions[next_].geometry)
@@ -81,7 +81,7 @@ void LinkProbe::ask(Seconds now, agent::CommandPort& port) {
 
 Seconds LinkProbe::openFor(Seconds now) const {
     const auto open = std::ranges::count_if(
-        asked_, [&](const Asked& one) { return one.open && now - one.at >= usual_answer + least_late; });
+        asked_, [&](const Asked& one) { return one.open && now - one.at >= usual_answer + told_from; });
     if (open < sure_of)
         return Seconds(0.0);
     Seconds oldest = now;
