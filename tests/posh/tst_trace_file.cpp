@@ -40,6 +40,20 @@ private:
     TraceObserver& b_;
 };
 
+/// Its act, which goes on and on, sends a command each time.
+class TalkingHost final : public test::StubHost {
+public:
+    explicit TalkingHost(TraceObserver& trace) : trace_(trace) {}
+    ActResult run(CallSite) override {
+        trace_.take({.event = TraceEvent::Command}, "DRIVE " + std::to_string(runs_++));
+        return ActResult::Running;
+    }
+
+private:
+    TraceObserver& trace_;
+    int runs_ = 0;
+};
+
 struct Recording {
     std::string bytes;
     std::string text; ///< in full
@@ -90,6 +104,7 @@ private slots:
     void beginsAtAnyCycle();
     void knowsThePlanOfEachCycle();
     void isReadWhileItGrows();
+    void whatComesBehindACycleLaterHidesNoCycle();
     void quietCyclesCostLittle_data();
     void quietCyclesCostLittle();
     void everyPrefixIsReadAsFarAsItGoes();
@@ -163,6 +178,39 @@ void tst_TraceFile::isReadWhileItGrows() {
     }
     file->extend(bytes);
     QCOMPARE(textFrom(file->begin()), run.text);
+}
+
+/// As in a live flight: each cycle is read at once, and commands are sent between two cycles.
+void tst_TraceFile::whatComesBehindACycleLaterHidesNoCycle() {
+    const std::string plan = "((DC d (drives ((a walk)))))";
+    TraceEncoder encoder(plan);
+    TalkingHost host(encoder);
+    Engine engine(host, programOf(plan));
+    engine.watch(&encoder);
+    std::string bytes;
+    std::optional<TraceFile> file;
+    std::optional<TraceFile::Cursor> cursor;
+    std::vector<std::string> said;
+    const auto read = [&] {
+        bytes += encoder.takeBytes();
+        if (!file)
+            file = *TraceFile::open(bytes);
+        file->extend(bytes);
+        if (!cursor)
+            cursor = file->begin();
+        while (const TracedCycle* const cycle = cursor->next())
+            for (const trace_codec::Entry& entry : cycle->events)
+                if (entry.record.event == TraceEvent::Command)
+                    said.emplace_back(cycle->textOf(entry));
+    };
+    for (int cycle = 0; cycle < 5; ++cycle) {
+        engine.cycle(Milliseconds(200 * cycle));
+        read();
+        encoder.take({.event = TraceEvent::Command}, "GETGEO " + std::to_string(cycle));
+        read();
+    }
+    engine.watch(nullptr);
+    QCOMPARE(said, (std::vector<std::string>{"DRIVE 0", "DRIVE 1", "DRIVE 2", "DRIVE 3", "DRIVE 4"}));
 }
 
 void tst_TraceFile::quietCyclesCostLittle_data() {

@@ -109,6 +109,7 @@ bool TraceFile::Cursor::deltaFollows() const {
 }
 
 const TracedCycle* TraceFile::Cursor::next() {
+    readBehind(); // What has come since the last cycle was read brings texts that later ones may repeat.
     while (at_ < file_->indexed_) {
         const auto frame = file_->frameAt(at_);
         if (!frame)

@@ -52,7 +52,7 @@ public:
     class Cursor {
     public:
         /// Returns the next cycle, which is valid until the next call; nullptr after the last cycle and at a damaged
-        /// one.
+        /// one. In a file that grows, what comes behind a cycle after it was returned is passed over.
         const TracedCycle* next();
 
     private:
