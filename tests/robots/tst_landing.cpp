@@ -353,6 +353,30 @@ private slots:
         }
     }
 
+    /// It was kept away from one place after the other until its battery was empty, and fell (random survey 80093).
+    void sinksWhereItIsWhileItsBatteryLastsForThat_data() {
+        QTest::addColumn<double>("left_s");
+        QTest::addColumn<bool>("sinks");
+        QTest::newRow("for a minute") << 60.0 << false;
+        QTest::newRow("for the descent and little more") << 22.0 << true;
+    }
+    void sinksWhereItIsWhileItsBatteryLastsForThat() {
+        QFETCH(double, left_s);
+        QFETCH(bool, sinks);
+        const Vec2 place_m(4, 0);
+        const ObstacleMemory around = meadow({Vec3(0.5, 0.0, 5.5)}); // It is beside a shelf.
+        Touchdown touchdown;
+        Senses senses = sensesAt({0, 0, 6});
+        senses.robot_battery = Seconds(left_s);
+        touchdown.mindBattery(senses, Settings());
+        QCOMPARE(touchdown.placeFor_m(place_m), sinks ? Vec2(0, 0) : place_m);
+        QCOMPARE(touchdown.maySink(senses, around, touchdown.placeFor_m(place_m)), sinks);
+        senses.now += Seconds(1.0);
+        touchdown.keptAway(senses, true);
+        senses.now += Seconds(60.0);
+        QCOMPARE(touchdown.keptAway(senses, true), !sinks);
+    }
+
     void sinksSlowlyNearTheGround() {
         const Settings settings;
         Touchdown touchdown;

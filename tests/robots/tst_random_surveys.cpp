@@ -47,9 +47,15 @@ private slots:
         QVERIFY2(outcome.success && outcome.collisions == 0, outcome.text().c_str());
     }
 
-    // No way led home any more. It looked for one until its battery was empty, and fell.
+    // It looked for a way, or for a place to which nothing stood in the way, until its battery was empty, and fell.
+    void landsBeforeItsBatteryIsEmpty_data() {
+        QTest::addColumn<int>("number");
+        QTest::newRow("no way leads home") << 400013;
+        QTest::newRow("shelves keep it from all places") << 80093;
+    }
     void landsBeforeItsBatteryIsEmpty() {
-        const test::SurveyOutcome outcome = test::fly(test::drawFaultySurvey(400013));
+        QFETCH(int, number);
+        const test::SurveyOutcome outcome = test::fly(test::drawFaultySurvey(number));
         QVERIFY2(outcome.ended && !outcome.broken && !outcome.success && outcome.height_m < 0.1,
                  outcome.text().c_str());
     }

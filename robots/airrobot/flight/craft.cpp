@@ -363,13 +363,14 @@ void Craft::makeSafe(Motion& motion) const {
 }
 
 Descent Craft::descend(const Vec2& asked_m, bool in_need, agent::CommandPort& port) {
+    touchdown.mindBattery(senses, settings);
     const Vec2 place_m = touchdown.placeFor_m(asked_m);
     Motion motion = holding(senses, place_m);
     const double height_m = senses.heightOverGround_m(0.0);
     // It has come up near its base, and crowns are wider higher up.
     const bool over = touchdown.isOver(senses, place_m);
     const bool sinks = (over || (!in_need && height_m > settings.landing_slow_below_m)) &&
-                       Touchdown::isClearBelow(senses, memory, place_m);
+                       touchdown.maySink(senses, memory, place_m);
     if (sinks) {
         motion.climb_m_s = -touchdown.sinkRate_m_s(senses, settings);
         if (over && touchdown.looksAround(senses, memory, place_m, log.lean().slope(senses.base_in_map.yaw_rad)))

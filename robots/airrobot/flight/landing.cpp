@@ -33,6 +33,8 @@ constexpr double gentle_rad = radians(14.0);
 /// A place beside which the ground is so much lower, within this distance, is on top of something that may be a crown.
 constexpr double stands_out_m = 1.5;
 constexpr double stands_out_within_m = 3.5;
+/// A battery that lasts no longer than a slow descent and this is spent on the descent.
+constexpr Seconds spare_to_sink{5.0};
 constexpr double ring_step_m = 1.0;
 constexpr int spots = 12;
 constexpr double seen_share = 0.8;  ///< of the ground below the body
@@ -82,6 +84,13 @@ double unevenness_m(const std::vector<Vec3>& tops_m, const Vec2& place_m, double
     return (at * plane - height_m).cwiseAbs().maxCoeff() + steep + share * slope;
 }
 
+/// True if the place is so much higher than the one that was wanted: on a crown, or on a roof.
+bool isRaised(const ObstacleMemory& memory, const Vec2& place_m, const Vec2& wanted_m) {
+    const auto there_m = memory.lowest_m(place_m, body_radius_m);
+    const auto ground_m = memory.lowest_m(wanted_m, body_radius_m);
+    return there_m && ground_m && *there_m > *ground_m + stands_out_m;
+}
+
 /// True if the place lies on top of something narrow. A crown is as even on top as the ground of a wood.
 bool standsOut(const ObstacleMemory& memory, const Vec2& place_m) {
     const auto here_m = memory.lowest_m(place_m, body_radius_m);
@@ -114,7 +123,7 @@ Vec2 landingPlace_m(const ObstacleMemory& memory, const Vec2& wanted_m, double r
                 const double bearing_rad = 2.0 * pi * i / spots;
                 const Vec2 place_m = wanted_m + ring_m * Vec2(std::cos(bearing_rad), std::sin(bearing_rad));
                 if (const double there_m = uneven_m(place_m, needed_m);
-                    there_m < best_unevenness_m && !standsOut(memory, place_m)) {
+                    there_m < best_unevenness_m && !isRaised(memory, place_m, wanted_m)) {
                     best_m = place_m;
                     best_unevenness_m = there_m;
                 }
@@ -145,6 +154,7 @@ std::optional<Vec2> Refuge::place_m(const Senses& senses, const ObstacleMemory& 
         return std::ranges::any_of(refused_m, [&](const Vec2& one_m) { return (one_m - place_m).norm() < apart_m; });
     };
     std::optional<Vec2> behind_m; ///< the nearest one to which something stands in the way
+    std::optional<Vec2> raised_m; ///< the nearest one on top of something narrow
     if (!refused(here_m) && canLand(memory, here_m, dry_m) && !standsOut(memory, here_m))
         return here_m;
     for (double ring_m = ring_step_m; ring_m <= in_sight_m; ring_m += ring_step_m) {
@@ -152,16 +162,26 @@ std::optional<Vec2> Refuge::place_m(const Senses& senses, const ObstacleMemory& 
         for (int i = 0; i < places; ++i) {
             const double bearing_rad = 2.0 * pi * i / places;
             const Vec2 place_m = here_m + ring_m * Vec2(std::cos(bearing_rad), std::sin(bearing_rad));
-            if (refused(place_m) || !canLand(memory, place_m, dry_m) || standsOut(memory, place_m))
+            if (refused(place_m) || !canLand(memory, place_m, dry_m))
                 continue;
-            if (Touchdown::isClearBelow(senses, memory, place_m))
+            std::optional<Vec2>& second_m = standsOut(memory, place_m) ? raised_m : behind_m;
+            if (&second_m == &behind_m && Touchdown::isClearBelow(senses, memory, place_m))
                 return place_m;
-            behind_m = behind_m ? behind_m : place_m;
+            second_m = second_m.value_or(place_m);
         }
     }
     if (behind_m)
         return behind_m;
-    return last_m_ && !refused(*last_m_) ? last_m_ : std::nullopt;
+    return last_m_ && !refused(*last_m_) ? last_m_ : raised_m;
+}
+
+void Touchdown::mindBattery(const Senses& senses, const Settings& settings) {
+    const double height_m = senses.heightOverGround_m(0.0);
+    if (sinks_anyway_ || !senses.robot_battery ||
+        *senses.robot_battery > spare_to_sink + Seconds(height_m / settings.landing_speed_m_s))
+        return;
+    sinks_anyway_ = true;
+    better_m_ = senses.position2_m();
 }
 
 bool Touchdown::isOver(const Senses& senses, const Vec2& place_m) {
@@ -175,7 +195,7 @@ bool Touchdown::isOver(const Senses& senses, const Vec2& place_m) {
 
 bool Touchdown::looksAround(const Senses& senses, const ObstacleMemory& memory, const Vec2& place_m, const Vec2& lean) {
     const double height_m = senses.heightOverGround_m(0.0);
-    if (height_m > look_from_m || height_m < look_to_m || turned_rad_ >= pi)
+    if (sinks_anyway_ || height_m > look_from_m || height_m < look_to_m || turned_rad_ >= pi)
         return false;
     if (!turning_since_)
         turning_since_ = senses.now;
@@ -210,7 +230,7 @@ bool Touchdown::isClearBelow(const Senses& senses, const ObstacleMemory& memory,
 
 bool Touchdown::isUneven(const Senses& senses) {
     if (!senses.scan)
-        return uneven_scans_ >= odd_scans;
+        return uneven_scans_ >= odd_scans && !sinks_anyway_;
     double low_m = std::numeric_limits<double>::infinity();
     double high_m = -low_m;
     for (const Vec3& hit : senses.scan->hits_in_map_m)
@@ -219,11 +239,11 @@ bool Touchdown::isUneven(const Senses& senses) {
             high_m = std::max(high_m, hit.z());
         }
     uneven_scans_ = high_m - low_m > odd_m ? uneven_scans_ + 1 : 0;
-    return uneven_scans_ >= odd_scans;
+    return uneven_scans_ >= odd_scans && !sinks_anyway_;
 }
 
 bool Touchdown::keptAway(const Senses& senses, bool holds) {
-    if (!holds)
+    if (!holds || sinks_anyway_)
         held_since_.reset();
     else if (!held_since_)
         held_since_ = senses.now;

@@ -30,7 +30,7 @@ public:
     void note(const Senses& senses, const ObstacleMemory& memory, double dry_m);
     /// The nearest place in sight where the robot could land and to which nothing stands in the way, or else the
     /// nearest one, or the last one that it flew over; nullopt if there is none. It is well away from all `refused_m`,
-    /// and no narrow thing's top, because a crown is as even.
+    /// and no narrow thing's top unless there is nothing else, because a crown is as even.
     std::optional<Vec2> place_m(const Senses& senses, const ObstacleMemory& memory, double dry_m,
                                 std::span<const Vec2> refused_m = {}) const;
 
@@ -53,6 +53,9 @@ enum class Descent {
 class Touchdown {
 public:
     void start() { *this = {}; }
+    /// Makes the robot sink where it is, whatever stands below, as soon as its own battery lasts for nothing else: it
+    /// would fall otherwise. Call it once per tick of a landing.
+    void mindBattery(const Senses& senses, const Settings& settings);
     /// Returns whether the robot is over its place, so that it may sink. Call it once per tick of a landing.
     bool isOver(const Senses& senses, const Vec2& place_m);
     /// Where to land: `place_m`, or where the ground turned out to be better as it looked at it from low above.
@@ -64,6 +67,9 @@ public:
     /// Whether it may sink further on its way to its place: nothing that stands there, or that it may meet beside it,
     /// is known to reach up to it. Crowns count, and so do walls; the ground of the place does not.
     static bool isClearBelow(const Senses& senses, const ObstacleMemory& memory, const Vec2& place_m);
+    bool maySink(const Senses& senses, const ObstacleMemory& memory, const Vec2& place_m) const {
+        return sinks_anyway_ || isClearBelow(senses, memory, place_m);
+    }
     /// True if the scanner sees again and again that the robot cannot stand on what is below its ring: the drift of the
     /// pose has moved a place that was fit. Call it once per tick over the place.
     bool isUneven(const Senses& senses);
@@ -79,7 +85,8 @@ private:
     std::optional<Seconds> still_since_;
     std::optional<Seconds> held_since_; ///< it holds its height since then
     bool over_ = false;
-    int uneven_scans_ = 0; ///< in a row
+    bool sinks_anyway_ = false; ///< at `better_m_`
+    int uneven_scans_ = 0;      ///< in a row
     double turned_rad_ = 0.0;
     std::optional<double> last_yaw_rad_;
     std::optional<Seconds> turning_since_;
