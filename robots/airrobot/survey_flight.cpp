@@ -490,10 +490,7 @@ void SurveyFlight::order(agent::Order order, agent::CommandPort& port) {
 
 void SurveyFlight::finish(bool success, const std::string& reason, agent::CommandPort& port,
                           std::vector<std::string> sensors_missing) {
-    if (inTheAir() && !craft_.crash())
-        port.send(craft_.still(), "finished");
-    else
-        craft_.rest(port, "finished");
+    craft_.leave(inTheAir(), port);
     phase_ = Phase::Finished;
     ending_ = agent::BehaviorFinished{success, reason, std::move(sensors_missing)};
 }

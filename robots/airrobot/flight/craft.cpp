@@ -369,8 +369,8 @@ Descent Craft::descend(const Vec2& asked_m, bool in_need, agent::CommandPort& po
     const double height_m = senses.heightOverGround_m(0.0);
     // It has come up near its base, and crowns are wider higher up.
     const bool over = touchdown.isOver(senses, place_m);
-    const bool sinks = (over || (!in_need && height_m > settings.landing_slow_below_m)) &&
-                       touchdown.maySink(senses, memory, place_m);
+    const bool sinks =
+        (over || (!in_need && height_m > settings.landing_slow_below_m)) && touchdown.maySink(senses, memory, place_m);
     if (sinks) {
         motion.climb_m_s = -touchdown.sinkRate_m_s(senses, settings);
         if (over && touchdown.looksAround(senses, memory, place_m, log.lean().slope(senses.base_in_map.yaw_rad)))
@@ -404,6 +404,13 @@ void Craft::brace(agent::CommandPort& port, const std::string& source) {
     const bool pressed = touchesRoof() && senses.ins_age < longest_press;
     commanded_climb_m_s_ = pressed ? -Overhead::gentle_m_s : 0.0;
     pilot_.brace(senses, commanded_climb_m_s_, port, source);
+}
+
+void Craft::leave(bool airborne, agent::CommandPort& port) {
+    if (airborne && !crash_)
+        port.send(still(), "finished");
+    else
+        rest(port, "finished");
 }
 
 void Craft::rest(agent::CommandPort& port, const std::string& source) {

@@ -78,6 +78,7 @@ public:
     /// Stops without its senses and leans against the wind; below a roof, it sinks a little. Not counted by `stuck`.
     void brace(agent::CommandPort& port, const std::string& source);
     protocol::AerialDrive still() const { return pilot_.still(senses); } ///< see Pilot::still
+    void leave(bool airborne, agent::CommandPort& port);            ///< Sends the last command: it hovers, or rests.
     void rest(agent::CommandPort& port, const std::string& source); ///< Sends a zero DRIVE. Not counted by `stuck`.
     /// Forgets everything that depends on the old position estimate; call it after an INS reset.
     void forgetPlaces();
