@@ -105,6 +105,10 @@ void RecordingTopics::read(const protocol::InfoMessage& message) {
 
 void RecordingTopics::take(const protocol::GeometryInfo& geometry) {
     for (const protocol::MountedItem& item : geometry.items) {
+        const auto known = mounts_.find(item.name);
+        if (known != mounts_.end() && known->second == item.item_in_mount)
+            continue; // A robot may ask again and again.
+        mounts_[item.name] = item.item_in_mount;
         const std::string mount = sameWord(item.mount, "HARD") ? "base" : item.mount;
         topics_.transform(topic("mount", item.name), frame(mount), frame(item.name), item.item_in_mount, std::nullopt);
     }

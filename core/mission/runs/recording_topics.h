@@ -73,6 +73,7 @@ private:
     RecordedPlan plan_;
     ScanMapper mapper_;
     std::map<std::string, Strips> strips_; ///< by sensor
+    std::map<std::string, Pose> mounts_;   ///< by item, as they were told last
     int sensor_rank_ = 0;                  ///< of the best sensor that has told the robot's pose so far
     bool behavior_tells_ = false;          ///< the robot's pose
     bool map_changed_ = false;
