@@ -23,7 +23,7 @@ constexpr double hold_tolerance_m = 0.15;
 constexpr double drift_gain_per_s = 0.35;
 constexpr double largest_drift_m_s = 1.5;
 constexpr double most_at_once_m_s = 2.0; ///< A greater error is a leap of the pose.
-constexpr double felt_wind_m_s = 0.4;    ///< What speeding up and turning teach in calm air is less.
+constexpr double felt_wind_m_s = 0.4;    ///< Less may come from speeding up and turning in calm air.
 constexpr double late_way_m = 1.2;       ///< On a late link, it is so slow that it stands within this distance.
 
 Vec2 limited(const Vec2& vector, double length) {
