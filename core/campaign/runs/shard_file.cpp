@@ -111,9 +111,12 @@ Result<ShardFile> ShardFile::open(const QString& folder, const Shard& shard) {
         return failure(errno == EWOULDBLOCK ? std::string("another program is writing these results")
                                             : std::string("the results cannot be locked: ") + std::strerror(errno),
                        path.toStdString(), "Wait for it, or give another folder with --out");
+    auto division = Division::take(folder, shard.of);
+    if (!division)
+        return tl::unexpected(division.error());
     if (const auto dropped = dropTornLine(*file); !dropped)
         return tl::unexpected(dropped.error());
-    return ShardFile(std::move(file));
+    return ShardFile(std::move(file), *std::move(division));
 }
 
 Result<void> ShardFile::append(const RunResult& result) {

@@ -8,6 +8,7 @@
 #include <QString>
 
 #include "core/base/result.h"
+#include "core/campaign/runs/division.h"
 #include "core/campaign/runs/run_result.h"
 
 namespace usar::campaign {
@@ -25,15 +26,18 @@ struct Shard {
 class ShardFile {
 public:
     /// Opens DIR/shard-INDEX.jsonl for appending. A last line without its end, which a killed writer leaves, is
-    /// removed. Fails if another process writes it, or if it cannot be written.
+    /// removed. Fails if another process writes it or divides the campaign otherwise, or if it cannot be written.
     static Result<ShardFile> open(const QString& folder, const Shard& shard);
 
     /// Writes one line and hands it to the kernel, so that it survives the end of this process.
     Result<void> append(const RunResult& result);
 
 private:
-    explicit ShardFile(std::unique_ptr<QFile> file) : file_(std::move(file)) {}
+    ShardFile(std::unique_ptr<QFile> file, Division division)
+        : file_(std::move(file))
+        , division_(std::move(division)) {}
     std::unique_ptr<QFile> file_;
+    Division division_; ///< taken for as long as the file is written
 };
 
 /// Where the run with this number keeps its files: FOLDER/runs/000012.

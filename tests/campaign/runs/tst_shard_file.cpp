@@ -154,11 +154,36 @@ private slots:
     }
 
     void onlyOneWritesAShard() {
-        const auto first = ShardFile::open(folder_->path(), {});
+        const auto first = ShardFile::open(folder_->path(), {0, 2});
         QVERIFY(first);
-        const auto second = ShardFile::open(folder_->path(), {});
+        const auto second = ShardFile::open(folder_->path(), {0, 2});
         QVERIFY(!second && second.error().what.find("another program") != std::string::npos);
         QVERIFY(ShardFile::open(folder_->path(), {1, 2}));
+    }
+
+    void partsThatWouldOverlapAreRefused_data() {
+        QTest::addColumn<int>("first");
+        QTest::addColumn<int>("second");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("the whole and a part")
+            << 1 << 2 << "flies this campaign undivided, and this one would fly it in 2";
+        QTest::newRow("a part and the whole") << 2 << 1 << "flies this campaign in 2 parts";
+        QTest::newRow("two divisions") << 4 << 2 << "in 4 parts, and this one would fly it in 2 parts";
+    }
+
+    void partsThatWouldOverlapAreRefused() {
+        QFETCH(int, first);
+        QFETCH(int, second);
+        QFETCH(QString, words);
+        auto one = ShardFile::open(folder_->path(), {first - 1, first});
+        QVERIFY(one);
+        const Shard overlapping{first == 1 ? 1 : 0, second};
+        const auto other = ShardFile::open(folder_->path(), overlapping);
+        QVERIFY(!other);
+        const QString said = QString::fromStdString(other.error().text());
+        QVERIFY2(said.contains(words), qPrintable(said));
+        one = tl::unexpected(Error{});
+        QVERIFY(ShardFile::open(folder_->path(), overlapping)); // Afterwards it may be divided anew.
     }
 
     void aFullDiskIsSaid() {
@@ -186,7 +211,7 @@ private slots:
         QVERIFY(!written);
         const QString said = QString::fromStdString(written.error().text());
         QVERIFY2(said.contains(std::strerror(EFBIG)), qPrintable(said));
-        file = ShardFile::open(folder_->path(), {1, 2}); // The first one lets go of its file.
+        file = tl::unexpected(Error{}); // It lets go of its file.
         QVERIFY(ShardFile::open(folder_->path(), {}));
         QCOMPARE(QFileInfo(folder_->filePath("shard-000.jsonl")).size(), whole);
     }
