@@ -2,12 +2,36 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <QDir>
+#include <QFile>
+#include <QJsonArray>
 
 #include "core/campaign/runs/invariants.h"
+#include "core/mission/runs/mission_runner.h"
 
 namespace usar::campaign {
+
+namespace {
+
+/// What a run could not write into its folder, in words. Files that it has put elsewhere for that reason are deleted:
+/// nobody would look for them there.
+QStringList takeUnwritten(const QJsonObject& summary, const QString& folder) {
+    QStringList sentences;
+    for (const QJsonValue sentence : summary["unwritten"].toArray())
+        sentences << sentence.toString();
+    if (sentences.isEmpty())
+        return sentences;
+    const QString own = QDir(folder).absolutePath() + '/';
+    const QString shelter = QDir::tempPath() + mission::shelter_name + '/';
+    for (const QJsonValue file : summary["files"].toArray())
+        if (const QString path = file.toString(); !path.startsWith(own) && path.startsWith(shelter))
+            QFile::remove(path);
+    return sentences;
+}
+
+} // namespace
 
 struct CampaignRunner::Flight {
     PlannedRun run;
@@ -129,18 +153,24 @@ void CampaignRunner::take(Flight& flight, const ProcessEnd& end) {
     RunResult now = flight.result;
     now.wall_s = std::round(wall.count() * 1000.0) / 1000.0;
     judge(now, end);
+    if (const QStringList unwritten = takeUnwritten(now.summary, flight.folder); !unwritten.isEmpty()) {
+        QDir(flight.folder).removeRecursively();
+        trouble_ = {"what is kept of a run cannot be written: " + unwritten.join(' ').toStdString(),
+                    flight.folder.toStdString(), "Make room and go on with --resume; this run will be flown again"};
+        return interrupt();
+    }
+    const bool is_cut = now.outcome == Outcome::TimedOut || now.outcome == Outcome::Killed;
     const bool checked = options_.check_every > 0 && flight.run.number % options_.check_every == 0;
-    if (checked && !flight.again && now.outcome != Outcome::TimedOut && !interrupted_) {
+    if (checked && !flight.again && !is_cut && !interrupted_) {
         auto again = std::make_unique<Flight>(Flight{flight.run, std::move(now), true, {}, {}});
         return fly(std::move(again));
     }
     if (flight.again) {
         QDir(flight.folder).removeRecursively();
-        const QStringList differ = now.outcome == flight.result.outcome
-                                       ? differencesOf(flight.result.summary, now.summary)
-                                       : QStringList{"outcome"};
-        now = flight.result;
-        now.differences = differ;
+        const RunResult second = std::exchange(now, flight.result);
+        if (second.outcome != Outcome::Killed) // Otherwise nobody knows how it would have come out.
+            now.differences =
+                second.outcome == now.outcome ? differencesOf(now.summary, second.summary) : QStringList{"outcome"};
         flight.folder = runFolder(options_.folder, flight.run.number);
     }
     const bool kept =

@@ -61,6 +61,8 @@ void judge(RunResult& result, const ProcessEnd& end) {
     } else if (result.summary.isEmpty()) {
         result.outcome = Outcome::Crashed;
         result.reason = withLastWords("The program ended without a result", end.complaints);
+    } else if (result.reason.find(mission::interrupted_reason) != std::string::npos) {
+        result.outcome = Outcome::Killed; // The campaign takes no result of a run that it stops itself.
     } else if (end.code == mission::Done) {
         result.outcome = Outcome::Done;
     } else {

@@ -104,7 +104,7 @@ Result<RunResult> readResultLine(const QByteArray& line, ResultPart part) {
 }
 
 QStringList differencesOf(const QJsonObject& summary, const QJsonObject& again) {
-    QSet<QString> may_differ{"wall_s", "speed_x", "cpu_s", "files"};
+    QSet<QString> may_differ{"wall_s", "speed_x", "cpu_s", "files", "unwritten"};
     if (!summary.contains("course") || !again.contains("course"))
         may_differ << "course"; // Only a campaign asks for it.
     QSet<QString> keys;

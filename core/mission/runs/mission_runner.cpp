@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QJsonArray>
 
 #include "core/agent/behavior_start.h"
 #include "core/base/numbers.h"
@@ -40,6 +41,10 @@ MissionRunner::MissionRunner(Mission mission, const agent::PluginLoader& plugins
     timer_.setInterval(progress_period);
     connect(&timer_, &QTimer::timeout, this, &MissionRunner::look);
     connect(&session_, &RobotSession::noticed, this, &MissionRunner::noticed);
+    connect(&session_, &RobotSession::noticed, this, [this](const Notice& notice) {
+        if (notice.topic == textOf(Topic::Recording) && notice.severity == Severity::Error)
+            unwritten_ << QString::fromStdString(notice.text);
+    });
     connect(&after_stop_, &AfterStop::over, this, &MissionRunner::finish);
     connect(&session_, &RobotSession::startPosesKnown, this, &MissionRunner::takeStartPoses);
     connect(&session_, &RobotSession::spawned, this, &MissionRunner::takeRobot);
@@ -93,7 +98,7 @@ std::string MissionRunner::missionNote() const {
 
 void MissionRunner::interrupt() {
     if (phase_ != Phase::Over)
-        conclude(false, "Interrupted; what was scanned until then is kept.", MissionFailed);
+        conclude(false, interrupted_reason, MissionFailed);
 }
 
 void MissionRunner::robotVanished(const QString& name) {
@@ -257,6 +262,8 @@ void MissionRunner::finish() {
     }
     record_ = {};
     summary_ = toJson(figures_);
+    if (!unwritten_.isEmpty())
+        summary_["unwritten"] = QJsonArray::fromStringList(unwritten_);
     QMetaObject::invokeMethod(
         this, [this] { emit finished(exit_code_); }, Qt::QueuedConnection);
 }
@@ -306,7 +313,8 @@ Result<QStringList> MissionRunner::save(const ScanRecord& record, const RunSumma
     auto files = writeInto(options_.result_folder);
     if (files)
         return files;
-    const QString shelter = QDir::tempPath() + "/USAR_Scan";
+    unwritten_ << QString::fromStdString(files.error().text());
+    const QString shelter = QDir::tempPath() + shelter_name;
     emit noticed({Severity::Error, files.error().text() + " Trying " + shelter.toStdString() + " instead."});
     return writeInto(shelter);
 }

@@ -37,6 +37,12 @@ struct Progress {
     std::optional<double> range_left_m; ///< distance until the battery's reserve is needed; absent: unknown
 };
 
+/// The reason of a mission that a signal has ended.
+inline constexpr char interrupted_reason[] = "Interrupted; what was scanned until then is kept.";
+
+/// In the folder for temporary files: where results go that cannot be written into their own folder.
+inline constexpr char shelter_name[] = "/USAR_Scan";
+
 /// Exit codes of `usar-mission`.
 enum ExitCode { Done = 0, MissionFailed = 1, BadInput = 2 };
 
@@ -104,8 +110,9 @@ private:
     Seconds last_now_{-1.0};
     Phase phase_ = Phase::Idle;
     AfterStop after_stop_;
-    ScanRecord record_;  ///< at the end of the behavior
-    RunSummary figures_; ///< likewise
+    ScanRecord record_;     ///< at the end of the behavior
+    RunSummary figures_;    ///< likewise
+    QStringList unwritten_; ///< what could not be written where it should be, and why: sentences
     int exit_code_ = Done;
     QJsonObject summary_;
 };

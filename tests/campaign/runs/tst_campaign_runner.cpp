@@ -121,6 +121,28 @@ private slots:
         QVERIFY(QDir(folder_->filePath("runs")).isEmpty());
     }
 
+    void aRunThatASignalInterruptsIsNoFailure() {
+        campaign_.missions = {{"/m/a.json", 13, 1, {}, {}}};
+        const auto runner = runAll(1, 1);
+        const auto results = readResults(folder_->path(), "1.0");
+        QVERIFY(results && results->size() == 1);
+        QCOMPARE(wordOf(results->front().outcome), QString("killed"));
+        QCOMPARE(calls().size(), 1); // There is nothing with which a second flight could be compared.
+    }
+
+    void aRunWhoseFilesFindNoRoomIsNotKept() {
+        campaign_.missions = {{"/m/a.json", 13, 3, {}, {}}};
+        campaign_.keep = Keep::Everything;
+        const auto runner = runAll(1, 0);
+        QVERIFY(runner->trouble().has_value());
+        QVERIFY2(runner->trouble()->text().find("there is no room left. Make room") != std::string::npos,
+                 runner->trouble()->text().c_str());
+        QCOMPARE(calls(), (QStringList{"13", "14"})); // No further one would have room.
+        const auto results = readResults(folder_->path(), "1.0");
+        QVERIFY(results && results->size() == 1);
+        QCOMPARE(QDir(folder_->filePath("runs")).entryList(QDir::Dirs | QDir::NoDotAndDotDot), QStringList{"000000"});
+    }
+
     void aProgramThatIsNotThereIsSaid() {
         QVERIFY(QFile::remove(folder_->filePath("program")));
         campaign_.missions.front().seeds = 1;

@@ -25,6 +25,8 @@ case "$4" in
 8) echo "no plugin" >&2; exit 127 ;;
 10) kill -KILL $PPID; exec sleep 60 ;;
 12) echo "{\"reason\":\"Chance.\",\"worker\":$PPID}" ;;
+13) echo '{"reason":"Interrupted; what was scanned until then is kept."}'; exit 1 ;;
+14) echo '{"reason":"Well.","files":["/elsewhere"],"unwritten":["run.usarrec: there is no room left."]}' ;;
 9) echo "{\"reason\":\"Chance.\",\"pid\":$$}" ;;
 esac
 echo x > "$folder/map"
