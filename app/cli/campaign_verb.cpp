@@ -58,6 +58,7 @@ campaign::CampaignHost hostOfCampaigns() {
         .program = QCoreApplication::applicationFilePath(),
         .version = std::string(version()),
         .plugin_folders = server::pluginFolders(),
+        .robots_folder = server::robotsFolder(),
         .faults = faultChoices(),
         .check_fault = [](const std::string& fault) { return sim::readFault(fault).map([](const sim::Fault&) {}); },
         .find_world = findWorld,
@@ -224,6 +225,8 @@ int runCampaignVerb(const QStringList& arguments) {
         return refuse(options.error());
     if (!options->slurm)
         return options->folder.isEmpty() ? flyInScratch(*options) : fly(*options);
+    if (const auto campaign = campaign::readCampaignFile(options->file); !campaign)
+        return refuse(campaign.error()); // Otherwise each of the parts would say it, days later.
     std::printf("%s", qPrintable(campaign::slurmScript(*options, QCoreApplication::applicationFilePath())));
     return mission::Done;
 }

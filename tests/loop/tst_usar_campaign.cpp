@@ -118,7 +118,7 @@ private slots:
             << QByteArray(R"("set": {"parameters.scan_altitude_m": 99})") << QByteArray("99 is out of range");
         QTest::newRow("a behavior that nobody has, told of the variant and not of the mission's file")
             << QByteArray(R"("behavior": "airrobot/lisp")")
-            << QByteArray("usar-mission: behavior airrobot/lisp: in the variant \"wrong\", no loaded plugin");
+            << QByteArray("wrong.json:2:70: behavior airrobot/lisp: in the variant \"wrong\", no loaded plugin");
         QTest::newRow("an unknown parameter")
             << QByteArray(R"("set": {"parameters.scan_altitude": 8})") << QByteArray("Did you mean scan_altitude_m?");
     }
@@ -133,6 +133,65 @@ private slots:
         QCOMPARE(ended.exit_code, 2);
         QVERIFY2(ended.err.contains(said), ended.err);
         QVERIFY(!QFile::exists(folder_->path("results")));
+    }
+
+    void aWorldsFolderBeginsAtTheCampaignsAndIsFoundFromEveryFolder() {
+        QVERIFY(QDir(folder_->path()).mkpath("far/worlds"));
+        const QDir shipped(QString(USAR_BINARY_DIR) + "/share/worlds/tall_test");
+        QVERIFY(QDir(folder_->path("far/worlds")).mkpath("my wood"));
+        for (const QString& file : shipped.entryList(QDir::Files))
+            QVERIFY(QFile::copy(shipped.filePath(file), folder_->path("far/worlds/my wood/" + file)));
+        folder_->write("far/small.json", test::small_mission);
+        folder_->write("far/wood.json",
+                       R"({ "name": "Wood", "missions": [{ "file": "small.json", "worlds": ["worlds/my wood"] }] })");
+        const ProgramFolder::Ended ended = folder_->run({"campaign", "far/wood.json", "--out", "results"});
+        QVERIFY2(ended.exit_code == 0, ended.err);
+        const auto results = readResults(folder_->path("results"), versionOf());
+        QVERIFY(results && results->size() == 1);
+        QVERIFY2(results->front().command.contains("'world=" + folder_->path("far/worlds/my wood'")),
+                 qPrintable(results->front().command));
+    }
+
+    void variantsThatExchangeTheirPlansAreAnotherCampaign() {
+        for (const char* plan : {"a.lap", "b.lap"})
+            QVERIFY(QFile::copy(USAR_SOURCE_DIR "/resources/plans/airrobot.lap", folder_->path(plan)));
+        const auto fly = [&](const QByteArray& first, const QByteArray& second) {
+            const QByteArray a = "{ \"name\": \"A\", \"behavior\": \"airrobot/posh\", \"plan\": \"" + first + "\" }";
+            const QByteArray b = "{ \"name\": \"B\", \"behavior\": \"airrobot/posh\", \"plan\": \"" + second + "\" }";
+            folder_->write("plans.json", "{ \"name\": \"Plans\", \"missions\": [\"small.json\"], \"variants\": [" + a +
+                                             ", " + b + "] }");
+            return folder_->run({"campaign", "plans.json", "--out", "results", "--shard", "999/1000"});
+        };
+        const ProgramFolder::Ended planned = fly("a.lap", "b.lap");
+        QVERIFY2(planned.exit_code == 0, planned.err);
+        QCOMPARE(fly("a.lap", "b.lap").exit_code, 0);
+        const ProgramFolder::Ended exchanged = fly("b.lap", "a.lap");
+        QCOMPARE(exchanged.exit_code, 2);
+        QVERIFY2(exchanged.err.contains("the plan b.lap of A is not what it was"), exchanged.err);
+    }
+
+    void whatFindsNoRoomEndsTheCampaignAndIsFlownAgain() {
+        folder_->write("kept.json", R"({ "name": "Kept", "missions": ["small.json"], "keep": "everything" })");
+        QProcess narrow;
+        narrow.setWorkingDirectory(folder_->path());
+        narrow.start("/bin/sh", {"-c", "trap '' XFSZ; ulimit -f 20; exec " + ProgramFolder::program() +
+                                           " campaign kept.json --out results --check-every 0"});
+        QVERIFY(narrow.waitForFinished(ProgramFolder::patience_ms));
+        const QByteArray said = narrow.readAllStandardError();
+        QCOMPARE(narrow.exitCode(), 2);
+        QVERIFY2(said.contains("what is kept of a run cannot be written") && said.contains("--resume"), said);
+        const ProgramFolder::Ended resumed = folder_->run({"campaign", "kept.json", "--out", "results", "--resume"});
+        QVERIFY2(resumed.exit_code == 0, resumed.err);
+        const auto results = readResults(folder_->path("results"), versionOf());
+        QVERIFY(results && results->size() == 1 && !results->front().summary.contains("unwritten"));
+        QVERIFY(QFile::exists(folder_->path("results/runs/000000/run.usarrec")));
+    }
+
+    void aScriptForABrokenCampaignIsNotWritten() {
+        folder_->write("bad.json", "{ \"name\": \"A\",\n  \"mission\": [] }");
+        const ProgramFolder::Ended ended = folder_->run({"campaign", "--slurm", "4", "bad.json", "--out", "results"});
+        QCOMPARE(ended.exit_code, 2);
+        QVERIFY2(ended.err.contains("bad.json:2:3: "), ended.err);
     }
 
     void faultsDoNotMakeEqualSeedsDiffer() {
@@ -187,14 +246,26 @@ private slots:
             return QByteArray("{ \"name\": \"A\", \"missions\": [\"small.json\"], " + rest + " }");
         };
         QTest::newRow("no JSON") << QByteArray("{ \"name\": }") << "bad.json:1:";
-        QTest::newRow("no mission") << QByteArray(R"({ "name": "A", "missions": ["none.json"] })") << "none.json";
-        QTest::newRow("no fault") << with(R"("faults": ["wnd"])") << "wnd";
-        QTest::newRow("no kind of fault") << with(R"("swarm": { "kinds": ["wnd"] })") << "wnd: there is no such kind";
+        QTest::newRow("no mission") << QByteArray(R"({ "name": "A", "missions": ["none.json"] })") << "bad.json:1:28: ";
+        QTest::newRow("no mission, in an object")
+            << QByteArray("{ \"name\": \"A\",\n  \"missions\": [{ \"file\": \"none.json\" }] }") << "bad.json:2:26: ";
+        QTest::newRow("no fault") << with("\n  \"faults\": [\"wnd\"]") << "bad.json:2:13: ";
+        QTest::newRow("no kind of fault")
+            << with("\n\"swarm\": { \"kinds\": [\"wnd\"] }") << "bad.json:2:21: wnd: there is no such kind";
         QTest::newRow("no plan")
-            << with(R"("variants": [{ "name": "x", "behavior": "airrobot/posh", "plan": "none.lap" }])") << "none.lap";
-        QTest::newRow("no value") << with(R"("variants": [{ "name": "x", "set": { "area.with": 3 } }])")
-                                  << "area.width";
-        QTest::newRow("no world") << with(R"("variants": [{ "name": "x", "set": { "world": "moon" } }])") << "moon";
+            << with("\n\"variants\": [{ \"name\": \"x\", \"behavior\": \"airrobot/posh\", \"plan\": \"none.lap\" }]")
+            << "bad.json:2:66: ";
+        QTest::newRow("no value") << with("\n\"variants\": [{ \"name\": \"x\", \"set\": { \"area.with\": 3 } }]")
+                                  << "bad.json:2:51: ";
+        QTest::newRow("no world") << with("\n\"variants\": [{ \"name\": \"x\", \"set\": { \"world\": \"moon\" } }]")
+                                  << "bad.json:2:47: world moon: ";
+        QTest::newRow("no world of the mission's")
+            << QByteArray("{ \"name\": \"A\", \"missions\": [{ \"file\": \"small.json\",\n\"worlds\": [\"moon\"] }] }")
+            << "bad.json:2:11: world moon: ";
+        QTest::newRow("a draw that does not fit")
+            << QByteArray("{ \"name\": \"A\", \"missions\": [{ \"file\": \"small.json\",\n\"draw\": { \"area.q\": [1, "
+                          "2] } }] }")
+            << "bad.json:2:21: --set area.q=";
     }
 
     void wrongInputIsSaidBeforeAnythingIsFlown() {

@@ -31,6 +31,16 @@ QString beside(const QString& file_name, const std::string& path) {
     return QDir::cleanPath(QFileInfo(file_name).absoluteDir().filePath(QString::fromStdString(path)));
 }
 
+/// A world's folder as an absolute path, so that a run's command flies it from any folder. It begins at the campaign's
+/// folder, or else where the program was started. A name stays a name.
+std::string worldFrom(const QString& file_name, const std::string& world) {
+    const QString path = QString::fromStdString(world);
+    if (!path.contains('/') || QFileInfo(path).isAbsolute())
+        return world;
+    const QString own = beside(file_name, world);
+    return (QDir(own).exists() || !QDir(path).exists() ? own : QDir(path).absolutePath()).toStdString();
+}
+
 /// Reads a whole number from `least` up; leaves the target unchanged if the key is absent.
 template <class Whole>
 void readWhole(JsonReading& reading, const QJsonObject& object, const QString& path, double least, Whole& target) {
@@ -62,14 +72,15 @@ bool readRange(const QJsonValue& value, double& least, double& most) {
     return std::isfinite(least) && std::isfinite(most) && least <= most;
 }
 
-std::optional<Draw> drawOf(const QString& key, const QJsonValue& value) {
+std::optional<Draw> drawOf(const QString& key, const QJsonValue& value, const QString& file_name) {
     Draw draw{key.toStdString(), 0.0, 0.0, {}};
     if (readRange(value, draw.least, draw.most))
         return draw;
     for (const QJsonValue choice : value.toArray()) {
         if (!choice.isString())
             return std::nullopt;
-        draw.choices.push_back(choice.toString().toStdString());
+        const std::string text = choice.toString().toStdString();
+        draw.choices.push_back(key == "world" ? worldFrom(file_name, text) : text);
     }
     return draw.choices.empty() ? std::nullopt : std::optional(draw);
 }
@@ -83,11 +94,12 @@ CampaignMission readOneMission(JsonReading& reading, const QJsonValue& value, co
         const QJsonObject object = value.toObject();
         reading.text(object, path + ".file", file, true);
         readSeeds(reading, object, path + '.', usual);
-        usual.worlds = reading.texts(object, path + ".worlds", "a world", "tall_test");
+        for (const std::string& world : reading.texts(object, path + ".worlds", "a world", "tall_test"))
+            usual.worlds.push_back(worldFrom(file_name, world));
         if (reading.isObject(object, path + ".draw")) {
             const QJsonObject draws = object["draw"].toObject();
             for (auto it = draws.begin(); it != draws.end(); ++it) {
-                if (auto draw = drawOf(it.key(), *it))
+                if (auto draw = drawOf(it.key(), *it, file_name))
                     usual.draws.push_back(*std::move(draw));
                 else
                     reading.failAt(path + ".draw." + it.key(), "this is neither a range nor a list of texts",
@@ -133,8 +145,11 @@ Variant readVariant(JsonReading& reading, const QJsonValue& value, const QString
         variant.plan = beside(file_name, variant.plan).toStdString();
     if (reading.isObject(object, path + ".set")) {
         const QJsonObject values = object["set"].toObject();
-        for (auto it = values.begin(); it != values.end(); ++it)
-            variant.values.push_back((it.key() + '=' + textOf(*it)).toStdString());
+        for (auto it = values.begin(); it != values.end(); ++it) {
+            const std::string text = textOf(*it).toStdString();
+            variant.values.push_back(it.key().toStdString() + '=' +
+                                     (it.key() == "world" ? worldFrom(file_name, text) : text));
+        }
     }
     return variant;
 }
@@ -229,6 +244,7 @@ Result<Campaign> readCampaign(const QByteArray& json, const QString& file_name) 
     campaign.faults = reading.texts(*root, "faults", "a fault", "wind speed=5");
     readSwarm(reading, *root, campaign);
     readLimits(reading, *root, campaign);
+    campaign.places.by_path = reading.places();
     const auto again = readAgain(reading, *root, file_name, campaign);
     if (reading.error())
         return tl::unexpected(*reading.error());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 
 #include "core/base/result.h"
 #include "core/campaign/plan/known_failures.h"
+#include "core/mission/files/mission_file.h"
 
 namespace usar::campaign {
 
@@ -27,8 +29,9 @@ struct Draw {
 struct CampaignMission {
     QString file; ///< an absolute path
     std::uint64_t first_seed = 1;
-    int seeds = 1;                   ///< how many, from the first up
-    std::vector<std::string> worlds; ///< names, folders, or "town:seed" for one a seed; empty: the mission's own
+    int seeds = 1; ///< how many, from the first up
+    /// Names, absolute paths of folders, or "town:seed" for one a seed; empty: the mission's own.
+    std::vector<std::string> worlds;
     std::vector<Draw> draws;
     bool operator==(const CampaignMission&) const = default;
 };
@@ -54,11 +57,18 @@ struct Swarm {
 /// Says of which runs the files are kept beside their result lines.
 enum class Keep { Nothing, Failures, Everything };
 
+/// Places in a campaign's file, for errors that are found later. Campaigns that mean the same are equal, wherever their
+/// values stand.
+struct CampaignPlaces {
+    std::map<std::string, mission::KeyPlace> by_path; ///< "variants[1].behavior"; empty if no file was read
+    bool operator==(const CampaignPlaces&) const { return true; }
+};
+
 /// Keys of the file: name, missions [], variants [], seeds, faults [], swarm {share, from_s, kinds}, again, limit_h,
 /// wall_limit_s, keep ("nothing", "failures" or "everything"). Again is the path of a file of known failures. A mission
 /// is the path of its file, from the campaign's folder, or {file, seeds, worlds [], draw {KEY: [least, most] or [text,
-/// …]}}. Seeds are a count, from 1 up, or {first, count}. A variant is {name, behavior, plan, set {KEY: value}}. Only
-/// name and missions are required.
+/// …]}}. Worlds that are folders begin at the campaign's folder, too. Seeds are a count, from 1 up, or {first, count}.
+/// A variant is {name, behavior, plan, set {KEY: value}}. Only name and missions are required.
 struct Campaign {
     std::string name;
     std::vector<CampaignMission> missions;
@@ -71,6 +81,7 @@ struct Campaign {
     std::optional<double> limit_h; ///< of simulated time; absent: the missions' own
     double wall_limit_s = 3600.0;  ///< a run that takes longer is stopped
     Keep keep = Keep::Failures;
+    CampaignPlaces places = {};
     bool operator==(const Campaign&) const = default;
 };
 

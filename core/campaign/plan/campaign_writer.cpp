@@ -105,11 +105,20 @@ Result<void> writeWhole(const QString& path, const QByteArray& text) {
     const QString folder = QFileInfo(path).absolutePath();
     if (!QDir().mkpath(folder))
         return failure("the folder cannot be made", folder.toStdString(), "Choose another folder");
+    const auto unwritten = [&](const QFileDevice& file) {
+        return failure("cannot be written: " + file.errorString().toStdString(), path.toStdString(),
+                       "Choose another folder, or make room");
+    };
+    if (const QFileInfo there(path); there.exists() && !there.isFile() && !there.isDir()) {
+        QFile device(path); // A device or a pipe is written to; a file in its place would only hide it.
+        if (device.open(QIODevice::WriteOnly | QIODevice::Unbuffered) && device.write(text) == text.size())
+            return {};
+        return unwritten(device);
+    }
     QSaveFile file(path);
     if (file.open(QIODevice::WriteOnly) && file.write(text) == text.size() && file.commit())
         return {};
-    return failure("cannot be written: " + file.errorString().toStdString(), path.toStdString(),
-                   "Choose another folder, or make room");
+    return unwritten(file);
 }
 
 } // namespace usar::campaign

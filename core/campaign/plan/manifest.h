@@ -15,7 +15,7 @@ namespace usar::campaign {
 /// A file or folder that results depend on. The SHA-256 of a folder is that of its files' names and contents in the
 /// order of their names.
 struct HashedInput {
-    QString role; ///< "mission", "plan", "world", "plugin", "program"
+    QString role; ///< "mission", "plan", "world", "plugin", "folder", "program"
     QString name; ///< as people know it; it must not depend on where the program is installed
     QByteArray sha256_hex;
     bool operator==(const HashedInput&) const = default;

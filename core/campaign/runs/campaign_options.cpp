@@ -121,6 +121,10 @@ Result<CampaignOptions> readCampaignOptions(const QStringList& arguments) {
     if (options.slurm && !options.shrink.isEmpty())
         return failure("a job script does not shrink anything", "--slurm --shrink",
                        "Leave out one of the two, and give --shrink to a call with --resume when all is flown");
+    for (const char* const flown : {"shard", "until-decided"})
+        if (options.slurm && parser.isSet(flown))
+            return failure("a job script flies the whole campaign in parts, which cannot decide it",
+                           std::string("--slurm --") + flown, "Leave out one of the two");
     if (parser.isSet("shard")) {
         const auto shard = readShard(parser);
         if (!shard)

@@ -7,6 +7,7 @@
 #include <QDir>
 #include <QThread>
 
+#include "core/campaign/plan/campaign_places.h"
 #include "core/campaign/plan/test_folder.h"
 #include "core/campaign/runs/parallel.h"
 #include "core/mission/files/mission_file.h"
@@ -51,53 +52,67 @@ Result<mission::Mission> missionOf(const mission::Mission& written, const Planne
     return mission::applyTo(flown, options).map([&] { return std::move(flown); });
 }
 
-/// An error of a variant's mission, which its reader seeks in the campaign's file if it names no mission's.
-Error ofVariant(const Variant& variant, Error error) {
-    error.what = "in the variant \"" + variant.name + "\", " + error.what;
-    return error;
+/// An error of a variant's mission, with its place in the campaign's file if it names none in the mission's.
+Error ofVariant(const Campaign& campaign, const PlannedRun& run, Error error) {
+    error.what = "in the variant \"" + campaign.variants[run.variant].name + "\", " + error.what;
+    return ofRun(campaign, run, std::move(error));
+}
+
+/// A plan is known by its file, and with the variant that brings it: if two variants exchange their plans, the
+/// manifest must differ.
+QString planName(const QString& path, const std::string& variant) {
+    const QString file = QFileInfo(path).fileName();
+    return variant.empty() ? file : file + " of " + QString::fromStdString(variant);
+}
+
+/// Reads the missions as they are written, and adds them.
+Result<std::vector<mission::Mission>> readMissions(const Campaign& campaign, std::vector<Input>& inputs) {
+    std::vector<mission::Mission> written;
+    for (std::size_t i = 0; i < campaign.missions.size(); ++i) {
+        const CampaignMission& one = campaign.missions[i];
+        auto read = mission::readMissionFile(one.file);
+        if (!read && QFileInfo(one.file).isFile())
+            return tl::unexpected(read.error());
+        if (!read)
+            return tl::unexpected(
+                atPlace(campaign, {"missions[" + std::to_string(i) + "].file", "missions"}, read.error()));
+        written.push_back(*std::move(read));
+        inputs.push_back({"mission", nameOf(one), one.file});
+    }
+    return written;
 }
 
 /// Checks the runs' missions and adds them with their worlds and plans.
 Result<void> addMissions(const std::vector<PlannedRun>& runs, const Campaign& campaign, const CampaignHost& host,
                          std::vector<Input>& inputs) {
-    std::vector<mission::Mission> written;
-    for (const CampaignMission& one : campaign.missions) {
-        auto read = mission::readMissionFile(one.file);
-        if (!read)
-            return tl::unexpected(read.error());
-        written.push_back(*std::move(read));
-        inputs.push_back({"mission", nameOf(one), one.file});
-    }
+    const auto written = readMissions(campaign, inputs);
+    if (!written)
+        return tl::unexpected(written.error());
     std::set<std::string> worlds;
-    std::set<std::string> plans;
+    std::set<std::pair<std::string, std::string>> plans;
     std::set<std::tuple<std::size_t, std::size_t, std::vector<std::string>>> checked; // Most runs differ by their seed.
     std::set<std::pair<std::size_t, std::size_t>> flyable; // Reading a plan for each drawn value would take too long.
     for (const PlannedRun& run : runs) {
         if (!checked.emplace(run.mission, run.variant, run.values).second)
             continue;
-        const auto flown = missionOf(written[run.mission], run, campaign);
         const Variant& variant = campaign.variants[run.variant];
+        const auto flown = missionOf((*written)[run.mission], run, campaign);
         if (!flown)
-            return tl::unexpected(ofVariant(variant, flown.error()));
+            return tl::unexpected(ofVariant(campaign, run, flown.error()));
         if (flyable.emplace(run.mission, run.variant).second)
             if (const auto possible = host.check_mission(*flown); !possible)
-                return tl::unexpected(ofVariant(variant, possible.error()));
-        worlds.insert(flown->world);
-        if (!flown->plan.empty())
-            plans.insert(flown->plan);
-    }
-    for (const std::string& world : worlds) {
-        const QString name = QString::fromStdString(world);
-        const auto folder = host.find_world(name);
-        if (!folder)
-            return tl::unexpected(folder.error());
-        if (folder->isEmpty())
-            continue; // The program makes it, and its own hash is among the inputs.
-        inputs.push_back({"world", name, *folder});
-    }
-    for (const std::string& plan : plans) {
-        const QString path = QString::fromStdString(plan);
-        inputs.push_back({"plan", QFileInfo(path).fileName(), path});
+                return tl::unexpected(ofVariant(campaign, run, possible.error()));
+        if (const QString name = QString::fromStdString(flown->world); worlds.insert(flown->world).second) {
+            const auto folder = host.find_world(name);
+            if (!folder)
+                return tl::unexpected(ofRun(campaign, run, mission::atValue(*flown, "world", folder.error())));
+            if (!folder->isEmpty()) // Otherwise the program makes it, and its own hash is among the inputs.
+                inputs.push_back({"world", name, *folder});
+        }
+        const QString plan = QString::fromStdString(flown->plan);
+        const std::string flies_it = variant.plan.empty() ? std::string() : variant.name;
+        if (!plan.isEmpty() && plans.emplace(flown->plan, flies_it).second)
+            inputs.push_back({"plan", planName(plan, flies_it), plan});
     }
     return {};
 }
@@ -106,22 +121,26 @@ void addPrograms(const CampaignHost& host, std::vector<Input>& inputs) {
     for (const QString& folder : host.plugin_folders)
         for (const QString& name : QDir(folder).entryList({"*.so"}, QDir::Files, QDir::Name))
             inputs.push_back({"plugin", name, QDir(folder).filePath(name)});
+    if (!host.robots_folder.isEmpty())
+        inputs.push_back({"folder", "robots", host.robots_folder});
     inputs.push_back({"program", QFileInfo(host.program).fileName(), host.program});
 }
 
 Result<void> checkFaults(const Campaign& campaign, const CampaignHost& host) {
     for (const std::string& fault : campaign.faults)
         if (auto possible = host.check_fault(fault); !possible)
-            return possible;
+            return tl::unexpected(atPlace(campaign, {"faults"}, possible.error()));
     for (const KnownFailure& known : campaign.again)
         for (const std::string& fault : known.faults)
             if (auto possible = host.check_fault(fault); !possible)
-                return possible;
+                return tl::unexpected(atPlace(campaign, {"again"}, possible.error()));
     if (!campaign.swarm)
         return {};
     for (const std::string& kind : campaign.swarm->kinds)
         if (std::ranges::none_of(host.faults, [&](const FaultChoice& choice) { return choice.word == kind; }))
-            return failure("there is no such kind of fault", kind, "usar-sim --help lists them");
+            return tl::unexpected(
+                atPlace(campaign, {"swarm.kinds"},
+                        {"there is no such kind of fault", kind, "Take one that usar-sim --help lists"}));
     return {};
 }
 

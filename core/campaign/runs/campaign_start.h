@@ -20,6 +20,7 @@ struct CampaignHost {
     QString program; ///< path of usar-mission
     std::string version;
     QStringList plugin_folders;
+    QString robots_folder{};         ///< with the files of the simulated robots; empty: there is none
     std::vector<FaultChoice> faults; ///< those that a swarm may draw
     std::function<Result<void>(const std::string& fault)> check_fault;
     /// Folder of a world, by its name or path; an empty path for a world that the program makes from a seed.

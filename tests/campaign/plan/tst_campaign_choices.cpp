@@ -1,4 +1,9 @@
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <QFile>
+#include <QFileInfo>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -95,6 +100,18 @@ private slots:
             QVERIFY(*read == campaign);
             QVERIFY2(text.contains("\"a.json\"") && text.contains("\"p.lap\"") && text.contains("\"/b.json\""), text);
         }
+    }
+
+    void aDeviceIsWrittenToAndNotReplaced() {
+        const QTemporaryDir folder;
+        const QString pipe = folder.filePath("pipe");
+        QCOMPARE(::mkfifo(qPrintable(pipe), 0600), 0);
+        const int reader = ::open(qPrintable(pipe), O_RDONLY | O_NONBLOCK);
+        QVERIFY(reader >= 0 && writeWhole(pipe, "text"));
+        char read[8] = {};
+        QCOMPARE(::read(reader, read, sizeof read), ssize_t(4));
+        ::close(reader);
+        QVERIFY(!QFileInfo(pipe).isFile());
     }
 
     void aFileIsWrittenWithItsFolderOrNamesWhatIsWrong() {

@@ -50,6 +50,10 @@ private slots:
         QTest::newRow("no jobs") << QStringList{"c", "--out", "o", "--jobs", "0"} << "--jobs 4";
         QTest::newRow("a script that shrinks")
             << QStringList{"c", "--out", "o", "--slurm", "4", "--shrink", "s"} << "does not shrink";
+        QTest::newRow("a script for a part")
+            << QStringList{"c", "--out", "o", "--slurm", "4", "--shard", "0/4"} << "--slurm --shard";
+        QTest::newRow("a script that decides")
+            << QStringList{"c", "--out", "o", "--slurm", "4", "--until-decided"} << "--slurm --until-decided";
         QTest::newRow("no runs") << QStringList{"c", "--out", "o", "--runs", "0"} << "--runs 4";
         QTest::newRow("no seed") << QStringList{"c", "--out", "o", "--first-seed", "-1"} << "--first-seed 4";
         QTest::newRow("tests and a file") << QStringList{"c", "--tests", "t"} << "not how to call it";
