@@ -26,9 +26,9 @@
 
 namespace usar::sim {
 
-/// One week. The thesis (4.1) sets the server's battery life very high, because a server cannot recharge a robot, and
-/// lets the client keep track of the charge. The longest mission that ships, a square kilometer, takes two days.
-inline constexpr Seconds survey_battery_life{604800.0};
+/// One day. The thesis (4.1) sets the server's battery life very high, because a server cannot recharge a robot, and
+/// lets the client keep track of the charge. From protocol::no_battery on, which is little more, it would mean none.
+inline constexpr Seconds survey_battery_life{86400.0};
 
 /// The world goes on for so long without a client that a fault has silenced for good.
 inline constexpr Seconds silence_limit{30.0};
