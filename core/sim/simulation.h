@@ -27,7 +27,7 @@
 namespace usar::sim {
 
 /// One day. The thesis (4.1) sets the server's battery life very high, because a server cannot recharge a robot, and
-/// lets the client keep track of the charge. From protocol::no_battery on, which is little more, it would mean none.
+/// lets the client keep track of the charge. Clients read 99,999 s or more (protocol::no_battery) as no battery.
 inline constexpr Seconds survey_battery_life{86400.0};
 
 /// The world goes on for so long without a client that a fault has silenced for good.

@@ -121,10 +121,11 @@ Result<CampaignOptions> readCampaignOptions(const QStringList& arguments) {
     if (options.slurm && !options.shrink.isEmpty())
         return failure("a job script does not shrink anything", "--slurm --shrink",
                        "Leave out one of the two, and give --shrink to a call with --resume when all is flown");
-    for (const char* const flown : {"shard", "until-decided"})
-        if (options.slurm && parser.isSet(flown))
-            return failure("a job script flies the whole campaign in parts, which cannot decide it",
-                           std::string("--slurm --") + flown, "Leave out one of the two");
+    if (options.slurm && parser.isSet("shard"))
+        return failure("a job script divides the campaign by itself", "--slurm --shard", "Leave out one of the two");
+    if (options.slurm && parser.isSet("until-decided"))
+        return failure("the parts of a job script do not see each other's results, so none can tell when it is decided",
+                       "--slurm --until-decided", "Leave out one of the two");
     if (parser.isSet("shard")) {
         const auto shard = readShard(parser);
         if (!shard)

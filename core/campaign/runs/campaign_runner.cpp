@@ -15,8 +15,8 @@ namespace usar::campaign {
 
 namespace {
 
-/// What a run could not write into its folder, in words. Files that it has put elsewhere for that reason are deleted:
-/// nobody would look for them there.
+/// Returns sentences about the files that a run could not write into its folder. Deletes those that it has put into the
+/// folder for temporary files instead, because nobody would look for them there.
 QStringList takeUnwritten(const QJsonObject& summary, const QString& folder) {
     QStringList sentences;
     for (const QJsonValue sentence : summary["unwritten"].toArray())

@@ -12,7 +12,7 @@ namespace usar::campaign {
 
 /// Parts of different divisions overlap: their programs would fly runs twice, and delete each other's files. So the
 /// file DIR/division has the number of parts, and the kernel locks it for as long as a program flies one of them.
-/// Afterwards the campaign may be divided anew.
+/// Afterwards the campaign may be divided in another way.
 class Division {
 public:
     /// Fails while another program divides the campaign into another number of parts, or if the file cannot be written.

@@ -183,7 +183,7 @@ private slots:
         const QString said = QString::fromStdString(other.error().text());
         QVERIFY2(said.contains(words), qPrintable(said));
         one = tl::unexpected(Error{});
-        QVERIFY(ShardFile::open(folder_->path(), overlapping)); // Afterwards it may be divided anew.
+        QVERIFY(ShardFile::open(folder_->path(), overlapping)); // Afterwards it may be divided in another way.
     }
 
     void aFullDiskIsSaid() {
