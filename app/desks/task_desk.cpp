@@ -8,7 +8,7 @@
 
 #include "core/mission/fleet/robot_words.h"
 #include "core/server/embedded/simulator_files.h"
-#include "widgets/models/figures.h"
+#include "widgets/models/preview_text.h"
 
 namespace usar::app {
 
@@ -262,12 +262,11 @@ void TaskDesk::showPreview(const Result<agent::TaskPreview>& preview) {
         views_.map->setLanes(std::vector<Vec2>{});
         return views_.behavior->setPlanSummary(QString::fromStdString(preview.error().text()));
     }
-    const QString summary = tr("%1 · %2 m · about %3")
-                                .arg(QString::fromStdString(preview->summary), widgets::figure(preview->length_m, 0),
-                                     widgets::durationText(preview->duration));
+    const QString summary = widgets::previewText(*preview);
     views_.map->setLanes(preview->path_in_map_m);
     views_.map->setAreaSummary(summary);
-    views_.behavior->setPlanSummary(summary);
+    views_.behavior->setPlanSummary(preview->outlook ? summary + QChar('\n') + widgets::outlookText(*preview->outlook)
+                                                     : summary);
 }
 
 void TaskDesk::clearPreview(const QString& instead) {

@@ -19,6 +19,7 @@
 #include "core/agent/behavior.h"
 #include "core/agent/parameters.h"
 #include "core/agent/posh/posh_primitive.h"
+#include "core/base/time_range.h"
 
 namespace usar::agent {
 
@@ -50,12 +51,23 @@ struct BehaviorContext {
     std::optional<PlanText> plan = {}; ///< replaces the plan that comes with the robot
 };
 
+/// What a task will probably take and reach, between good and bad ground.
+struct TaskOutlook {
+    TimeRange duration;
+    int least_sorties = 1; ///< take-offs from the base
+    int most_sorties = 1;
+    double least_coverage_pct = 0.0; ///< share of the area that the map will show, 0 to 100
+    double most_coverage_pct = 100.0;
+    bool operator==(const TaskOutlook&) const = default;
+};
+
 /// The path over the ground and the cost of a task, without obstacles, shown before the task starts.
 struct TaskPreview {
     std::vector<Vec2> path_in_map_m;
     double length_m = 0.0;
     Seconds duration{0.0};
     std::string summary; ///< "6 lanes", "22 lanes in 4 parts"; empty if the behavior has no preview
+    std::optional<TaskOutlook> outlook = {};
 };
 
 /// A robot's plugin. It must be immutable once loaded: `createBehavior` may be called in any thread.
@@ -73,5 +85,5 @@ public:
 } // namespace usar::agent
 
 /// The number is the version of this interface; plugins built for another version are rejected.
-#define USAR_ROBOT_PLUGIN_IID "org.usar.mission.RobotPlugin/8"
+#define USAR_ROBOT_PLUGIN_IID "org.usar.mission.RobotPlugin/9"
 Q_DECLARE_INTERFACE(usar::agent::RobotPlugin, USAR_ROBOT_PLUGIN_IID)

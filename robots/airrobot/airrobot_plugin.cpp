@@ -7,7 +7,7 @@ namespace usar::airrobot {
 
 class AirRobotPlugin : public QObject, public AirRobot {
     Q_OBJECT
-    Q_PLUGIN_METADATA(IID "org.usar.mission.RobotPlugin/8" FILE "airrobot.json")
+    Q_PLUGIN_METADATA(IID "org.usar.mission.RobotPlugin/9" FILE "airrobot.json")
     Q_INTERFACES(usar::agent::RobotPlugin)
 };
 

@@ -1,6 +1,6 @@
 #include "robots/airrobot/descriptions.h"
 
-#include "robots/airrobot/flight/time_estimate.h"
+#include "robots/airrobot/outlook.h"
 #include "robots/airrobot/survey_body.h"
 
 namespace usar::airrobot {
@@ -179,7 +179,9 @@ Result<agent::TaskPreview> AirRobot::preview(const std::string&, const agent::Be
     agent::TaskPreview preview;
     preview.path_in_map_m = survey->corners_m();
     preview.length_m = plan.lane_length_m + plan.transit_length_m;
-    preview.duration = TimeEstimate().whole(*survey, context.task.start_in_map.position_m.head<2>(), settings);
+    const Outlook outlook = outlookOf(*survey, context.task.start_in_map.position_m.head<2>(), settings);
+    preview.duration = outlook.expected;
+    preview.outlook = outlook.range;
     preview.summary = std::to_string(plan.lanes.size()) + (plan.lanes.size() == 1 ? " lane" : " lanes");
     if (plan.quadrants.size() > 1)
         preview.summary += " in " + std::to_string(plan.quadrants.size()) + " parts";

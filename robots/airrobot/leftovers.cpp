@@ -1,9 +1,11 @@
 #include "robots/airrobot/leftovers.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
 #include "robots/airrobot/cross_lanes.h"
+#include "robots/airrobot/outlook.h"
 
 namespace usar::airrobot {
 
@@ -15,6 +17,7 @@ constexpr int most_left_out = 3;
 constexpr double most_added = 0.5;
 constexpr double always_added_m = 15.0; ///< So much may be added to a survey of any length.
 constexpr int most_crossings = 2;       ///< The second one sees a little of what the first one leaves.
+constexpr double prior_m2 = 6000.0;     ///< The usual clutter counts as so much area that was seen.
 constexpr double evasion_share = 1.05;  ///< of the straight ways is what it flies
 constexpr double landing_and_take_off_s = 45.0;
 constexpr int most_tries = 3; ///< to get through the door
@@ -43,6 +46,32 @@ GapSearch::Surroundings surroundingsOf(const Craft& craft) {
     return {craft.ways.reach(craft.senses, craft.narrowest()), in_sight};
 }
 
+bool isOpen(const Craft& craft, const Survey& survey) {
+    return !craft.overhead.hasCeiling() && craft.mayClimb() && survey.cutOff_m() == 0.0;
+}
+
+/// What scans have not hit between lanes that are done, quadrant by quadrant.
+ScanLedger::Hidden hiddenBetween(std::span<const mapping::Lane> done, const ScanLedger& ledger) {
+    ScanLedger::Hidden sum;
+    for (std::size_t i = 1; i < done.size(); ++i) {
+        if (done[i].quadrant != done[i - 1].quadrant)
+            continue;
+        const auto between = ledger.hiddenIn({done[i - 1].start_m.cwiseMin(done[i].start_m).cwiseMin(done[i].end_m),
+                                              done[i - 1].start_m.cwiseMax(done[i].start_m).cwiseMax(done[i].end_m)});
+        sum.area_m2 += between.area_m2;
+        sum.hidden_m2 += between.hidden_m2;
+    }
+    return sum;
+}
+
+double expectedLanes_m(const mapping::CoveragePlan& plan, std::size_t done, const ScanLedger& ledger,
+                       const Settings& settings) {
+    const auto seen = hiddenBetween(std::span(plan.lanes).first(std::min(done, plan.lanes.size())), ledger);
+    const double before = ledger_share * hiddenShare(plan, settings, clutter::usual);
+    const double share = (before * prior_m2 + seen.hidden_m2) / (prior_m2 + seen.area_m2);
+    return std::min(most_added * plan.lane_length_m, addedLanes(share, areaOf_m2(plan), settings).length_m);
+}
+
 void note(agent::CommandPort& port, const std::string& words) {
     port.publish(agent::BehaviorEvent{Severity::Note, words});
 }
@@ -66,7 +95,7 @@ void Leftovers::noteWall(const ReachablePlaces& reach) {
 bool Leftovers::addLanes(Craft& craft, Survey& survey, const ScanLedger& ledger, const Vec2& base_m,
                          agent::CommandPort& port) {
     begun_ = true;
-    const bool open = !craft.overhead.hasCeiling() && craft.mayClimb() && survey.cutOff_m() == 0.0;
+    const bool open = isOpen(craft, survey);
     if (open ? crossOnce(craft, survey, ledger, base_m, port)
              : closeGaps(craft, survey, ledger, port) || tryDoor(craft, survey, base_m, port))
         return true;
@@ -75,6 +104,16 @@ bool Leftovers::addLanes(Craft& craft, Survey& survey, const ScanLedger& ledger,
     if (open) // Walls divide cells, too, but nothing behind them is missed.
         missed_ += (1.0 - missed_) * ledger.hiddenInSeen();
     return false;
+}
+
+double Leftovers::expected_m(const Craft& craft, const Survey& survey, const ScanLedger& ledger) {
+    if (begun_ || !isOpen(craft, survey))
+        return 0.0;
+    if (foretold_at_ != survey.laneIndex()) {
+        foretold_at_ = survey.laneIndex();
+        expected_m_ = expectedLanes_m(survey.plan(), survey.laneIndex(), ledger, craft.settings);
+    }
+    return expected_m_;
 }
 
 bool Leftovers::knowsWays(const Craft& craft, const ScanLedger& ledger) {

@@ -29,6 +29,9 @@ public:
     /// The share of the ground within reach that no scan has shown, when nothing was left to add: GapSearch::missed
     /// where the robot knows it, which it does not after a charge, and under an open sky ScanLedger::hiddenInSeen.
     double missed() const { return missed_; }
+    /// The length of the lanes that will probably be added under an open sky: by what the lanes so far have left hidden
+    /// between them, and by what is usual as long as they are few. 0 from addLanes on.
+    double expected_m(const Craft& craft, const Survey& survey, const ScanLedger& ledger);
     /// Whether the lanes that were planned are done.
     bool begun() const { return begun_; }
     /// Forgets the door, because the robot takes off anew and its map of the walls is empty.
@@ -52,6 +55,8 @@ private:
     GapSearch gaps_;
     int gaps_left_out_ = 0; ///< Survey::addedLeftOut when the search for gaps began
     double missed_ = 0.0;
+    std::optional<std::size_t> foretold_at_; ///< Survey::laneIndex for which `expected_m_` was computed
+    double expected_m_ = 0.0;
     double added_m_ = 0.0; ///< All lanes that were added are so long together.
     Door state_ = Door::Unknown;
     int tries_ = 0;

@@ -109,6 +109,25 @@ double ScanLedger::hiddenInSeen() const {
     return cells == 0 ? 0.0 : hidden_cells / static_cast<double>(cells);
 }
 
+ScanLedger::Hidden ScanLedger::hiddenIn(const Rectangle& part_in_map) const {
+    Hidden sum;
+    const auto cell = [](double from_m, double to_m, int cells) {
+        return std::clamp(static_cast<int>(std::lround((to_m - from_m) / cell_m)), 0, cells);
+    };
+    const int first_row = cell(area_in_map_.min_m.y(), part_in_map.min_m.y(), rows_);
+    const int last_row = cell(area_in_map_.min_m.y(), part_in_map.max_m.y(), rows_);
+    const int first_column = cell(area_in_map_.min_m.x(), part_in_map.min_m.x(), columns_);
+    const int last_column = cell(area_in_map_.min_m.x(), part_in_map.max_m.x(), columns_);
+    for (int row = first_row; row < last_row; ++row)
+        for (int column = first_column; column < last_column; ++column) {
+            if (at(column, row) == Cell::Bottomless)
+                continue;
+            sum.area_m2 += cell_m * cell_m;
+            sum.hidden_m2 += cell_m * cell_m * hidden(column, row);
+        }
+    return sum;
+}
+
 double ScanLedger::mapped() const {
     return lane_ticks_ == 0 ? 1.0 : static_cast<double>(mapped_ticks_) / static_cast<double>(lane_ticks_);
 }

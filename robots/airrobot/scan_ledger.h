@@ -30,6 +30,14 @@ public:
     /// is finer has holes there. Cells beside a void do not count, because the edge of the ground may divide them.
     double hiddenInSeen() const;
 
+    /// The area of the rectangle (map frame) in square meters, without cells of which nothing is within reach, and how
+    /// much of that no scan has hit.
+    struct Hidden {
+        double area_m2 = 0.0;
+        double hidden_m2 = 0.0;
+    };
+    Hidden hiddenIn(const Rectangle& part_in_map) const;
+
     enum class Cell : std::uint8_t { Unknown, Bottomless, Seen };
     static constexpr double cell_m = 1.0;    ///< size of a cell
     int columns() const { return columns_; } ///< 0 if the area is too large to be watched

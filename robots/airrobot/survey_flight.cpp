@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/numbers.h"
+#include "robots/airrobot/outlook.h"
 #include "robots/airrobot/verdict.h"
 
 namespace usar::airrobot {
@@ -194,6 +195,8 @@ void SurveyFlight::planSurvey(agent::CommandPort& port) {
     survey_ = *planned;
     ledger_ = ScanLedger(task_.area_in_map);
     port.publish(agent::PlannedPath{survey_.corners_m()});
+    const Outlook outlook = outlookOf(survey_, task_.start_in_map.position_m.head<2>(), craft_.settings);
+    port.publish(agent::BehaviorEvent{Severity::Note, outlookWords(outlook.range)});
     if (craft_.settings.navigate_by_truth)
         port.publish(agent::BehaviorEvent{Severity::Note, "The robot navigates by ground truth, as no real robot can; "
                                                           "its map says nothing about drift."});

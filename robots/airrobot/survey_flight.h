@@ -121,7 +121,7 @@ private:
     void endPause(const std::string& why, agent::CommandPort& port);
     double beelineHome_m() const { return (craft_.senses.position_m() - base_in_map_.position_m).norm(); }
     std::string words() const;
-    MissionState missionState() const;
+    MissionState missionState();
 
     agent::Task task_;
     Craft craft_;

@@ -42,7 +42,7 @@ void SurveyFlight::noteCeiling(agent::CommandPort& port) {
                                           fixed(above_m, 1) + " m above the base; the robot stays below it."});
 }
 
-MissionState SurveyFlight::missionState() const {
+MissionState SurveyFlight::missionState() {
     const Settings& settings = craft_.settings;
     const Vec3 place_m = craft_.senses.position_m();
     const double height_m = std::max(0.0, place_m.z() - base_in_map_.position_m.z());
@@ -52,6 +52,7 @@ MissionState SurveyFlight::missionState() const {
                        craft_.battery.used_pct(settings) / 100.0 * settings.battery_range_m};
     state.lanes_left = errand_ != Errand::Done && errand_ != Errand::GivenUp;
     state.returning = phase_ == Phase::Home;
+    state.added_m = leftovers_.expected_m(craft_, survey_, ledger_);
     if (phase_ == Phase::TakeOff)
         state.waiting = climb(settings.scan_altitude_m - height_m);
     if (phase_ == Phase::Landing)

@@ -7,7 +7,7 @@ namespace usar::ers {
 
 class ErsPlugin : public QObject, public ErsRobot {
     Q_OBJECT
-    Q_PLUGIN_METADATA(IID "org.usar.mission.RobotPlugin/8" FILE "ers.json")
+    Q_PLUGIN_METADATA(IID "org.usar.mission.RobotPlugin/9" FILE "ers.json")
     Q_INTERFACES(usar::agent::RobotPlugin)
 };
 

@@ -7,7 +7,7 @@ namespace usar::p2dx {
 
 class P2dxPlugin : public QObject, public P2dxRobot {
     Q_OBJECT
-    Q_PLUGIN_METADATA(IID "org.usar.mission.RobotPlugin/8" FILE "p2dx.json")
+    Q_PLUGIN_METADATA(IID "org.usar.mission.RobotPlugin/9" FILE "p2dx.json")
     Q_INTERFACES(usar::agent::RobotPlugin)
 };
 

@@ -7,7 +7,7 @@ namespace usar::submarine {
 
 class SubmarinePlugin : public QObject, public SubmarineRobot {
     Q_OBJECT
-    Q_PLUGIN_METADATA(IID "org.usar.mission.RobotPlugin/8" FILE "submarine.json")
+    Q_PLUGIN_METADATA(IID "org.usar.mission.RobotPlugin/9" FILE "submarine.json")
     Q_INTERFACES(usar::agent::RobotPlugin)
 };
 

@@ -85,7 +85,8 @@ private slots:
         QVERIFY(std::get<Job>(*asked).task == job().task);
         QVERIFY(std::get<Job>(*asked).parameters == job().parameters);
         QVERIFY(!std::get<Job>(*asked).plan);
-        const TaskPreview sent{{{1.0, -2.0}, {1e-300, 4.0}}, 12.5, Seconds{90.25}, "6 lanes"};
+        TaskPreview sent{{{1.0, -2.0}, {1e-300, 4.0}}, 12.5, Seconds{90.25}, "6 lanes"};
+        sent.outlook = {{Seconds(80.5), Seconds(99.75)}, 3, 4, 92.5, 98.25};
         const auto read = readReply(write(Reply(sent)));
         QVERIFY(read && std::holds_alternative<TaskPreview>(*read));
         const TaskPreview& got = std::get<TaskPreview>(*read);
@@ -93,6 +94,7 @@ private slots:
         QCOMPARE(got.length_m, sent.length_m);
         QCOMPARE(got.duration.count(), sent.duration.count());
         QCOMPARE(got.summary, sent.summary);
+        QVERIFY(got.outlook == sent.outlook);
     }
 
     void linesAndValuesCrossWithoutLoss_data() {

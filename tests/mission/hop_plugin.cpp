@@ -54,7 +54,7 @@ Result<std::unique_ptr<Behavior>> plannedBehavior(BehaviorContext context) {
 
 class HopPlugin : public QObject, public RobotPlugin {
     Q_OBJECT
-    Q_PLUGIN_METADATA(IID "org.usar.mission.RobotPlugin/8" FILE "hop_plugin.json")
+    Q_PLUGIN_METADATA(IID "org.usar.mission.RobotPlugin/9" FILE "hop_plugin.json")
     Q_INTERFACES(usar::agent::RobotPlugin)
 public:
     RobotDescription description() const override {

@@ -2,7 +2,7 @@
 
 class MissingMetadata : public QObject, public usar::test::MinimalPlugin {
     Q_OBJECT
-    Q_PLUGIN_METADATA(IID "org.usar.mission.RobotPlugin/8" FILE "no_behaviors.json")
+    Q_PLUGIN_METADATA(IID "org.usar.mission.RobotPlugin/9" FILE "no_behaviors.json")
     Q_INTERFACES(usar::agent::RobotPlugin)
 };
 

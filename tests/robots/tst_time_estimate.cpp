@@ -109,12 +109,12 @@ private slots:
         settings.quadrant_limit_m = 30.0;
         const Survey survey = surveyOver({{-30, -20}, {30, 20}}, settings);
         QCOMPARE(survey.plan().quadrants.size(), std::size_t(4));
-        const double by_ins_s = TimeEstimate().whole(survey, Vec2::Zero(), settings).count();
+        const double by_ins_s = TimeEstimate().whole(survey, Vec2::Zero(), 0.0, settings).time.mean;
         settings.transit_speed_m_s = 2.0; // in a hurry
-        QVERIFY(by_ins_s - TimeEstimate().whole(survey, Vec2::Zero(), settings).count() > 3 * settings.recharge_time_s);
+        QVERIFY(by_ins_s - TimeEstimate().whole(survey, Vec2::Zero(), 0.0, settings).time.mean > 3 * settings.recharge_time_s);
         settings.transit_speed_m_s = Settings().transit_speed_m_s;
         settings.navigate_by_truth = true;
-        QVERIFY(by_ins_s - TimeEstimate().whole(survey, Vec2::Zero(), settings).count() > 3 * settings.recharge_time_s);
+        QVERIFY(by_ins_s - TimeEstimate().whole(survey, Vec2::Zero(), 0.0, settings).time.mean > 3 * settings.recharge_time_s);
         settings = {};
     }
 
@@ -190,7 +190,7 @@ private slots:
         const Survey survey = surveyOver({{-30, -20}, {30, 20}}, settings, Vec2::Zero());
         TimeEstimate estimate;
         QVERIFY(!estimate.overdue());
-        const double whole_s = estimate.whole(survey, Vec2::Zero(), settings).count();
+        const double whole_s = estimate.whole(survey, Vec2::Zero(), 0.0, settings).time.mean;
         double now_s = 0.0;
         const auto fly = [&](double until_s, Stage stage, bool holding) {
             for (; now_s < until_s; now_s += 1.0) {

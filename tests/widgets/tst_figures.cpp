@@ -2,6 +2,7 @@
 
 #include "tests/suite/suite.h"
 #include "widgets/models/figures.h"
+#include "widgets/models/preview_text.h"
 
 namespace tst_figures {
 
@@ -17,6 +18,9 @@ private slots:
     void writesDurations_data();
     void writesDurations();
     void agesStayShort();
+    void tellsATaskBeforeItsStart();
+    void tellsWhatATaskWillProbablyTake_data();
+    void tellsWhatATaskWillProbablyTake();
 };
 
 void tst_Figures::writesNumbersForPeople_data() {
@@ -68,6 +72,28 @@ void tst_Figures::agesStayShort() {
     QCOMPARE(ageText(Seconds(180.0)), QStringLiteral("3 min"));
     for (double age = 0.0; age < 1e5; age += 7.3)
         QVERIFY2(ageText(Seconds(age)).size() <= 6, qPrintable(ageText(Seconds(age))));
+}
+
+void tst_Figures::tellsATaskBeforeItsStart() {
+    QCOMPARE(previewText({{}, 2423.6, Seconds(2520.0), "12 lanes in 4 parts"}),
+             QStringLiteral("12 lanes in 4 parts · 2424 m · about 42 min 00 s"));
+}
+
+void tst_Figures::tellsWhatATaskWillProbablyTake_data() {
+    QTest::addColumn<int>("least_sorties");
+    QTest::addColumn<int>("most_sorties");
+    QTest::addColumn<QString>("text");
+    const QString before = QStringLiteral("In the open: 38 min 00 s to 47 min 00 s, ");
+    const QString after = QStringLiteral(", 92 to 99 % of the area shown");
+    QTest::newRow("one") << 1 << 1 << QString(before + "one sortie" + after);
+    QTest::newRow("five") << 5 << 5 << QString(before + "5 sorties" + after);
+    QTest::newRow("five or six") << 5 << 6 << QString(before + "5 to 6 sorties" + after);
+}
+
+void tst_Figures::tellsWhatATaskWillProbablyTake() {
+    QFETCH(int, least_sorties);
+    QFETCH(int, most_sorties);
+    QTEST(outlookText({{Seconds(2280.0), Seconds(2820.0)}, least_sorties, most_sorties, 92.8, 98.2}), "text");
 }
 
 USAR_TEST(tst_Figures)

@@ -85,7 +85,12 @@ struct FieldLists {
         io(robot.class_name, robot.name, robot.sensors_needed, robot.behaviors, robot.primitives);
     }
     static void pass(auto& io, Field<TaskPreview> auto& preview) {
-        io(preview.path_in_map_m, preview.length_m, preview.duration, preview.summary);
+        io(preview.path_in_map_m, preview.length_m, preview.duration, preview.summary, preview.outlook);
+    }
+    static void pass(auto& io, Field<TimeRange> auto& range) { io(range.least, range.most); }
+    static void pass(auto& io, Field<TaskOutlook> auto& outlook) {
+        io(outlook.duration, outlook.least_sorties, outlook.most_sorties);
+        io(outlook.least_coverage_pct, outlook.most_coverage_pct);
     }
 
     /// The last enumerator of each enumeration, beyond which a number is malformed.

@@ -15,7 +15,7 @@
 namespace usar::agent::frames {
 
 /// Version of the format, which increases with every change of the frames below. Hosts of another version are refused.
-inline constexpr quint32 version = 5;
+inline constexpr quint32 version = 6;
 
 /// A behavior and what it is created with. As a request of its own, it asks for the preview of the task.
 struct Job {

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double drape_length_m = 30.0;
 constexpr double drape_piece_m = 2.0;
-constexpr double beyond_m = 2.0; ///< So far beyond where it turns, it may come.
+constexpr double beyond_turn_m = 2.0; ///< So far beyond where it turns, it may come.
 /// So far ahead, and so much farther for each m/s, the whole height must be reached.
 constexpr double at_once_m = 4.0;
 constexpr double at_once_s = 4.0;
@@ -25,7 +25,7 @@ constexpr double over_trees_m = 16.0;
 std::optional<double> drapedHeight_m(const HeightAtlas& atlas, const WayAhead& way, const Settings& settings) {
     const double slope = climb_share * settings.climb_speed_m_s / std::max(way.speed_m_s, slowest_m_s);
     const double whole_m = at_once_m + at_once_s * way.speed_m_s;
-    const double length_m = std::min(drape_length_m, way.straight_m + beyond_m);
+    const double length_m = std::min(drape_length_m, way.straight_m + beyond_turn_m);
     std::optional<double> height_m;
     for (double ahead_m = 0.0; ahead_m < length_m; ahead_m += drape_piece_m) {
         const auto top_m = atlas.highest_m({way.from_m, way.bearing_rad, ahead_m, drape_piece_m});

@@ -21,6 +21,11 @@ constexpr double start_up_s = 4.0; ///< the rotors need it before the climb
 constexpr double most_times = 3.0;
 constexpr Seconds time_to_spare{900.0};
 constexpr double piece_s = 20.0; ///< of a lane, at scan speed, after which it is noted
+constexpr double piece_m = 10.0; ///< of a lane, after which the battery is watched in thought
+/// Ways between added lanes, for each length of them: 396 m for 508 m of lanes in `tall_test`.
+constexpr double way_per_added = 0.8;
+constexpr double added_lane_m = 25.0;      ///< a usual length of an added lane
+constexpr double added_lanes_unsure = 0.4; ///< share by which the time for them is often wrong
 
 double planned_s(Stage stage, double way_m, const Settings& settings) {
     switch (stage) {
@@ -49,6 +54,8 @@ public:
         , used_m_(state.since_charge_m) {}
 
     double used_m() const { return used_m_; }
+    int charges() const { return charges_; }
+    double added_s() const { return added_s_; } ///< planned time of `scanAbout`
     double stage_s(Stage stage) const { return stages_s_[static_cast<std::size_t>(stage)]; }
     void transit(const Vec2& to_m) {
         const double way_m = move(to_m);
@@ -56,6 +63,14 @@ public:
             add(Stage::Way, way_m);
     }
     void scan(const Vec2& to_m) { add(Stage::Lane, move(to_m)); }
+    /// Flies a lane of this length, and the way to it, somewhere about here.
+    void scanAbout(double length_m) {
+        const double way_m = way_per_added * length_m;
+        add(Stage::Way, way_m);
+        add(Stage::Lane, length_m);
+        added_s_ += planned_s(Stage::Way, way_m, settings_) + planned_s(Stage::Lane, length_m, settings_);
+        used_m_ += (way_m + length_m) * detour_;
+    }
     /// Flies home and lands.
     void land() {
         transit(base_m_);
@@ -65,6 +80,7 @@ public:
     void charge() {
         add(Stage::Charge);
         used_m_ = 0.0;
+        ++charges_;
     }
     /// Flies home for a charge and back to this place if the battery does not last for `way_m` and the way home.
     void chargeBefore(double way_m) {
@@ -93,11 +109,12 @@ private:
     Vec2 at_m_;
     double used_m_; ///< distance taken from the battery's range
     double stages_s_[5] = {};
+    int charges_ = 0;
+    double added_s_ = 0.0;
 };
 
 /// Flies the rest of a lane, from `along_m` on, in pieces between which the battery is watched.
 void flyLane(ThoughtFlight& flight, const mapping::Lane& lane, double along_m) {
-    constexpr double piece_m = 10.0;
     const double length_m = (lane.end_m - lane.start_m).norm();
     const Vec2 way = length_m > 0.0 ? Vec2((lane.end_m - lane.start_m) / length_m) : Vec2(Vec2::Zero());
     const int pieces = std::clamp(static_cast<int>(std::ceil((length_m - along_m) / piece_m)), 1, 100);
@@ -126,6 +143,11 @@ void flyOn(ThoughtFlight& flight, const Survey& survey, const MissionState& stat
             flight.charge();
         }
         flyLane(flight, lanes[i], first ? survey.alongLane_m() : 0.0);
+    }
+    for (double left_m = state.added_m; left_m > 0.0; left_m -= added_lane_m) {
+        const double length_m = std::min(left_m, added_lane_m);
+        flight.chargeBefore((1.0 + way_per_added) * length_m);
+        flight.scanAbout(length_m);
     }
     flight.land();
 }
@@ -179,42 +201,48 @@ agent::Pace TimeEstimate::paceSoFar(Stage stage, const Settings& settings) const
     return so_far;
 }
 
-agent::Forecast TimeEstimate::flightInThought(double detour, const Survey& survey, const MissionState& state,
-                                              const Settings& settings) const {
+WholeFlight TimeEstimate::flightInThought(double detour, const Survey& survey, const MissionState& state,
+                                          const Settings& settings) const {
     ThoughtFlight flight(state, detour, settings);
     flyOn(flight, survey, state, settings);
     agent::Forecast sum{state.waiting.count(), 0.0};
     for (const Stage stage : {Stage::Lane, Stage::Way, Stage::Landing, Stage::Charge})
         sum += paceSoFar(stage, settings).forecast(flight.stage_s(stage));
-    return sum;
+    const double unsure_s = added_lanes_unsure * flight.added_s();
+    sum.variance += unsure_s * unsure_s;
+    return {sum, static_cast<double>(flight.charges())};
 }
 
-agent::Forecast TimeEstimate::forecast(const Survey& survey, const MissionState& state,
-                                       const Settings& settings) const {
+WholeFlight TimeEstimate::rest(const Survey& survey, const MissionState& state, const Settings& settings) const {
     const double charge_m = usableRange_m(settings);
     const double apart = std::sqrt(2.0) * detour_.forecast(charge_m).deviation() / charge_m;
     struct Thought {
         double share;
-        agent::Forecast forecast;
+        WholeFlight flight;
     };
     std::array<Thought, 3> thoughts;
     for (std::size_t i = 0; i < thoughts.size(); ++i)
         thoughts[i] = {i == 1 ? 0.5 : 0.25, flightInThought(detour_.pace() + (static_cast<double>(i) - 1.0) * apart,
                                                             survey, state, settings)};
-    agent::Forecast all;
-    for (const Thought& thought : thoughts)
-        all.mean += thought.share * thought.forecast.mean;
+    WholeFlight all;
     for (const Thought& thought : thoughts) {
-        const double aside = thought.forecast.mean - all.mean;
-        all.variance += thought.share * (thought.forecast.variance + aside * aside);
+        all.time.mean += thought.share * thought.flight.time.mean;
+        all.charges += thought.share * thought.flight.charges;
+    }
+    for (const Thought& thought : thoughts) {
+        const double aside = thought.flight.time.mean - all.time.mean;
+        all.time.variance += thought.share * (thought.flight.time.variance + aside * aside);
     }
     return all;
 }
 
-Seconds TimeEstimate::whole(const Survey& survey, const Vec2& base_m, const Settings& settings) const {
+WholeFlight TimeEstimate::whole(const Survey& survey, const Vec2& base_m, double added_m,
+                                const Settings& settings) const {
     const double climb_m_s = carefulClimb_m_s(settings); // Nobody has been up there yet.
     const Seconds take_off(settings.rest_time_s + start_up_s + settings.scan_altitude_m / climb_m_s);
-    return Seconds(forecast(survey, {.position_m = base_m, .base_m = base_m, .waiting = take_off}, settings).mean);
+    MissionState state{.position_m = base_m, .base_m = base_m, .waiting = take_off};
+    state.added_m = added_m;
+    return rest(survey, state, settings);
 }
 
 void TimeEstimate::update(Seconds now, const Survey& survey, const MissionState& state, const Settings& settings) {

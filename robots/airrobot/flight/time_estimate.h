@@ -26,6 +26,13 @@ struct MissionState {
     Seconds waiting{0.0};        ///< time until it flies on: for the rest of a landing, charge or take-off
     bool lanes_left = true;      ///< the lanes that are not done will be flown
     bool returning = false;      ///< it is in the air on its way to the base, to land there
+    double added_m = 0.0;        ///< length of the lanes that will probably be added
+};
+
+/// A whole mission, flown in thought.
+struct WholeFlight {
+    agent::Forecast time; ///< in seconds
+    double charges = 0.0; ///< the mean
 };
 
 /// What has passed up to a tick.
@@ -49,9 +56,12 @@ public:
     /// rest of each kind of stage by its Pace. How many charges are still needed depends on how much longer the way
     /// flown is than the plan's, d with deviation s. So the mean m and the variance are those of three flights in
     /// thought, at d - √2 s, d and d + √2 s with the shares of ¼, ½ and ¼: Σ share (variance(i) + (mean(i) - m)²).
-    agent::Forecast forecast(const Survey& survey, const MissionState& state, const Settings& settings) const;
-    /// Time of the whole mission of a robot that still stands at its base, with the stages' paces so far.
-    Seconds whole(const Survey& survey, const Vec2& base_m, const Settings& settings) const;
+    agent::Forecast forecast(const Survey& survey, const MissionState& state, const Settings& settings) const {
+        return rest(survey, state, settings).time;
+    }
+    /// The whole mission of a robot that still stands at its base, with the stages' paces so far. `added_m`: length of
+    /// the lanes that will probably be added.
+    WholeFlight whole(const Survey& survey, const Vec2& base_m, double added_m, const Settings& settings) const;
     /// Estimates when the mission ends, at most once a second, because a long survey has many lanes.
     void update(Seconds now, const Survey& survey, const MissionState& state, const Settings& settings);
     /// True if the mission has taken so much longer than was expected at its start that it will hardly come to an end.
@@ -63,8 +73,9 @@ public:
     const agent::Pace& pace(Stage stage) const { return paces_[static_cast<std::size_t>(stage) - 1]; }
 
 private:
-    agent::Forecast flightInThought(double detour, const Survey& survey, const MissionState& state,
-                                    const Settings& settings) const;
+    WholeFlight rest(const Survey& survey, const MissionState& state, const Settings& settings) const;
+    WholeFlight flightInThought(double detour, const Survey& survey, const MissionState& state,
+                                const Settings& settings) const;
     agent::Pace& paceOf(Stage stage) { return paces_[static_cast<std::size_t>(stage) - 1]; }
     void noteLane(const MissionMoment& moment, Seconds passed, const Settings& settings);
     void noteStage(const Settings& settings);

@@ -56,7 +56,8 @@ std::unique_ptr<QWidget> behaviorsPage() {
     row->addWidget(behavior(RunState::NoRobot, {}));
     auto* ready = behavior(RunState::Ready, QStringLiteral("R1"));
     ready->setArea(Rectangle{Vec2(-30, -20), Vec2(30, 20)});
-    ready->setPlanSummary(QStringLiteral("6 lanes · 412 m · about 4 min 40 s"));
+    ready->setPlanSummary(QStringLiteral("6 lanes · 412 m · about 4 min 40 s\nIn the open: 4 min 10 s to 5 min 20 s, "
+                                         "one sortie, 98 to 100 % of the area shown"));
     row->addWidget(ready);
     auto* running = behavior(RunState::Running, QStringLiteral("R1"));
     running->setArea(Rectangle{Vec2(-30, -20), Vec2(90, 20)});
