@@ -6,6 +6,7 @@
 
 #include "core/base/clock.h"
 #include "core/base/geometry.h"
+#include "robots/airrobot/flight/landing.h"
 
 namespace usar::airrobot {
 
@@ -22,6 +23,7 @@ struct Sortie {
     std::optional<Vec2> landing_m{}; ///< nullopt unless the robot is landing or on the ground after it
     std::optional<Vec2> refuge_m{};  ///< goal on the way home if it is not the base
     std::vector<Vec2> refused_m{};   ///< landing places over which it did not get, or that were no good
+    Room room = Room::Usual;         ///< that a landing place must have
     Vec2 hold_m = Vec2::Zero();      ///< place to hold while paused
     bool beyond_door = false;        ///< it has flown through a door and rises, or has risen, beyond it
     bool doubted_map = false;        ///< it has looked anew for ways to a goal once

@@ -112,10 +112,9 @@ private:
     void afterGoal(SurveyEvent event, agent::CommandPort& port);
     void goHome(Errand errand, const std::string& why, agent::CommandPort& port);
     void landAt(const Vec2& near_m);
-    /// Goes to the next place, because the present one is no good; hovers and tells where there is none.
-    void landElsewhere(agent::CommandPort& port);
-    /// Lands at the nearest place that is fit for it, after a flight there if it is not here; false if none is known.
-    bool landNearby(double dry_m, agent::CommandPort& port);
+    void landElsewhere(agent::CommandPort& port);            ///< This place is no good; hovers where there is no other.
+    bool landNearby(double dry_m, agent::CommandPort& port); ///< at the nearest fit place; false if none is known
+    void headFor(const Vec2& place_m, agent::CommandPort& port); ///< to land there instead of at the base
     Vec2 home_m() const { return sortie_.refuge_m.value_or(base_in_map_.position_m.head<2>()); }
     std::optional<Vec2> door_m() const { return sortie_.refuge_m ? std::nullopt : leftovers_.door_m(); }
     void endPause(const std::string& why, agent::CommandPort& port);

@@ -67,4 +67,8 @@ agent::BehaviorFinished verdictOf(const Survey& survey, const ScanLedger& ledger
     return {true, scanned + (survey.goalsGivenUp() == 0 ? "." : "; " + goals + ".")};
 }
 
+std::string placeWords(const Vec2& at_m) {
+    return "x " + fixed(at_m.x(), 1) + " m, y " + fixed(at_m.y(), 1) + " m";
+}
+
 } // namespace usar::airrobot

@@ -244,6 +244,36 @@ private slots:
         QVERIFY(Touchdown::isClearBelow(sensesAt({4, 0, z_m}), ObstacleMemory(), {0, 0}));
     }
 
+    /// A scan that was placed wrong closed its base and five other places, and it hovered (`quick_scan`, seed 73).
+    void inNeedOfRoomItBelievesItsLastScans_data() {
+        QTest::addColumn<Vec2>("thing_m");
+        QTest::addColumn<bool>("seen_again");
+        QTest::addColumn<bool>("least_room");
+        QTest::newRow("seen once, minutes ago") << Vec2(0.3, 0.3) << false << true;
+        QTest::newRow("there it is again") << Vec2(0.3, 0.3) << true << false;
+        QTest::newRow("again, beside its rotors") << Vec2(0.75, 0.25) << true << true;
+    }
+    void inNeedOfRoomItBelievesItsLastScans() {
+        QFETCH(Vec2, thing_m);
+        QFETCH(bool, seen_again);
+        QFETCH(bool, least_room);
+        const Vec3 top_m(thing_m.x(), thing_m.y(), 1.3);
+        ObstacleMemory memory = meadow({top_m});
+        Senses senses = sensesAt({0, 0, 2.4});
+        senses.now = Seconds(200.0);
+        setFlatScan(senses, {0, 0}, 5.0, 0.0);
+        if (seen_again)
+            senses.scan->hits_in_map_m.push_back(top_m);
+        memory.take(senses, {});
+        QVERIFY(!Touchdown::isClearBelow(senses, memory, {0, 0}));
+        QCOMPARE(Touchdown::isClearBelow(senses, memory, {0, 0}, Room::Least), least_room);
+        Touchdown touchdown;
+        touchdown.start();
+        QVERIFY(!touchdown.maySink(senses, memory, {0, 0}));
+        touchdown.start(Room::Least);
+        QCOMPARE(touchdown.maySink(senses, memory, {0, 0}), least_room);
+    }
+
     void prefersLevelGroundToASlope() {
         ObstacleMemory memory;
         Senses senses = sensesAt({0, 0, 6});

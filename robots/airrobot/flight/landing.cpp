@@ -20,6 +20,8 @@ constexpr double slope_share = 0.4;
 constexpr double easy_slope = 0.105;
 /// A robot that sinks stays so far above all within this distance that is so much higher than the ground of its place.
 constexpr double berth_m = 0.9;
+constexpr double least_berth_m = 0.65; ///< Its rotors reach 0.5 m from its center.
+constexpr Seconds lately{20.0};        ///< It hovers for less than that before it takes another place.
 constexpr double over_things_m = 1.2;
 constexpr double no_ground_m = 1.0;
 constexpr double low_m = 1.5; ///< over its place; lower, it is between those things, if there are any
@@ -148,7 +150,7 @@ void Refuge::note(const Senses& senses, const ObstacleMemory& memory, double dry
 }
 
 std::optional<Vec2> Refuge::place_m(const Senses& senses, const ObstacleMemory& memory, double dry_m,
-                                    std::span<const Vec2> refused_m) const {
+                                    std::span<const Vec2> refused_m, Room room) const {
     const Vec2 here_m = senses.position2_m();
     const auto refused = [&](const Vec2& place_m) {
         return std::ranges::any_of(refused_m, [&](const Vec2& one_m) { return (one_m - place_m).norm() < apart_m; });
@@ -165,7 +167,7 @@ std::optional<Vec2> Refuge::place_m(const Senses& senses, const ObstacleMemory& 
             if (refused(place_m) || !canLand(memory, place_m, dry_m))
                 continue;
             std::optional<Vec2>& second_m = standsOut(memory, place_m) ? raised_m : behind_m;
-            if (&second_m == &behind_m && Touchdown::isClearBelow(senses, memory, place_m))
+            if (&second_m == &behind_m && Touchdown::isClearBelow(senses, memory, place_m, room))
                 return place_m;
             second_m = second_m.value_or(place_m);
         }
@@ -212,19 +214,24 @@ bool Touchdown::looksAround(const Senses& senses, const ObstacleMemory& memory, 
     return false;
 }
 
-bool Touchdown::isClearBelow(const Senses& senses, const ObstacleMemory& memory, const Vec2& place_m) {
+bool Touchdown::isClearBelow(const Senses& senses, const ObstacleMemory& memory, const Vec2& place_m, Room room) {
     const double z_m = senses.position_m().z();
     const auto ground_m = memory.lowest_m(place_m, body_radius_m);
     if (!ground_m || z_m < *ground_m + low_m)
         return true;
     const double level_m = std::max(*ground_m + no_ground_m, z_m - over_things_m);
+    const auto blocks = [&](const Vec2& at_m) {
+        if (room == Room::Least)
+            return std::ranges::any_of(memory.freshTops_m(at_m, least_berth_m, lately),
+                                       [&](const Vec3& top_m) { return top_m.z() > level_m; });
+        return std::ranges::any_of(memory.near(at_m, berth_m, level_m),
+                                   [](const Obstacle& one) { return one.top_known; });
+    };
     const Vec2 way_m = place_m - senses.position2_m();
     const int steps = static_cast<int>(way_m.norm() / berth_step_m) + 1;
-    for (int step = 0; step <= steps; ++step) {
-        const auto near = memory.near(senses.position2_m() + way_m * step / steps, berth_m, level_m);
-        if (std::ranges::any_of(near, [](const Obstacle& one) { return one.top_known; }))
+    for (int step = 0; step <= steps; ++step)
+        if (blocks(senses.position2_m() + way_m * step / steps))
             return false;
-    }
     return true;
 }
 

@@ -21,6 +21,12 @@ inline constexpr Seconds newest_tops{30.0};
 Vec2 landingPlace_m(const ObstacleMemory& memory, const Vec2& wanted_m, double radius_m,
                     const Vec2& lean = Vec2::Zero(), Seconds fresh = newest_tops);
 
+/// How far a robot that sinks must stay from all that is known to stand beside it. Usual: what was seen since the
+/// memory began counts, and a berth for drift and gusts. Least: what its last scans showed, and little more than its
+/// own width; a single scan that was placed wrong, minutes ago, may have closed all places to it (`quick_scan`, seed
+/// 73).
+enum class Room { Usual, Least };
+
 /// Where to land in need. Owned by one robot; its places belong to one estimate of the pose, so make a new one after
 /// the INS was set.
 class Refuge {
@@ -32,7 +38,7 @@ public:
     /// nearest one, or the last one that it flew over; nullopt if there is none. It is well away from all `refused_m`,
     /// and no narrow thing's top unless there is nothing else, because a crown is as even.
     std::optional<Vec2> place_m(const Senses& senses, const ObstacleMemory& memory, double dry_m,
-                                std::span<const Vec2> refused_m = {}) const;
+                                std::span<const Vec2> refused_m = {}, Room room = Room::Usual) const;
 
 private:
     std::optional<Seconds> noted_; ///< time of the last look at the ground
@@ -52,7 +58,10 @@ enum class Descent {
 /// to sink and has not sunk for about a second, or for some seconds if its scanner has a bias. Owned by one robot.
 class Touchdown {
 public:
-    void start() { *this = {}; }
+    void start(Room room = Room::Usual) {
+        *this = {};
+        room_ = room;
+    }
     /// Makes the robot sink where it is, whatever stands below, as soon as its own battery lasts for nothing else: it
     /// would fall otherwise. Call it once per tick of a landing.
     void mindBattery(const Senses& senses, const Settings& settings);
@@ -66,9 +75,10 @@ public:
     bool looksAround(const Senses& senses, const ObstacleMemory& memory, const Vec2& place_m, const Vec2& lean);
     /// Whether it may sink further on its way to its place: nothing that stands there, or that it may meet beside it,
     /// is known to reach up to it. Crowns count, and so do walls; the ground of the place does not.
-    static bool isClearBelow(const Senses& senses, const ObstacleMemory& memory, const Vec2& place_m);
+    static bool isClearBelow(const Senses& senses, const ObstacleMemory& memory, const Vec2& place_m,
+                             Room room = Room::Usual);
     bool maySink(const Senses& senses, const ObstacleMemory& memory, const Vec2& place_m) const {
-        return sinks_anyway_ || isClearBelow(senses, memory, place_m);
+        return sinks_anyway_ || isClearBelow(senses, memory, place_m, room_);
     }
     /// True if the scanner sees again and again that the robot cannot stand on what is below its ring: the drift of the
     /// pose has moved a place that was fit. Call it once per tick over the place.
@@ -84,6 +94,7 @@ public:
 private:
     std::optional<Seconds> still_since_;
     std::optional<Seconds> held_since_; ///< it holds its height since then
+    Room room_ = Room::Usual;
     bool over_ = false;
     bool sinks_anyway_ = false; ///< at `better_m_`
     int uneven_scans_ = 0;      ///< in a row
