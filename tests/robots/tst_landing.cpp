@@ -418,6 +418,22 @@ private slots:
         QCOMPARE(touchdown.sinkRate_m_s(senses, settings), settings.landing_speed_m_s);
     }
 
+    void inAHurrySlowsDownBitByBit() {
+        Settings settings;
+        settings.scan_speed_m_s = settings.transit_speed_m_s = 2.0;
+        settings.descent_speed_m_s = 0.8;
+        Touchdown touchdown;
+        Senses senses = sensesAt({0, 0, 6});
+        const auto rateAt_m_s = [&](double height_m) {
+            senses.ground_m = 6.0 - height_m;
+            return touchdown.sinkRate_m_s(senses, settings);
+        };
+        QCOMPARE(rateAt_m_s(3.0), 0.8);
+        QVERIFY(rateAt_m_s(2.2) > 0.5 && rateAt_m_s(2.2) < 0.6);
+        for (const double height_m : {1.25, 0.6, 0.2})
+            QCOMPARE(rateAt_m_s(height_m), settings.landing_speed_m_s);
+    }
+
     void noticesTheTouchAfterASecondOfStillness_data() {
         QTest::addColumn<double>("tick_s");
         QTest::addColumn<int>("ticks");

@@ -51,6 +51,8 @@ constexpr double over_place_m = 0.5;
 constexpr double still_over_m = 0.9;
 constexpr double nearly_down_m = 1.0;
 constexpr Seconds longest_aside{15.0};
+/// A robot in a hurry slows down bit by bit as it sinks, and is as slow as any other from this share of the height on.
+constexpr double gentle_share = 0.43;
 constexpr double apart_m = 1.5; ///< from a place that was no good to the next one
 /// Hits below the ring that differ by more than this in so many scans in a row are on something that it cannot stand
 /// on.
@@ -258,8 +260,13 @@ bool Touchdown::keptAway(const Senses& senses, bool holds) {
 }
 
 double Touchdown::sinkRate_m_s(const Senses& senses, const Settings& settings) const {
-    const bool near_ground = senses.heightOverGround_m(0.0) < settings.landing_slow_below_m;
-    return near_ground ? settings.landing_speed_m_s : settings.descent_speed_m_s;
+    const double height_m = senses.heightOverGround_m(0.0);
+    if (height_m >= settings.landing_slow_below_m)
+        return settings.descent_speed_m_s;
+    if (!settings.hurried())
+        return settings.landing_speed_m_s;
+    const double share = (height_m / settings.landing_slow_below_m - gentle_share) / (1.0 - gentle_share);
+    return std::lerp(settings.landing_speed_m_s, settings.descent_speed_m_s, std::max(0.0, share));
 }
 
 bool Touchdown::touched(const Senses& senses) {
