@@ -24,6 +24,7 @@ struct Grid {
     Rectangle area;
     int columns = 1;
     int rows = 1;
+    bool returns = false; ///< to the base after each quadrant
 
     Rectangle at(int column, int row) const {
         const Vec2 size_m(area.width_m() / columns, area.height_m() / rows);
@@ -61,6 +62,11 @@ void addLanes(CoveragePlan& plan, const Rectangle& quadrant, double spacing_m, V
     plan.quadrants.push_back(quadrant);
 }
 
+void returnTo(const Vec2& base_m, CoveragePlan& plan, Vec2& position_m) {
+    plan.transit_length_m += (base_m - position_m).norm();
+    position_m = base_m;
+}
+
 /// Visits the quadrants back and forth. The three bits of `variant` select rows or columns and the first corner.
 CoveragePlan planToAndFro(const Grid& grid, const Vec2& base_m, double spacing_m, unsigned variant) {
     const bool by_rows = (variant & 1) != 0;
@@ -75,9 +81,11 @@ CoveragePlan planToAndFro(const Grid& grid, const Vec2& base_m, double spacing_m
         for (int j = 0; j < inner_count; ++j) {
             const int inner = inner_down ? inner_count - 1 - j : j;
             addLanes(plan, by_rows ? grid.at(inner, outer) : grid.at(outer, inner), spacing_m, position_m);
+            if (grid.returns)
+                returnTo(base_m, plan, position_m);
         }
     }
-    plan.transit_length_m += (base_m - position_m).norm();
+    returnTo(base_m, plan, position_m);
     return plan;
 }
 
@@ -93,8 +101,10 @@ CoveragePlan planNearestNext(const Grid& grid, const Vec2& base_m, double spacin
             open, {}, [&](const Rectangle& quadrant) { return distanceToCorner(quadrant, position_m); });
         addLanes(plan, *nearest, spacing_m, position_m);
         open.erase(nearest);
+        if (grid.returns)
+            returnTo(base_m, plan, position_m);
     }
-    plan.transit_length_m += (base_m - position_m).norm();
+    returnTo(base_m, plan, position_m);
     return plan;
 }
 
@@ -115,7 +125,7 @@ Result<Grid> gridFor(const Rectangle& area, const Vec2& base_m, const CoverageOp
         return failure("the area needs more than 100000 lanes", where,
                        "make the area smaller or the lane spacing wider than " + fixed(options.lane_spacing_m, 2) +
                            " m");
-    return Grid{area, static_cast<int>(columns), static_cast<int>(rows)};
+    return Grid{area, static_cast<int>(columns), static_cast<int>(rows), options.returns};
 }
 
 } // namespace

@@ -13,6 +13,7 @@ namespace usar::mapping {
 struct CoverageOptions {
     double lane_spacing_m;           ///< maximum; lanes are spread evenly
     double quadrant_limit_m = 150.0; ///< an area with a longer side is divided into equal quadrants, scanned one by one
+    bool returns = false;            ///< The robot flies to its base after each quadrant.
 };
 
 /// One straight lane in the map frame, scanned from start to end.
@@ -31,11 +32,11 @@ struct CoveragePlan {
 };
 
 /// Plans lanes along the longer side of each quadrant, starting at the corner nearest to the robot's position at that
-/// time (the base for the first quadrant). The outer lanes are half a spacing inside the border, so that every point of
-/// the area is within half a spacing of a lane; fewer lanes would not suffice. Quadrants are visited in the order with
-/// the shortest transit among those tried: back and forth by rows or by columns from each corner, and, for up to 1600
-/// quadrants, always the nearest one next. Returns an error if the area has no size or needs more than 100 000 lanes,
-/// if an option is invalid, or if a coordinate is not finite.
+/// time (the base for the first quadrant, and for all if it returns there). The outer lanes are half a spacing inside
+/// the border, so that every point of the area is within half a spacing of a lane; fewer lanes would not suffice.
+/// Quadrants are visited in the order with the shortest transit among those tried: back and forth by rows or by columns
+/// from each corner, and, for up to 1600 quadrants, always the nearest one next. Returns an error if the area has no
+/// size or needs more than 100 000 lanes, if an option is invalid, or if a coordinate is not finite.
 Result<CoveragePlan> planCoverage(const Rectangle& area_in_map, const Vec2& base_in_map_m,
                                   const CoverageOptions& options);
 

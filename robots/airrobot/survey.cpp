@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "robots/airrobot/flight/battery_model.h"
+
 namespace usar::airrobot {
 
 namespace {
@@ -18,10 +20,16 @@ constexpr double worth_a_flight_m = 1.0;
 } // namespace
 
 Result<Survey> Survey::make(const agent::Task& task, const Settings& settings) {
-    auto plan = mapping::planCoverage(task.area_in_map, task.start_in_map.position_m.head<2>(),
-                                      {settings.lane_spacing_m, settings.quadrant_limit_m});
+    mapping::CoverageOptions options{settings.lane_spacing_m, settings.quadrant_limit_m};
+    const Vec2 base_m = task.start_in_map.position_m.head<2>();
+    auto plan = mapping::planCoverage(task.area_in_map, base_m, options);
     if (!plan)
         return tl::unexpected(plan.error());
+    const double quadrant_m = plan->lane_length_m / static_cast<double>(plan->quadrants.size());
+    options.returns =
+        settings.hurried() && isWorthACharge(quadrant_m, settings) && quadrant_m < usableRange_m(settings);
+    if (options.returns)
+        plan = mapping::planCoverage(task.area_in_map, base_m, options);
     return Survey(std::move(*plan));
 }
 

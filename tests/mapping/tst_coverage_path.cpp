@@ -50,6 +50,7 @@ private slots:
     void cutsLargeAreasIntoEqualQuadrants();
     void coversEveryPointOfRandomAreas();
     void eachQuadrantBeginsAtTheCornerNearestToTheRobot();
+    void eachQuadrantBeginsNearABaseToWhichTheRobotReturns();
     void transitBetweenQuadrantsStaysShort();
     void refusesTheRestAndSaysWhy_data();
     void refusesTheRestAndSaysWhy();
@@ -173,6 +174,26 @@ void tst_CoveragePath::eachQuadrantBeginsAtTheCornerNearestToTheRobot() {
         quadrant = lane.quadrant;
         position_m = lane.end_m;
     }
+}
+
+void tst_CoveragePath::eachQuadrantBeginsNearABaseToWhichTheRobotReturns() {
+    const Vec2 base_m(3, -7);
+    CoverageOptions options{10.0};
+    options.returns = true;
+    const CoveragePlan plan = planCoverage({{-170, -120}, {150, 140}}, base_m, options).value();
+    QCOMPARE(plan.quadrants.size(), std::size_t(6));
+    double transit_m = 0.0;
+    for (std::size_t i = 0; i < plan.lanes.size(); ++i) {
+        const bool first = i == 0 || plan.lanes[i].quadrant != plan.lanes[i - 1].quadrant;
+        const bool last = i + 1 == plan.lanes.size() || plan.lanes[i].quadrant != plan.lanes[i + 1].quadrant;
+        transit_m += (plan.lanes[i].start_m - (first ? base_m : plan.lanes[i - 1].end_m)).norm();
+        transit_m += last ? (base_m - plan.lanes[i].end_m).norm() : 0.0;
+        const Vec2 center_m = plan.quadrants[std::size_t(plan.lanes[i].quadrant)].center_m();
+        const Vec2 from_center_m = base_m - center_m;
+        const Vec2 start_m = plan.lanes[i].start_m - center_m;
+        QVERIFY(!first || (from_center_m.x() * start_m.x() >= 0.0 && from_center_m.y() * start_m.y() >= 0.0));
+    }
+    QVERIFY(std::abs(plan.transit_length_m - transit_m) < 1e-6);
 }
 
 void tst_CoveragePath::transitBetweenQuadrantsStaysShort() {

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <optional>
+#include <utility>
 
 #include <QObject>
 #include <QTest>
@@ -43,6 +45,32 @@ class tst_Survey : public QObject {
 
 private slots:
     void init() { settings = {}; }
+
+    void inAHurryEachQuadrantBeginsNearItsBase_data() {
+        QTest::addColumn<double>("transit_m_s");
+        QTest::addColumn<double>("battery_m");
+        QTest::addColumn<bool>("near_base");
+        QTest::newRow("flies home after each") << 2.0 << 1000.0 << true;
+        QTest::newRow("in no hurry") << 1.6 << 1000.0 << false;
+        QTest::newRow("flies home earlier") << 2.0 << 300.0 << false;
+    }
+    void inAHurryEachQuadrantBeginsNearItsBase() {
+        QFETCH(double, transit_m_s);
+        QFETCH(double, battery_m);
+        QFETCH(bool, near_base);
+        settings.transit_speed_m_s = transit_m_s;
+        settings.battery_range_m = battery_m;
+        settings.lane_spacing_m = 17.0;
+        const agent::Task task{"R1", Pose{}, {Vec2(-100, -100), Vec2(100, 100)}};
+        const Survey survey = Survey::make(task, settings).value();
+        QCOMPARE(survey.plan().quadrants.size(), std::size_t(4));
+        double farthest_m = 0.0;
+        int quadrant = -1;
+        for (const mapping::Lane& lane : survey.plan().lanes)
+            if (std::exchange(quadrant, lane.quadrant) != lane.quadrant)
+                farthest_m = std::max(farthest_m, lane.start_m.norm());
+        QCOMPARE(farthest_m < 25.0, near_base);
+    }
 
     void aLaneIsMovedBeforeItIsEntered() {
         Survey survey = twoLanes();
