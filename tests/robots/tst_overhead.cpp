@@ -197,6 +197,22 @@ private slots:
         QVERIFY(overhead.hasCeiling());
     }
 
+    /// As flown in `tall_test` with seed 22: the slow climb was all but too slow, and the last two commands had no
+    /// effect yet.
+    void aCommandThatGrewAtTheEndHasMetNothing() {
+        Overhead overhead;
+        Senses senses = sensesAt({1.0, 2.0, 10.87});
+        const std::vector<std::pair<double, double>> told_and_risen{{0.172, 10.87}, {0.172, 10.85}, {0.188, 10.85},
+                                                                    {0.188, 10.85}, {0.188, 10.86}, {0.18, 10.89},
+                                                                    {1.0, 10.93},   {1.0, 10.99},   {1.0, 11.12}};
+        for (const auto& [climb_m_s, z_m] : told_and_risen) {
+            senses.base_in_map.position_m.z() = z_m;
+            overhead.observe(senses, {.climb_m_s = climb_m_s});
+            senses.now += Seconds(0.2);
+        }
+        QVERIFY(!overhead.hasCeiling());
+    }
+
     void whatTheRobotGetsPastIsNoCeiling() {
         Overhead overhead;
         Senses senses = sensesAt({1.0, 2.0, 3.0});

@@ -27,6 +27,8 @@ constexpr double least_push_m_s = 0.12;
 /// A climb that gains less than this share of the way in this time has met something.
 constexpr Seconds push_time{1.4};
 constexpr double pushed_share = 0.25;
+/// The time constant with which the rate of a climb follows its command: `tall_test`, a robot at 2 m/s beside crowns.
+constexpr Seconds answer_time{0.6};
 constexpr double sinks_m = 0.03; ///< An estimate that wavers by less than this does not show that the robot sinks.
 /// A robot that gets so far above a ceiling shows that there is none: on a slow link, a climb begins late.
 constexpr double through_m = 0.3;
@@ -130,16 +132,19 @@ void Overhead::feelAbove(const Senses& senses, double commanded_climb_m_s) {
         pushing_since_.reset();
         return;
     }
-    pushed_m_ += commanded_climb_m_s * since_last.count();
+    const double answered = std::min(1.0, since_last / answer_time);
+    pushed_m_s_ += answered * (commanded_climb_m_s - pushed_m_s_); // It follows a command that grew bit by bit.
+    pushed_m_ += pushed_m_s_ * since_last.count();
     const double gained_m = z_m - pushed_from_m_;
     const bool still_sinks = gained_m < -sinks_m; // The climb has not begun yet, and nothing above holds it up.
     if (!pushing_since_ || still_sinks || gained_m > pushed_share * commanded_climb_m_s * push_time.count()) {
         pushing_since_ = senses.now;
         pushed_from_m_ = z_m;
         pushed_m_ = 0.0;
+        pushed_m_s_ = 0.0;
     } else if (senses.now - *pushing_since_ >= push_time + senses.late) {
         pushing_since_.reset();
-        if (gained_m < pushed_share * pushed_m_) // A command that grew meanwhile has not had its time yet.
+        if (gained_m < pushed_share * pushed_m_)
             add({senses.position2_m(), z_m, true});
     }
 }

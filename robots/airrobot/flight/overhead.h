@@ -92,7 +92,8 @@ private:
     std::optional<Find> found_;
     std::optional<Seconds> pushing_since_; ///< a climb is commanded since then
     double pushed_from_m_ = 0.0;           ///< height at that time
-    double pushed_m_ = 0.0;                ///< the climb that was commanded since then
+    double pushed_m_s_ = 0.0;              ///< the rate at which a free robot would climb by now
+    double pushed_m_ = 0.0;                ///< how far it would have come since then
     Seconds felt_at_{0.0};                 ///< time of the last tick
     double free_to_m_ = -1e9;              ///< map z
     double seen_to_m_ = -1e9;              ///< map z
