@@ -46,8 +46,17 @@ Result<FlightMoment> readFlightMoment(const QString& path, Seconds now, const st
 /// Whether the claim held in the flight; nullopt if the recording does not tell, or not all of it.
 std::optional<bool> heldIn(const FlightMoment& moment, const Claim& claim);
 
+/// True if a test has other noise and drift than the flight, so that it comes to the same only roughly.
+bool isRepeatedRoughly(const FlightMoment& moment);
+
+/// A claim about what must be seen once begins so much earlier and ends so much later if the flight is repeated
+/// roughly.
+inline constexpr Seconds rough_slack{10.0};
+
 /// Claims about the time from `from` to `to`: those that held, then those that the recording does not tell, then those
-/// that did not hold, though they should. Heights are rounded to half a meter beyond what was flown.
+/// that did not hold, though they should. Heights are rounded to half a meter beyond what was flown. If the flight is
+/// repeated roughly, heights get a meter more, what must be seen once gets `rough_slack`, and the first claim is that
+/// there is no contact, because it asks for the least.
 std::vector<Claim> claimsToOffer(const FlightMoment& moment, Seconds from, Seconds to);
 
 /// The mission that flies up to the claim and checks it.

@@ -7,7 +7,9 @@
 
 #include "core/agent/published_text.h"
 #include "core/link/recording_writer.h"
+#include "core/mission/claims/claim_watch.h"
 #include "core/mission/runs/flight_moment.h"
+#include "core/protocol/reader.h"
 #include "tests/doubles/plan_trace.h"
 #include "tests/suite/suite.h"
 
@@ -34,6 +36,9 @@ public:
                                  "} {Orientation 0,0,0}\r\n";
         writer_->write({.kind = link::RecordKind::In, .line = {lines_}, .bytes = text});
         lines_ += 2;
+        for (const std::string& line : {text.substr(0, text.find('\r')), text.substr(text.find('\n') + 1)})
+            if (watch)
+                watch->take(reader_.read(line), Seconds{now_s});
     }
     /// From one time to the other, five times a second, at one height.
     void fly(double from_s, double to_s, double z_m) {
@@ -62,10 +67,14 @@ public:
         std::string text;
         agent::appendText(text, value);
         note("published", text);
+        if (watch)
+            watch->take(value);
     }
     void drive(const char* who) {
         writer_->write({.kind = link::RecordKind::Out, .line = {lines_}, .name = who, .bytes = "DRIVE {Left 1}\r\n"});
     }
+
+    ClaimWatch* watch = nullptr; ///< It takes what is recorded, as in a test that flies it.
 
     Result<FlightMoment> moment(double now_s) {
         writer_.reset();
@@ -76,6 +85,7 @@ private:
     QTemporaryDir folder_;
     std::unique_ptr<link::RecordingWriter> writer_;
     std::uint64_t lines_ = 0; ///< They were received so far.
+    protocol::Reader reader_;
 };
 
 Claim claim(ClaimKind kind, double from_s, double to_s, double height_m = 0.0, const std::string& name = {}) {
@@ -105,11 +115,40 @@ private slots:
         QVERIFY(moment->late && !moment->by_hand);
         QVERIFY(heldIn(*moment, claim(ClaimKind::AltitudeAbove, 15.0, 20.0, 2.9)) == true);
         QVERIFY(heldIn(*moment, claim(ClaimKind::AltitudeAbove, 15.0, 20.0, 3.1)) == false);
-        QVERIFY(offers(*moment, claim(ClaimKind::AltitudeAbove, 15.0, 20.0, 2.5)));
-        QVERIFY(offers(*moment, claim(ClaimKind::AltitudeBelow, 15.0, 20.0, 3.5)));
+        QVERIFY(offers(*moment, claim(ClaimKind::AltitudeAbove, 15.0, 20.0, 1.5))); // with a meter for other drift
+        QVERIFY(offers(*moment, claim(ClaimKind::AltitudeBelow, 15.0, 20.0, 4.5)));
         const Mission test = testOf(*moment, claim(ClaimKind::NoContact, 20.0, 30.0), "One");
         QCOMPARE(test.name, std::string("One"));
         QVERIFY(test.seed == std::uint64_t(7) && test.claims.size() == 1);
+    }
+
+    void aFlightThatIsRepeatedRoughlyGetsSlack_data() {
+        QTest::addColumn<bool>("late");
+        QTest::newRow("the behavior started with the robot") << false;
+        QTest::newRow("the behavior started later") << true;
+    }
+    void aFlightThatIsRepeatedRoughlyGetsSlack() {
+        QFETCH(bool, late);
+        Tape tape;
+        if (late)
+            tape.fly(1.0, 60.0, 10.0);
+        tape.begin(60.0);
+        tape.fly(60.2, 80.0, 12.0);
+        tape.state(80.0, 20.0, "scanning");
+        tape.fly(80.2, 100.0, 15.0);
+        tape.state(100.0, 40.0, "landing");
+        tape.fly(100.2, 110.0, 15.0);
+        const auto moment = tape.moment(90.0);
+        QVERIFY(moment);
+        QCOMPARE(isRepeatedRoughly(*moment), late);
+        const std::vector<Claim> all = claimsToOffer(*moment, Seconds{25.0}, Seconds{35.0});
+        QCOMPARE(all.front().kind, late ? ClaimKind::NoContact : ClaimKind::AltitudeAbove);
+        QVERIFY(offers(*moment, claim(ClaimKind::AltitudeAbove, 25.0, 35.0, late ? 1.5 : 2.5)));
+        const Claim state = late ? claim(ClaimKind::State, 15.0, 45.0, 0.0, "scanning")
+                                 : claim(ClaimKind::State, 25.0, 35.0, 0.0, "scanning");
+        QVERIFY(std::ranges::find(all, state) != all.end());
+        // It is in the wider time, but nobody saw it in the time that was chosen.
+        QVERIFY(std::ranges::none_of(all, [](const Claim& one) { return one.name == "landing"; }));
     }
 
     void faultsAreThoseOfTheTestsOwnTime() {
@@ -185,6 +224,36 @@ private slots:
         QCOMPARE(moment->at.count(), at_s);
         QCOMPARE(moment->by_hand, now_s > 18.0);
         QVERIFY(moment->last.count() >= at_s && moment->last.count() < 21.0);
+    }
+
+    /// The robot reports heights up to 10 s and from 20 s on, both times 5 m above its place.
+    void theWordOnHeightsIsThatOfTheRunner_data() {
+        QTest::addColumn<Claim>("one");
+        QTest::addColumn<int>("held"); // -1: not recorded
+        QTest::addColumn<bool>("holds");
+        QTest::newRow("it was above") << claim(ClaimKind::AltitudeAbove, 3.0, 8.0, 4.0) << 1 << true;
+        QTest::newRow("it was not above") << claim(ClaimKind::AltitudeAbove, 3.0, 8.0, 6.0) << 0 << false;
+        QTest::newRow("it was below") << claim(ClaimKind::AltitudeBelow, 22.0, 28.0, 6.0) << 1 << true;
+        QTest::newRow("partly silent") << claim(ClaimKind::AltitudeAbove, 8.0, 15.0, 4.0) << 1 << true;
+        QTest::newRow("silent, above") << claim(ClaimKind::AltitudeAbove, 12.0, 18.0, 4.0) << -1 << false;
+        QTest::newRow("silent, below") << claim(ClaimKind::AltitudeBelow, 12.0, 18.0, 6.0) << -1 << false;
+    }
+
+    void theWordOnHeightsIsThatOfTheRunner() {
+        QFETCH(Claim, one);
+        Tape tape;
+        ClaimWatch watch({one});
+        tape.watch = &watch;
+        tape.begin(1.0);
+        tape.fly(1.2, 2.0, 10.0);
+        tape.fly(2.2, 11.0, 15.0);
+        tape.fly(21.0, 31.0, 15.0);
+        watch.end();
+        const auto moment = tape.moment(25.0);
+        QVERIFY(moment);
+        const auto held = heldIn(*moment, one);
+        QTEST(held ? static_cast<int>(*held) : -1, "held");
+        QTEST(watch.allHold(), "holds");
     }
 
     void aConnectionAfterTheMomentChangesNothing() {
