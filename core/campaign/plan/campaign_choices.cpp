@@ -17,6 +17,10 @@ std::string nameOfVariant(const ChosenBehavior& behavior, const CampaignChoices&
     return same > 1 ? behavior.title + " (" + behavior.id + ')' : behavior.title;
 }
 
+QString withoutUnit(const QString& word, const QString& unit) {
+    return !unit.isEmpty() && word.endsWith(unit) ? word.chopped(unit.size()) : word;
+}
+
 } // namespace
 
 Campaign campaignOf(const CampaignChoices& choices) {
@@ -42,11 +46,16 @@ Campaign campaignOf(const CampaignChoices& choices) {
     return campaign;
 }
 
-Result<std::vector<double>> readValues(const QString& text) {
-    static const QRegularExpression gaps("[\\s,;]+");
+Result<std::vector<double>> readValues(const QString& text, const ValueWords& known) {
+    static const QRegularExpression gaps("[\\s,;]+", QRegularExpression::UseUnicodePropertiesOption);
+    QString plain = text;
+    if (!known.words.isEmpty())
+        plain.replace(known.words, QString::fromStdString(shortest(known.value)), Qt::CaseInsensitive);
     std::vector<double> values;
-    for (const QString& word : text.split(gaps, Qt::SkipEmptyParts)) {
-        const auto value = readNumber(word.toStdString());
+    for (const QString& word : plain.split(gaps, Qt::SkipEmptyParts)) {
+        if (!known.unit.isEmpty() && word == known.unit && !values.empty())
+            continue;
+        const auto value = readNumber(withoutUnit(word, known.unit).toStdString());
         if (!value || !std::isfinite(*value))
             return failure("this is no number", word.toStdString(), "Write the values as 3, 4.5, 6");
         if (std::ranges::find(values, *value) != values.end())

@@ -38,8 +38,15 @@ struct CampaignChoices {
 /// Makes one variant for each behavior and each value of the parameter. Equal titles of behaviors get their ids added.
 Campaign campaignOf(const CampaignChoices& choices);
 
+/// What may stand beside a number or in its place.
+struct ValueWords {
+    QString unit{};  ///< It may follow a number: "6 m".
+    QString words{}; ///< They may stand for `value`: "by resolution".
+    double value = 0.0;
+};
+
 /// Reads numbers with commas, semicolons or blanks between them, such as "3, 4.5, 6". The error names the first word
 /// that is no number, or a number that is there twice.
-Result<std::vector<double>> readValues(const QString& text);
+Result<std::vector<double>> readValues(const QString& text, const ValueWords& known = {});
 
 } // namespace usar::campaign

@@ -59,6 +59,11 @@ private slots:
         QTest::newRow("none") << " " << QList<double>{} << "";
         QTest::newRow("with commas") << "3, 4.5,6" << QList<double>{3, 4.5, 6} << "";
         QTest::newRow("with other gaps") << "3;4  -5e-1" << QList<double>{3, 4, -0.5} << "";
+        QTest::newRow("with the unit") << "3 m, 4.5m, 6" << QList<double>{3, 4.5, 6} << "";
+        QTest::newRow("as the program writes it") << QString("6") + QChar(0x00a0) + "m" << QList<double>{6} << "";
+        QTest::newRow("with another unit") << "3 ft" << QList<double>{} << "ft: this is no number";
+        QTest::newRow("the unit alone") << "m" << QList<double>{} << "m: this is no number";
+        QTest::newRow("words for a value") << "By resolution, 3" << QList<double>{0, 3} << "";
         QTest::newRow("a word") << "3, four" << QList<double>{} << "four: this is no number";
         QTest::newRow("not finite") << "inf" << QList<double>{} << "inf: this is no number";
         QTest::newRow("twice") << "3, 4, 3.0" << QList<double>{} << "3.0: this value is there twice";
@@ -68,7 +73,7 @@ private slots:
         QFETCH(QString, text);
         QFETCH(QList<double>, values);
         QFETCH(QString, complaint);
-        const auto read = readValues(text);
+        const auto read = readValues(text, {"m", "by resolution", 0.0});
         QCOMPARE(read.has_value(), complaint.isEmpty());
         if (read)
             QCOMPARE(QList<double>(read->begin(), read->end()), values);
