@@ -107,6 +107,7 @@ RunFigures figuresOf(const RunResult& result) {
     RunFigures figures;
     figures.number = static_cast<std::size_t>(result.number);
     figures.pair = static_cast<std::size_t>(result.pair);
+    figures.seed = result.seed;
     figures.mission = result.mission;
     figures.variant = result.variant;
     figures.outcome = result.outcome;

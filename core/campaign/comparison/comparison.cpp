@@ -46,9 +46,13 @@ MetricComparison compareMetric(const Metric& metric, const Pairing& pairing, con
     MetricComparison result;
     result.metric = metric;
     result.values = valuesOf(pairing, metric);
-    const auto& [baseline, candidate, missions, left_out] = result.values;
+    const std::vector<double>&baseline = result.values.baseline, &candidate = result.values.candidate;
     result.baseline_unfinished = unfinishedOf(pairing, &RunPair::baseline);
     result.candidate_unfinished = unfinishedOf(pairing, &RunPair::candidate);
+    if (const auto& limits = result.values.limits) {
+        result.baseline_restricted = restrictedMean(baseline, limits->high);
+        result.candidate_restricted = restrictedMean(candidate, limits->high);
+    }
     result.baseline_median = median(baseline);
     result.candidate_median = median(candidate);
     result.margin = marginOf(metric, result.baseline_median);
@@ -56,8 +60,8 @@ MetricComparison compareMetric(const Metric& metric, const Pairing& pairing, con
     result.sorted_differences = sortedCopy(change);
     result.median_difference = quantileOfSorted(result.sorted_differences, 0.5);
     result.difference = trimmedMean(change, metric.trimmed_share);
-    result.interval =
-        bcaInterval(change, missions, metric.trimmed_share, {1.0 - options.alpha, options.resamples, options.seed});
+    result.interval = bcaInterval(change, result.values.missions, metric.trimmed_share,
+                                  {1.0 - options.alpha, options.resamples, options.seed});
     result.p = wilcoxon(change).p;
     result.correlation = correlation(baseline, candidate);
     result.variance_ratio = varianceRatio(baseline, candidate);
@@ -66,8 +70,8 @@ MetricComparison compareMetric(const Metric& metric, const Pairing& pairing, con
     return result;
 }
 
-/// Adjusts the p-values of all questions together.
-void adjust(std::vector<Comparison>& comparisons) {
+/// Adjusts the p-values of all questions together, and returns how many there are.
+std::size_t adjust(std::vector<Comparison>& comparisons) {
     std::vector<double> p_values;
     for (const Comparison& comparison : comparisons) {
         p_values.push_back(comparison.success.p);
@@ -81,34 +85,70 @@ void adjust(std::vector<Comparison>& comparisons) {
         for (MetricComparison& metric : comparison.metrics)
             metric.holm_p = *next++;
     }
+    return p_values.size();
 }
 
-/// Gives the verdict on one question; `Question` is a success or a metric comparison, with its p-values adjusted.
-/// `is_alone`: there is one candidate only.
+/// A p below this would still be below alpha when it is adjusted as that of the question was. An adjusted p is cut at 1
+/// and no longer tells the factor; then it is the largest there is.
 template <class Question>
+double neededP(const Question& question, double alpha, std::size_t questions) {
+    return question.holm_p < 1.0 && question.p > 0.0 ? alpha * question.p / question.holm_p
+                                                     : alpha / static_cast<double>(questions);
+}
+
+/// Not each pair has each figure, and a seed has a pair in each mission and world.
+std::optional<std::size_t> seedsFor(const std::optional<std::size_t>& more_pairs, std::size_t measured_pairs,
+                                    std::size_t seeds) {
+    if (!more_pairs || measured_pairs == 0)
+        return std::nullopt;
+    return (*more_pairs * seeds + measured_pairs - 1) / measured_pairs;
+}
+
+/// What a figure is judged within.
+struct Frame {
+    const ComparisonOptions& options;
+    std::size_t seeds = 0;     ///< that have a pair
+    std::size_t questions = 0; ///< whose p-values were adjusted together
+};
+
+/// Gives the verdict on one question; `Question` is a success or a metric comparison, with its p-values adjusted.
+/// `more` tells how many more pairs would decide, given the p that is needed.
+template <class Question, class More>
 void judge(Question& question, const MeasuredDifference& measured, bool lower_is_better, double margin,
-           const ComparisonOptions& options, bool is_alone) {
+           const Frame& frame, More more) {
+    const ComparisonOptions& options = frame.options;
     const Evidence evidence{gainOf(measured.interval, lower_is_better), margin, measured.pairs >= options.least_pairs,
                             question.holm_p < options.alpha};
     question.verdict = verdictOn(evidence);
     question.not_worse = isNotWorse(evidence);
-    question.more_pairs = morePairsToDecide(measured, margin);
-    if (question.verdict != Verdict::Undecided)
-        question.more_pairs = 0;
-    else if (question.more_pairs && measured.pairs + *question.more_pairs < options.least_pairs)
-        question.more_pairs = options.least_pairs - measured.pairs;
-    else if (question.more_pairs == std::size_t{0}) // The test beside the interval hesitates still.
-        question.more_pairs = is_alone ? std::optional<std::size_t>(1) : std::nullopt;
+    if (question.verdict != Verdict::Undecided) {
+        question.more_seeds = 0;
+        return;
+    }
+    std::optional<std::size_t> more_pairs = more(neededP(question, options.alpha, frame.questions));
+    if (more_pairs && measured.pairs + *more_pairs < options.least_pairs)
+        more_pairs = options.least_pairs - measured.pairs;
+    question.more_seeds = seedsFor(more_pairs, measured.pairs, frame.seeds);
 }
 
-void judgeAll(Comparison& comparison, bool is_alone) {
+void judgeAll(Comparison& comparison, std::size_t questions) {
+    const ComparisonOptions& options = comparison.options;
+    const Frame frame{options, seedsOf(comparison.pairing), questions};
     SuccessComparison& success = comparison.success;
     const double rate_difference = success.count.candidate().rate() - success.count.baseline().rate();
-    judge(success, {success.count.pairs(), rate_difference, success.difference}, false,
-          comparison.options.success_margin, comparison.options, is_alone);
-    for (MetricComparison& metric : comparison.metrics)
-        judge(metric, {metric.pairs(), metric.difference, metric.interval}, metric.metric.lower_is_better,
-              metric.margin, comparison.options, is_alone);
+    judge(success, {.pairs = success.count.pairs(), .estimate = rate_difference, .interval = success.difference}, false,
+          options.success_margin, frame, [&](double needed_p) {
+              return morePairsToDecide(success.count, options.success_margin, 1.0 - options.alpha, needed_p);
+          });
+    for (MetricComparison& metric : comparison.metrics) {
+        MeasuredDifference measured{
+            .pairs = metric.pairs(), .estimate = metric.difference, .interval = metric.interval};
+        judge(metric, measured, metric.metric.lower_is_better, metric.margin, frame, [&](double needed_p) {
+            measured.p = metric.p;
+            measured.needed_p = needed_p;
+            return morePairsToDecide(measured, metric.margin);
+        });
+    }
 }
 
 /// Measures the differences; the verdicts follow when all p-values are adjusted.
@@ -148,10 +188,10 @@ int Comparison::exitCode() const {
     return overall == Verdict::Worse ? 1 : overall == Verdict::Undecided ? 3 : 0;
 }
 
-std::optional<std::size_t> Comparison::morePairs() const {
-    std::optional<std::size_t> most = success.more_pairs;
+std::optional<std::size_t> Comparison::moreSeeds() const {
+    std::optional<std::size_t> most = success.more_seeds;
     for (const MetricComparison& metric : metrics)
-        most = most && metric.more_pairs ? std::max(most, metric.more_pairs) : std::nullopt;
+        most = most && metric.more_seeds ? std::max(most, metric.more_seeds) : std::nullopt;
     return most;
 }
 
@@ -172,9 +212,9 @@ Result<std::vector<Comparison>> compareAll(const std::vector<RunFigures>& runs, 
             return tl::unexpected(measured.error());
         all.push_back(*std::move(measured));
     }
-    adjust(all);
+    const std::size_t questions = adjust(all);
     for (Comparison& comparison : all) {
-        judgeAll(comparison, all.size() == 1);
+        judgeAll(comparison, questions);
         comparison.overall = overallOf(comparison);
     }
     return all;

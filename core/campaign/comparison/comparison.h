@@ -34,7 +34,7 @@ struct SuccessComparison {
     std::vector<RunPair> differing; ///< the runs to look at
     Verdict verdict = Verdict::Undecided;
     bool not_worse = false;
-    std::optional<std::size_t> more_pairs; ///< that would decide; absent: nobody knows
+    std::optional<std::size_t> more_seeds; ///< that would decide; absent: nobody knows
 };
 
 /// One metric. All differences are candidate minus baseline, in the metric's unit.
@@ -43,6 +43,10 @@ struct MetricComparison {
     PairedValues values;                 ///< also how many pairs were left out
     std::size_t baseline_unfinished = 0; ///< runs of all pairs that were not done, whether left out or not
     std::size_t candidate_unfinished = 0;
+    /// Means up to the limit, which whatever was not done counts; absent where the figure counts no limit or all is
+    /// done.
+    std::optional<double> baseline_restricted;
+    std::optional<double> candidate_restricted;
     double baseline_median = 0.0;
     double candidate_median = 0.0;
     std::vector<double> sorted_differences;
@@ -58,7 +62,7 @@ struct MetricComparison {
     double margin = 0.0;
     Verdict verdict = Verdict::Undecided;
     bool not_worse = false;
-    std::optional<std::size_t> more_pairs;
+    std::optional<std::size_t> more_seeds;
 
     std::size_t pairs() const { return values.baseline.size(); }
 };
@@ -74,8 +78,8 @@ struct Comparison {
 
     /// 0 not worse, 1 worse, 3 undecided.
     int exitCode() const;
-    /// How many more pairs would decide everything; absent: nobody knows.
-    std::optional<std::size_t> morePairs() const;
+    /// How many more seeds would decide everything; absent: nobody knows.
+    std::optional<std::size_t> moreSeeds() const;
 };
 
 /// Compares the runs of two variants. `runs` must outlive the result, which points into it. For each metric the word is

@@ -80,6 +80,24 @@ void drawScaleBar(SvgCanvas& canvas, const MapScale& at, double width, double y)
     canvas.text({left - 6.0, y + 4.0}, "end", QString("%1 m").arg(length_m));
 }
 
+/// Lines at round coordinates of the map frame, with their numbers at the left and below.
+void drawMapGrid(SvgCanvas& canvas, const Extent& extent, const MapScale& at, double width, double bottom) {
+    constexpr double left = 46.0, top = 8.0;
+    const std::vector<double> xs = ticks(extent.west, extent.east, 8), ys = ticks(extent.south, extent.north, 6);
+    for (const double value : xs) {
+        const double x = at({value, 0.0}).x();
+        canvas.line({x, top}, {x, bottom}, "grid");
+        canvas.text({x, bottom + 14.0}, "middle", tickText(value, xs));
+    }
+    for (const double value : ys) {
+        const double y = at({0.0, value}).y();
+        canvas.line({left, y}, {width - 12.0, y}, "grid");
+        canvas.text({left - 6.0, y + 4.0}, "end", tickText(value, ys));
+    }
+    canvas.text({width - 12.0, bottom + 14.0}, "end", "x, m");
+    canvas.text({left, top + 4.0}, "start", "y, m");
+}
+
 void drawBand(SvgCanvas& canvas, const std::vector<CoverageSpread>& band, const Scale& x, const Scale& y,
               const QString& style_class) {
     std::vector<QPointF> outline, middle;
@@ -113,6 +131,8 @@ void drawCoverage(QXmlStreamWriter& xml, const VariantRuns& baseline, const Vari
     canvas.text({(left + right) / 2.0, height - 4.0}, "middle", "Time since the start, s");
     double at = left;
     for (const auto& [variant, style_class] : {std::pair(&baseline, "baseline"), std::pair(&candidate, "candidate")}) {
+        if (variant->name.isEmpty())
+            continue;
         drawBand(canvas, coverageBand(variant->runs, last_s), x, y, style_class);
         canvas.line({at, 14.0}, {at + 28.0, 14.0}, QString("curve ") + style_class);
         canvas.text({at + 34.0, 18.0}, "start", variant->name, "legend");
@@ -136,9 +156,12 @@ void drawPlaces(QXmlStreamWriter& xml, const VariantRuns& baseline, const Varian
     if (extent.empty())
         return;
     SvgCanvas canvas(xml, width, height, "plot wide", "places where runs collided and gave goals up");
-    const MapScale at(extent, width, height - top, 24.0);
+    const MapScale at(extent, width, height - top - 16.0, 52.0);
+    drawMapGrid(canvas, extent, at, width, height - top - 26.0);
     double legend = 0.0;
     for (const auto& [variant, style_class] : {std::pair(&baseline, "baseline"), std::pair(&candidate, "candidate")}) {
+        if (variant->name.isEmpty())
+            continue;
         for (const RunFigures* run : variant->runs)
             drawPlacesOf(canvas, *run, at, style_class);
         drawCross(canvas, {legend + 8.0, height - 14.0}, 4.0, QString("collision ") + style_class);

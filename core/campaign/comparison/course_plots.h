@@ -13,8 +13,8 @@ struct VariantRuns {
     std::vector<const RunFigures*> runs;
 };
 
-/// The median of each variant's coverage over time, and a band from the tenth to the ninetieth percentile. Draws
-/// nothing if no run tells its coverage.
+/// A variant without a name is not drawn here. The median of each variant's coverage over time, and a band from the
+/// tenth to the ninetieth percentile. Draws nothing if no run tells its coverage.
 void drawCoverage(QXmlStreamWriter& xml, const VariantRuns& baseline, const VariantRuns& candidate);
 
 /// True if a run of the two collided or gave a goal up, and says where.

@@ -5,34 +5,18 @@
 #include "core/campaign/comparison/course_plots.h"
 #include "core/campaign/comparison/coverage_band.h"
 #include "core/campaign/comparison/failures.h"
-#include "core/campaign/comparison/html_page.h"
+#include "core/campaign/comparison/html_parts.h"
 #include "core/campaign/comparison/svg_plots.h"
 #include "core/campaign/comparison/trade_off.h"
 
 namespace usar::campaign {
 
-extern const char comparison_style[]; // resources/reports/comparison.css
-
 namespace {
 
-constexpr std::size_t runs_shown = 10, differing_shown = 10, groups_shown = 12;
+constexpr std::size_t differing_shown = 10;
 
 QString styleOf(Verdict verdict) {
     return "word " + QString(wordOf(verdict)).replace(' ', '-');
-}
-
-/// An element with one attribute and words in it.
-void writeWith(QXmlStreamWriter& xml, const QString& name, const QXmlStreamAttribute& attribute, const QString& words) {
-    xml.writeStartElement(name);
-    xml.writeAttribute(attribute);
-    xml.writeCharacters(words);
-    xml.writeEndElement();
-}
-
-/// A paragraph that says so where a list was cut.
-void writeCut(QXmlStreamWriter& xml, std::size_t shown, std::size_t all) {
-    if (shown < all)
-        write(xml, "p", QString("%1 of %2 are shown.").arg(shown).arg(all), "note");
 }
 
 /// The word of a comparison, and how much stands behind it.
@@ -43,7 +27,7 @@ void writeLead(QXmlStreamWriter& xml, const Comparison& comparison) {
                         .arg(comparison.pairing.pairs.size())
                         .arg(comparison.pairing.missions.size())
                         .arg(comparison.pairing.missions.size() == 1 ? "mission" : "missions");
-    if (const QString more = outlook(comparison.morePairs());
+    if (const QString more = outlook(comparison.moreSeeds());
         comparison.overall == Verdict::Undecided && !more.isEmpty())
         words += ' ' + more.left(1).toUpper() + more.mid(1) + '.';
     xml.writeCharacters(words);
@@ -129,7 +113,7 @@ void writeSuccess(QXmlStreamWriter& xml, const Comparison& comparison) {
     };
     writeRow(xml, {"Success",
                    success.verdict,
-                   outlook(success.more_pairs),
+                   outlook(success.more_seeds),
                    {rate(before, success.baseline),
                     rate(after, success.candidate),
                     {percent(after.rate() - before.rate(), true) + " points",
@@ -140,15 +124,23 @@ void writeSuccess(QXmlStreamWriter& xml, const Comparison& comparison) {
                    [&] { drawInterval(xml, success, comparison.options.success_margin); }});
 }
 
+/// The median, and below it the mean to the limit where a run was not done.
+QStringList medianOf(const MetricComparison& result, double median, const std::optional<double>& restricted) {
+    QStringList lines{amount(median, result.metric)};
+    if (restricted)
+        lines << "mean " + restrictionOf(result) + ": " + amount(*restricted, result.metric);
+    return lines;
+}
+
 void writeMetric(QXmlStreamWriter& xml, const MetricComparison& result) {
     QStringList pairs{QString::number(result.pairs())};
     if (result.values.left_out > 0)
         pairs << QString("%1 left out").arg(result.values.left_out);
     writeRow(xml, {QString::fromStdString(result.metric.title),
                    result.verdict,
-                   outlook(result.more_pairs),
-                   {{amount(result.baseline_median, result.metric)},
-                    {amount(result.candidate_median, result.metric)},
+                   outlook(result.more_seeds),
+                   {medianOf(result, result.baseline_median, result.baseline_restricted),
+                    medianOf(result, result.candidate_median, result.candidate_restricted),
                     {amount(result.difference, result.metric, true), amount(result.interval, result.metric)},
                     {pValue(result.holm_p)},
                     pairs,
@@ -175,7 +167,8 @@ void writeVerdicts(QXmlStreamWriter& xml, const Comparison& comparison) {
                 "which a difference does not matter: an interval wholly within it is equal, one wholly beyond it is "
                 "better or worse. p is Wilcoxon's, for success McNemar's, after Holm over all figures of all "
                 "candidates; the intervals are those of each figure alone. r tells how much of a run is "
-                "due to its seed. A run that was not done counts its time limit as its duration.")
+                "due to its seed. A run that was not done counts its time limit as its duration, or without one the "
+                "longest time of any run of its mission.")
             .arg(100.0 * (1.0 - comparison.options.alpha)),
         "note");
     for (const QString& sentence : omissions(comparison))
@@ -216,26 +209,11 @@ void writeDifferences(QXmlStreamWriter& xml, const Comparison& comparison) {
         write(xml, "p", "The same on all seeds: " + same.join(", ") + '.', "note");
 }
 
-ProfileCurve curveOf(const Comparison& comparison, const RunFigures* RunPair::*side, const std::string& variant) {
-    ProfileCurve curve{nameOf(variant), {}};
+std::vector<const RunFigures*> sideOf(const Comparison& comparison, const RunFigures* RunPair::*side) {
+    std::vector<const RunFigures*> runs;
     for (const RunPair& pair : comparison.pairing.pairs)
-        if (const RunFigures& run = *(pair.*side); run.outcome == Outcome::Done)
-            if (const auto found = run.metrics.find("duration_s"); found != run.metrics.end() && found->second)
-                curve.sorted.push_back(*found->second);
-    std::sort(curve.sorted.begin(), curve.sorted.end());
-    return curve;
-}
-
-void writeProfile(QXmlStreamWriter& xml, const Comparison& comparison) {
-    const auto duration = std::find_if(comparison.metrics.begin(), comparison.metrics.end(),
-                                       [](const MetricComparison& m) { return m.metric.key == "duration_s"; });
-    if (duration == comparison.metrics.end())
-        return;
-    const HtmlElement section(xml, "section");
-    write(xml, "h2", "Share of the seeds that are done by each time");
-    drawProfile(xml, curveOf(comparison, &RunPair::baseline, comparison.baseline),
-                curveOf(comparison, &RunPair::candidate, comparison.candidate), comparison.pairing.pairs.size(),
-                duration->metric);
+        runs.push_back(pair.*side);
+    return runs;
 }
 
 VariantRuns runsOf(const Comparison& comparison, const RunFigures* RunPair::*side, const std::string& variant,
@@ -247,76 +225,14 @@ VariantRuns runsOf(const Comparison& comparison, const RunFigures* RunPair::*sid
     return all;
 }
 
-void writeCoverage(QXmlStreamWriter& xml, const QString& mission, const VariantRuns& baseline,
-                   const VariantRuns& candidate) {
-    if (std::max(lastCoverage_s(baseline.runs), lastCoverage_s(candidate.runs)) <= 0.0)
-        return;
-    const HtmlElement section(xml, "section");
-    write(xml, "h2", "Coverage of " + mission + " over time");
-    drawCoverage(xml, baseline, candidate);
-    write(xml, "p",
-          "The lines are medians; the bands reach from the tenth to the ninetieth percentile. A run that has ended "
-          "keeps what it has covered.",
-          "note");
-}
-
-void writePlaces(QXmlStreamWriter& xml, const QString& mission, const VariantRuns& baseline,
-                 const VariantRuns& candidate) {
-    if (!havePlaces(baseline, candidate))
-        return;
-    const HtmlElement section(xml, "section");
-    write(xml, "h2", "Where runs of " + mission + " collided or gave goals up");
-    drawPlaces(xml, baseline, candidate);
-    write(xml, "p", "Crosses are collisions, at most twenty of a run; circles are goals that were given up.", "note");
-}
-
 void writeCourses(QXmlStreamWriter& xml, const Comparison& comparison) {
     for (std::size_t i = 0; i < comparison.pairing.missions.size(); ++i) {
         const QString mission = nameOf(comparison.pairing.missions[i]);
         const int index = static_cast<int>(i);
         const VariantRuns baseline = runsOf(comparison, &RunPair::baseline, comparison.baseline, index);
         const VariantRuns candidate = runsOf(comparison, &RunPair::candidate, comparison.candidate, index);
-        writeCoverage(xml, mission, baseline, candidate);
-        writePlaces(xml, mission, baseline, candidate);
+        writeCourse(xml, mission, baseline, candidate);
     }
-}
-
-/// A browser breaks a line before or after any hyphen, so each word of a command is kept in one piece.
-void writeCommand(QXmlStreamWriter& xml, const std::string& command) {
-    const HtmlElement code(xml, "code");
-    bool is_first = true;
-    for (const QString& word : printable(command).split(' ')) {
-        xml.writeCharacters(is_first ? "" : " ");
-        write(xml, "span", word);
-        is_first = false;
-    }
-}
-
-/// The seed, how it ended, why, what flies it again, and its map or its path.
-void writeRun(QXmlStreamWriter& xml, const RunFigures& run) {
-    const HtmlElement row(xml, "tr");
-    write(xml, "td", QString::number(run.number), "figure");
-    write(xml, "td", nameOf(run.variant));
-    write(xml, "td", nameOf(run.mission) + ", pair " + QString::number(run.pair));
-    write(xml, "td", wordOf(run.outcome));
-    {
-        const HtmlElement cell(xml, "td", "why");
-        xml.writeCharacters(printable(run.reason));
-        if (!run.command.empty())
-            writeCommand(xml, run.command);
-    }
-    const HtmlElement cell(xml, "td", "drawing");
-    if (!drawMap(xml, run))
-        drawCourse(xml, run);
-}
-
-void writeRuns(QXmlStreamWriter& xml, const QString& title, const std::vector<const RunFigures*>& runs) {
-    const HtmlElement table(xml, "table", "runs");
-    write(xml, "caption", title);
-    writeHead(xml, {"Run", "Variant", "Mission and pair", "Outcome", "Why, and how to fly it again", ""});
-    const HtmlElement body(xml, "tbody");
-    for (const RunFigures* run : runs)
-        writeRun(xml, *run);
 }
 
 void writeNotableRuns(QXmlStreamWriter& xml, const Comparison& comparison) {
@@ -331,60 +247,7 @@ void writeNotableRuns(QXmlStreamWriter& xml, const Comparison& comparison) {
         writeRuns(xml, "Not done, though the other variant was, on the same seed", unlucky);
         writeCut(xml, unlucky.size(), differing.size());
     }
-    writeRuns(xml, "The worst of all", worstRuns(comparison, runs_shown));
-}
-
-void writeFailures(QXmlStreamWriter& xml, const Report& report) {
-    const std::vector<FailureGroup> groups = failureGroups(report.comparison, report.runs);
-    const HtmlElement section(xml, "section");
-    write(xml, "h2", "Why runs were not done");
-    if (groups.empty()) {
-        write(xml, "p", "All runs were done.");
-        return;
-    }
-    const std::size_t shown = std::min(groups.size(), groups_shown);
-    {
-        const HtmlElement table(xml, "table", "failures");
-        writeHead(xml, {"Outcome", "Reason", nameOf(report.comparison.baseline), nameOf(report.comparison.candidate)});
-        const HtmlElement body(xml, "tbody");
-        for (std::size_t i = 0; i < shown; ++i) {
-            const HtmlElement row(xml, "tr");
-            write(xml, "td", wordOf(groups[i].outcome));
-            write(xml, "td", groups[i].reason.empty() ? QString("no reason is known") : printable(groups[i].reason));
-            write(xml, "td", QString::number(groups[i].of_baseline), "figure");
-            write(xml, "td", QString::number(groups[i].of_candidate), "figure");
-        }
-    }
-    writeCut(xml, shown, groups.size());
-}
-
-void writeFacts(QXmlStreamWriter& xml, const CampaignReport& report) {
-    if (report.facts.empty())
-        return;
-    const HtmlElement section(xml, "section");
-    write(xml, "h2", "How this was made");
-    const HtmlElement table(xml, "table", "facts");
-    const HtmlElement body(xml, "tbody");
-    for (const auto& [name, value] : report.facts) {
-        const HtmlElement row(xml, "tr");
-        write(xml, "th", printable(name));
-        write(xml, "td", printable(value));
-    }
-}
-
-void writeHeadOfPage(QXmlStreamWriter& xml, const CampaignReport& report) {
-    const HtmlElement head(xml, "head");
-    xml.writeEmptyElement("meta");
-    xml.writeAttribute("charset", "utf-8");
-    xml.writeEmptyElement("meta");
-    xml.writeAttribute("name", "viewport");
-    xml.writeAttribute("content", "width=device-width, initial-scale=1");
-    xml.writeEmptyElement("meta");
-    xml.writeAttribute("name", "color-scheme");
-    xml.writeAttribute("content", "light dark");
-    write(xml, "title", titleOf(report.comparisons));
-    // The style sheet has none of the characters that XML escapes, because HTML would not take them back there.
-    write(xml, "style", comparison_style);
+    writeRuns(xml, "The worst of all", worstRuns(comparison, most_worst_runs));
 }
 
 /// All that is to be said of one candidate.
@@ -392,10 +255,12 @@ void writeComparison(QXmlStreamWriter& xml, const Report& report) {
     writeVerdicts(xml, report.comparison);
     if (!report.comparison.metrics.empty())
         writeDifferences(xml, report.comparison);
-    writeProfile(xml, report.comparison);
+    writeProfile(xml, {nameOf(report.comparison.baseline), sideOf(report.comparison, &RunPair::baseline)},
+                 {nameOf(report.comparison.candidate), sideOf(report.comparison, &RunPair::candidate)});
     writeCourses(xml, report.comparison);
     writeNotableRuns(xml, report.comparison);
-    writeFailures(xml, report);
+    writeFailures(xml, failureGroups(report.comparison, report.runs),
+                  {nameOf(report.comparison.baseline), nameOf(report.comparison.candidate)});
 }
 
 void writeCandidate(QXmlStreamWriter& xml, const CampaignReport& report, std::size_t index) {
@@ -419,7 +284,7 @@ QByteArray htmlReport(const CampaignReport& report) {
     xml.writeDTD("<!DOCTYPE html>\n");
     xml.writeStartElement("html");
     xml.writeAttribute("lang", "en");
-    writeHeadOfPage(xml, report);
+    writeHeadOfPage(xml, titleOf(report.comparisons));
     {
         const HtmlElement body(xml, "body");
         const HtmlElement main(xml, "main");
@@ -430,7 +295,7 @@ QByteArray htmlReport(const CampaignReport& report) {
         else
             for (std::size_t i = 0; i < report.comparisons.size(); ++i)
                 writeCandidate(xml, report, i);
-        writeFacts(xml, report);
+        writeFacts(xml, report.facts);
     }
     xml.writeEndElement();
     xml.writeEndDocument();

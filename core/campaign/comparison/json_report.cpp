@@ -20,6 +20,10 @@ QJsonValue json(const std::optional<std::size_t>& count) {
     return count ? json(*count) : QJsonValue(QJsonValue::Null);
 }
 
+QJsonValue json(const std::optional<double>& value) {
+    return value ? finite(*value) : QJsonValue(QJsonValue::Null);
+}
+
 QJsonValue json(const std::string& text) {
     return QString::fromStdString(text);
 }
@@ -37,6 +41,7 @@ QJsonArray json(const std::vector<RunPair>& differing) {
     for (const RunPair& pair : differing)
         list.append(QJsonObject{{"mission", json(pair.baseline->mission)},
                                 {"pair", json(pair.baseline->pair)},
+                                {"seed", static_cast<qint64>(pair.baseline->seed)},
                                 {"baseline", wordOf(pair.baseline->outcome)},
                                 {"candidate", wordOf(pair.candidate->outcome)}});
     return list;
@@ -53,7 +58,7 @@ QJsonObject json(const SuccessComparison& success) {
             {"holm_p", success.holm_p},
             {"verdict", wordOf(success.verdict)},
             {"not_worse", success.not_worse},
-            {"more_pairs", json(success.more_pairs)},
+            {"more_seeds", json(success.more_seeds)},
             {"differing", json(success.differing)}};
 }
 
@@ -66,6 +71,9 @@ QJsonObject json(const MetricComparison& result) {
             {"left_out", json(result.values.left_out)},
             {"baseline_unfinished", json(result.baseline_unfinished)},
             {"candidate_unfinished", json(result.candidate_unfinished)},
+            {"limit_assumed", json(result.values.assumed)},
+            {"baseline_restricted_mean", json(result.baseline_restricted)},
+            {"candidate_restricted_mean", json(result.candidate_restricted)},
             {"baseline_median", finite(result.baseline_median)},
             {"candidate_median", finite(result.candidate_median)},
             {"median_difference", finite(result.median_difference)},
@@ -81,7 +89,7 @@ QJsonObject json(const MetricComparison& result) {
             {"improved", finite(result.improved)},
             {"verdict", wordOf(result.verdict)},
             {"not_worse", result.not_worse},
-            {"more_pairs", json(result.more_pairs)}};
+            {"more_seeds", json(result.more_seeds)}};
 }
 
 QJsonArray namesOf(const std::vector<std::string>& names) {
@@ -110,7 +118,7 @@ QJsonObject jsonReport(const Report& report) {
             {"candidate", json(comparison.candidate)},
             {"overall", wordOf(comparison.overall)},
             {"exit_code", comparison.exitCode()},
-            {"more_pairs", json(comparison.morePairs())},
+            {"more_seeds", json(comparison.moreSeeds())},
             {"confidence", 1.0 - comparison.options.alpha},
             {"pairs", json(comparison.pairing.pairs.size())},
             {"single_runs", json(comparison.pairing.single)},

@@ -53,10 +53,18 @@ QString seconds(double time_s) {
     return QString::fromStdString(fixed(time_s, 3));
 }
 
-void writeCase(QXmlStreamWriter& xml, const RunFigures& run) {
+/// So many runs have this mission and seed; in several worlds there are several.
+using SeedCounts = std::map<std::pair<std::string, std::uint64_t>, int>;
+
+QString caseOf(const RunFigures& run, const SeedCounts& counts) {
+    const QString seed = "seed " + QString::number(run.seed);
+    return counts.at({run.mission, run.seed}) > 1 ? seed + ", pair " + QString::number(run.pair) : seed;
+}
+
+void writeCase(QXmlStreamWriter& xml, const RunFigures& run, const QString& name) {
     xml.writeStartElement("testcase");
     xml.writeAttribute("classname", nameOf(run.mission));
-    xml.writeAttribute("name", "pair " + QString::number(run.pair));
+    xml.writeAttribute("name", name);
     xml.writeAttribute("time", seconds(durationOf(run)));
     if (const QString element = elementOf(run.outcome); !element.isEmpty()) {
         xml.writeStartElement(element);
@@ -78,8 +86,11 @@ void writeSuite(QXmlStreamWriter& xml, const std::string& variant, const std::ve
     xml.writeAttribute("errors", QString::number(totals.by_element["error"]));
     xml.writeAttribute("skipped", QString::number(totals.by_element["skipped"]));
     xml.writeAttribute("time", seconds(totals.time_s));
+    SeedCounts counts;
     for (const RunFigures* run : runs)
-        writeCase(xml, *run);
+        ++counts[{run->mission, run->seed}];
+    for (const RunFigures* run : runs)
+        writeCase(xml, *run, caseOf(*run, counts));
     xml.writeEndElement();
 }
 

@@ -16,7 +16,7 @@ struct Margin {
 
 /// Says what a run contributes that was flown but not done.
 enum class UnfinishedRuns {
-    CountTheLimit, ///< the time limit of its mission, however it ended; without a limit its pair is left out
+    CountTheLimit, ///< the time limit of its mission, however it ended; without one see `valuesOf`
     AsMeasured,    ///< what was measured up to its end; without a figure its pair is left out
     LeftOut,       ///< nothing, because the figure of an unfinished mission says nothing; its pair is left out
 };

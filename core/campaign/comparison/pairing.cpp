@@ -33,6 +33,38 @@ std::optional<double> measured(const RunFigures& run, const std::string& key) {
                                                                                           : found->second;
 }
 
+/// The longest time of each mission of which a run was done.
+std::map<int, double> longestTimes(const Pairing& pairing, const Metric& metric) {
+    std::map<int, double> longest;
+    std::set<int> done;
+    for (const RunPair& pair : pairing.pairs)
+        for (const RunFigures* run : {pair.baseline, pair.candidate}) {
+            if (const auto time_s = measured(*run, metric.key)) {
+                double& most_s = longest.try_emplace(pair.mission, *time_s).first->second;
+                most_s = std::max(most_s, *time_s);
+            }
+            if (run->outcome == Outcome::Done)
+                done.insert(pair.mission);
+        }
+    std::erase_if(longest, [&](const auto& one) { return !done.contains(one.first); });
+    return longest;
+}
+
+std::optional<double> valueOrLongest(const RunFigures& run, const Metric& metric, const std::map<int, double>& longest,
+                                     int mission) {
+    const auto value = valueOf(run, metric);
+    const auto found = longest.find(mission);
+    return value || run.outcome == Outcome::Done || found == longest.end() ? value : std::optional(found->second);
+}
+
+void noteLimit(const RunFigures& run, double value, PairedValues& values) {
+    if (run.outcome == Outcome::Done)
+        return;
+    values.assumed += run.time_limit_s ? 0 : 1;
+    const Interval limits = values.limits.value_or(Interval{value, value});
+    values.limits = Interval{std::min(limits.low, value), std::max(limits.high, value)};
+}
+
 } // namespace
 
 Result<Pairing> pairUp(const std::vector<RunFigures>& runs, const std::string& baseline, const std::string& candidate) {
@@ -66,6 +98,13 @@ Result<Pairing> pairUp(const std::vector<RunFigures>& runs, const std::string& b
     return pairing;
 }
 
+std::size_t seedsOf(const Pairing& pairing) {
+    std::set<std::uint64_t> seeds;
+    for (const RunPair& pair : pairing.pairs)
+        seeds.insert(pair.baseline->seed);
+    return seeds.size();
+}
+
 std::vector<std::string> variantsOf(const std::vector<RunFigures>& runs) {
     std::vector<std::string> variants;
     for (const RunFigures& run : runs)
@@ -86,11 +125,18 @@ std::optional<double> valueOf(const RunFigures& run, const Metric& metric) {
 
 PairedValues valuesOf(const Pairing& pairing, const Metric& metric) {
     PairedValues values;
+    const std::map<int, double> longest =
+        metric.unfinished == UnfinishedRuns::CountTheLimit ? longestTimes(pairing, metric) : std::map<int, double>();
     for (const RunPair& pair : pairing.pairs) {
-        const auto baseline = valueOf(*pair.baseline, metric), candidate = valueOf(*pair.candidate, metric);
+        const auto baseline = valueOrLongest(*pair.baseline, metric, longest, pair.mission);
+        const auto candidate = valueOrLongest(*pair.candidate, metric, longest, pair.mission);
         if (!baseline || !candidate) {
             ++values.left_out;
             continue;
+        }
+        if (metric.unfinished == UnfinishedRuns::CountTheLimit) {
+            noteLimit(*pair.baseline, *baseline, values);
+            noteLimit(*pair.candidate, *candidate, values);
         }
         values.baseline.push_back(*baseline);
         values.candidate.push_back(*candidate);

@@ -8,6 +8,7 @@
 #include "core/base/result.h"
 #include "core/campaign/comparison/metric.h"
 #include "core/campaign/comparison/run_figures.h"
+#include "core/campaign/statistics/interval.h"
 
 namespace usar::campaign {
 
@@ -27,6 +28,9 @@ struct Pairing {
     std::size_t repeated = 0;          ///< runs of a seed that its variant had flown already; the first stands
 };
 
+/// So many seeds have a pair; each mission and each of its worlds may have a pair of the same seed.
+std::size_t seedsOf(const Pairing& pairing);
+
 /// An error says that a variant has no runs, and names those that have.
 Result<Pairing> pairUp(const std::vector<RunFigures>& runs, const std::string& baseline, const std::string& candidate);
 
@@ -39,8 +43,13 @@ struct PairedValues {
     std::vector<double> candidate;
     std::vector<int> missions; ///< index of the mission of each pair
     std::size_t left_out = 0;  ///< pairs without one of the figures
+    std::size_t assumed = 0;   ///< runs that were not done, have no time limit, and count the longest time in its place
+    std::optional<Interval> limits{}; ///< the least and the greatest time that a run counts that was not done
 };
 
+/// Where a run counts the limit of its mission and there is none, it counts the longest time of any run of the mission,
+/// of either variant. So both are restricted to the same time, which was reached in one of them, and a failure costs no
+/// less than any success. A mission that nobody has done has no such time.
 PairedValues valuesOf(const Pairing& pairing, const Metric& metric);
 
 /// Returns what a run contributes to a metric, or nothing. Figures that are not finite are nothing.

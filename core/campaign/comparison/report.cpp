@@ -68,16 +68,16 @@ QString headline(const Comparison& comparison) {
     return "Whether " + candidate + " is worse than " + baseline + " is undecided";
 }
 
-QString outlook(const std::optional<std::size_t>& more_pairs) {
-    if (!more_pairs)
+QString outlook(const std::optional<std::size_t>& more_seeds) {
+    if (!more_seeds)
         return "more seeds are unlikely to decide";
-    if (*more_pairs == 0)
+    if (*more_seeds == 0)
         return {};
-    return "about " + counted(rounded(*more_pairs), "more seed", "more seeds") + " would decide";
+    return "about " + counted(rounded(*more_seeds), "more seed", "more seeds") + " would decide";
 }
 
 std::vector<QString> omissions(const Comparison& comparison) {
-    std::vector<QString> sentences;
+    std::vector<QString> sentences = restrictedMeans(comparison);
     const Pairing& pairing = comparison.pairing;
     if (pairing.single > 0)
         sentences.push_back(counted(pairing.single, "run has", "runs have") + " no partner of the same seed.");
@@ -95,6 +95,54 @@ std::vector<QString> omissions(const Comparison& comparison) {
         sentences.push_back(counted(left_out, "pair is", "pairs are") + " left out of " +
                             QString::fromStdString(listOf(titles)) +
                             ", because a run has no such figure or was not done.");
+    return sentences;
+}
+
+QString restrictionOf(const MetricComparison& result) {
+    const Interval limits = result.values.limits.value_or(Interval{});
+    return limits.low == limits.high ? "to " + amount(limits.high, result.metric) : QString("to their limits");
+}
+
+std::vector<QString> restrictedMeans(const Comparison& comparison) {
+    std::vector<QString> sentences;
+    for (const MetricComparison& result : comparison.metrics) {
+        if (!result.baseline_restricted || !result.candidate_restricted)
+            continue;
+        const auto side = [&](const std::string& variant, double mean, std::size_t unfinished) {
+            return QString("%1 %2 with %3 not done")
+                .arg(nameOf(variant), amount(mean, result.metric), counted(unfinished, "run", "runs"));
+        };
+        QString sentence = QString::fromStdString(result.metric.title) + ", mean " + restrictionOf(result) + ": " +
+                           side(comparison.baseline, *result.baseline_restricted, result.baseline_unfinished) + ", " +
+                           side(comparison.candidate, *result.candidate_restricted, result.candidate_unfinished) + '.';
+        if (result.values.assumed > 0)
+            sentence += " " + counted(result.values.assumed, "run", "runs") +
+                        " not done without a time limit counted the longest time of any run of the mission.";
+        sentences.push_back(sentence);
+    }
+    return sentences;
+}
+
+QString seedOf(const RunFigures& run, const Comparison& comparison) {
+    const QString seed = QString::number(run.seed);
+    return comparison.pairing.missions.size() > 1 ? seed + " of " + nameOf(run.mission) : seed;
+}
+
+std::vector<QString> differingSeeds(const Comparison& comparison) {
+    constexpr qsizetype most = 20;
+    QStringList of_baseline, of_candidate;
+    for (const RunPair& pair : comparison.success.differing)
+        (pair.baseline->outcome == Outcome::Done ? of_baseline : of_candidate) << seedOf(*pair.baseline, comparison);
+    std::vector<QString> sentences;
+    for (const auto& [seeds, variant] :
+         {std::pair(of_baseline, comparison.baseline), std::pair(of_candidate, comparison.candidate)}) {
+        if (seeds.isEmpty())
+            continue;
+        const auto count = static_cast<std::size_t>(seeds.size());
+        sentences.push_back("Only " + nameOf(variant) + " has success on " + counted(count, "seed", "seeds") + ": " +
+                            seeds.first(std::min(most, seeds.size())).join(", ") +
+                            (seeds.size() > most ? QString(" and %1 more.").arg(seeds.size() - most) : QString(".")));
+    }
     return sentences;
 }
 

@@ -12,13 +12,15 @@
 
 namespace usar::campaign {
 
+/// Names and values to be given as they are: versions, hashes, machine, processor time.
+using ReportFacts = std::vector<std::pair<std::string, std::string>>;
+
 /// The comparison and the runs it was made from belong to the caller.
 struct Report {
     const Comparison& comparison;
     const std::vector<RunFigures>& runs;
     std::string title; ///< of the campaign
-    /// Names and values to be given as they are: versions, hashes, machine, processor time.
-    std::vector<std::pair<std::string, std::string>> facts;
+    ReportFacts facts;
 };
 
 /// Several candidates compared with one baseline. The comparisons, of which there is at least one, and the runs belong
@@ -27,17 +29,30 @@ struct CampaignReport {
     const std::vector<Comparison>& comparisons;
     const std::vector<RunFigures>& runs;
     std::string title;
-    std::vector<std::pair<std::string, std::string>> facts; ///< as in Report
+    ReportFacts facts;
 };
 
 /// One sentence without a period: "posh is worse than cpp".
 QString headline(const Comparison& comparison);
 
 /// "about 120 more seeds would decide", rounded up to two digits; empty if everything is decided.
-QString outlook(const std::optional<std::size_t>& more_pairs);
+QString outlook(const std::optional<std::size_t>& more_seeds);
 
-/// Sentences on what was not compared, one each; empty if all runs were.
+/// Sentences on runs that were not done, and on what was not compared, one each; empty if all runs were done and were.
 std::vector<QString> omissions(const Comparison& comparison);
+
+/// "Duration as a mean to the limit of 300.0 s: old 121.5 s, of which 2 runs were not done, new …", for each figure
+/// that counts the limit where a run was not done.
+std::vector<QString> restrictedMeans(const Comparison& comparison);
+/// "to 300.0 s"; "to their limits" where missions have several.
+QString restrictionOf(const MetricComparison& result);
+
+/// Sentences that name the seeds on which only one of the variants had success: "Only old has success on 2 seeds:
+/// 8, 16."
+std::vector<QString> differingSeeds(const Comparison& comparison);
+
+/// The seed of a run; with its mission if the comparison has several.
+QString seedOf(const RunFigures& run, const Comparison& comparison);
 
 /// "12.5 s", with the metric's decimals; a dash if it is not a number. A difference always has its sign, and one of
 /// percentages is in points.

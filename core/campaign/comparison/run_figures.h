@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -27,7 +28,8 @@ struct CourseFigures {
 
 struct RunFigures {
     std::size_t number = 0; ///< in the campaign
-    std::size_t pair = 0;   ///< index of the seed, which the variants share; with the mission it names a pair
+    std::size_t pair = 0;   ///< it is the same for the variants of one seed; with the mission it names a pair
+    std::uint64_t seed = 0;
     std::string mission;
     std::string variant;
     Outcome outcome = Outcome::Done;

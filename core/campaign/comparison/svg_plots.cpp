@@ -107,10 +107,12 @@ std::vector<QPointF> stepsOf(const ProfileCurve& curve, std::size_t runs, const 
     return points;
 }
 
-/// Both curves have a value.
+/// One of the curves has a value at least.
 Scale scaleFor(const ProfileCurve& a, const ProfileCurve& b, double first, double last) {
-    const double low = std::min(a.sorted.front(), b.sorted.front());
-    const double high = std::max(a.sorted.back(), b.sorted.back());
+    const ProfileCurve& one = a.sorted.empty() ? b : a;
+    const ProfileCurve& other = b.sorted.empty() ? a : b;
+    const double low = std::min(one.sorted.front(), other.sorted.front());
+    const double high = std::max(one.sorted.back(), other.sorted.back());
     const double more = std::max(0.04 * (high - low), 1e-3 * std::abs(high) + 1e-9);
     return {low - more, high + more, first, last};
 }
@@ -151,7 +153,7 @@ void drawProfile(QXmlStreamWriter& xml, const ProfileCurve& baseline, const Prof
                  const Metric& metric) {
     constexpr double width = 880.0, height = 300.0, left = 56.0, right = width - 12.0, top = 34.0,
                      bottom = height - 40.0;
-    if (baseline.sorted.empty() || candidate.sorted.empty())
+    if (baseline.sorted.empty() && candidate.sorted.empty())
         return;
     SvgCanvas canvas(xml, width, height, "plot wide", "share of seeds by " + QString::fromStdString(metric.title));
     const Scale x = scaleFor(baseline, candidate, left, right), y{0.0, 1.0, bottom, top};
@@ -166,6 +168,8 @@ void drawProfile(QXmlStreamWriter& xml, const ProfileCurve& baseline, const Prof
                 QString::fromStdString(metric.title + ", " + metric.unit));
     double at = left;
     for (const auto& [curve, style] : {std::pair(&baseline, "baseline"), std::pair(&candidate, "candidate")}) {
+        if (curve->name.isEmpty())
+            continue;
         canvas.path(stepsOf(*curve, runs, x, y), QString("curve ") + style);
         canvas.line({at, 14.0}, {at + 28.0, 14.0}, QString("curve ") + style);
         canvas.text({at + 34.0, 18.0}, "start", curve->name, "legend");

@@ -25,7 +25,8 @@ struct ProfileCurve {
 };
 
 /// The performance profile: for each value x the share of `runs` that needed at most x. What is not in a curve never
-/// got there, so that a curve ends below 1 where runs failed.
+/// got there, so that a curve ends below 1 where runs failed, and stays at 0 where none was done. A curve without a
+/// name is not drawn. Draws nothing if neither has a value.
 void drawProfile(QXmlStreamWriter& xml, const ProfileCurve& baseline, const ProfileCurve& candidate, std::size_t runs,
                  const Metric& metric);
 

@@ -22,7 +22,7 @@ QStringList successRow(const Comparison& comparison) {
             pValue(success.holm_p),
             "",
             QString::number(success.count.pairs()),
-            outlook(success.more_pairs)};
+            outlook(success.more_seeds)};
 }
 
 QStringList metricRow(const MetricComparison& result) {
@@ -35,7 +35,7 @@ QStringList metricRow(const MetricComparison& result) {
             pValue(result.holm_p),
             plain(result.correlation),
             QString::number(result.pairs()),
-            outlook(result.more_pairs)};
+            outlook(result.more_seeds)};
 }
 
 /// Each column as wide as its widest cell. The last one is not filled up, so that no line ends with blanks.
@@ -68,8 +68,8 @@ QString textReport(const Comparison& comparison) {
     QString text = headline(comparison) + ".\n\n" + aligned(rows) + '\n';
     for (const QString& sentence : omissions(comparison))
         text += sentence + '\n';
-    if (!comparison.success.differing.empty())
-        text += QString("%1 seeds have success in one variant only.\n").arg(comparison.success.differing.size());
+    for (const QString& sentence : differingSeeds(comparison))
+        text += sentence + '\n';
     return text;
 }
 

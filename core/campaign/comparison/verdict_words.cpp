@@ -14,11 +14,11 @@ struct Amounts {
     QString interval;
 };
 
-QString detailOf(const Comparison& comparison, const Amounts& amounts, const std::optional<std::size_t>& more_pairs) {
+QString detailOf(const Comparison& comparison, const Amounts& amounts, const std::optional<std::size_t>& more_seeds) {
     const QString text = QString("%1 %2, %3 %4; in pairs %5 (%6)")
                              .arg(nameOf(comparison.baseline), amounts.baseline, nameOf(comparison.candidate),
                                   amounts.candidate, amounts.difference, amounts.interval);
-    const QString more = outlook(more_pairs);
+    const QString more = outlook(more_seeds);
     return more.isEmpty() ? text : text + "; " + more;
 }
 
@@ -30,12 +30,12 @@ std::vector<VerdictLine> verdictLines(const Comparison& comparison) {
     const Amounts rates{amount(before), amount(after), percent(after.rate() - before.rate(), true) + " points",
                         percent(success.difference.low, true) + " to " + percent(success.difference.high, true)};
     std::vector<VerdictLine> lines{
-        {"Success", wordOf(success.verdict), detailOf(comparison, rates, success.more_pairs)}};
+        {"Success", wordOf(success.verdict), detailOf(comparison, rates, success.more_seeds)}};
     for (const MetricComparison& one : comparison.metrics) {
         const Amounts amounts{amount(one.baseline_median, one.metric), amount(one.candidate_median, one.metric),
                               amount(one.difference, one.metric, true), amount(one.interval, one.metric)};
         lines.push_back({QString::fromStdString(one.metric.title), wordOf(one.verdict),
-                         detailOf(comparison, amounts, one.more_pairs)});
+                         detailOf(comparison, amounts, one.more_seeds)});
     }
     return lines;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/campaign/statistics/interval.h"
+#include "core/campaign/statistics/proportion.h"
 
 namespace usar::campaign {
 
@@ -13,12 +14,19 @@ struct MeasuredDifference {
     std::size_t pairs = 0;
     double estimate = 0.0;
     Interval interval;
+    double p = 0.0;        ///< by the test beside the interval, before any adjustment
+    double needed_p = 1.0; ///< A difference beyond the margin needs a p below this.
 };
 
-/// How many pairs must be added until the interval lies wholly on one side of plus or minus `margin`, or wholly between
-/// them, if the estimate stays and the width shrinks with the root of the number of pairs. 0 if it does so now. Nothing
-/// where a million pairs would not do, because the estimate is too near to the margin, and where there is no pair
-/// or no width is known.
+/// How many pairs must be added until the interval lies wholly between plus and minus `margin`, or wholly beyond one of
+/// them while the test agrees, if the estimate stays, each side of the interval shrinks with the root of the number of
+/// pairs, and the test's deviate grows with it. 0 if it does so now. Nothing where a million pairs would not do,
+/// because the estimate is too near to the margin, and where there is no pair or no width is known.
 std::optional<std::size_t> morePairsToDecide(const MeasuredDifference& measured, double margin);
+
+/// The same for the difference of two rates, by the intervals of more pairs of the same kinds in the same shares: where
+/// few or no pairs differ, they shrink faster than with the root.
+std::optional<std::size_t> morePairsToDecide(const PairedCount& count, double margin, double confidence,
+                                             double needed_p);
 
 } // namespace usar::campaign

@@ -14,6 +14,7 @@ inline campaign::RunFigures run(const std::string& variant, std::size_t pair,
     campaign::RunFigures figures;
     figures.number = 2 * pair + (variant == "new" ? 1 : 0);
     figures.pair = pair;
+    figures.seed = pair;
     figures.mission = "quick_scan";
     figures.variant = variant;
     figures.outcome = outcome;

@@ -1,3 +1,5 @@
+#include <QJsonArray>
+#include <QJsonObject>
 #include <QTest>
 
 #include "core/campaign/comparison/failure_causes.h"
@@ -32,11 +34,38 @@ private slots:
             ended(0, Outcome::Failed, "It fell at 3.5 s."), ended(1, Outcome::Done, "Well."),
             ended(2, Outcome::Crashed, "Signal 11"),        ended(3, Outcome::TimedOut, "It fell at 1 s."),
             ended(4, Outcome::Crashed, "Signal 6"),         ended(5, Outcome::Failed, "No room.")};
-        QCOMPARE(failureCauses(runs), (std::vector<FailureCause>{{Outcome::Crashed, "Signal #", {2, 4}},
-                                                                 {Outcome::Failed, "It fell at # s.", {0}},
-                                                                 {Outcome::TimedOut, "It fell at # s.", {3}},
-                                                                 {Outcome::Failed, "No room.", {5}}}));
+        QCOMPARE(failureCauses(runs), (std::vector<FailureCause>{{Outcome::Crashed, "Signal #", {2, 4}, {"", ""}},
+                                                                 {Outcome::Failed, "It fell at # s.", {0}, {""}},
+                                                                 {Outcome::TimedOut, "It fell at # s.", {3}, {""}},
+                                                                 {Outcome::Failed, "No room.", {5}, {""}}}));
         QVERIFY(failureCauses({runs[1]}).empty());
+    }
+
+    void runsOfACauseAreGroupedByPlace() {
+        std::vector<RunResult> runs;
+        const auto add = [&](const QJsonArray& path, const QJsonArray& collisions) {
+            runs.push_back(ended(static_cast<int>(runs.size()), Outcome::Failed, "It fell."));
+            if (!path.isEmpty())
+                runs.back().summary["course"] = QJsonObject{{"path", path}, {"collisions", collisions}};
+        };
+        const QJsonArray start{0.0, 0.0};
+        add({}, {});
+        add({start, QJsonArray{35.0, 5.0}}, {});
+        add({start, QJsonArray{-1.0, -12.0}}, {});
+        add({start, QJsonArray{90.0, 90.0}}, {QJsonArray{1.0, 1.0}, QJsonArray{-9.0, -19.0}}); // It rolled on.
+        const std::vector<FailureCause> causes = failureCauses(runs);
+        QCOMPARE(causes.size(), std::size_t(1));
+        QCOMPARE(causes[0].indices, (std::vector<std::size_t>{2, 3, 1, 0}));
+        const std::string there = "around x -5 m, y -15 m";
+        QCOMPARE(causes[0].places, (std::vector<std::string>{there, there, "around x 35 m, y 5 m", ""}));
+    }
+
+    void theVariantsOfACauseAreCounted() {
+        std::vector<RunResult> runs(4);
+        runs[0].variant = runs[1].variant = runs[3].variant = "C++, Scan altitude 5";
+        runs[2].variant = "POSH";
+        QCOMPARE(QString::fromStdString(variantCounts(runs, {0, 1, 2, 3})),
+                 QString::fromUtf8("3 \u00d7 C++, Scan altitude 5, 1 \u00d7 POSH"));
     }
 
     void aVerdictSaysTheWordAndTheNumbers() {

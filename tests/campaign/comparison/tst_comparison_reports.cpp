@@ -12,6 +12,7 @@
 #include "core/campaign/comparison/html_report.h"
 #include "core/campaign/comparison/json_report.h"
 #include "core/campaign/comparison/junit_report.h"
+#include "core/campaign/comparison/single_report.h"
 #include "core/campaign/comparison/svg_canvas.h"
 #include "core/campaign/comparison/text_report.h"
 #include "tests/campaign/comparison/example_runs.h"
@@ -211,7 +212,101 @@ private slots:
         QVERIFY(text.contains("1 pair is not counted, because a run was refused or killed."));
         QVERIFY(text.contains("1 run repeats a seed of its variant, and only the first of each counts."));
         QVERIFY(text.contains("5 pairs are left out of Way, "));
-        QVERIFY(text.contains("5 seeds have success in one variant only."));
+        QVERIFY2(text.contains("Only old has success on 5 seeds: 0, 8, 16, 24, 32.\n"), qPrintable(text));
+        QVERIFY(!text.contains("Only new"));
+    }
+
+    void whatIsNotDoneIsInTheRestrictedMeans() {
+        std::vector<RunFigures> runs = runsWithFailures();
+        for (RunFigures& figures : runs)
+            figures.metrics["duration_s"] = figures.variant == "new" ? 90.0 : 100.0;
+        Comparison comparison = compare(runs, "old", "new").value();
+        const QString means =
+            "Duration, mean to 300.0 s: old 100.0 s with 0 runs not done, new 116.2 s with 5 runs not done.";
+        QVERIFY2(textReport(comparison).contains(means + '\n'), qPrintable(textReport(comparison)));
+        const QJsonArray metrics = jsonReport({comparison, runs, "", {}})["metrics"].toArray();
+        QCOMPARE(metrics[0]["baseline_restricted_mean"].toDouble(), 100.0);
+        QCOMPARE(metrics[0]["candidate_restricted_mean"].toDouble(), (35 * 90.0 + 5 * 300.0) / 40.0);
+        QVERIFY(metrics[1]["candidate_restricted_mean"].isNull()); // The way is left out.
+        QVERIFY(says(elementsOf(htmlReport({comparison, runs, "", {}})), "div", "mean to 300.0 s: 116.2 s"));
+
+        for (RunFigures& figures : runs)
+            figures.time_limit_s = std::nullopt;
+        comparison = compare(runs, "old", "new").value();
+        QVERIFY(textReport(comparison).contains("mean to 100.0 s: old 100.0 s with 0 runs"));
+        QVERIFY(
+            textReport(comparison)
+                .contains(" 5 runs not done without a time limit counted the longest time of any run of the mission."));
+        const std::vector<RunFigures> done = doneRuns(20, {});
+        QVERIFY(restrictedMeans(compare(done, "old", "new").value()).empty());
+    }
+
+    void theShareOfSeedsIsShownForAVariantThatNeverSucceeds_data() {
+        QTest::addColumn<bool>("old_fails");
+        QTest::addColumn<bool>("new_fails");
+        QTest::addColumn<int>("headings");
+        QTest::newRow("both succeed") << false << false << 1;
+        QTest::newRow("one never succeeds") << false << true << 1;
+        QTest::newRow("the other never succeeds") << true << false << 1;
+        QTest::newRow("neither does") << true << true << 0;
+    }
+    void theShareOfSeedsIsShownForAVariantThatNeverSucceeds() {
+        QFETCH(bool, old_fails);
+        QFETCH(bool, new_fails);
+        std::vector<RunFigures> runs = doneRuns(12, {});
+        for (RunFigures& figures : runs)
+            if (figures.variant == "new" ? new_fails : old_fails)
+                figures.outcome = Failed;
+        const std::vector<Element> elements =
+            elementsOf(htmlReport({compare(runs, "old", "new").value(), runs, "", {}}));
+        const bool heading = says(elements, "h2", "Share of the seeds that are done by each time");
+        QTEST(heading ? 1 : 0, "headings");
+        QCOMPARE(std::ranges::count_if(elements,
+                                       [](const Element& one) {
+                                           return one.attributes.value("aria-label") ==
+                                                  QString("share of seeds by Duration");
+                                       }),
+                 heading ? 1 : 0);
+    }
+
+    void aSingleVariantHasAPageWithoutVerdicts() {
+        std::vector<RunFigures> runs;
+        for (const RunFigures& figures : runsWithFailures())
+            if (figures.variant == "new")
+                runs.push_back(figures);
+        const SingleReport single{runs, "thesis", {{"Version", "1.2"}}};
+        const std::vector<Element> elements = elementsOf(htmlReport(single));
+        QVERIFY(says(elements, "h1", "new: 35 of 40, 87.5 % done."));
+        QVERIFY(says(elements, "p", "The campaign has one variant, new, so there is nothing to compare it with."));
+        QVERIFY(says(elements, "td", nasty_shown)); // why runs failed
+        QVERIFY(says(elements, "td", "1.2"));
+        QVERIFY(says(elements, "h2", "Share of the seeds that are done by each time"));
+        QVERIFY(!says(elements, "h2", "Verdicts"));
+        QVERIFY2(textReport(single).contains("\nDone: 35 of 40, 87.5 % (95 %: 73.9 to 94.5 %).\nDuration: median "),
+                 qPrintable(textReport(single)));
+        const QJsonObject json = jsonReport(single);
+        QCOMPARE(json["exit_code"].toInt(-1), 0);
+        QCOMPARE(json["done"].toInt(), 35);
+        QCOMPARE(json["metrics"][0]["key"].toString(), QString("duration_s"));
+        runs.front().outcome = Killed;
+        QVERIFY(textReport(single).endsWith("1 of 40 runs do not count, because they were refused or killed.\n"));
+    }
+
+    void theSeedsThatDifferAreNamed() {
+        std::vector<RunFigures> runs = doneRuns(100, {});
+        for (RunFigures& figures : runs)
+            if ((figures.variant == "new" && figures.pair == 7) || (figures.variant == "old" && figures.pair % 4 == 1))
+                figures.outcome = Failed;
+        const std::vector<QString> sentences = differingSeeds(compare(runs, "old", "new").value());
+        QCOMPARE(sentences.size(), std::size_t(2));
+        QCOMPARE(sentences[0], QString("Only old has success on 1 seed: 7."));
+        QVERIFY(sentences[1].startsWith("Only new has success on 25 seeds: 1, 5, 9, "));
+        QVERIFY(sentences[1].endsWith(", 77 and 5 more."));
+        for (RunFigures& figures : runs)
+            if (figures.pair < 10)
+                figures.mission = "tall_test";
+        QCOMPARE(differingSeeds(compare(runs, "old", "new").value())[0],
+                 QString("Only old has success on 1 seed: 7 of tall_test."));
     }
 
     void theJsonHasTheFigures() {
@@ -223,6 +318,7 @@ private slots:
         QCOMPARE(json["pairs"].toInt(), 40);
         QCOMPARE(json["success"]["candidate"]["successes"].toInt(), 35);
         QCOMPARE(json["success"]["differing"].toArray().size(), 5);
+        QCOMPARE(json["success"]["differing"][1]["seed"].toInt(), 8);
         QCOMPARE(json["facts"]["Version"].toString(), QString("1.2"));
         const QJsonArray metrics = json["metrics"].toArray();
         QCOMPARE(metrics.size(), static_cast<qsizetype>(comparison.metrics.size()));
@@ -237,7 +333,7 @@ private slots:
         const std::vector<RunFigures> runs = doneRuns(1, {});
         const QJsonObject json = jsonReport({compare(runs, "old", "new").value(), runs, "", {}});
         QVERIFY(json["metrics"][0]["low"].isNull());
-        QVERIFY(json["more_pairs"].isNull());
+        QVERIFY(json["more_seeds"].isNull());
     }
 
     void junitHasOneCaseForEachRun() {
@@ -257,6 +353,17 @@ private slots:
         QCOMPARE(suite.attributes.value("failures").toInt(), 0);
         QCOMPARE(suite.attributes.value("skipped").toInt(), 1);
         QVERIFY(says(elements, "failure", "usar-mission run quick_scan.json --seed 2"));
+    }
+
+    void aCaseIsNamedByItsSeed() {
+        std::vector<RunFigures> runs{run("old", 1), run("old", 2), run("old", 3)};
+        runs[0].seed = 22;
+        runs[1].seed = runs[2].seed = 23; // in two worlds
+        QStringList names;
+        for (const Element& element : elementsOf(junitReport(runs, "thesis")))
+            if (element.name == "testcase")
+                names << element.attributes.value("name").toString();
+        QCOMPARE(names, (QStringList{"seed 22", "seed 23, pair 2", "seed 23, pair 3"}));
     }
 
     void junitTakesAnyWords() {

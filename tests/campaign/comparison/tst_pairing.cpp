@@ -102,6 +102,35 @@ private slots:
         QVERIFY(!valueOf(figures, metricFor(UnfinishedRuns::CountTheLimit)));
     }
 
+    void withoutALimitAFailedRunCountsTheLongestTimeOfItsMission() {
+        std::vector<RunFigures> runs;
+        for (std::size_t pair = 0; pair < 4; ++pair)
+            for (const char* variant : {"old", "new"}) {
+                runs.push_back(run(variant, pair, pair % 2 == 0 && runs.size() % 2 == 1 ? Failed : Done));
+                runs.back().metrics["duration_s"] = 10.0 * static_cast<double>(runs.size()); // 10 to 80
+                runs.back().time_limit_s = std::nullopt;
+                runs.back().mission = pair < 2 ? "a" : "b";
+            }
+        const Metric metric = metricFor(UnfinishedRuns::CountTheLimit);
+        PairedValues values = valuesOf(pairUp(runs, "old", "new").value(), metric);
+        QCOMPARE(values.baseline, (std::vector<double>{10.0, 30.0, 50.0, 70.0}));
+        QCOMPARE(values.candidate, (std::vector<double>{40.0, 40.0, 80.0, 80.0}));
+        QCOMPARE(values.assumed, std::size_t{2});
+        QCOMPARE(values.left_out, std::size_t{0});
+        QCOMPARE(values.limits, std::optional(Interval{40.0, 80.0}));
+        for (RunFigures& one : runs)
+            if (one.mission == "b")
+                one.outcome = Failed; // Nobody knows how long it takes.
+        values = valuesOf(pairUp(runs, "old", "new").value(), metric);
+        QCOMPARE(values.left_out, std::size_t{2});
+        for (RunFigures& one : runs)
+            one.time_limit_s = 300.0;
+        values = valuesOf(pairUp(runs, "old", "new").value(), metric);
+        QCOMPARE(values.candidate, (std::vector<double>{300.0, 40.0, 300.0, 300.0}));
+        QCOMPARE(values.assumed, std::size_t{0});
+        QVERIFY(!valuesOf(pairUp(runs, "old", "new").value(), metricFor(UnfinishedRuns::AsMeasured)).limits);
+    }
+
     void whatIsNoNumberIsNoFigure() {
         RunFigures figures = run("old", 1);
         const Metric metric = metricFor(UnfinishedRuns::AsMeasured);

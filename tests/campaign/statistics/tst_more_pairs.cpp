@@ -19,7 +19,11 @@ private slots:
         QTest::newRow("to be equal") << 0.0 << Interval{-3.0, 3.0} << 160;
         QTest::newRow("beyond the margin already") << 3.0 << Interval{1.5, 4.5} << 0;
         QTest::newRow("within the margin already") << 0.1 << Interval{-0.9, 1.0} << 0;
-        QTest::newRow("narrow enough, but askew") << 2.0 << Interval{0.9, 2.2} << 1;
+        QTest::newRow("narrow enough, but askew") << 2.0 << Interval{0.9, 2.2} << 5;
+        QTest::newRow("only the side that blocks counts") << 2.0 << Interval{0.5, 9.0} << 25;
+        QTest::newRow("askew in the other direction") << -2.0 << Interval{-9.0, -0.5} << 25;
+        QTest::newRow("to be equal, askew") << 0.5 << Interval{0.0, 1.5} << 60;
+        QTest::newRow("to be equal, too low alone") << -0.5 << Interval{-1.5, 0.0} << 60;
         QTest::newRow("at the margin") << 1.0 << Interval{0.0, 2.0} << -1;
         QTest::newRow("nearly at the margin") << 1.001 << Interval{0.0, 2.0} << -1;
         QTest::newRow("no width is known") << 2.0 << Interval{} << -1;
@@ -32,6 +36,49 @@ private slots:
         QCOMPARE(found ? static_cast<int>(*found) : -1, more);
 
         QVERIFY(!morePairsToDecide({0, 0.0, {-1.0, 1.0}}, 0.05)); // a rate without runs
+    }
+
+    void ratesAreJudgedByTheIntervalsOfMorePairs_data() {
+        QTest::addColumn<QList<int>>("kinds"); // both, the baseline only, the candidate only, neither
+        QTest::addColumn<int>("more");
+        QTest::newRow("none differs") << QList<int>{20, 0, 0, 0} << 34; // 1.96 sqrt(2) / (n + 2) is 0.05 at 53.4
+        QTest::newRow("enough") << QList<int>{60, 0, 0, 0} << 0;
+        QTest::newRow("at the margin") << QList<int>{19, 1, 0, 0} << -1;
+        QTest::newRow("no pairs") << QList<int>{0, 0, 0, 0} << -1;
+    }
+    void ratesAreJudgedByTheIntervalsOfMorePairs() {
+        QFETCH(QList<int>, kinds);
+        const auto part = [&](int i) { return static_cast<std::size_t>(kinds[i]); };
+        const PairedCount count{part(0), part(1), part(2), part(3)};
+        const auto found = morePairsToDecide(count, 0.05, 0.95, 0.05);
+        QTEST(found ? static_cast<int>(*found) : -1, "more");
+        const PairedCount worse{10, 5, 0, 5}; // A quarter of the pairs.
+        const std::size_t total = 20 + morePairsToDecide(worse, 0.05, 0.95, 0.01).value();
+        QVERIFY2(total > 25 && total < 40, QByteArray::number(qulonglong(total)));
+        QVERIFY(morePairsToDecide(worse, 0.05, 0.95, 1e-6).value() > total); // The test must agree.
+    }
+
+    /// The deviates of p are 1.645 for 0.1, 1.960 for 0.05 and 2.576 for 0.01.
+    void theTestMustAgreeToo_data() {
+        QTest::addColumn<double>("estimate");
+        QTest::addColumn<Interval>("interval");
+        QTest::addColumn<double>("p");
+        QTest::addColumn<int>("more");
+        const Interval beyond{1.2, 4.8};
+        QTest::newRow("it does") << 3.0 << beyond << 0.009 << 0;
+        QTest::newRow("not yet") << 3.0 << beyond << 0.05 << 73;    // 100 (2.576 / 1.960)^2 = 172.7
+        QTest::newRow("not nearly") << 3.0 << beyond << 0.1 << 146; // 100 (2.576 / 1.645)^2 = 245.2
+        QTest::newRow("it sees nothing") << 3.0 << beyond << 1.0 << -1;
+        QTest::newRow("the interval needs more") << 3.0 << Interval{-1.0, 7.0} << 0.05 << 300;
+        QTest::newRow("equality asks for no test") << 0.0 << Interval{-1.5, 1.5} << 1.0 << 125;
+        QTest::newRow("equal already") << 0.0 << Interval{-0.5, 0.5} << 1.0 << 0;
+    }
+    void theTestMustAgreeToo() {
+        QFETCH(double, estimate);
+        QFETCH(Interval, interval);
+        QFETCH(double, p);
+        const auto found = morePairsToDecide({100, estimate, interval, p, 0.01}, 1.0);
+        QTEST(found ? static_cast<int>(*found) : -1, "more");
     }
 };
 
