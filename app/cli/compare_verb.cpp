@@ -10,6 +10,7 @@
 #include "core/campaign/comparison/html_report.h"
 #include "core/campaign/comparison/json_report.h"
 #include "core/campaign/comparison/junit_report.h"
+#include "core/campaign/comparison/single_report.h"
 #include "core/campaign/comparison/text_report.h"
 #include "core/campaign/comparison/trade_off.h"
 #include "core/campaign/plan/campaign_writer.h"
@@ -58,12 +59,26 @@ Result<void> writeReports(const campaign::CompareOptions& options, const campaig
     return writeReport(options.curve, picture);
 }
 
+/// A campaign of one variant has no verdict, but figures.
+Result<int> reportSingle(const campaign::CompareOptions& options, const campaign::CampaignFigures& figures) {
+    const campaign::SingleReport single{figures.runs, figures.title, figures.facts};
+    if (auto written = writeReport(options.html, campaign::htmlReport(single)); !written)
+        return tl::unexpected(written.error());
+    if (options.json)
+        return end(0, campaign::jsonReport(single));
+    std::printf("%s", qPrintable(campaign::textReport(single)));
+    return 0;
+}
+
 Result<int> report(const campaign::CompareOptions& options) {
     const auto figures = campaign::readCampaigns(options.folders);
     if (!figures)
         return tl::unexpected(figures.error());
     if (auto written = writeReport(options.junit, campaign::junitReport(figures->runs, figures->title)); !written)
         return tl::unexpected(written.error());
+    const bool is_single = figures->variants.size() == 1 && options.baseline.isEmpty() && options.candidate.isEmpty();
+    if (is_single && options.curve.isEmpty())
+        return reportSingle(options, *figures);
     const std::string baseline =
         options.baseline.isEmpty() ? figures->variants.front() : options.baseline.toStdString();
     const auto candidates = candidatesOf(options, baseline, *figures);

@@ -202,9 +202,9 @@ private slots:
         QCOMPARE(decided.more_seeds, std::optional<std::size_t>(0));
     }
 
-    /// Of campaigns with as many seeds as most of 40 small ones ask for, about half are decided: the end of the interval
-    /// lies at the margin there on average. With half as many seeds fewer are, with twice as many most. Equal variants
-    /// seem to differ in small campaigns, which then ask for more.
+    /// Of campaigns with as many seeds as most of 40 small ones ask for, about half are decided: the end of the
+    /// interval lies at the margin there on average. With half as many seeds fewer are, with twice as many most. Equal
+    /// variants seem to differ in small campaigns, which then ask for more.
     void asManySeedsAsAreAskedForDecide_data() {
         QTest::addColumn<double>("change_s");
         QTest::addColumn<int>("questions");
