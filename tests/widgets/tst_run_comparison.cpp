@@ -63,6 +63,15 @@ const ComparedRow& row(const std::vector<ComparedRow>& rows, const QString& name
 class tst_RunComparison : public QObject {
     Q_OBJECT
 private slots:
+    void aRunIsNamedByItsTitleOrItsFile() {
+        RunFigures run = good();
+        QCOMPARE(titleOf(run), QString("Quick scan\nS_001"));
+        run.title = "POSH, seed 3";
+        QCOMPARE(titleOf(run), QString("Quick scan\nPOSH, seed 3"));
+        run.mission.clear();
+        QCOMPARE(titleOf(run), QString("POSH, seed 3"));
+    }
+
     void init() { folder_ = std::make_unique<QTemporaryDir>(); }
 
     void readsWhatAMissionLeaves() {

@@ -1,5 +1,7 @@
 #include "widgets/campaign/cause_list.h"
 
+#include <algorithm>
+
 #include <QBoxLayout>
 #include <QHeaderView>
 #include <QSet>
@@ -11,7 +13,30 @@ namespace usar::widgets {
 
 namespace {
 
-constexpr int most_runs = 200; // Nobody reads more of them, and each is an item.
+constexpr std::size_t most_runs = 200; // Nobody reads more of them, and each is an item.
+
+/// A row that says how many of the runs that follow each other ended at the place of the first one.
+QTreeWidgetItem* addPlace(QTreeWidgetItem* cause, const std::vector<CausedRun>& runs, const QString& place) {
+    const auto count = std::ranges::count(runs, place, &CausedRun::place);
+    auto* const item = new QTreeWidgetItem(
+        cause, {place.isEmpty() ? CauseList::tr("at a place that is not known") : place, QString::number(count)});
+    item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+    item->setExpanded(true);
+    return item;
+}
+
+void addRuns(QTreeWidgetItem* cause, const std::vector<CausedRun>& runs) {
+    const bool any_place = std::ranges::any_of(runs, [](const CausedRun& run) { return !run.place.isEmpty(); });
+    QTreeWidgetItem* parent = cause;
+    for (std::size_t i = 0; i < std::min(runs.size(), most_runs); ++i) {
+        if (any_place && (i == 0 || runs[i].place != runs[i - 1].place))
+            parent = addPlace(cause, runs, runs[i].place);
+        auto* const item = new QTreeWidgetItem(parent, {runs[i].name + ": " + runs[i].reason});
+        item->setToolTip(0, runs[i].reason);
+        item->setData(0, Qt::UserRole, runs[i].number);
+        item->setFirstColumnSpanned(true);
+    }
+}
 
 } // namespace
 
@@ -49,14 +74,7 @@ void CauseList::setCauses(const std::vector<CauseRow>& causes, bool any_runs) {
         item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
         item->setSizeHint(0, QSize(0, minimum_target));
         (new QTreeWidgetItem(item, {cause.variants}))->setFirstColumnSpanned(true);
-        for (int i = 0; const CausedRun& run : cause.runs) {
-            if (++i > most_runs)
-                break;
-            auto* const child = new QTreeWidgetItem(item, {run.name + ": " + run.reason});
-            child->setToolTip(0, run.reason);
-            child->setData(0, Qt::UserRole, run.number);
-            child->setFirstColumnSpanned(true);
-        }
+        addRuns(item, cause.runs);
         item->setExpanded(open.contains(cause.reason));
     }
 }

@@ -12,20 +12,21 @@ class EmptyState;
 /// A run of a cause, with what its own reason says of time and place.
 struct CausedRun {
     int number = 0;
-    QString name;   ///< "Run 4, POSH, seed 3"
-    QString reason; ///< The run told it so, with its numbers.
+    QString name;    ///< "Run 4, POSH, seed 3"
+    QString reason;  ///< The run told it so, with its numbers.
+    QString place{}; ///< It ended there: "around x 15 m, y -5 m"; empty if it is not known.
     bool operator==(const CausedRun&) const = default;
 };
 
 struct CauseRow {
     QString reason;
-    QString variants; ///< How often each variant met it: "C++ 3, POSH 1".
-    std::vector<CausedRun> runs;
+    QString variants;            ///< How often each variant met it: "3 × C++, 1 × POSH".
+    std::vector<CausedRun> runs; ///< Those of one place follow each other.
     bool operator==(const CauseRow&) const = default;
 };
 
-/// The causes are rows that can be opened; their runs are below them, and a double-click or Return flies one again. GUI
-/// thread.
+/// The causes are rows that can be opened; their places and runs are below them, and a double-click or Return flies one
+/// again. GUI thread.
 class CauseList : public QWidget {
     Q_OBJECT
 public:

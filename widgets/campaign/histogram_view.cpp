@@ -92,14 +92,22 @@ void HistogramView::drawBars() {
     group->setSpacing(0.0);
     const auto count = static_cast<double>(std::max<std::size_t>(1, histogram_.variants.size()));
     for (int i = 0; const VariantCounts& one : histogram_.variants) {
-        auto* const bars = new QCPBars(plot_->xAxis, plot_->yAxis);
         const QColor color = plotLineColor(i++, currentTheme());
-        bars->setWidth(0.9 * histogram_.width / count);
+        auto* const bars = new QCPBars(plot_->xAxis, plot_->yAxis);
+        auto* const not_done = new QCPBars(plot_->xAxis, plot_->yAxis); // They stand on those that were.
+        for (QCPBars* const part : {bars, not_done})
+            part->setWidth(0.9 * histogram_.width / count);
         bars->setBarsGroup(group);
         bars->setPen(Qt::NoPen);
         bars->setBrush(color);
-        for (int bin = 0; bin < histogram_.bins; ++bin)
+        not_done->setPen(color);
+        not_done->setBrush(QBrush(color, Qt::BDiagPattern));
+        not_done->moveAbove(bars);
+        for (int bin = 0; bin < histogram_.bins; ++bin) {
             bars->addData(histogram_.middle(bin), one.counts[static_cast<std::size_t>(bin)]);
+            if (const int more = one.not_done[static_cast<std::size_t>(bin)]; more > 0)
+                not_done->addData(histogram_.middle(bin), more);
+        }
     }
     if (histogram_.bins > 0) {
         const CampaignMetric& metric = table_.metrics()[static_cast<std::size_t>(metric_->currentIndex())];
@@ -119,6 +127,8 @@ void HistogramView::writeLegend() {
                      .arg(plotLineColor(i++, currentTheme()).name(), one.variant.toHtmlEscaped());
         unknown += one.unknown;
     }
+    if (histogram_.anyNotDone())
+        parts << tr("hatched: runs that were not done");
     if (unknown > 0)
         parts << tr("%1 runs without this figure").arg(unknown);
     legend_->setText(parts.join(QStringLiteral("&nbsp;&nbsp; ")));

@@ -179,8 +179,8 @@ std::vector<ComparedRow> compared(const std::vector<RunFigures>& runs) {
 }
 
 QString titleOf(const RunFigures& run) {
-    const QString file = QFileInfo(run.path).completeBaseName();
-    return run.mission.isEmpty() ? file : run.mission + u'\n' + file;
+    const QString name = run.title.isEmpty() ? QFileInfo(run.path).completeBaseName() : run.title;
+    return run.mission.isEmpty() ? name : run.mission + u'\n' + name;
 }
 
 } // namespace usar::widgets

@@ -13,6 +13,7 @@ namespace usar::widgets {
 /// What a summary tells of a run; what it does not tell is absent. The keys of the file are in run_summary.h.
 struct RunFigures {
     QString path{};     ///< of the summary
+    QString title{};    ///< what it is known by to whoever compares it, such as its variant; empty: by its file
     QString mission{};  ///< its name; empty: unknown
     QString behavior{}; ///< its id; empty: unknown
     std::optional<bool> success{};
@@ -48,7 +49,7 @@ struct ComparedRow {
 
 /// The rows are always the same, also if no run knows the figure.
 std::vector<ComparedRow> compared(const std::vector<RunFigures>& runs);
-/// "Quick scan", and the name of the file, because missions are flown more than once.
+/// "Quick scan", and the run's title or the name of its file, because missions are flown more than once.
 QString titleOf(const RunFigures& run);
 
 } // namespace usar::widgets

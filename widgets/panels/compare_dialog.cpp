@@ -90,10 +90,11 @@ void CompareDialog::choose() {
                 [this](const QString& path) { add(path); });
 }
 
-void CompareDialog::add(const QString& summary) {
-    pool_.start([this, summary] {
+void CompareDialog::add(const QString& summary, const QString& title) {
+    pool_.start([this, summary, title] {
         Read read{readRun(summary), {}, {}};
         if (read.run) {
+            read.run->title = title;
             read.picture = pictureOf(read.run->picture);
             read.heights = readHeights(summary);
         }
@@ -233,12 +234,12 @@ void CompareDialog::compareMaps() {
     });
 }
 
-void compareRuns(QWidget* parent, const QString& path) {
+void compareRuns(QWidget* parent, const QString& path, const QString& title) {
     auto* dialog = parent->findChild<CompareDialog*>(QString(), Qt::FindDirectChildrenOnly);
     if (!dialog)
         dialog = new CompareDialog(parent);
     if (path.endsWith(QStringLiteral(".json")))
-        dialog->add(path);
+        dialog->add(path, title);
     else // The folder of the results, which the first mission makes.
         dialog->setFolder(path);
     showInFront(dialog);

@@ -26,8 +26,8 @@ public:
     explicit CompareDialog(QWidget* parent = nullptr);
 
     /// Adds the run with this summary (.json); one that is shown already is read again. A file that is none is named
-    /// with what to do instead.
-    void add(const QString& summary);
+    /// with what to do instead. `title`: what the run is shown as; empty: the name of its file.
+    void add(const QString& summary, const QString& title = {});
     /// Takes all runs out of the table.
     void clear();
     /// Folder in which files are chosen until a run was added.
@@ -79,7 +79,7 @@ private:
 };
 
 /// Shows the dialog beside `parent`, or raises the open one, and returns at once. `path`: a summary to add, or the
-/// folder in which to choose.
-void compareRuns(QWidget* parent, const QString& path);
+/// folder in which to choose. `title`: what the run is shown as; empty: the name of its file.
+void compareRuns(QWidget* parent, const QString& path, const QString& title = {});
 
 } // namespace usar::widgets

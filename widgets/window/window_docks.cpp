@@ -54,17 +54,20 @@ void WindowDocks::addCommand(QDockWidget* dock) {
         dock->show();
         dock->raise();
         if (opens && dock->widget() == views_.relief)
-            giveReliefRoom(dock);
+            giveRoom(dock, 0.5);
+        if (opens && dock->widget() == views_.campaign)
+            giveRoom(dock, 0.45); // A table with a head needs it.
     });
     connect(dock, &QDockWidget::visibilityChanged, shown, [dock, shown] { shown->setChecked(!dock->isHidden()); });
 }
 
-void WindowDocks::giveReliefRoom(QDockWidget* dock) {
+void WindowDocks::giveRoom(QDockWidget* dock, double part) {
     if (dock->isFloating() || window_.dockWidgetArea(dock) != Qt::BottomDockWidgetArea)
         return;
-    const int half_px = (window_.centralWidget()->height() + dock->height()) / 2;
-    if (dock->height() < half_px)
-        window_.resizeDocks({dock}, {half_px}, Qt::Vertical);
+    const int whole_px = window_.centralWidget()->height() + dock->height();
+    const int wanted_px = static_cast<int>(std::lround(part * whole_px));
+    if (dock->height() < wanted_px)
+        window_.resizeDocks({dock}, {wanted_px}, Qt::Vertical);
 }
 
 void WindowDocks::wire() {

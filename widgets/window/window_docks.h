@@ -42,8 +42,9 @@ private:
     /// fraction of the height.
     void addLayout(const char* id, QDockWidget* raised, double bottom_part);
     void addCommand(QDockWidget* dock);
-    /// A sight of the map needs more height than a list: half of what it shares with the map.
-    void giveReliefRoom(QDockWidget* dock);
+    /// A sight of the map, or a table with its head, needs more height than a list: at least this part of what it
+    /// shares with the map.
+    void giveRoom(QDockWidget* dock, double part);
     void resizeToScreen();
     void arrange(QDockWidget* raised, double bottom_part);
     /// Makes the list of robots as tall as its robots need, as long as the docks below it keep enough.

@@ -123,8 +123,19 @@ private slots:
         QCOMPARE(histogram.from, 10.0);
         QCOMPARE(histogram.bins, 4);
         QCOMPARE(histogram.middle(0), 15.0);
-        QCOMPARE(histogram.variants, (std::vector<VariantCounts>{{"A", {1, 1, 0, 0}, 0}, {"B", {1, 0, 0, 1}, 1}}));
+        QCOMPARE(histogram.variants, (std::vector<VariantCounts>{{"A", {1, 1, 0, 0}, {0, 0, 0, 0}, 0},
+                                                                 {"B", {1, 0, 0, 1}, {0, 0, 0, 0}, 1}}));
         QCOMPARE(histogram.highest(), 1);
+        QVERIFY(!histogram.anyNotDone());
+    }
+
+    void whatWasNotDoneIsCountedApart() {
+        const RunHistogram histogram =
+            histogramOf({run(0, "A", 10.0), run(1, "A", 12.0, false), run(2, "A", 30.0, false)}, 0, 3);
+        QCOMPARE(histogram.variants.front().counts, (std::vector<int>{1, 0, 0}));
+        QCOMPARE(histogram.variants.front().not_done, (std::vector<int>{1, 0, 1}));
+        QCOMPARE(histogram.highest(), 2);
+        QVERIFY(histogram.anyNotDone());
     }
 
     void everyKnownRunIsCountedOnceAndBinsStayFew_data() {
@@ -164,6 +175,7 @@ private slots:
         using enum CampaignState;
         QTest::newRow("no campaign") << CampaignProgress{} << "";
         QTest::newRow("begins") << CampaignProgress{.state = Running} << "counting the runs…";
+        QTest::newRow("was refused") << CampaignProgress{.state = Stopped} << "no runs";
         QTest::newRow("on its way") << CampaignProgress{.state = Running, .runs = 40, .done = 10, .rate_hz = 0.5}
                                     << "10 of 40 runs · 0.5 runs/s · 1:00 left";
         QTest::newRow("with failures")

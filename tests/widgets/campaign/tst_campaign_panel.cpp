@@ -142,6 +142,44 @@ private slots:
         QCOMPARE(chosen.back().front().toInt(), 1);
     }
 
+    void twoRowsCanBeSelectedToBeCompared() {
+        fill(*panel_, 4);
+        panel_->showPage(CampaignPanel::Runs);
+        RunsView& runs = *panel_->runs();
+        QSignalSpy changed(&runs, &RunsView::currentChanged);
+        runs.view()->selectRow(3);
+        QCOMPARE(runs.selectedRuns(), std::vector<int>{3});
+        runs.view()->selectionModel()->select(runs.view()->model()->index(1, 0),
+                                              QItemSelectionModel::Select | QItemSelectionModel::Rows);
+        QCOMPARE(runs.selectedRuns(), (std::vector<int>{1, 3}));
+        QVERIFY(changed.size() >= 2);
+    }
+
+    void theMenuOfARowOffersAllOtherVariants() {
+        fill(*panel_, 4);
+        panel_->showPage(CampaignPanel::Runs);
+        RunsView& runs = *panel_->runs();
+        runs.view()->selectRow(0);
+        QSignalSpy chosen(&runs, &RunsView::partnerChosen);
+        const auto offers = [&] {
+            QStringList words;
+            const std::unique_ptr<QMenu> menu(runs.makeRowMenu());
+            for (const QMenu* const inner : menu->findChildren<QMenu*>())
+                for (QAction* const action : inner->actions()) {
+                    words << action->text();
+                    if (action->text() == "Fine")
+                        action->trigger();
+                }
+            return words;
+        };
+        runs.setPartners({{1, "POSH"}});
+        QCOMPARE(offers(), QStringList()); // The command itself compares with the only one.
+        runs.setPartners({{1, "POSH"}, {2, "Fine"}});
+        QCOMPARE(offers(), (QStringList{"POSH", "Fine"}));
+        QCOMPARE(chosen.size(), 1);
+        QCOMPARE(chosen.front().front().toInt(), 2);
+    }
+
     void onlyWhatIsNotDoneCanBeListed() {
         fill(*panel_, 4);
         panel_->showPage(CampaignPanel::Runs);
@@ -151,6 +189,32 @@ private slots:
         QCOMPARE(panel_->runs()->view()->model()->rowCount(), 4);
         QTest::keyClicks(namedPart<QLineEdit>(*panel_->runs(), "Filter runs"), "POSH");
         QCOMPARE(panel_->runs()->view()->model()->rowCount(), 2);
+    }
+
+    void aFilterThatFindsNothingSaysSo() {
+        RunsView& runs = *panel_->runs();
+        panel_->showPage(CampaignPanel::Runs);
+        fill(*panel_, 4);
+        QVERIFY(!runs.emptyState()->isVisible());
+        QTest::keyClicks(namedPart<QLineEdit>(runs, "Filter runs"), "lisp");
+        QVERIFY(runs.emptyState()->isVisible());
+        QCOMPARE(runs.emptyState()->accessibleName(), QString("No run has all of these words"));
+        namedPart<QLineEdit>(runs, "Filter runs")->clear();
+        QVERIFY(!runs.emptyState()->isVisible());
+        panel_->table().begin({});
+        QCOMPARE(runs.emptyState()->accessibleName(), QString("No runs yet"));
+    }
+
+    void aLongerVariantWidensItsColumn() {
+        panel_->showPage(CampaignPanel::Runs);
+        fill(*panel_, 2);
+        const int before_px = panel_->runs()->view()->columnWidth(RunTable::Variant);
+        panel_->table().append({{.number = 9, .variant = "C++, Scan altitude 12.5", .figures = {1.0}}});
+        const int after_px = panel_->runs()->view()->columnWidth(RunTable::Variant);
+        QVERIFY(after_px > before_px);
+        QVERIFY(after_px > panel_->runs()->view()->fontMetrics().horizontalAdvance("C++, Scan altitude 12.5"));
+        panel_->table().append({{.number = 10, .variant = QString(200, 'w'), .figures = {1.0}}});
+        QVERIFY(panel_->runs()->view()->columnWidth(RunTable::Variant) <= 320);
     }
 
     void theHistogramFollowsTheTableWhileItIsSeen() {
@@ -182,6 +246,25 @@ private slots:
         QCOMPARE(chosen.size(), 0);
         emit list.tree()->itemActivated(list.tree()->topLevelItem(1)->child(1), 0);
         QCOMPARE(chosen.front().front().toInt(), 4);
+    }
+
+    void runsOfACauseStandBelowTheirPlaces() {
+        CauseList& list = *panel_->causes();
+        const QString here = "around x 5 m, y 5 m";
+        list.setCauses(
+            {{"It fell.", "3 \u00d7 C++", {{1, "Run 1", "So.", here}, {2, "Run 2", "So.", here}, {3, "Run 3", "So."}}}},
+            true);
+        const QTreeWidgetItem* const cause = list.tree()->topLevelItem(0);
+        QCOMPARE(cause->childCount(), 3); // The first counts the variants.
+        QCOMPARE(cause->child(1)->text(0), here);
+        QCOMPARE(cause->child(1)->text(1), QString("2"));
+        QCOMPARE(cause->child(1)->childCount(), 2);
+        QCOMPARE(cause->child(2)->text(0), QString("at a place that is not known"));
+        QSignalSpy chosen(&list, &CauseList::runChosen);
+        emit list.tree()->itemActivated(cause->child(1), 0);
+        QCOMPARE(chosen.size(), 0);
+        emit list.tree()->itemActivated(cause->child(1)->child(1), 0);
+        QCOMPARE(chosen.front().front().toInt(), 2);
     }
 
     void theVerdictIsReadAsText() {

@@ -13,7 +13,10 @@ QString progressText(const CampaignProgress& progress) {
     if (progress.state == CampaignState::Closed)
         return {};
     QStringList parts;
-    parts << (progress.runs > 0 ? tr("%1 of %2 runs").arg(progress.done).arg(progress.runs) : tr("counting the runs…"));
+    const bool is_counting = progress.state == CampaignState::Running || progress.state == CampaignState::Stopping;
+    parts << (progress.runs > 0 ? tr("%1 of %2 runs").arg(progress.done).arg(progress.runs)
+              : is_counting     ? tr("counting the runs…")
+                                : tr("no runs"));
     if (progress.failures > 0)
         parts << tr("%1 not done").arg(progress.failures);
     if (progress.state == CampaignState::Running && progress.rate_hz > 0.0) {

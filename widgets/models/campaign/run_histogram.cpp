@@ -27,7 +27,8 @@ VariantCounts& countsOf(RunHistogram& histogram, const QString& variant) {
     if (found != histogram.variants.end())
         return *found;
     return histogram.variants.emplace_back(
-        VariantCounts{variant, std::vector<int>(static_cast<std::size_t>(histogram.bins), 0), 0});
+        VariantCounts{variant, std::vector<int>(static_cast<std::size_t>(histogram.bins), 0),
+                      std::vector<int>(static_cast<std::size_t>(histogram.bins), 0), 0});
 }
 
 } // namespace
@@ -35,9 +36,15 @@ VariantCounts& countsOf(RunHistogram& histogram, const QString& variant) {
 int RunHistogram::highest() const {
     int most = 0;
     for (const VariantCounts& one : variants)
-        for (const int count : one.counts)
-            most = std::max(most, count);
+        for (std::size_t bin = 0; bin < one.counts.size(); ++bin)
+            most = std::max(most, one.counts[bin] + one.not_done[bin]);
     return most;
+}
+
+bool RunHistogram::anyNotDone() const {
+    return std::ranges::any_of(variants, [](const VariantCounts& one) {
+        return std::ranges::any_of(one.not_done, [](int count) { return count > 0; });
+    });
 }
 
 RunHistogram histogramOf(const std::vector<CampaignRun>& runs, std::size_t metric, int most_bins) {
@@ -59,7 +66,8 @@ RunHistogram histogramOf(const std::vector<CampaignRun>& runs, std::size_t metri
         VariantCounts& counts = countsOf(histogram, run.variant);
         if (const auto value = valueOf(run, metric)) {
             const int bin = static_cast<int>(std::floor((*value - histogram.from) / histogram.width));
-            ++counts.counts[static_cast<std::size_t>(std::clamp(bin, 0, histogram.bins - 1))];
+            ++(run.done ? counts.counts
+                        : counts.not_done)[static_cast<std::size_t>(std::clamp(bin, 0, histogram.bins - 1))];
         } else {
             ++counts.unknown;
         }

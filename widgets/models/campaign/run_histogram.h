@@ -12,8 +12,9 @@ namespace usar::widgets {
 /// The runs of one variant, counted.
 struct VariantCounts {
     QString variant;
-    std::vector<int> counts; ///< There is one for each bin.
-    int unknown = 0;         ///< These runs have no such figure.
+    std::vector<int> counts;   ///< There is one for each bin, of the runs that were done.
+    std::vector<int> not_done; ///< The same of those that were not.
+    int unknown = 0;           ///< These runs have no such figure.
     bool operator==(const VariantCounts&) const = default;
 };
 
@@ -26,7 +27,9 @@ struct RunHistogram {
 
     /// The middle of a bin, in the metric's unit.
     double middle(int bin) const { return from + (bin + 0.5) * width; }
+    /// The most runs of one variant in one bin, done or not.
     int highest() const;
+    bool anyNotDone() const;
     bool operator==(const RunHistogram&) const = default;
 };
 

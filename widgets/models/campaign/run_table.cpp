@@ -72,7 +72,7 @@ QVariant RunTable::data(const QModelIndex& index, int role) const {
     case Qt::DisplayRole:
         return textOf(run, index.column());
     case Qt::ToolTipRole:
-        return index.column() == reasonColumn() ? run.reason : QVariant();
+        return index.column() == reasonColumn() ? run.reason : index.column() == Variant ? run.variant : QVariant();
     case Qt::TextAlignmentRole:
         return static_cast<int>((is_text ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
     case Qt::ForegroundRole:
