@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <map>
 
 #include <QClipboard>
 #include <QDesktopServices>
@@ -24,17 +23,6 @@ namespace usar::app {
 namespace {
 
 const QString campaign_filter = QStringLiteral("Campaigns (*.json)");
-
-/// "C++ 3, POSH 1"
-QString countsText(const std::vector<campaign::RunResult>& results, const std::vector<std::size_t>& indices) {
-    std::map<std::string, int> counts;
-    for (const std::size_t index : indices)
-        ++counts[results[index].variant];
-    QStringList parts;
-    for (const auto& [variant, count] : counts)
-        parts << QString::fromStdString(variant) + ' ' + QString::number(count);
-    return parts.join(", ");
-}
 
 QString summaryOf(const campaign::Campaign& campaign, const QString& path) {
     qint64 runs = 0;
@@ -61,7 +49,7 @@ void CampaignDesk::registerCommands() {
             showProgress();
         });
     add(
-        "campaign.resume", [this, idle] { return idle() && !file_.isEmpty() && !complete(); }, [this] { resume(); });
+        "campaign.resume", [this, idle] { return idle() && resumable() && !complete(); }, [this] { resume(); });
     add("campaign.open", idle, [this] {
         widgets::askForFile(window_, tr("Open campaign"), server::campaignsFolder(), campaign_filter,
                             [this](const QString& path) { openFile(path); });
@@ -78,17 +66,16 @@ void CampaignDesk::registerCommands() {
         });
     add("campaign.fly", row, [this] { flyRun(currentRun()->number); });
     add(
-        "campaign.fly_pair",
+        "campaign.fly_pair", [this] { return !flights_.flyingPair() && chosenPair().second; },
         [this] {
-            const campaign::RunResult* const run = currentRun();
-            return run && !flights_.flyingPair() && results_.partnerOf(*run);
-        },
-        [this] { flyPair(); });
+            const auto [first, second] = chosenPair();
+            flyPair(first, second);
+        });
     add("campaign.copy", row, [this] { copyCommand(); });
     add(
         "campaign.report",
         [this, idle] {
-            return idle() && results_.head().variants.size() > 1 && !results_.results().empty() &&
+            return idle() && !results_.head().variants.isEmpty() && !results_.results().empty() &&
                    report_.state() == QProcess::NotRunning;
         },
         [this] { writeReport(); });
@@ -116,7 +103,14 @@ void CampaignDesk::wire() {
     });
     connect(panel().runs(), &widgets::RunsView::runChosen, this, &CampaignDesk::flyRun);
     connect(panel().causes(), &widgets::CauseList::runChosen, this, &CampaignDesk::flyRun);
-    connect(panel().runs(), &widgets::RunsView::currentChanged, &commands_, &widgets::CommandRegistry::refresh);
+    connect(panel().runs(), &widgets::RunsView::currentChanged, this, [this] {
+        offerPartners();
+        commands_.refresh();
+    });
+    connect(panel().runs(), &widgets::RunsView::partnerChosen, this, [this](int number) {
+        if (!flights_.flyingPair())
+            flyPair(currentRun(), results_.result(number));
+    });
     connect(&flights_, &RunFlights::pairChanged, &commands_, &widgets::CommandRegistry::refresh);
     wireResults();
     choices_due_.setInterval(std::chrono::milliseconds(500)); // Many parts of the window set up a mission.
@@ -129,7 +123,10 @@ void CampaignDesk::wire() {
 
 void CampaignDesk::wireResults() {
     connect(&process_, &campaign::CampaignProcess::ended, this, &CampaignDesk::takeEnd);
-    connect(&results_, &CampaignResults::begun, this, &CampaignDesk::showProgress);
+    connect(&results_, &CampaignResults::begun, this, [this] {
+        showProgress();
+        commands_.refresh();
+    });
     connect(&results_, &CampaignResults::came, this, &CampaignDesk::takeResults);
     connect(&results_, &CampaignResults::failed, this,
             [this](const QString& sentence) { panel().setTrouble(sentence); });
@@ -162,8 +159,12 @@ void CampaignDesk::wireResults() {
 }
 
 Result<CampaignBasis> CampaignDesk::basis() const {
+    if (control_.level().isEmpty())
+        return failure("there is no world to fly in: a replay has none, and no simulator is connected", {},
+                       "Connect to one first, or open a campaign's file");
     CampaignBasis basis;
-    auto mission = mission_.setUpNow(server::worldTitle(control_.level()).toStdString());
+    const std::string name = mission_.name();
+    auto mission = mission_.setUpNow(name.empty() ? server::worldTitle(control_.level()).toStdString() : name);
     if (!mission)
         return tl::unexpected(mission.error());
     basis.mission = *std::move(mission);
@@ -307,6 +308,7 @@ void CampaignDesk::takeResults(const std::vector<campaign::RunResult>& results) 
     }
     judged_ = false;
     panel().table().append(rows);
+    offerPartners();
     if (!causes_due_.isActive())
         causes_due_.start();
     showProgress();
@@ -318,6 +320,11 @@ void CampaignDesk::takeEnd(const QString& trouble) {
     stopping_ = judged_ = false;
     showProgress();
     commands_.refresh();
+}
+
+/// Before the runs are counted there is nothing to go on with; what is wrong with the file is mended in the file.
+bool CampaignDesk::resumable() const {
+    return !file_.isEmpty() && results_.head().runs > 0;
 }
 
 bool CampaignDesk::complete() const {
@@ -332,7 +339,7 @@ void CampaignDesk::showProgress() {
                                        .runs = results_.head().runs,
                                        .done = done,
                                        .failures = failures_,
-                                       .can_resume = !file_.isEmpty()};
+                                       .can_resume = resumable()};
     if (process_.running())
         progress.state = stopping_ ? Stopping : Running;
     else if (!results_.folder().isEmpty())
@@ -349,14 +356,14 @@ void CampaignDesk::showCauses() {
         const QString reason = QString::fromStdString(cause.reason);
         const bool is_usual = cause.outcome == campaign::Outcome::Failed;
         widgets::CauseRow row{is_usual ? reason : campaign::wordOf(cause.outcome) + ": " + reason,
-                              countsText(results, cause.indices),
+                              QString::fromStdString(campaign::variantCounts(results, cause.indices)),
                               {}};
-        for (const std::size_t index : cause.indices) {
-            const campaign::RunResult& run = results[index];
+        for (std::size_t i = 0; i < cause.indices.size(); ++i) {
+            const campaign::RunResult& run = results[cause.indices[i]];
             row.runs.push_back(
                 {run.number,
                  tr("Run %1, %2, seed %3").arg(run.number).arg(QString::fromStdString(run.variant)).arg(run.seed),
-                 QString::fromStdString(run.reason)});
+                 QString::fromStdString(run.reason), QString::fromStdString(cause.places[i])});
         }
         rows.push_back(std::move(row));
     }
@@ -373,10 +380,28 @@ void CampaignDesk::flyRun(int number) {
         flights_.fly(*run, results_.folder());
 }
 
-void CampaignDesk::flyPair() {
-    const campaign::RunResult* const run = currentRun();
-    const campaign::RunResult* const partner = run ? results_.partnerOf(*run) : nullptr;
-    if (!partner)
+CampaignDesk::RunsOfSeed CampaignDesk::chosenPair() const {
+    const std::vector<int> selected = panel().runs()->selectedRuns();
+    if (selected.size() == 2) {
+        const campaign::RunResult* const first = results_.result(selected[0]);
+        const campaign::RunResult* const second = results_.result(selected[1]);
+        return first && second && first->pair == second->pair ? RunsOfSeed{first, second} : RunsOfSeed{};
+    }
+    const campaign::RunResult* const run = selected.size() == 1 ? currentRun() : nullptr;
+    const auto partners = run ? results_.partnersOf(*run) : std::vector<const campaign::RunResult*>();
+    return partners.empty() ? RunsOfSeed{} : RunsOfSeed{run, partners.front()};
+}
+
+void CampaignDesk::offerPartners() {
+    std::vector<widgets::RunPartner> offers;
+    if (const campaign::RunResult* const run = currentRun())
+        for (const campaign::RunResult* const partner : results_.partnersOf(*run))
+            offers.push_back({partner->number, QString::fromStdString(partner->variant)});
+    panel().runs()->setPartners(offers);
+}
+
+void CampaignDesk::flyPair(const campaign::RunResult* run, const campaign::RunResult* partner) {
+    if (!run || !partner)
         return;
     const bool in_order = run->number < partner->number; // The first variant comes first, whichever row was chosen.
     flights_.flyPair(in_order ? *run : *partner, in_order ? *partner : *run, results_.folder());

@@ -47,12 +47,20 @@ private:
     void begin(const QString& folder);
     void takeResults(const std::vector<campaign::RunResult>& results);
     void takeEnd(const QString& trouble);
+    /// True if the campaign's file is known, and its runs.
+    bool resumable() const;
     /// True if every run has a result.
     bool complete() const;
     void showProgress();
     void showCauses();
     void flyRun(int number);
-    void flyPair();
+    /// Two runs of one seed; null where there is none.
+    using RunsOfSeed = std::pair<const campaign::RunResult*, const campaign::RunResult*>;
+    /// The two that are selected, or the one that is and that of the first other variant.
+    RunsOfSeed chosenPair() const;
+    /// The menu of the current row offers the other variants of its seed.
+    void offerPartners();
+    void flyPair(const campaign::RunResult* run, const campaign::RunResult* partner);
     void copyCommand();
     void writeReport();
     void complain(const Error& error);

@@ -48,7 +48,9 @@ Judgement judgeFolder(const QString& folder) {
     if (!figures)
         return without(figures.error());
     if (figures->variants.size() < 2)
-        return {{}, CampaignResults::tr("The campaign has only one variant; there is nothing to compare it with.")};
+        return {{},
+                CampaignResults::tr("The campaign has only one variant; there is nothing to compare it with. The "
+                                    "report shows its figures.")};
     const std::string& baseline = figures->variants.front();
     const std::vector<campaign::Candidate> candidates = campaign::candidatesFor(baseline, *figures);
     std::vector<std::string> comparable; // All are compared together, as in the report.
@@ -103,12 +105,13 @@ const campaign::RunResult* CampaignResults::result(int number) const {
     return found == results_.end() ? nullptr : &*found;
 }
 
-const campaign::RunResult* CampaignResults::partnerOf(const campaign::RunResult& run) const {
-    const campaign::RunResult* partner = nullptr;
+std::vector<const campaign::RunResult*> CampaignResults::partnersOf(const campaign::RunResult& run) const {
+    std::vector<const campaign::RunResult*> partners;
     for (const campaign::RunResult& other : results_)
-        if (other.pair == run.pair && other.number != run.number && (!partner || other.number < partner->number))
-            partner = &other;
-    return partner;
+        if (other.pair == run.pair && other.number != run.number)
+            partners.push_back(&other);
+    std::ranges::sort(partners, {}, &campaign::RunResult::number);
+    return partners;
 }
 
 void CampaignResults::look() {

@@ -34,8 +34,8 @@ public:
     const std::vector<campaign::RunResult>& results() const { return results_; }
     /// The result of a run; nullptr if there is none yet.
     const campaign::RunResult* result(int number) const;
-    /// The run of the same seed with another variant: the first one that was flown; nullptr if there is none yet.
-    const campaign::RunResult* partnerOf(const campaign::RunResult& run) const;
+    /// The runs of the same seed with the other variants, in the order of their numbers.
+    std::vector<const campaign::RunResult*> partnersOf(const campaign::RunResult& run) const;
     const CampaignHead& head() const { return head_; }
     /// Compares the variants in a pool thread; `judged` follows.
     void judge();

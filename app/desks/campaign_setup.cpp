@@ -8,7 +8,6 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
-#include "core/campaign/plan/campaign_choices.h"
 #include "core/campaign/plan/campaign_writer.h"
 #include "core/campaign/plan/manifest.h"
 #include "widgets/models/parameter_display.h"
@@ -67,17 +66,18 @@ Result<std::vector<const agent::BehaviorDescription*>> chosenBehaviors(const Cam
 Result<void> choose(campaign::CampaignChoices& choices, const CampaignBasis& basis,
                     const std::vector<const agent::BehaviorDescription*>& chosen, const widgets::CampaignWish& wish) {
     if (!wish.parameter.isEmpty()) {
-        auto values = campaign::readValues(wish.values);
+        const auto* behavior = behaviorOf(basis.robot, basis.mission.behavior);
+        const auto spec =
+            std::ranges::find(behavior->parameters, wish.parameter.toStdString(), &agent::ParameterSpec::id);
+        const bool is_known = spec != behavior->parameters.end();
+        auto values = campaign::readValues(wish.values, is_known ? valueWordsOf(*spec) : campaign::ValueWords());
         if (!values)
             return tl::unexpected(values.error());
         if (values->empty())
             return failure("there is no value of the parameter", "Values", "Write them as 3, 4.5, 6");
         choices.values = *std::move(values);
         choices.parameter = (parameter_path + wish.parameter).toStdString();
-        const auto* behavior = behaviorOf(basis.robot, basis.mission.behavior);
-        const auto spec =
-            std::ranges::find(behavior->parameters, wish.parameter.toStdString(), &agent::ParameterSpec::id);
-        choices.parameter_title = spec == behavior->parameters.end() ? wish.parameter.toStdString() : spec->label;
+        choices.parameter_title = is_known ? spec->label : wish.parameter.toStdString();
         for (const auto* one : chosen)
             if (!has(*one, wish.parameter.toStdString()))
                 return failure(one->name + " has no parameter " + choices.parameter_title, "Parameter",
@@ -124,9 +124,14 @@ std::vector<widgets::CampaignParameter> parametersOf(const agent::BehaviorDescri
         const agent::ParameterValue value = set == mission.parameters.end() ? spec.default_value : set->second;
         parameters.push_back({QString::fromStdString(spec.id), QString::fromStdString(spec.label),
                               widgets::displayUnit(spec.unit).text,
-                              widgets::valueText(spec, value).section(' ', 0, 0)});
+                              widgets::valueText(spec, value).section(QChar(0x00a0), 0, 0)}); // without its unit
     }
     return parameters;
+}
+
+campaign::ValueWords valueWordsOf(const agent::ParameterSpec& spec) {
+    const widgets::DisplayUnit unit = widgets::displayUnit(spec.unit);
+    return {unit.text, QString::fromStdString(spec.minimum_words), spec.minimum * unit.factor};
 }
 
 Result<CampaignFiles> campaignFiles(const CampaignBasis& basis, const widgets::CampaignWish& wish,

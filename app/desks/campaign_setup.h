@@ -5,6 +5,7 @@
 
 #include "core/agent/robot_plugin.h"
 #include "core/campaign/plan/campaign.h"
+#include "core/campaign/plan/campaign_choices.h"
 #include "core/mission/files/mission_file.h"
 #include "widgets/campaign/campaign_form.h"
 
@@ -16,6 +17,9 @@ std::vector<widgets::CampaignBehavior> behaviorsOf(const agent::RobotDescription
 /// Numbers of a behavior that can be varied, with the mission's values in the units that people type.
 std::vector<widgets::CampaignParameter> parametersOf(const agent::BehaviorDescription& behavior,
                                                      const mission::Mission& mission);
+
+/// What may be typed beside a value of the parameter, or in its place.
+campaign::ValueWords valueWordsOf(const agent::ParameterSpec& spec);
 
 /// A campaign is made from these parts of what is set up in the window.
 struct CampaignBasis {

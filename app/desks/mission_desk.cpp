@@ -115,6 +115,7 @@ void MissionDesk::setUp(const mission::Mission& mission) {
                                         {"this behavior does not drive the mission's robot", mission.robot_class,
                                          "Name the robot that " + mission.behavior + " is for"}));
     task_.setUp(mission, *prepared);
+    last_ = mission;
     notices_.cure("mission");
     if (const std::string beyond = mission::beyondWorldNotice(mission.area_in_map, control_.world().extent_in_map);
         !beyond.empty())
@@ -158,6 +159,12 @@ Result<mission::Mission> MissionDesk::setUpNow(const std::string& name) const {
     mission.start = !robot() && has_start ? start_ : mission::startName(poses, robot(), mission.start);
     mission.isolate = task_.isolated();
     return mission;
+}
+
+std::string MissionDesk::name() const {
+    const bool is_same = last_ && task_.complete() && task_.draft().mission().area_in_map == last_->area_in_map &&
+                         control_.level().toStdString() == last_->world;
+    return is_same ? last_->name : std::string();
 }
 
 void MissionDesk::saveMission(const QString& path) {

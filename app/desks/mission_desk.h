@@ -30,6 +30,8 @@ public:
     void saveMission(const QString& path);
     /// The task that is set up for the selected robot, as a mission of this name. The error says what is missing.
     Result<mission::Mission> setUpNow(const std::string& name) const;
+    /// Name of the mission that was set up last, if its area and its world are still those that are set up; else empty.
+    std::string name() const;
     /// Sets up a mission that waited for a plugin; call it when plugins have changed.
     void takePlugins();
     /// Flies what is left of a mission that was cut off, as soon as its world is there.
@@ -59,6 +61,7 @@ private:
     TaskDesk& task_;
     QString folder_ = server::missionsFolder(); ///< where the user looks for missions
     std::string start_; ///< start pose of the mission that was set up last, for a robot that is not there yet
+    std::optional<mission::Mission> last_; ///< It was set up last.
     std::optional<mission::Mission> awaiting_world_;
     std::optional<mission::Mission> awaiting_plugin_;
     std::vector<std::shared_ptr<const mission::RecordedScan>> rests_; ///< they wait for a link, or for their world

@@ -129,6 +129,7 @@ void RunFlights::flyPair(const campaign::RunResult& first, const campaign::RunRe
     for (std::size_t i = 0; i < 2; ++i) {
         Side& side = pair_->sides[i];
         side.variant = QString::fromStdString(runs[i]->variant);
+        side.title = tr("%1, seed %2").arg(side.variant).arg(runs[i]->seed);
         start(side, arguments[i], QDir(folder).filePath(QStringLiteral("again/%1").arg(runs[i]->number)));
     }
     notices_.note(
@@ -173,12 +174,12 @@ void RunFlights::showPair() {
             awaited_replays_[side.recording] = side.variant;
     for (const Side& side : pair->sides)
         if (awaited_replays_.contains(side.recording))
-            control_.openRecording(side.recording);
+            control_.openRecording(side.recording, {}, side.variant);
     if (auto* const dialog = window_->findChild<widgets::CompareDialog*>())
         dialog->clear();
     for (const Side& side : pair->sides)
         if (!side.summary.isEmpty())
-            widgets::compareRuns(window_, side.summary);
+            widgets::compareRuns(window_, side.summary, side.title);
 }
 
 void RunFlights::takeReplay(RobotId id) {

@@ -60,6 +60,7 @@ private:
     struct Side {
         campaign::RunProcess process;
         QString variant;
+        QString title;     ///< It tells the run from the other one: "POSH, seed 3".
         QString recording; ///< It is the path of a file.
         QString summary;   ///< It is the path of a file, and empty until the run has ended.
     };

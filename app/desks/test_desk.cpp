@@ -28,6 +28,11 @@ QString cautionsOf(const mission::FlightMoment& moment) {
                                  "will be others.");
     else if (!moment.flown.seed)
         cautions << TestDesk::tr("The seed of the simulator is not known, so noise and drift will be others.");
+    if (mission::isRepeatedRoughly(moment))
+        cautions << TestDesk::tr(
+                        "So heights have a meter of slack, and what must be seen once may be seen %1 s earlier "
+                        "or later.")
+                        .arg(mission::rough_slack.count());
     return cautions.join(' ');
 }
 

@@ -4,8 +4,10 @@
 #include <QJsonObject>
 #include <QTest>
 
+#include "app/desks/campaign_setup.h"
 #include "core/base/version.h"
 #include "core/campaign/runs/shard_file.h"
+#include "tests/doubles/two_flights.h"
 #include "tests/e2e/campaign_page.h"
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/e2e/scratch_files.h"
@@ -36,6 +38,8 @@ private slots:
     void runsComeAndOneFliesAgainAsItWas();
     void twoVariantsOfASeedAreShownBesideEachOther();
     void wrongInputIsSaidInTheDock();
+    void theSuggestedValuesCanBeTyped();
+    void aReplayAloneHasNoWorldToFlyIn();
 };
 
 void tst_WindowCampaign::runsComeAndOneFliesAgainAsItWas() {
@@ -88,6 +92,9 @@ void tst_WindowCampaign::twoVariantsOfASeedAreShownBesideEachOther() {
     dock.toggleBehavior("POSH");
     page.press("Run campaign");
     QVERIFY(dock.ends(2));
+    const auto labels = dock.panel().findChildren<QLabel*>();
+    QVERIFY(std::ranges::any_of(labels, [](const QLabel* label) { return label->text().startsWith("Small \u00b7 "); }));
+    QVERIFY2(dock.panel().height() >= 0.4 * page.window().centralWidget()->height(), "There is room for a table.");
     dock.clickRun(1);
     page.window().commands().action("campaign.fly_pair")->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(page.robot(2), flight_ms);
@@ -97,6 +104,13 @@ void tst_WindowCampaign::twoVariantsOfASeedAreShownBesideEachOther() {
     QTRY_VERIFY_WITH_TIMEOUT(compared && compared->runs().size() == 2, soon_ms);
     QCOMPARE(compared->runs()[0].behavior, QString("airrobot/cpp"));
     QCOMPARE(compared->runs()[1].behavior, QString("airrobot/posh"));
+    QCOMPARE(compared->runs()[0].title, QString("C++, seed 3"));
+    QCOMPARE(compared->runs()[1].title, QString("POSH, seed 3"));
+    QStringList names;
+    for (const int id : {1, 2})
+        names << QString::fromStdString(page.robot(id)->spawn.robot_name);
+    names.sort();
+    QCOMPARE(names, (QStringList{"C++ replay", "POSH replay"}));
     const auto differs = [&] {
         const auto labels = compared->findChildren<QLabel*>();
         return std::ranges::any_of(labels, [](const QLabel* label) { return label->text().contains("minus first"); });
@@ -128,6 +142,42 @@ void tst_WindowCampaign::wrongInputIsSaidInTheDock() {
     QTRY_VERIFY_WITH_TIMEOUT(says("Gone, from gone.json"), soon_ms);
     page.press("Run campaign");
     QTRY_VERIFY_WITH_TIMEOUT(dock.panel().trouble().contains("gone_m.json"), soon_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(says("no runs"), soon_ms);
+    QVERIFY(!page.window().commands().action("campaign.resume")->isEnabled()); // There is nothing to go on with.
+}
+
+void tst_WindowCampaign::theSuggestedValuesCanBeTyped() {
+    WindowPage page;
+    int suggested = 0;
+    for (const agent::RobotDescription& robot : page.window().control().plugins().kinds())
+        for (const agent::BehaviorDescription& behavior : robot.behaviors)
+            for (const widgets::CampaignParameter& one : app::parametersOf(behavior, {})) {
+                const auto spec =
+                    std::ranges::find(behavior.parameters, one.id.toStdString(), &agent::ParameterSpec::id);
+                const auto values = campaign::readValues(one.usual, app::valueWordsOf(*spec));
+                QVERIFY2(values && values->size() == 1, qPrintable(one.label + ": " + one.usual));
+                QVERIFY2(!one.usual.contains(QChar(0x00a0)), qPrintable(one.usual));
+                ++suggested;
+            }
+    QVERIFY(suggested > 10);
+}
+
+void tst_WindowCampaign::aReplayAloneHasNoWorldToFlyIn() {
+    const QTemporaryDir folder;
+    WindowPage page({.recording = fileIn(folder, "R1.usarrec", QByteArray::fromStdString(doubles::twoFlights()))});
+    QTRY_VERIFY_WITH_TIMEOUT(page.window().views().replay->isVisible(), soon_ms);
+    CampaignDock dock(page);
+    dock.open();
+    const auto says = [&](const QString& words) {
+        const auto labels = dock.panel().findChildren<QLabel*>();
+        return std::ranges::any_of(
+            labels, [&](const QLabel* label) { return label->isVisible() && label->text().contains(words); });
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(says("There is no world to fly in"), soon_ms);
+    page.press("Run campaign");
+    QVERIFY(says("There is no world to fly in"));
+    QVERIFY(!page.window().commands().action("campaign.resume")->isEnabled());
+    QVERIFY(!QDir(page.resultFolder() + "/campaigns").exists());
 }
 
 USAR_TEST(tst_WindowCampaign)

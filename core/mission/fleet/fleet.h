@@ -100,8 +100,9 @@ public:
     /// The limit holds for each recording, present or future. At first there is none.
     void setRecordingLimit(RecordingLimit limit_bytes);
     bool recording() const;
-    /// Opens a recording as a further robot, paused, which carries out `first`; `replayAdded` gives its id.
-    void openRecording(const QString& path, const ReplayOrder& first = {});
+    /// Opens a recording as a further robot, paused, which carries out `first`; `replayAdded` gives its id. It is named
+    /// as recorded, or after `title`.
+    void openRecording(const QString& path, const ReplayOrder& first = {}, const QString& title = {});
     /// Opens the live robot's recording at `moment` (protocol clock); the robot is not interrupted. An earlier replay
     /// that was opened for it in this way is closed.
     void lookBack(RobotId id, Seconds moment);

@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include <QMap>
 #include <QTimer>
 
 #include "core/mission/fleet/fleet.h"
@@ -51,6 +52,7 @@ struct Fleet::Private {
     Roster roster;
     std::unique_ptr<Robot> next; ///< connected, not spawned
     OpeningReplays opening;
+    QMap<QString, QString> replay_titles; ///< by path: what a recording is wanted to be named after
     std::map<ConnectionId, Seconds>
         wanted_moments;                    ///< by connection: moment to look back on, once the file contains it
     std::map<RobotId, TrueFigures> truths; ///< by robot id

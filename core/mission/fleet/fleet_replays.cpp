@@ -39,7 +39,9 @@ void Fleet::Private::record(Robot& robot, const SpawnRequest& as) {
          {"program", "mission-control"}});
 }
 
-void Fleet::openRecording(const QString& path, const ReplayOrder& first) {
+void Fleet::openRecording(const QString& path, const ReplayOrder& first, const QString& title) {
+    if (!title.isEmpty())
+        d_->replay_titles[QFileInfo(path).absoluteFilePath()] = title;
     d_->openReplay(path, {}, first);
 }
 
@@ -73,7 +75,9 @@ void Fleet::Private::addReplay(std::unique_ptr<Robot> robot, const RecordingFact
         return;
     }
     const RobotId id = roster.nextId();
-    robot->becomeReplay(id, roster.unusedName(replayNameOf(facts)), facts);
+    const QString title = replay_titles.take(robot->view().recording);
+    const QString name = title.isEmpty() ? replayNameOf(facts) : replayNameOf({{"robot", title.toStdString()}});
+    robot->becomeReplay(id, roster.unusedName(name), facts);
     const QString file = QFileInfo(robot->view().recording).fileName();
     roster.add(std::move(robot));
     emit q.cured("replay");
