@@ -74,6 +74,18 @@ private slots:
         QVERIFY2(unknown.err.contains("Lisp"), unknown.err);
     }
 
+    void aSingleVariantIsReportedWithoutAVerdict() {
+        folder_->write("one.json", "{ \"name\": \"One\", \"missions\": [\"small.json\"], \"seeds\": 2 }");
+        QCOMPARE(folder_->run({"campaign", "one.json", "--out", "results"}).exit_code, 0);
+        const ProgramFolder::Ended ended =
+            folder_->run({"compare", "results", "--json", "--html", "one.html", "--junit", "one.xml"});
+        QVERIFY2(ended.exit_code == 0, ended.err);
+        QCOMPARE(ended.summary["runs"].toInt(), 2);
+        for (const char* file : {"one.html", "one.xml"})
+            QVERIFY2(QFile(folder_->path(file)).size() > 300, file);
+        QCOMPARE(folder_->run({"compare", "results", "--candidate", "POSH"}).exit_code, 2);
+    }
+
     void allVariantsAreComparedWithTheFirst() {
         folder_->write("three.json", R"({ "name": "Three", "missions": ["small.json"], "seeds": 2, "variants": [
             { "name": "as written" }, { "name": "fast", "set": { "preset": "fast", "adjust": true } },
