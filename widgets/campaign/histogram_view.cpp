@@ -95,9 +95,10 @@ void HistogramView::drawBars() {
         const QColor color = plotLineColor(i++, currentTheme());
         auto* const bars = new QCPBars(plot_->xAxis, plot_->yAxis);
         auto* const not_done = new QCPBars(plot_->xAxis, plot_->yAxis); // They stand on those that were.
-        for (QCPBars* const part : {bars, not_done})
+        for (QCPBars* const part : {bars, not_done}) {
             part->setWidth(0.9 * histogram_.width / count);
-        bars->setBarsGroup(group);
+            part->setBarsGroup(group);
+        }
         bars->setPen(Qt::NoPen);
         bars->setBrush(color);
         not_done->setPen(color);
