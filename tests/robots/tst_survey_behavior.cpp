@@ -94,7 +94,7 @@ private slots:
         QCOMPARE(toy.robot().collisions(), 0);
         QVERIFY(toy.marks(MarkKind::Path).size() > 150);
         QCOMPARE(toy.marks(MarkKind::Landing).size(), std::size_t(1));
-        QVERIFY(toy.events().size() <= 2); // nothing went wrong
+        QVERIFY(toy.events().size() <= 3); // The outlook and the INS are told, and nothing else.
     }
 
     void commandsNothingThatTheRobotCannotDo() {
