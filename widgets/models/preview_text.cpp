@@ -23,7 +23,7 @@ QString together(QString text) {
 
 QString previewText(const agent::TaskPreview& preview) {
     return tr("%1 · %2 m · about %3")
-        .arg(together(QString::fromStdString(preview.summary)), figure(preview.length_m, 0),
+        .arg(QString::fromStdString(preview.summary), figure(preview.length_m, 0),
              together(durationText(preview.duration)));
 }
 
