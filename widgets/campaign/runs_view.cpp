@@ -156,6 +156,7 @@ void RunsView::showCount() {
     else
         nothing_->setText(tr("No run has all of these words"),
                           tr("They are looked for in number, variant, mission, seed, outcome and reason."));
+    nothing_->offerAction(all == 0); // A campaign that is opened would take the place of the one that is filtered.
     nothing_->setVisible(shown == 0);
     count_->setText(shown == all ? QString() : tr("%1 of %2").arg(shown).arg(all));
 }

@@ -34,13 +34,20 @@ void EmptyState::setText(const QString& title, const QString& hint) {
 
 void EmptyState::setAction(QAction* action, const char* role) {
     disconnect(clicked_); // Only this connection: the style also connects to every widget.
-    button_->setVisible(action != nullptr);
+    has_action_ = action != nullptr;
+    button_->setVisible(has_action_ && action_helps_);
     if (!action)
         return fit();
     setRole(button_, role);
     button_->setText(action->text());
     button_->setToolTip(action->toolTip());
     clicked_ = connect(button_, &QPushButton::clicked, action, &QAction::trigger);
+    fit();
+}
+
+void EmptyState::offerAction(bool helps) {
+    action_helps_ = helps;
+    button_->setVisible(has_action_ && action_helps_);
     fit();
 }
 

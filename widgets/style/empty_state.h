@@ -20,6 +20,8 @@ public:
     /// Shows a button that triggers `action` and has its text; nullptr hides it. The action must outlive this sheet.
     /// An action that is not what the view is for gets a plain button: `role` is empty.
     void setAction(QAction* action, const char* role = "primary");
+    /// Whether the action, if there is one, would make something appear as things are now; true at first.
+    void offerAction(bool helps);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -32,6 +34,8 @@ private:
     QLabel* title_ = new QLabel(this);
     QLabel* hint_ = mutedLabel({}, this);
     QPushButton* button_ = new QPushButton(this);
+    bool has_action_ = false;
+    bool action_helps_ = true;
     QMetaObject::Connection clicked_;
 };
 

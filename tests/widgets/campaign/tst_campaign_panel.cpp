@@ -194,15 +194,22 @@ private slots:
     void aFilterThatFindsNothingSaysSo() {
         RunsView& runs = *panel_->runs();
         panel_->showPage(CampaignPanel::Runs);
+        QAction open("Open sample campaign");
+        runs.emptyState()->setAction(&open);
+        const auto* const button = runs.emptyState()->findChild<QPushButton*>();
+        QVERIFY(button->isVisible()); // There is no run yet.
         fill(*panel_, 4);
         QVERIFY(!runs.emptyState()->isVisible());
         QTest::keyClicks(namedPart<QLineEdit>(runs, "Filter runs"), "lisp");
         QVERIFY(runs.emptyState()->isVisible());
         QCOMPARE(runs.emptyState()->accessibleName(), QString("No run has all of these words"));
+        QVERIFY(!button->isVisible());
         namedPart<QLineEdit>(runs, "Filter runs")->clear();
         QVERIFY(!runs.emptyState()->isVisible());
         panel_->table().begin({});
         QCOMPARE(runs.emptyState()->accessibleName(), QString("No runs yet"));
+        QVERIFY(button->isVisible());
+        runs.emptyState()->setAction(nullptr);
     }
 
     void aLongerVariantWidensItsColumn() {
