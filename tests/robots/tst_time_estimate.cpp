@@ -111,10 +111,12 @@ private slots:
         QCOMPARE(survey.plan().quadrants.size(), std::size_t(4));
         const double by_ins_s = TimeEstimate().whole(survey, Vec2::Zero(), 0.0, settings).time.mean;
         settings.transit_speed_m_s = 2.0; // in a hurry
-        QVERIFY(by_ins_s - TimeEstimate().whole(survey, Vec2::Zero(), 0.0, settings).time.mean > 3 * settings.recharge_time_s);
+        QVERIFY(by_ins_s - TimeEstimate().whole(survey, Vec2::Zero(), 0.0, settings).time.mean >
+                3 * settings.recharge_time_s);
         settings.transit_speed_m_s = Settings().transit_speed_m_s;
         settings.navigate_by_truth = true;
-        QVERIFY(by_ins_s - TimeEstimate().whole(survey, Vec2::Zero(), 0.0, settings).time.mean > 3 * settings.recharge_time_s);
+        QVERIFY(by_ins_s - TimeEstimate().whole(survey, Vec2::Zero(), 0.0, settings).time.mean >
+                3 * settings.recharge_time_s);
         settings = {};
     }
 
