@@ -18,7 +18,7 @@ std::vector<widgets::CampaignBehavior> behaviorsOf(const agent::RobotDescription
 std::vector<widgets::CampaignParameter> parametersOf(const agent::BehaviorDescription& behavior,
                                                      const mission::Mission& mission);
 
-/// What may be typed beside a value of the parameter, or in its place.
+/// The unit and the words that people may type beside a value of the parameter, or in its place.
 campaign::ValueWords valueWordsOf(const agent::ParameterSpec& spec);
 
 /// A campaign is made from these parts of what is set up in the window.

@@ -51,7 +51,7 @@ struct BehaviorContext {
     std::optional<PlanText> plan = {}; ///< replaces the plan that comes with the robot
 };
 
-/// What a task will probably take and reach, between good and bad ground.
+/// The ranges of what a task will probably take and reach, between good and bad ground.
 struct TaskOutlook {
     TimeRange duration;
     int least_sorties = 1; ///< take-offs from the base

@@ -34,7 +34,7 @@ std::vector<SingleFigure> figuresIn(const std::vector<RunFigures>& runs) {
     return figures;
 }
 
-/// Of the runs that say something of the variant.
+/// Counts the runs that were done, among those that say something of the variant.
 Count doneOf(const std::vector<RunFigures>& runs) {
     Count count;
     for (const RunFigures& run : runs) {
@@ -49,7 +49,7 @@ QString noteOf(const SingleReport& report) {
            ", so there is nothing to compare it with.";
 }
 
-/// What of the runs does not count.
+/// Says how many runs do not count, and why; empty if all do.
 QString notCounted(const SingleReport& report) {
     const std::size_t left_out = report.runs.size() - doneOf(report.runs).trials;
     return left_out == 0 ? QString()
@@ -85,7 +85,7 @@ void writeFigures(QXmlStreamWriter& xml, const SingleReport& report) {
           "note");
 }
 
-/// Of all missions, or of the one whose name is given.
+/// Returns the runs that count, of all missions or of the one whose name is given.
 VariantRuns countingRuns(const SingleReport& report, const std::optional<std::string>& mission = {}) {
     VariantRuns all{nameOf(report.runs.front().variant), {}};
     for (const RunFigures& run : report.runs)

@@ -38,7 +38,7 @@ struct CampaignChoices {
 /// Makes one variant for each behavior and each value of the parameter. Equal titles of behaviors get their ids added.
 Campaign campaignOf(const CampaignChoices& choices);
 
-/// What may stand beside a number or in its place.
+/// The unit and the words that may stand beside a number, or in its place.
 struct ValueWords {
     QString unit{};  ///< It may follow a number: "6 m".
     QString words{}; ///< They may stand for `value`: "by resolution".
