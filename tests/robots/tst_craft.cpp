@@ -310,6 +310,50 @@ private slots:
         QVERIFY(craft->overhead.limit_m(aim_m) < 17.0);
     }
 
+    /// A robot that knew no tree on its way flew into a wood at the height of the crowns, and climbed into one
+    /// (`quick_scan`, seed 411, by POSH).
+    void expectsTreesAsHighAsThoseThatItHasSeen_data() {
+        QTest::addColumn<double>("transit_m_s");
+        QTest::addColumn<double>("top_m");
+        QTest::addColumn<double>("away_m");
+        QTest::addColumn<bool>("knows_way");
+        QTest::addColumn<bool>("climbs");
+        QTest::newRow("in a hurry, by tall trees") << 2.0 << 24.0 << 18.0 << false << true;
+        QTest::newRow("in a hurry, by low trees") << 2.0 << 17.0 << 18.0 << false << false;
+        QTest::newRow("in a hurry, by tall trees far away") << 2.0 << 24.0 << 45.0 << false << false;
+        QTest::newRow("in a hurry, where it has been") << 2.0 << 24.0 << 18.0 << true << false;
+        QTest::newRow("in no hurry") << 1.0 << 24.0 << 18.0 << false << false;
+    }
+    void expectsTreesAsHighAsThoseThatItHasSeen() {
+        QFETCH(double, transit_m_s);
+        QFETCH(double, top_m);
+        QFETCH(double, away_m);
+        QFETCH(bool, knows_way);
+        QFETCH(bool, climbs);
+        craft->settings.transit_speed_m_s = transit_m_s;
+        for (x_m = knows_way ? 15.0 : 0.0; x_m > 0.0; x_m -= 0.4)
+            perceive(6.0, {});
+        x_m = 0.0;
+        craft->forgetPlaces();
+        craft->comeUp(); // It knows what is around, so it climbs at once.
+        perceive(6.0, {});
+        Senses tree = craft->senses;
+        tree.scan->hits_in_map_m.assign(1, Vec3(0.0, away_m, top_m));
+        craft->memory.take(tree, {});
+        QVERIFY(craft->rise(z_m, {0.0, 0.0}, port));
+        craft->startAnew();
+        perceive(6.0, {});
+        const double climb_m_s = fly(transit_m_s).climb_m_s.value_or(0.0);
+        QVERIFY2((climb_m_s > 0.3) == climbs, qPrintable(QString::number(climb_m_s)));
+        for (; x_m < 40.0; x_m += 0.4) {
+            perceive(6.0, {});
+            fly(transit_m_s);
+        }
+        perceive(6.0, {});
+        const double far_m_s = fly(transit_m_s).climb_m_s.value_or(0.0);
+        QVERIFY2(far_m_s < 0.1, qPrintable(QString::number(far_m_s)));
+    }
+
     void leavesARoofEvenWithoutAPose() {
         const auto brace = [&] {
             craft->brace(port, "test");

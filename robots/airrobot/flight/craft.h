@@ -114,7 +114,8 @@ private:
     double climbRate(const WayAhead& way);
     bool besideOverhang() const;         ///< A nearby obstacle reaches its height and may be wider above, like a trunk.
     void makeSafe(Motion& motion) const; ///< so slow that the robot can stop before the obstacles on its way
-    std::optional<double> heldHeight_m(); ///< the least one after a climb over an obstacle; nullopt: none
+    std::optional<double> heldHeight_m(const WayAhead& way); ///< the least one after a climb; nullopt: none
+    void expectCanopy();                                     ///< as high near the place of a take-off as farther off
 
     SenseReader reader_;
     LinkWatch link_;
@@ -145,6 +146,7 @@ private:
     bool climb_forbidden_ = false;    ///< the robot must climb a lot but cannot do so safely here
     bool climbs_on_ = false;          ///< since the end of the last climb over something
     std::optional<Vec3> climbed_at_;  ///< place of the last climb, whose height is kept for some distance
+    std::optional<Vec3> canopy_at_;   ///< place of the take-off, with the height over the canopy that was seen there
 };
 
 } // namespace usar::airrobot

@@ -83,6 +83,8 @@ bool Craft::rise(double goal_z_m, const Vec2& over_m, agent::CommandPort& port) 
     command(step.left_m_s != 0.0 ? motion : calmed(motion, senses, settings), port,
             step.left_m_s != 0.0 ? "looking up" : "taking off");
     const bool is_up = step.reached && (column_.others_m.empty() || (column_.there && !riseElsewhere(goal_z_m)));
+    if (is_up)
+        expectCanopy();
     return is_up || column_.givesUp();
 }
 
