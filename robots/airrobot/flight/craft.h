@@ -80,8 +80,7 @@ public:
     protocol::AerialDrive still() const { return pilot_.still(senses); } ///< see Pilot::still
     void leave(bool airborne, agent::CommandPort& port);            ///< Sends the last command: it hovers, or rests.
     void rest(agent::CommandPort& port, const std::string& source); ///< Sends a zero DRIVE. Not counted by `stuck`.
-    /// Forgets everything that depends on the old position estimate; call it after an INS reset.
-    void forgetPlaces();
+    void forgetPlaces(); ///< Forgets what depends on the old position estimate; call it after an INS reset.
     /// Forgets evasion, steering and progress; call it before a goal of another kind and when a goal is given up.
     void startAnew();
 
@@ -105,8 +104,7 @@ private:
     Motion climbOver(const Leg& leg, FlightState& state);
     /// The places to flee to: in a room only those where it has flown, because no sensor looks backward.
     Retreat retreat() const;
-    /// Looks whether there is a way to a new goal, if there was none to the last one.
-    void noteGoal(const Leg& leg);
+    void noteGoal(const Leg& leg); ///< Looks for a way to a new goal if there was none to the last one.
     std::vector<Obstacle> trunksNear(const Vec2& at_m) const;
     void mindColumn(const AscentStep& step, Motion& motion);
     bool riseElsewhere(double goal_z_m);
