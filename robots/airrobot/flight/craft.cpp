@@ -20,9 +20,6 @@ constexpr double over_way_m = 12.0;
 /// A look up shows the tops of trees that are far enough away; those nearby are as high, and the robot flies at them.
 constexpr double canopy_seen_m = 30.0;
 constexpr double canopy_way_m = 25.0;
-/// It needs no such guess where it has seen that share of the way before it, as after a charge.
-constexpr double canopy_ahead_m = 12.0;
-constexpr double known_share = 0.85;
 /// A robot that is so much higher than where it ended a climb is climbing again.
 constexpr double over_again_m = 0.7;
 constexpr double least_climb_m = 1.0; ///< A climb over an obstacle needs this much room below a ceiling.
@@ -325,13 +322,13 @@ Motion Craft::climbOver(const Leg& leg, FlightState& state) {
     return motion;
 }
 
-std::optional<double> Craft::heldHeight_m(const WayAhead& way) {
+std::optional<double> Craft::heldHeight_m() {
     if (climbed_at_ && (senses.position2_m() - climbed_at_->head<2>()).norm() > over_way_m)
         climbed_at_.reset();
     if (canopy_at_ && (senses.position2_m() - canopy_at_->head<2>()).norm() > canopy_way_m)
         canopy_at_.reset();
     std::optional<double> held_m = climbed_at_ ? std::optional(climbed_at_->z()) : std::nullopt;
-    if (canopy_at_ && atlas_.seenShare({way.from_m, way.bearing_rad, 0.0, canopy_ahead_m}) < known_share)
+    if (canopy_at_)
         held_m = std::max(held_m.value_or(canopy_at_->z()), canopy_at_->z());
     return held_m;
 }
@@ -340,12 +337,13 @@ void Craft::expectCanopy() {
     canopy_at_.reset();
     const Vec3 here_m = senses.position_m();
     const auto top_m = memory.highest_m(here_m.head<2>(), canopy_seen_m);
-    if (settings.hurried() && !overhead.hasCeiling() && top_m && *top_m > here_m.z())
+    const bool first = !std::exchange(has_flown_, true);
+    if (first && settings.hurried() && !overhead.hasCeiling() && top_m && *top_m > here_m.z())
         canopy_at_ = Vec3(here_m.x(), here_m.y(), *top_m + settings.clearance_m);
 }
 
 double Craft::climbRate(const WayAhead& way) {
-    double wanted_m = altitudeGoal_m(senses, memory, way.bearing_rad, way.speed_m_s, heldHeight_m(way), settings);
+    double wanted_m = altitudeGoal_m(senses, memory, way.bearing_rad, way.speed_m_s, heldHeight_m(), settings);
     double needed_m = wanted_m; // at once
     bool known = false;
     if (settings.hurried() && !overhead.hasCeiling()) {

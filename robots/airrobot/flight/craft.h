@@ -47,13 +47,12 @@ public:
     }
     bool walledOff() const { return no_way_; } ///< what it has seen closes all ways; never where it may climb
     bool mayClimb() const; ///< false below a ceiling that leaves no room, and where a person forbids it
-    /// How far below its base something must end for the robot to pass over it at its present height.
+    /// So far below its base something must end for the robot to pass over it.
     double passesBelow_m() const { return mayClimb() ? passes_below_m : passes_closer_m; }
     /// The ways to take: where it cannot climb, every aisle counts.
     Width narrowest() const { return ways.isUnder() || !mayClimb() ? Width::Least : Width::Usual; }
-    /// Sinks at this place nearby and stays so low that it gets through doors, until it comes up; call `rise` then.
-    void goUnder(const Vec2& place_m);
-    void comeUp();
+    void goUnder(const Vec2& place_m); ///< Sinks there, nearby, and stays so low that it gets through doors.
+    void comeUp();                     ///< Ends that; call `rise` then.
     /// Ground lower than this (map z) may be the bed of water, so that the robot must not land on it in need.
     double dry_m() const;
     double speedToward_m_s(const Vec2& place_m) const; ///< that it makes good against the wind, at most the transit's
@@ -112,8 +111,8 @@ private:
     double climbRate(const WayAhead& way);
     bool besideOverhang() const;         ///< A nearby obstacle reaches its height and may be wider above, like a trunk.
     void makeSafe(Motion& motion) const; ///< so slow that the robot can stop before the obstacles on its way
-    std::optional<double> heldHeight_m(const WayAhead& way); ///< the least one after a climb; nullopt: none
-    void expectCanopy();                                     ///< as high near the place of a take-off as farther off
+    std::optional<double> heldHeight_m(); ///< the least one after a climb; nullopt: none
+    void expectCanopy();                  ///< as high near the place of the first take-off as farther off
 
     SenseReader reader_;
     LinkWatch link_;
@@ -135,6 +134,7 @@ private:
     WayBack way_back_;
     Vec2 detour_aim_m_ = Vec2::Zero();
     std::optional<Vec2> goal_m_; ///< of the last tick; nullopt after startAnew()
+    bool has_flown_ = false;
     bool no_way_ = false;        ///< to this goal
     bool no_way_before_ = false; ///< to the last one
     Seconds looked_for_way_{0.0};
