@@ -203,6 +203,36 @@ private slots:
         QVERIFY2(fastest_m_s <= Overhead::careful_m_s && fastest_m_s > 0.2, qPrintable(QString::number(fastest_m_s)));
     }
 
+    /// Among crowns at its height, a robot climbed into one that got wider above (`quick_scan`, seeds 411 and 673).
+    void climbsOverSomethingOnlyWhereThereIsRoom_data() {
+        QTest::addColumn<double>("beside_m");
+        QTest::addColumn<bool>("climbs_there");
+        QTest::newRow("before a lone tree") << 20.0 << true;
+        QTest::newRow("at the end of a lane between trees") << 2.0 << false;
+    }
+    void climbsOverSomethingOnlyWhereThereIsRoom() {
+        QFETCH(double, beside_m);
+        QFETCH(bool, climbs_there);
+        const auto beside = [&] { return x_m > 2.0 ? beside_m : 20.0; };
+        for (x_m = -4.0; x_m < 12.0; x_m += 0.3) {
+            perceive(6.0, {}, beside(), beside());
+            fly();
+        }
+        for (int tick = 0; tick < 75 && !craft->climbingOver(); ++tick) {
+            perceive(6.0, {{"L1", 3.0}, {"M0", 3.0}, {"R1", 3.0}}, beside(), beside());
+            QVERIFY(fly().climb_m_s.value_or(0.0) <= 0.0);
+        }
+        QCOMPARE(craft->climbingOver(), climbs_there);
+        if (climbs_there)
+            return;
+        x_m = -3.0; // It has gone back, out of the trees.
+        for (int tick = 0; tick < 3; ++tick) {
+            perceive(6.0, {});
+            fly();
+        }
+        QVERIFY(craft->climbingOver());
+    }
+
     void climbsStraightUpWithCareWhereNobodyHasLooked() {
         perceive(3.0, {});
         const auto climb = [&] {

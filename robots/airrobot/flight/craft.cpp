@@ -32,6 +32,8 @@ constexpr double rising_m_s = 0.2;
 constexpr double rising_speed_m_s = 1.0;
 /// A robot that climbs and is slower than this on the level does not see what it climbs toward.
 constexpr double straight_m_s = 0.2;
+/// A climb over something needs this share of the stand-off at its place.
+constexpr double least_room_share = 0.85;
 constexpr double stands_m_s = 0.05; ///< A slower robot does not get past what is before it.
 constexpr double hold_still_m = 0.5;
 /// A robot that is hindered for so long looks for a detour, and again after the same time.
@@ -110,6 +112,8 @@ void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool a
         way_back_.note(senses.now, senses.position2_m(), nearest_m(obstacles_, senses.position2_m(), look_around_m));
     if (way_back_.active())
         obstacles_.clear(); // It has been there, so they are not in its way.
+    else if (std::exchange(climbs_after_way_back_, false))
+        climb_over_.start(senses, obstacles_, settings, retreat());
     threats = judgeThreats(senses, ways.forThreats(settings));
     port.publish(agent::SonarZones{threats.zones});
     scanned = log.tick(senses, airborne, settings, port);
@@ -176,13 +180,23 @@ bool Craft::mayClimb() const {
 void Craft::findWay(const Leg& leg) {
     if (mayClimb()) {
         if (stuck_.hindered() > Seconds(settings.climb_over_after_s))
-            climb_over_.start(senses, obstacles_, settings, retreat());
+            findClimb();
         return;
     }
     if (stuck_.hindered() < patience || senses.now - looked_for_way_ < patience)
         return;
     looked_for_way_ = senses.now;
     no_way_ = !detour_.start(ways.map(), senses, leg.goal_m, leg.width);
+}
+
+/// Climbs nearby if there is room, or else where it came from: a crown gets wider on the way up.
+void Craft::findClimb() {
+    const Vec2 place_m = climbPlace_m(obstacles_, senses.position2_m(), settings.climb_standoff_m, retreat());
+    const double room_m = nearest_m(obstacles_, place_m, settings.climb_standoff_m);
+    climbs_after_way_back_ =
+        room_m < least_room_share * settings.climb_standoff_m && way_back_.begin(settings.climb_standoff_m);
+    if (!climbs_after_way_back_)
+        climb_over_.start(senses, obstacles_, settings, retreat());
 }
 
 FlightState Craft::perform(Maneuver maneuver, const Leg& asked, agent::CommandPort& port) {
@@ -206,7 +220,7 @@ FlightState Craft::perform(Maneuver maneuver, const Leg& asked, agent::CommandPo
     if (hindered && !mayClimb() && !way_back_.active() && way_back_.isPinned()) {
         way_back_.begin();
         detour_.end();
-    } else if (hindered && !climb_over_.active() && !detour_.active()) {
+    } else if (hindered && !climb_over_.active() && !detour_.active() && !way_back_.active()) {
         findWay(leg);
     }
     const double wanted_m_s = motion.velocity_in_map_m_s.norm();
@@ -355,6 +369,10 @@ double Craft::climbRate(const WayAhead& way) {
     const double goal_m = std::min(wanted_m, overhead.limit_m(way.from_m));
     const double rate_m_s =
         altitude_.climbRate_m_s(senses, memory, goal_m, way.bearing_rad, way.speed_m_s, settings, known);
+    if (way_back_.active()) { // It has been there at this height, and does not know what is above.
+        climb_forbidden_ = false;
+        return std::min(rate_m_s, 0.0);
+    }
     const bool overhang = rate_m_s > 0.0 && besideOverhang();
     climb_forbidden_ = overhang && std::min(needed_m, goal_m) - senses.position_m().z() > bearable_deficit_m;
     return overhang ? 0.0 : rate_m_s;

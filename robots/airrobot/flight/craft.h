@@ -80,8 +80,7 @@ public:
     void leave(bool airborne, agent::CommandPort& port);            ///< Sends the last command: it hovers, or rests.
     void rest(agent::CommandPort& port, const std::string& source); ///< Sends a zero DRIVE. Not counted by `stuck`.
     void forgetPlaces(); ///< Forgets what depends on the old position estimate; call it after an INS reset.
-    /// Forgets evasion, steering and progress; call it before a goal of another kind and when a goal is given up.
-    void startAnew();
+    void startAnew();    ///< Forgets evasion and progress; call it before a goal of another kind and after a failure.
 
     Settings settings;
     Senses senses;
@@ -101,13 +100,13 @@ private:
     Motion evade(const EvasionDecision& decision, const Leg& leg, FlightState& state);
     Motion cruise(const Leg& leg, FlightState& state);
     Motion climbOver(const Leg& leg, FlightState& state);
-    /// The places to flee to: in a room only those where it has flown, because no sensor looks backward.
-    Retreat retreat() const;
+    Retreat retreat() const;       ///< In a room, it flees only to where it has flown: no sensor looks backward.
     void noteGoal(const Leg& leg); ///< Looks for a way to a new goal if there was none to the last one.
     std::vector<Obstacle> trunksNear(const Vec2& at_m) const;
     void mindColumn(const AscentStep& step, Motion& motion);
     bool riseElsewhere(double goal_z_m);
     void findWay(const Leg& leg); ///< a climb over what is in the way, or a detour where it may not climb
+    void findClimb();
     double climbRate(const WayAhead& way);
     bool besideOverhang() const;         ///< A nearby obstacle reaches its height and may be wider above, like a trunk.
     void makeSafe(Motion& motion) const; ///< so slow that the robot can stop before the obstacles on its way
@@ -132,6 +131,7 @@ private:
     StuckWatch stuck_;
     Detour detour_;
     WayBack way_back_;
+    bool climbs_after_way_back_ = false;
     Vec2 detour_aim_m_ = Vec2::Zero();
     std::optional<Vec2> goal_m_; ///< of the last tick; nullopt after startAnew()
     bool has_flown_ = false;

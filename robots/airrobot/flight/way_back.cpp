@@ -11,7 +11,6 @@ constexpr std::size_t longest = 200;
 constexpr double trail_passed_m = 0.4;
 /// With something nearer than this on all sides, or below it, the robot goes nowhere.
 constexpr double closed_m = 0.75;
-constexpr double roomy_m = 1.75;
 constexpr double gets_on_m = 0.7;
 constexpr Seconds pinned_for{6.0};
 constexpr Seconds in_vain{20.0};
@@ -29,7 +28,7 @@ void WayBack::note(Seconds now, const Vec2& here_m, double nearest_m) {
     if (active_) {
         while (!trail_.empty() && (trail_.back() - here_m).norm() < trail_passed_m)
             trail_.pop_back();
-        active_ = !trail_.empty() && nearest_m < roomy_m && now - moved_at_ < in_vain;
+        active_ = !trail_.empty() && nearest_m < room_m_ && now - moved_at_ < in_vain;
     }
     if (active_ || (!trail_.empty() && (trail_.back() - here_m).norm() < step_m))
         return;
@@ -45,11 +44,13 @@ bool WayBack::isPinned() const {
     return nearest_m_ < closed_m && now_ - moved_at_ > pinned_for;
 }
 
-void WayBack::begin() {
+bool WayBack::begin(double room_m) {
     while (!trail_.empty() && (trail_.back() - here_m_).norm() < trail_passed_m)
         trail_.pop_back();
     active_ = !trail_.empty();
     moved_at_ = now_;
+    room_m_ = room_m;
+    return active_;
 }
 
 } // namespace usar::airrobot

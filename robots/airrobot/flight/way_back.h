@@ -19,19 +19,22 @@ public:
     void note(Seconds now, const Vec2& here_m, double nearest_m);
     /// True if the robot stands so near to something that every direction is closed.
     bool isPinned() const;
-    /// Starts to go back.
-    void begin();
+    /// Starts to go back, to where nothing is nearer than `room_m`. Returns false if it has been nowhere else.
+    bool begin(double room_m = roomy_m);
     bool active() const { return active_; }
     /// The place to steer at while it is active.
     const Vec2& aim_m() const { return trail_.back(); }
 
 private:
+    static constexpr double roomy_m = 1.75; ///< so much room that ways are open
+
     std::vector<Vec2> trail_; ///< where it has been, without loops; the newest last
     Vec2 here_m_ = Vec2::Zero();
     Vec2 moved_to_m_ = Vec2::Zero();
     Seconds moved_at_{0.0}; ///< when the robot came to that place, where it has been since
     Seconds now_{0.0};
     double nearest_m_ = 1e9;
+    double room_m_ = roomy_m; ///< where the way back ends
     bool active_ = false;
 };
 
