@@ -145,6 +145,7 @@ void judgeAll(Comparison& comparison, std::size_t questions) {
             .pairs = metric.pairs(), .estimate = metric.difference, .interval = metric.interval};
         judge(metric, measured, metric.metric.lower_is_better, metric.margin, frame, [&](double needed_p) {
             measured.p = metric.p;
+            measured.confidence = 1.0 - options.alpha;
             measured.needed_p = needed_p;
             return morePairsToDecide(measured, metric.margin);
         });
