@@ -47,14 +47,14 @@ Result<std::vector<std::string>> candidatesOf(const campaign::CompareOptions& op
                    "Give the campaign another variant, or compare two campaigns");
 }
 
-Result<void> writeReports(const campaign::CompareOptions& options, const campaign::CampaignReport& report) {
-    if (auto written = writeReport(options.html, campaign::htmlReport(report)); !written)
-        return written;
+Result<void> writeCurve(const campaign::CompareOptions& options, const campaign::CampaignFigures& figures) {
     if (options.curve.isEmpty())
         return {};
-    const QByteArray picture = campaign::tradeOffPicture(campaign::tradeOffsOf(report.runs), report.title);
+    const QByteArray picture = campaign::tradeOffPicture(campaign::tradeOffsOf(figures.runs), figures.title);
     if (picture.isEmpty())
-        return failure("no mission has two variants with a duration and an error or a coverage",
+        return failure(figures.variants.size() == 1
+                           ? "no run was done that has a duration and an error or a coverage"
+                           : "no mission has two variants with a duration and an error or a coverage",
                        options.folders.join(", ").toStdString(), "Leave out --curve");
     return writeReport(options.curve, picture);
 }
@@ -63,6 +63,8 @@ Result<void> writeReports(const campaign::CompareOptions& options, const campaig
 Result<int> reportSingle(const campaign::CompareOptions& options, const campaign::CampaignFigures& figures) {
     const campaign::SingleReport single{figures.runs, figures.title, figures.facts};
     if (auto written = writeReport(options.html, campaign::htmlReport(single)); !written)
+        return tl::unexpected(written.error());
+    if (auto written = writeCurve(options, figures); !written)
         return tl::unexpected(written.error());
     if (options.json)
         return end(0, campaign::jsonReport(single));
@@ -77,7 +79,7 @@ Result<int> report(const campaign::CompareOptions& options) {
     if (auto written = writeReport(options.junit, campaign::junitReport(figures->runs, figures->title)); !written)
         return tl::unexpected(written.error());
     const bool is_single = figures->variants.size() == 1 && options.baseline.isEmpty() && options.candidate.isEmpty();
-    if (is_single && options.curve.isEmpty())
+    if (is_single)
         return reportSingle(options, *figures);
     const std::string baseline =
         options.baseline.isEmpty() ? figures->variants.front() : options.baseline.toStdString();
@@ -88,7 +90,9 @@ Result<int> report(const campaign::CompareOptions& options) {
     if (!comparisons)
         return tl::unexpected(comparisons.error());
     const campaign::CampaignReport all{*comparisons, figures->runs, figures->title, figures->facts};
-    if (auto written = writeReports(options, all); !written)
+    if (auto written = writeReport(options.html, campaign::htmlReport(all)); !written)
+        return tl::unexpected(written.error());
+    if (auto written = writeCurve(options, *figures); !written)
         return tl::unexpected(written.error());
     const int exit_code = campaign::exitCodeOf(*comparisons);
     if (options.json)

@@ -77,11 +77,12 @@ private slots:
     void aSingleVariantIsReportedWithoutAVerdict() {
         folder_->write("one.json", "{ \"name\": \"One\", \"missions\": [\"small.json\"], \"seeds\": 2 }");
         QCOMPARE(folder_->run({"campaign", "one.json", "--out", "results"}).exit_code, 0);
-        const ProgramFolder::Ended ended =
-            folder_->run({"compare", "results", "--json", "--html", "one.html", "--junit", "one.xml"});
+        const ProgramFolder::Ended ended = folder_->run(
+            {"compare", "results", "--json", "--html", "one.html", "--junit", "one.xml", "--curve", "one.svg"});
         QVERIFY2(ended.exit_code == 0, ended.err);
         QCOMPARE(ended.summary["runs"].toInt(), 2);
-        for (const char* file : {"one.html", "one.xml"})
+        QVERIFY(!ended.summary.contains("cpu_s")); // It is a run's.
+        for (const char* file : {"one.html", "one.xml", "one.svg"})
             QVERIFY2(QFile(folder_->path(file)).size() > 300, file);
         QCOMPARE(folder_->run({"compare", "results", "--candidate", "POSH"}).exit_code, 2);
     }

@@ -165,7 +165,7 @@ std::vector<TradeOff> tradeOffsOf(const std::vector<RunFigures>& runs) {
                 if (std::isfinite(point.x.median))
                     trade_off.points.push_back(std::move(point));
             }
-            if (trade_off.points.size() > 1)
+            if (trade_off.points.size() >= std::min<std::size_t>(variants.size(), 2))
                 all.push_back(std::move(trade_off));
         }
     return all;

@@ -39,7 +39,7 @@ struct TradeOff {
 };
 
 /// Duration against mapping error and duration against coverage for each mission, in the order of their first runs;
-/// without those in which fewer than two variants have both figures.
+/// without those in which fewer than two variants have both figures. If all runs are of one variant, it is enough.
 std::vector<TradeOff> tradeOffsOf(const std::vector<RunFigures>& runs);
 
 /// Draws a cross for each variant, as wide and high as the middle half of its runs.

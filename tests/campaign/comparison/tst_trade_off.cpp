@@ -87,8 +87,19 @@ private slots:
         const std::vector<TradeOff> all = tradeOffsOf(runs);
         QCOMPARE(all.size(), std::size_t{1}); // With one variant there is nothing to compare.
         QCOMPARE(all[0].y.key, std::string("coverage_pct"));
-        QVERIFY(tradeOffsOf(runsOf({"alone"})).empty());
         QVERIFY(tradeOffPicture({}, "nothing").isEmpty());
+    }
+
+    void aSingleVariantHasOnePoint() {
+        const std::vector<TradeOff> all = tradeOffsOf(runsOf({"alone"}));
+        QCOMPARE(all.size(), std::size_t{2});
+        QCOMPARE(all[0].points.size(), std::size_t{1});
+        QCOMPARE(all[0].points[0].x.median, 100.0);
+        QCOMPARE(textsIn(tradeOffPicture(all, "Trade")).count("alone"), 2);
+        std::vector<RunFigures> runs = runsOf({"alone"});
+        for (RunFigures& figures : runs)
+            figures.outcome = Outcome::Failed;
+        QVERIFY(tradeOffsOf(runs).empty());
     }
 
     void eachMissionHasItsOwn() {
