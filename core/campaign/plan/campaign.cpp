@@ -9,6 +9,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 
+#include "core/campaign/plan/mission_names.h"
 #include "core/mission/files/json_reading.h"
 
 namespace usar::campaign {
@@ -23,7 +24,7 @@ const JsonReading::KnownKeys known_keys{
     {"", {"name", "missions", "variants", "seeds", "faults", "swarm", "again", "limit_h", "wall_limit_s", "keep"}},
     {"seeds", {"first", "count"}},
     {"swarm", {"share", "from_s", "kinds"}},
-    {"missions[]", {"file", "seeds", "worlds", "draw"}},
+    {"missions[]", {"file", "name", "seeds", "worlds", "draw"}},
     {"missions[].seeds", {"first", "count"}},
     {"variants[]", {"name", "behavior", "plan", "set"}}};
 
@@ -93,6 +94,7 @@ CampaignMission readOneMission(JsonReading& reading, const QJsonValue& value, co
     } else if (value.isObject()) {
         const QJsonObject object = value.toObject();
         reading.text(object, path + ".file", file, true);
+        reading.text(object, path + ".name", usual.name);
         readSeeds(reading, object, path + '.', usual);
         for (const std::string& world : reading.texts(object, path + ".worlds", "a world", "tall_test"))
             usual.worlds.push_back(worldFrom(file_name, world));
@@ -121,9 +123,15 @@ void readMissions(JsonReading& reading, const QJsonObject& root, const QString& 
         return reading.failAt("missions", "\"missions\" is not a list of missions", "write it in square brackets");
     CampaignMission usual;
     readSeeds(reading, root, {}, usual);
-    for (int i = 0; i < list.toArray().size(); ++i)
-        campaign.missions.push_back(
-            readOneMission(reading, list.toArray()[i], QString("missions[%1]").arg(i), file_name, usual));
+    std::set<std::string> names;
+    for (int i = 0; i < list.toArray().size(); ++i) {
+        const QString path = QString("missions[%1]").arg(i);
+        campaign.missions.push_back(readOneMission(reading, list.toArray()[i], path, file_name, usual));
+        const std::string& name = campaign.missions.back().name;
+        if (!name.empty() && !names.insert(name).second)
+            reading.failAt(path + ".name", "two missions have the same name", "give each its own");
+    }
+    nameMissions(campaign.missions);
 }
 
 QString textOf(const QJsonValue& value) {
@@ -228,7 +236,7 @@ void readLimits(JsonReading& reading, const QJsonObject& root, Campaign& campaig
 } // namespace
 
 QString nameOf(const CampaignMission& mission) {
-    return QFileInfo(mission.file).completeBaseName();
+    return mission.name.empty() ? QFileInfo(mission.file).completeBaseName() : QString::fromStdString(mission.name);
 }
 
 Result<Campaign> readCampaign(const QByteArray& json, const QString& file_name) {

@@ -33,6 +33,7 @@ struct CampaignMission {
     /// Names, absolute paths of folders, or "town:seed" for one a seed; empty: the mission's own.
     std::vector<std::string> worlds;
     std::vector<Draw> draws;
+    std::string name = {}; ///< empty: that of its file without the suffix
     bool operator==(const CampaignMission&) const = default;
 };
 
@@ -66,9 +67,9 @@ struct CampaignPlaces {
 
 /// Keys of the file: name, missions [], variants [], seeds, faults [], swarm {share, from_s, kinds}, again, limit_h,
 /// wall_limit_s, keep ("nothing", "failures" or "everything"). Again is the path of a file of known failures. A mission
-/// is the path of its file, from the campaign's folder, or {file, seeds, worlds [], draw {KEY: [least, most] or [text,
-/// …]}}. Worlds that are folders begin at the campaign's folder, too. Seeds are a count, from 1 up, or {first, count}.
-/// A variant is {name, behavior, plan, set {KEY: value}}. Only name and missions are required.
+/// is the path of its file, from the campaign's folder, or {file, name, seeds, worlds [], draw {KEY: [least, most] or
+/// [text, …]}}. Worlds that are folders begin at the campaign's folder, too. Seeds are a count, from 1 up, or {first,
+/// count}. A variant is {name, behavior, plan, set {KEY: value}}. Only name and missions are required.
 struct Campaign {
     std::string name;
     std::vector<CampaignMission> missions;
@@ -85,7 +86,7 @@ struct Campaign {
     bool operator==(const Campaign&) const = default;
 };
 
-/// The name of a mission: that of its file without the suffix.
+/// The name of a mission in results and reports. Those of a campaign that was read are all different.
 QString nameOf(const CampaignMission& mission);
 
 /// Reads a campaign from JSON text; `file_name` is used in errors and for relative paths. Errors name file, line and

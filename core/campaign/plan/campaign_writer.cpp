@@ -36,6 +36,8 @@ QJsonObject drawsOf(const CampaignMission& mission) {
 
 QJsonObject objectOf(const CampaignMission& mission, const QString& folder) {
     QJsonObject object{{"file", pathFrom(folder, mission.file)}, {"seeds", seedsOf(mission)}};
+    if (!mission.name.empty())
+        object["name"] = QString::fromStdString(mission.name);
     if (!mission.worlds.empty())
         object["worlds"] = listOf(mission.worlds);
     if (!mission.draws.empty())

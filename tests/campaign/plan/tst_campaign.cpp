@@ -2,6 +2,7 @@
 #include <QTest>
 
 #include "core/campaign/plan/campaign.h"
+#include "core/campaign/plan/campaign_writer.h"
 #include "tests/suite/suite.h"
 
 namespace tst_campaign {
@@ -57,6 +58,46 @@ private slots:
         QVERIFY(*campaign == expected);
     }
 
+    void missionsCanBeToldApartByTheirNames_data() {
+        QTest::addColumn<QByteArray>("missions");
+        QTest::addColumn<QString>("names");
+        const auto row = [](const char* title, const char* missions, const char* names) {
+            QTest::newRow(title) << QByteArray(missions) << names;
+        };
+        row("other files", R"("a.json", "x/b.json")", "a; b");
+        row("given", R"({"file": "a.json", "name": "Hill"}, {"file": "a.json", "name": "Dale"})", "Hill; Dale");
+        row("other areas",
+            R"({"file": "a.json", "draw": {"area.x": [-40, 10]}}, {"file": "a.json", "draw": {"area.x": [0, 2.5]}})",
+            "a (area.x -40 to 10); a (area.x 0 to 2.5)");
+        row("other worlds and starts",
+            R"({"file": "a.json", "worlds": ["town", "/w/wood"]},
+               {"file": "a.json", "worlds": ["town:seed"], "draw": {"start": ["Hill", "Dale"]}})",
+            "a (in town|wood); a (in town:seed, start Hill|Dale)");
+        row("other seeds", R"({"file": "a.json", "seeds": {"first": 7, "count": 3}}, "a.json")",
+            "a (from seed 7); a (from seed 1)");
+        row("other folders", R"("x/a.json", "y/a.json")", "a (of x); a (of y)");
+        row("the same twice", R"("a.json", "a.json", "b.json")", "a 1; a 2; b");
+        row("one has more", R"("a.json", {"file": "a.json", "worlds": ["town"]})", "a 1; a (in town)");
+        row("one is given the other's", R"("a.json", {"file": "b.json", "name": "a"})", "a 1; a");
+        row("a number is taken", R"("a.json", "a.json", {"file": "b.json", "name": "a 1"})", "a 2; a 3; a 1");
+        row("too much to say",
+            R"({"file": "a.json", "draw": {"area.x": [-40, 10], "area.y": [1, 2], "area.width": [1, 2], "start": ["Hill"]}},
+               {"file": "a.json", "draw": {"area.x": [-4, 10]}})",
+            "a 1; a (area.x -4 to 10)");
+    }
+
+    void missionsCanBeToldApartByTheirNames() {
+        QFETCH(QByteArray, missions);
+        const auto campaign = readCampaign(R"({"name": "A", "missions": [)" + missions + "]}", "/c/c.json");
+        QVERIFY2(campaign, campaign ? "" : campaign.error().text().c_str());
+        QStringList names;
+        for (const CampaignMission& mission : campaign->missions)
+            names << nameOf(mission);
+        QTEST(names.join("; "), "names");
+        const auto again = readCampaign(writeCampaign(*campaign, "/c"), "/c/c.json");
+        QVERIFY(again && again->missions == campaign->missions);
+    }
+
     void rejectsTheRestAndSaysWhere_data() {
         QTest::addColumn<QByteArray>("json");
         QTest::addColumn<QString>("place");
@@ -82,6 +123,10 @@ private slots:
                                      << "whole number";
         QTest::newRow("a name twice") << withMissions(R"(, "variants": [{"name": "a"}, {"name": "a"}])") << "c.json:1"
                                       << "the same name";
+        QTest::newRow("a mission's name twice")
+            << QByteArray(R"({"name": "A", "missions": [{"file": "a", "name": "M"}, {"file": "b", "name": "M"}]})")
+            << "c.json:1"
+            << "two missions have the same name";
         QTest::newRow("an upside-down range")
             << QByteArray(R"({"name": "A", "missions": [{"file": "a", "draw": {"area.x": [5, -5]}}]})") << "c.json:1"
             << "neither a range";
