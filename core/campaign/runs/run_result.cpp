@@ -28,7 +28,8 @@ const QByteArray before_summary = ",\"summary\":";
 QJsonObject objectIn(const QByteArray& line, ResultPart part, QJsonParseError& problem) {
     // In a text within quotes, the quotes of this would be escaped, so it can only begin the summary.
     const qsizetype head = part == ResultPart::Head ? line.indexOf(before_summary) : -1;
-    if (head >= 0) {
+    const bool has_end = QByteArrayView(line).trimmed().endsWith("}}"); // A line that lost it is told as the whole is.
+    if (head >= 0 && has_end) {
         const QJsonObject read = QJsonDocument::fromJson(line.left(head) + '}', &problem).object();
         if (read.contains("version"_L1)) // Once, the summary stood in the middle of its line.
             return read;

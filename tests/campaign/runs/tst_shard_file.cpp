@@ -138,6 +138,7 @@ private slots:
         old.version = "0.9";
         QTest::newRow("another version") << toLine(old) << "version 0.9";
         QTest::newRow("no JSON") << QByteArray("{\"run\": 1,\n") << "not JSON";
+        QTest::newRow("a summary that was cut off") << toLine(resultOf(1)).chopped(10) + '\n' << "not JSON";
         QTest::newRow("no result") << QByteArray("{\"run\": 1}\n") << "no result";
         QTest::newRow("a number below 0")
             << QByteArray("{\"run\": -1, \"pair\": 0, \"outcome\": \"done\"}\n") << "no result";
@@ -147,10 +148,12 @@ private slots:
         QFETCH(QByteArray, line);
         QFETCH(QString, words);
         write("shard-002.jsonl", toLine(resultOf(0)) + line);
-        const auto read = readResults(folder_->path(), "1.0");
-        QVERIFY(!read);
-        const QString said = QString::fromStdString(read.error().text());
-        QVERIFY2(said.contains(words) && said.contains("shard-002.jsonl:2"), qPrintable(said));
+        for (const ResultPart part : {ResultPart::Whole, ResultPart::Head}) {
+            const auto read = readResults(folder_->path(), "1.0", part);
+            QVERIFY(!read);
+            const QString said = QString::fromStdString(read.error().text());
+            QVERIFY2(said.contains(words) && said.contains("shard-002.jsonl:2"), qPrintable(said));
+        }
     }
 
     void onlyOneWritesAShard() {
