@@ -112,6 +112,22 @@ void writeFailurePlaces(QXmlStreamWriter& xml, const FailureGroup& group, const 
         writeFailureRow(xml, {QString(), "elsewhere, or nobody knows where"}, countsOf(others, variants), "place");
 }
 
+/// The head of the page with its title and its style.
+void writeHeadOfPage(QXmlStreamWriter& xml, const QString& title) {
+    const HtmlElement head(xml, "head");
+    xml.writeEmptyElement("meta");
+    xml.writeAttribute("charset", "utf-8");
+    xml.writeEmptyElement("meta");
+    xml.writeAttribute("name", "viewport");
+    xml.writeAttribute("content", "width=device-width, initial-scale=1");
+    xml.writeEmptyElement("meta");
+    xml.writeAttribute("name", "color-scheme");
+    xml.writeAttribute("content", "light dark");
+    write(xml, "title", title);
+    // The style sheet has none of the characters that XML escapes, because HTML would not take them back there.
+    write(xml, "style", comparison_style);
+}
+
 } // namespace
 
 void writeWith(QXmlStreamWriter& xml, const QString& name, const QXmlStreamAttribute& attribute, const QString& words) {
@@ -186,19 +202,21 @@ void writeFacts(QXmlStreamWriter& xml, const ReportFacts& facts) {
     }
 }
 
-void writeHeadOfPage(QXmlStreamWriter& xml, const QString& title) {
-    const HtmlElement head(xml, "head");
-    xml.writeEmptyElement("meta");
-    xml.writeAttribute("charset", "utf-8");
-    xml.writeEmptyElement("meta");
-    xml.writeAttribute("name", "viewport");
-    xml.writeAttribute("content", "width=device-width, initial-scale=1");
-    xml.writeEmptyElement("meta");
-    xml.writeAttribute("name", "color-scheme");
-    xml.writeAttribute("content", "light dark");
-    write(xml, "title", title);
-    // The style sheet has none of the characters that XML escapes, because HTML would not take them back there.
-    write(xml, "style", comparison_style);
+QByteArray pageOf(const QString& title, const std::function<void(QXmlStreamWriter&)>& write_main) {
+    QByteArray bytes;
+    QXmlStreamWriter xml(&bytes);
+    xml.writeDTD("<!DOCTYPE html>\n");
+    xml.writeStartElement("html");
+    xml.writeAttribute("lang", "en");
+    writeHeadOfPage(xml, title);
+    {
+        const HtmlElement body(xml, "body");
+        const HtmlElement main(xml, "main");
+        write_main(xml);
+    }
+    xml.writeEndElement();
+    xml.writeEndDocument();
+    return bytes + '\n';
 }
 
 } // namespace usar::campaign

@@ -1,6 +1,9 @@
 // Parts of a page that a comparison and the report of a single variant share.
 #pragma once
 
+#include <functional>
+
+#include <QByteArray>
 #include <QStringList>
 
 #include "core/campaign/comparison/course_plots.h"
@@ -34,7 +37,7 @@ void writeFailures(QXmlStreamWriter& xml, const std::vector<FailureGroup>& group
 
 void writeFacts(QXmlStreamWriter& xml, const ReportFacts& facts);
 
-/// The head of the page with its title and its style.
-void writeHeadOfPage(QXmlStreamWriter& xml, const QString& title);
+/// A whole page with its style; `write_main` writes what stands on it.
+QByteArray pageOf(const QString& title, const std::function<void(QXmlStreamWriter&)>& write_main);
 
 } // namespace usar::campaign

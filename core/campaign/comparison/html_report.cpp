@@ -279,15 +279,7 @@ QByteArray htmlReport(const Report& report) {
 }
 
 QByteArray htmlReport(const CampaignReport& report) {
-    QByteArray bytes;
-    QXmlStreamWriter xml(&bytes);
-    xml.writeDTD("<!DOCTYPE html>\n");
-    xml.writeStartElement("html");
-    xml.writeAttribute("lang", "en");
-    writeHeadOfPage(xml, titleOf(report.comparisons));
-    {
-        const HtmlElement body(xml, "body");
-        const HtmlElement main(xml, "main");
+    return pageOf(titleOf(report.comparisons), [&](QXmlStreamWriter& xml) {
         writeHeader(xml, report);
         writeTradeOffs(xml, report.runs);
         if (report.comparisons.size() == 1)
@@ -296,10 +288,7 @@ QByteArray htmlReport(const CampaignReport& report) {
             for (std::size_t i = 0; i < report.comparisons.size(); ++i)
                 writeCandidate(xml, report, i);
         writeFacts(xml, report.facts);
-    }
-    xml.writeEndElement();
-    xml.writeEndDocument();
-    return bytes + '\n';
+    });
 }
 
 } // namespace usar::campaign

@@ -133,20 +133,7 @@ QString textReport(const SingleReport& report) {
 }
 
 QByteArray htmlReport(const SingleReport& report) {
-    QByteArray bytes;
-    QXmlStreamWriter xml(&bytes);
-    xml.writeDTD("<!DOCTYPE html>\n");
-    xml.writeStartElement("html");
-    xml.writeAttribute("lang", "en");
-    writeHeadOfPage(xml, nameOf(report.title));
-    {
-        const HtmlElement body(xml, "body");
-        const HtmlElement main(xml, "main");
-        writeBody(xml, report);
-    }
-    xml.writeEndElement();
-    xml.writeEndDocument();
-    return bytes + '\n';
+    return pageOf(nameOf(report.title), [&](QXmlStreamWriter& xml) { writeBody(xml, report); });
 }
 
 QJsonObject jsonReport(const SingleReport& report) {
