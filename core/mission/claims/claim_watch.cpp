@@ -9,22 +9,16 @@ namespace usar::mission {
 
 namespace {
 
-constexpr Seconds piece{5.0}; ///< A piece of a plan's trace comes no later than this.
-
 std::string at(Seconds time) {
     return " at " + fixed(time.count(), 1) + " s";
-}
-
-bool includes(const Claim& claim, Seconds since) {
-    return since >= claim.from && since <= claim.to;
 }
 
 } // namespace
 
 ClaimWatch::ClaimWatch(std::vector<Claim> claims, CountContacts count_contacts)
-    : seen_(claims.size())
-    , count_contacts_(std::move(count_contacts)) {
+    : count_contacts_(std::move(count_contacts)) {
     for (Claim& claim : claims) {
+        seen_.push_back({ClaimEvidence(claim)});
         if (isAboutPlan(claim.kind) && !plan_)
             plan_ = std::make_unique<PlanWatch>();
         verdicts_.push_back({.claim = std::move(claim)});
@@ -54,50 +48,54 @@ void ClaimWatch::take(const agent::Published& value) {
 void ClaimWatch::takeStatus(const agent::BehaviorStatus& status) {
     if (!origin_)
         origin_ = status.time - status.elapsed;
-    for (std::size_t i = 0; i < verdicts_.size(); ++i)
-        if (const Claim& claim = verdicts_[i].claim;
-            claim.kind == ClaimKind::State && includes(claim, status.time - *origin_))
-            seen_[i].held |= hasState(status.state, claim);
+    for (Seen& seen : seen_)
+        seen.evidence.takeState(status.time - *origin_, status.state);
 }
 
 void ClaimWatch::takeRun(const std::string& element, Seconds time) {
-    for (std::size_t i = 0; i < verdicts_.size(); ++i) {
-        const Claim& claim = verdicts_[i].claim;
-        if (!isAboutPlan(claim.kind) || claim.name != element || !origin_ || !includes(claim, time - *origin_))
-            continue;
-        seen_[i].held = true;
-        if (claim.kind == ClaimKind::ElementRests)
+    for (std::size_t i = 0; origin_ && i < verdicts_.size(); ++i) {
+        const bool was_broken = isBroken(i);
+        seen_[i].evidence.takeRun(time - *origin_, element);
+        if (!was_broken && isBroken(i))
             judge(i, false, "it ran" + at(time - *origin_));
     }
 }
 
 void ClaimWatch::takeHeight(double height_m) {
     for (std::size_t i = 0; i < verdicts_.size(); ++i) {
-        const Claim& claim = verdicts_[i].claim;
-        if (!isAboutHeight(claim.kind) || verdicts_[i].holds || !includes(claim, since_))
-            continue;
-        seen_[i].pose = true;
-        if (!holdsAt(height_m, claim))
+        const bool was_broken = isBroken(i);
+        seen_[i].evidence.takeHeight(since_, height_m);
+        if (!was_broken && isBroken(i))
             judge(i, false, "the altitude was " + fixed(height_m, 2) + " m" + at(since_));
     }
 }
 
-/// Opens the claim's time, and closes it when it is over. The trace of a plan comes in pieces, so a claim about a plan
-/// waits a while for the last one.
+/// True if the claim must hold once, and has.
+bool ClaimWatch::isMet(std::size_t i) const {
+    return !mustLast(verdicts_[i].claim.kind) && seen_[i].evidence.held() == true;
+}
+
+/// True if the claim must hold all its time, and did not at one moment of it.
+bool ClaimWatch::isBroken(std::size_t i) const {
+    return mustLast(verdicts_[i].claim.kind) && seen_[i].evidence.held() == false;
+}
+
+/// Opens the claim's time, and closes it when enough is known.
 void ClaimWatch::look(std::size_t i) {
     const Claim& claim = verdicts_[i].claim;
     if (since_ >= claim.from && !std::exchange(seen_[i].began, true) && claim.kind == ClaimKind::NoContact &&
         count_contacts_)
         seen_[i].contacts_before = count_contacts_();
-    if (!mustLast(claim.kind) && seen_[i].held)
+    if (isMet(i))
         judge(i, true, {});
-    else if (since_ > claim.to + (isAboutPlan(claim.kind) ? piece : Seconds{0.0}))
+    else if (since_ > knownAt(claim))
         close(i);
 }
 
 void ClaimWatch::close(std::size_t i) {
     const Claim& claim = verdicts_[i].claim;
     const Seen& seen = seen_[i];
+    const std::optional<bool> held = seen.evidence.held();
     if (claim.kind == ClaimKind::NoContact) {
         const std::optional<int> contacts = count_contacts_ ? count_contacts_() : std::nullopt;
         const int more = contacts.value_or(0) - seen.contacts_before.value_or(0);
@@ -108,14 +106,13 @@ void ClaimWatch::close(std::size_t i) {
             judge(i, more == 0,
                   more == 1 ? "one contact was counted" : std::to_string(more) + " contacts were counted");
     } else if (isAboutHeight(claim.kind)) {
-        judge(i, seen.pose, "the robot reported no pose within that time");
+        judge(i, held == true, "the robot reported no pose within that time");
     } else if (claim.kind == ClaimKind::State) {
-        judge(i, seen.held, "no such state was published");
+        judge(i, held == true, held ? "no such state was published" : "no state was published within that time");
     } else if (!plan_->has(claim.name)) {
         judge(i, false, "no plan with such an element ran");
     } else {
-        const bool runs = claim.kind == ClaimKind::ElementRuns;
-        judge(i, seen.held == runs, runs ? "it did not run" : "it ran");
+        judge(i, held == true, claim.kind == ClaimKind::ElementRuns ? "it did not run" : "it ran");
     }
 }
 
@@ -128,10 +125,7 @@ void ClaimWatch::end() {
     for (std::size_t i = 0; i < verdicts_.size(); ++i) {
         if (verdicts_[i].holds)
             continue;
-        const Claim& claim = verdicts_[i].claim;
-        // The last piece of a plan's trace may be missing, so a claim about it needs more than its own time.
-        const Seconds needed = claim.to + (isAboutPlan(claim.kind) ? piece : Seconds{0.0});
-        if (since_ >= needed || (!mustLast(claim.kind) && seen_[i].held))
+        if (since_ >= knownAt(verdicts_[i].claim) || isMet(i))
             close(i);
         else
             judge(i, false, "the flight ended" + at(since_) + ", before that time was over");

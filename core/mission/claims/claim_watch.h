@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/agent/published.h"
+#include "core/mission/claims/claim_evidence.h"
 #include "core/mission/claims/height_watch.h"
 #include "core/mission/claims/plan_watch.h"
 #include "core/mission/files/claim.h"
@@ -42,15 +43,16 @@ public:
 private:
     /// What was seen for one claim within its time.
     struct Seen {
+        ClaimEvidence evidence;
         std::optional<int> contacts_before{};
         bool began = false; ///< Its time has begun.
-        bool pose = false;  ///< A pose was reported within its time.
-        bool held = false;  ///< What must hold once has held.
     };
 
     void takeStatus(const agent::BehaviorStatus& status);
     void takeRun(const std::string& element, Seconds time);
     void takeHeight(double height_m);
+    bool isMet(std::size_t at) const;
+    bool isBroken(std::size_t at) const;
     void look(std::size_t at);
     void close(std::size_t at);
     void judge(std::size_t at, bool holds, const std::string& why);

@@ -11,6 +11,7 @@
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/link/replay.h"
+#include "core/mission/claims/claim_evidence.h"
 #include "core/mission/claims/height_watch.h"
 #include "core/mission/claims/plan_watch.h"
 #include "core/mission/files/fault_note.h"
@@ -246,8 +247,9 @@ void MomentPlayer::takePublished(const agent::Published& value) {
 void MomentPlayer::takeStatus(const agent::BehaviorStatus& status) {
     if (!origin_)
         origin_ = status.time - status.elapsed;
-    std::vector<Since<std::string>>& states = moment_.states;
-    if (status.time <= wanted_ + reach_ && (states.empty() || states.back().value != status.state))
+    std::vector<ToldAt<std::string>>& states = moment_.states;
+    const bool is_new = states.empty() || states.back().time < since(status.time); // A part of a recording repeats one.
+    if (is_new && near(status.time))
         states.push_back({since(status.time), status.state});
 }
 
@@ -281,28 +283,17 @@ void offerHeights(const FlightMoment& moment, Claim claim, std::vector<Claim>& o
     offers.push_back(claim);
 }
 
-/// Whether the claim held in what was recorded of its time; nullopt about heights of which none was recorded. A test
-/// whose robot is silent for the claim's time fails, so silence is no proof.
-std::optional<bool> heldSoFar(const FlightMoment& moment, const Claim& claim) {
-    const auto within = [&](Seconds time) { return time >= claim.from && time <= claim.to; };
-    if (isAboutHeight(claim.kind)) {
-        std::optional<bool> held;
-        for (const auto& [time, height_m] : moment.heights_m)
-            if (within(time))
-                held = held.value_or(true) && holdsAt(height_m, claim);
-        return held;
-    }
-    if (claim.kind == ClaimKind::State) {
-        for (std::size_t i = 0; i < moment.states.size(); ++i) {
-            const bool over = i + 1 < moment.states.size() && moment.states[i + 1].time < claim.from;
-            if (!over && moment.states[i].time <= claim.to && hasState(moment.states[i].value, claim))
-                return true;
-        }
-        return false;
-    }
-    const auto runs = moment.element_runs.find(claim.name);
-    const bool ran = runs != moment.element_runs.end() && std::ranges::any_of(runs->second, within);
-    return ran == (claim.kind == ClaimKind::ElementRuns);
+/// What was recorded of the claim's time.
+ClaimEvidence evidenceOf(const FlightMoment& moment, const Claim& claim) {
+    ClaimEvidence evidence(claim);
+    for (const auto& [time, height_m] : moment.heights_m)
+        evidence.takeHeight(time, height_m);
+    for (const auto& [time, state] : moment.states)
+        evidence.takeState(time, state);
+    if (const auto runs = moment.element_runs.find(claim.name); runs != moment.element_runs.end())
+        for (const Seconds time : runs->second)
+            evidence.takeRun(time, claim.name);
+    return evidence;
 }
 
 } // namespace
@@ -318,9 +309,9 @@ Result<FlightMoment> readFlightMoment(const QString& path, Seconds now, const st
 std::optional<bool> heldIn(const FlightMoment& moment, const Claim& claim) {
     if (claim.kind == ClaimKind::NoContact)
         return std::nullopt;
-    const std::optional<bool> held = heldSoFar(moment, claim);
+    const std::optional<bool> held = evidenceOf(moment, claim).held();
     const bool decided = held == !mustLast(claim.kind); // What comes later does not change it.
-    const bool whole = claim.from >= moment.first && claim.to <= moment.last;
+    const bool whole = claim.from >= moment.first && knownAt(claim) <= moment.last;
     return decided || whole ? held : std::nullopt;
 }
 
@@ -333,11 +324,9 @@ std::vector<Claim> claimsToOffer(const FlightMoment& moment, Seconds from, Secon
     const bool roughly = isRepeatedRoughly(moment);
     std::vector<Claim> offers{about};
     offerHeights(moment, about, offers);
-    for (const Since<std::string>& state : moment.states) {
-        const Claim claim{ClaimKind::State, from, to, 0.0, state.value};
-        const Claim offer = widened(claim, roughly);
-        if (!state.value.empty() && heldSoFar(moment, claim) == true &&
-            std::ranges::find(offers, offer) == offers.end())
+    for (const auto& [time, state] : moment.states) {
+        const Claim offer = widened({ClaimKind::State, from, to, 0.0, state}, roughly);
+        if (!state.empty() && time >= from && time <= to && std::ranges::find(offers, offer) == offers.end())
             offers.push_back(offer);
     }
     for (const auto& [name, times] : moment.element_runs)

@@ -15,12 +15,12 @@
 
 namespace usar::mission {
 
-/// A value and the time at which it began.
+/// A value and the time at which it was told.
 template <class Value>
-struct Since {
+struct ToldAt {
     Seconds time{0.0};
     Value value{};
-    bool operator==(const Since&) const = default;
+    bool operator==(const ToldAt&) const = default;
 };
 
 /// What a recording tells about a moment and the time around it. A plain value that crosses threads; times count from
@@ -32,8 +32,8 @@ struct FlightMoment {
     Seconds last{0.0};    ///< and ends here.
     bool by_hand = false; ///< Somebody drove before the moment, which no test repeats.
     bool late = false;    ///< The robot had been there for a while when the behavior started.
-    std::vector<Since<double>> heights_m;   ///< They are above the robot's place when the behavior started.
-    std::vector<Since<std::string>> states; ///< Each lasts until the next one.
+    std::vector<ToldAt<double>> heights_m;   ///< They are above the robot's place when the behavior started.
+    std::vector<ToldAt<std::string>> states; ///< The behavior published them, the same one at many ticks.
     std::map<std::string, std::vector<Seconds>> element_runs; ///< These are the times at which each element ran.
 };
 

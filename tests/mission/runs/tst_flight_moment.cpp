@@ -39,6 +39,8 @@ public:
         for (const std::string& line : {text.substr(0, text.find('\r')), text.substr(text.find('\n') + 1)})
             if (watch)
                 watch->take(reader_.read(line), Seconds{now_s});
+        if (begun_s_ && !doing.empty())
+            state(now_s, now_s - *begun_s_, doing);
     }
     /// From one time to the other, five times a second, at one height.
     void fly(double from_s, double to_s, double z_m) {
@@ -54,6 +56,7 @@ public:
         flown.mission.faults = std::move(faults);
         flown.seed = 7;
         note("mission", noteOf(flown));
+        begun_s_ = now_s;
         state(now_s, 0.0, "starting");
     }
     void state(double now_s, double elapsed_s, const std::string& words) {
@@ -75,6 +78,7 @@ public:
     }
 
     ClaimWatch* watch = nullptr; ///< It takes what is recorded, as in a test that flies it.
+    std::string doing;           ///< The behavior publishes this state whenever the robot reports; empty: none.
 
     Result<FlightMoment> moment(double now_s) {
         writer_.reset();
@@ -85,6 +89,7 @@ private:
     QTemporaryDir folder_;
     std::unique_ptr<link::RecordingWriter> writer_;
     std::uint64_t lines_ = 0; ///< They were received so far.
+    std::optional<double> begun_s_;
     protocol::Reader reader_;
 };
 
@@ -134,10 +139,10 @@ private slots:
             tape.fly(1.0, 60.0, 10.0);
         tape.begin(60.0);
         tape.fly(60.2, 80.0, 12.0);
-        tape.state(80.0, 20.0, "scanning");
-        tape.fly(80.2, 100.0, 15.0);
-        tape.state(100.0, 40.0, "landing");
-        tape.fly(100.2, 110.0, 15.0);
+        tape.doing = "scanning";
+        tape.fly(80.2, 99.9, 15.0);
+        tape.doing = "landing";
+        tape.fly(100.0, 110.0, 15.0);
         const auto moment = tape.moment(90.0);
         QVERIFY(moment);
         QCOMPARE(isRepeatedRoughly(*moment), late);
@@ -186,14 +191,13 @@ private slots:
         QVERIFY(!heldIn(*moment, claim(ClaimKind::NoContact, 1.0, 9.0)));
     }
 
-    void aStateLastsUntilTheNextOne() {
+    void aStateIsClaimedWhereItWasPublished() {
         Tape tape;
         tape.begin(1.0);
-        tape.fly(1.2, 5.0, 10.0);
-        tape.state(5.0, 4.0, "scanning lane 1");
-        tape.fly(5.2, 15.0, 10.0);
-        tape.state(15.0, 14.0, "landing");
-        tape.fly(15.2, 20.0, 10.0);
+        tape.doing = "scanning lane 1";
+        tape.fly(5.0, 14.9, 10.0);
+        tape.doing = "landing";
+        tape.fly(15.0, 20.0, 10.0);
         const auto moment = tape.moment(10.0);
         QVERIFY(moment);
         QVERIFY(heldIn(*moment, claim(ClaimKind::State, 8.0, 12.0, 0.0, "Lane 1")) == true);
@@ -248,6 +252,79 @@ private slots:
         tape.fly(1.2, 2.0, 10.0);
         tape.fly(2.2, 11.0, 15.0);
         tape.fly(21.0, 31.0, 15.0);
+        watch.end();
+        const auto moment = tape.moment(25.0);
+        QVERIFY(moment);
+        const auto held = heldIn(*moment, one);
+        QTEST(held ? static_cast<int>(*held) : -1, "held");
+        QTEST(watch.allHold(), "holds");
+    }
+
+    /// The robot is silent from 10 s to 20 s, so the behavior publishes nothing; it scans before that and lands after
+    /// it.
+    void theWordOnStatesIsThatOfTheRunner_data() {
+        QTest::addColumn<Claim>("one");
+        QTest::addColumn<int>("held"); // -1: not recorded
+        QTest::addColumn<bool>("holds");
+        const auto state = [](double from_s, double to_s, const char* words) {
+            return claim(ClaimKind::State, from_s, to_s, 0.0, words);
+        };
+        QTest::newRow("it was seen") << state(3.0, 8.0, "scanning") << 1 << true;
+        QTest::newRow("another was seen") << state(3.0, 8.0, "landing") << 0 << false;
+        QTest::newRow("seen before the silence") << state(8.0, 15.0, "scanning") << 1 << true;
+        QTest::newRow("seen after the silence") << state(15.0, 22.0, "landing") << 1 << true;
+        QTest::newRow("not seen beside the silence") << state(15.0, 22.0, "scanning") << 0 << false;
+        QTest::newRow("silent") << state(12.0, 18.0, "scanning") << -1 << false;
+        QTest::newRow("the recording ends first") << state(26.0, 40.0, "scanning") << -1 << false;
+        QTest::newRow("seen before the recording ends") << state(26.0, 40.0, "landing") << 1 << true;
+    }
+
+    void theWordOnStatesIsThatOfTheRunner() {
+        QFETCH(Claim, one);
+        Tape tape;
+        ClaimWatch watch({one});
+        tape.watch = &watch;
+        tape.begin(1.0);
+        tape.doing = "scanning";
+        tape.fly(1.2, 11.0, 15.0);
+        tape.doing = "landing";
+        tape.fly(21.0, 31.0, 15.0);
+        watch.end();
+        const auto moment = tape.moment(25.0);
+        QVERIFY(moment);
+        const auto held = heldIn(*moment, one);
+        QTEST(held ? static_cast<int>(*held) : -1, "held");
+        QTEST(watch.allHold(), "holds");
+        QVERIFY(held == true || !offers(*moment, one)); // Only what was seen is offered.
+    }
+
+    /// The plan's element go runs all the time, danger never does; the flight ends with the recording, at 29 s.
+    void theWordOnElementsIsThatOfTheRunner_data() {
+        QTest::addColumn<Claim>("one");
+        QTest::addColumn<int>("held"); // -1: not recorded
+        QTest::addColumn<bool>("holds");
+        const auto element = [](ClaimKind kind, double from_s, double to_s, const char* name) {
+            return claim(kind, from_s, to_s, 0.0, name);
+        };
+        QTest::newRow("it ran") << element(ClaimKind::ElementRuns, 1.0, 9.0, "go") << 1 << true;
+        QTest::newRow("it did not rest") << element(ClaimKind::ElementRests, 1.0, 9.0, "go") << 0 << false;
+        QTest::newRow("it rested") << element(ClaimKind::ElementRests, 1.0, 9.0, "danger") << 1 << true;
+        QTest::newRow("its last piece may be missing")
+            << element(ClaimKind::ElementRests, 20.0, 27.0, "danger") << -1 << false;
+        QTest::newRow("it may have run in the last piece")
+            << element(ClaimKind::ElementRuns, 20.0, 27.0, "danger") << -1 << false;
+    }
+
+    void theWordOnElementsIsThatOfTheRunner() {
+        QFETCH(Claim, one);
+        Tape tape;
+        ClaimWatch watch({one});
+        tape.watch = &watch;
+        tape.begin(1.0);
+        tape.fly(1.2, 5.0, 15.0);
+        for (const std::string& piece : test::piecesOf(rover, 50))
+            tape.publish(agent::PlanTrace{piece});
+        tape.fly(5.2, 30.0, 15.0);
         watch.end();
         const auto moment = tape.moment(25.0);
         QVERIFY(moment);
