@@ -12,6 +12,7 @@
 #include "core/base/numbers.h"
 #include "core/mapping/area_cells.h"
 #include "core/mission/files/result_writer.h"
+#include "core/mission/session/notices.h"
 
 namespace usar::mission {
 
