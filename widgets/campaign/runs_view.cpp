@@ -37,6 +37,18 @@ RunsView::RunsView(RunTable& table, QWidget* parent)
                             this)) {
     named(only_failures_, tr("Only runs that are not done"), tr("Hides the runs that were done"));
     only_failures_->setMinimumHeight(minimum_target);
+    setUpTable();
+    nothing_ = new EmptyState(view_);
+    auto* const head = laidOut(new QHBoxLayout, gap::small, {words_, only_failures_, count_});
+    head->setStretchFactor(words_, 1);
+    auto* const column = laidOut(new QVBoxLayout(this), {gap::small, gap::tiny, gap::small, gap::small}, gap::tiny);
+    column->addLayout(head);
+    column->addWidget(view_, 1);
+    wire();
+    showCount();
+}
+
+void RunsView::setUpTable() {
     named(view_, tr("Runs of the campaign"), {});
     view_->setModel(filter_);
     view_->setItemDelegate(new RunCell(view_));
@@ -62,12 +74,9 @@ RunsView::RunsView(RunTable& table, QWidget* parent)
             .arg(gap::tiny)
             .arg(gap::small));
     view_->setMinimumHeight(3 * minimum_target);
-    nothing_ = new EmptyState(view_);
-    auto* const head = laidOut(new QHBoxLayout, gap::small, {words_, only_failures_, count_});
-    head->setStretchFactor(words_, 1);
-    auto* const column = laidOut(new QVBoxLayout(this), {gap::small, gap::tiny, gap::small, gap::small}, gap::tiny);
-    column->addLayout(head);
-    column->addWidget(view_, 1);
+}
+
+void RunsView::wire() {
     connect(words_, &QLineEdit::textChanged, filter_, &RunFilter::setWords);
     connect(only_failures_, &QCheckBox::toggled, filter_, &RunFilter::setOnlyFailures);
     const auto choose = [this] {
@@ -93,7 +102,6 @@ RunsView::RunsView(RunTable& table, QWidget* parent)
         view_->resizeColumnsToContents();
         showCount();
     });
-    showCount();
 }
 
 std::optional<int> RunsView::currentRun() const {

@@ -49,6 +49,8 @@ signals:
     void partnerChosen(int number);
 
 private:
+    void setUpTable();
+    void wire();
     void showCount();
     /// Makes the column of variants wide enough for the names in these rows of the table that are new.
     void widenFor(int first_row, int last_row);

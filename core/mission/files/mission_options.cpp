@@ -84,6 +84,34 @@ Result<void> readRecordingLimit(const QCommandLineParser& parser, MissionOptions
     return {};
 }
 
+/// The options on what becomes of the map, and which files are left.
+Result<void> readFiles(const QCommandLineParser& parser, MissionOptions& options) {
+    if (const QString text = parser.value("adjust"); parser.isSet("adjust")) {
+        if (text != "on" && text != "off")
+            return failure("whether to adjust the map is neither on nor off", asWritten(parser, "adjust"),
+                           "For example --adjust off");
+        options.adjust = text == "on";
+    }
+    if (const QString text = parser.value("files"); parser.isSet("files")) {
+        if (text != "always" && text != "failed" && text != "never")
+            return failure("files are left always, failed or never", asWritten(parser, "files"),
+                           "For example --files failed");
+        options.files = text == "never"    ? ResultFiles::Never
+                        : text == "failed" ? ResultFiles::IfFailed
+                                           : ResultFiles::Always;
+    }
+    if (parser.isSet("export")) {
+        auto formats = readFormatList(parser.value("export"), "--export");
+        if (!formats)
+            return tl::unexpected(formats.error());
+        options.formats = *std::move(formats);
+        if (options.files == ResultFiles::Never)
+            return failure("no files are wanted, but some to export", asWritten(parser, "export"),
+                           "Leave out --files never, or --export");
+    }
+    return {};
+}
+
 /// The options whose values can be wrong.
 Result<void> readValues(const QCommandLineParser& parser, MissionOptions& options) {
     if (parser.isSet("seed")) {
@@ -115,29 +143,8 @@ Result<void> readValues(const QCommandLineParser& parser, MissionOptions& option
     }
     if (auto limited = readRecordingLimit(parser, options); !limited)
         return limited;
-    if (const QString text = parser.value("adjust"); parser.isSet("adjust")) {
-        if (text != "on" && text != "off")
-            return failure("whether to adjust the map is neither on nor off", asWritten(parser, "adjust"),
-                           "For example --adjust off");
-        options.adjust = text == "on";
-    }
-    if (const QString text = parser.value("files"); parser.isSet("files")) {
-        if (text != "always" && text != "failed" && text != "never")
-            return failure("files are left always, failed or never", asWritten(parser, "files"),
-                           "For example --files failed");
-        options.files = text == "never"    ? ResultFiles::Never
-                        : text == "failed" ? ResultFiles::IfFailed
-                                           : ResultFiles::Always;
-    }
-    if (parser.isSet("export")) {
-        auto formats = readFormatList(parser.value("export"), "--export");
-        if (!formats)
-            return tl::unexpected(formats.error());
-        options.formats = *std::move(formats);
-        if (options.files == ResultFiles::Never)
-            return failure("no files are wanted, but some to export", asWritten(parser, "export"),
-                           "Leave out --files never, or --export");
-    }
+    if (auto files = readFiles(parser, options); !files)
+        return files;
     if (parser.isSet("connect")) {
         auto server = readServerAddress(parser.value("connect"));
         if (!server)

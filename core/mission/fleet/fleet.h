@@ -53,8 +53,7 @@ public:
     /// Call with true when the server's time is stopped on purpose, with false when it runs again. Holds for later
     /// connections, too.
     void expectSilence(bool expected);
-    /// Tells each robot on the server that a fault was injected or has ended.
-    void noteFault(const QString& sentence);
+    void noteFault(const QString& sentence); ///< tells each robot on the server that a fault has begun or ended
     /// Sets the true figures for the summary of the robot with this name; they are kept until the robot is removed.
     void setTruth(const std::string& robot_name, const TrueFigures& truth);
     void setSeed(std::optional<std::uint64_t> seed); ///< for summaries; forgotten by `disconnectFromServer`
@@ -68,9 +67,8 @@ public:
     ConnectionId connectionOf(RobotId id) const;
     Result<void> checkLine(ConnectionId connection) const; ///< an error says why no line can be sent there now
     Result<void> sendLine(ConnectionId connection, const QString& line, const by::Source& source); ///< unchanged
-    void remove(RobotId id); ///< stops the robot, closes its connection and saves its scan
-    /// Sends the original INIT again, for a robot that never appeared or was lost with its link.
-    void spawnAgain(RobotId id);
+    void remove(RobotId id);     ///< stops the robot, closes its connection and saves its scan
+    void spawnAgain(RobotId id); ///< sends INIT again, for a robot that never appeared or was lost with its link
     /// `plan_path`: the user's own POSH plan; empty: the robot's. `isolate`: run in a separate process.
     Result<void> startBehavior(RobotId id, const std::string& behavior_id, const Rectangle& area_in_map,
                                const std::map<std::string, agent::ParameterValue>& values, const QString& plan_path,
@@ -97,8 +95,7 @@ public:
     void cancelSaving(); ///< stops all saves that run; `exportFailed` follows for each
     /// Each live robot, present or future, is recorded to a file in the result folder. This is on at first.
     void setRecording(bool on);
-    /// The limit holds for each recording, present or future. At first there is none.
-    void setRecordingLimit(RecordingLimit limit_bytes);
+    void setRecordingLimit(RecordingLimit limit_bytes); ///< of each recording, present or future; at first none
     bool recording() const;
     /// Opens a recording as a further robot, paused, which carries out `first`; `replayAdded` gives its id. It is named
     /// as recorded, or after `title`.
