@@ -40,6 +40,27 @@ void addFacts(CampaignFigures& figures, const QJsonObject& head, const std::vect
             input["sha256"].toString().toStdString());
 }
 
+/// What reports add to the names of variants: as much of the ends of the folders' paths as tells two apart, in
+/// parentheses; nothing for one.
+Result<std::vector<std::string>> labelsOf(const QStringList& folders) {
+    if (folders.size() < 2)
+        return std::vector<std::string>(1);
+    QStringList paths;
+    for (const QString& folder : folders)
+        paths << QDir::cleanPath(QFileInfo(folder).absoluteFilePath());
+    if (QFileInfo::exists(paths[0]) && QFileInfo(paths[0]) == QFileInfo(paths[1]))
+        return failure("the same campaign is given twice", folders[0].toStdString(),
+                       "Give the folder once to compare its variants, or another campaign's beside it");
+    const auto endOf = [](const QString& path, int parts) { return path.section('/', -parts); };
+    int parts = 1;
+    while (endOf(paths[0], parts) == endOf(paths[1], parts) && parts < paths[0].size())
+        ++parts;
+    std::vector<std::string> labels;
+    for (const QString& path : paths)
+        labels.push_back(" (" + endOf(path, parts).toStdString() + ')');
+    return labels;
+}
+
 std::vector<QPointF> pointsIn(const QJsonValue& list) {
     std::vector<QPointF> points;
     for (const QJsonValue point : list.toArray())
@@ -126,6 +147,9 @@ RunFigures figuresOf(const RunResult& result) {
 
 Result<CampaignFigures> readCampaigns(const QStringList& folders) {
     CampaignFigures figures;
+    const auto labels = labelsOf(folders);
+    if (!labels)
+        return tl::unexpected(labels.error());
     std::vector<RunResult> first;
     for (const QString& folder : folders) {
         const auto head = readManifestHead(folder);
@@ -138,11 +162,12 @@ Result<CampaignFigures> readCampaigns(const QStringList& folders) {
             return failure("there are no results yet", folder.toStdString(), "Fly the campaign first");
         if (auto same = checkPairs(first, *results, folder); !same)
             return tl::unexpected(same.error());
-        const std::string of = folders.size() > 1 ? " (" + QDir(folder).dirName().toStdString() + ")" : std::string();
+        const bool is_first = &folder == &folders.front();
+        const std::string& of = is_first ? labels->front() : labels->back();
         figures.title += (figures.title.empty() ? "" : ", ") + (*head)["campaign"].toString().toStdString();
         for (const QJsonValue variant : (*head)["variants"].toArray())
             figures.variants.push_back(variant.toString().toStdString() + of);
-        if (&folder == &folders.front())
+        if (is_first)
             figures.of_first = figures.variants.size();
         addFacts(figures, *head, *results, of);
         addRuns(figures, *results, folder, of);

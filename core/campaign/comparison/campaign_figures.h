@@ -36,8 +36,8 @@ std::vector<Candidate> candidatesFor(const std::string& baseline, const Campaign
 RunFigures figuresOf(const RunResult& result);
 
 /// Reads the manifest and the results of one or two campaigns. With two, each variant has the name of its folder added,
-/// and pairs of equal numbers must have the same mission and seed. Fails if a folder holds no campaign or no results,
-/// and on results of another version than its manifest's.
+/// or as much of its path as tells the two apart, and pairs of equal numbers must have the same mission and seed. Fails
+/// if a folder is given twice, holds no campaign or no results, and on results of another version than its manifest's.
 Result<CampaignFigures> readCampaigns(const QStringList& folders);
 
 } // namespace usar::campaign

@@ -1,4 +1,5 @@
 #include <QJsonArray>
+#include <QSet>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -82,13 +83,42 @@ private slots:
         QVERIFY(figures->facts == facts);
     }
 
+    void variantsOfTwoCampaignsAreToldApart_data() {
+        QTest::addColumn<QString>("first");
+        QTest::addColumn<QString>("second");
+        QTest::addColumn<QStringList>("labels");
+        QTest::newRow("other names") << "a"
+                                     << "b" << QStringList{"a", "b"};
+        QTest::newRow("the same name in other folders") << "old/results"
+                                                        << "new/results/" << QStringList{"old/results", "new/results"};
+        QTest::newRow("one in the other") << "old"
+                                          << "old/old" << QStringList{"/old", "old/old"};
+    }
     void variantsOfTwoCampaignsAreToldApart() {
-        writeCampaign(folder_->filePath("a"), 7);
-        writeCampaign(folder_->filePath("b"), 7);
-        const auto figures = readCampaigns({folder_->filePath("a"), folder_->filePath("b")});
+        QFETCH(QString, first);
+        QFETCH(QString, second);
+        QFETCH(QStringList, labels);
+        writeCampaign(folder_->filePath(first), 7);
+        writeCampaign(folder_->filePath(second), 7);
+        const auto figures = readCampaigns({folder_->filePath(first), folder_->filePath(second)});
         QVERIFY(figures);
-        QVERIFY((figures->variants == std::vector<std::string>{"one (a)", "two (a)", "one (b)", "two (b)"}));
-        QCOMPARE(figures->runs[2].variant, std::string("one (b)"));
+        QStringList variants;
+        for (const std::string& variant : figures->variants)
+            variants << QString::fromStdString(variant);
+        QCOMPARE(variants.size(), 4);
+        QCOMPARE(QSet<QString>(variants.begin(), variants.end()).size(), 4);
+        for (int i = 0; i < 4; ++i) {
+            QVERIFY2(variants[i].startsWith(i % 2 == 0 ? "one (" : "two ("), qPrintable(variants[i]));
+            QVERIFY2(variants[i].endsWith(labels[i / 2] + ')'), qPrintable(variants[i]));
+        }
+        QCOMPARE(figures->runs[2].variant, figures->variants[2]);
+    }
+
+    void aCampaignIsNotComparedWithItself() {
+        writeCampaign(folder_->filePath("a"), 7);
+        const auto figures = readCampaigns({folder_->filePath("a"), folder_->filePath("b/../a")});
+        QVERIFY(!figures);
+        QVERIFY2(figures.error().what.find("given twice") != std::string::npos, figures.error().text().c_str());
     }
 
     void otherSeedsAreNotPaired() {
