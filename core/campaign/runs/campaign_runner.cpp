@@ -31,6 +31,11 @@ QStringList takeUnwritten(const QJsonObject& summary, const QString& folder) {
     return sentences;
 }
 
+/// Runs end in another order each time, and what is told of them shall be the same.
+void insertSorted(int number, std::vector<int>& numbers) {
+    numbers.insert(std::ranges::upper_bound(numbers, number), number);
+}
+
 } // namespace
 
 struct CampaignRunner::Flight {
@@ -194,9 +199,9 @@ void CampaignRunner::count(const PlannedRun& run, const RunResult& result) {
     ++progress_.done;
     ++progress_.outcomes[result.outcome];
     if (result.differences && !result.differences->isEmpty())
-        progress_.different.push_back(result.number);
+        insertSorted(result.number, progress_.different);
     if (!result.broken.isEmpty()) {
-        progress_.unsound.push_back(result.number);
+        insertSorted(result.number, progress_.unsound);
         unsound_.emplace_back(run, result);
     }
 }

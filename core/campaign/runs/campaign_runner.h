@@ -34,8 +34,8 @@ struct CampaignProgress {
     int done = 0;                    ///< They have a result, from earlier or now.
     int flown = 0;                   ///< They were flown by this runner.
     std::map<Outcome, int> outcomes; ///< how many results of each kind there are
-    std::vector<int> different;      ///< numbers of runs that were flown twice with different results
-    std::vector<int> unsound;        ///< numbers of runs that break an invariant; those that differ are among them
+    std::vector<int> different;      ///< numbers of runs that were flown twice with different results, ascending
+    std::vector<int> unsound; ///< numbers of runs that break an invariant, ascending; those that differ are among them
     Seconds wall{0.0};
     /// Results that are not Outcome::Done.
     int failures() const;
