@@ -59,6 +59,11 @@ Result<void> writeCurve(const campaign::CompareOptions& options, const campaign:
     return writeReport(options.curve, picture);
 }
 
+void tellText(const QString& report, const campaign::CampaignFigures& figures) {
+    const QString missing = campaign::missingRuns(figures);
+    std::printf("%s%s", qPrintable(report), missing.isEmpty() ? "" : qPrintable('\n' + missing + '\n'));
+}
+
 /// A campaign of one variant has no verdict, but figures.
 Result<int> reportSingle(const campaign::CompareOptions& options, const campaign::CampaignFigures& figures) {
     const campaign::SingleReport single{figures.runs, figures.title, figures.facts};
@@ -68,7 +73,7 @@ Result<int> reportSingle(const campaign::CompareOptions& options, const campaign
         return tl::unexpected(written.error());
     if (options.json)
         return end(0, campaign::jsonReport(single));
-    std::printf("%s", qPrintable(campaign::textReport(single)));
+    tellText(campaign::textReport(single), figures);
     return 0;
 }
 
@@ -97,7 +102,7 @@ Result<int> report(const campaign::CompareOptions& options) {
     const int exit_code = campaign::exitCodeOf(*comparisons);
     if (options.json)
         return end(exit_code, campaign::jsonReport(all));
-    std::printf("%s", qPrintable(campaign::textReport(*comparisons)));
+    tellText(campaign::textReport(*comparisons), *figures);
     return exit_code;
 }
 

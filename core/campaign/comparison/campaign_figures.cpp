@@ -124,6 +124,16 @@ std::vector<Candidate> candidatesFor(const std::string& baseline, const Campaign
     return candidates;
 }
 
+QString missingRuns(const CampaignFigures& figures) {
+    if (figures.runs.size() >= figures.planned)
+        return {};
+    const std::size_t missing = figures.planned - figures.runs.size();
+    return QString("%1 of %2 runs %3 no result yet.")
+        .arg(missing)
+        .arg(figures.planned)
+        .arg(missing == 1 ? "has" : "have");
+}
+
 RunFigures figuresOf(const RunResult& result) {
     RunFigures figures;
     figures.number = static_cast<std::size_t>(result.number);
@@ -169,6 +179,7 @@ Result<CampaignFigures> readCampaigns(const QStringList& folders) {
             figures.variants.push_back(variant.toString().toStdString() + of);
         if (is_first)
             figures.of_first = figures.variants.size();
+        figures.planned += static_cast<std::size_t>((*head)["runs"].toInteger());
         addFacts(figures, *head, *results, of);
         addRuns(figures, *results, folder, of);
         first = *std::move(results);

@@ -19,6 +19,7 @@ struct CampaignFigures {
     std::vector<RunFigures> runs;
     std::vector<std::string> variants; ///< in the order of the campaigns
     std::size_t of_first = 0;          ///< so many of them are the first campaign's
+    std::size_t planned = 0;           ///< so many runs the campaigns have, flown or not
     /// Names and values for reports: versions, hashes, processor time.
     std::vector<std::pair<std::string, std::string>> facts;
 };
@@ -31,6 +32,9 @@ struct Candidate {
 
 /// All variants but the baseline, in their order; of two campaigns those of the one that the baseline is not of.
 std::vector<Candidate> candidatesFor(const std::string& baseline, const CampaignFigures& figures);
+
+/// "39 of 80 runs have no result yet."; empty if all have.
+QString missingRuns(const CampaignFigures& figures);
 
 /// The figures of a result that are compared.
 RunFigures figuresOf(const RunResult& result);

@@ -66,6 +66,16 @@ private slots:
                  folder_->filePath("a/runs/000002/scan_picture.png"));
     }
 
+    void whatIsNotFlownYetIsCounted() {
+        writeCampaign(folder_->filePath("a"), 7);
+        auto figures = readCampaigns({folder_->filePath("a")});
+        QVERIFY(figures);
+        QCOMPARE(figures->planned, std::size_t(2));
+        QCOMPARE(missingRuns(*figures), QString());
+        figures->runs.pop_back();
+        QCOMPARE(missingRuns(*figures), QString("1 of 2 runs has no result yet."));
+    }
+
     void aCampaignIsReadWithItsFacts() {
         writeCampaign(folder_->filePath("a"), 7);
         const auto figures = readCampaigns({folder_->filePath("a")});
