@@ -42,7 +42,7 @@ void addFacts(CampaignFigures& figures, const QJsonObject& head, const std::vect
 
 /// What reports add to the names of variants: as much of the ends of the folders' paths as tells two apart, in
 /// parentheses; nothing for one.
-Result<std::vector<std::string>> labelsOf(const QStringList& folders) {
+Result<std::vector<std::string>> folderLabels(const QStringList& folders) {
     if (folders.size() < 2)
         return std::vector<std::string>(1);
     QStringList paths;
@@ -157,7 +157,7 @@ RunFigures figuresOf(const RunResult& result) {
 
 Result<CampaignFigures> readCampaigns(const QStringList& folders) {
     CampaignFigures figures;
-    const auto labels = labelsOf(folders);
+    const auto labels = folderLabels(folders);
     if (!labels)
         return tl::unexpected(labels.error());
     std::vector<RunResult> first;

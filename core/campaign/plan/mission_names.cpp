@@ -17,7 +17,7 @@ namespace {
 
 constexpr qsizetype longest_details = 60; ///< More would not fit into a heading.
 
-QString wordsOf(const Draw& draw) {
+QString drawInWords(const Draw& draw) {
     const QString key = QString::fromStdString(draw.key) + ' ';
     return draw.choices.empty() ? key + QString("%1 to %2").arg(draw.least).arg(draw.most)
                                 : key + mission::textsOf(draw.choices).join('|');
@@ -32,7 +32,7 @@ QStringList detailsOf(const CampaignMission& mission) {
     if (!worlds.isEmpty())
         details << "in " + worlds.join('|');
     for (const Draw& draw : mission.draws)
-        details << wordsOf(draw);
+        details << drawInWords(draw);
     return details << QString("from seed %1").arg(mission.first_seed);
 }
 

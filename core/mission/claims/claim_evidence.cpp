@@ -4,7 +4,7 @@ namespace usar::mission {
 
 namespace {
 
-constexpr Seconds piece{5.0}; ///< A piece of a plan's trace comes no later than this.
+constexpr Seconds trace_piece{5.0}; ///< A piece of a plan's trace comes no later than this.
 
 } // namespace
 
@@ -45,7 +45,7 @@ std::optional<bool> ClaimEvidence::held() const {
 }
 
 Seconds knownAt(const Claim& claim) {
-    return claim.to + (isAboutPlan(claim.kind) ? piece : Seconds{0.0});
+    return claim.to + (isAboutPlan(claim.kind) ? trace_piece : Seconds{0.0});
 }
 
 } // namespace usar::mission
