@@ -1,7 +1,10 @@
 #include "robots/airrobot/leftovers.h"
 
+#include <algorithm>
+#include <array>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "robots/airrobot/cross_lanes.h"
@@ -21,13 +24,14 @@ constexpr double prior_m2 = 6000.0;     ///< The usual clutter counts as so much
 constexpr double evasion_share = 1.05;  ///< of the straight ways is what it flies
 constexpr double landing_and_take_off_s = 45.0;
 constexpr int most_tries = 3; ///< to get through the door
-constexpr double at_base_m = 4.0;
+constexpr double at_place_m = 4.0;
 constexpr double stub_m = 0.5;      ///< length of a lane that is only a place to go to
 constexpr double beyond_m = 3.3;    ///< so far from all places that it could reach before, it is beyond the door
 constexpr double room_m = 1.25;     ///< It comes up where it has so much around it,
 constexpr double at_ground_m = 1.0; ///< or so near to the ground that was seen.
 constexpr double before_door_m = 0.4;
 constexpr double near_door_m = 4.0;
+constexpr double well_within_m = 1.0; ///< of the places that it could reach before, because its pose has drifted
 constexpr double never_m = 1e9;
 /// A search of more would take longer than a behavior may think.
 constexpr int most_judged_cells = 20000;
@@ -97,7 +101,8 @@ bool Leftovers::addLanes(Craft& craft, Survey& survey, const ScanLedger& ledger,
     begun_ = true;
     const bool open = isOpen(craft, survey);
     if (open ? crossOnce(craft, survey, ledger, base_m, port)
-             : closeGaps(craft, survey, ledger, port) || tryDoor(craft, survey, base_m, port))
+             : (state_ == Door::ToDoor && tryDoor(craft, survey, base_m, port)) ||
+                   closeGaps(craft, survey, ledger, port) || tryDoor(craft, survey, base_m, port))
         return true;
     if (knowsWays(craft, ledger))
         missed_ = GapSearch::missed(ledger, surroundingsOf(craft));
@@ -159,10 +164,9 @@ bool Leftovers::closeGaps(Craft& craft, Survey& survey, const ScanLedger& ledger
 
 bool Leftovers::tryDoor(Craft& craft, Survey& survey, const Vec2& base_m, agent::CommandPort& port) {
     const Vec2 here_m = craft.senses.position2_m();
-    const bool at_base = (here_m - base_m).norm() < at_base_m;
     const bool under = state_ == Door::Outward && craft.ways.isUnder();
     if (!walled_ || !craft.overhead.hasCeiling() || survey.cutOff_m() == 0.0 || (state_ >= Door::Outward && !under) ||
-        (state_ == Door::ToBase && !at_base) || tries_ >= most_tries)
+        (state_ == Door::ToDoor && (here_m - sink_at_m_).norm() > at_place_m) || tries_ >= most_tries)
         return false;
     if (under) { // Its estimate of the pose has drifted, so its map may show the door where it is not.
         craft.ways.clear();
@@ -170,20 +174,36 @@ bool Leftovers::tryDoor(Craft& craft, Survey& survey, const Vec2& base_m, agent:
         survey.add({laneTo(here_m, ground_m_)});
         return true;
     }
-    const auto ground_m = craft.ways.groundBehindDoor_m(base_m, reach_);
-    if (!ground_m)
-        return false;
-    if (!at_base) {
-        state_ = Door::ToBase;
-        survey.add({laneTo(here_m, base_m)}); // There the robot may sink: it has stood there.
+    if (state_ == Door::Unknown) {
+        const auto ground_m = craft.ways.groundBehindDoor_m(base_m, reach_);
+        if (!ground_m)
+            return false;
+        ground_m_ = *ground_m;
+        // At its base it may sink in any case: it has stood there.
+        sink_at_m_ = craft.ways.placeToSink_m(base_m, ground_m_, reach_, craft.memory).value_or(base_m);
+    }
+    if ((here_m - sink_at_m_).norm() > at_place_m) {
+        state_ = Door::ToDoor;
+        survey.add({laneTo(here_m, sink_at_m_)});
         return true;
     }
     state_ = Door::Outward;
     ++tries_;
-    ground_m_ = *ground_m;
-    craft.goUnder(base_m);
-    survey.add({laneTo(here_m, *ground_m)});
+    craft.goUnder(sink_at_m_);
+    survey.add({laneTo(here_m, ground_m_)});
     note(port, "Ground was seen behind a wall; the robot looks for a door to it near the ground.");
+    return true;
+}
+
+bool Leftovers::comeBack(Craft& craft) {
+    const Vec2 here_m = craft.senses.position2_m();
+    const auto isWithin = [&](const Vec2& aside_m) { return reach_.contains(here_m + well_within_m * aside_m); };
+    const std::array around{Vec2(0, 0), Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)};
+    if (!craft.ways.isUnder() || !std::ranges::all_of(around, isWithin) ||
+        !craft.ways.map().hasRoom(here_m, craft.senses.position_m().z(), room_m))
+        return false;
+    state_ = Door::Back;
+    craft.comeUp();
     return true;
 }
 
@@ -196,6 +216,8 @@ bool Leftovers::passDoor(Craft& craft, Survey& survey, bool returning, agent::Co
         craft.goUnder(*door_m_);
         door_m_.reset();
     }
+    if (state_ == Door::Homeward)
+        return returning && comeBack(craft);
     if (state_ != Door::Outward || reach_.leadsNear(here_m, beyond_m))
         return false;
     if ((here_m - ground_m_).norm() > at_ground_m &&

@@ -11,16 +11,16 @@
 namespace usar::airrobot {
 
 /// Adds lanes to a survey, so that a decider needs no act for them. Where lanes were cut off by a wall, and the scanner
-/// has seen ground beyond it to which a way leads near the ground, the robot goes back to its base, sinks, flies
-/// through the door, comes up again and tries these lanes once more; on its way home it does the same the other way
-/// round. Owned by one behavior.
+/// has seen ground beyond it to which a way leads near the ground, the robot goes before the door, sinks, flies through
+/// it, comes up again and tries these lanes once more; on its way home it does the same the other way round. Owned by
+/// one behavior.
 class Leftovers {
 public:
     /// Adds the next lanes over what the others have not shown; returns false if nothing is left that is worth it. Call
     /// it when all lanes are done.
     bool addLanes(Craft& craft, Survey& survey, const ScanLedger& ledger, const Vec2& base_m, agent::CommandPort& port);
     /// Sinks before the door on the way home. Returns true in the tick in which the robot has come through on its way
-    /// out and must rise. Call it once per tick in the air.
+    /// out or back and must rise. Call it once per tick in the air.
     bool passDoor(Craft& craft, Survey& survey, bool returning, agent::CommandPort& port);
     /// The place before the door to which it must go first on its way home; nullopt if it has not come through one.
     const std::optional<Vec2>& door_m() const { return door_m_; }
@@ -48,7 +48,10 @@ private:
     static bool knowsWays(const Craft& craft, const ScanLedger& ledger);
     bool tryDoor(Craft& craft, Survey& survey, const Vec2& base_m, agent::CommandPort& port);
 
-    enum class Door { Unknown, ToBase, Outward, Through, Homeward };
+    /// On the way home: comes up where it could fly before it went through the door; true in the tick in which it does.
+    bool comeBack(Craft& craft);
+
+    enum class Door { Unknown, ToDoor, Outward, Through, Homeward, Back };
 
     bool begun_ = false;
     int crossings_ = 0; ///< how often lanes across the others were sought
@@ -60,9 +63,10 @@ private:
     double added_m_ = 0.0; ///< All lanes that were added are so long together.
     Door state_ = Door::Unknown;
     int tries_ = 0;
-    ReachablePlaces reach_;        ///< when no way led to a goal, at the usual height
-    bool walled_ = false;          ///< that is known
-    Vec2 ground_m_ = Vec2::Zero(); ///< behind the door
+    ReachablePlaces reach_;         ///< when no way led to a goal, at the usual height
+    bool walled_ = false;           ///< that is known
+    Vec2 ground_m_ = Vec2::Zero();  ///< behind the door
+    Vec2 sink_at_m_ = Vec2::Zero(); ///< before it
     std::optional<Vec2> door_m_;
 };
 

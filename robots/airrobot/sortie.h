@@ -26,6 +26,7 @@ struct Sortie {
     Room room = Room::Usual;         ///< that a landing place must have
     Vec2 hold_m = Vec2::Zero();      ///< place to hold while paused
     bool beyond_door = false;        ///< it has flown through a door and rises, or has risen, beyond it
+    bool rises_homeward = false;     ///< that was on its way home
     bool doubted_map = false;        ///< it has looked anew for ways to a goal once
     bool looked_again = false;       ///< for a way home, after there was none
     bool at_work = false;            ///< from reaching the scan altitude until the landing

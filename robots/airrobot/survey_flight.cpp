@@ -233,6 +233,7 @@ void SurveyFlight::riseBeyondDoor() {
     sortie_.took_off = craft_.senses.now;
     sortie_.at_work = false;
     sortie_.beyond_door = true;
+    sortie_.rises_homeward = phase_ == Phase::Home;
     phase_ = Phase::TakeOff;
 }
 
@@ -255,7 +256,7 @@ void SurveyFlight::shiftLanes() {
 }
 
 void SurveyFlight::beginWork() {
-    phase_ = Phase::ToLane;
+    phase_ = sortie_.rises_homeward ? Phase::Home : Phase::ToLane;
     sortie_.at_work = true;
     shiftLanes();
     craft_.startAnew();

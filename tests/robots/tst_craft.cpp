@@ -385,6 +385,35 @@ private slots:
         QVERIFY2(far_m_s < 0.1, qPrintable(QString::number(far_m_s)));
     }
 
+    /// It sank and climbed before the same wall for minutes, and looked for no way around it.
+    void staysUpWhereAClimbBelowACeilingWasInVain() {
+        for (int tick = 0; tick < 9; ++tick) { // It is told to climb, and does not.
+            perceive(3.0, {});
+            fly();
+        }
+        const double limit_m = craft->overhead.limit_m({0.0, 0.0});
+        QVERIFY(limit_m < 20.0);
+        z_m = limit_m - 2.0;
+        const auto fly_s = [&](double seconds, double before_m) {
+            double lowest_m = z_m;
+            protocol::AerialDrive drive; // An unchanged command is not sent again.
+            for (double past_s = 0.0; past_s < seconds; past_s += 0.2) {
+                perceive(z_m - limit_m + 8.0, {{"M0", before_m - 0.01 * std::fmod(5.0 * past_s, 2.0)}});
+                craft->fly({Vec2(x_m + 30, 0), Vec2(x_m + 8, 0), 1.0, "test"}, port);
+                drive = lastDrive().value_or(drive);
+                x_m += before_m < 5.0 ? 0.0 : 0.2 * drive.forward_m_s.value_or(0.0);
+                z_m += 0.2 * drive.climb_m_s.value_or(0.0);
+                lowest_m = std::min(lowest_m, z_m);
+            }
+            return lowest_m;
+        };
+        fly_s(30.0, 2.0);
+        QVERIFY2(z_m > limit_m - 0.4, qPrintable(QString::number(limit_m - z_m)));
+        QVERIFY(!craft->mayClimb());
+        const double lowest_m = fly_s(11.0, 5.0); // It keeps its height for some meters.
+        QVERIFY2(lowest_m > limit_m - 0.25, qPrintable(QString::number(limit_m - lowest_m)));
+    }
+
     void leavesARoofEvenWithoutAPose() {
         const auto brace = [&] {
             craft->brace(port, "test");

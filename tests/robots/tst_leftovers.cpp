@@ -52,6 +52,34 @@ class tst_Leftovers : public QObject {
         }
         QVERIFY(craft.overhead.hasCeiling());
     }
+    /// Walls around the base, which is at (0, 0), with a door in the one in the east, as beams show them from above
+    /// that see the ground on both sides of it.
+    static PlacedScan hallWithDoor() {
+        PlacedScan scan{{1}, Pose{Vec3(0.0, 0.0, 8.0)}, Pose{Vec3(0.0, 0.0, 8.0)}, {}};
+        for (double along_m = -10.0; along_m <= 10.0; along_m += 0.25) {
+            scan.hits_in_map_m.emplace_back(-10.0, along_m, 2.4);
+            scan.hits_in_map_m.emplace_back(along_m, -10.0, 2.4);
+            scan.hits_in_map_m.emplace_back(along_m, 10.0, 2.4);
+            if (std::abs(along_m) > 1.5)
+                scan.hits_in_map_m.emplace_back(10.0, along_m, 2.4);
+            for (double x_m = -9.0; x_m <= 18.0; x_m += 0.25)
+                if (std::abs(along_m) < 9.0 && std::abs(x_m - 10.0) > 0.5)
+                    scan.hits_in_map_m.emplace_back(x_m, along_m, 0.0);
+        }
+        return scan;
+    }
+    /// Where the robot gets at its usual height: up to the walls.
+    static ReachablePlaces reachInHall() {
+        RouteMap high;
+        Senses senses = sensesAt({0.0, 0.0, 8.0});
+        senses.scan = hallWithDoor();
+        for (double y_m = -1.5; y_m <= 1.5; y_m += 0.25)
+            senses.scan->hits_in_map_m.emplace_back(10.0, y_m, 8.0);
+        for (Vec3& hit : senses.scan->hits_in_map_m)
+            hit.z() = hit.z() > 1.0 ? 8.0 : 0.0;
+        high.take(senses, 1e9);
+        return high.reach({0.0, 0.0}, 8.0);
+    }
     bool addTo(Survey& survey, Leftovers& leftovers, Craft& craft, const ScanLedger& ledger) {
         return leftovers.addLanes(craft, survey, ledger, {0, 0}, port);
     }
@@ -114,6 +142,46 @@ private slots:
             const mapping::Lane& lane = survey.plan().lanes[i];
             QVERIFY((lane.end_m - lane.start_m).norm() < 15.0); // short lanes past gaps, none across the area
         }
+    }
+
+    /// It sank at its base, looked for the door from there among shelves, and came home as low.
+    void sinksBeforeADoorAndComesUpBehindItBothWays() {
+        Craft craft;
+        craft.senses = sensesAt({0.0, 0.0, 0.2});
+        craft.forgetPlaces();
+        meetCeiling(craft);
+        Senses senses = sensesAt({0.0, 0.0, 8.0});
+        senses.scan = hallWithDoor();
+        craft.ways.take(senses, 1e9, true, true);
+        mapping::CoveragePlan plan;
+        plan.lanes = {{{20, 0}, {40, 0}, 0}};
+        plan.lane_length_m = 20.0;
+        Survey survey(plan);
+        survey.cutOff(Settings{}, [](const Vec2&) { return false; });
+        Leftovers leftovers;
+        leftovers.noteWall(reachInHall());
+        QVERIFY(addTo(survey, leftovers, craft, ledgerWithout({})));
+        const Vec2 before_m = survey.plan().lanes.back().end_m;
+        QVERIFY2(before_m.x() > 6.0 && before_m.x() < 9.0 && std::abs(before_m.y()) < 2.0,
+                 qPrintable(QString("%1 %2").arg(before_m.x()).arg(before_m.y())));
+        const auto passes_at = [&](const Vec2& at_m, double z_m, bool returning) {
+            craft.senses = sensesAt({at_m.x(), at_m.y(), z_m});
+            return leftovers.passDoor(craft, survey, returning, port);
+        };
+        flyAll(survey);
+        QVERIFY(!passes_at(before_m, 8.0, false));
+        QVERIFY(addTo(survey, leftovers, craft, ledgerWithout({})));
+        QVERIFY(craft.ways.isUnder());
+        QVERIFY(!passes_at({10.0, 0.0}, 2.4, false));
+        QVERIFY(passes_at({15.0, 0.0}, 2.4, false));
+        QVERIFY(!craft.ways.isUnder());
+        QVERIFY(!passes_at({15.0, 0.0}, 8.0, true));
+        QVERIFY(craft.ways.isUnder());
+        for (const double x_m : {12.0, 10.0, 8.0})
+            QVERIFY(!passes_at({x_m, 0.0}, 2.4, true));
+        QVERIFY(passes_at({6.0, 0.0}, 2.4, true));
+        QVERIFY(!craft.ways.isUnder());
+        QVERIFY(!passes_at({5.0, 0.0}, 8.0, true));
     }
 
     void addsNoneWhereNothingIsHidden() {

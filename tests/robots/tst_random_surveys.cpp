@@ -29,6 +29,18 @@ private slots:
         QVERIFY2(!outcome.broken && outcome.reachable_coverage_pct.value_or(0.0) >= 97.0, outcome.text().c_str());
     }
 
+    // It sank and climbed before a wall until it gave its goals up as late, or found no way home among shelves.
+    void comesHomeThroughADoor_data() {
+        QTest::addColumn<int>("number");
+        QTest::newRow("to the hall and back, by POSH") << 100173;
+        QTest::newRow("to the hall and back, by C++") << 100165;
+    }
+    void comesHomeThroughADoor() {
+        QFETCH(int, number);
+        const test::SurveyOutcome outcome = test::fly(test::drawSurvey(number));
+        QVERIFY2(outcome.success && outcome.reachable_coverage_pct.value_or(0.0) >= 97.0, outcome.text().c_str());
+    }
+
     // Its commands come 1.6 s late. It once swung from side to side, took that for ceilings, and broke after 26 min.
     void scansOverALateLink() {
         const test::SurveyOutcome outcome = test::fly(test::drawFaultySurvey(4006));

@@ -330,6 +330,9 @@ Motion Craft::climbOver(const Leg& leg, FlightState& state) {
         climbs_on_ = true;
         stuck_.clearHindered();
     }
+    // What reaches a ceiling is no lower from below it. Up here it looks for ways, and sees over all that passes below.
+    if (step.state == ClimbState::Failed && overhead.hasCeiling())
+        climbed_at_ = senses.position_m();
     motion.climb_m_s = step.climb_m_s;
     if (step.state == ClimbState::Climbing)
         motion.yaw_rate_rad_s = turnRate_rad_s(senses, bearingOf(leg.aim_m - senses.position2_m()), settings);

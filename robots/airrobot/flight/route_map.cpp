@@ -20,7 +20,7 @@ constexpr double unsafe_cost = 8.0;
 constexpr double narrow_cost = 3.0;
 constexpr double surest_echo_m = 4.0;   ///< a sonar does not say from where in its cone a farther echo came
 constexpr double lowest_known_m = -1e8; ///< Cells that nothing was seen of are lower.
-constexpr int least_ground = 16;        ///< cells, which are 4 square meters
+constexpr int least_ground = 8;         ///< cells, which are 2 square meters
 constexpr double no_room_m = 10.0;      ///< so much farther a place may be that has room around it
 constexpr double passed_m = 0.7;
 /// So near to its place, the robot may pass over what ends below its belly, because it is above it already.
@@ -395,6 +395,14 @@ ReachablePlaces RouteMap::reach(const Vec2& from_m, double z_m, Width width) con
 
 bool RouteMap::hasRoom(const Vec2& at_m, double z_m, double radius_m) const {
     return !std::isinf(costAt(blockedAt(z_m), cellOf(at_m.x()), cellOf(at_m.y()), radius_m, radius_m));
+}
+
+bool RouteMap::isOpenGround(const Vec2& at_m, double radius_m, double floor_m) const {
+    const auto is_no_ground = [&](int column, int row) {
+        const Cell& cell = cells_[slotOf<side>(column, row)];
+        return cell.column != column || cell.row != row || cell.top_m < lowest_known_m || cell.height_m() > floor_m;
+    };
+    return !std::isinf(costAt(is_no_ground, cellOf(at_m.x()), cellOf(at_m.y()), radius_m, radius_m));
 }
 
 std::optional<Vec2> RouteMap::groundBeyond_m(const Vec2& from_m, double z_m, double floor_m,

@@ -81,6 +81,8 @@ public:
     ReachablePlaces reach(const Vec2& from_m, double z_m, Width width = Width::Usual) const;
     /// True if nothing known that reaches the height `z_m` (map z) stands within `radius_m`.
     bool hasRoom(const Vec2& at_m, double z_m, double radius_m) const;
+    /// True if ground that is not higher than `floor_m` (map z) was seen everywhere within `radius_m`.
+    bool isOpenGround(const Vec2& at_m, double radius_m, double floor_m) const;
     /// The nearest place to `from_m`, with room around it if there is one, on ground not higher than `floor_m` (map z)
     /// that can be reached at the height `z_m`, and that is `beyond_m` or more from all `other` places; nullopt if less
     /// of such ground was seen than a robot needs to stand on.

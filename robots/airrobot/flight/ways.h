@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "robots/airrobot/flight/obstacle_memory.h"
 #include "robots/airrobot/flight/overhead.h"
 #include "robots/airrobot/flight/pilot.h"
 #include "robots/airrobot/flight/route_map.h"
@@ -35,6 +36,10 @@ public:
     /// Ground to which a way leads from there near the ground, as through a door, but none higher up, where the robot
     /// reaches these places.
     std::optional<Vec2> groundBehindDoor_m(const Vec2& from_m, const ReachablePlaces& higher_up) const;
+    /// Where to sink for the way from there to this ground: as near to its end as the robot gets higher up, over open
+    /// ground with nothing beside it. nullopt if there is no such place.
+    std::optional<Vec2> placeToSink_m(const Vec2& from_m, const Vec2& ground_m, const ReachablePlaces& higher_up,
+                                      const ObstacleMemory& memory) const;
 
     /// Puts a lid over the robot, under which it has to sink at this place, or takes it away.
     void goUnder(const Vec2& place_m, Overhead& overhead);
