@@ -10,10 +10,10 @@ namespace {
 constexpr double low_room_m = 3.2;
 constexpr double on_floor_m = 0.4;    ///< Ground is not higher than this over the base of a robot that stands.
 constexpr double beyond_door_m = 3.5; ///< behind what ends the ways higher up
-constexpr double at_ground_m = 1.0;   ///< from the ground behind a door, where a way to it may end
-constexpr double open_m = 1.25;       ///< Where it sinks, so much ground around it was seen,
-constexpr double beside_m = 1.5;      ///< and nothing is known to stand so near to it, however high.
-constexpr double over_place_m = 1.0;  ///< It sinks no farther from its place than this.
+constexpr double way_end_m = 1.0;     ///< from the ground behind a door, where a way to it may end
+constexpr double sink_open_m = 1.25;  ///< Where it sinks, so much ground around it was seen,
+constexpr double sink_room_m = 1.5;   ///< and nothing is known to stand so near to it, however high.
+constexpr double over_sink_m = 1.0;   ///< It sinks no farther from its place than this.
 constexpr double below_lid_m = 0.5;   ///< Scanner hits that are higher are over the robot.
 /// A robot that flies slowly may come so much nearer than the settings say.
 constexpr double nearness = 0.55;
@@ -41,13 +41,13 @@ std::optional<Vec2> Ways::groundBehindDoor_m(const Vec2& from_m, const Reachable
 
 std::optional<Vec2> Ways::placeToSink_m(const Vec2& from_m, const Vec2& ground_m, const ReachablePlaces& higher_up,
                                         const ObstacleMemory& memory) const {
-    auto way = low_.route(from_m, ground_m, lid_m_ - Overhead::margin_m, at_ground_m, Width::Least);
+    auto way = low_.route(from_m, ground_m, lid_m_ - Overhead::margin_m, way_end_m, Width::Least);
     if (!way)
         return std::nullopt;
     const double floor_m = lid_m_ - low_room_m + on_floor_m;
     const auto is_open = [&](const Vec2& at_m) {
-        return higher_up.contains(at_m) && low_.isOpenGround(at_m, open_m, floor_m) &&
-               memory.near(at_m, beside_m, floor_m).empty();
+        return higher_up.contains(at_m) && low_.isOpenGround(at_m, sink_open_m, floor_m) &&
+               memory.near(at_m, sink_room_m, floor_m).empty();
     };
     const auto last = std::ranges::find_if(way->rbegin(), way->rend(), is_open);
     return last == way->rend() ? std::nullopt : std::optional(*last);
@@ -68,7 +68,7 @@ std::optional<Motion> Ways::sink(const Senses& senses, const Settings& settings)
     if (!under_ || senses.position_m().z() < lid_m_)
         return std::nullopt;
     Motion motion = holding(senses, sink_at_m_);
-    if ((senses.position2_m() - sink_at_m_).norm() < over_place_m)
+    if ((senses.position2_m() - sink_at_m_).norm() < over_sink_m)
         motion.climb_m_s = -settings.descent_speed_m_s;
     return motion;
 }
