@@ -213,6 +213,31 @@ private slots:
         QVERIFY(!overhead.hasCeiling());
     }
 
+    /// As flown on the volcano with seed 1: it was told to climb a little, and its height drifted. The ceiling that was
+    /// none kept it from going over the slope, and it landed where it was.
+    void whatDoesNotStopAFastRobotIsNoCeiling_data() {
+        QTest::addColumn<double>("level_m_s");
+        QTest::addColumn<bool>("ceiling");
+        QTest::newRow("fast") << 2.0 << false;
+        QTest::newRow("slow") << 0.4 << true;
+    }
+    void whatDoesNotStopAFastRobotIsNoCeiling() {
+        QFETCH(double, level_m_s);
+        QFETCH(bool, ceiling);
+        Overhead overhead;
+        Senses senses = sensesAt({1.0, 2.0, 139.75});
+        const std::vector<std::pair<double, double>> told_and_risen{{0.15, 139.75}, {0.17, 139.75}, {0.19, 139.75},
+                                                                    {0.22, 139.78}, {0.24, 139.79}, {0.26, 139.79},
+                                                                    {0.28, 139.8},  {0.3, 139.8},   {0.31, 139.8}};
+        for (const auto& [climb_m_s, z_m] : told_and_risen) {
+            senses.velocity_in_map_m_s = Vec3(0.0, -level_m_s, 0.05);
+            senses.base_in_map.position_m.z() = z_m;
+            overhead.observe(senses, {.climb_m_s = climb_m_s});
+            senses.now += Seconds(0.2);
+        }
+        QCOMPARE(overhead.hasCeiling(), ceiling);
+    }
+
     void whatTheRobotGetsPastIsNoCeiling() {
         Overhead overhead;
         Senses senses = sensesAt({1.0, 2.0, 3.0});

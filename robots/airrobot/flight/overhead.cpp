@@ -29,6 +29,8 @@ constexpr Seconds push_time{1.4};
 constexpr double pushed_share = 0.25;
 /// The time constant with which the rate of a climb follows its command: `tall_test`, a robot at 2 m/s beside crowns.
 constexpr Seconds answer_time{0.6};
+/// A robot that is so fast on the level is held by nothing: what it touched would turn it over.
+constexpr double slides_at_most_m_s = 1.5;
 constexpr double sinks_m = 0.03; ///< An estimate that wavers by less than this does not show that the robot sinks.
 /// A robot that gets so far above a ceiling shows that there is none: on a slow link, a climb begins late.
 constexpr double through_m = 0.3;
@@ -127,8 +129,9 @@ void Overhead::feelAbove(const Senses& senses, double commanded_climb_m_s) {
     const double z_m = senses.position_m().z();
     const Seconds since_last = senses.now - std::exchange(felt_at_, senses.now);
     const bool on_ground = senses.heightOverGround_m(lifted_m) < lifted_m;
+    const bool held = senses.velocity_in_map_m_s.head<2>().norm() < slides_at_most_m_s;
     // A robot on a late link climbs more gently, and pushes all the same.
-    if (commanded_climb_m_s < least_push_m_s * senses.steadyShare() || on_ground) {
+    if (commanded_climb_m_s < least_push_m_s * senses.steadyShare() || on_ground || !held) {
         pushing_since_.reset();
         return;
     }
