@@ -150,7 +150,8 @@ Result<void> writeJunit(const campaign::CampaignOptions& options) {
     });
 }
 
-int fly(const campaign::CampaignOptions& options) {
+/// `keeps`: the results outlast the program.
+int fly(const campaign::CampaignOptions& options, bool keeps) {
     if (const auto possible = checkOutputs(options); !possible)
         return refuse(possible.error());
     const auto started = campaign::startCampaign(options, hostOfCampaigns());
@@ -192,6 +193,8 @@ int fly(const campaign::CampaignOptions& options) {
     if (runner.trouble())
         return refuse(*runner.trouble());
     const bool whole = runner.progress().done == runner.progress().runs;
+    if (stopped && !whole)
+        tell(campaign::stoppedSentence(runner.progress(), keeps) + "\n");
     if (!options.shrink.isEmpty() && !whole)
         tell("Nothing is shrunk, because not all runs are flown.\n");
     else if (!options.shrink.isEmpty())
@@ -214,7 +217,7 @@ int flyInScratch(campaign::CampaignOptions options) {
         return refuse({"there is no place for the results: " + scratch.errorString().toStdString(),
                        QDir::tempPath().toStdString(), "Make room there, or name a folder with --out"});
     options.folder = scratch.path();
-    return fly(options);
+    return fly(options, false);
 }
 
 } // namespace
@@ -224,7 +227,7 @@ int runCampaignVerb(const QStringList& arguments) {
     if (!options)
         return refuse(options.error());
     if (!options->slurm)
-        return options->folder.isEmpty() ? flyInScratch(*options) : fly(*options);
+        return options->folder.isEmpty() ? flyInScratch(*options) : fly(*options, true);
     if (const auto campaign = campaign::readCampaignFile(options->file); !campaign)
         return refuse(campaign.error()); // Otherwise each of the parts would say it, days later.
     std::printf("%s", qPrintable(campaign::slurmScript(*options, QCoreApplication::applicationFilePath())));

@@ -252,6 +252,20 @@ private slots:
         QCOMPARE(lines, qsizetype(6));
     }
 
+    void aStoppedCampaignTellsHowItGoesOn() {
+        folder_->write("two.json", two_behaviors);
+        QProcess stopped;
+        stopped.setWorkingDirectory(folder_->path());
+        stopped.start(ProgramFolder::program(), {"campaign", "two.json", "--out", "results", "--jobs", "1"});
+        QTRY_VERIFY_WITH_TIMEOUT(QFile(folder_->path("results/shard-000.jsonl")).size() > 0,
+                                 ProgramFolder::patience_ms);
+        stopped.terminate();
+        QVERIFY(stopped.waitForFinished(ProgramFolder::patience_ms));
+        const QByteArray said = stopped.readAllStandardError();
+        QCOMPARE(stopped.exitCode(), 1);
+        QVERIFY2(said.contains(" of 6 runs. The same command with --resume flies the others."), said);
+    }
+
     void wrongInputIsSaidBeforeAnythingIsFlown_data() {
         QTest::addColumn<QByteArray>("campaign");
         QTest::addColumn<QString>("words");

@@ -205,14 +205,18 @@ private slots:
 
     /// Among crowns at its height, a robot climbed into one that got wider above (`quick_scan`, seeds 411 and 673).
     void climbsOverSomethingOnlyWhereThereIsRoom_data() {
+        QTest::addColumn<double>("transit_m_s");
         QTest::addColumn<double>("beside_m");
         QTest::addColumn<bool>("climbs_there");
-        QTest::newRow("before a lone tree") << 20.0 << true;
-        QTest::newRow("at the end of a lane between trees") << 2.0 << false;
+        QTest::newRow("before a lone tree") << 2.0 << 20.0 << true;
+        QTest::newRow("at the end of a lane between trees") << 2.0 << 2.0 << false;
+        QTest::newRow("the same in no hurry") << 1.0 << 2.0 << true;
     }
     void climbsOverSomethingOnlyWhereThereIsRoom() {
+        QFETCH(double, transit_m_s);
         QFETCH(double, beside_m);
         QFETCH(bool, climbs_there);
+        craft->settings.transit_speed_m_s = transit_m_s;
         const auto beside = [&] { return x_m > 2.0 ? beside_m : 20.0; };
         for (x_m = -4.0; x_m < 12.0; x_m += 0.3) {
             perceive(6.0, {}, beside(), beside());

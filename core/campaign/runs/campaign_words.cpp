@@ -49,6 +49,11 @@ std::string sentenceOf(const RunResult& result) {
            std::to_string(result.seed) + ") " + said + "\n    " + result.command.toStdString();
 }
 
+std::string stoppedSentence(const CampaignProgress& progress, bool kept) {
+    return "The campaign was stopped after " + std::to_string(progress.done) + " of " + std::to_string(progress.runs) +
+           " runs." + (kept ? " The same command with --resume flies the others." : "");
+}
+
 QJsonObject toJson(const CampaignProgress& progress, const QString& folder) {
     QJsonObject outcomes;
     for (const auto& [outcome, count] : progress.outcomes)

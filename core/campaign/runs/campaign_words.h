@@ -19,6 +19,10 @@ std::string progressLine(const CampaignProgress& progress, std::optional<std::si
 /// command that flies it; empty for others.
 std::string sentenceOf(const RunResult& result);
 
+/// The sentence about a campaign that a person or a scheduler has stopped, and how it goes on if its results are
+/// `kept`.
+std::string stoppedSentence(const CampaignProgress& progress, bool kept);
+
 /// Returns an object with the keys folder, runs, done, outcomes (an object with a count for each), different (numbers
 /// of runs), complete, wall_s.
 QJsonObject toJson(const CampaignProgress& progress, const QString& folder);

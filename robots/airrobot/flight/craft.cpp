@@ -189,12 +189,13 @@ void Craft::findWay(const Leg& leg) {
     no_way_ = !detour_.start(ways.map(), senses, leg.goal_m, leg.width);
 }
 
-/// Climbs nearby if there is room, or else where it came from: a crown gets wider on the way up.
+/// Climbs nearby. In a hurry, it has come among crowns faster than it could look at them, and they get wider on the way
+/// up: where there is no room, it goes back to where it came from, and climbs there.
 void Craft::findClimb() {
     const Vec2 place_m = climbPlace_m(obstacles_, senses.position2_m(), settings.climb_standoff_m, retreat());
     const double room_m = nearest_m(obstacles_, place_m, settings.climb_standoff_m);
-    climbs_after_way_back_ =
-        room_m < least_room_share * settings.climb_standoff_m && way_back_.begin(settings.climb_standoff_m);
+    climbs_after_way_back_ = settings.hurried() && room_m < least_room_share * settings.climb_standoff_m &&
+                             way_back_.begin(settings.climb_standoff_m);
     if (!climbs_after_way_back_)
         climb_over_.start(senses, obstacles_, settings, retreat());
 }
