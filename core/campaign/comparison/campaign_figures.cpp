@@ -40,8 +40,8 @@ void addFacts(CampaignFigures& figures, const QJsonObject& head, const std::vect
             input["sha256"].toString().toStdString());
 }
 
-/// What reports add to the names of variants: as much of the ends of the folders' paths as tells two apart, in
-/// parentheses; nothing for one.
+/// Returns what reports add to the names of variants: in parentheses, as much of the ends of the folders' paths as
+/// tells two apart; nothing for a single folder.
 Result<std::vector<std::string>> folderLabels(const QStringList& folders) {
     if (folders.size() < 2)
         return std::vector<std::string>(1);

@@ -104,7 +104,7 @@ std::optional<std::size_t> seedsFor(const std::optional<std::size_t>& more_pairs
     return (*more_pairs * seeds + measured_pairs - 1) / measured_pairs;
 }
 
-/// What a figure's word depends on besides its own pairs.
+/// The word on a figure depends on these, besides the figure's own pairs.
 struct Frame {
     const ComparisonOptions& options;
     std::size_t seeds = 0;     ///< that have a pair

@@ -66,10 +66,10 @@ double timesForTest(const MeasuredDifference& measured, double margin) {
     return square(normalReach(1.0 - measured.needed_p) / normalReach(1.0 - measured.p));
 }
 
-/// What is expected of `pairs` pairs, if so many were measured.
+/// These are the counts that `pairs` pairs would probably have.
 struct ExpectedCount {
     PairedCount count;
-    double error = 0.0; ///< of the difference of its rates
+    double error = 0.0; ///< standard error of the difference of its rates
 };
 
 /// As many pairs of each kind as `pairs` of all would have. A difference within the margin is taken without its error.

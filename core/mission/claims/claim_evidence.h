@@ -1,4 +1,4 @@
-// What was seen of a claim within its time, and whether the claim held by that.
+// Collects what was seen of a claim within its time, and tells whether the claim held by that.
 #pragma once
 
 #include <optional>
@@ -29,7 +29,7 @@ private:
 
     Claim claim_;
     bool seen_ = false;   ///< A height or a state came within its time.
-    bool met_ = false;    ///< What is claimed was so once.
+    bool met_ = false;    ///< What is claimed has held at least once.
     bool missed_ = false; ///< It was not so once.
 };
 

@@ -283,7 +283,7 @@ void offerHeights(const FlightMoment& moment, Claim claim, std::vector<Claim>& o
     offers.push_back(claim);
 }
 
-/// What was recorded of the claim's time.
+/// Returns what was recorded within the claim's time.
 ClaimEvidence evidenceOf(const FlightMoment& moment, const Claim& claim) {
     ClaimEvidence evidence(claim);
     for (const auto& [time, height_m] : moment.heights_m)

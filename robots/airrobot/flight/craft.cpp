@@ -331,7 +331,8 @@ Motion Craft::climbOver(const Leg& leg, FlightState& state) {
         climbs_on_ = true;
         stuck_.clearHindered();
     }
-    // What reaches a ceiling is no lower from below it. Up here it looks for ways, and sees over all that passes below.
+    // A wall that reaches the ceiling does not end lower down. The robot stays up here, where it sees over all that it
+    // can pass, and looks for ways.
     if (step.state == ClimbState::Failed && overhead.hasCeiling())
         climbed_at_ = senses.position_m();
     motion.climb_m_s = step.climb_m_s;
@@ -464,6 +465,7 @@ void Craft::forgetPlaces() {
     ways.startAnew(senses.position_m().z());
     refuge = {};
     way_back_ = {};
+    climbs_after_way_back_ = false;
     canopy_at_.reset();
     overhead.forgetPlaces();
     ascent_ = Ascent(std::exchange(column_, {}).come_down_m);

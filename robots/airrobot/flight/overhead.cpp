@@ -129,9 +129,9 @@ void Overhead::feelAbove(const Senses& senses, double commanded_climb_m_s) {
     const double z_m = senses.position_m().z();
     const Seconds since_last = senses.now - std::exchange(felt_at_, senses.now);
     const bool on_ground = senses.heightOverGround_m(lifted_m) < lifted_m;
-    const bool held = senses.velocity_in_map_m_s.head<2>().norm() < slides_at_most_m_s;
+    const bool may_be_held = senses.velocity_in_map_m_s.head<2>().norm() < slides_at_most_m_s;
     // A robot on a late link climbs more gently, and pushes all the same.
-    if (commanded_climb_m_s < least_push_m_s * senses.steadyShare() || on_ground || !held) {
+    if (commanded_climb_m_s < least_push_m_s * senses.steadyShare() || on_ground || !may_be_held) {
         pushing_since_.reset();
         return;
     }
