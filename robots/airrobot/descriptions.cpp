@@ -144,9 +144,11 @@ private:
     }
 
     void onGround(const agent::Tick& tick, agent::CommandPort& port) {
+        if (!flight_.stepReset(tick, port))
+            return;
         if (flight_.scanOver())
             return flight_.conclude(port);
-        if (!flight_.stepReset(tick, port) || flight_.paused() || !flight_.charged())
+        if (flight_.paused() || !flight_.charged())
             return;
         if (flight_.returning())
             flight_.recharge();

@@ -178,8 +178,10 @@ bool SurveyFlight::stepReset(const agent::Tick& tick, agent::CommandPort& port) 
     const ResetState before = ins_reset_.state();
     const ResetState reset = ins_reset_.step(tick.now, tick.robot, port, craft_.settings);
     if (reset != before && reset == ResetState::Failed)
-        port.publish(
-            agent::BehaviorEvent{Severity::Warning, "The INS could not be set; the flight goes on with its drift."});
+        port.publish(agent::BehaviorEvent{
+            Severity::Warning, scanOver()
+                                   ? "The INS could not be set; how far it drifted in the last flight stays unknown."
+                                   : "The INS could not be set; the flight goes on with its drift."});
     if (reset != before && reset == ResetState::Done)
         port.publish(agent::BehaviorEvent{Severity::Note, "The INS was set from ground truth."});
     return reset == ResetState::Done || reset == ResetState::Failed;

@@ -24,8 +24,9 @@ std::string SurveyFlight::words() const {
     case Phase::Landing:
         return "landing";
     case Phase::Ground:
-        return ins_reset_.state() == ResetState::Done && errand_ != Errand::Start ? "charging"
-                                                                                  : "calibrating the INS on the ground";
+        return ins_reset_.state() == ResetState::Done && errand_ != Errand::Start && !scanOver()
+                   ? "charging"
+                   : "calibrating the INS on the ground";
     case Phase::Finished:
         return "finished";
     }
@@ -53,13 +54,17 @@ MissionState SurveyFlight::missionState() {
     state.lanes_left = errand_ != Errand::Done && errand_ != Errand::GivenUp;
     state.returning = phase_ == Phase::Home;
     state.added_m = leftovers_.expected_m(craft_, survey_, ledger_);
+    if (!settings.navigate_by_truth) // The last landing ends with a setting of the INS.
+        state.waiting = Seconds(settings.rest_time_s);
+    const Seconds rested = phase_ == Phase::Ground ? craft_.senses.now - sortie_.landed : Seconds{0.0};
+    if (!state.lanes_left)
+        state.waiting = std::max(Seconds{0.0}, state.waiting - rested);
     if (phase_ == Phase::TakeOff)
-        state.waiting = climb(settings.scan_altitude_m - height_m);
+        state.waiting += climb(settings.scan_altitude_m - height_m);
     if (phase_ == Phase::Landing)
-        state.waiting = Seconds(height_m / settings.landing_speed_m_s);
+        state.waiting += Seconds(height_m / settings.landing_speed_m_s);
     if ((phase_ == Phase::Landing || phase_ == Phase::Ground) && state.lanes_left) {
         const Seconds charging(errand_ == Errand::Start ? 0.0 : settings.recharge_time_s);
-        const Seconds rested = phase_ == Phase::Ground ? craft_.senses.now - sortie_.landed : Seconds{0.0};
         state.waiting += std::max(Seconds{0.0}, charging - rested) + climb(settings.scan_altitude_m);
         state.since_charge_m = 0.0;
     }

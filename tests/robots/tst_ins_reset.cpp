@@ -71,6 +71,15 @@ private slots:
         QCOMPARE(reset.state(), ResetState::Resting);
     }
 
+    void failsWhereTheRobotFindsNoRest() {
+        InsReset reset;
+        reset.start(Seconds(now_s));
+        for (int i = 0; i < 500 && reset.state() == ResetState::Resting; ++i)
+            tick(reset, {0.1 * i, 0, 0}, {0, 0, 0});
+        QVERIFY(sent().empty());
+        QCOMPARE(reset.state(), ResetState::Failed);
+    }
+
     void isDoneWhenTheServerSaysOk() {
         InsReset reset;
         reset.start(Seconds(now_s));

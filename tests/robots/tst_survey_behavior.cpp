@@ -94,7 +94,7 @@ private slots:
         QCOMPARE(toy.robot().collisions(), 0);
         QVERIFY(toy.marks(MarkKind::Path).size() > 150);
         QCOMPARE(toy.marks(MarkKind::Landing).size(), std::size_t(1));
-        QVERIFY(toy.events().size() <= 3); // The outlook and the INS are told, and nothing else.
+        QVERIFY(toy.events().size() <= 4); // The outlook and the INS are told, and nothing else.
     }
 
     void commandsNothingThatTheRobotCannotDo() {
@@ -202,6 +202,19 @@ private slots:
         for (const Published& value : toy.published())
             if (const auto* status = std::get_if<BehaviorStatus>(&value))
                 QVERIFY(*status->battery_used_pct < 100.0); // home before it is empty
+    }
+
+    /// Else nobody would know how far it drifted in its last flight, which may be its only one.
+    void setsTheInsAfterItsLastLanding() {
+        ToyFlight toy = flight({}, field_task, {}, {.ins_drifts = true});
+        toy.run(Seconds(3000));
+        QVERIFY(toy.ending() && toy.ending()->success);
+        QCOMPARE(toy.status().charges, 0);
+        QCOMPARE(std::ranges::count(toy.events(), "The INS was set from ground truth."), 2);
+        const auto landing = std::ranges::find(toy.states(), "landing");
+        QVERIFY(landing != toy.states().end());
+        QVERIFY(std::find(landing, toy.states().end(), "calibrating the INS on the ground") != toy.states().end());
+        QVERIFY(std::find(landing, toy.states().end(), "charging") == toy.states().end());
     }
 
     void goesHomeForGoodWhenTheNextPlaceIsOutOfRange() {

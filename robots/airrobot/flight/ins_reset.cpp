@@ -8,12 +8,13 @@ namespace {
 
 constexpr Seconds answer_time{2.0};
 constexpr double same_place_m = 0.05;
+constexpr Seconds longest_unrest{60.0}; ///< beyond the rest that it needs
 
 } // namespace
 
 void InsReset::start(Seconds now) {
     state_ = ResetState::Resting;
-    since_ = now;
+    begun_ = since_ = now;
     rest_pose_.reset();
     attempts_ = 0;
 }
@@ -28,9 +29,10 @@ ResetState InsReset::step(Seconds now, modules::RobotModules& robot, agent::Comm
             rest_pose_ = truth->value.base_in_map;
             since_ = now;
         }
-        if (now - since_ < Seconds(settings.rest_time_s))
+        const bool restless = now - begun_ > Seconds(settings.rest_time_s) + longest_unrest;
+        if (!restless && now - since_ < Seconds(settings.rest_time_s))
             return state_;
-        if (!truth)
+        if (restless || !truth)
             return state_ = ResetState::Failed;
         robot.responses.takeAll();
         state_ = ResetState::Waiting;
