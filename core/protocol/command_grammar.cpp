@@ -30,7 +30,7 @@ void merge(std::vector<SegmentRule>& rules, const SegmentRule& added) {
         if (std::ranges::find(rule->words, word) == rule->words.end())
             rule->words.push_back(word);
     if (rule->form != added.form)
-        rule->form = isNumeric(rule->form) && isNumeric(added.form) ? ValueForm::Numbers : ValueForm::Text;
+        rule->form = isNumeric(rule->form) && isNumeric(added.form) ? ValueForm::Numbers : ValueForm::FreeText;
     rule->repeats |= added.repeats;
 }
 

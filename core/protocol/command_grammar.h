@@ -12,7 +12,7 @@
 namespace usar::protocol {
 
 /// The form that a segment's value must have. Word means one of the rule's words, in upper or lower case.
-enum class ValueForm { Text, Number, Numbers, Word };
+enum class ValueForm { FreeText, Number, Numbers, Word };
 
 /// One segment that a command may have. `words` are the values to choose from; unless the form is Word, others are
 /// allowed, too. `help` is a phrase for the operator. A key in angle brackets ("<joint>") stands for any name.
@@ -20,7 +20,7 @@ struct SegmentRule {
     std::string_view key;
     std::string help;
     std::vector<std::string_view> words{};
-    ValueForm form = ValueForm::Text;
+    ValueForm form = ValueForm::FreeText;
     bool repeats = false; ///< may stand more than once on a line
 };
 

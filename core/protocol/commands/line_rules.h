@@ -51,7 +51,7 @@ public:
     /// A flag that is 1 or 0 on the wire.
     void digit(const Key& key, const auto&) { add(key, ValueForm::Number, texts("0", "1")); }
     /// Any text; the words of the key are suggestions only.
-    void text(const Key& key, const auto&) { add(key, ValueForm::Text, key.words); }
+    void text(const Key& key, const auto&) { add(key, ValueForm::FreeText, key.words); }
     /// One word of the enumeration's table.
     template <class Value>
     void choice(const Key& key, const Value&) {
@@ -71,16 +71,16 @@ public:
     /// A pose, and beside it the key for the name of a start pose.
     void start(const Key& key, const auto& start, const auto*...) {
         pose(start);
-        add(key, ValueForm::Text);
+        add(key, ValueForm::FreeText);
     }
     void sixNumbers(const Key& key, const auto&) { add(key, ValueForm::Numbers); }
     /// Two keys of which a line has one: a point, or the name of a path node.
     void goal(const Key& point_key, const Key& node_key, const auto&) {
         add(point_key, ValueForm::Numbers);
-        add(node_key, ValueForm::Text);
+        add(node_key, ValueForm::FreeText);
     }
     /// The list of points has semicolons, so the grammar takes it for a text.
-    void points(const Key& key, const auto&) { add(key, ValueForm::Text); }
+    void points(const Key& key, const auto&) { add(key, ValueForm::FreeText); }
     void box(const Key& min_key, const Key& max_key, const auto&) {
         add(min_key, ValueForm::Numbers);
         add(max_key, ValueForm::Numbers);
@@ -90,7 +90,7 @@ public:
         add(time_key, ValueForm::Number);
     }
     void valueAndSteer(const Key& key, const auto&, const auto&) { add(key, ValueForm::Numbers); }
-    void tagAndText(const Key& key, const auto&, const auto&) { add(key, ValueForm::Text); }
+    void tagAndText(const Key& key, const auto&, const auto&) { add(key, ValueForm::FreeText); }
     /// Lists the segments of one element and marks them as repeatable; a line may have any number of elements.
     template <class Element>
     void groups(const Key&, const std::vector<Element>&) {

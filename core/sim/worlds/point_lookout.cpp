@@ -110,8 +110,8 @@ private:
         const Vec2 open_m = deepest({0.0, -450.0});
         const Vec2 north_m = deepest({450.0, 0.0});
         const auto isDeepAround = [&](const Vec2& at_m) {
-            return unlevelled_m(at_m) < -8.5 && std::ranges::all_of(ringAround(at_m, 16.0), [&](const Vec2& side_m) {
-                       return unlevelled_m(side_m) <= -5.0;
+            return unlevelled_m(at_m) < -8.5 && std::ranges::all_of(ringAround(at_m, 16.0), [&](const Vec2& aside_m) {
+                       return unlevelled_m(aside_m) <= -5.0;
                    });
         };
         const Vec2 bay_m = bestOnGrid(400.0, search_step_m, [&](const Vec2& at_m) -> std::optional<double> {
