@@ -4,6 +4,12 @@
 
 namespace usar::mapping {
 
+Pose PathKnot::corrected(Pose in_map) const {
+    in_map.position_m -= error_m;
+    in_map.yaw_rad -= yaw_error_rad;
+    return in_map;
+}
+
 PathKnot PathCorrection::at(std::size_t sortie, Seconds time) const {
     if (sortie >= sorties.size() || sorties[sortie].empty())
         return {.time = time};
@@ -22,11 +28,7 @@ PathKnot PathCorrection::at(std::size_t sortie, Seconds time) const {
 }
 
 Pose PathCorrection::corrected(const KeptScan& scan) const {
-    Pose pose = scan.scanner_in_map;
-    const PathKnot knot = at(scan.sortie, scan.time);
-    pose.position_m -= knot.error_m;
-    pose.yaw_rad -= knot.yaw_error_rad;
-    return pose;
+    return at(scan.sortie, scan.time).corrected(scan.scanner_in_map);
 }
 
 } // namespace usar::mapping

@@ -14,6 +14,9 @@ struct PathKnot {
     Vec3 error_m = Vec3::Zero();
     Vec3 sigma_m = Vec3::Zero();
     double yaw_error_rad = 0.0;
+
+    /// A pose that was told at that time, without the error.
+    Pose corrected(Pose in_map) const;
 };
 
 /// Between two knots of a sortie an error is interpolated linearly; before the first and after the last one it stays

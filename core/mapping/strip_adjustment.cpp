@@ -5,43 +5,18 @@
 #include <cmath>
 #include <tuple>
 
-#include <Eigen/Eigenvalues>
-
 #include "core/base/numbers.h"
+#include "core/mapping/strip_hold.h"
 
 namespace usar::mapping {
 
 namespace {
 
-/// A grid and the width of the distribution of the differences in height on it.
-struct Level {
-    double cell_size_m;
-    double width_m;
-};
-constexpr std::array<Level, 9> levels{
+constexpr std::array<StripLevel, 9> levels{
     {{2.0, 0.5}, {2.0, 0.5}, {1.0, 0.4}, {1.0, 0.25}, {1.0, 0.25}, {0.5, 0.15}, {0.5, 0.1}, {0.5, 0.1}, {0.5, 0.1}}};
-constexpr std::size_t fewest_overlaps = 200;
 /// The correction must explain differences of so much (root mean square). A path without any drift has smaller ones,
 /// because of the noise of the ranges and because two looks at a cell hit different places in it.
 constexpr double least_gain_m = 0.08;
-/// The overlaps must explain this share of the variance of the path along a horizontal direction.
-constexpr double least_hold = 0.3;
-
-Eigen::Matrix2d meanOf(const std::vector<Eigen::Matrix4d>& covariances) {
-    Eigen::Matrix2d sum_m2 = Eigen::Matrix2d::Zero();
-    for (const Eigen::Matrix4d& covariance : covariances)
-        sum_m2 += covariance.topLeftCorner<2, 2>();
-    return sum_m2 / double(covariances.size());
-}
-
-/// The shares of the variance that the overlaps explain, along the horizontal direction in which it is most, and
-/// across; zero if a covariance could not be computed.
-Eigen::Vector2d holdOf(const std::vector<Eigen::Matrix4d>& with_m2, const std::vector<Eigen::Matrix4d>& without_m2) {
-    if (with_m2.empty() || without_m2.empty())
-        return Eigen::Vector2d::Zero();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(meanOf(with_m2));
-    return Eigen::Vector2d::Ones() - axes.eigenvalues() / meanOf(without_m2)(0, 0);
-}
 
 } // namespace
 
@@ -105,7 +80,7 @@ void StripAdjustment::look() {
 }
 
 void StripAdjustment::refine() {
-    const Level& level = levels[next_ - 3];
+    const StripLevel& level = levels[next_ - 3];
     const double cell_size_m = std::max(level.cell_size_m, finest_m_);
     errors_ = solver_->solve(hits_.overlaps(cell_size_m, errors_), errors_, cell_size_m, level.width_m);
 }

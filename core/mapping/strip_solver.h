@@ -13,6 +13,12 @@ namespace usar::mapping {
 
 struct StripFactor;
 
+/// A grid, and the width of the distribution of the differences in height on it: coarse first, then finer.
+struct StripLevel {
+    double cell_size_m;
+    double width_m;
+};
+
 /// The unknowns are the errors of x, y, z and yaw at each knot. What is known before any overlap:
 /// - The error is zero at the beginning of a sortie, and at its end what the setting of the INS has shown.
 /// - In between it is a random walk with a standard deviation of `walk_share` of each step.

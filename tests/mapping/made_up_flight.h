@@ -58,9 +58,9 @@ inline double rangeDown_m(const Ground& ground_m, const Vec3& from_m, double ang
     return near_m;
 }
 
-/// Back and forth along x at 1 m/s, five scans a second of 61 beams that are 2 degrees apart.
-inline FlownStrips fly(const MadeUpFlight& flight) {
-    FlownStrips flown;
+/// Back and forth along x at 1 m/s, five scans a second of 61 beams that are 2 degrees apart. `watch` is called after
+/// each scan.
+inline void fly(const MadeUpFlight& flight, FlownStrips& flown, const std::function<void()>& watch) {
     std::mt19937_64 random(flight.seed);
     std::normal_distribution<double> gaussian;
     Vec3 drift_m = Vec3::Zero(), last_m(0.0, 0.0, flight.height_m);
@@ -94,10 +94,16 @@ inline FlownStrips fly(const MadeUpFlight& flight) {
             scan.scanner_in_map.yaw_rad += sign * flight.yaw_error_rad;
             flown.store.keep(std::move(scan));
             flown.true_in_map_m.push_back(at_m);
+            watch();
         }
     }
     if (flight.lands)
         flown.store.insWasSet(last_m + drift_m, last_m);
+}
+
+inline FlownStrips fly(const MadeUpFlight& flight) {
+    FlownStrips flown;
+    fly(flight, flown, [] {});
     return flown;
 }
 

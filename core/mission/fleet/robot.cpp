@@ -152,6 +152,7 @@ void Robot::setTaskOptions(const Mission& mission) {
     view_.adjust = mission.adjust;
     view_.limit_h = mission.limit_h;
     call(&RobotSession::setAdjust, mission.adjust);
+    call(&RobotSession::adjustInFlight, true); // Somebody may be watching.
     call(&RobotSession::setFlightLimit, limitFrom(mission.limit_h));
 }
 

@@ -26,8 +26,15 @@ bool MapAdjuster::step() {
         mapper_.replaceMap(rebuild_->takeMap());
         rebuild_.reset();
         result_ = std::move(adjusted_);
+        flight_.take(result_->correction);
+        mapper_.setError(flight_.newest());
     }
     return true;
+}
+
+void MapAdjuster::followFlight() {
+    if (!busy() && flight_.step())
+        mapper_.setError(flight_.newest());
 }
 
 /// Also a map whose path is not corrected is made again, because its cells become better.
@@ -50,6 +57,8 @@ void MapAdjuster::forget() {
     rebuild_.reset();
     adjusted_.reset();
     result_.reset();
+    flight_ = mapping::LagAdjustment(mapper_.store());
+    mapper_.setError({});
     scans_begun_ = 0;
 }
 

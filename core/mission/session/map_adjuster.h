@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 
+#include "core/mapping/lag_adjustment.h"
 #include "core/mapping/map_rebuild.h"
 #include "core/mapping/strip_adjustment.h"
 #include "core/mission/session/scan_mapper.h"
@@ -22,7 +23,8 @@ public:
     /// `mapper` must outlive this object. `emptyMap` makes the map without any scan.
     MapAdjuster(ScanMapper& mapper, std::function<mapping::HeightMap()> emptyMap)
         : mapper_(mapper)
-        , emptyMap_(std::move(emptyMap)) {}
+        , emptyMap_(std::move(emptyMap))
+        , flight_(mapper.store()) {}
 
     /// Begins to adjust all scans so far; a work that is under way is dropped.
     void begin();
@@ -35,10 +37,15 @@ public:
     bool busy() const { return adjustment_ || rebuild_; }
     /// Does a part of the work; returns false if there was none.
     bool step();
+    /// Does a part of the adjustment of the newest strips in flight (mapping::LagAdjustment), unless `busy`, so that
+    /// scans are placed by what it has found from then on. The map is not made again.
+    void followFlight();
     /// Forgets everything, to be called when the mapper's map is emptied.
     void forget();
     /// The result that the mapper's map has; absent: it has not been adjusted yet.
     const std::optional<mapping::StripResult>& result() const { return result_; }
+    /// The errors that are known of all sorties, by adjustments and in flight.
+    const mapping::PathCorrection& correction() const { return flight_.correction(); }
 
 private:
     void conclude();
@@ -50,6 +57,7 @@ private:
     std::optional<mapping::StripResult> adjusted_; ///< of the map that is being made
     std::optional<mapping::MapRebuild> rebuild_;
     std::optional<mapping::StripResult> result_;
+    mapping::LagAdjustment flight_;
 };
 
 } // namespace usar::mission

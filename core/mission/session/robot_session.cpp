@@ -188,6 +188,10 @@ void RobotSession::setAdjust(bool on) {
     d_->book.setAdjust(on);
 }
 
+void RobotSession::adjustInFlight(bool on) {
+    d_->book.adjustInFlight(on);
+}
+
 void RobotSession::keepScans(bool on) {
     d_->book.keepScans(on);
 }

@@ -89,6 +89,8 @@ public slots:
     void sendCommand(const usar::protocol::Command& command, const usar::by::Source& source);
     /// Whether the map is adjusted at each landing and at the end, see ScanBook::setAdjust.
     void setAdjust(bool on);
+    /// Whether it is also adjusted in flight, see ScanBook::adjustInFlight.
+    void adjustInFlight(bool on);
     /// Replaces SessionLimits::flight, for this behavior and later ones.
     void setFlightLimit(Seconds limit);
     /// Whether scans are kept for exports of points, see ScanBook::keepScans; to be called before the first scan.

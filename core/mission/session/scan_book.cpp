@@ -85,7 +85,8 @@ void ScanBook::take(const protocol::InfoLine& line) {
         mapper_.takeResponse(*response);
     else if (const auto* game = std::get_if<protocol::GameInfo>(&line.message))
         record_.level = game->level;
-    adjustPart();
+    if (!adjustPart() && adjusts_ && adjusts_in_flight_)
+        adjuster_.followFlight();
 }
 
 void ScanBook::take(const agent::Published& value) {
@@ -207,8 +208,7 @@ std::shared_ptr<const std::vector<mapping::KeptScan>> ScanBook::placedScans() co
         *scans = *record_.scans;
     for (const mapping::KeptScan& scan : store.scans()) {
         scans->push_back(scan);
-        if (adjuster_.result())
-            scans->back().scanner_in_map = adjuster_.result()->correction.corrected(scan);
+        scans->back().scanner_in_map = adjuster_.correction().corrected(scan);
     }
     return scans;
 }

@@ -84,6 +84,7 @@ bool ScanMapper::takePose(const agent::PoseEstimate& estimate) {
     const bool set = set_in_map_m_ && (base_in_map_m - *set_in_map_m_).norm() < there_m;
     if (set) {
         level_flight_.insWasSet();
+        error_ = {};
         store_.insWasSet(last_base_in_map_m_.value_or(*set_in_map_m_), *set_in_map_m_);
     }
     if (set || ++estimates_since_set_ > longest_setting)
@@ -121,7 +122,7 @@ bool ScanMapper::place(const agent::ScanPlacement& placement) {
                                    .fov_rad = scan.fov_rad,
                                    .maximum_m = maximumOf(scan.name)};
         const Pose scanner_in_map = leveled(scan.name, placement.scanner_in_map);
-        scanner.integrator.integrate(beams, scanner_in_map, placement.scan_line, map_);
+        scanner.integrator.integrate(beams, error_.corrected(scanner_in_map), placement.scan_line, map_);
         if (improves_ || keeps_)
             store_.keep({.scanner_in_map = scanner_in_map,
                          .line = placement.scan_line,
@@ -142,6 +143,7 @@ void ScanMapper::forgetScans() {
     maximum_m_.clear();
     mounts_.clear();
     level_flight_ = {};
+    error_ = {};
     truths_m_.clear();
     store_.interrupt();
 }

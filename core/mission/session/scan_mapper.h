@@ -11,6 +11,7 @@
 #include "core/agent/published.h"
 #include "core/mapping/height_map.h"
 #include "core/mapping/level_flight.h"
+#include "core/mapping/path_correction.h"
 #include "core/mapping/scan_integrator.h"
 #include "core/mapping/scan_store.h"
 #include "core/protocol/command.h"
@@ -51,6 +52,8 @@ public:
     void improve(bool on) { improves_ = on; }
     /// Whether placed scans are kept even if nothing is improved; initially they are not.
     void keepScans(bool on) { keeps_ = on; }
+    /// Scans are written into the map without this error, until the INS is set; they are kept with it.
+    void setError(const mapping::PathKnot& error) { error_ = error; }
     /// Writes a kept scan into the map. False if the scan is not kept, or no longer. Scans that do not follow one
     /// another are not joined.
     bool place(const agent::ScanPlacement& placement);
@@ -100,6 +103,7 @@ private:
     int unlike_ = 0;            ///< so many so far
     std::optional<Vec3> last_base_in_map_m_;
     mapping::LevelFlight level_flight_;
+    mapping::PathKnot error_; ///< of the position and the yaw now, as far as it is known
     mapping::ScanStore store_;
     bool improves_ = false;
     bool keeps_ = false;

@@ -28,6 +28,26 @@ public:
         book.beginTask("b", "R1", {{0.0, 0.0}, {30.0, 20.0}});
     }
 
+    void scan(const Vec3& at_m, const Vec3& error_m) {
+        const Pose down{.position_m = at_m + error_m, .pitch_rad = pi / 2};
+        protocol::RangeScan scan{.name = "Scanner1", .resolution_rad = radians(2.0), .fov_rad = radians(120.0)};
+        for (int k = 0; k <= 60; ++k) {
+            const double angle_rad = radians(2.0 * k - 60.0);
+            double near_m = 0.0, far_m = 20.0;
+            for (int i = 0; i < 16; ++i) {
+                const double range_m = (near_m + far_m) / 2.0;
+                const bool above = at_m.z() - range_m * std::cos(angle_rad) >
+                                   hills(at_m.x(), at_m.y() + range_m * std::sin(angle_rad));
+                (above ? near_m : far_m) = range_m;
+            }
+            scan.ranges_m.push_back(near_m);
+        }
+        if (tells_truth_)
+            tellTruth(at_m);
+        estimate(at_m + error_m);
+        book.take(protocol::InfoLine{{++line_}, "SEN", scan, {}});
+        book.take(agent::Published(agent::ScanPlacement{{line_}, down}));
+    }
     /// A lane along x at this y, with an error of the estimate.
     void lane(double y_m, const Vec3& error_m) {
         for (double x_m = 0.0; x_m < 30.0; x_m += 0.2)
@@ -84,27 +104,6 @@ private:
         now_ += Seconds(0.2);
         book.take(agent::Published(agent::PoseEstimate{now_, {.position_m = at_m}}));
     }
-    void scan(const Vec3& at_m, const Vec3& error_m) {
-        const Pose down{.position_m = at_m + error_m, .pitch_rad = pi / 2};
-        protocol::RangeScan scan{.name = "Scanner1", .resolution_rad = radians(2.0), .fov_rad = radians(120.0)};
-        for (int k = 0; k <= 60; ++k) {
-            const double angle_rad = radians(2.0 * k - 60.0);
-            double near_m = 0.0, far_m = 20.0;
-            for (int i = 0; i < 16; ++i) {
-                const double range_m = (near_m + far_m) / 2.0;
-                const bool above = at_m.z() - range_m * std::cos(angle_rad) >
-                                   hills(at_m.x(), at_m.y() + range_m * std::sin(angle_rad));
-                (above ? near_m : far_m) = range_m;
-            }
-            scan.ranges_m.push_back(near_m);
-        }
-        if (tells_truth_)
-            tellTruth(at_m);
-        estimate(at_m + error_m);
-        book.take(protocol::InfoLine{{++line_}, "SEN", scan, {}});
-        book.take(agent::Published(agent::ScanPlacement{{line_}, down}));
-    }
-
     std::uint64_t line_ = 0;
     Seconds now_{0.0};
     bool tells_truth_ = false;
@@ -233,6 +232,44 @@ private slots:
                                                  "scans to be kept.");
         }
         QCOMPARE(flight.error_m(), error_m);
+    }
+
+    void placesScansBetterInFlight() {
+        Flight followed, plain;
+        followed.book.adjustInFlight(true);
+        const Vec3 drift_m(0.3, -0.2, 0.25);
+        for (Flight* const flight : {&plain, &followed}) {
+            flight->setIns({0.0, 0.0, 6.0}, Vec3::Zero());
+            for (const double y_m : {3.0, 6.0})
+                flight->lane(y_m, Vec3::Zero());
+            for (const double y_m : {9.0, 12.0, 15.0})
+                flight->lane(y_m, drift_m);
+        }
+        QVERIFY2(followed.error_m() < 0.8 * plain.error_m(),
+                 qPrintable(QString("%1 m, and %2 m without").arg(followed.error_m()).arg(plain.error_m())));
+        QVERIFY(pointError_m(followed) < 0.8 * pointError_m(plain));
+        for (Flight* const flight : {&plain, &followed}) {
+            flight->book.endTask();
+            flight->wait(50);
+        }
+        QCOMPARE(followed.error_m(), plain.error_m()); // All scans are adjusted from what the robot believed.
+    }
+
+    void forgetsWhatItFoundInFlightWhenTheInsIsSet() {
+        Flight flight;
+        flight.book.adjustInFlight(true);
+        const Vec3 drift_m(0.3, -0.2, 0.25);
+        flight.setIns({0.0, 0.0, 6.0}, Vec3::Zero());
+        for (const double y_m : {3.0, 6.0})
+            flight.lane(y_m, Vec3::Zero());
+        for (const double y_m : {9.0, 12.0})
+            flight.lane(y_m, drift_m);
+        const auto middleHit = [&] { return flight.book.mapper().lastHits().at(30); };
+        const double moved_m = (middleHit().head<2>() - Vec2(29.8, 12.0) - drift_m.head<2>()).norm();
+        QVERIFY2(moved_m > 0.1, qPrintable(QString::number(moved_m)));
+        flight.setIns({29.8, 12.0, 6.0}, drift_m);
+        flight.scan({15.0, 12.0, 6.0}, Vec3::Zero());
+        QVERIFY(std::abs(middleHit().x() - 15.0) < 1e-3);
     }
 
     void keepsTheThesissMapIfNobodyWantsAnother() {
