@@ -32,9 +32,10 @@ BehaviorPanel::BehaviorPanel(QWidget* parameter_form, QWidget* parent) : QWidget
     isolated_->setToolTip(
         tr("If a behavior crashes or hangs in its own process, only its robot stops; you are told where it failed, and "
            "nothing else is affected. Costs well under a millisecond per tick"));
-    adjust_->setToolTip(
-        tr("At landings and at the end, what was scanned twice shows how the INS has drifted, and the map "
-           "is made again with the corrected path. Otherwise it is the thesis's map, as it was flown"));
+    adjust_->setToolTip(tr("What was scanned twice shows how the INS has drifted. In flight, new scans are placed by "
+                           "that; at landings and "
+                           "at the end, the map is made again with the corrected path. Otherwise it is the thesis's "
+                           "map, as it was flown"));
     for (QCheckBox* box : {isolated_, adjust_})
         box->setMinimumHeight(minimum_target);
     connect(adjust_, &QCheckBox::clicked, this, &BehaviorPanel::adjustChosen);
