@@ -453,6 +453,16 @@ private slots:
         QCOMPARE(*drive.climb_m_s, 0.0);
     }
 
+    void fleesHarderWhereTheWindPushesItOn() {
+        double hardest_m_s = 0.0;
+        for (int tick = 0; tick < 15; ++tick) { // It moves on at 0.25 m/s, whatever it is told.
+            perceive(5.0, {{"M0", 1.0}});
+            hardest_m_s = std::min(hardest_m_s, fly().forward_m_s.value_or(0.0));
+            x_m += 0.05;
+        }
+        QVERIFY2(hardest_m_s < -0.9, qPrintable(QString::number(hardest_m_s)));
+    }
+
     void slowsDownTowardWhatItRemembers() {
         layout.sonars.resize(5); // left half and front only
         perceive(6.0, {{"M0", 2.4}});

@@ -278,7 +278,7 @@ Motion Craft::evade(const EvasionDecision& decision, const Leg& leg, FlightState
     const Vec2 here_m = senses.position2_m();
     if (decision.mode == EvasionMode::Flee) {
         const Vec2 away(std::cos(decision.flee_bearing_rad), std::sin(decision.flee_bearing_rad));
-        return {.velocity_in_map_m_s = settings.evasion_speed_m_s * away, .sudden = true};
+        return {.velocity_in_map_m_s = settings.evasion_speed_m_s * away, .sudden = decision.sudden};
     }
     if (decision.mode == EvasionMode::Divert && (decision.diversion_m - here_m).norm() > hold_still_m)
         return toward(senses, bearingOf(decision.diversion_m - here_m), settings.evasion_speed_m_s, settings);

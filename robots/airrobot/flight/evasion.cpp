@@ -10,6 +10,8 @@ namespace {
 constexpr double berth_half_width_m = 0.8;
 constexpr double escape_way_m = 1.6;
 constexpr double bearing_step_rad = radians(15.0);
+/// In this time, it has turned round and flees as fast as it is told in calm air.
+constexpr Seconds sudden_time{2.0};
 
 bool isFree(const agent::SonarZone& zone) {
     return zone.risk == agent::Risk::None;
@@ -92,8 +94,13 @@ std::optional<double> Evasion::escape_rad(const Senses& senses, const ThreatPict
 EvasionDecision Evasion::flee(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles,
                               const Retreat& retreat) {
     const auto escape = escape_rad(senses, picture, obstacles, retreat);
+    if (mode_ != EvasionMode::Flee)
+        fled_since_ = senses.now;
     mode_ = escape ? EvasionMode::Flee : EvasionMode::Enclosed;
-    return {.mode = mode_, .flee_bearing_rad = escape.value_or(0.0), .new_high_risk = last_risk_ != agent::Risk::High};
+    return {.mode = mode_,
+            .flee_bearing_rad = escape.value_or(0.0),
+            .sudden = senses.now - fled_since_ < sudden_time + senses.late,
+            .new_high_risk = last_risk_ != agent::Risk::High};
 }
 
 EvasionDecision Evasion::divert(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles,

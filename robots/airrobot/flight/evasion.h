@@ -15,7 +15,7 @@ namespace usar::airrobot {
 
 enum class EvasionMode {
     None,    ///< fly to the goal
-    Flee,    ///< high risk: move suddenly along `flee_bearing_rad` without turning
+    Flee,    ///< high risk: move along `flee_bearing_rad` without turning, suddenly at first
     Divert,  ///< low risk, or one that ended too recently: fly to `diversion_m` first
     Enclosed ///< there is a risk and no way out at this height
 };
@@ -24,7 +24,9 @@ struct EvasionDecision {
     EvasionMode mode = EvasionMode::None;
     Vec2 diversion_m = Vec2::Zero(); ///< map frame; only for Divert
     double flee_bearing_rad = 0.0;   ///< map frame; only for Flee
-    bool new_low_risk = false;       ///< new in this tick and worth a mark on the map, like the two below
+    /// It has just begun to flee. A robot that flees for longer has come to speed, and must get to know the wind.
+    bool sudden = false;
+    bool new_low_risk = false; ///< new in this tick and worth a mark on the map, like the two below
     bool new_high_risk = false;
     bool new_diversion = false;
 };
@@ -82,6 +84,7 @@ private:
     Vec2 diversion_m_ = Vec2::Zero();
     bool matters_ = false;
     std::optional<Seconds> calm_since_;
+    Seconds fled_since_{0.0};
     agent::Risk risk_ = agent::Risk::None;
     agent::Risk last_risk_ = agent::Risk::None; ///< risk at the previous observation
 };
