@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <QObject>
 #include <QTest>
 
@@ -116,6 +118,64 @@ private slots:
         senses.base_in_map.position_m.z() = 8.1;
         const ClimbStep end = free ? step(climb, senses, {}, {}, 8.2) : step(climb, senses, {{"M0", 3.4}}, rack, 8.2);
         QCOMPARE(end.state, free ? ClimbState::Over : ClimbState::Failed);
+    }
+
+    void sinksFromWhatItsRingMeetsAndClimbsElsewhere_data() {
+        QTest::addColumn<double>("climbs_m_s");
+        QTest::addColumn<double>("pitch_rad");
+        QTest::addColumn<bool>("sinks");
+        QTest::newRow("it climbs as it is told") << 0.5 << 0.1 << false;
+        QTest::newRow("it is slower for a moment") << 0.1 << 0.0 << false;
+        QTest::newRow("something presses its nose down") << 0.1 << 0.1 << true;
+    }
+    void sinksFromWhatItsRingMeetsAndClimbsElsewhere() {
+        QFETCH(double, climbs_m_s);
+        QFETCH(double, pitch_rad);
+        QFETCH(bool, sinks);
+        ClimbOver climb;
+        Senses senses = sensesAt({0, 0, 6});
+        const std::vector<Obstacle> crown{wallAt(4.0, 0.0)};
+        climb.start(senses, crown, settings);
+        double commanded_m_s = 0.0;
+        const auto fly = [&] {
+            climb.feel(senses, Vec2::Zero(), commanded_m_s);
+            const ClimbStep now = step(climb, senses, {{"M0", 3.4}}, crown);
+            commanded_m_s = now.climb_m_s;
+            return now;
+        };
+        senses.velocity_in_map_m_s.z() = 0.5;
+        for (int tick = 0; tick < 10; ++tick)
+            QVERIFY(fly().state != ClimbState::Sinking);
+        senses.velocity_in_map_m_s.z() = climbs_m_s;
+        senses.base_in_map.pitch_rad = pitch_rad;
+        const ClimbStep met = fly();
+        QCOMPARE(met.state == ClimbState::Sinking, sinks);
+        QCOMPARE(met.climb_m_s < 0.0, sinks);
+        QVERIFY(climb.active());
+        if (!sinks)
+            return;
+        senses.base_in_map.position_m.z() = 5.0;
+        const ClimbStep back = fly();
+        QCOMPARE(back.state, ClimbState::Backing);
+        QVERIFY(back.place_m.x() < -1.0); // away from what it has met
+    }
+
+    void givesUpWhereverItsRingMeetsSomething() {
+        ClimbOver climb;
+        Senses senses = sensesAt({0, 0, 6});
+        climb.start(senses, {}, settings);
+        double commanded_m_s = 0.0;
+        for (int tick = 0; tick < 600 && climb.active(); ++tick) {
+            climb.feel(senses, Vec2::Zero(), commanded_m_s);
+            const ClimbStep now = step(climb, senses, {{"M0", 3.4}}, {});
+            commanded_m_s = now.climb_m_s;
+            senses.base_in_map.position_m.head<2>() = now.place_m;
+            senses.base_in_map.position_m.z() += 0.2 * std::min(commanded_m_s, 0.05);
+            senses.velocity_in_map_m_s.z() = std::min(commanded_m_s, 0.05);
+            senses.base_in_map.roll_rad = 0.1;
+        }
+        QVERIFY(!climb.active());
+        QVERIFY(senses.position_m().z() < 6.0);
     }
 
     void doesNotBackAwayForever() {

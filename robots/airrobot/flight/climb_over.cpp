@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace usar::airrobot {
 
@@ -20,6 +21,10 @@ constexpr double front_rad = radians(45.0);
 constexpr double facing_rad = 0.3;
 /// How far the robot continues to climb after the way is free, so that its belly clears the top.
 constexpr double extra_m = 1.5;
+constexpr double sinks_by_m = 0.8; ///< from where its ring has met something
+constexpr double sinks_m_s = 0.5;
+constexpr Seconds longest_sinking{4.0};
+constexpr std::size_t most_met_climbing = 4;
 constexpr double below_m = 0.15; ///< distance from the greatest height at which the climb ends
 
 } // namespace
@@ -46,10 +51,34 @@ Vec2 climbPlace_m(std::span<const Obstacle> obstacles, const Vec2& here_m, doubl
 
 void ClimbOver::start(const Senses& senses, std::span<const Obstacle> obstacles, const Settings& settings,
                       const Retreat& retreat) {
+    std::vector<Obstacle> known(obstacles.begin(), obstacles.end());
+    known.insert(known.end(), met_.begin(), met_.end());
     state_ = ClimbState::Backing;
-    place_m_ = climbPlace_m(obstacles, senses.position2_m(), settings.climb_standoff_m, retreat);
+    place_m_ = climbPlace_m(known, senses.position2_m(), settings.climb_standoff_m, retreat);
     since_ = senses.now;
     free_since_z_m_.reset();
+}
+
+void ClimbOver::feel(const Senses& senses, const Vec2& slope, double commanded_m_s) {
+    // A robot that is told to climb faster does so a moment later, and nothing holds it.
+    const double followed_m_s = std::min(commanded_m_s, std::exchange(commanded_m_s_, commanded_m_s));
+    const auto met_m = touch_.feel(senses, slope, state_ == ClimbState::Climbing ? followed_m_s : 0.0);
+    if (!met_m)
+        return;
+    met_.push_back({met_m->head<2>(), met_m->z(), true});
+    state_ = ClimbState::Sinking;
+    since_ = senses.now;
+    sinks_to_m_ = senses.position_m().z() - sinks_by_m;
+}
+
+/// Ends the climb or begins it anew, farther from all that it has met, once the robot has sunk.
+void ClimbOver::sink(const Senses& senses, std::span<const Obstacle> obstacles, const Settings& settings) {
+    if (senses.position_m().z() > sinks_to_m_ && senses.now - since_ < longest_sinking)
+        return;
+    if (met_.size() < most_met_climbing)
+        start(senses, obstacles, settings);
+    else
+        state_ = ClimbState::Failed;
 }
 
 bool ClimbOver::wayIsFree(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles,
@@ -67,6 +96,10 @@ bool ClimbOver::wayIsFree(const Senses& senses, const ThreatPicture& picture, st
 
 ClimbStep ClimbOver::step(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles,
                           const Vec2& goal_m, double highest_m, const Settings& settings) {
+    if (state_ == ClimbState::Sinking) {
+        sink(senses, obstacles, settings);
+        return {state_, place_m_, state_ == ClimbState::Sinking ? -sinks_m_s : 0.0};
+    }
     if (state_ == ClimbState::Backing) {
         const bool there = (senses.position2_m() - place_m_).norm() < arrived_m;
         if (there || senses.now - since_ > backing_time / senses.steadyShare()) {

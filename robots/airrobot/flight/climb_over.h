@@ -3,23 +3,26 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "robots/airrobot/flight/evasion.h"
 #include "robots/airrobot/flight/obstacle_memory.h"
+#include "robots/airrobot/flight/ring_touch.h"
 #include "robots/airrobot/flight/senses.h"
 #include "robots/airrobot/flight/threat_zones.h"
 #include "robots/airrobot/settings.h"
 
 namespace usar::airrobot {
 
-/// The state of a climb. Over: the robot is high enough to cross. Failed: it has reached the maximum height.
-enum class ClimbState { Inactive, Backing, Climbing, Over, Failed };
+/// The state of a climb. Sinking: away from something that its ring has met. Over: the robot is high enough to cross.
+/// Failed: it has reached the maximum height, or met something wherever it tried.
+enum class ClimbState { Inactive, Backing, Climbing, Sinking, Over, Failed };
 
 /// The instructions for one tick.
 struct ClimbStep {
     ClimbState state = ClimbState::Inactive;
-    Vec2 place_m = Vec2::Zero(); ///< place to go to (Backing) or to stay at (Climbing), map frame
-    /// Commanded rate of climb; 0 while backing.
+    Vec2 place_m = Vec2::Zero(); ///< place to go to (Backing) or to stay at (Climbing, Sinking), map frame
+    /// Commanded rate of climb; 0 while backing, negative while sinking.
     double climb_m_s = 0.0;
 };
 
@@ -35,8 +38,13 @@ public:
     /// `highest_m` (map z), for example below a ceiling, and fails unless the way is free there.
     ClimbStep step(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles,
                    const Vec2& goal_m, double highest_m, const Settings& settings);
+    /// Notes whether the ring has met something; the climb goes on at another place then. Call it before each `step`,
+    /// with the rate of climb that was commanded last; for `slope` see RingTouch.
+    void feel(const Senses& senses, const Vec2& slope, double commanded_m_s);
     /// Whether the robot is on its way to the place or climbing there; false once it is over or has failed.
-    bool active() const { return state_ == ClimbState::Backing || state_ == ClimbState::Climbing; }
+    bool active() const {
+        return state_ == ClimbState::Backing || state_ == ClimbState::Climbing || state_ == ClimbState::Sinking;
+    }
     /// Makes the climb inactive, whatever its state.
     void reset() { *this = {}; }
 
@@ -45,8 +53,14 @@ private:
     bool wayIsFree(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles,
                    const Vec2& goal_m) const;
 
+    void sink(const Senses& senses, std::span<const Obstacle> obstacles, const Settings& settings);
+
     ClimbState state_ = ClimbState::Inactive;
     Vec2 place_m_ = Vec2::Zero();
+    RingTouch touch_;
+    double commanded_m_s_ = 0.0;
+    std::vector<Obstacle> met_;            ///< by its ring
+    double sinks_to_m_ = 0.0;              ///< map z
     Seconds since_{0.0};                   ///< start of the maneuver
     std::optional<double> free_since_z_m_; ///< height from which on the way has been free; nullopt while it is blocked
 };

@@ -22,15 +22,9 @@ constexpr double matters_m = 8.0;
 constexpr double surely_heard_m = 3.5; ///< A sonar does not say from where in its cone a farther echo came.
 constexpr double same_m = 0.3;
 constexpr std::size_t most_met = 400;
-/// A ring that meets something is pressed down on that side, and the robot no longer climbs as it is told.
-constexpr double leans = 0.06;
-constexpr double held_share = 0.6;
-constexpr double least_climb_m_s = 0.15;
-constexpr Seconds to_speed{1.0}; ///< So long it takes to climb at all.
 constexpr double back_off_m = 0.8;
 constexpr double back_off_m_s = 0.5;
-constexpr double lowest_m = 2.2;      ///< over the ground
-constexpr double touch_reach_m = 0.5; ///< from the robot's center to what it has touched
+constexpr double lowest_m = 2.2; ///< over the ground
 constexpr double farthest_column_m = 6.5;
 constexpr double half_way_m = 0.75;
 constexpr double beside_roof_m = 4.0;  ///< A ceiling that is a floor on posts may end so far away.
@@ -82,8 +76,11 @@ Column::Minding Column::mind(const Senses& senses, std::span<const Obstacle> kno
     if (senses.scan)
         std::ranges::for_each(senses.scan->hits_in_map_m, add);
     const double room_m = nearest_m(things, here_m.head<2>(), matters_m);
-    const bool climbs = commanded_m_s >= least_climb_m_s;
-    if (!sinks_to_m_ && (touches(senses, slope, commanded_m_s) || (climbs && room_m < too_near_m))) {
+    const bool climbs = commanded_m_s >= RingTouch::least_climb_m_s;
+    const auto met_m = sinks_to_m_ ? std::nullopt : touch_.feel(senses, slope, commanded_m_s);
+    if (met_m)
+        met_m_.push_back(*met_m);
+    if (!sinks_to_m_ && (met_m || (climbs && room_m < too_near_m))) {
         ++tries_;
         sinks_to_m_ = std::max(here_m.z() - back_off_m, senses.ground_m.value_or(here_m.z()) + lowest_m);
     }
@@ -95,26 +92,6 @@ Column::Minding Column::mind(const Senses& senses, std::span<const Obstacle> kno
         return {.at_most_m_s = 0.0};
     }
     return room_m < crowded_climb_m ? Minding{Overhead::gentle_m_s, true} : Minding{};
-}
-
-bool Column::touches(const Senses& senses, const Vec2& slope, double commanded_m_s) {
-    if (commanded_m_s < least_climb_m_s) {
-        climbing_since_.reset();
-        return false;
-    }
-    if (!climbing_since_)
-        climbing_since_ = senses.now;
-    if (senses.now - *climbing_since_ < to_speed + senses.late ||
-        senses.velocity_in_map_m_s.z() > held_share * commanded_m_s)
-        return false;
-    const Vec3 up = senses.base_in_map.rotation() * Vec3::UnitZ();
-    const Vec2 lean = up.head<2>() / up.z() + slope;
-    if (lean.norm() < leans)
-        return false;
-    climbing_since_.reset();
-    const Vec2 met_m = senses.position2_m() + touch_reach_m * lean.normalized();
-    met_m_.emplace_back(met_m.x(), met_m.y(), senses.position_m().z() + level_with_m);
-    return true;
 }
 
 Vec2 otherColumn_m(std::span<const Obstacle> near, const Vec2& here_m, const Overhead& overhead,

@@ -7,6 +7,7 @@
 
 #include "robots/airrobot/flight/ascent.h"
 #include "robots/airrobot/flight/overhead.h"
+#include "robots/airrobot/flight/ring_touch.h"
 
 namespace usar::airrobot {
 
@@ -52,10 +53,9 @@ private:
     static constexpr int most_tries = 4;
 
     void listen(const Senses& senses);
-    bool touches(const Senses& senses, const Vec2& slope, double commanded_m_s);
 
     std::vector<Vec3> met_m_; ///< where sonars heard something, or the ring touched it
-    std::optional<Seconds> climbing_since_;
+    RingTouch touch_;
     std::optional<double> sinks_to_m_; ///< map z
     int tries_ = 0;
 };

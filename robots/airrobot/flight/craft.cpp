@@ -323,6 +323,7 @@ Motion Craft::cruise(const Leg& leg, FlightState& state) {
 
 Motion Craft::climbOver(const Leg& leg, FlightState& state) {
     state = FlightState::ClimbingOver;
+    climb_over_.feel(senses, log.lean().slope(senses.base_in_map.yaw_rad), commanded_climb_m_s_);
     const ClimbStep step =
         climb_over_.step(senses, threats, obstacles_, leg.aim_m, overhead.limit_m(senses.position2_m()), settings);
     Motion motion = holding(senses, step.place_m);

@@ -1,0 +1,25 @@
+// Feels that the ring of a robot that climbs has met something from below, such as a twig or a wire, which no sensor
+// sees.
+#pragma once
+
+#include <optional>
+
+#include "robots/airrobot/flight/senses.h"
+
+namespace usar::airrobot {
+
+/// What a ring meets presses it down on that side, and the robot no longer climbs as it is told. One that goes on
+/// climbing is turned over. Owned by one robot; make a new one for each climb.
+class RingTouch {
+public:
+    static constexpr double least_climb_m_s = 0.15; ///< A slower climb feels nothing.
+
+    /// Returns where the ring has met something (map frame) if it feels that in this tick. `slope` is that of a plane
+    /// on which the robot would lean as it usually does now, see Lean. Call it once per tick.
+    std::optional<Vec3> feel(const Senses& senses, const Vec2& slope, double commanded_m_s);
+
+private:
+    std::optional<Seconds> climbing_since_;
+};
+
+} // namespace usar::airrobot
