@@ -98,8 +98,8 @@ void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool a
             ways.map().clear();
         }
         const double below_m = overhead.ceiling_m(senses.position2_m()).value_or(1e9) - below_ceiling_m;
-        memory.take(senses,
-                    {Seconds(settings.scan_memory_s), Seconds(settings.sonar_memory_s), below_m, settings.hurried()});
+        memory.take(senses, {Seconds(settings.scan_memory_s), Seconds(settings.sonar_memory_s), below_m,
+                             settings.hurried() || !overhead.hasCeiling()});
         if (settings.hurried())
             atlas_.take(senses, below_m);
         ways.take(senses, below_m, senses.heightOverGround_m(1e9) > sure_of_walls_m, overhead.hasCeiling());

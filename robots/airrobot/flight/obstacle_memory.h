@@ -25,8 +25,8 @@ struct MemorySpans {
     Seconds scan{600.0};
     Seconds sonar{20.0};
     double below_m = 1e9; ///< map z; higher hits are on a ceiling
-    /// Keeps of an echo what is below a later beam that passes over it from nearer. Otherwise it is removed, which is
-    /// right for walls, racks and trunks, and leaves a slow robot time to hear a crown once more.
+    /// Keeps of an echo what is below a later beam that passes over it from nearer: crowns have thin tips, which sonars
+    /// hear once in a while. Otherwise it is removed, which is right for walls and racks.
     bool lower_parts = false;
 };
 
