@@ -46,6 +46,7 @@ constexpr double below_ceiling_m = 0.5; ///< Scanner hits higher than this are o
 constexpr double near_roof_m = 0.35;
 /// A robot without a pose sinks away from a roof for so long and no longer, because it does not see how far it sinks.
 constexpr Seconds longest_press{6.0};
+constexpr double open_sky_m = 8.0;      ///< Where a beam has reached so far above the robot, it is in no room.
 constexpr double sure_of_walls_m = 2.5; ///< Lower down, sonars hear the ground.
 
 /// Limits speeds to what the robot can do, because the course filter and the stopping distance rely on the command.
@@ -98,8 +99,9 @@ void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool a
             ways.map().clear();
         }
         const double below_m = overhead.ceiling_m(senses.position2_m()).value_or(1e9) - below_ceiling_m;
+        const bool open_sky = overhead.seenTo_m() > senses.position_m().z() + open_sky_m;
         memory.take(senses, {Seconds(settings.scan_memory_s), Seconds(settings.sonar_memory_s), below_m,
-                             settings.hurried() || !overhead.hasCeiling()});
+                             settings.hurried() || open_sky});
         if (settings.hurried())
             atlas_.take(senses, below_m);
         ways.take(senses, below_m, senses.heightOverGround_m(1e9) > sure_of_walls_m, overhead.hasCeiling());
