@@ -10,7 +10,7 @@ namespace {
 constexpr double berth_half_width_m = 0.8;
 constexpr double escape_way_m = 1.6;
 constexpr double bearing_step_rad = radians(15.0);
-/// In this time, it has turned round and flees as fast as it is told in calm air.
+/// In this time, it has turned round and flees as fast as it is told in calm air. In a room, the air is always calm.
 constexpr Seconds sudden_time{2.0};
 
 bool isFree(const agent::SonarZone& zone) {
@@ -99,7 +99,7 @@ EvasionDecision Evasion::flee(const Senses& senses, const ThreatPicture& picture
     mode_ = escape ? EvasionMode::Flee : EvasionMode::Enclosed;
     return {.mode = mode_,
             .flee_bearing_rad = escape.value_or(0.0),
-            .sudden = senses.now - fled_since_ < sudden_time + senses.late,
+            .sudden = retreat.only_there || senses.now - fled_since_ < sudden_time + senses.late,
             .new_high_risk = last_risk_ != agent::Risk::High};
 }
 
