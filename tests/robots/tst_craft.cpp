@@ -5,7 +5,7 @@
 #include <QObject>
 #include <QTest>
 
-#include "robots/airrobot/flight/craft.h"
+#include "tests/robots/craft_trial.h"
 #include "tests/suite/suite.h"
 
 namespace tst_craft {
@@ -13,69 +13,10 @@ namespace tst_craft {
 using namespace usar;
 using namespace usar::airrobot;
 
-class tst_Craft : public QObject {
+class tst_Craft : public QObject, private test::CraftTrial {
     Q_OBJECT
-
-    std::optional<modules::RobotModules> robot;
-    agent::CommandPort port;
-    SensorLayout layout;
-    std::uint64_t line = 0;
-    double now_s = 0.0;
-    double x_m = 0.0;
-    double z_m = 20.0;
-    bool tells_pose = true;
-    std::unique_ptr<Craft> craft;
-
-    void tell(protocol::InfoMessage message) { robot->take({LineNumber{++line}, "", std::move(message), {}}); }
-
-    /// One tick over flat ground `height_m` below, with these sonars nearer than 5 m; the scanner's level rays see what
-    /// stands `left_m` and `right_m` beside.
-    void perceive(double height_m, const std::map<std::string, double>& near_m, double left_m = 20.0,
-                  double right_m = 20.0) {
-        now_s += 0.2;
-        protocol::SonarReadings sonars;
-        for (const SonarMount& mount : layout.sonars)
-            sonars.ranges.push_back({mount.name, near_m.contains(mount.name) ? near_m.at(mount.name) : 5.0});
-        tell(sonars);
-        protocol::RangeScan scan{Seconds(now_s), "Scanner1", radians(1.0), pi, std::vector<double>(181, 20.0)};
-        for (std::size_t i = 0; i < scan.ranges_m.size(); ++i)
-            if (const double down = std::cos(scan.beamAngle_rad(i)); down > height_m / 20.0)
-                scan.ranges_m[i] = (height_m - 0.1) / down;
-        scan.ranges_m.front() = right_m;
-        scan.ranges_m.back() = left_m;
-        tell(scan);
-        if (tells_pose)
-            tell(protocol::InsReading{{}, "INS", Pose{Vec3(x_m, 0, z_m), 0, 0, 0}});
-        protocol::RobotState state;
-        state.time = Seconds(now_s);
-        tell(state);
-        craft->perceive({Seconds(now_s), LineNumber{line}, *robot}, layout, true, port);
-    }
-    protocol::AerialDrive fly(double speed_m_s = 1.0) {
-        craft->fly({Vec2(x_m + 30, 0), Vec2(x_m + 8, 0), speed_m_s, "test"}, port);
-        return lastDrive().value_or(protocol::AerialDrive{});
-    }
-    /// The last DRIVE since the last call, among questions about the link; nullopt if there is none.
-    std::optional<protocol::AerialDrive> lastDrive() {
-        std::optional<protocol::AerialDrive> last;
-        for (const agent::CausedCommand& caused : port.takeCommands())
-            if (const auto* const drive = std::get_if<protocol::AerialDrive>(&caused.command))
-                last = *drive;
-        return last;
-    }
-
 private slots:
-    void init() {
-        robot.emplace();
-        port = {};
-        layout = stockLayout();
-        line = 0;
-        now_s = 100.0;
-        x_m = 0.0;
-        z_m = 20.0;
-        tells_pose = true;
-        craft = std::make_unique<Craft>();
-    }
+    void init() { begin(); }
 
     void climbsWhereNothingIsBeside() {
         perceive(5.0, {});
@@ -274,15 +215,6 @@ private slots:
         QCOMPARE(craft->climbingOver(), !resets_ins);
     }
 
-    void climbsStraightUpWithCareWhereNobodyHasLooked() {
-        perceive(3.0, {});
-        const auto climb = [&] {
-            craft->fly({Vec2(x_m, 0), Vec2(x_m, 0), 0.0, "test"}, port);
-            return *lastDrive().value().climb_m_s;
-        };
-        QCOMPARE(climb(), Overhead::careful_m_s);
-    }
-
     void sinksOverItsPlaceOnly() {
         craft->touchdown.start();
         const auto descend = [&](double to_m, bool in_need = true) {
@@ -312,73 +244,6 @@ private slots:
         }
         QCOMPARE(descent, Descent::KeptAway);
         QVERIFY2(ticks > 70 && ticks < 90, qPrintable(QString::number(ticks)));
-    }
-
-    void sinksStraightAwayFromARoofThatItHasTouched() {
-        protocol::AerialDrive drive;
-        for (int tick = 0; tick < 9; ++tick) { // It is told to climb, and does not.
-            perceive(3.0, {});
-            if (const auto told = fly(); told.climb_m_s)
-                drive = told;
-            QVERIFY(*drive.climb_m_s > 0.0 || craft->overhead.hasCeiling());
-        }
-        QVERIFY(craft->overhead.hasCeiling());
-        QCOMPARE(*drive.climb_m_s, -Overhead::gentle_m_s);
-        z_m -= 0.4;
-        perceive(2.6, {});
-        QVERIFY(*fly().forward_m_s > 0.0);
-    }
-
-    void sinksStraightUnderALidAndStaysThere() {
-        craft->forgetPlaces();
-        craft->ways.startAnew(14.0);
-        perceive(6.0, {});
-        QVERIFY(!craft->ways.isNarrow());
-        craft->goUnder({0.0, 0.0});
-        perceive(6.0, {});
-        protocol::AerialDrive drive = fly();
-        QCOMPARE(*drive.climb_m_s, -craft->settings.descent_speed_m_s);
-        QVERIFY(std::abs(*drive.forward_m_s) < 0.05);
-        z_m = 16.5;                                    // The lid is at 17.2 m.
-        for (int tick = 0; tick < 5; ++tick) {         // The ground asks it to climb, and the lid forbids it.
-            perceive(2.2, {{"R4", 0.9}, {"L4", 0.9}}); // It is in a door.
-            if (const auto told = fly(); told.climb_m_s)
-                drive = told;
-            QVERIFY(*drive.climb_m_s <= 0.0);
-        }
-        QVERIFY2(*drive.forward_m_s > 0.2 && *drive.forward_m_s < 1.3 * Ways::door_m_s,
-                 qPrintable(QString::number(*drive.forward_m_s)));
-        craft->comeUp();
-        perceive(2.2, {{"R4", 0.9}, {"L4", 0.9}});
-        QCOMPARE(craft->threats.risk, agent::Risk::High);
-        QVERIFY(craft->mayClimb());
-    }
-
-    /// A floor on posts beside the start ended the climb there for good, and the survey under it
-    /// (`tst_random_surveys_campaign`, number 1013).
-    void climbsElsewhereWhereACeilingIsLow() {
-        craft->forgetPlaces();
-        craft->comeUp(); // It knows what is around, so it climbs at once.
-        z_m = 16.5;
-        constexpr double goal_z_m = 20.0;
-        for (int tick = 0; tick < 40 && !craft->overhead.hasCeiling(); ++tick) {
-            perceive(z_m - 13.8, {});
-            QVERIFY(!craft->rise(goal_z_m, {0.0, 0.0}, port));
-            z_m = std::min(z_m + 0.08, 16.9); // There is something above it.
-        }
-        QVERIFY(craft->overhead.hasCeiling());
-        QVERIFY(craft->column_m());
-        const Vec2 aim_m = *craft->column_m();
-        QVERIFY(aim_m.norm() > 3.0);
-        QVERIFY(std::isinf(craft->overhead.limit_m(aim_m)));
-        perceive(z_m - 13.8, {});
-        QVERIFY(!craft->rise(goal_z_m, {0.0, 0.0}, port)); // It is not there yet.
-        craft->startAnew();
-        QVERIFY(craft->overhead.limit_m(aim_m) < 17.0); // Under way, it counts on the ceiling again.
-        z_m = 17.1;                                     // Its height has drifted, so it seems to be above it.
-        perceive(z_m - 13.8, {});
-        craft->startAnew();
-        QVERIFY(craft->overhead.limit_m(aim_m) < 17.0);
     }
 
     /// A robot that knew no tree on its way flew into a wood at the height of the crowns, and climbed into one
@@ -424,58 +289,6 @@ private slots:
         perceive(6.0, {});
         const double far_m_s = fly(transit_m_s).climb_m_s.value_or(0.0);
         QVERIFY2(far_m_s < 0.1, qPrintable(QString::number(far_m_s)));
-    }
-
-    /// It sank and climbed before the same wall for minutes, and looked for no way around it.
-    void staysUpWhereAClimbBelowACeilingWasInVain() {
-        for (int tick = 0; tick < 9; ++tick) { // It is told to climb, and does not.
-            perceive(3.0, {});
-            fly();
-        }
-        const double limit_m = craft->overhead.limit_m({0.0, 0.0});
-        QVERIFY(limit_m < 20.0);
-        z_m = limit_m - 2.0;
-        const auto fly_s = [&](double seconds, double before_m) {
-            double lowest_m = z_m;
-            protocol::AerialDrive drive; // An unchanged command is not sent again.
-            for (double past_s = 0.0; past_s < seconds; past_s += 0.2) {
-                perceive(z_m - limit_m + 8.0, {{"M0", before_m - 0.01 * std::fmod(5.0 * past_s, 2.0)}});
-                craft->fly({Vec2(x_m + 30, 0), Vec2(x_m + 8, 0), 1.0, "test"}, port);
-                drive = lastDrive().value_or(drive);
-                x_m += before_m < 5.0 ? 0.0 : 0.2 * drive.forward_m_s.value_or(0.0);
-                z_m += 0.2 * drive.climb_m_s.value_or(0.0);
-                lowest_m = std::min(lowest_m, z_m);
-            }
-            return lowest_m;
-        };
-        fly_s(30.0, 2.0);
-        QVERIFY2(z_m > limit_m - 0.4, qPrintable(QString::number(limit_m - z_m)));
-        QVERIFY(!craft->mayClimb());
-        const double lowest_m = fly_s(11.0, 5.0); // It keeps its height for some meters.
-        QVERIFY2(lowest_m > limit_m - 0.25, qPrintable(QString::number(limit_m - lowest_m)));
-    }
-
-    void leavesARoofEvenWithoutAPose() {
-        const auto brace = [&] {
-            craft->brace(port, "test");
-            const auto drive = lastDrive();
-            return drive ? drive->climb_m_s : std::nullopt;
-        };
-        perceive(3.0, {});
-        QCOMPARE(brace(), std::optional(0.0));
-        for (int tick = 0; tick < 9; ++tick) {
-            perceive(3.0, {});
-            fly();
-        }
-        QVERIFY(craft->overhead.hasCeiling());
-        QCOMPARE(brace().value_or(-Overhead::gentle_m_s), -Overhead::gentle_m_s);
-        tells_pose = false;
-        std::optional<double> climb_m_s;
-        for (int tick = 0; tick < 40; ++tick) { // A robot that sees nothing does not sink for ever.
-            perceive(3.0, {});
-            climb_m_s = brace().value_or(climb_m_s.value_or(-Overhead::gentle_m_s));
-        }
-        QCOMPARE(climb_m_s, std::optional(0.0));
     }
 
     void fleesFromAHighRiskWithoutAChangeOfHeight() {
