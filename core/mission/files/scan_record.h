@@ -38,6 +38,12 @@ struct CorrectedPoint {
     Vec3 sigma_m = Vec3::Zero();
 };
 
+/// How far a correction has moved the path, in meters; over all its points.
+struct PathShift {
+    double mean_m = 0.0;
+    double greatest_m = 0.0;
+};
+
 /// What an adjustment of the strips has done to the map, see mapping::StripResult.
 struct MapAdjustment {
     mapping::AdjustmentVerdict verdict = mapping::AdjustmentVerdict::Declined;
@@ -45,6 +51,9 @@ struct MapAdjustment {
     std::optional<double> residual_before_m{};
     std::optional<double> residual_after_m{};
     std::size_t overlaps = 0;
+    std::optional<PathShift> shift{}; ///< absent if the adjustment was declined; so is the next
+    /// The corrected path from above, made once for each adjustment and shared with whoever shows it.
+    std::shared_ptr<const std::vector<Vec2>> corrected_m{};
     // The rest is filled only when the record is handed out, and empty if the adjustment was declined.
     std::vector<CorrectedPoint> path{}; ///< at least a cell apart
     /// Standard deviation of the heights as far as it comes from that of the path, on the grid of the record's raster;

@@ -225,6 +225,7 @@ void Robot::take(const SessionUpdate& update) {
     }
     if (!update.tiles.empty() && !isReplay())
         view_.unsaved = true;
+    view_.corrected_path_m = update.corrected_path_m;
     if (update.height_range)
         view_.height_range = update.height_range;
     if (update.ground)

@@ -48,6 +48,8 @@ struct RobotView : RobotIdentity {
     std::optional<agent::SonarZones> zones;          ///< as the newest behavior judged them last
     std::optional<Pose> base_in_map; ///< as the behavior estimates it; from the INS until the first status
     std::vector<Vec2> trail_m;       ///< estimated positions, more than 0.2 m apart
+    /// See SessionUpdate; null: the map is not corrected.
+    std::shared_ptr<const std::vector<Vec2>> corrected_path_m;
     /// Marks that the behavior has published, in their order.
     std::vector<agent::MapMark> marks;
     std::vector<Vec2> planned_m; ///< path that the behavior has planned

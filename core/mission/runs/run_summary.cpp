@@ -52,11 +52,14 @@ const char* wordOf(mapping::AdjustmentVerdict verdict) {
 QJsonValue adjustedBy(const std::optional<MapAdjustment>& adjustment) {
     if (!adjustment)
         return QJsonValue::Null;
+    const std::optional<PathShift>& shift = adjustment->shift;
     return QJsonObject{{"verdict", wordOf(adjustment->verdict)},
                        {"reason", text(adjustment->reason)},
                        {"residual_before_m", number(adjustment->residual_before_m, 4)},
                        {"residual_after_m", number(adjustment->residual_after_m, 4)},
-                       {"overlaps", static_cast<qint64>(adjustment->overlaps)}};
+                       {"overlaps", static_cast<qint64>(adjustment->overlaps)},
+                       {"mean_shift_m", number(shift ? std::optional(shift->mean_m) : std::nullopt, 3)},
+                       {"greatest_shift_m", number(shift ? std::optional(shift->greatest_m) : std::nullopt, 3)}};
 }
 
 QJsonValue seedOf(const RunSummary& summary) {

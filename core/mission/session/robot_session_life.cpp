@@ -19,7 +19,7 @@ RobotSession::Private::Private(RobotSession& session, double cell_size_m)
     , notices([this](const Notice& notice) { emit q.noticed(notice); })
     , updates(
           session, [this] { return q.isSignalConnected(QMetaMethod::fromSignal(&RobotSession::updated)); },
-          [this] { emit q.updated(updates.take(book.mapper(), figures())); })
+          [this] { emit q.updated(updates.take(book.mapper(), figures(), book.correctedPath_m())); })
     , book(cell_size_m, notices)
     , vigil(notices)
     , spawning(*this, notices)

@@ -1,5 +1,6 @@
 #include "core/mission/session/scan_book.h"
 
+#include <algorithm>
 #include <utility>
 #include <variant>
 
@@ -26,6 +27,30 @@ void addCells(const mapping::HeightTile& tile, mapping::HeightMap& map) {
         }
 }
 
+PathShift shiftOf(const std::vector<CorrectedPoint>& path) {
+    PathShift shift;
+    for (const CorrectedPoint& point : path) {
+        const double by_m = (point.corrected_m - point.estimated_m).norm();
+        shift.mean_m += by_m / static_cast<double>(path.size());
+        shift.greatest_m = std::max(shift.greatest_m, by_m);
+    }
+    return shift;
+}
+
+/// A sentence after another one.
+std::string shiftWords(const PathShift& shift) {
+    return " The path was moved by " + fixed(shift.mean_m, 2) + " m on average and " + fixed(shift.greatest_m, 2) +
+           " m at most.";
+}
+
+std::shared_ptr<const std::vector<Vec2>> fromAbove(const std::vector<CorrectedPoint>& path) {
+    auto points_m = std::make_shared<std::vector<Vec2>>();
+    points_m->reserve(path.size());
+    for (const CorrectedPoint& point : path)
+        points_m->push_back(point.corrected_m.head<2>());
+    return points_m;
+}
+
 } // namespace
 
 void ScanBook::rewind() {
@@ -44,6 +69,7 @@ void ScanBook::beginReplay(std::optional<double> cell_size_m, const std::string&
     adjuster_.forget();
     earlier_tiles_.clear();
     record_.scans.reset();
+    record_.adjustment.reset();
     record_.level = level;
 }
 
@@ -161,11 +187,20 @@ bool ScanBook::adjustPart() {
     const auto& result = adjuster_.result();
     if (!result || adjuster_.busy())
         return true;
-    record_.adjustment = MapAdjustment{result->verdict, result->reason, result->residual_before_m,
-                                       result->residual_after_m, result->overlaps};
+    MapAdjustment adjustment{result->verdict, result->reason, result->residual_before_m, result->residual_after_m,
+                             result->overlaps};
+    if (const std::vector<CorrectedPoint> path = correctedPath(); !path.empty()) {
+        adjustment.shift = shiftOf(path);
+        adjustment.corrected_m = fromAbove(path);
+    } else if (record_.adjustment && !result->correction.sorties.empty()) { // The scans are gone, the map is as it was.
+        adjustment.shift = record_.adjustment->shift;
+        adjustment.corrected_m = record_.adjustment->corrected_m;
+    }
+    record_.adjustment = std::move(adjustment);
     const bool declined = result->verdict == mapping::AdjustmentVerdict::Declined;
     notices_.say(Severity::Note, Topic::Adjustment,
-                 (declined ? "The map was not corrected. " : "The map was corrected. ") + result->reason);
+                 (declined ? "The map was not corrected. " : "The map was corrected. ") + result->reason +
+                     (record_.adjustment->shift ? shiftWords(*record_.adjustment->shift) : ""));
     worthSaving();
     return true;
 }
@@ -183,20 +218,28 @@ mapping::HeightMap ScanBook::emptyMap() const {
     return map;
 }
 
+std::vector<CorrectedPoint> ScanBook::correctedPath() const {
+    std::vector<CorrectedPoint> path;
+    const auto& result = adjuster_.result();
+    if (!result || result->correction.sorties.empty())
+        return path;
+    const auto& scans = mapper_.store().scans();
+    for (const mapping::KeptScan& scan : scans) {
+        const Vec3& at_m = scan.scanner_in_map.position_m;
+        if (!path.empty() && (at_m - path.back().estimated_m).norm() < cellSize_m())
+            continue;
+        const mapping::PathKnot knot = result->correction.at(scan.sortie, scan.time);
+        path.push_back({scan.time - scans.front().time, at_m, at_m - knot.error_m, knot.sigma_m});
+    }
+    return path;
+}
+
 void ScanBook::describeAdjustment(ScanRecord& copy) const {
     const auto& result = adjuster_.result();
     if (!copy.adjustment || !result || result->correction.sorties.empty())
         return;
-    const mapping::ScanStore& store = mapper_.store();
-    for (const mapping::KeptScan& scan : store.scans()) {
-        const Vec3& at_m = scan.scanner_in_map.position_m;
-        std::vector<CorrectedPoint>& path = copy.adjustment->path;
-        if (!path.empty() && (at_m - path.back().estimated_m).norm() < cellSize_m())
-            continue;
-        const mapping::PathKnot knot = result->correction.at(scan.sortie, scan.time);
-        path.push_back({scan.time - store.scans().front().time, at_m, at_m - knot.error_m, knot.sigma_m});
-    }
-    copy.adjustment->deviation = mapping::deviationOf(copy.raster, mapper_.map(), store, result->correction);
+    copy.adjustment->path = correctedPath();
+    copy.adjustment->deviation = mapping::deviationOf(copy.raster, mapper_.map(), mapper_.store(), result->correction);
 }
 
 std::shared_ptr<const std::vector<mapping::KeptScan>> ScanBook::placedScans() const {

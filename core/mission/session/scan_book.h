@@ -62,6 +62,10 @@ public:
     /// Refused with a notice once the map has heights.
     void setCellSize(double cell_size_m);
 
+    /// The corrected path as MapAdjustment has it; null: the map is not corrected.
+    std::shared_ptr<const std::vector<Vec2>> correctedPath_m() const {
+        return record_.adjustment ? record_.adjustment->corrected_m : nullptr;
+    }
     /// The record without its raster, which only `snapshot` fills in.
     const ScanRecord& record() const { return record_; }
     /// `with_scans`: also the scans, as far as they were kept.
@@ -78,6 +82,9 @@ private:
     void beginAdjustment();
     /// The map without the scans of this run.
     mapping::HeightMap emptyMap() const;
+    /// The path of the kept scans as they were placed and as they are corrected, at least a cell apart; empty without a
+    /// correction.
+    std::vector<CorrectedPoint> correctedPath() const;
     /// Fills in the corrected path and the deviation of a copy with its raster.
     void describeAdjustment(ScanRecord& copy) const;
     void worthSaving() { record_.revision += mapper_.map().knownCellCount() > 0 ? 1 : 0; }

@@ -87,6 +87,9 @@ struct SessionUpdate {
     std::vector<agent::Published> published;
     std::vector<std::shared_ptr<const mapping::HeightTile>> tiles; ///< the map's changed tiles
     std::optional<mapping::HeightRange> height_range;              ///< of the whole map; absent: the map is empty
+    /// The corrected path of the scan so far, from above, map frame; the same points until the next adjustment. Null:
+    /// the map is not corrected.
+    std::shared_ptr<const std::vector<Vec2>> corrected_path_m;
     std::vector<Vec3> last_hits; ///< of the newest placed scan, map frame, NaN = no hit
     /// Mapped ground behind, under and ahead of the robot; absent if neither robot nor map has changed.
     std::optional<mapping::CourseProfile> ground;

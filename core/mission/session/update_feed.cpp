@@ -93,7 +93,8 @@ void UpdateFeed::rewind() {
     lines_per_second_ = 0.0;
 }
 
-std::shared_ptr<const SessionUpdate> UpdateFeed::take(ScanMapper& mapper, SessionFigures figures) {
+std::shared_ptr<const SessionUpdate> UpdateFeed::take(ScanMapper& mapper, SessionFigures figures,
+                                                      std::shared_ptr<const std::vector<Vec2>> corrected_path_m) {
     measureRates(figures);
     keepNewest(update_.lines);
     keepNewest(update_.commands);
@@ -104,6 +105,7 @@ std::shared_ptr<const SessionUpdate> UpdateFeed::take(ScanMapper& mapper, Sessio
     if (base_in_map_ && (std::exchange(moved_, false) || !update_.tiles.empty()))
         update_.ground = mapping::courseProfile(mapper.map(), *base_in_map_, profile_reach_m);
     update_.height_range = mapper.map().range();
+    update_.corrected_path_m = std::move(corrected_path_m);
     update_.figures = std::move(figures);
     return std::make_shared<const SessionUpdate>(std::exchange(update_, {}));
 }

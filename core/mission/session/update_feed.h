@@ -45,7 +45,8 @@ public:
     /// Drops what was collected; the next update says that everything before it is void.
     void rewind();
     /// Returns everything since the last call, with the map's changed tiles and the rates measured between the calls.
-    std::shared_ptr<const SessionUpdate> take(ScanMapper& mapper, SessionFigures figures);
+    std::shared_ptr<const SessionUpdate> take(ScanMapper& mapper, SessionFigures figures,
+                                              std::shared_ptr<const std::vector<Vec2>> corrected_path_m);
     /// Fills in the rates and the number of lines left out, as of the last `take`.
     void describe(SessionFigures& figures) const;
 

@@ -56,7 +56,8 @@ private slots:
         record.adjustment = MapAdjustment{.verdict = mapping::AdjustmentVerdict(verdict),
                                           .reason = "Because.",
                                           .residual_before_m = 0.43219,
-                                          .overlaps = 7};
+                                          .overlaps = 7,
+                                          .shift = PathShift{0.4321, 1.2345}};
         RunSummary summary;
         QVERIFY(toJson(summary)["adjustment"].isNull());
         addRecord(summary, record, nullptr);
@@ -66,6 +67,11 @@ private slots:
         QCOMPARE(told["residual_before_m"].toDouble(), 0.4322);
         QVERIFY(told["residual_after_m"].isNull());
         QCOMPARE(told["overlaps"].toInt(), 7);
+        QCOMPARE(told["mean_shift_m"].toDouble(), 0.432);
+        QCOMPARE(told["greatest_shift_m"].toDouble(), 1.235);
+        summary.adjustment->shift.reset();
+        const QJsonObject unmoved = toJson(summary)["adjustment"].toObject();
+        QVERIFY(unmoved["mean_shift_m"].isNull() && unmoved["greatest_shift_m"].isNull());
     }
 
     void theCourseIsToldOnlyToThoseWhoAsk() {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 
 #include "core/mapping/scan_points.h"
 #include "core/mission/session/scan_book.h"
@@ -179,6 +180,8 @@ private slots:
         QCOMPARE(a.adjustment->verdict, AdjustmentVerdict::Adjusted);
         QVERIFY(std::memcmp(a.raster.heights_m.data(), b.raster.heights_m.data(), a.raster.heights_m.size() * 4) == 0);
         QVERIFY(a.adjustment->path.size() > 200);
+        QCOMPARE(a.adjustment->corrected_m->size(), a.adjustment->path.size());
+        QCOMPARE(a.adjustment->corrected_m->back(), Vec2(a.adjustment->path.back().corrected_m.head<2>()));
         QCOMPARE(a.adjustment->path.front().time, Seconds(0.0));
         QCOMPARE(a.adjustment->deviation.heights_m.size(), a.raster.heights_m.size());
     }
@@ -215,6 +218,50 @@ private slots:
         flight.lane(15.0, error_m * Vec3(0.1, 0.1, 0.1));
         flight.book.finishAdjustment();
         QVERIFY2(flight.book.record().adjustment->verdict == verdict, flight.book.record().adjustment->reason.c_str());
+        const bool corrected = verdict != AdjustmentVerdict::Declined;
+        QCOMPARE(flight.book.correctedPath_m() != nullptr, corrected);
+        QCOMPARE(flight.book.record().adjustment->shift.has_value(), corrected);
+    }
+
+    void tellsTheCorrectedPathOnceForEachAdjustment() {
+        Flight flight;
+        flyThreeLanes(flight);
+        flight.setIns({0.0, 15.0, 6.0}, {0.1, 0.1, 0.1});
+        QVERIFY(!flight.book.correctedPath_m());
+        flight.wait(30);
+        const auto path_m = flight.book.correctedPath_m();
+        QVERIFY(path_m && path_m->size() > 200);
+        double error_m = 0.0, points = 0.0;
+        for (const Vec2& point_m : *path_m)
+            if (std::abs(point_m.y() - 9.0) < 1.0) { // The lane that the robot believed to fly 0.2 m beside.
+                error_m += std::abs(point_m.y() - 9.0);
+                points += 1.0;
+            }
+        QVERIFY2(error_m / points < 0.1, qPrintable(QString("%1 m").arg(error_m / points)));
+        const auto& shift = flight.book.record().adjustment->shift;
+        QVERIFY(shift && shift->mean_m > 0.1 && shift->greatest_m > shift->mean_m && shift->greatest_m < 0.8);
+        flight.lane(12.0, Vec3::Zero());
+        QVERIFY2(flight.book.correctedPath_m() == path_m, "no copy with new lines");
+        flight.book.finishAdjustment();
+        QVERIFY(flight.book.correctedPath_m() != path_m);
+        QVERIFY(flight.book.correctedPath_m()->size() > path_m->size());
+    }
+
+    void dropsTheCorrectedPathWithTheMap_data() {
+        QTest::addColumn<std::function<void(ScanBook&)>>("empty");
+        QTest::newRow("rewound") << std::function([](ScanBook& book) { book.rewind(); });
+        QTest::newRow("a replay begins") << std::function([](ScanBook& book) { book.beginReplay(0.5, "hills"); });
+    }
+    void dropsTheCorrectedPathWithTheMap() {
+        QFETCH(std::function<void(ScanBook&)>, empty);
+        Flight flight;
+        flyThreeLanes(flight);
+        flight.book.finishAdjustment();
+        QVERIFY(flight.book.correctedPath_m());
+        empty(flight.book);
+        QVERIFY(!flight.book.correctedPath_m());
+        flight.wait(5);
+        QVERIFY(!flight.book.correctedPath_m());
     }
 
     void staysCorrectedWhenTheScansNoLongerFit() {
@@ -223,6 +270,7 @@ private slots:
         flight.book.finishAdjustment();
         const double error_m = flight.error_m();
         const std::string reason = flight.book.record().adjustment->reason;
+        const auto path_m = flight.book.correctedPath_m();
         flight.overfill();
         for (int i = 0; i < 2; ++i) {
             flight.book.finishAdjustment();
@@ -230,6 +278,8 @@ private slots:
             QCOMPARE(adjustment.verdict, AdjustmentVerdict::Adjusted);
             QCOMPARE(adjustment.reason, reason + " The rest is as it was flown. The flight was too long for all its "
                                                  "scans to be kept.");
+            QVERIFY(path_m && flight.book.correctedPath_m() == path_m);
+            QVERIFY(adjustment.shift);
         }
         QCOMPARE(flight.error_m(), error_m);
     }

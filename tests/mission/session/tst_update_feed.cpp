@@ -16,9 +16,10 @@ struct Shown {
     bool is_observed = true;
     std::vector<std::shared_ptr<const SessionUpdate>> updates;
     QObject thread_owner;
+    std::shared_ptr<const std::vector<Vec2>> corrected_m;
     ScanMapper mapper{0.25};
     UpdateFeed feed{thread_owner, [this] { return is_observed; },
-                    [this] { updates.push_back(feed.take(mapper, SessionFigures{})); }};
+                    [this] { updates.push_back(feed.take(mapper, SessionFigures{}, corrected_m)); }};
 };
 
 } // namespace
@@ -80,6 +81,19 @@ private slots:
         shown.feed.touched();
         QTRY_COMPARE(shown.updates.size(), std::size_t(1));
         QCOMPARE(shown.updates.front()->lines.size(), std::size_t(1));
+    }
+
+    void allUpdatesShareTheCorrectedPath() {
+        Shown shown;
+        shown.feed.lookForObservers();
+        shown.corrected_m = std::make_shared<const std::vector<Vec2>>(3, Vec2(1.0, 2.0));
+        shown.feed.showNow();
+        shown.feed.showNow();
+        QVERIFY(shown.updates.at(0)->corrected_path_m == shown.corrected_m);
+        QVERIFY(shown.updates.at(1)->corrected_path_m == shown.corrected_m);
+        shown.corrected_m.reset();
+        shown.feed.showNow();
+        QVERIFY(!shown.updates.at(2)->corrected_path_m);
     }
 
     void aRewoundUpdateSaysSo() {
