@@ -135,6 +135,8 @@ void ReplayFeed::note(const link::Record& record) {
         sent({.kind = link::RecordKind::Out, .line = record.line, .name = "session: spawn", .bytes = record.bytes});
     } else if (record.name == "fault") {
         stage_.replayFault(std::string(record.bytes));
+    } else if (record.name == "mission") {
+        stage_.replayMission(record.bytes);
     } else if (record.name == "behavior") {
         takeTask(record.bytes);
     } else if (record.name == "finished") {

@@ -40,6 +40,8 @@ public:
     virtual void replayPublished(const agent::Published& value) = 0;
     /// A status that is only passed on the way to another moment.
     virtual void replayPassed(const agent::BehaviorStatus& status) = 0;
+    /// The recording's note of the mission that the next task flies (FlownMission).
+    virtual void replayMission(std::string_view note) = 0;
     virtual void replayTask(const ReplayedTask& task, const std::string& robot_name) = 0;
     virtual void replayFinished(const agent::BehaviorFinished& finished) = 0;
     virtual void replayFault(const std::string& sentence) = 0;

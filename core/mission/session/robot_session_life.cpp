@@ -6,8 +6,10 @@
 #include <utility>
 
 #include <QMetaMethod>
+#include <QTimer>
 
 #include "core/base/numbers.h"
+#include "core/mission/files/flown_mission.h"
 #include "core/mission/session/stream_name.h"
 
 namespace usar::mission {
@@ -182,7 +184,9 @@ void RobotSession::Private::finishBehavior(const agent::BehaviorFinished& finish
     if (!is_published)
         updates.addPublished({end});
     updates.showNow();
-    if (!replaying())
+    if (replaying())
+        adjustReplay();
+    else
         emit q.behaviorFinished(end.success, QString::fromStdString(end.reason), broke);
 }
 
@@ -246,10 +250,18 @@ void RobotSession::Private::endReplay() {
     notices.forget(Topic::Replay);
 }
 
+void RobotSession::Private::adjustReplay() {
+    if (!replaying() || !book.adjustPart())
+        return;
+    touched();
+    QTimer::singleShot(0, &q, [this] { adjustReplay(); });
+}
+
 void RobotSession::Private::replayRewound() {
     beginConnection();
     incoming.rewind();
     book.rewind();
+    book.setAdjust(false); // Until the recording tells its mission.
     helm.rewind();
     vigil.rewind();
     behavior_running = false;
@@ -280,6 +292,12 @@ void RobotSession::Private::replayCommand(const agent::CausedCommand& command, s
     if (const auto* asked = std::get_if<protocol::Init>(&command.command))
         spawning.sawInit(*asked);
     updates.addCommand(command, std::move(text), after, incoming.now());
+}
+
+/// A mission that cannot be read says nothing about its map, which then stays as it was flown.
+void RobotSession::Private::replayMission(std::string_view note) {
+    const auto flown = readFlownMission(note, {});
+    book.setAdjust(flown && flown->mission.adjust);
 }
 
 void RobotSession::Private::replayTask(const ReplayedTask& task, const std::string& robot_name) {

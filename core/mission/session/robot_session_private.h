@@ -50,6 +50,8 @@ struct RobotSession::Private : SpawnOwner, HelmOwner, ReplayStage {
     /// Notes a fault in the scan book and in the recording.
     void noteFault(const std::string& sentence);
     void endReplay();
+    /// Does what is left of an adjustment in a replay, where no line may follow, in parts.
+    void adjustReplay();
 
     /// The overrides serve the parts of the session (SpawnLife, Helm, ReplayFeed), in the session's thread.
     void sendInit(const protocol::Init& init) override;
@@ -82,6 +84,7 @@ struct RobotSession::Private : SpawnOwner, HelmOwner, ReplayStage {
     void replayCommand(const agent::CausedCommand& command, std::string text, LineNumber after) override;
     void replayPublished(const agent::Published& value) override { takePublished({value}); }
     void replayPassed(const agent::BehaviorStatus& status) override { book.passStatus(status); }
+    void replayMission(std::string_view note) override;
     void replayTask(const ReplayedTask& task, const std::string& robot_name) override;
     void replayFinished(const agent::BehaviorFinished& finished) override { finishBehavior(finished, false); }
     void replayFault(const std::string& sentence) override { noteFault(sentence); }

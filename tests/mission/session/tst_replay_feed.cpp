@@ -41,6 +41,9 @@ struct Stage : ReplayStage {
     void replayPassed(const agent::BehaviorStatus& status) override {
         told << "passed " + QString::fromStdString(status.state);
     }
+    void replayMission(std::string_view note) override {
+        told << "mission " + QString::fromUtf8(note.data(), int(note.size()));
+    }
     void replayTask(const ReplayedTask& task, const std::string& robot_name) override {
         told << QString("task %1 %2 %3")
                     .arg(QString::fromStdString(task.behavior_id), QString::fromStdString(robot_name))
@@ -88,6 +91,7 @@ struct Fed {
             writer->write({.kind = RecordKind::Out, .name = "session: connect", .bytes = "GETSTARTPOSES\r\n"});
             writer->write({.kind = RecordKind::In, .bytes = "NFO {Level flat}\r\n"});
             writer->write({.kind = RecordKind::Note, .line = {1}, .name = "fault", .bytes = "wind"});
+            writer->write({.kind = RecordKind::Note, .line = {1}, .name = "mission", .bytes = "{}"});
             writer->write(
                 {.kind = RecordKind::Note, .line = {1}, .name = "behavior", .bytes = "airrobot/cpp\tR1\t0 0 3 4"});
             writer->write({.kind = RecordKind::Note, .line = {1}, .name = "published", .bytes = textOf(scanning())});
@@ -127,7 +131,7 @@ private slots:
         QVERIFY(fed.playAll());
         QCOMPARE(fed.stage.told,
                  (QStringList{"connected", QString("link %1").arg(connected), "0 > session: connect: GETSTARTPOSES",
-                              "1: NFO {Level flat}", "fault wind", "task airrobot/cpp R1 4",
+                              "1: NFO {Level flat}", "fault wind", "mission {}", "task airrobot/cpp R1 4",
                               QString("published %1").arg(agent::Published(scanning()).index()),
                               QString("published %1").arg(agent::Published(agent::MapMark{}).index()),
                               "finished 1 Done.", "closed"}));

@@ -7,6 +7,7 @@
 
 #include "core/link/recording_reader.h"
 #include "core/link/recording_text.h"
+#include "core/mission/files/flown_mission.h"
 #include "core/posh/trace/trace_codec.h"
 #include "tests/mission/session/session_fixture.h"
 #include "tests/suite/suite.h"
@@ -156,6 +157,33 @@ private slots:
         QCOMPARE(session.figures().now, live.session.figures().now);
         QCOMPARE(session.figures().spawned, true);
         QTRY_VERIFY(is.figures.replay && !is.figures.replay->playing);
+    }
+
+    void aReplayCorrectsItsMapIfTheFlightDid_data() {
+        QTest::addColumn<bool>("adjust");
+        QTest::newRow("a corrected map") << true;
+        QTest::newRow("the thesis's map") << false;
+    }
+    /// Nothing was received after the end, which is when most of the work is done.
+    void aReplayCorrectsItsMapIfTheFlightDid() {
+        QFETCH(bool, adjust);
+        SessionFixture live(SessionFixture::patientLimits());
+        live.session.setAdjust(adjust);
+        Mission mission;
+        mission.name = "m";
+        mission.area_in_map = {{0.0, 0.0}, {10.0, 20.0}};
+        mission.adjust = adjust;
+        const QString path = recordAFlight(live, 10, noteOf({mission}));
+        live.session.finishMap();
+        QCOMPARE(live.session.record().adjustment.has_value(), adjust);
+
+        RobotSession session;
+        QVERIFY(playsToItsEnd(session, path));
+        QTRY_COMPARE(session.record().adjustment.has_value(), adjust);
+        if (adjust)
+            QCOMPARE(session.record().adjustment->reason, live.session.record().adjustment->reason);
+        session.orderReplay({.seek = Seconds{0.0}});
+        QTRY_VERIFY(!session.record().adjustment);
     }
 
     void seekingBackAndForthEndsInTheSame() {
@@ -435,12 +463,12 @@ private:
     int files_ = 0;
     QString newPath() { return folder_.filePath(QString("r%1.usarrec").arg(++files_)); }
 
-    QString recordAFlight(SessionFixture& live, int ticks) {
+    QString recordAFlight(SessionFixture& live, int ticks, const std::string& mission_note = {}) {
         const QString path = newPath();
         (void)live.session.startRecording(path, {{"robot", "R1"}, {"class", "USARBot.AirRobot"}});
         if (!live.spawnNow())
             return {};
-        live.session.startBehavior(test::hostOf(surveyor()), {"R1", {}, {{0.0, 0.0}, {10.0, 20.0}}});
+        live.session.startBehavior(test::hostOf(surveyor()), {"R1", {}, {{0.0, 0.0}, {10.0, 20.0}}}, mission_note);
         for (int i = 0; i < ticks; ++i) {
             if (i == ticks / 2)
                 live.session.noteFault("3.0 s: fault begins: wind speed=5");
