@@ -124,6 +124,7 @@ void RobotPresenter::showOnMap(const RobotView& view, const mission::SessionUpda
     if (!update.last_hits.empty())
         views_.map->setLaserHits(name, update.last_hits);
     views_.map->setRobotArea(name, view.area_in_map);
+    views_.map->setCorrectedPath(name, view.corrected_path_m);
     std::vector<agent::MapMark> marks;
     for (const agent::Published& published : update.published)
         if (const auto* mark = std::get_if<agent::MapMark>(&published))

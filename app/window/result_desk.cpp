@@ -31,6 +31,8 @@ void addFiles(widgets::MissionOutcome& outcome, const mission::RunSummary& summa
                                                      adjustment->residual_after_m &&
                                                      adjustment->verdict != mapping::AdjustmentVerdict::Declined)
         outcome.overlaps_m = {*adjustment->residual_before_m, *adjustment->residual_after_m};
+    if (summary.adjustment && summary.adjustment->shift)
+        outcome.shift_m = {summary.adjustment->shift->mean_m, summary.adjustment->shift->greatest_m};
     outcome.files = summary.files;
 }
 

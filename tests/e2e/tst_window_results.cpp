@@ -92,11 +92,17 @@ private slots:
         page.press("Start");
         auto* const card = page.window().views().result;
         QTRY_VERIFY_WITH_TIMEOUT(card->isVisible(), flight_ms);
-        QVERIFY(!page.notified("The map was corrected.").isEmpty());
+        const QString corrected_words = page.notified("The map was corrected.");
+        QVERIFY2(corrected_words.contains("The path was moved by"), qPrintable(corrected_words));
         QStringList figures;
         for (const QLabel* label : card->findChildren<QLabel*>())
             figures << QString(label->text()).replace("&nbsp;", " ");
         QVERIFY2(figures.join(' ').contains("Overlaps <b>"), qPrintable(figures.join('\n')));
+        QVERIFY2(figures.join(' ').contains("Path moved <b>"), qPrintable(figures.join('\n')));
+        const auto& robots = page.window().views().map->content().robots;
+        QCOMPARE(robots.size(), std::size_t(1));
+        const widgets::SharedPath& corrected = robots.begin()->second.corrected_in_map_m;
+        QVERIFY2(corrected && corrected->size() > 20, "the map shows the corrected path");
         page.screenshot("result_card_corrected");
     }
 

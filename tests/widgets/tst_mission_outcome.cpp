@@ -65,6 +65,13 @@ private slots:
         QCOMPARE(figuresOf(outcome)[1].help, outcome.unreachable);
     }
 
+    void aCorrectedMapTellsHowFarItsPathWasMoved() {
+        MissionOutcome outcome = wholeFlight();
+        QVERIFY(!textsOf(outcome).join(u';').contains("moved"));
+        outcome.shift_m = std::pair(0.412, 1.066);
+        QVERIFY(textsOf(outcome).contains(QStringLiteral("Path moved 0.41 m, 1.07 m at most")));
+    }
+
     void whatABehaviorToldIsTakenOver() {
         agent::BehaviorStatus status;
         status.elapsed = Seconds(12.0);

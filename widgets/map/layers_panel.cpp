@@ -93,6 +93,8 @@ void paintLayer(QPainter& painter, MapLayer layer) {
     case MapLayer::Trails:
         painter.setPen(QPen(robotColor(1), 1.5));
         return painter.drawPolyline(QPolygonF({{-13, 3}, {-4, -3}, {4, 3}, {13, -2}}));
+    case MapLayer::Corrected:
+        return paintCorrectedSwatch(painter, {});
     case MapLayer::Traces:
         return paintTraceSwatch(painter);
     case MapLayer::Objects:

@@ -29,6 +29,7 @@ enum class MapLayer {
     Area,
     Lanes,
     Trails,
+    Corrected,
     Traces,
     Marks,
     Objects,
@@ -38,7 +39,7 @@ enum class MapLayer {
     Radio,
     Robots
 };
-inline constexpr std::size_t map_layer_count = 15;
+inline constexpr std::size_t map_layer_count = 16;
 /// "Height map": the layer's name in menus and in the layers panel.
 QString layerName(MapLayer layer);
 

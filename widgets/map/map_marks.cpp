@@ -6,8 +6,9 @@ namespace usar::widgets {
 
 QString layerName(MapLayer layer) {
     static constexpr std::array<const char*, map_layer_count> names = {
-        "World", "Grid",           "Height map",  "Contours",   "Mission area", "Lanes",       "Trails", "Trace marks",
-        "Marks", "Trees, objects", "Start poses", "Laser hits", "Goals",        "Radio links", "Robots"};
+        "World",      "Grid",           "Height map",  "Contours", "Mission area",   "Lanes",
+        "Trails",     "Corrected path", "Trace marks", "Marks",    "Trees, objects", "Start poses",
+        "Laser hits", "Goals",          "Radio links", "Robots"};
     return QLatin1String(names[static_cast<std::size_t>(layer)]);
 }
 

@@ -104,17 +104,31 @@ std::vector<agent::MarkKind> kindsOf(const MapContent& content) {
     return kinds;
 }
 
-/// Paints the kinds of marks that are on the map with their names.
-void paintMarkLegend(QPainter& painter, const MapContent& content, const QRectF& box) {
+bool showsCorrectedPath(const MapContent& content) {
+    return content.layer(MapLayer::Corrected).visible && std::ranges::any_of(content.robots, [](const auto& entry) {
+               return entry.second.corrected_in_map_m != nullptr;
+           });
+}
+
+/// Paints the kinds of marks that are on the map with their names, and the corrected path if there is one.
+void paintMarkLegend(QPainter& painter, const MapContent& content, const Legends& legends, const QRectF& box) {
     paintCard(painter, box);
     painter.setFont(themeFont(FontRole::Small));
-    double y = box.top() + gap::tiny;
-    for (const agent::MarkKind kind : kindsOf(content)) {
-        paintMark(painter, kind, QPointF(box.left() + 16.0, y + legend_row_px / 2.0), 10.0);
+    QPointF middle(box.left() + 16.0, box.top() + gap::tiny + legend_row_px / 2.0);
+    const auto endRow = [&](const QString& name) {
         painter.setPen(tokens().text);
-        painter.drawText(QRectF(box.left() + 30.0, y, box.width() - 34.0, legend_row_px), Qt::AlignVCenter,
-                         markName(kind));
-        y += legend_row_px;
+        painter.drawText(QRectF(box.left() + 30.0, middle.y() - legend_row_px / 2.0, box.width() - 34.0, legend_row_px),
+                         Qt::AlignVCenter, name);
+        middle.ry() += legend_row_px;
+    };
+    if (legends.mark_kinds > 0)
+        for (const agent::MarkKind kind : kindsOf(content)) {
+            paintMark(painter, kind, middle, 10.0);
+            endRow(markName(kind));
+        }
+    if (legends.corrected_path) {
+        paintCorrectedSwatch(painter, middle);
+        endRow(layerName(MapLayer::Corrected));
     }
 }
 
@@ -138,12 +152,12 @@ QRectF axesGlass_px(const MapTransform& transform) {
 
 Legends legendsOf(const MapContent& content, const HeightLayer& heights) {
     return {!heights.empty() && content.layer(MapLayer::Heights).visible,
-            content.layer(MapLayer::Marks).visible ? kindsOf(content).size() : 0};
+            content.layer(MapLayer::Marks).visible ? kindsOf(content).size() : 0, showsCorrectedPath(content)};
 }
 
 Legends legendsOfAMission(const MapContent& content) {
     return {content.layer(MapLayer::Heights).visible,
-            content.layer(MapLayer::Marks).visible ? agent::all_mark_kinds.size() : 0};
+            content.layer(MapLayer::Marks).visible ? agent::all_mark_kinds.size() : 0, showsCorrectedPath(content)};
 }
 
 OverlayPlaces::OverlayPlaces(const Legends& legends, const MapTransform& transform) : axes(axesGlass_px(transform)) {
@@ -156,8 +170,9 @@ OverlayPlaces::OverlayPlaces(const Legends& legends, const MapTransform& transfo
         corner.setY(heights.top() - gap::small);
     }
     constexpr double most = 1.0 / 12.0; // A larger part of the view belongs to the map.
-    const QSizeF size(124.0, legend_row_px * static_cast<double>(legends.mark_kinds) + gap::small);
-    if (legends.mark_kinds > 0 && size.width() * size.height() <= most * view.width() * view.height())
+    const std::size_t rows = legends.mark_kinds + (legends.corrected_path ? 1 : 0);
+    const QSizeF size(124.0, legend_row_px * static_cast<double>(rows) + gap::small);
+    if (rows > 0 && size.width() * size.height() <= most * view.width() * view.height())
         marks = QRectF(corner - QPointF(size.width(), size.height()), size);
 }
 
@@ -181,7 +196,8 @@ QRectF probePlace(const QString& probe, const OverlayPlaces& places, const MapTr
 void paintOverlay(QPainter& painter, const MapOverlay& overlay, const MapContent& content, const HeightLayer& heights,
                   const MapTransform& transform, const QRectF& part_px) {
     painter.setRenderHint(QPainter::Antialiasing);
-    const OverlayPlaces places(legendsOf(content, heights), transform);
+    const Legends legends = legendsOf(content, heights);
+    const OverlayPlaces places(legends, transform);
     const auto touched = [&](const QRectF& place) {
         return !place.isEmpty() && place.adjusted(-edge, -edge, edge, edge).intersects(part_px);
     };
@@ -192,7 +208,7 @@ void paintOverlay(QPainter& painter, const MapOverlay& overlay, const MapContent
     if (touched(places.heights))
         paintHeightLegend(painter, heights, content.layer(MapLayer::Contours).visible, places.heights);
     if (touched(places.marks))
-        paintMarkLegend(painter, content, places.marks);
+        paintMarkLegend(painter, content, legends, places.marks);
     if (!overlay.probe.isEmpty())
         paintChip(painter, probePlace(overlay.probe, places, transform).topLeft(), overlay.probe, {});
     if (!overlay.following.isEmpty())

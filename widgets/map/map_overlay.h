@@ -30,7 +30,8 @@ QRectF axesGlass_px(const MapTransform& transform);
 /// Which legends are on the map.
 struct Legends {
     bool heights = false;
-    std::size_t mark_kinds = 0; ///< number of rows
+    std::size_t mark_kinds = 0;  ///< number of rows
+    bool corrected_path = false; ///< another row
     bool operator==(const Legends&) const = default;
 };
 Legends legendsOf(const MapContent& content, const HeightLayer& heights);

@@ -45,6 +45,7 @@ void MapPainter::paintLayers() {
                                                                {&MapPainter::paintArea, false},
                                                                {&MapPainter::paintLanes, true},
                                                                {&MapPainter::paintTrails, true},
+                                                               {&MapPainter::paintCorrected, true},
                                                                {&MapPainter::paintTraces, false},
                                                                {&MapPainter::paintMarks, true},
                                                                {&MapPainter::paintObjects, true},
@@ -170,6 +171,12 @@ void MapPainter::paintTrails() {
         painter_.setPen(QPen(robotColor(robot.robot.number), 1.5));
         paintSegments(robot.trail.points_m());
     }
+}
+
+void MapPainter::paintCorrected() {
+    for (const auto& [name, robot] : content_.robots)
+        if (robot.corrected_in_map_m)
+            paintCorrectedPath(painter_, *robot.corrected_in_map_m, transform_, sight());
 }
 
 void MapPainter::paintMarks() {

@@ -36,6 +36,7 @@ private:
     void paintAreaHandles(const Rectangle& area_in_map);
     void paintLanes();
     void paintTrails();
+    void paintCorrected();
     void paintTraces() { traces_.paint(painter_, transform_); }
     /// Paints those of the selected robot on top; those of others are dimmed.
     void paintMarks();

@@ -115,6 +115,11 @@ void MapView::setGoal(const QString& robot, const std::optional<Vec3>& goal_in_m
     paintSoon();
 }
 
+void MapView::setCorrectedPath(const QString& robot, const SharedPath& path_in_map_m) {
+    if (const auto found = content_.robots.find(robot); found != content_.robots.end())
+        put(found->second.corrected_in_map_m, path_in_map_m);
+}
+
 void MapView::setLaserHits(const QString& robot, const std::vector<Vec3>& hits_in_map_m) {
     if (const auto found = content_.robots.find(robot); found != content_.robots.end())
         found->second.hits_in_map_m = hits_in_map_m;

@@ -32,8 +32,7 @@ public:
     void setWorld(const Rectangle& extent_in_map, const QString& name, const SceneryPtr& scenery = {});
     void setBackground(const QImage& image, const Rectangle& image_in_map); ///< above the ground; row 0 = highest y
     void setStartPoses(const std::vector<protocol::StartPose>& poses);      ///< signals refer to them by index
-    /// Removes everything but layers and tool, because the server has changed. A gesture in progress ends.
-    void clear();
+    void clear(); ///< removes all but layers and tool, because the server has changed; a gesture in progress ends
     EmptyState* emptyState() const { return empty_state_; } ///< shown while there is no world, start pose or robot
     HeightLayer& heights() { return *heights_; }
     /// `names` tells the probe who has scanned a point; asked in paintEvent if there are several robots.
@@ -50,11 +49,12 @@ public:
 
     // Robots. A pose also extends the trail, unless it is stale.
     void setRobot(const MapRobot& robot); ///< adds it, or updates the one with this name
-    /// Removes a robot with its trail, goal, hits, area and marks; if it was selected, selection and following end.
+    /// Removes a robot with its paths, goal, hits, area and marks; if it was selected, selection and following end.
     void removeRobot(const QString& name);
     /// Goal of the behavior and end points of the newest scan (NaN: no hit). An unknown robot changes nothing.
     void setGoal(const QString& robot, const std::optional<Vec3>& goal_in_map_m);
     void setLaserHits(const QString& robot, const std::vector<Vec3>& hits_in_map_m);
+    void setCorrectedPath(const QString& robot, const SharedPath& path_in_map_m);  ///< null: its map is not corrected
     void addMarks(const QString& robot, const std::vector<agent::MapMark>& marks); ///< of one not on the map yet, too
     void clearMarks(const QString& robot);
     /// Area of its newest behavior, shown while another robot is selected; empty: none. As setGoal for unknown robots.

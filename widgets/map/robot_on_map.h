@@ -8,6 +8,7 @@
 #include <QString>
 
 #include "core/base/geometry.h"
+#include "widgets/map/corrected_path.h"
 #include "widgets/models/map/footprint.h"
 #include "widgets/models/map/map_transform.h"
 #include "widgets/models/map/trail.h"
@@ -30,6 +31,7 @@ struct RobotOnMap {
     MapRobot robot;
     /// Path since the spawn, without stale poses.
     Trail trail;
+    SharedPath corrected_in_map_m; ///< its path as the correction of its map has it; null: it has none
     /// Place toward which the behavior is driving; nullopt while it has no goal.
     std::optional<Vec3> goal_in_map_m;
     /// End points of the newest scan; NaN for beams that hit nothing.

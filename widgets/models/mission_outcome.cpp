@@ -64,6 +64,12 @@ std::vector<OutcomeFigure> figuresOf(const MissionOutcome& outcome) {
                                .arg(figure(outcome.overlaps_m->second, 2), figure(outcome.overlaps_m->first, 2)),
                            QObject::tr("Root mean square difference of the heights where strips overlap, in the "
                                        "corrected map and as it was flown")});
+    if (outcome.shift_m)
+        figures.push_back({QObject::tr("Path moved"),
+                           QObject::tr("%1 m, %2 m at most")
+                               .arg(figure(outcome.shift_m->first, 2), figure(outcome.shift_m->second, 2)),
+                           QObject::tr("How far the correction of the map has moved the path, on average and at most; "
+                                       "the map shows the corrected path as a dashed line")});
     if (outcome.charges > 0)
         figures.push_back({QObject::tr("Charges"), QString::number(outcome.charges),
                            QObject::tr("How often the battery was charged")});

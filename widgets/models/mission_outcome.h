@@ -29,6 +29,8 @@ struct MissionOutcome {
     std::optional<double> error_m{};                      ///< of the map on open ground, root mean square
     /// Difference of the heights where strips overlap, root mean square, as flown and in the corrected map.
     std::optional<std::pair<double, double>> overlaps_m{};
+    /// How far the correction of the map has moved the path, mean and greatest.
+    std::optional<std::pair<double, double>> shift_m{};
     QStringList files{}; ///< full paths; empty: nothing was scanned
 };
 

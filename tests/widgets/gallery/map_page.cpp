@@ -57,6 +57,10 @@ std::unique_ptr<QWidget> mapPage() {
         view->setLanes(pointsOf(*plan));
     for (int i = 0; i < 200; ++i)
         view->setRobot({QStringLiteral("R1"), 1, {{-30.0 + i * 0.2, 10.0 + std::sin(i / 20.0), 6.0}, 0.0, 0.0, 0.1}});
+    auto corrected_m = std::make_shared<std::vector<Vec2>>();
+    for (int i = 0; i < 200; ++i)
+        corrected_m->emplace_back(-29.6 + i * 0.2, 10.5 + std::sin(i / 20.0) - i / 200.0);
+    view->setCorrectedPath(QStringLiteral("R1"), corrected_m);
     view->setRobot({QStringLiteral("R2"), 2, {{20.0, -30.0, 0.0}, 0.0, 0.0, 2.6}, true});
     view->setGoal(QStringLiteral("R1"), Vec3(15.0, 10.0, 6.0));
     std::vector<Vec3> hits;
