@@ -29,8 +29,6 @@ constexpr double stub_m = 0.5;      ///< length of a lane that is only a place t
 constexpr double beyond_m = 3.3;    ///< so far from all places that it could reach before, it is beyond the door
 constexpr double room_m = 1.25;     ///< It comes up where it has so much around it,
 constexpr double at_ground_m = 1.0; ///< or so near to the ground that was seen.
-/// A lane counts as flown a little before its end, and the robot is through the door at this ground, not before it.
-constexpr double past_ground_m = 2.0;
 constexpr double before_door_m = 0.4;
 constexpr double near_door_m = 4.0;
 constexpr double well_within_m = 1.0; ///< of the places that it could reach before, because its pose has drifted
@@ -38,11 +36,11 @@ constexpr double never_m = 1e9;
 /// A search of more would take longer than a behavior may think.
 constexpr int most_judged_cells = 20000;
 
-/// A lane that leads to a place, and so far past it.
-mapping::Lane laneTo(const Vec2& from_m, const Vec2& to_m, double past_m = 0.0) {
+/// A lane that leads to a place.
+mapping::Lane laneTo(const Vec2& from_m, const Vec2& to_m) {
     const Vec2 way_m = to_m - from_m;
     const Vec2 along = way_m.norm() > stub_m ? Vec2(way_m.normalized()) : Vec2(Vec2::UnitX());
-    return {to_m - stub_m * along, to_m + past_m * along, 0};
+    return {to_m - stub_m * along, to_m, 0};
 }
 
 GapSearch::Surroundings surroundingsOf(const Craft& craft) {
@@ -173,7 +171,7 @@ bool Leftovers::tryDoor(Craft& craft, Survey& survey, const Vec2& base_m, agent:
     if (under) { // Its estimate of the pose has drifted, so its map may show the door where it is not.
         craft.ways.clear();
         ++tries_;
-        survey.add({laneTo(here_m, ground_m_, past_ground_m)});
+        survey.add({laneTo(here_m, ground_m_)});
         return true;
     }
     if (state_ == Door::Unknown) {
@@ -192,7 +190,7 @@ bool Leftovers::tryDoor(Craft& craft, Survey& survey, const Vec2& base_m, agent:
     state_ = Door::Outward;
     ++tries_;
     craft.goUnder(sink_at_m_);
-    survey.add({laneTo(here_m, ground_m_, past_ground_m)});
+    survey.add({laneTo(here_m, ground_m_)});
     note(port, "Ground was seen behind a wall; the robot looks for a door to it near the ground.");
     return true;
 }

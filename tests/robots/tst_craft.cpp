@@ -104,38 +104,6 @@ private slots:
         QCOMPARE(lastDrive().value().climb_m_s, std::optional(0.0));
     }
 
-    /// Among racks, a sonar hears a low risk for as long as the robot is there (random survey 115061).
-    void waitsOnlyForAWhileInNarrowPlaces_data() {
-        QTest::addColumn<bool>("narrow");
-        QTest::addColumn<double>("ahead_m");
-        QTest::addColumn<bool>("flies_on");
-        QTest::newRow("low risk in a narrow place") << true << 2.4 << true;
-        QTest::newRow("high risk in a narrow place") << true << 1.1 << false;
-        QTest::newRow("low risk where there is room") << false << 3.0 << false;
-    }
-    void waitsOnlyForAWhileInNarrowPlaces() {
-        QFETCH(bool, narrow);
-        QFETCH(double, ahead_m);
-        QFETCH(bool, flies_on);
-        craft->ways.comeNear(narrow);
-        craft->settings.climb_over = false;
-        const auto wait_s = [&](double seconds) {
-            double fastest_m_s = 0.0;
-            protocol::AerialDrive drive; // An unchanged command is not sent again.
-            for (double past_s = 0.0; past_s < seconds; past_s += 0.2) {
-                perceive(6.0, {{"M0", ahead_m - 0.01 * std::fmod(5.0 * past_s, 2.0)}}, 2.2, 2.2);
-                craft->fly({Vec2(x_m + 30, 0), Vec2(x_m + 8, 0), 1.0, "test"}, port);
-                drive = lastDrive().value_or(drive);
-                fastest_m_s = std::max(fastest_m_s, drive.forward_m_s.value_or(0.0));
-            }
-            return fastest_m_s;
-        };
-        wait_s(0.6);
-        QVERIFY(wait_s(1.8) < 0.05);
-        const double m_s = wait_s(2.5);
-        QVERIFY2((m_s > 0.05) == flies_on, qPrintable(QString::number(m_s)));
-    }
-
     void sinksBesideATrunkAllTheSame() {
         perceive(9.0, {}, 1.8);
         perceive(9.0, {}, 1.8);

@@ -284,8 +284,6 @@ Motion Craft::evade(const EvasionDecision& decision, const Leg& leg, FlightState
     }
     if (decision.mode == EvasionMode::Divert && (decision.diversion_m - here_m).norm() > hold_still_m)
         return toward(senses, bearingOf(decision.diversion_m - here_m), settings.evasion_speed_m_s, settings);
-    if (ways.isNarrow() && evasion_.waitsInVain(senses.now)) // Among racks there is always something beside it.
-        return cruise(leg, state);
     Motion motion = holding(senses, here_m);
     motion.yaw_rate_rad_s = turnRate_rad_s(senses, bearingOf(leg.aim_m - here_m), settings);
     return motion;

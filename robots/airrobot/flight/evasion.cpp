@@ -81,8 +81,6 @@ void Evasion::observe(const Senses& senses, const ThreatPicture& picture, const 
         calm_since_.reset();
     else
         calm(senses.now, settings);
-    if (mode_ != EvasionMode::Enclosed)
-        enclosed_since_.reset();
 }
 
 std::optional<double> Evasion::escape_rad(const Senses& senses, const ThreatPicture& picture,
@@ -119,9 +117,6 @@ EvasionDecision Evasion::divert(const Senses& senses, const ThreatPicture& pictu
         decision.diversion_m = here_m + wanted_m * Vec2(std::cos(bearing_rad), std::sin(bearing_rad));
         decision.new_diversion = mode_ != EvasionMode::Divert || (decision.diversion_m - diversion_m_).norm() > 1.0;
         diversion_m_ = decision.diversion_m;
-        enclosed_since_.reset();
-    } else if (!enclosed_since_) {
-        enclosed_since_ = senses.now;
     }
     mode_ = decision.mode;
     return decision;

@@ -64,10 +64,6 @@ public:
     bool threatMatters() const { return matters_; }
     /// The mode that was decided last; None once there has been no risk for long enough.
     EvasionMode mode() const { return mode_; }
-    /// Whether nothing but a low risk has kept it waiting for a while, because there was no room for a diversion.
-    bool waitsInVain(Seconds now) const {
-        return enclosed_since_ && risk_ == agent::Risk::Low && now - *enclosed_since_ > longest_wait;
-    }
 
     EvasionDecision decide(const Senses& senses, const ThreatPicture& picture, std::span<const Obstacle> obstacles,
                            const Settings& settings, const Retreat& retreat = {});
@@ -84,10 +80,7 @@ private:
                            const Settings& settings);
     void calm(Seconds now, const Settings& settings);
 
-    static constexpr Seconds longest_wait{3.0};
-
     EvasionMode mode_ = EvasionMode::None;
-    std::optional<Seconds> enclosed_since_; ///< nullopt: it is not
     Vec2 diversion_m_ = Vec2::Zero();
     bool matters_ = false;
     std::optional<Seconds> calm_since_;
