@@ -14,19 +14,15 @@ namespace {
 
 constexpr double view_within_m = 2.5; ///< Nothing that is farther from the robot counts as a gap that it can see.
 constexpr double look_step_m = 0.5;
-/// Smaller gaps are left alone: a flight costs more than they are worth, and so it does if all of them together are
-/// less than this share of what was seen.
-constexpr double least_gap_m2 = 1.5;
+/// Fewer cells are left alone: a flight costs more than they are worth, and so it does if all of them together are less
+/// than this share of what was seen.
+constexpr std::size_t least_cells = 3;
 constexpr double least_share = 0.015;
 constexpr int near_cells = 2;      ///< Cells so near to one another belong to one gap,
 constexpr double longest_m = 6.0;  ///< but not if they are farther than this from its first one.
 constexpr double shortest_m = 3.0; ///< A gap that is shorter has no direction of its own.
 constexpr double past_m = 2.0;     ///< The robot flies so far past the middle of such a gap.
 constexpr double sideways_m = 0.5;
-constexpr double half_hidden = 0.5;
-constexpr double cell_m2 = ScanLedger::cell_m * ScanLedger::cell_m;
-/// What stands so near before a place that it hides a part of a cell would not hide a whole one.
-constexpr double beyond_part_m = 0.75;
 
 /// Places beside the origin, nearest first.
 std::vector<Vec2> placesBeside() {
@@ -39,19 +35,6 @@ std::vector<Vec2> placesBeside() {
     return places;
 }
 
-/// The middle of what no scan has hit of the cell around `cell_center_m`.
-Vec2 hiddenCenter_m(const ScanLedger& ledger, const Vec2& cell_center_m) {
-    Vec2 sum_m = Vec2::Zero();
-    int count = 0;
-    for (const double right : {-0.25, 0.25})
-        for (const double up : {-0.25, 0.25})
-            if (const Vec2 at_m = cell_center_m + ScanLedger::cell_m * Vec2(right, up); !ledger.isQuarterSeen(at_m)) {
-                sum_m += at_m;
-                ++count;
-            }
-    return count > 0 ? Vec2(sum_m / count) : cell_center_m;
-}
-
 /// A point from `middle_m` on along `along`, as far as a way leads, but not farther than `length_m`.
 Vec2 farthestReached_m(const ReachablePlaces& reach, const Vec2& middle_m, const Vec2& along, double length_m) {
     while (length_m > 0.0 && !reach.contains(middle_m + length_m * along))
@@ -61,12 +44,14 @@ Vec2 farthestReached_m(const ReachablePlaces& reach, const Vec2& middle_m, const
 
 } // namespace
 
-GapSearch::Gaps GapSearch::gapsIn(const ScanLedger& ledger, const Surroundings& surroundings) {
+GapSearch::Gaps GapSearch::gapsIn(const ScanLedger& ledger, const Surroundings& surroundings,
+                                  const std::vector<bool>& tried) {
     static const std::vector<Vec2> beside = placesBeside();
     Gaps gaps;
     for (int row = 0; row < ledger.rows(); ++row)
         for (int column = 0; column < ledger.columns(); ++column) {
-            if (ledger.at(column, row) != ScanLedger::Cell::Unknown)
+            const std::size_t index = std::size_t(row) * std::size_t(ledger.columns()) + std::size_t(column);
+            if (tried[index] || ledger.at(column, row) != ScanLedger::Cell::Unknown)
                 continue;
             const Vec2 center_m = ledger.centerOf_m(column, row);
             const auto place = std::ranges::find_if(beside, [&](const Vec2& offset_m) {
@@ -75,28 +60,7 @@ GapSearch::Gaps GapSearch::gapsIn(const ScanLedger& ledger, const Surroundings& 
                        surroundings.reach.contains(view_m) && surroundings.in_sight(view_m, center_m);
             });
             if (place != beside.end())
-                gaps.push_back({column, row, center_m, center_m + *place, cell_m2});
-        }
-    return gaps;
-}
-
-GapSearch::Gaps GapSearch::partsIn(const ScanLedger& ledger, const Surroundings& surroundings) {
-    static const std::vector<Vec2> beside = placesBeside();
-    Gaps gaps;
-    for (int row = 0; row < ledger.rows(); ++row)
-        for (int column = 0; column < ledger.columns(); ++column) {
-            const double hidden = ledger.hidden(column, row);
-            if (ledger.at(column, row) != ScanLedger::Cell::Seen || hidden < half_hidden)
-                continue;
-            const Vec2 center_m = hiddenCenter_m(ledger, ledger.centerOf_m(column, row));
-            const auto place = std::ranges::find_if(beside, [&](const Vec2& offset_m) {
-                const Vec2 view_m = center_m + offset_m;
-                const Vec2 past_it_m = center_m - beyond_part_m * offset_m.normalized();
-                return ledger.isSeen(view_m) && surroundings.reach.knows(view_m) &&
-                       surroundings.reach.contains(view_m) && surroundings.in_sight(view_m, past_it_m);
-            });
-            if (place != beside.end())
-                gaps.push_back({column, row, center_m, center_m + *place, hidden * cell_m2});
+                gaps.push_back({column, row, center_m, center_m + *place});
         }
     return gaps;
 }
@@ -122,17 +86,9 @@ Gaps takeGroup(Gaps& gaps) {
     return group;
 }
 
+/// A lane past all gaps of a group.
 template <class Gaps>
-double areaOf_m2(const Gaps& gaps) {
-    double sum_m2 = 0.0;
-    for (const auto& gap : gaps)
-        sum_m2 += gap.area_m2;
-    return sum_m2;
-}
-
-/// A lane past all gaps of a group; `again`: a short one past their middle, because the first has not shown them.
-template <class Gaps>
-mapping::Lane lanePast(const Gaps& group, const ReachablePlaces& reach, bool again) {
+mapping::Lane lanePast(const Gaps& group, const ReachablePlaces& reach) {
     Vec2 mean_m = Vec2::Zero();
     Vec2 sight_m = Vec2::Zero();
     for (const auto& gap : group) {
@@ -151,11 +107,9 @@ mapping::Lane lanePast(const Gaps& group, const ReachablePlaces& reach, bool aga
         low_m = std::min(low_m, along.dot(gap.view_m - middle_m));
         high_m = std::max(high_m, along.dot(gap.view_m - middle_m));
     }
-    if (high_m - low_m < shortest_m || again) { // The scanner looks to the sides.
+    if (high_m - low_m < shortest_m) { // The scanner looks to the sides.
         if (sight_m.norm() > sideways_m)
             along = Vec2(-sight_m.y(), sight_m.x()).normalized();
-        else if (again)
-            along = Vec2(-along.y(), along.x());
         low_m = -past_m;
         high_m = past_m;
     }
@@ -175,7 +129,7 @@ double GapSearch::missed(const ScanLedger& ledger, const Surroundings& surroundi
         return std::size_t(row) * std::size_t(ledger.columns()) + std::size_t(column);
     };
     std::vector<bool> counted(std::size_t(ledger.columns()) * std::size_t(ledger.rows()));
-    Gaps found = gapsIn(ledger, surroundings);
+    Gaps found = gapsIn(ledger, surroundings, counted);
     for (const Gap& gap : found)
         counted[indexOf(gap.column, gap.row)] = true;
     for (std::size_t next = 0; next < found.size(); ++next) // What lies beyond a gap is found from there.
@@ -191,7 +145,7 @@ double GapSearch::missed(const ScanLedger& ledger, const Surroundings& surroundi
                 !surroundings.in_sight(from.center_m, center_m))
                 continue;
             counted[indexOf(column, row)] = true;
-            found.push_back({column, row, center_m, center_m, cell_m2});
+            found.push_back({column, row, center_m, center_m});
         }
     const double seen = ledger.seen() * static_cast<double>(counted.size());
     return found.empty() ? 0.0 : static_cast<double>(found.size()) / (seen + static_cast<double>(found.size()));
@@ -200,25 +154,18 @@ double GapSearch::missed(const ScanLedger& ledger, const Surroundings& surroundi
 std::vector<mapping::Lane> GapSearch::lanes(const ScanLedger& ledger, const Surroundings& surroundings,
                                             const Vec2& from_m) {
     const std::size_t cells = std::size_t(ledger.columns()) * std::size_t(ledger.rows());
-    tries_.resize(cells);
-    const auto triesOf = [&](const Gap& gap) -> std::uint8_t& {
-        return tries_[std::size_t(gap.row) * std::size_t(ledger.columns()) + std::size_t(gap.column)];
-    };
-    Gaps gaps = gapsIn(ledger, surroundings);
-    const Gaps parts = partsIn(ledger, surroundings);
-    gaps.insert(gaps.end(), parts.begin(), parts.end());
-    std::erase_if(gaps, [&](const Gap& gap) { return triesOf(gap) >= most_tries; });
-    const double seen_m2 = ledger.seen() * static_cast<double>(cells) * cell_m2;
-    if (const double gaps_m2 = areaOf_m2(gaps); gaps_m2 < least_share * (seen_m2 + gaps_m2))
+    tried_.resize(cells);
+    Gaps gaps = gapsIn(ledger, surroundings, tried_);
+    const double seen = ledger.seen() * static_cast<double>(cells);
+    if (static_cast<double>(gaps.size()) < least_share * (seen + static_cast<double>(gaps.size())))
         return {};
     std::vector<mapping::Lane> lanes;
     while (!gaps.empty()) {
         const Gaps group = takeGroup(gaps);
-        const bool again = std::ranges::any_of(group, [&](const Gap& gap) { return triesOf(gap) > 0; });
         for (const Gap& gap : group)
-            ++triesOf(gap);
-        if (areaOf_m2(group) >= least_gap_m2)
-            lanes.push_back(lanePast(group, surroundings.reach, again));
+            tried_[std::size_t(gap.row) * std::size_t(ledger.columns()) + std::size_t(gap.column)] = true;
+        if (group.size() >= least_cells)
+            lanes.push_back(lanePast(group, surroundings.reach));
     }
     orderFrom(from_m, lanes);
     return lanes;

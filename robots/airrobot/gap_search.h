@@ -1,7 +1,6 @@
 // Finds what the lanes of a survey have not shown of its area although the robot can get to it.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -12,9 +11,9 @@
 namespace usar::airrobot {
 
 /// Lanes are straight and as far apart as the scanner sees over open ground. Behind a shelf, beside a wall or among
-/// houses they leave gaps. A gap is a cell that no scan has hit, or half of one, with a place beside it that the robot
-/// can reach, from which nothing known hides it, and below which scans have shown something: what lies beyond a wall is
-/// no gap. Works in the robot's estimate of the map frame. Owned by one behavior.
+/// houses they leave gaps. A gap is a cell that no scan has hit, with a place beside it that the robot can reach, from
+/// which nothing known hides it, and below which scans have shown something: what lies beyond a wall is no gap. Works
+/// in the robot's estimate of the map frame. Owned by one behavior.
 class GapSearch {
 public:
     /// What the robot knows of its surroundings at its present height.
@@ -29,8 +28,7 @@ public:
     /// them.
     static double missed(const ScanLedger& ledger, const Surroundings& surroundings);
     /// Returns short lanes past the gaps, each of which is nearest to the end of the one before, from `from_m` on; none
-    /// if the gaps are too small to matter. Each gap is tried twice: what a long lane has not shown, such as the corner
-    /// before which it ended, a short one past its middle may.
+    /// if the gaps are too small to matter. Each gap is tried once.
     std::vector<mapping::Lane> lanes(const ScanLedger& ledger, const Surroundings& surroundings, const Vec2& from_m);
 
 private:
@@ -39,17 +37,13 @@ private:
         int row = 0;
         Vec2 center_m = Vec2::Zero();
         Vec2 view_m = Vec2::Zero(); ///< place of the robot from which it is seen
-        double area_m2 = 0.0;       ///< that no scan has hit
     };
     using Gaps = std::vector<Gap>;
-    static constexpr int most_tries = 2;
 
-    /// The gaps among the cells that no scan has hit.
-    static Gaps gapsIn(const ScanLedger& ledger, const Surroundings& surroundings);
-    /// The gaps among those that were partly hit. What is behind a wall is none, however near to it.
-    static Gaps partsIn(const ScanLedger& ledger, const Surroundings& surroundings);
+    /// `tried`: cells that are no gaps any more.
+    static Gaps gapsIn(const ScanLedger& ledger, const Surroundings& surroundings, const std::vector<bool>& tried);
 
-    std::vector<std::uint8_t> tries_; ///< by cell of the ledger, row by row
+    std::vector<bool> tried_; ///< by cell of the ledger, row by row
 };
 
 } // namespace usar::airrobot

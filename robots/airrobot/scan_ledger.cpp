@@ -89,11 +89,6 @@ bool ScanLedger::isSeen(const Vec2& at_m) const {
     return index && cellOfBits(cells_[*index]) == Cell::Seen;
 }
 
-bool ScanLedger::isQuarterSeen(const Vec2& at_m) const {
-    const auto index = cellAt(at_m);
-    return index && (cells_[*index] & quarterBit((at_m - area_in_map_.min_m) / cell_m)) != 0;
-}
-
 bool ScanLedger::isVoid(int column, int row) const {
     const bool inside = column >= 0 && row >= 0 && column < columns_ && row < rows_;
     return inside && at(column, row) == Cell::Bottomless;

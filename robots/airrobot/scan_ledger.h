@@ -50,8 +50,6 @@ public:
     Vec2 centerOf_m(int column, int row) const { return area_in_map_.min_m + cell_m * Vec2(column + 0.5, row + 0.5); }
     /// True if a scan hit something in the cell of this place; false outside the area.
     bool isSeen(const Vec2& at_m) const;
-    /// The same for the quarter of the cell.
-    bool isQuarterSeen(const Vec2& at_m) const;
 
 private:
     std::size_t indexOf(int column, int row) const {
