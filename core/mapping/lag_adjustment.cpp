@@ -45,6 +45,8 @@ PathKnot LagAdjustment::newest() const {
 }
 
 bool LagAdjustment::step() {
+    if (store_->overfull()) // The scans are gone, and with them the numbers of the sorties.
+        *this = LagAdjustment(*store_);
     if (!pass_ && !begin())
         return false;
     const std::size_t now = pass_->next++;
@@ -91,8 +93,8 @@ void LagAdjustment::gather() {
         path.max_m = path.max_m.cwiseMax(at_m + Vec2::Constant(near_m));
     }
     const auto counts = [&](const KeptScan& scan) {
-        return isFinite(scan) && path.contains(scan.scanner_in_map.position_m.head<2>()) &&
-               (scan.sortie != pass_->sortie || scan.time < pass_->from - apart);
+        return path.contains(scan.scanner_in_map.position_m.head<2>()) &&
+               (scan.sortie != pass_->sortie || scan.time < pass_->from - apart) && isFinite(scan);
     };
     const auto count = static_cast<std::size_t>(std::count_if(scans.begin(), first, counts));
     const std::size_t stride = count / most_earlier_scans + 1;

@@ -21,7 +21,7 @@ namespace usar::mapping {
 /// What a pass has found is taken only if the heights do not agree worse by it than by what was known before, and only
 /// if the ground gives hold in at least one horizontal direction.
 ///
-/// Works in steps of some hundredths of a second, some six each pass. Uses nothing but what the robot has told; equal
+/// Works in steps of some milliseconds, seven each pass. Uses nothing but what the robot has told; equal
 /// scans give equal results. Belongs to the owner of the store.
 class LagAdjustment {
 public:

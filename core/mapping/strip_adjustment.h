@@ -14,10 +14,10 @@ namespace usar::mapping {
 
 /// The method is that of the adjustment of laser scanning strips (Ressl et al., 2011, "Applying 3D affine
 /// transformation and least squares matching for airborne laser scanning strips adjustment without GNSS/IMU trajectory
-/// data"), with the errors of a path instead of those of whole strips: unknown is the error of the position, x, y and
-/// z, at knots that are 5 s apart (StripSolver); observed are differences in height between looks at one cell
+/// data"), with the errors of a path instead of those of whole strips: unknown is the error of x, y, z
+/// and yaw at knots that are 5 s apart (StripSolver); observed are differences in height between looks at one cell
 /// (StripHits), linearized by the slope of the map. The grids become finer, from 2 m to 0.5 m, as the errors become
-/// smaller; those of an area of more than a square kilometer stay coarser. Roll, pitch and yaw are taken as they are.
+/// smaller; those of an area of more than a square kilometer stay coarser. Roll and pitch are taken as they are.
 ///
 /// A correction is accepted only if the differences in height become smaller by it (StripResidual), and only if the
 /// ground gives hold in at least one horizontal direction: over flat ground all positions give the same heights. Where

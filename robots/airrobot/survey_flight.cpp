@@ -184,7 +184,8 @@ bool SurveyFlight::stepReset(const agent::Tick& tick, agent::CommandPort& port) 
                                    : "The INS could not be set; the flight goes on with its drift."});
     if (reset != before && reset == ResetState::Done)
         port.publish(agent::BehaviorEvent{Severity::Note, "The INS was set from ground truth."});
-    return reset == ResetState::Done || reset == ResetState::Failed;
+    // At the end, one more estimate has to show the setting to whoever makes the map.
+    return (reset == ResetState::Done || reset == ResetState::Failed) && (!scanOver() || reset == before);
 }
 
 void SurveyFlight::setOut() {
@@ -350,6 +351,8 @@ void SurveyFlight::order(agent::Order order, agent::CommandPort& port) {
     paused_ = order == agent::Order::Pause;
     if (order != agent::Order::LandNow)
         return;
+    if (phase_ == Phase::Ground && scanOver()) // Only the INS is still to be set.
+        return conclude(port);
     end_reason_ = "Landed on request.";
     if (!inTheAir())
         return finish(false, end_reason_, port);

@@ -195,7 +195,7 @@ void addFlightActs(SurveyPrimitives& list) {
     addStep(list, "FlyToGoal", "Flies toward the present goal of the survey.", cruise);
     addStep(list, "FlyToBase", "Flies toward the base.", cruise);
     addStep(list, "KeepCourse", "Flies on as if nothing were in the way.", cruise);
-    addStep(list, "EvadeOpposite", "Moves suddenly away from the greatest threat.", avoid);
+    addStep(list, "EvadeOpposite", "Moves away from the greatest threat, suddenly at first.", avoid);
     addNote(list, "PlotDiversion",
             "Finds the greatest threat, compares the sonars to its left and right, and sets a diversion point on the "
             "freer side.",

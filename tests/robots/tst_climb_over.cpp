@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include <QObject>
 #include <QTest>
@@ -16,7 +18,7 @@ using namespace usar::test;
 class tst_ClimbOver : public QObject {
     Q_OBJECT
 
-    const Settings settings;
+    Settings settings;
     const Vec2 goal_m{20, 0};
 
     ClimbStep step(ClimbOver& climb, Senses& senses, const std::vector<std::pair<std::string, double>>& ranges,
@@ -26,7 +28,27 @@ class tst_ClimbOver : public QObject {
         return climb.step(senses, judgeThreats(senses, settings), obstacles, goal_m, highest_m, settings);
     }
 
+    /// Climbs below something that its ring meets after a few centimeters, until `touches` touches are over.
+    void climbUnderSomething(ClimbOver& climb, Senses& senses, int touches) const {
+        climb.start(senses, {}, settings);
+        double commanded_m_s = 0.0;
+        bool sinks = false;
+        for (int tick = 0; tick < 600 && climb.active() && (touches > 0 || sinks); ++tick) {
+            climb.feel(senses, Vec2::Zero(), commanded_m_s, settings);
+            const ClimbStep now = step(climb, senses, {{"M0", 3.4}}, {});
+            commanded_m_s = now.climb_m_s;
+            senses.base_in_map.position_m.head<2>() = now.place_m;
+            senses.base_in_map.position_m.z() += 0.2 * std::min(commanded_m_s, 0.05);
+            senses.velocity_in_map_m_s.z() = std::min(commanded_m_s, 0.05);
+            senses.base_in_map.roll_rad = 0.1;
+            const bool sank = std::exchange(sinks, commanded_m_s < 0.0);
+            touches -= sinks && !sank ? 1 : 0;
+        }
+    }
+
 private slots:
+    void init() { settings = {}; }
+
     void backsAwayFromACrownBeforeItClimbs() {
         const std::vector<Obstacle> crown{wallAt(2.0, 0.0)};
         const Vec2 place_m = climbPlace_m(crown, {0, 0}, 3.2);
@@ -138,7 +160,7 @@ private slots:
         climb.start(senses, crown, settings);
         double commanded_m_s = 0.0;
         const auto fly = [&] {
-            climb.feel(senses, Vec2::Zero(), commanded_m_s);
+            climb.feel(senses, Vec2::Zero(), commanded_m_s, settings);
             const ClimbStep now = step(climb, senses, {{"M0", 3.4}}, crown);
             commanded_m_s = now.climb_m_s;
             return now;
@@ -163,19 +185,37 @@ private slots:
     void givesUpWhereverItsRingMeetsSomething() {
         ClimbOver climb;
         Senses senses = sensesAt({0, 0, 6});
-        climb.start(senses, {}, settings);
-        double commanded_m_s = 0.0;
-        for (int tick = 0; tick < 600 && climb.active(); ++tick) {
-            climb.feel(senses, Vec2::Zero(), commanded_m_s);
-            const ClimbStep now = step(climb, senses, {{"M0", 3.4}}, {});
-            commanded_m_s = now.climb_m_s;
-            senses.base_in_map.position_m.head<2>() = now.place_m;
-            senses.base_in_map.position_m.z() += 0.2 * std::min(commanded_m_s, 0.05);
-            senses.velocity_in_map_m_s.z() = std::min(commanded_m_s, 0.05);
-            senses.base_in_map.roll_rad = 0.1;
-        }
+        climbUnderSomething(climb, senses, 100);
         QVERIFY(!climb.active());
         QVERIFY(senses.position_m().z() < 6.0);
+    }
+
+    void forgetsWhatAnotherClimbHasMet() {
+        ClimbOver climb;
+        Senses senses = sensesAt({0, 0, 15});
+        for (int time = 0; time < 2; ++time) {
+            climbUnderSomething(climb, senses, 2);
+            QVERIFY(climb.active());
+        }
+    }
+
+    void sinksNeitherToTheGroundNorBelowItsFloor_data() {
+        QTest::addColumn<std::optional<double>>("ground_m");
+        QTest::addColumn<double>("floor_m");
+        QTest::addColumn<double>("lowest_m");
+        QTest::newRow("low over the ground") << std::optional(3.5) << -25.0 << 5.7;
+        QTest::newRow("over its floor") << std::optional<double>() << 5.5 << 5.5;
+    }
+    void sinksNeitherToTheGroundNorBelowItsFloor() {
+        QFETCH(std::optional<double>, ground_m);
+        QFETCH(double, floor_m);
+        QFETCH(double, lowest_m);
+        ClimbOver climb;
+        Senses senses = sensesAt({0, 0, 6});
+        senses.ground_m = ground_m;
+        settings.floor_level_m = floor_m;
+        climbUnderSomething(climb, senses, 3);
+        QVERIFY2(senses.position_m().z() > lowest_m - 0.15, qPrintable(QString::number(senses.position_m().z())));
     }
 
     void doesNotBackAwayForever() {

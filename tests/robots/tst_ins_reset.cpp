@@ -80,6 +80,16 @@ private slots:
         QCOMPARE(reset.state(), ResetState::Failed);
     }
 
+    void waitsForARestThatHasBegun() {
+        InsReset reset;
+        reset.start(Seconds(now_s));
+        for (int i = 0; i < 295; ++i)
+            tick(reset, {0.1 * i, 0, 0}, {0, 0, 0});
+        for (int i = 0; i < 30 && sent().empty(); ++i)
+            tick(reset, {29.4, 0, 0}, {0, 0, 0});
+        QCOMPARE(reset.state(), ResetState::Waiting);
+    }
+
     void isDoneWhenTheServerSaysOk() {
         InsReset reset;
         reset.start(Seconds(now_s));

@@ -216,6 +216,14 @@ private slots:
         QVERIFY(std::find(landing, toy.states().end(), "calibrating the INS on the ground") != toy.states().end());
         QVERIFY(std::find(landing, toy.states().end(), "charging") == toy.states().end());
     }
+    void aSurveyThatIsDoneStaysDoneWhenAskedToLand() {
+        ToyFlight toy = flight({}, field_task);
+        runInto(toy, "landing", Seconds(0));
+        runInto(toy, "calibrating the INS on the ground", Seconds(1));
+        toy.order(Order::LandNow);
+        toy.run(Seconds(1));
+        QVERIFY(toy.ending() && toy.ending()->success);
+    }
 
     void goesHomeForGoodWhenTheNextPlaceIsOutOfRange() {
         const Task far{"R1", Pose{}, {Vec2(200, 0), Vec2(230, 20)}};

@@ -14,6 +14,7 @@ constexpr double corrected_line_px = 1.5;
 constexpr double corrected_dash_px = 9.0;
 constexpr double corrected_period_px = 14.0; ///< of a dash with the gap behind it
 constexpr double least_apart_px = 1.5;       ///< between two points that are both drawn
+constexpr double most_apart_px = 1e4;        ///< Nobody flew from one to the other.
 
 /// Separate segments, because one long polyline takes much longer.
 struct DashedStrokes {
@@ -59,7 +60,8 @@ void paintCorrectedPath(QPainter& painter, const std::vector<Vec2>& points_m, co
         const double length_px = line.length();
         if (i + 1 < points_m.size() && length_px < least_apart_px)
             continue;
-        if (QRectF(line.p1(), line.p2()).normalized().adjusted(-1.0, -1.0, 1.0, 1.0).intersects(sight_px))
+        if (length_px < most_apart_px &&
+            QRectF(line.p1(), line.p2()).normalized().adjusted(-1.0, -1.0, 1.0, 1.0).intersects(sight_px))
             strokes.add(line);
         else
             strokes.pass(length_px);

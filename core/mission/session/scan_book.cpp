@@ -13,6 +13,8 @@ namespace usar::mission {
 
 namespace {
 
+constexpr double farthest_m = 1e5; ///< from the origin; a position that is farther away is garbled
+
 /// Writes the known cells of the tile into the map. They are of no line of this connection.
 void addCells(const mapping::HeightTile& tile, mapping::HeightMap& map) {
     constexpr std::int32_t side = mapping::HeightTile::side;
@@ -174,6 +176,8 @@ void ScanBook::setCellSize(double cell_size_m) {
 void ScanBook::setAdjust(bool on) {
     adjusts_ = on;
     mapper_.improve(on);
+    if (!on)
+        mapper_.setError({});
 }
 
 void ScanBook::beginAdjustment() {
@@ -226,7 +230,8 @@ std::vector<CorrectedPoint> ScanBook::correctedPath() const {
     const auto& scans = mapper_.store().scans();
     for (const mapping::KeptScan& scan : scans) {
         const Vec3& at_m = scan.scanner_in_map.position_m;
-        if (!path.empty() && (at_m - path.back().estimated_m).norm() < cellSize_m())
+        const bool is_garbled = !at_m.allFinite() || at_m.cwiseAbs().maxCoeff() > farthest_m;
+        if (is_garbled || (!path.empty() && (at_m - path.back().estimated_m).norm() < cellSize_m()))
             continue;
         const mapping::PathKnot knot = result->correction.at(scan.sortie, scan.time);
         path.push_back({scan.time - scans.front().time, at_m, at_m - knot.error_m, knot.sigma_m});

@@ -70,7 +70,8 @@ public:
     const ScanRecord& record() const { return record_; }
     /// `with_scans`: also the scans, as far as they were kept.
     ScanRecord snapshot(bool with_scans = false) const;
-    /// The kept scans as the map has them, behind those of an earlier run; null if they were dropped.
+    /// The kept scans, corrected by what is known of their errors now, behind those of an earlier run; null if they
+    /// were dropped.
     std::shared_ptr<const std::vector<mapping::KeptScan>> placedScans() const;
     double cellSize_m() const { return mapper_.map().cellSize_m(); }
     ScanMapper& mapper() { return mapper_; }

@@ -23,6 +23,7 @@ constexpr double facing_rad = 0.3;
 constexpr double extra_m = 1.5;
 constexpr double sinks_by_m = 0.8; ///< from where its ring has met something
 constexpr double sinks_m_s = 0.5;
+constexpr double sinks_to_height_m = 2.2; ///< over the ground, at least
 constexpr Seconds longest_sinking{4.0};
 constexpr std::size_t most_met_climbing = 4;
 constexpr double below_m = 0.15; ///< distance from the greatest height at which the climb ends
@@ -51,6 +52,8 @@ Vec2 climbPlace_m(std::span<const Obstacle> obstacles, const Vec2& here_m, doubl
 
 void ClimbOver::start(const Senses& senses, std::span<const Obstacle> obstacles, const Settings& settings,
                       const Retreat& retreat) {
+    if (state_ != ClimbState::Sinking)
+        met_.clear(); // Another climb met it.
     std::vector<Obstacle> known(obstacles.begin(), obstacles.end());
     known.insert(known.end(), met_.begin(), met_.end());
     state_ = ClimbState::Backing;
@@ -59,7 +62,7 @@ void ClimbOver::start(const Senses& senses, std::span<const Obstacle> obstacles,
     free_since_z_m_.reset();
 }
 
-void ClimbOver::feel(const Senses& senses, const Vec2& slope, double commanded_m_s) {
+void ClimbOver::feel(const Senses& senses, const Vec2& slope, double commanded_m_s, const Settings& settings) {
     // A robot that is told to climb faster does so a moment later, and nothing holds it.
     const double followed_m_s = std::min(commanded_m_s, std::exchange(commanded_m_s_, commanded_m_s));
     const auto met_m = touch_.feel(senses, slope, state_ == ClimbState::Climbing ? followed_m_s : 0.0);
@@ -68,7 +71,8 @@ void ClimbOver::feel(const Senses& senses, const Vec2& slope, double commanded_m
     met_.push_back({met_m->head<2>(), met_m->z(), true});
     state_ = ClimbState::Sinking;
     since_ = senses.now;
-    sinks_to_m_ = senses.position_m().z() - sinks_by_m;
+    const double lowest_m = std::max(settings.floor_level_m, senses.ground_m.value_or(-1e9) + sinks_to_height_m);
+    sinks_to_m_ = std::max(senses.position_m().z() - sinks_by_m, lowest_m);
 }
 
 /// Ends the climb or begins it anew, farther from all that it has met, once the robot has sunk.

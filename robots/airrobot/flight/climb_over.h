@@ -40,7 +40,7 @@ public:
                    const Vec2& goal_m, double highest_m, const Settings& settings);
     /// Notes whether the ring has met something; the climb goes on at another place then. Call it before each `step`,
     /// with the rate of climb that was commanded last; for `slope` see RingTouch.
-    void feel(const Senses& senses, const Vec2& slope, double commanded_m_s);
+    void feel(const Senses& senses, const Vec2& slope, double commanded_m_s, const Settings& settings);
     /// Whether the robot is on its way to the place or climbing there; false once it is over or has failed.
     bool active() const {
         return state_ == ClimbState::Backing || state_ == ClimbState::Climbing || state_ == ClimbState::Sinking;
@@ -59,7 +59,7 @@ private:
     Vec2 place_m_ = Vec2::Zero();
     RingTouch touch_;
     double commanded_m_s_ = 0.0;
-    std::vector<Obstacle> met_;            ///< by its ring
+    std::vector<Obstacle> met_;            ///< by its ring, in this climb
     double sinks_to_m_ = 0.0;              ///< map z
     Seconds since_{0.0};                   ///< start of the maneuver
     std::optional<double> free_since_z_m_; ///< height from which on the way has been free; nullopt while it is blocked

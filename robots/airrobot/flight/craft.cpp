@@ -46,7 +46,7 @@ constexpr double below_ceiling_m = 0.5; ///< Scanner hits higher than this are o
 constexpr double near_roof_m = 0.35;
 /// A robot without a pose sinks away from a roof for so long and no longer, because it does not see how far it sinks.
 constexpr Seconds longest_press{6.0};
-constexpr double open_sky_m = 8.0;      ///< Where a beam has reached so far above the robot, it is in no room.
+constexpr double open_sky_m = 8.0;      ///< A beam has reached so far above the robot where it is in no room.
 constexpr double sure_of_walls_m = 2.5; ///< Lower down, sonars hear the ground.
 
 /// Limits speeds to what the robot can do, because the course filter and the stopping distance rely on the command.
@@ -99,7 +99,7 @@ void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool a
             ways.map().clear();
         }
         const double below_m = overhead.ceiling_m(senses.position2_m()).value_or(1e9) - below_ceiling_m;
-        const bool open_sky = overhead.seenTo_m() > senses.position_m().z() + open_sky_m;
+        const bool open_sky = !overhead.hasCeiling() && overhead.seenTo_m() > senses.position_m().z() + open_sky_m;
         memory.take(senses, {Seconds(settings.scan_memory_s), Seconds(settings.sonar_memory_s), below_m,
                              settings.hurried() || open_sky});
         if (settings.hurried())
@@ -325,7 +325,7 @@ Motion Craft::cruise(const Leg& leg, FlightState& state) {
 
 Motion Craft::climbOver(const Leg& leg, FlightState& state) {
     state = FlightState::ClimbingOver;
-    climb_over_.feel(senses, log.lean().slope(senses.base_in_map.yaw_rad), commanded_climb_m_s_);
+    climb_over_.feel(senses, log.lean().slope(senses.base_in_map.yaw_rad), commanded_climb_m_s_, settings);
     const ClimbStep step =
         climb_over_.step(senses, threats, obstacles_, leg.aim_m, overhead.limit_m(senses.position2_m()), settings);
     Motion motion = holding(senses, step.place_m);

@@ -10,7 +10,7 @@ namespace {
 constexpr double berth_half_width_m = 0.8;
 constexpr double escape_way_m = 1.6;
 constexpr double bearing_step_rad = radians(15.0);
-/// In this time, it has turned round and flees as fast as it is told in calm air. In a room, the air is always calm.
+/// By then it flees as fast as it is told, in calm air. Below a ceiling the air is always calm.
 constexpr Seconds sudden_time{2.0};
 
 bool isFree(const agent::SonarZone& zone) {

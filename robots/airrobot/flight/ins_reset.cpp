@@ -8,7 +8,7 @@ namespace {
 
 constexpr Seconds answer_time{2.0};
 constexpr double same_place_m = 0.05;
-constexpr Seconds longest_unrest{60.0}; ///< beyond the rest that it needs
+constexpr Seconds longest_unrest{60.0}; ///< A rest that has begun by then is waited for.
 
 } // namespace
 
@@ -29,7 +29,7 @@ ResetState InsReset::step(Seconds now, modules::RobotModules& robot, agent::Comm
             rest_pose_ = truth->value.base_in_map;
             since_ = now;
         }
-        const bool restless = now - begun_ > Seconds(settings.rest_time_s) + longest_unrest;
+        const bool restless = moved && now - begun_ > longest_unrest;
         if (!restless && now - since_ < Seconds(settings.rest_time_s))
             return state_;
         if (restless || !truth)
