@@ -12,7 +12,7 @@
 
 namespace usar::mapping {
 
-/// A smoother with a fixed lag: every `interval` of a flight, the errors of its last `lag` are sought anew, by the
+/// A smoother with a fixed lag: every `interval` of a flight, the errors of its last `lag` are sought again, by the
 /// overlaps of these strips with each other and with what was scanned before them. What is older than the lag stays as
 /// it was found, until all strips are adjusted together (StripAdjustment), which is more exact and takes longer. The
 /// method and the unknowns are the same. The error at the beginning of the lag is taken as known; the random walk

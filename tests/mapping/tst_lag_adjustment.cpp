@@ -70,7 +70,7 @@ private slots:
                  qPrintable(QString("%1 m estimated, %2 m corrected").arg(estimated_m).arg(corrected_m)));
     }
 
-    /// What is older than the lag stays, and no pass begins before its time.
+    /// Passes go on for two minutes after its last one has changed that moment.
     void keepsWhatIsOlderThanTheLag() {
         FlownStrips flown;
         LagAdjustment adjustment(flown.store);
