@@ -12,6 +12,13 @@ namespace usar::mapping::made_up {
 
 using Ground = std::function<double(double x_m, double y_m)>;
 
+inline double hills(double x_m, double y_m) {
+    return std::sin(0.7 * x_m) + std::sin(0.6 * y_m + 0.3) + 0.5 * std::sin(0.25 * (x_m + y_m));
+}
+inline double plane(double, double) {
+    return 0.3;
+}
+
 /// How it flies and errs.
 struct MadeUpFlight {
     Ground ground_m;

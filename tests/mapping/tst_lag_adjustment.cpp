@@ -15,13 +15,6 @@ using namespace usar::mapping::made_up;
 
 namespace {
 
-double hills(double x_m, double y_m) {
-    return std::sin(0.7 * x_m) + std::sin(0.6 * y_m + 0.3) + 0.5 * std::sin(0.25 * (x_m + y_m));
-}
-double plane(double, double) {
-    return 0.3;
-}
-
 /// How far off scans are placed as they come, root mean square: by the estimates, and by what the lag has found.
 struct Placed {
     double estimated_m = 0.0;

@@ -21,14 +21,8 @@ namespace {
 double bowl(double x_m, double y_m) {
     return 0.012 * ((x_m - 15.0) * (x_m - 15.0) + (y_m - 9.0) * (y_m - 9.0)) - 3.0;
 }
-double hills(double x_m, double y_m) {
-    return std::sin(0.7 * x_m) + std::sin(0.6 * y_m + 0.3) + 0.5 * std::sin(0.25 * (x_m + y_m));
-}
 double valley(double, double y_m) {
     return std::sin(0.6 * y_m);
-}
-double plane(double, double) {
-    return 0.3;
 }
 double incline(double x_m, double y_m) {
     return 0.2 * x_m - 0.1 * y_m;

@@ -1,4 +1,4 @@
-// What a craft does below something that it cannot see.
+// A craft below something that it cannot see climbs with care, sinks away from it and stays below.
 #include <algorithm>
 #include <cmath>
 #include <optional>

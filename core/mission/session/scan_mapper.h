@@ -103,7 +103,7 @@ private:
     int unlike_ = 0;            ///< so many so far
     std::optional<Vec3> last_base_in_map_m_;
     mapping::LevelFlight level_flight_;
-    mapping::PathKnot error_; ///< of the position and the yaw now, as far as it is known
+    mapping::PathKnot error_; ///< The estimate of position and yaw is off by so much now, as far as it is known.
     mapping::ScanStore store_;
     bool improves_ = false;
     bool keeps_ = false;

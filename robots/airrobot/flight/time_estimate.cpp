@@ -239,7 +239,7 @@ WholeFlight TimeEstimate::rest(const Survey& survey, const MissionState& state, 
 WholeFlight TimeEstimate::whole(const Survey& survey, const Vec2& base_m, double added_m,
                                 const Settings& settings) const {
     const double climb_m_s = carefulClimb_m_s(settings);                            // Nobody has been up there yet.
-    const Seconds setting(settings.navigate_by_truth ? 0.0 : settings.rest_time_s); // of the INS, before and after
+    const Seconds setting(settings.navigate_by_truth ? 0.0 : settings.rest_time_s); // The INS is set before and after.
     const Seconds take_off(start_up_s + settings.scan_altitude_m / climb_m_s);
     MissionState state{.position_m = base_m, .base_m = base_m, .waiting = take_off + 2.0 * setting};
     state.added_m = added_m;
