@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <QObject>
 #include <QTest>
 
@@ -34,6 +36,43 @@ private slots:
         QCOMPARE(near.size(), std::size_t(1));
         QVERIFY(near[0].top_known);
         QVERIFY((near[0].at_m - Vec2(3.25, 0.25)).norm() < 1e-9);
+    }
+
+    /// Level ground is flown over at 0 s, and again later, when the estimate of the height is another one.
+    void tellsHowFarTheHeightHasDrifted_data() {
+        QTest::addColumn<double>("again_s");
+        QTest::addColumn<double>("risen_m");
+        QTest::addColumn<double>("half_size_m"); // of the ground that is seen again
+        QTest::addColumn<double>("asked_s");
+        QTest::addColumn<double>("told_m");
+        QTest::newRow("up") << 60.0 << 1.8 << 3.0 << 60.0 << 1.8;
+        QTest::newRow("down") << 60.0 << -0.7 << 3.0 << 60.0 << -0.7;
+        QTest::newRow("on the same flight") << 10.0 << 1.8 << 3.0 << 10.0 << 0.0;
+        QTest::newRow("seen of a few cells only") << 60.0 << 1.8 << 1.0 << 60.0 << 0.0;
+        QTest::newRow("seconds ago") << 60.0 << 1.8 << 3.0 << 63.0 << 1.8;
+        QTest::newRow("elsewhere by now") << 60.0 << 1.8 << 3.0 << 66.0 << 0.0;
+    }
+    void tellsHowFarTheHeightHasDrifted() {
+        QFETCH(double, again_s);
+        QFETCH(double, risen_m);
+        QFETCH(double, half_size_m);
+        QFETCH(double, asked_s);
+        QFETCH(double, told_m);
+        ObstacleMemory memory;
+        Senses senses = sensesAt({0, 0, 6}, 0.0, 0.0);
+        setFlatScan(senses, {0, 0}, 3.0, 1.0);
+        memory.take(senses, spans);
+        senses = sensesAt({0, 0, 6}, 0.0, again_s);
+        setFlatScan(senses, {0, 0}, half_size_m, 1.0 + risen_m);
+        // Crowns that were not seen before, on less than half of it.
+        for (std::size_t i = 0; i < senses.scan->hits_in_map_m.size(); i += 3)
+            senses.scan->hits_in_map_m[i].z() += 5.0;
+        memory.take(senses, spans);
+        if (asked_s > again_s)
+            memory.take(sensesAt({0, 0, 6}, 0.0, asked_s), spans);
+        QVERIFY2(std::abs(memory.risen_m() - told_m) < 0.01, qPrintable(QString::number(memory.risen_m())));
+        memory.clear();
+        QCOMPARE(memory.risen_m(), 0.0);
     }
 
     void forgetsAfterItsTime() {

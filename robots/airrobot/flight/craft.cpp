@@ -8,6 +8,7 @@ namespace usar::airrobot {
 
 namespace {
 
+constexpr double most_drift_m = 3.0;        ///< More is no drift of the height, but another view of things.
 constexpr double slowest_in_wind_m_s = 0.3; ///< It waits for a lull rather than being slower against the wind.
 /// If the robot needs to climb no more than this, it continues past an overhang at the same height.
 constexpr double bearable_deficit_m = 1.5;
@@ -365,13 +366,15 @@ void Craft::expectCanopy() {
 }
 
 double Craft::climbRate(const WayAhead& way) {
-    double wanted_m = altitudeGoal_m(senses, memory, way.bearing_rad, way.speed_m_s, heldHeight_m(), settings);
+    Settings higher = settings; // What was seen on an earlier flight over this place is higher now by the drift.
+    higher.clearance_m += std::clamp(memory.risen_m(), 0.0, most_drift_m);
+    double wanted_m = altitudeGoal_m(senses, memory, way.bearing_rad, way.speed_m_s, heldHeight_m(), higher);
     double needed_m = wanted_m; // at once
     bool known = false;
     if (settings.hurried() && !overhead.hasCeiling()) {
         const auto ahead_m = memory.highestAlong_m(way.from_m, way.bearing_rad, soon_half_width_m, soon_m);
-        needed_m = ahead_m ? *ahead_m + settings.clearance_m : senses.position_m().z();
-        wanted_m = std::max(wanted_m, drapedHeight_m(atlas_, way, settings).value_or(wanted_m));
+        needed_m = ahead_m ? *ahead_m + higher.clearance_m : senses.position_m().z();
+        wanted_m = std::max(wanted_m, drapedHeight_m(atlas_, way, higher).value_or(wanted_m));
         known = maySinkFast(atlas_, way, senses.heightOverGround_m(1e9));
     }
     const double goal_m = std::min(wanted_m, overhead.limit_m(way.from_m));

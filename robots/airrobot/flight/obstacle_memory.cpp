@@ -7,6 +7,10 @@ namespace usar::airrobot {
 
 namespace {
 
+/// A cell is seen again if it was not seen for so long, and that is remembered for so long.
+constexpr Seconds another_flight{20.0};
+constexpr Seconds remembered{4.0};
+constexpr std::size_t few_cells = 40;
 /// If a beam leaves less than this of an echo's height, the echo is dropped.
 constexpr double certain_m = 0.1;
 
@@ -27,12 +31,14 @@ ObstacleMemory::ObstacleMemory() : cells_(std::size_t(side) * side) {}
 void ObstacleMemory::clear() {
     std::ranges::fill(cells_, Cell{});
     echoes_.clear();
+    seen_again_.clear();
 }
 
 void ObstacleMemory::take(const Senses& senses, const MemorySpans& spans) {
     spans_ = spans;
     now_ = senses.now;
     std::erase_if(echoes_, [&](const Echo& echo) { return now_ - echo.time > spans_.sonar; });
+    std::erase_if(seen_again_, [&](const SeenAgain& again) { return now_ - again.time > remembered; });
     if (senses.scan)
         takeScan(senses.scan->hits_in_map_m);
     for (const SonarEcho& echo : senses.sonars)
@@ -50,6 +56,8 @@ void ObstacleMemory::takeScan(std::span<const Vec3> hits_m) {
         Cell& cell = cells_[slotOf<side>(column, row)];
         if (!known(column, row))
             cell = {column, row, top_m, now_s, top_m, now_s};
+        if (now_s - cell.last_s > another_flight.count())
+            seen_again_.push_back({now_, hit.z() - double(cell.last_m)});
         if (top_m >= cell.top_m) {
             cell.top_m = top_m;
             cell.time_s = now_s;
@@ -57,6 +65,17 @@ void ObstacleMemory::takeScan(std::span<const Vec3> hits_m) {
         cell.last_m = cell.last_s == now_s ? std::max(cell.last_m, top_m) : top_m;
         cell.last_s = now_s;
     }
+}
+
+double ObstacleMemory::risen_m() const {
+    if (seen_again_.size() < few_cells)
+        return 0.0;
+    std::vector<double> risen_m;
+    for (const SeenAgain& again : seen_again_)
+        risen_m.push_back(again.risen_m);
+    const auto middle = risen_m.begin() + static_cast<std::ptrdiff_t>(risen_m.size() / 2);
+    std::ranges::nth_element(risen_m, middle);
+    return *middle;
 }
 
 void ObstacleMemory::takeEcho(const SonarEcho& echo) {

@@ -60,6 +60,10 @@ public:
     /// The same of cells that were seen within `fresh`, as high as they were then. Older tops were seen with another
     /// drift: where the ground falls off, they hide the brink.
     std::vector<Vec3> freshTops_m(const Vec2& at_m, double radius_m, Seconds fresh) const;
+    /// How much higher the ground below is now than it was on a flight over it some time ago: so much has the estimate
+    /// of the height drifted since then, and so much higher is what else was seen there. The median of all cells that
+    /// were seen again in the last seconds; 0 if they are few.
+    double risen_m() const;
     /// Returns the lowest cell in the disc that the scanner has seen; nullopt if none is known.
     std::optional<double> lowest_m(const Vec2& at_m, double radius_m) const;
     /// Returns the share of the corridor's cells that the scanner has seen, 0 to 1.
@@ -80,6 +84,12 @@ private:
         Seconds time;
     };
 
+    /// A cell that was seen again after some time, and how much higher it was.
+    struct SeenAgain {
+        Seconds time;
+        double risen_m;
+    };
+
     void takeScan(std::span<const Vec3> hits_m);
     void takeEcho(const SonarEcho& echo);
     /// Returns nullptr if the cell is unknown or too old.
@@ -90,6 +100,7 @@ private:
 
     std::vector<Cell> cells_;
     std::vector<Echo> echoes_;
+    std::vector<SeenAgain> seen_again_; ///< in the last seconds, in order of time
     MemorySpans spans_;
     Seconds now_{0.0};
 };
