@@ -24,7 +24,8 @@ struct Grid {
     Rectangle area;
     int columns = 1;
     int rows = 1;
-    bool returns = false; ///< to the base after each quadrant
+    bool returns = false;   ///< to the base after each quadrant
+    bool crosswise = false; ///< lanes along the shorter side
 
     Rectangle at(int column, int row) const {
         const Vec2 size_m(area.width_m() / columns, area.height_m() / rows);
@@ -38,9 +39,9 @@ double distanceToCorner(const Rectangle& quadrant, const Vec2& from_m) {
 }
 
 /// Adds the lanes of one quadrant, beginning at the corner nearest to `position_m`, and sets `position_m` to the end of
-/// the last lane.
-void addLanes(CoveragePlan& plan, const Rectangle& quadrant, double spacing_m, Vec2& position_m) {
-    const int along = quadrant.width_m() >= quadrant.height_m() ? 0 : 1;
+/// the last lane. `crosswise`: they run along the shorter side.
+void addLanes(CoveragePlan& plan, const Rectangle& quadrant, double spacing_m, bool crosswise, Vec2& position_m) {
+    const int along = (quadrant.width_m() >= quadrant.height_m()) != crosswise ? 0 : 1;
     const int across = 1 - along;
     const Vec2 size_m = quadrant.max_m - quadrant.min_m;
     const int count = static_cast<int>(pieces(size_m[across], spacing_m));
@@ -50,7 +51,7 @@ void addLanes(CoveragePlan& plan, const Rectangle& quadrant, double spacing_m, V
     for (int i = 0; i < count; ++i, forward = !forward) {
         const double part = (upward ? i + 0.5 : count - i - 0.5) / count;
         Lane lane;
-        lane.quadrant = static_cast<int>(plan.quadrants.size());
+        lane.quadrant = lane.sortie = static_cast<int>(plan.quadrants.size());
         lane.start_m[across] = lane.end_m[across] = quadrant.min_m[across] + part * size_m[across];
         lane.start_m[along] = forward ? quadrant.min_m[along] : quadrant.max_m[along];
         lane.end_m[along] = forward ? quadrant.max_m[along] : quadrant.min_m[along];
@@ -80,7 +81,8 @@ CoveragePlan planToAndFro(const Grid& grid, const Vec2& base_m, double spacing_m
         const int outer = outer_down ? outer_count - 1 - i : i;
         for (int j = 0; j < inner_count; ++j) {
             const int inner = inner_down ? inner_count - 1 - j : j;
-            addLanes(plan, by_rows ? grid.at(inner, outer) : grid.at(outer, inner), spacing_m, position_m);
+            addLanes(plan, by_rows ? grid.at(inner, outer) : grid.at(outer, inner), spacing_m, grid.crosswise,
+                     position_m);
             if (grid.returns)
                 returnTo(base_m, plan, position_m);
         }
@@ -99,7 +101,7 @@ CoveragePlan planNearestNext(const Grid& grid, const Vec2& base_m, double spacin
     while (!open.empty()) {
         const auto nearest = std::ranges::min_element(
             open, {}, [&](const Rectangle& quadrant) { return distanceToCorner(quadrant, position_m); });
-        addLanes(plan, *nearest, spacing_m, position_m);
+        addLanes(plan, *nearest, spacing_m, grid.crosswise, position_m);
         open.erase(nearest);
         if (grid.returns)
             returnTo(base_m, plan, position_m);
@@ -125,7 +127,7 @@ Result<Grid> gridFor(const Rectangle& area, const Vec2& base_m, const CoverageOp
         return failure("the area needs more than 100000 lanes", where,
                        "make the area smaller or the lane spacing wider than " + fixed(options.lane_spacing_m, 2) +
                            " m");
-    return Grid{area, static_cast<int>(columns), static_cast<int>(rows), options.returns};
+    return Grid{area, static_cast<int>(columns), static_cast<int>(rows), options.returns, options.crosswise};
 }
 
 } // namespace

@@ -14,6 +14,7 @@ struct CoverageOptions {
     double lane_spacing_m;           ///< maximum; lanes are spread evenly
     double quadrant_limit_m = 150.0; ///< an area with a longer side is divided into equal quadrants, scanned one by one
     bool returns = false;            ///< The robot flies to its base after each quadrant.
+    bool crosswise = false;          ///< Lanes run along the shorter side of each quadrant.
 };
 
 /// One straight lane in the map frame, scanned from start to end.
@@ -21,17 +22,18 @@ struct Lane {
     Vec2 start_m = Vec2::Zero();
     Vec2 end_m = Vec2::Zero();
     int quadrant = 0; ///< index into CoveragePlan::quadrants
+    int sortie = 0;   ///< The robot may fly home between two lanes in a row whose sorties differ.
 };
 
 /// The result of planCoverage.
 struct CoveragePlan {
-    std::vector<Lane> lanes;          ///< in flying order: back and forth along the longer side
+    std::vector<Lane> lanes;          ///< in flying order: back and forth along a side, a sortie for each quadrant
     std::vector<Rectangle> quadrants; ///< in flying order
     double lane_length_m = 0.0;       ///< total length of the lanes
     double transit_length_m = 0.0;    ///< from the base, between lanes, and back to the base
 };
 
-/// Plans lanes along the longer side of each quadrant, starting at the corner nearest to the robot's position at that
+/// Plans lanes along a side of each quadrant, usually the longer one, starting at the corner nearest to the robot's position at that
 /// time (the base for the first quadrant, and for all if it returns there). The outer lanes are half a spacing inside
 /// the border, so that every point of the area is within half a spacing of a lane; fewer lanes would not suffice.
 /// Quadrants are visited in the order with the shortest transit among those tried: back and forth by rows or by columns

@@ -6,8 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "robots/airrobot/lane_order.h"
-
 namespace usar::airrobot {
 
 namespace {
@@ -306,6 +304,7 @@ std::vector<mapping::Lane> crossLanes(const ScanLedger& ledger, const LaneTerms&
     std::vector<mapping::Lane> lanes = LaneChoice(ledger, held, from_m, home_m).choose();
     for (mapping::Lane& lane : lanes)
         lane.quadrant = 0;
+    divideIntoSorties(from_m, lanes, home_m, terms.endurance);
     return lanes;
 }
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/mapping/coverage_path.h"
-#include "robots/airrobot/lane_order.h"
 #include "robots/airrobot/scan_ledger.h"
+#include "robots/airrobot/sorties.h"
 
 namespace usar::airrobot {
 
@@ -24,8 +24,8 @@ struct LaneTerms {
 /// again. Lanes are chosen one by one: each is the piece of a line along x or y that shows the most for its length,
 /// given those before it; those that are not worth their way are dropped. Whether anything stands in the way is not
 /// asked, because the robot flies around and over what it meets; use GapSearch where it cannot. Returns the lanes in
-/// the order of a short tour from `from_m` to `home_m`; none if no lane is worth it. Works in the robot's estimate of
-/// the map frame.
+/// the order of short sorties from `from_m` on, numbered from 0, each of which ends at `home_m`; none if no lane is
+/// worth it. Works in the robot's estimate of the map frame.
 std::vector<mapping::Lane> crossLanes(const ScanLedger& ledger, const LaneTerms& terms, const Vec2& from_m,
                                       const Vec2& home_m);
 

@@ -1,7 +1,6 @@
-// The order in which lanes are flown, if it is not that of a plan.
+// Orders of lanes in which the ways between them are short.
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "core/mapping/coverage_path.h"
@@ -15,29 +14,10 @@ void orderFrom(Vec2 from_m, std::vector<mapping::Lane>& lanes);
 /// The length of the ways from `from_m` to the first lane, between the lanes, and from the last one to `to_m`.
 double waysBetween_m(const Vec2& from_m, const std::vector<mapping::Lane>& lanes, const Vec2& to_m);
 
-/// How far a robot flies with its battery, and what a charge costs.
-struct Endurance {
-    double left_m = std::numeric_limits<double>::infinity(); ///< from where it is, until it is home again
-    double full_m = std::numeric_limits<double>::infinity(); ///< the same after a charge
-    double charge_m = 0.0; ///< what the robot could fly while it lands, charges and takes off
-};
+/// What a robot could fly while it turns at both ends of a lane, in meters.
+inline constexpr double turns_m = 5.0;
 
-/// The length of a flight along these lanes, in their order and directions, that begins at `from_m` and ends at
-/// `home_m`. Where the battery lasts only for the way home, the robot flies home, charges and flies back there. Charges
-/// and turns are counted as the way that they cost.
-double flight_m(const Vec2& from_m, const std::vector<mapping::Lane>& lanes, const Vec2& home_m,
-                const Endurance& endurance);
-
-/// For more lanes, an order that takes charges into account would take too long to find in flight.
-inline constexpr std::size_t few_lanes = 40;
-
-/// The same as `orderTour`, with flights home for charges if there are few lanes.
-void orderFlights(const Vec2& from_m, std::vector<mapping::Lane>& lanes, const Vec2& home_m,
-                  const Endurance& endurance);
-
-/// Changes the order for as long as that makes the flight shorter, if there are few lanes.
-void improveFlights(const Vec2& from_m, std::vector<mapping::Lane>& lanes, const Vec2& home_m,
-                    const Endurance& endurance);
+mapping::Lane turned(mapping::Lane lane); ///< the same lane, flown the other way round
 
 /// The least way that one more lane adds to a tour, with its turns and without the lane itself.
 double detour_m(const Vec2& from_m, const std::vector<mapping::Lane>& lanes, const Vec2& to_m,

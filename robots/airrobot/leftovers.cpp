@@ -21,9 +21,7 @@ constexpr double most_added = 0.5;
 constexpr double always_added_m = 15.0; ///< So much may be added to a survey of any length.
 constexpr int most_crossings = 2;       ///< The second one sees a little of what the first one leaves.
 constexpr double prior_m2 = 6000.0;     ///< The usual clutter counts as so much area that was seen.
-constexpr double evasion_share = 1.05;  ///< of the straight ways is what it flies
-constexpr double landing_and_take_off_s = 45.0;
-constexpr int most_tries = 3; ///< to get through the door
+constexpr int most_tries = 3;           ///< to get through the door
 constexpr double at_place_m = 4.0;
 constexpr double stub_m = 0.5;      ///< length of a lane that is only a place to go to
 constexpr double beyond_m = 3.3;    ///< so far from all places that it could reach before, it is beyond the door
@@ -54,11 +52,17 @@ bool isOpen(const Craft& craft, const Survey& survey) {
     return !craft.overhead.hasCeiling() && craft.mayClimb() && survey.cutOff_m() == 0.0;
 }
 
-/// What scans have not hit between lanes that are done, quadrant by quadrant.
-ScanLedger::Hidden hiddenBetween(std::span<const mapping::Lane> done, const ScanLedger& ledger) {
+/// Whether no other lane is between these two of a quadrant.
+bool areNeighbors(const mapping::Lane& one, const mapping::Lane& other, double spacing_m) {
+    constexpr double to_spare = 1.2;
+    return (other.start_m - one.end_m).norm() < to_spare * spacing_m;
+}
+
+/// What scans have not hit between lanes that are done and were flown one after the other, quadrant by quadrant.
+ScanLedger::Hidden hiddenBetween(std::span<const mapping::Lane> done, const ScanLedger& ledger, double spacing_m) {
     ScanLedger::Hidden sum;
     for (std::size_t i = 1; i < done.size(); ++i) {
-        if (done[i].quadrant != done[i - 1].quadrant)
+        if (done[i].quadrant != done[i - 1].quadrant || !areNeighbors(done[i - 1], done[i], spacing_m))
             continue;
         const auto between = ledger.hiddenIn({done[i - 1].start_m.cwiseMin(done[i].start_m).cwiseMin(done[i].end_m),
                                               done[i - 1].start_m.cwiseMax(done[i].start_m).cwiseMax(done[i].end_m)});
@@ -70,7 +74,8 @@ ScanLedger::Hidden hiddenBetween(std::span<const mapping::Lane> done, const Scan
 
 double expectedLanes_m(const mapping::CoveragePlan& plan, std::size_t done, const ScanLedger& ledger,
                        const Settings& settings) {
-    const auto seen = hiddenBetween(std::span(plan.lanes).first(std::min(done, plan.lanes.size())), ledger);
+    const auto seen =
+        hiddenBetween(std::span(plan.lanes).first(std::min(done, plan.lanes.size())), ledger, settings.lane_spacing_m);
     const double before = ledger_share * hiddenShare(plan, settings, clutter::usual);
     const double share = (before * prior_m2 + seen.hidden_m2) / (prior_m2 + seen.area_m2);
     return std::min(most_added * plan.lane_length_m, addedLanes(share, areaOf_m2(plan), settings).length_m);
@@ -133,10 +138,8 @@ bool Leftovers::crossOnce(const Craft& craft, Survey& survey, const ScanLedger& 
     gaps_left_out_ = survey.addedLeftOut(); // Only lanes past gaps count for those.
     const double most_m = std::max(always_added_m, most_added * survey.plannedLength_m()) - added_m_;
     const Settings& settings = craft.settings;
-    const Endurance endurance{craft.battery.rangeLeft_m(0.0, settings) / evasion_share,
-                              usableRange_m(settings) / evasion_share,
-                              settings.transit_speed_m_s * (settings.recharge_time_s + landing_and_take_off_s)};
-    const LaneTerms terms{settings.least_gain_m, most_m, settings.ground_resolution_m, endurance};
+    const LaneTerms terms{settings.least_gain_m, most_m, settings.ground_resolution_m,
+                          enduranceOf(settings, craft.battery.sinceCharge_m())};
     return fly(crossLanes(ledger, terms, craft.senses.position2_m(), base_m), survey,
                "More lanes show ground that was hidden: ", port);
 }

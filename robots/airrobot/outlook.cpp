@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <vector>
 
 #include "core/base/numbers.h"
 #include "core/base/time_range.h"
@@ -14,6 +15,7 @@ namespace usar::airrobot {
 namespace {
 
 constexpr int samples_per_gap = 16; ///< between two lanes
+constexpr double same_lane_m = 0.1; ///< Two lanes that are nearer to each other are pieces of one.
 /// The least local share that is hidden, times the width of a lane's strip, for each least gain: fitted to what
 /// *balanced* added in `tall_test`, 508 to 792 m (measured.md).
 constexpr double worth_a_lane = 1.05;
@@ -30,13 +32,18 @@ double hiddenShare(const Rectangle& quadrant, std::span<const mapping::Lane> lan
     const double range_m = surveyed_reach * protocol::usual_scanner_maximum_m;
     const double height_m = settings.scan_altitude_m;
     const double reach_m = std::sqrt(std::max(0.0, range_m * range_m - height_m * height_m));
-    const auto samples = static_cast<int>(lanes.size()) * samples_per_gap;
+    std::vector<double> lanes_m; // across them; a lane that was broken off is in two pieces, and counts once
+    for (const mapping::Lane& lane : lanes)
+        if (std::ranges::none_of(lanes_m,
+                                 [&](double at_m) { return std::abs(at_m - lane.start_m[across]) < same_lane_m; }))
+            lanes_m.push_back(lane.start_m[across]);
+    const auto samples = static_cast<int>(lanes_m.size()) * samples_per_gap;
     double hidden = 0.0;
     for (int i = 0; i < samples; ++i) {
         const double at_m = quadrant.min_m[across] + (i + 0.5) * width_m / samples;
         double missed = 1.0;
-        for (const mapping::Lane& lane : lanes)
-            if (const double aside_m = std::abs(at_m - lane.start_m[across]); aside_m <= reach_m)
+        for (const double lane_m : lanes_m)
+            if (const double aside_m = std::abs(at_m - lane_m); aside_m <= reach_m)
                 missed *= 1.0 - std::exp(-clutter * aside_m / height_m);
         hidden += missed / samples;
     }
@@ -54,12 +61,15 @@ double areaOf_m2(const mapping::CoveragePlan& plan) {
 
 double hiddenShare(const mapping::CoveragePlan& plan, const Settings& settings, double clutter) {
     double hidden_m2 = 0.0;
-    for (auto first = plan.lanes.begin(); first != plan.lanes.end();) {
-        const auto last =
-            std::find_if(first, plan.lanes.end(), [&](const auto& lane) { return lane.quadrant != first->quadrant; });
-        const Rectangle& quadrant = plan.quadrants[static_cast<std::size_t>(first->quadrant)];
-        hidden_m2 += quadrant.width_m() * quadrant.height_m() * hiddenShare(quadrant, {first, last}, settings, clutter);
-        first = last;
+    std::vector<std::vector<mapping::Lane>> by_quadrant(plan.quadrants.size());
+    for (const mapping::Lane& lane : plan.lanes)
+        by_quadrant[static_cast<std::size_t>(lane.quadrant)].push_back(lane);
+    for (std::size_t i = 0; i < by_quadrant.size(); ++i) {
+        if (by_quadrant[i].empty())
+            continue; // All of it was shown on other ways.
+        const Rectangle& quadrant = plan.quadrants[i];
+        hidden_m2 +=
+            quadrant.width_m() * quadrant.height_m() * hiddenShare(quadrant, by_quadrant[i], settings, clutter);
     }
     const double all_m2 = areaOf_m2(plan);
     return all_m2 > 0.0 ? hidden_m2 / all_m2 : 0.0;

@@ -120,8 +120,10 @@ ScanLedger::Hidden ScanLedger::hiddenIn(const Rectangle& part_in_map) const {
     const int last_column = cell(area_in_map_.min_m.x(), part_in_map.max_m.x(), columns_);
     for (int row = first_row; row < last_row; ++row)
         for (int column = first_column; column < last_column; ++column) {
-            if (at(column, row) == Cell::Bottomless)
+            if (at(column, row) == Cell::Bottomless) {
+                sum.bottomless_m2 += cell_m * cell_m;
                 continue;
+            }
             sum.area_m2 += cell_m * cell_m;
             sum.hidden_m2 += cell_m * cell_m * hidden(column, row);
         }

@@ -31,10 +31,11 @@ public:
     double hiddenInSeen() const;
 
     /// The area of the rectangle (map frame) in square meters, without cells of which nothing is within reach, and how
-    /// much of that no scan has hit.
+    /// much of that no scan has hit. The area of those cells is told apart: from high up, there may be ground in them.
     struct Hidden {
         double area_m2 = 0.0;
         double hidden_m2 = 0.0;
+        double bottomless_m2 = 0.0;
     };
     Hidden hiddenIn(const Rectangle& part_in_map) const;
 

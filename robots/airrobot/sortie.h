@@ -14,7 +14,7 @@ namespace usar::airrobot {
 enum class Phase { Launch, TakeOff, ToLane, Lane, Home, Landing, Ground, Finished };
 
 /// The reason why the robot is on the ground or on its way there; it determines what follows.
-enum class Errand { Start, Recharge, Quadrant, Done, GivenUp };
+enum class Errand { Start, Recharge, NextSortie, Done, GivenUp };
 
 /// What the robot has to remember from its take-off until the next one. Places are in the map frame.
 struct Sortie {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "robots/airrobot/flight/battery_model.h"
@@ -17,20 +18,19 @@ constexpr double resume_back_m = 1.0;
 /// A lane is looked at in such steps for what of it can be reached.
 constexpr double look_every_m = 1.0;
 constexpr double worth_a_flight_m = 1.0;
+
+double lengthOf_m(const std::vector<mapping::Lane>& lanes) {
+    return std::accumulate(lanes.begin(), lanes.end(), 0.0, [](double sum_m, const mapping::Lane& lane) {
+        return sum_m + (lane.end_m - lane.start_m).norm();
+    });
+}
 } // namespace
 
 Result<Survey> Survey::make(const agent::Task& task, const Settings& settings) {
-    mapping::CoverageOptions options{settings.lane_spacing_m, settings.quadrant_limit_m};
-    const Vec2 base_m = task.start_in_map.position_m.head<2>();
-    auto plan = mapping::planCoverage(task.area_in_map, base_m, options);
+    auto plan = planSurvey(task.area_in_map, task.start_in_map.position_m.head<2>(), settings);
     if (!plan)
         return tl::unexpected(plan.error());
-    const double quadrant_m = plan->lane_length_m / static_cast<double>(plan->quadrants.size());
-    options.returns =
-        settings.hurried() && isWorthACharge(quadrant_m, settings) && quadrant_m < usableRange_m(settings);
-    if (options.returns)
-        plan = mapping::planCoverage(task.area_in_map, base_m, options);
-    return Survey(std::move(*plan));
+    return Survey(std::move(plan->coverage), plan->routed);
 }
 
 double Survey::length_m() const {
@@ -106,7 +106,7 @@ SurveyEvent Survey::endPiece(const Settings& settings) {
 }
 
 SurveyEvent Survey::nextLane() {
-    const int quadrant = plan_.lanes[lane_].quadrant;
+    const int sortie = plan_.lanes[lane_].sortie;
     finished_lanes_m_ += length_m();
     ++lane_;
     on_lane_ = false;
@@ -114,7 +114,7 @@ SurveyEvent Survey::nextLane() {
     short_end_m_.reset();
     if (done())
         return SurveyEvent::AllDone;
-    return plan_.lanes[lane_].quadrant != quadrant ? SurveyEvent::QuadrantDone : SurveyEvent::LaneDone;
+    return plan_.lanes[lane_].sortie != sortie ? SurveyEvent::SortieDone : SurveyEvent::LaneDone;
 }
 
 void Survey::leaveOut(double from_m, double to_m, LeftOut why) {
@@ -130,7 +130,7 @@ void Survey::leaveOut(double from_m, double to_m, LeftOut why) {
 }
 
 void Survey::append(mapping::Lane lane, bool counts) {
-    lane.quadrant = plan_.lanes.empty() ? 0 : plan_.lanes.back().quadrant; // No flight home is due before it.
+    lane.quadrant = plan_.lanes.empty() ? 0 : plan_.lanes.back().quadrant;
     const double length_m = (lane.end_m - lane.start_m).norm();
     plan_.lanes.push_back(lane);
     plan_.lane_length_m += length_m;
@@ -139,14 +139,62 @@ void Survey::append(mapping::Lane lane, bool counts) {
 }
 
 void Survey::add(const std::vector<mapping::Lane>& lanes) {
-    for (const mapping::Lane& lane : lanes)
+    const int last_sortie = plan_.lanes.empty() ? 0 : plan_.lanes.back().sortie;
+    for (mapping::Lane lane : lanes) {
+        lane.sortie += last_sortie; // With sortie 0, no flight home is due before it.
         append(lane, false);
+    }
+}
+
+bool Survey::goesHomeBefore(std::size_t lane, double since_charge_m, const Settings& settings) const {
+    if (lane == 0 || lane >= plan_.lanes.size() || plan_.lanes[lane].sortie == plan_.lanes[lane - 1].sortie)
+        return false;
+    return routed_ || !counts_[lane] || (!settings.navigate_by_truth && isWorthACharge(since_charge_m, settings));
+}
+
+void Survey::divideLane() {
+    if (entry_along_m_ <= 0.0)
+        return;
+    mapping::Lane rest = plan_.lanes[lane_];
+    rest.start_m += (rest.end_m - rest.start_m).normalized() * entry_along_m_;
+    plan_.lanes[lane_].end_m = rest.start_m;
+    finished_lanes_m_ += entry_along_m_;
+    ++lane_;
+    plan_.lanes.insert(plan_.lanes.begin() + static_cast<std::ptrdiff_t>(lane_), rest);
+    counts_.insert(counts_.begin() + static_cast<std::ptrdiff_t>(lane_), counts_[lane_ - 1]);
+    entry_along_m_ = piece_start_m_ = reached_m_ = 0.0;
+}
+
+void Survey::replan(const ScanLedger& ledger, const Vec2& base_m, const Settings& settings, double detour) {
+    routed_ = routed_ || (settings.hurried() && laneCount() - lane_ <= few_lanes);
+    if (done() || on_lane_ || !routed_)
+        return;
+    const bool planned = counts_[lane_];
+    if (std::find(counts_.begin() + static_cast<std::ptrdiff_t>(lane_), counts_.end(), !planned) != counts_.end())
+        return;
+    divideLane();
+    const auto first = plan_.lanes.begin() + static_cast<std::ptrdiff_t>(lane_);
+    const std::vector<mapping::Lane> before(first, plan_.lanes.end());
+    std::vector<mapping::Lane> rest = replanned(before, planned ? ledger : ScanLedger(), base_m, settings, detour);
+    if (rest.empty())
+        rest = {before.back()}; // At its end, the robot looks for what is hidden.
+    plan_.lanes.erase(first, plan_.lanes.end());
+    counts_.resize(lane_);
+    const int last_sortie = lane_ == 0 ? -1 : plan_.lanes.back().sortie;
+    for (mapping::Lane lane : rest) {
+        lane.sortie += last_sortie + 1;
+        plan_.lanes.push_back(lane);
+        counts_.push_back(planned);
+    }
+    finished_lanes_m_ += lengthOf_m(before) - lengthOf_m(rest); // What is left out is shown.
 }
 
 void Survey::retryCutOff() {
     const auto again = std::exchange(cut_off_, {});
-    for (const mapping::Lane& lane : again)
+    for (mapping::Lane lane : again) {
+        lane.sortie = plan_.lanes.back().sortie; // No flight home is due before it.
         append(lane, true);
+    }
     cut_off_m_ = 0.0;
 }
 

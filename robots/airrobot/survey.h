@@ -8,12 +8,12 @@
 
 #include "core/agent/behavior.h"
 #include "core/mapping/coverage_path.h"
-#include "robots/airrobot/settings.h"
+#include "robots/airrobot/survey_plan.h"
 
 namespace usar::airrobot {
 
-/// The result of completing a goal. QuadrantDone: the next lane is in another quadrant.
-enum class SurveyEvent { LaneEntered, GoalReached, LaneDone, QuadrantDone, AllDone };
+/// The result of completing a goal. SortieDone: the next lane is in another sortie, so the robot may fly home first.
+enum class SurveyEvent { LaneEntered, GoalReached, LaneDone, SortieDone, AllDone };
 
 /// Why a goal is left out. NoWayFound: what the robot has seen closes all ways there, or it has long looked for one in
 /// a room.
@@ -25,8 +25,12 @@ enum class LeftOut { Late, NoWayFound };
 class Survey {
 public:
     Survey() = default;
-    explicit Survey(mapping::CoveragePlan plan) : plan_(std::move(plan)), counts_(plan_.lanes.size(), true) {}
-    /// Plans lanes over the area of the task, starting near its start pose. Returns an error if none fit into the area.
+    explicit Survey(mapping::CoveragePlan plan, bool routed = false)
+        : plan_(std::move(plan))
+        , routed_(routed)
+        , counts_(plan_.lanes.size(), true) {}
+    /// Plans lanes over the area of the task, starting near its start pose (see planSurvey). Returns an error if none
+    /// fit into the area.
     static Result<Survey> make(const agent::Task& task, const Settings& settings);
 
     bool done() const { return lane_ >= plan_.lanes.size(); }
@@ -77,6 +81,15 @@ public:
     /// Adds what was cut off of the lanes once more, because another way was found; it does not count as cut off until
     /// it is again.
     void retryCutOff();
+    /// Whether its sorties are planned for the battery; otherwise, it is flown quadrant by quadrant.
+    bool routed() const { return routed_; }
+    /// Whether the robot flies home before the lane with this index, with so much flown since its last charge: between
+    /// two sorties that were planned for the battery, and after a quadrant, for its INS, if a charge is worth its time.
+    bool goesHomeBefore(std::size_t lane, double since_charge_m, const Settings& settings) const;
+    /// Plans what is left anew, for a robot that stands at its base: see `replanned`. Nothing changes if the lanes are
+    /// flown quadrant by quadrant, and if many are left or the robot is in no hurry; nor if some of those that are left
+    /// were planned and others added.
+    void replan(const ScanLedger& ledger, const Vec2& base_m, const Settings& settings, double detour);
     /// Moves the lanes from the next one on (m, map frame), because a robot that leans scans what is beside it. Nothing
     /// changes while the robot is on a lane.
     void shift(const Vec2& by_m) { shift_m_ = on_lane_ ? shift_m_ : by_m; }
@@ -105,11 +118,14 @@ private:
     double pieceEnd_m(const Settings& settings) const;
     SurveyEvent endPiece(const Settings& settings);
     void append(mapping::Lane lane, bool counts);
+    /// Makes what was flown of the present lane a lane of its own, which is done.
+    void divideLane();
     /// Notes that the present lane is left out between these distances along it.
     void leaveOut(double from_m, double to_m, LeftOut why);
     SurveyEvent nextLane();
 
     mapping::CoveragePlan plan_;
+    bool routed_ = false; ///< its sorties are planned for the battery
     std::size_t lane_ = 0;
     double finished_lanes_m_ = 0.0;
     bool on_lane_ = false;

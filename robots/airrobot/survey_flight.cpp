@@ -189,6 +189,9 @@ bool SurveyFlight::stepReset(const agent::Tick& tick, agent::CommandPort& port) 
 }
 
 void SurveyFlight::setOut() {
+    if (errand_ != Errand::Start && !craft_.overhead.hasCeiling() && craft_.mayClimb()) {
+        survey_.replan(ledger_, base_in_map_.position_m.head<2>(), craft_.settings, time_.detour());
+    }
     craft_.forgetPlaces();
     leftovers_.startAnew();
     phase_ = Phase::TakeOff;
@@ -325,10 +328,13 @@ void SurveyFlight::afterGoal(SurveyEvent event, agent::CommandPort& port) {
     shiftLanes();
     if (event == SurveyEvent::AllDone &&
         !leftovers_.addLanes(craft_, survey_, ledger_, base_in_map_.position_m.head<2>(), port))
-        goHome(Errand::Done, "", port);
-    else if (event == SurveyEvent::QuadrantDone && !craft_.settings.navigate_by_truth &&
-             isWorthACharge(craft_.battery.sinceCharge_m(), craft_.settings))
-        goHome(Errand::Quadrant, "A quadrant is done; home to set the INS and to charge.", port);
+        return goHome(Errand::Done, "", port);
+    const bool between_lanes = event == SurveyEvent::SortieDone || event == SurveyEvent::AllDone;
+    if (between_lanes && survey_.goesHomeBefore(survey_.laneIndex(), craft_.battery.sinceCharge_m(), craft_.settings))
+        goHome(Errand::NextSortie,
+               survey_.routed() || leftovers_.begun() ? "A sortie is done; home to charge."
+                                                      : "A quadrant is done; home to set the INS and to charge.",
+               port);
 }
 
 void SurveyFlight::endPause(const std::string& why, agent::CommandPort& port) {

@@ -74,6 +74,7 @@ public:
     void run(Seconds limit);
     void tick();
     void order(agent::Order order);
+    void set(const agent::ParameterSet& parameters) { host_.setParameters(parameters); }
 
     ToyAirRobot& robot() { return robot_; }
     bool finished() const { return host_.finished(); }

@@ -1,41 +1,19 @@
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <numeric>
 
 #include <QTest>
 
-#include "core/base/random.h"
 #include "robots/airrobot/lane_order.h"
+#include "tests/robots/random_lanes.h"
 #include "tests/suite/suite.h"
 
 namespace tst_lane_order {
 
 using namespace usar;
 using namespace usar::airrobot;
-using Lanes = std::vector<mapping::Lane>;
 
 namespace {
-
-Lanes randomLanes(Random& random, int count) {
-    Lanes lanes;
-    const auto place = [&] { return Vec2(uniform(random, -100.0, 100.0), uniform(random, -100.0, 100.0)); };
-    for (int i = 0; i < count; ++i)
-        lanes.push_back({place(), place(), 0});
-    return lanes;
-}
-
-/// Both ends of each lane, whichever comes first, in a fixed order.
-std::vector<std::array<double, 4>> ends(const Lanes& lanes) {
-    std::vector<std::array<double, 4>> all;
-    for (const mapping::Lane& lane : lanes) {
-        std::array<double, 4> one{lane.start_m.x(), lane.start_m.y(), lane.end_m.x(), lane.end_m.y()};
-        const std::array<double, 4> other{one[2], one[3], one[0], one[1]};
-        all.push_back(std::min(one, other));
-    }
-    std::ranges::sort(all);
-    return all;
-}
 
 /// The shortest of all orders and directions.
 double shortest_m(const Vec2& from_m, const Lanes& lanes, const Vec2& to_m) {
@@ -95,57 +73,6 @@ private slots:
             best_m += least_m;
         }
         QVERIFY(all_m < 1.05 * best_m + 1e-9);
-    }
-
-    /// Lanes 30 m long and 20 m apart, from 10 m beside the base on. Turns count 5 m for each lane.
-    void aFlightGoesHomeForCharges_data() {
-        QTest::addColumn<double>("left_m");
-        QTest::addColumn<double>("full_m");
-        QTest::addColumn<double>("way_m"); // of two lanes up and down: 10 + 30 + 20 + 30 + 30
-        QTest::newRow("not at all") << 1000.0 << 1000.0 << 120.0 + 10.0;
-        QTest::newRow("just not") << 120.1 << 1000.0 << 120.0 + 10.0;
-        QTest::newRow("before the second lane")
-            << 100.0 << 1000.0 << 10.0 + 30.0 + std::hypot(10.0, 30.0) + 200.0 + std::hypot(30.0, 30.0) + 60.0 + 10.0;
-        QTest::newRow("first of all") << 5.0 << 1000.0 << 200.0 + 120.0 + 10.0;
-        QTest::newRow("never, because a full battery does not last either") << 5.0 << 6.0 << 0.0;
-        QTest::newRow("never, and its length is no round number") << 5.0 << 38.095 / 5.0 << 0.0;
-    }
-    void aFlightGoesHomeForCharges() {
-        QFETCH(double, left_m);
-        QFETCH(double, full_m);
-        QFETCH(double, way_m);
-        const Lanes lanes{{{10, 0}, {10, 30}, 0}, {{30, 30}, {30, 0}, 0}};
-        const double flown_m = flight_m({0, 0}, lanes, {0, 0}, {left_m, full_m, 200.0});
-        if (way_m > 0.0)
-            QVERIFY2(std::abs(flown_m - way_m) < 0.01, qPrintable(QString::number(flown_m)));
-        QVERIFY(flown_m < 2000.0);
-    }
-
-    /// It breaks off a lane where the battery lasts just for the way home, and resumes it there.
-    void aLaneIsBrokenOff() {
-        const Lanes lanes{{{0, 0}, {100, 0}, 0}};
-        const double flown_m = flight_m({0, 0}, lanes, {0, 0}, {100.0, 1000.0, 0.0});
-        QVERIFY2(std::abs(flown_m - (50.0 + 50.0 + 50.0 + 50.0 + 100.0 + 5.0)) < 0.01,
-                 qPrintable(QString::number(flown_m)));
-    }
-
-    void flightsAreOrderedByTheirBattery() {
-        Random random = seeded(9, 0);
-        const Endurance endurance{150.0, 500.0, 140.0};
-        double tours_m = 0.0, flights_m = 0.0;
-        for (int count = 1; count <= 16; ++count) {
-            const Lanes lanes = randomLanes(random, count);
-            Lanes tour = lanes, flight = lanes;
-            orderTour({0, 0}, tour, {0, 0});
-            orderFlights({0, 0}, flight, {0, 0}, endurance);
-            QCOMPARE(ends(flight), ends(lanes));
-            const double tour_m = flight_m({0, 0}, tour, {0, 0}, endurance);
-            const double way_m = flight_m({0, 0}, flight, {0, 0}, endurance);
-            QVERIFY(way_m <= tour_m + 1e-9);
-            tours_m += tour_m;
-            flights_m += way_m;
-        }
-        QVERIFY2(flights_m < 0.99 * tours_m, qPrintable(QString::number(flights_m / tours_m)));
     }
 
     void noLaneIsLostAndNoTourIsLonger() {

@@ -18,11 +18,11 @@ class tst_Survey : public QObject {
 
     Settings settings;
 
-    static Survey twoLanes(int second_quadrant = 0) {
+    static Survey twoLanes(int second_sortie = 0, bool routed = false) {
         mapping::CoveragePlan plan;
-        plan.lanes = {{{0, 0}, {60, 0}, 0}, {{60, 10}, {0, 10}, second_quadrant}};
+        plan.lanes = {{{0, 0}, {60, 0}, 0, 0}, {{60, 10}, {0, 10}, second_sortie, second_sortie}};
         plan.lane_length_m = 120.0;
-        return Survey(plan);
+        return Survey(plan, routed);
     }
     /// A tick at this place: what is flown is noted, and a goal that is reached is followed by the next one.
     std::optional<SurveyEvent> arrive(Survey& survey, const Vec2& at_m) const {
@@ -46,7 +46,8 @@ class tst_Survey : public QObject {
 private slots:
     void init() { settings = {}; }
 
-    void inAHurryEachQuadrantBeginsNearItsBase_data() {
+    /// More lanes than are ordered by themselves.
+    void inAHurryEachOfManyQuadrantsBeginsNearItsBase_data() {
         QTest::addColumn<double>("transit_m_s");
         QTest::addColumn<double>("battery_m");
         QTest::addColumn<bool>("near_base");
@@ -54,22 +55,25 @@ private slots:
         QTest::newRow("in no hurry") << 1.6 << 1000.0 << false;
         QTest::newRow("flies home earlier") << 2.0 << 300.0 << false;
     }
-    void inAHurryEachQuadrantBeginsNearItsBase() {
+    void inAHurryEachOfManyQuadrantsBeginsNearItsBase() {
         QFETCH(double, transit_m_s);
         QFETCH(double, battery_m);
         QFETCH(bool, near_base);
         settings.transit_speed_m_s = transit_m_s;
         settings.battery_range_m = battery_m;
         settings.lane_spacing_m = 17.0;
-        const agent::Task task{"R1", Pose{}, {Vec2(-100, -100), Vec2(100, 100)}};
+        settings.quadrant_limit_m = 100.0;
+        const agent::Task task{"R1", Pose{}, {Vec2(-150, -150), Vec2(150, 150)}};
         const Survey survey = Survey::make(task, settings).value();
-        QCOMPARE(survey.plan().quadrants.size(), std::size_t(4));
-        double farthest_m = 0.0;
+        QCOMPARE(survey.plan().quadrants.size(), std::size_t(9));
+        bool near = true;
         int quadrant = -1;
-        for (const mapping::Lane& lane : survey.plan().lanes)
-            if (std::exchange(quadrant, lane.quadrant) != lane.quadrant)
-                farthest_m = std::max(farthest_m, lane.start_m.norm());
-        QCOMPARE(farthest_m < 25.0, near_base);
+        for (const mapping::Lane& lane : survey.plan().lanes) {
+            const Rectangle& in = survey.plan().quadrants[static_cast<std::size_t>(lane.quadrant)];
+            if (std::exchange(quadrant, lane.quadrant) != lane.quadrant && !in.contains({0, 0}))
+                near = near && lane.start_m.norm() < in.center_m().norm();
+        }
+        QCOMPARE(near, near_base);
     }
 
     void aLaneIsMovedBeforeItIsEntered() {
@@ -108,10 +112,97 @@ private slots:
         QCOMPARE(survey.goalsGivenUp(), 0);
     }
 
-    void tellsTheEndOfAQuadrant() {
+    void tellsTheEndOfASortie() {
         Survey survey = twoLanes(1);
         const auto events = flyAll(survey, {0, 0});
-        QVERIFY(std::ranges::find(events, SurveyEvent::QuadrantDone) != events.end());
+        QVERIFY(std::ranges::find(events, SurveyEvent::SortieDone) != events.end());
+    }
+
+    void goesHomeBetweenSorties_data() {
+        QTest::addColumn<bool>("routed");
+        QTest::addColumn<bool>("by_truth");
+        QTest::addColumn<double>("transit_m_s");
+        QTest::addColumn<double>("since_charge_m");
+        QTest::addColumn<bool>("goes_home");
+        QTest::newRow("planned for the battery") << true << false << 2.0 << 100.0 << true;
+        QTest::newRow("planned for the battery, by ground truth") << true << true << 2.0 << 100.0 << true;
+        QTest::newRow("after a quadrant") << false << false << 1.6 << 100.0 << true;
+        QTest::newRow("after a quadrant, by ground truth") << false << true << 1.6 << 600.0 << false;
+        QTest::newRow("after a quadrant, in a hurry") << false << false << 2.0 << 100.0 << false;
+        QTest::newRow("after a long quadrant, in a hurry") << false << false << 2.0 << 600.0 << true;
+    }
+    void goesHomeBetweenSorties() {
+        QFETCH(bool, routed);
+        QFETCH(bool, by_truth);
+        QFETCH(double, transit_m_s);
+        QFETCH(double, since_charge_m);
+        QFETCH(bool, goes_home);
+        settings.navigate_by_truth = by_truth;
+        settings.transit_speed_m_s = transit_m_s;
+        const Survey survey = twoLanes(1, routed);
+        QVERIFY(!survey.goesHomeBefore(0, since_charge_m, settings));
+        QCOMPARE(survey.goesHomeBefore(1, since_charge_m, settings), goes_home);
+        QVERIFY(!survey.goesHomeBefore(2, since_charge_m, settings));
+        QVERIFY(!twoLanes(0, routed).goesHomeBefore(1, since_charge_m, settings));
+    }
+
+    /// A lane of 60 m was broken off at 41 m, and the base is at (60, 30).
+    void whatIsLeftIsPlannedAnewAfterALanding() {
+        Survey survey = twoLanes(0, true);
+        arrive(survey, {0, 0});
+        arrive(survey, {20, 0});
+        survey.note({41, 0});
+        survey.interrupt();
+        survey.replan({}, {60, 30}, settings, 1.0);
+        QCOMPARE(survey.doneLength_m(), 40.0); // It resumes a meter before that place.
+        QCOMPARE(survey.totalLength_m(), 120.0);
+        const auto corners = survey.corners_m();
+        QCOMPARE(corners.size(), std::size_t(6));
+        QCOMPARE(corners[1], Vec2(40, 0));
+        // In the order as it was, it would fly 36 m to (40, 0) and 63 m home from (0, 10).
+        const std::vector<mapping::Lane> rest{{corners[2], corners[3]}, {corners[4], corners[5]}};
+        QVERIFY(waysBetween_m({60, 30}, rest, {60, 30}) < 95.0);
+        QCOMPARE(survey.laneIndex(), std::size_t(1));
+        QVERIFY(survey.goesHomeBefore(1, 100.0, settings)); // The next sortie begins there, which it has done.
+        flyAll(survey, {60, 30});
+        QCOMPARE(survey.doneLength_m(), 120.0);
+        QCOMPARE(survey.goalsGivenUp(), 0);
+    }
+
+    void planningAnewIsForThoseInAHurry() {
+        Survey survey = twoLanes();
+        const auto before = survey.corners_m();
+        survey.replan({}, {60, 30}, settings, 1.0);
+        QCOMPARE(survey.corners_m(), before);
+        settings.transit_speed_m_s = 2.0;
+        survey.replan({}, {60, 30}, settings, 1.0);
+        QVERIFY(survey.routed());
+        QVERIFY(survey.corners_m() != before);
+    }
+
+    /// It looks for what is hidden at the end of a lane, so it must have one.
+    void oneLaneStaysIfAllIsShown() {
+        ScanLedger ledger({{-10, -10}, {70, 20}});
+        Senses senses;
+        senses.scan.emplace();
+        for (double x_m = -9.75; x_m < 70.0; x_m += 0.5)
+            for (double y_m = -9.75; y_m < 20.0; y_m += 0.5)
+                senses.scan->hits_in_map_m.emplace_back(x_m, y_m, 0.0);
+        ledger.note(senses, false, true);
+        Survey survey = twoLanes(0, true);
+        survey.replan(ledger, {0, 30}, settings, 1.0);
+        QCOMPARE(survey.laneCount() - survey.laneIndex(), std::size_t(1));
+        QCOMPARE(survey.doneLength_m(), 60.0);
+        flyAll(survey, {0, 30});
+        QCOMPARE(survey.doneLength_m(), 120.0);
+    }
+
+    void addedLanesGoOnWithTheSorties() {
+        Survey survey = twoLanes(1);
+        flyAll(survey, {0, 0});
+        survey.add({{{10, 5}, {14, 5}, 0, 0}, {{20, 5}, {26, 5}, 0, 1}});
+        QVERIFY(!survey.goesHomeBefore(2, 100.0, settings));
+        QVERIFY(survey.goesHomeBefore(3, 100.0, settings));
     }
 
     void aimsAheadOnTheLaneAfterADetour() {
@@ -215,7 +306,7 @@ private slots:
     void leavesOutLanesToWhichNoWayLeads() {
         Survey survey = twoLanes(1);
         const auto nowhere = [](const Vec2&) { return false; };
-        QCOMPARE(survey.cutOff(settings, nowhere), SurveyEvent::QuadrantDone);
+        QCOMPARE(survey.cutOff(settings, nowhere), SurveyEvent::SortieDone);
         QCOMPARE(survey.cutOff(settings, nowhere), SurveyEvent::AllDone);
         QCOMPARE(survey.cutOff_m(), 120.0);
         QCOMPARE(survey.cutOff(settings, nowhere), SurveyEvent::AllDone);

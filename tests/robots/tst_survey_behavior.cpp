@@ -20,12 +20,14 @@ std::string decider = "airrobot/cpp";
 
 const Task field_task{"R1", Pose{}, {Vec2(5, 5), Vec2(45, 35)}};
 
+ParameterSet parameters(const std::map<std::string, ParameterValue>& values) {
+    return ParameterSet::make(airrobot::AirRobot().description().behaviors[0].parameters, values).value();
+}
+
 ToyFlight flight(const ToyWorld& world, const Task& task = field_task,
                  const std::map<std::string, ParameterValue>& values = {}, ToyFaults faults = {},
                  Seconds battery = Seconds(1e5), std::optional<Pose> standing_in_map = {}) {
-    const auto parameters = ParameterSet::make(airrobot::AirRobot().description().behaviors[0].parameters, values);
-    Q_ASSERT(parameters);
-    auto behavior = airrobot::AirRobot().createBehavior(decider, {task, *parameters});
+    auto behavior = airrobot::AirRobot().createBehavior(decider, {task, parameters(values)});
     Q_ASSERT(behavior);
     return {ToyAirRobot(world, standing_in_map.value_or(task.start_in_map), faults, battery), std::move(*behavior)};
 }
@@ -204,6 +206,35 @@ private slots:
                 QVERIFY(*status->battery_used_pct < 100.0); // home before it is empty
     }
 
+    /// In a hurry, it flies home between its sorties, with lanes that end near its base; otherwise it breaks off lanes.
+    void chargesBetweenItsSorties() {
+        const std::map<std::string, ParameterValue> values{
+            {"transit_speed_m_s", 2.0}, {"scan_speed_m_s", 2.0}, {"battery_range_m", 260.0}};
+        ToyFlight toy = flight({}, field_task, values, {.ins_drifts = true});
+        toy.run(Seconds(3000));
+        QVERIFY(toy.ending() && toy.ending()->success);
+        QVERIFY(contains(toy.events(), "A sortie is done; home to charge."));
+        QVERIFY(toy.status().charges >= 1);
+        QCOMPARE(toy.marks(MarkKind::Recharge).size(), std::size_t(0));
+        QCOMPARE(*toy.status().progress_pct, 100.0);
+    }
+
+    /// The battery lasts for less than it was planned for, so lanes are broken off, and the rest is planned anew.
+    void plansAnewAfterALandingThatWasNotPlanned() {
+        ToyFlight toy = flight({}, field_task, {{"transit_speed_m_s", 2.0}, {"scan_speed_m_s", 2.0}},
+                               {.ins_drifts = true});
+        runInto(toy, "scanning lane 2 of 4", Seconds(5));
+        toy.set(parameters({{"transit_speed_m_s", 2.0}, {"scan_speed_m_s", 2.0}, {"battery_range_m", 140.0}}));
+        toy.run(Seconds(3000));
+        QVERIFY(toy.ending() && toy.ending()->success);
+        QVERIFY(toy.marks(MarkKind::Recharge).size() >= 1);
+        QVERIFY(contains(toy.states(), " of 5")); // What was flown of the second one is a lane, too.
+        QCOMPARE(*toy.status().progress_pct, 100.0);
+        for (const Published& value : toy.published())
+            if (const auto* status = std::get_if<BehaviorStatus>(&value))
+                QVERIFY(!status->progress_pct || *status->progress_pct <= 100.0);
+    }
+
     /// Else nobody would know how far it drifted in its last flight, which may be its only one.
     void setsTheInsAfterItsLastLanding() {
         ToyFlight toy = flight({}, field_task, {}, {.ins_drifts = true});
@@ -253,7 +284,7 @@ private slots:
     }
 
     /// In a hurry it does not charge a battery that it has hardly used.
-    void fliesOnAfterASmallQuadrantInAHurry_data() {
+    void fliesOnAfterASmallPartInAHurry_data() {
         QTest::addColumn<double>("transit_m_s");
         QTest::addColumn<double>("range_m");
         QTest::addColumn<bool>("goes_home");
@@ -261,7 +292,7 @@ private slots:
         QTest::newRow("in a hurry") << 2.0 << 1000.0 << false;
         QTest::newRow("in a hurry, with a battery half empty") << 2.0 << 200.0 << true;
     }
-    void fliesOnAfterASmallQuadrantInAHurry() {
+    void fliesOnAfterASmallPartInAHurry() {
         QFETCH(double, transit_m_s);
         QFETCH(double, range_m);
         QFETCH(bool, goes_home);
@@ -271,7 +302,7 @@ private slots:
                    {.ins_drifts = true});
         toy.run(Seconds(3000));
         QVERIFY(toy.ending() && toy.ending()->success);
-        QCOMPARE(contains(toy.events(), "quadrant"), goes_home);
+        QCOMPARE(contains(toy.events(), "is done; home"), goes_home);
     }
 
     void fliesOnAfterAQuadrantWhereNoInsNeedsToBeSet() {

@@ -137,8 +137,7 @@ void flyOn(ThoughtFlight& flight, const Survey& survey, const MissionState& stat
     const auto& lanes = survey.plan().lanes;
     for (std::size_t i = survey.laneIndex(); i < lanes.size(); ++i) {
         const bool first = i == survey.laneIndex();
-        if (!first && lanes[i].quadrant != lanes[i - 1].quadrant && !settings.navigate_by_truth &&
-            isWorthACharge(flight.used_m(), settings)) {
+        if (!first && survey.goesHomeBefore(i, flight.used_m(), settings)) {
             flight.land();
             flight.charge();
         }

@@ -71,6 +71,8 @@ public:
     std::optional<agent::Forecast> left(Seconds now) const;
     /// The pace of a kind of stage, which must not be None.
     const agent::Pace& pace(Stage stage) const { return paces_[static_cast<std::size_t>(stage) - 1]; }
+    /// The way that is flown for each meter of the lanes.
+    double detour() const { return detour_.pace(); }
 
 private:
     WholeFlight rest(const Survey& survey, const MissionState& state, const Settings& settings) const;

@@ -1,0 +1,33 @@
+// Plans the sorties of a survey before the start, and what is left of them after each landing.
+#pragma once
+
+#include "core/mapping/coverage_path.h"
+#include "robots/airrobot/scan_ledger.h"
+#include "robots/airrobot/sorties.h"
+
+namespace usar::airrobot {
+
+/// The lanes of a survey.
+struct SurveyPlan {
+    mapping::CoveragePlan coverage;
+    bool routed = false; ///< the lanes are divided into sorties by the battery, instead of by quadrants
+};
+
+/// Plans lanes over the area, from the base on. A robot in no hurry flies quadrant by quadrant, as in the thesis (4.1).
+/// For one in a hurry, lanes along either side of the area, in quadrants or not, are ordered and divided into sorties
+/// (see sorties.h), and those are taken that need the shortest flight. By INS, no sortie is planned to be longer than
+/// what the INS can be trusted for, however long the battery lasts. If the area needs more lanes than `few_lanes`, it
+/// is flown quadrant by quadrant, too. Returns an error if no lane fits into the area.
+Result<SurveyPlan> planSurvey(const Rectangle& area_in_map, const Vec2& base_m, const Settings& settings);
+
+/// Plans what is left of a survey after a landing, from what the map shows and not from what was planned: leaves out
+/// the ends of lanes that the robot has shown on other ways, where their strips have no more hidden ground than an
+/// added lane would be flown for; orders the rest, and divides it into sorties. `detour`: the way that the robot has
+/// flown so far for each meter of its lanes. The order is that of `lanes` if there are more than `few_lanes`.
+std::vector<mapping::Lane> replanned(std::vector<mapping::Lane> lanes, const ScanLedger& ledger, const Vec2& base_m,
+                                     const Settings& settings, double detour);
+
+/// What `replanned` leaves out of a lane at its ends; a lane without length is left out whole.
+mapping::Lane withoutShownEnds(const mapping::Lane& lane, const ScanLedger& ledger, const Settings& settings);
+
+} // namespace usar::airrobot
