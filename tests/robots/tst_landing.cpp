@@ -244,6 +244,37 @@ private slots:
         QVERIFY(Touchdown::isClearBelow(sensesAt({4, 0, z_m}), ObstacleMemory(), {0, 0}));
     }
 
+    /// It hovered over its base for good, 2.4 m above ground that was 1.7 m higher when it took off (`tall_test`, 23).
+    void knowsTheGroundAgainWhenItsHeightHasDrifted_data() {
+        QTest::addColumn<double>("risen_m");
+        QTest::addColumn<Vec3>("thing_m"); // as it was when it took off
+        QTest::addColumn<bool>("clear");
+        const Vec3 nothing(20, 20, 0);
+        QTest::newRow("down") << -1.7 << nothing << true;
+        QTest::newRow("up") << 1.7 << nothing << true;
+        QTest::newRow("down, with a crown beside its place") << -1.7 << Vec3(0.75, 0.25, 3.2) << false;
+        QTest::newRow("up, with a crown beside its place") << 1.7 << Vec3(0.75, 0.25, 3.2) << false;
+    }
+    void knowsTheGroundAgainWhenItsHeightHasDrifted() {
+        QFETCH(double, risen_m);
+        QFETCH(Vec3, thing_m);
+        QFETCH(bool, clear);
+        ObstacleMemory memory = meadow({thing_m});
+        for (double height_m = 8.0; height_m > 0.9; height_m -= 0.1) {
+            Senses senses = sensesAt({0, 0, risen_m + height_m});
+            senses.now = Seconds(400.0 - 2.0 * height_m);
+            setFlatScan(senses, {0, 0}, std::max(2.0, height_m), risen_m);
+            std::erase_if(senses.scan->hits_in_map_m, [&](const Vec3& hit_m) { // The crown hides what is below it.
+                return !clear && (hit_m - thing_m).head<2>().norm() < 0.4;
+            });
+            memory.take(senses, {});
+            const bool at_crown = height_m < thing_m.z() + 0.9 && height_m > thing_m.z();
+            if (clear || at_crown)
+                QVERIFY2(Touchdown::isClearBelow(senses, memory, {0, 0}) == clear,
+                         qPrintable(QString("%1 m above the ground").arg(height_m)));
+        }
+    }
+
     /// A scan that was placed wrong closed its base and five other places, and it hovered (`quick_scan`, seed 73).
     void inNeedOfRoomItBelievesItsLastScans_data() {
         QTest::addColumn<Vec2>("thing_m");

@@ -49,8 +49,8 @@ private slots:
         QTest::newRow("down") << 60.0 << -0.7 << 3.0 << 60.0 << -0.7;
         QTest::newRow("on the same flight") << 10.0 << 1.8 << 3.0 << 10.0 << 0.0;
         QTest::newRow("seen of a few cells only") << 60.0 << 1.8 << 1.0 << 60.0 << 0.0;
-        QTest::newRow("seconds ago") << 60.0 << 1.8 << 3.0 << 63.0 << 1.8;
-        QTest::newRow("elsewhere by now") << 60.0 << 1.8 << 3.0 << 66.0 << 0.0;
+        QTest::newRow("seconds ago") << 60.0 << 1.8 << 3.0 << 89.0 << 1.8;
+        QTest::newRow("elsewhere by now") << 60.0 << 1.8 << 3.0 << 91.0 << 0.0;
     }
     void tellsHowFarTheHeightHasDrifted() {
         QFETCH(double, again_s);

@@ -218,16 +218,18 @@ bool Touchdown::looksAround(const Senses& senses, const ObstacleMemory& memory, 
 
 bool Touchdown::isClearBelow(const Senses& senses, const ObstacleMemory& memory, const Vec2& place_m, Room room) {
     const double z_m = senses.position_m().z();
-    const auto ground_m = memory.lowest_m(place_m, body_radius_m);
-    if (!ground_m || z_m < *ground_m + low_m)
+    const auto height_m = [](const Vec3& top_m) { return top_m.z(); };
+    const std::vector<Vec3> place_tops_m = memory.risenTops_m(place_m, body_radius_m);
+    if (place_tops_m.empty())
         return true;
-    const double level_m = std::max(*ground_m + no_ground_m, z_m - over_things_m);
+    const double ground_m = height_m(std::ranges::min(place_tops_m, {}, height_m));
+    if (z_m < ground_m + low_m)
+        return true;
+    const double level_m = std::max(ground_m + no_ground_m, z_m - over_things_m);
     const auto blocks = [&](const Vec2& at_m) {
-        if (room == Room::Least)
-            return std::ranges::any_of(memory.freshTops_m(at_m, least_berth_m, lately),
-                                       [&](const Vec3& top_m) { return top_m.z() > level_m; });
-        return std::ranges::any_of(memory.near(at_m, berth_m, level_m),
-                                   [](const Obstacle& one) { return one.top_known; });
+        const auto tops_m = room == Room::Least ? memory.freshTops_m(at_m, least_berth_m, lately)
+                                                : memory.risenTops_m(at_m, berth_m);
+        return std::ranges::any_of(tops_m, [&](const Vec3& top_m) { return top_m.z() > level_m; });
     };
     const Vec2 way_m = place_m - senses.position2_m();
     const int steps = static_cast<int>(way_m.norm() / berth_step_m) + 1;

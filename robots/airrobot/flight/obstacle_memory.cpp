@@ -10,6 +10,7 @@ namespace {
 /// A cell is seen again if it was not seen for so long, and that is remembered for so long.
 constexpr Seconds another_flight{20.0};
 constexpr Seconds remembered{4.0};
+constexpr Seconds believed{30.0};
 constexpr std::size_t few_cells = 40;
 /// If a beam leaves less than this of an echo's height, the echo is dropped.
 constexpr double certain_m = 0.1;
@@ -32,6 +33,7 @@ void ObstacleMemory::clear() {
     std::ranges::fill(cells_, Cell{});
     echoes_.clear();
     seen_again_.clear();
+    risen_ = {Seconds(-1e9), 0.0};
 }
 
 void ObstacleMemory::take(const Senses& senses, const MemorySpans& spans) {
@@ -41,6 +43,7 @@ void ObstacleMemory::take(const Senses& senses, const MemorySpans& spans) {
     std::erase_if(seen_again_, [&](const SeenAgain& again) { return now_ - again.time > remembered; });
     if (senses.scan)
         takeScan(senses.scan->hits_in_map_m);
+    noteRise();
     for (const SonarEcho& echo : senses.sonars)
         takeEcho(echo);
 }
@@ -67,15 +70,16 @@ void ObstacleMemory::takeScan(std::span<const Vec3> hits_m) {
     }
 }
 
-double ObstacleMemory::risen_m() const {
+void ObstacleMemory::noteRise() {
     if (seen_again_.size() < few_cells)
-        return 0.0;
-    std::vector<double> risen_m;
-    for (const SeenAgain& again : seen_again_)
-        risen_m.push_back(again.risen_m);
-    const auto middle = risen_m.begin() + static_cast<std::ptrdiff_t>(risen_m.size() / 2);
-    std::ranges::nth_element(risen_m, middle);
-    return *middle;
+        return;
+    const auto middle = seen_again_.begin() + static_cast<std::ptrdiff_t>(seen_again_.size() / 2);
+    std::ranges::nth_element(seen_again_, middle, {}, &SeenAgain::risen_m);
+    risen_ = {now_, middle->risen_m};
+}
+
+double ObstacleMemory::risen_m() const {
+    return now_ - risen_.time <= believed ? risen_.risen_m : 0.0;
 }
 
 void ObstacleMemory::takeEcho(const SonarEcho& echo) {
@@ -153,6 +157,17 @@ std::vector<Vec3> ObstacleMemory::tops_m(const Vec2& at_m, double radius_m) cons
     visitDisc(at_m, radius_m, [&](const Vec2& center_m, const Cell* cell) {
         if (cell)
             tops.emplace_back(center_m.x(), center_m.y(), cell->top_m);
+    });
+    return tops;
+}
+
+std::vector<Vec3> ObstacleMemory::risenTops_m(const Vec2& at_m, double radius_m) const {
+    std::vector<Vec3> tops;
+    visitDisc(at_m, radius_m, [&](const Vec2& center_m, const Cell* cell) {
+        if (!cell)
+            return;
+        const bool old = now_.count() - cell->time_s > another_flight.count();
+        tops.emplace_back(center_m.x(), center_m.y(), cell->top_m + (old ? risen_m() : 0.0));
     });
     return tops;
 }

@@ -60,10 +60,12 @@ public:
     /// The same of cells that were seen within `fresh`, as high as they were then. Older tops were seen with another
     /// drift: where the ground falls off, they hide the brink.
     std::vector<Vec3> freshTops_m(const Vec2& at_m, double radius_m, Seconds fresh) const;
-    /// How much higher the ground below is now than it was on a flight over it some time ago: so much has the estimate
-    /// of the height drifted since then, and so much higher is what else was seen there. The median of all cells that
-    /// were seen again in the last seconds; 0 if they are few.
+    /// How much higher the ground is now than it was on a flight over it some time ago: so much has the estimate of the
+    /// height drifted since then, and so much higher is what else was seen there. The median of the cells that were
+    /// seen again within seconds, as it was half a minute ago at most; 0 if they were few.
     double risen_m() const;
+    /// The same as `tops_m`, with what was seen some time ago moved by `risen_m`.
+    std::vector<Vec3> risenTops_m(const Vec2& at_m, double radius_m) const;
     /// Returns the lowest cell in the disc that the scanner has seen; nullopt if none is known.
     std::optional<double> lowest_m(const Vec2& at_m, double radius_m) const;
     /// Returns the share of the corridor's cells that the scanner has seen, 0 to 1.
@@ -91,6 +93,7 @@ private:
     };
 
     void takeScan(std::span<const Vec3> hits_m);
+    void noteRise();
     void takeEcho(const SonarEcho& echo);
     /// Returns nullptr if the cell is unknown or too old.
     const Cell* known(int column, int row) const;
@@ -100,7 +103,8 @@ private:
 
     std::vector<Cell> cells_;
     std::vector<Echo> echoes_;
-    std::vector<SeenAgain> seen_again_; ///< in the last seconds, in order of time
+    std::vector<SeenAgain> seen_again_; ///< in the last seconds
+    SeenAgain risen_{Seconds(-1e9), 0.0}; ///< the last median of enough cells
     MemorySpans spans_;
     Seconds now_{0.0};
 };
