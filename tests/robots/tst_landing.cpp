@@ -332,9 +332,13 @@ private slots:
             senses.scan->hits_in_map_m.emplace_back(0.4, 0.1, 0.3);
             memory.take(senses, {});
             ++ticks;
+            QVERIFY(touchdown.isOver(senses, {0, 0}));
         } while (touchdown.looksAround(senses, memory, {0, 0}, Vec2::Zero()));
         QVERIFY(ticks > 25 && ticks < 30);
-        QVERIFY((touchdown.placeFor_m({0, 0}) - Vec2(0.4, 0.1)).norm() > 1.2);
+        const Vec2 better_m = touchdown.placeFor_m({0, 0});
+        QVERIFY((better_m - Vec2(0.4, 0.1)).norm() > 1.2);
+        senses.ground_m = 1.7; // It has come down to 0.8 m as it turned, and does not sink further on its way there.
+        QVERIFY(!touchdown.isOver(senses, better_m));
     }
 
     void looksAroundJustAboveTheGroundOnly() {

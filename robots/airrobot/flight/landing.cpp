@@ -211,8 +211,10 @@ bool Touchdown::looksAround(const Senses& senses, const ObstacleMemory& memory, 
     const Seconds fresh = senses.now - *turning_since_;
     const double uneven_m = unevenness_m(memory.freshTops_m(place_m, body_radius_m, fresh), place_m, gentle_rad, lean,
                                          body_radius_m, slope_share);
-    if (std::isfinite(uneven_m) && uneven_m > level_ground_m)
+    if (std::isfinite(uneven_m) && uneven_m > level_ground_m) {
         better_m_ = landingPlace_m(memory, place_m, look_within_m, lean, fresh);
+        over_ = false; // So low, it would go on sinking on its way there, into what is uneven.
+    }
     return false;
 }
 
