@@ -152,7 +152,7 @@ private:
             return;
         if (flight_.returning())
             flight_.recharge();
-        flight_.setOut();
+        flight_.setOut(port);
     }
 
     SurveyFlight flight_;
@@ -179,7 +179,7 @@ Result<agent::TaskPreview> AirRobot::preview(const std::string&, const agent::Be
         return tl::unexpected(survey.error());
     const mapping::CoveragePlan& plan = survey->plan();
     agent::TaskPreview preview;
-    preview.path_in_map_m = survey->corners_m();
+    preview.path_in_map_m = survey->path_m(context.task.start_in_map.position_m.head<2>(), settings);
     preview.length_m = plan.lane_length_m + plan.transit_length_m;
     const Outlook outlook = outlookOf(*survey, context.task.start_in_map.position_m.head<2>(), settings);
     preview.duration = outlook.expected;

@@ -151,7 +151,6 @@ bool Leftovers::fly(const std::vector<mapping::Lane>& lanes, Survey& survey, con
     for (const mapping::Lane& lane : lanes)
         added_m_ += (lane.end_m - lane.start_m).norm();
     survey.add(lanes);
-    port.publish(agent::PlannedPath{survey.corners_m()});
     note(port, why + std::to_string(lanes.size()) + ".");
     return true;
 }
@@ -232,7 +231,6 @@ bool Leftovers::passDoor(Craft& craft, Survey& survey, bool returning, agent::Co
     craft.comeUp();
     survey.interrupt();
     survey.retryCutOff();
-    port.publish(agent::PlannedPath{survey.corners_m()});
     note(port, "The robot is through the door and flies the lanes that were cut off.");
     return true;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -18,6 +19,10 @@ constexpr double resume_back_m = 1.0;
 /// A lane is looked at in such steps for what of it can be reached.
 constexpr double look_every_m = 1.0;
 constexpr double worth_a_flight_m = 1.0;
+
+std::pair<Vec2, Vec2> endsOf_m(const mapping::Lane& lane) {
+    return {lane.start_m, lane.end_m};
+}
 
 double lengthOf_m(const std::vector<mapping::Lane>& lanes) {
     return std::accumulate(lanes.begin(), lanes.end(), 0.0, [](double sum_m, const mapping::Lane& lane) {
@@ -165,13 +170,13 @@ void Survey::divideLane() {
     entry_along_m_ = piece_start_m_ = reached_m_ = 0.0;
 }
 
-void Survey::replan(const ScanLedger& ledger, const Vec2& base_m, const Settings& settings, double detour) {
+bool Survey::replan(const ScanLedger& ledger, const Vec2& base_m, const Settings& settings, double detour) {
     routed_ = routed_ || (settings.hurried() && laneCount() - lane_ <= few_lanes);
     if (done() || on_lane_ || !routed_)
-        return;
+        return false;
     const bool planned = counts_[lane_];
     if (std::find(counts_.begin() + static_cast<std::ptrdiff_t>(lane_), counts_.end(), !planned) != counts_.end())
-        return;
+        return false;
     divideLane();
     const auto first = plan_.lanes.begin() + static_cast<std::ptrdiff_t>(lane_);
     const std::vector<mapping::Lane> before(first, plan_.lanes.end());
@@ -187,6 +192,7 @@ void Survey::replan(const ScanLedger& ledger, const Vec2& base_m, const Settings
         counts_.push_back(planned);
     }
     finished_lanes_m_ += lengthOf_m(before) - lengthOf_m(rest); // What is left out is shown.
+    return !std::ranges::equal(before, rest, {}, endsOf_m, endsOf_m);
 }
 
 void Survey::retryCutOff() {
@@ -248,11 +254,15 @@ double Survey::doneLength_m() const {
     return done() ? plan_.lane_length_m : finished_lanes_m_ + alongLane_m();
 }
 
-std::vector<Vec2> Survey::corners_m() const {
-    std::vector<Vec2> corners;
-    for (const mapping::Lane& lane : plan_.lanes)
-        corners.insert(corners.end(), {lane.start_m, lane.end_m});
-    return corners;
+std::vector<Vec2> Survey::path_m(const Vec2& base_m, const Settings& settings) const {
+    constexpr double far_m = std::numeric_limits<double>::infinity();
+    std::vector<Vec2> path;
+    for (std::size_t i = 0; i < plan_.lanes.size(); ++i) {
+        if (goesHomeBefore(i, far_m, settings))
+            path.push_back(base_m);
+        path.insert(path.end(), {plan_.lanes[i].start_m, plan_.lanes[i].end_m});
+    }
+    return path;
 }
 
 } // namespace usar::airrobot

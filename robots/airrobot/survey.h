@@ -86,10 +86,11 @@ public:
     /// Whether the robot flies home before the lane with this index, with so much flown since its last charge: between
     /// two sorties that were planned for the battery, and after a quadrant, for its INS, if a charge is worth its time.
     bool goesHomeBefore(std::size_t lane, double since_charge_m, const Settings& settings) const;
-    /// Plans what is left anew, for a robot that stands at its base: see `replanned`. Nothing changes if the lanes are
+    /// Plans what is left anew, for a robot that stands at its base: see `replanned`. Returns whether that is another
+    /// plan. Nothing changes if the lanes are
     /// flown quadrant by quadrant, and if many are left or the robot is in no hurry; nor if some of those that are left
     /// were planned and others added.
-    void replan(const ScanLedger& ledger, const Vec2& base_m, const Settings& settings, double detour);
+    bool replan(const ScanLedger& ledger, const Vec2& base_m, const Settings& settings, double detour);
     /// Moves the lanes from the next one on (m, map frame), because a robot that leans scans what is beside it. Nothing
     /// changes while the robot is on a lane.
     void shift(const Vec2& by_m) { shift_m_ = on_lane_ ? shift_m_ : by_m; }
@@ -104,8 +105,8 @@ public:
     double totalLength_m() const { return plan_.lane_length_m; }
     /// The same without the lanes that were added.
     double plannedLength_m() const { return plan_.lane_length_m - added_m_; }
-    /// The start and end of each lane, in the order of the flight.
-    std::vector<Vec2> corners_m() const;
+    /// The start and end of each lane, in the order of the flight, and the base where it flies home before the next one.
+    std::vector<Vec2> path_m(const Vec2& base_m, const Settings& settings) const;
 
 private:
     struct Place {

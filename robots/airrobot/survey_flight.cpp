@@ -112,8 +112,10 @@ void SurveyFlight::perceive(const agent::Tick& tick, agent::CommandPort& port) {
     ledger_.note(craft_.senses, phase_ == Phase::Lane, craft_.scanned);
     if (phase_ == Phase::ToLane || phase_ == Phase::Lane)
         survey_.note(craft_.senses.position2_m());
-    if (leftovers_.passDoor(craft_, survey_, phase_ == Phase::Home, port))
+    if (leftovers_.passDoor(craft_, survey_, phase_ == Phase::Home, port)) {
+        showPlan(port);
         riseBeyondDoor();
+    }
     time_.note({tick.now, stageOf(phase_, errand_ == Errand::Start), phase_ == Phase::Home, paused_ || silent_,
                 craft_.senses.position2_m(), survey_.doneLength_m(), craft_.battery.flown_m()},
                craft_.settings);
@@ -163,7 +165,7 @@ void SurveyFlight::planSurvey(agent::CommandPort& port) {
         return finish(false, planned.error().text(), port);
     survey_ = *planned;
     ledger_ = ScanLedger(task_.area_in_map);
-    port.publish(agent::PlannedPath{survey_.corners_m()});
+    showPlan(port);
     const Outlook outlook = outlookOf(survey_, task_.start_in_map.position_m.head<2>(), craft_.settings);
     port.publish(agent::BehaviorEvent{Severity::Note, outlookWords(outlook.range)});
     if (craft_.settings.navigate_by_truth)
@@ -188,10 +190,23 @@ bool SurveyFlight::stepReset(const agent::Tick& tick, agent::CommandPort& port) 
     return (reset == ResetState::Done || reset == ResetState::Failed) && (!scanOver() || reset == before);
 }
 
-void SurveyFlight::setOut() {
-    if (errand_ != Errand::Start && !craft_.overhead.hasCeiling() && craft_.mayClimb()) {
-        survey_.replan(ledger_, base_in_map_.position_m.head<2>(), craft_.settings, time_.detour());
-    }
+void SurveyFlight::showPlan(agent::CommandPort& port) const {
+    port.publish(agent::PlannedPath{survey_.path_m(base_in_map_.position_m.head<2>(), craft_.settings)});
+}
+
+void SurveyFlight::replan(agent::CommandPort& port) {
+    // In a room, ways between lanes lead around walls, of which the plan knows nothing.
+    if (errand_ == Errand::Start || craft_.overhead.hasCeiling() || !craft_.mayClimb() ||
+        !survey_.replan(ledger_, base_in_map_.position_m.head<2>(), craft_.settings, time_.detour()))
+        return;
+    showPlan(port);
+    const std::size_t left = survey_.laneCount() - survey_.laneIndex();
+    port.publish(agent::BehaviorEvent{Severity::Note, "What is left is planned anew: " + std::to_string(left) +
+                                                          (left == 1 ? " lane." : " lanes.")});
+}
+
+void SurveyFlight::setOut(agent::CommandPort& port) {
+    replan(port);
     craft_.forgetPlaces();
     leftovers_.startAnew();
     phase_ = Phase::TakeOff;
@@ -326,9 +341,11 @@ void SurveyFlight::skipGoal(agent::CommandPort& port) {
 
 void SurveyFlight::afterGoal(SurveyEvent event, agent::CommandPort& port) {
     shiftLanes();
-    if (event == SurveyEvent::AllDone &&
-        !leftovers_.addLanes(craft_, survey_, ledger_, base_in_map_.position_m.head<2>(), port))
-        return goHome(Errand::Done, "", port);
+    if (event == SurveyEvent::AllDone) {
+        if (!leftovers_.addLanes(craft_, survey_, ledger_, base_in_map_.position_m.head<2>(), port))
+            return goHome(Errand::Done, "", port);
+        showPlan(port);
+    }
     const bool between_lanes = event == SurveyEvent::SortieDone || event == SurveyEvent::AllDone;
     if (between_lanes && survey_.goesHomeBefore(survey_.laneIndex(), craft_.battery.sinceCharge_m(), craft_.settings))
         goHome(Errand::NextSortie,

@@ -60,8 +60,9 @@ public:
     void beginReset() { ins_reset_.start(craft_.senses.now); }
     /// Returns true once the INS is set or all attempts have failed.
     bool stepReset(const agent::Tick& tick, agent::CommandPort& port);
-    /// Starts from the ground, after the launch or a charge. Forgets all places, which belong to the old estimate.
-    void setOut();
+    /// Starts from the ground, after the launch or a charge, when what is left is planned anew. Forgets all places,
+    /// which belong to the old estimate.
+    void setOut(agent::CommandPort& port);
 
     // In the air.
     /// Climbs straight up to `altitude_m` over the place of the take-off; returns true when it is reached.
@@ -100,6 +101,8 @@ public:
                 std::vector<std::string> sensors_missing = {});
 
 private:
+    void showPlan(agent::CommandPort& port) const; ///< on the map, with the flights home
+    void replan(agent::CommandPort& port);
     void putFloor(); ///< chooses the floor level if nobody has set one
     void chooseFloor(agent::CommandPort& port);
     void riseBeyondDoor();

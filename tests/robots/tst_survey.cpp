@@ -156,11 +156,11 @@ private slots:
         survey.replan({}, {60, 30}, settings, 1.0);
         QCOMPARE(survey.doneLength_m(), 40.0); // It resumes a meter before that place.
         QCOMPARE(survey.totalLength_m(), 120.0);
-        const auto corners = survey.corners_m();
-        QCOMPARE(corners.size(), std::size_t(6));
+        const auto corners = survey.path_m({60, 30}, settings);
+        QCOMPARE(corners.size(), std::size_t(7)); // with the base, after the first one
         QCOMPARE(corners[1], Vec2(40, 0));
         // In the order as it was, it would fly 36 m to (40, 0) and 63 m home from (0, 10).
-        const std::vector<mapping::Lane> rest{{corners[2], corners[3]}, {corners[4], corners[5]}};
+        const std::vector<mapping::Lane> rest{{corners[3], corners[4]}, {corners[5], corners[6]}};
         QVERIFY(waysBetween_m({60, 30}, rest, {60, 30}) < 95.0);
         QCOMPARE(survey.laneIndex(), std::size_t(1));
         QVERIFY(survey.goesHomeBefore(1, 100.0, settings)); // The next sortie begins there, which it has done.
@@ -171,13 +171,14 @@ private slots:
 
     void planningAnewIsForThoseInAHurry() {
         Survey survey = twoLanes();
-        const auto before = survey.corners_m();
-        survey.replan({}, {60, 30}, settings, 1.0);
-        QCOMPARE(survey.corners_m(), before);
+        const auto before = survey.path_m({60, 30}, settings);
+        QVERIFY(!survey.replan({}, {60, 30}, settings, 1.0));
+        QCOMPARE(survey.path_m({60, 30}, settings), before);
         settings.transit_speed_m_s = 2.0;
-        survey.replan({}, {60, 30}, settings, 1.0);
+        QVERIFY(survey.replan({}, {60, 30}, settings, 1.0));
+        QVERIFY(!survey.replan({}, {60, 30}, settings, 1.0)); // It is planned that way already.
         QVERIFY(survey.routed());
-        QVERIFY(survey.corners_m() != before);
+        QVERIFY(survey.path_m({60, 30}, settings) != before);
     }
 
     /// It looks for what is hidden at the end of a lane, so it must have one.
@@ -370,8 +371,16 @@ private slots:
         QCOMPARE(survey.goal_m(settings), Vec2(60, 0));
     }
 
-    void listsItsCornersInFlyingOrder() {
-        QCOMPARE(twoLanes().corners_m(), (std::vector<Vec2>{{0, 0}, {60, 0}, {60, 10}, {0, 10}}));
+    void listsItsLanesInFlyingOrder() {
+        QCOMPARE(twoLanes().path_m({5, 5}, settings), (std::vector<Vec2>{{0, 0}, {60, 0}, {60, 10}, {0, 10}}));
+    }
+
+    void itsPathLeadsHomeBetweenSorties() {
+        const std::vector<Vec2> by_base{{0, 0}, {60, 0}, {5, 5}, {60, 10}, {0, 10}};
+        QCOMPARE(twoLanes(1, true).path_m({5, 5}, settings), by_base);
+        QCOMPARE(twoLanes(1).path_m({5, 5}, settings), by_base);
+        settings.navigate_by_truth = true;
+        QCOMPARE(twoLanes(1).path_m({5, 5}, settings), twoLanes().path_m({5, 5}, settings));
     }
 
     void isDoneBeforeItHasAPlan() {

@@ -228,6 +228,7 @@ private slots:
         toy.run(Seconds(3000));
         QVERIFY(toy.ending() && toy.ending()->success);
         QVERIFY(toy.marks(MarkKind::Recharge).size() >= 1);
+        QVERIFY(contains(toy.events(), "What is left is planned anew: "));
         QVERIFY(contains(toy.states(), " of 5")); // What was flown of the second one is a lane, too.
         QCOMPARE(*toy.status().progress_pct, 100.0);
         for (const Published& value : toy.published())
