@@ -20,7 +20,7 @@ std::vector<agent::ParameterPreset> presets() {
                                                       {"acceleration_m_s2", 1.5}};
     auto balanced = fast;
     fast["least_gain_m"] = 1000.0;
-    balanced["least_gain_m"] = 0.78;
+    balanced["least_gain_m"] = 0.72;
     return {{"as-in-the-thesis",
              "As in the thesis",
              "Lanes 9 m apart at 1 m/s, quadrant by quadrant, and none past what was hidden.",

@@ -20,7 +20,7 @@ Settings balanced() {
     settings.scan_altitude_m = 8.0;
     settings.lane_spacing_m = settings.scan_speed_m_s = Settings::by_resolution;
     settings.transit_speed_m_s = 2.0;
-    settings.least_gain_m = 0.78;
+    settings.least_gain_m = 0.72;
     return settings.asAsked();
 }
 
