@@ -60,7 +60,7 @@ private slots:
         QFETCH(double, told_m);
         ObstacleMemory memory;
         Senses senses = sensesAt({0, 0, 6}, 0.0, 0.0);
-        setFlatScan(senses, {0, 0}, 3.0, 1.0);
+        setFlatScan(senses, {0, 0}, 4.0, 1.0);
         memory.take(senses, spans);
         senses = sensesAt({0, 0, 6}, 0.0, again_s);
         setFlatScan(senses, {0, 0}, half_size_m, 1.0 + risen_m);
@@ -71,6 +71,13 @@ private slots:
         if (asked_s > again_s)
             memory.take(sensesAt({0, 0, 6}, 0.0, asked_s), spans);
         QVERIFY2(std::abs(memory.risen_m() - told_m) < 0.01, qPrintable(QString::number(memory.risen_m())));
+        const auto tops_m = memory.risenTops_m({3.75, 3.75}, 0.2); // a cell that is not seen again
+        QCOMPARE(tops_m.size(), std::size_t(1));
+        QVERIFY(std::abs(tops_m[0].z() - 1.0 - told_m) < 0.01);
+        MemorySpans room = spans;
+        room.in_room = true;
+        memory.take(sensesAt({0, 0, 6}, 0.0, asked_s), room);
+        QCOMPARE(memory.risen_m(), 0.0);
         memory.clear();
         QCOMPARE(memory.risen_m(), 0.0);
     }

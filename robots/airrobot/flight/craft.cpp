@@ -102,7 +102,7 @@ void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool a
         const double below_m = overhead.ceiling_m(senses.position2_m()).value_or(1e9) - below_ceiling_m;
         const bool open_sky = !overhead.hasCeiling() && overhead.seenTo_m() > senses.position_m().z() + open_sky_m;
         memory.take(senses, {Seconds(settings.scan_memory_s), Seconds(settings.sonar_memory_s), below_m,
-                             settings.hurried() || open_sky});
+                             settings.hurried() || open_sky, overhead.hasCeiling()});
         if (settings.hurried())
             atlas_.take(senses, below_m);
         ways.take(senses, below_m, senses.heightOverGround_m(1e9) > sure_of_walls_m, overhead.hasCeiling());

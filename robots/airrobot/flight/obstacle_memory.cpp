@@ -79,7 +79,7 @@ void ObstacleMemory::noteRise() {
 }
 
 double ObstacleMemory::risen_m() const {
-    return now_ - risen_.time <= believed ? risen_.risen_m : 0.0;
+    return now_ - risen_.time <= believed && !spans_.in_room ? risen_.risen_m : 0.0;
 }
 
 void ObstacleMemory::takeEcho(const SonarEcho& echo) {

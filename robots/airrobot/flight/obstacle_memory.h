@@ -28,6 +28,8 @@ struct MemorySpans {
     /// Keeps of an echo what is below a later beam that passes over it from nearer: crowns have thin tips, which sonars
     /// hear once in a while. Otherwise it is removed, which is right for walls and racks.
     bool lower_parts = false;
+    /// In a room, a cell that is seen again shows another part of a rack more often than a drift of the height.
+    bool in_room = false;
 };
 
 /// Prevents the two ways in which the thesis's robot crashed (4.6): flying backward without seeing, and sinking onto
@@ -62,7 +64,7 @@ public:
     std::vector<Vec3> freshTops_m(const Vec2& at_m, double radius_m, Seconds fresh) const;
     /// How much higher the ground is now than it was on a flight over it some time ago: so much has the estimate of the
     /// height drifted since then, and so much higher is what else was seen there. The median of the cells that were
-    /// seen again within seconds, as it was half a minute ago at most; 0 if they were few.
+    /// seen again within seconds, as it was half a minute ago at most; 0 if they were few, and in a room.
     double risen_m() const;
     /// The same as `tops_m`, with what was seen some time ago moved by `risen_m`.
     std::vector<Vec3> risenTops_m(const Vec2& at_m, double radius_m) const;
@@ -103,7 +105,7 @@ private:
 
     std::vector<Cell> cells_;
     std::vector<Echo> echoes_;
-    std::vector<SeenAgain> seen_again_; ///< in the last seconds
+    std::vector<SeenAgain> seen_again_;   ///< in the last seconds
     SeenAgain risen_{Seconds(-1e9), 0.0}; ///< the last median of enough cells
     MemorySpans spans_;
     Seconds now_{0.0};
