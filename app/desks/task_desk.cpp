@@ -406,7 +406,7 @@ void TaskDesk::refreshRunState() {
     emit situationChanged();
 }
 
-void TaskDesk::applyParameters(const std::map<std::string, agent::ParameterValue>& values) {
+void TaskDesk::applyParameters(std::map<std::string, agent::ParameterValue> values) {
     const auto* chosen = control_.plugins().behavior(drafts_.shown().behavior_id);
     edits_.setValues(values, chosen ? chosen->parameters : std::vector<agent::ParameterSpec>());
     if (!running())

@@ -92,7 +92,7 @@ private:
     /// Pauses the chosen robots if one of them works on; otherwise all of them continue.
     void pauseOrResume();
     void refreshRunState();
-    void applyParameters(const std::map<std::string, agent::ParameterValue>& values);
+    void applyParameters(std::map<std::string, agent::ParameterValue> values); ///< may be those of the draft
     /// True if a behavior runs on the selected robot.
     bool running() const { return robot() && robot()->running(); }
 

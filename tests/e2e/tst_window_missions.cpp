@@ -3,6 +3,7 @@
 
 #include <QDir>
 #include <QElapsedTimer>
+#include <QLabel>
 #include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTest>
@@ -37,6 +38,7 @@ private slots:
     void theStartPoseOfAMissionIsInView();
     void theTitleTellsHowFarTheMissionIs();
     void aMissionForAnotherRobotWaitsForOne();
+    void aRobotThatIsThereFliesTheMissionsParameters();
     void aWorldWithARobotInItIsNotLeft();
     void anotherWorldThanTheMissionsForgetsIt();
 };
@@ -124,6 +126,31 @@ void tst_WindowMissions::aMissionForAnotherRobotWaitsForOne() {
     QCOMPARE(page.window().views().behavior->behaviorId(), "p2dx/cpp");
     page.pressKey(Qt::Key_1); // and the first one has kept what it had
     QCOMPARE(page.window().views().behavior->behaviorId(), "airrobot/cpp");
+}
+
+/// The panel showed them, but the plan and the flight were those of the defaults.
+void tst_WindowMissions::aRobotThatIsThereFliesTheMissionsParameters() {
+    WindowPage page;
+    QTRY_VERIFY_WITH_TIMEOUT(page.hasStartPoses(), soon_ms);
+    QVERIFY(page.spawnAt("PlayerStart"));
+    const QTemporaryDir folder;
+    page.window().mission().openMission(
+        fileIn(folder, "fast.json",
+               R"({ "name": "Fast", "world": "tall_test", "robot": "USARBot.AirRobot", "start": "PlayerStart",
+        "behavior": "airrobot/cpp", "area": { "x": -30, "y": -20, "width": 60, "height": 40 }, "preset": "fast",
+        "parameters": { "scan_altitude_m": 7 } })"));
+    const auto shown = [&page](const QString& text) { return !page.notified(text).isEmpty(); };
+    QTRY_VERIFY2_WITH_TIMEOUT(shown("is ready"), qPrintable(page.notified({})), soon_ms);
+    const auto labels = page.window().views().behavior->findChildren<QLabel*>();
+    QTRY_VERIFY_WITH_TIMEOUT(
+        std::ranges::any_of(labels, [](const QLabel* label) { return label->text().startsWith("3 lanes · "); }),
+        soon_ms);
+    page.press("Start");
+    QTRY_VERIFY2_WITH_TIMEOUT(page.robot(1)->figures.behavior_running && page.robot(1)->status,
+                              qPrintable(page.notified({})), soon_ms);
+    const auto& parameters = page.window().control().robot(RobotId{1})->started()->parameters;
+    QCOMPARE(std::get<double>(parameters.at("scan_altitude_m")), 7.0);
+    QCOMPARE(std::get<double>(parameters.at("transit_speed_m_s")), 2.0);
 }
 
 void tst_WindowMissions::aWorldWithARobotInItIsNotLeft() {

@@ -45,7 +45,7 @@ void TaskEdits::setArea(const Rectangle& area_in_map) {
     record(QStringLiteral("area"), areaText(before, area), &TaskDraft::area_in_map, before);
 }
 
-void TaskEdits::setValues(const std::map<std::string, agent::ParameterValue>& values,
+void TaskEdits::setValues(std::map<std::string, agent::ParameterValue> values,
                           const std::vector<agent::ParameterSpec>& specs) {
     const auto before = std::exchange(drafts_.shown().values, values);
     const std::vector<std::string> ids = changedIn(before, values);

@@ -112,6 +112,16 @@ private slots:
         QVERIFY(bench.drafts.shown().values == (Values{{"speed", 1.0}, {"height", 5.0}}));
     }
 
+    /// A window that opened a mission flew it with the defaults: it stored the draft's values in the draft once more.
+    void theDraftsOwnValuesStay() {
+        Bench bench;
+        const Values values{{"speed", 1.0}, {"height", 5.0}};
+        bench.drafts.shown().values = values;
+        bench.edits.setValues(bench.drafts.shown().values, specs());
+        QVERIFY(bench.drafts.shown().values == values);
+        QVERIFY(!bench.history.canUndo());
+    }
+
     void aMissionThatWasOpenedIsTakenBackWhole() {
         Bench bench;
         bench.edits.setArea(area);
