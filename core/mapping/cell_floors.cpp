@@ -1,7 +1,9 @@
 #include "core/mapping/cell_floors.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -27,7 +29,8 @@ constexpr double middle_share = 0.8;
 constexpr double share_width = 0.4; ///< Shares in between give heights in between.
 /// A cell that nothing has hit is on the thing, or on the ground, only if its share is beyond these.
 constexpr double surely_open = 0.6;
-constexpr double surely_covered = 1.0;
+/// Where all points are covered, rounding makes the share 1 or a little less.
+constexpr double surely_covered = 1.0 - 1e-6;
 /// And only if so much of the weights of its neighbors is on that side: that of a cell beside it and the two at the
 /// corners there, as along a straight edge, is 0.37. With 0.30, tall_test would be covered by another 0.3 points, and
 /// its error would be greater by another 0.011 m.
@@ -35,10 +38,42 @@ constexpr double side_weight = 0.35;
 /// Hits that are so much higher than the lowest ones nearby are not on the ground but on the thing, below its outline.
 constexpr float same_ground_m = 0.5f;
 constexpr std::int32_t reach = 2; ///< Cells so near to each side are neighbors.
+constexpr std::int32_t near_side = 2 * reach + 1;
 constexpr std::int32_t window_side = HeightTile::side + 2 * reach;
 
 std::size_t offsetOf(std::int32_t column, std::int32_t row) {
     return static_cast<std::size_t>(row * HeightTile::side + column);
+}
+
+/// Weights of the neighbors of a cell, row by row.
+std::array<double, near_side * near_side> makeBell() {
+    std::array<double, near_side * near_side> bell{};
+    for (std::int32_t row = -reach; row <= reach; ++row)
+        for (std::int32_t column = -reach; column <= reach; ++column)
+            bell[static_cast<std::size_t>((row + reach) * near_side + column + reach)] =
+                std::exp(-(row * row + column * column) / (2.0 * bell_cells * bell_cells));
+    return bell;
+}
+
+/// For each place of a window that is `reach` or more from its sides, the one of the values near it that `better`
+/// prefers; NaN is never preferred to a number. Looks along rows and then along columns.
+template <class Better>
+std::vector<float> bestNear(const std::vector<float>& values, Better better) {
+    std::vector<float> along(values.size()), best(values.size());
+    const auto choose = [&](const std::vector<float>& from, std::size_t at, std::size_t stride) {
+        float chosen = from[at - reach * stride];
+        for (std::size_t k = 1; k < near_side; ++k) {
+            const float other = from[at - reach * stride + k * stride];
+            chosen = better(other, chosen) || std::isnan(chosen) ? other : chosen;
+        }
+        return chosen;
+    };
+    for (std::size_t at = reach; at + reach < values.size(); ++at) // Those that span two rows are not asked for.
+        along[at] = choose(values, at, 1);
+    constexpr auto margin = static_cast<std::size_t>(reach * window_side);
+    for (std::size_t at = margin; at + margin < values.size(); ++at)
+        best[at] = choose(along, at, window_side);
+    return best;
 }
 
 } // namespace
@@ -46,15 +81,18 @@ std::size_t offsetOf(std::int32_t column, std::int32_t row) {
 struct CellFloors::Window {
     std::vector<float> low_m, high_m; ///< NaN: unknown
     std::vector<float> lowest_m;      ///< hits of the higher floor
+    std::vector<float> ground_near_m; ///< the lowest of the low floors near each place
+    std::vector<float> top_near_m;    ///< and the highest of the high ones
 
     /// Calls `take` with the place in the window of each neighbor of a cell and of the cell itself, and with its
     /// weight.
     template <class Take>
     static void eachNear(std::size_t at, Take&& take) {
+        static const auto bell = makeBell();
+        const double* weight = bell.data();
         for (std::int32_t row = -reach; row <= reach; ++row)
             for (std::int32_t column = -reach; column <= reach; ++column)
-                take(at + static_cast<std::size_t>(row * window_side + column),
-                     std::exp(-(row * row + column * column) / (2.0 * bell_cells * bell_cells)));
+                take(at + static_cast<std::size_t>(row * window_side + column), *weight++);
     }
     static std::size_t placeOf(std::int32_t column, std::int32_t row) {
         return static_cast<std::size_t>((row + reach) * window_side + column + reach);
@@ -65,11 +103,7 @@ struct CellFloors::Window {
 
 /// The edge that may be at this place: something near is well above what is lowest near.
 std::optional<EdgeLooks::Edge> CellFloors::Window::edgeAt(std::size_t at) const {
-    float ground_m = std::numeric_limits<float>::quiet_NaN(), top_m = ground_m; // fmin and fmax leave out NaN.
-    eachNear(at, [&](std::size_t near, double) {
-        ground_m = std::fmin(ground_m, low_m[near]);
-        top_m = std::fmax(top_m, high_m[near]);
-    });
+    const float ground_m = ground_near_m[at], top_m = top_near_m[at];
     if (!(top_m > ground_m + edge_m))
         return std::nullopt;
     float outline_m = top_m;
@@ -145,7 +179,7 @@ void CellFloors::add(const Vec3& scanner_m, const Vec3& hit_m) {
 CellFloors::Window CellFloors::windowAround(GridIndex tile_index, const HeightMap& map) const {
     constexpr std::int32_t side = HeightTile::side;
     constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
-    Window window{std::vector<float>(window_side * window_side, unknown), {}, {}};
+    Window window{std::vector<float>(window_side * window_side, unknown), {}, {}, {}, {}};
     window.high_m = window.lowest_m = window.low_m;
     for (std::int32_t d_row = -1; d_row <= 1; ++d_row)
         for (std::int32_t d_column = -1; d_column <= 1; ++d_column) {
@@ -171,6 +205,8 @@ CellFloors::Window CellFloors::windowAround(GridIndex tile_index, const HeightMa
                     }
                 }
         }
+    window.ground_near_m = bestNear(window.low_m, std::less<float>());
+    window.top_near_m = bestNear(window.high_m, std::greater<float>());
     return window;
 }
 

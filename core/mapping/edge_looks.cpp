@@ -164,7 +164,7 @@ void EdgeLooks::takePasses(Cell& cell, const Vec2& center_m, const Beams& beams,
 }
 
 std::optional<double> EdgeLooks::coveredShare(GridIndex at) const {
-    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero(); // Sums of the products of 1, x and y.
+    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero(); // Sums of the products of 1, x and y; the lower half.
     Eigen::Vector3d sides = Eigen::Vector3d::Zero();
     if (!cellAt(at))
         return std::nullopt;
@@ -173,13 +173,19 @@ std::optional<double> EdgeLooks::coveredShare(GridIndex at) const {
             const Cell* const cell = cellAt({at.column + column, at.row + row});
             if (!cell || !(cell->normal(0, 0) > 0.0f))
                 continue;
-            Eigen::Matrix3d shift = Eigen::Matrix3d::Identity(); // from the cell's center to this one's
-            shift.block<2, 1>(1, 0) = cell_size_m_ * Vec2(column, row);
-            const Eigen::Matrix3d of_cell = shift * cell->normal.cast<double>() * shift.transpose();
-            const Vec2 mean_m = of_cell.block<2, 1>(1, 0) / of_cell(0, 0); // All points of a cell have one weight.
+            // The sums are about the cell's center, and the points are all moved by `off_m` from this one's.
+            const Vec2 off_m = cell_size_m_ * Vec2(column, row);
+            const Eigen::Matrix3d near = cell->normal.cast<double>();
+            const Vec2 first = near.block<2, 1>(1, 0) + near(0, 0) * off_m;
+            const Vec2 mean_m = first / near(0, 0); // All points of a cell have one weight.
             const double weight = std::exp(-mean_m.squaredNorm() / (2.0 * bell_m * bell_m));
-            normal += weight * of_cell;
-            sides += weight * (shift * cell->covered.cast<double>());
+            const Eigen::Vector3d covered = cell->covered.cast<double>();
+            normal(0, 0) += weight * near(0, 0);
+            normal.block<2, 1>(1, 0) += weight * first;
+            normal.block<2, 2>(1, 1) += weight * (near.block<2, 2>(1, 1) + near.block<2, 1>(1, 0) * off_m.transpose() +
+                                                  off_m * first.transpose());
+            sides[0] += weight * covered[0];
+            sides.tail<2>() += weight * (covered.tail<2>() + covered[0] * off_m);
         }
     if (normal(0, 0) < least_weight)
         return std::nullopt;

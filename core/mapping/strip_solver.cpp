@@ -77,11 +77,24 @@ Eigen::VectorXd flat(const KnotErrors& errors) {
     return values;
 }
 
-/// Overlaps of the same two intervals between knots follow one another.
-std::vector<Overlap> grouped(std::span<const Overlap> overlaps) {
-    std::vector<Overlap> sorted(overlaps.begin(), overlaps.end());
-    std::ranges::stable_sort(sorted, {}, intervalsOf);
+/// Sorts by a number below `limit` that each overlap has, and leaves the order of those with the same one.
+template <class Of>
+std::vector<Overlap> sortedBy(const Of& of, std::span<const Overlap> overlaps, std::size_t limit) {
+    std::vector<std::size_t> begins(limit + 1, 0);
+    for (const Overlap& overlap : overlaps)
+        ++begins[of(overlap) + 1];
+    std::partial_sum(begins.begin(), begins.end(), begins.begin());
+    std::vector<Overlap> sorted(overlaps.size());
+    for (const Overlap& overlap : overlaps)
+        sorted[begins[of(overlap)]++] = overlap;
     return sorted;
+}
+
+/// Overlaps of the same two intervals between knots follow one another.
+std::vector<Overlap> grouped(std::span<const Overlap> overlaps, std::size_t knots) {
+    const auto early = [](const Overlap& overlap) { return static_cast<std::size_t>(overlap.early); };
+    const auto late = [](const Overlap& overlap) { return static_cast<std::size_t>(overlap.late); };
+    return sortedBy(early, sortedBy(late, overlaps, knots), knots);
 }
 
 /// A sum that grows with each scan of a sortie, at the knots: interpolated over the moments. `of` is the sum at a scan,
@@ -173,7 +186,8 @@ void StripSolver::bind(std::size_t knot, int axis, double variance) {
     prior_.emplace_back(next, at, -1.0 / variance);
 }
 
-void StripSolver::assemble(std::span<const Overlap> overlaps, std::span<const double> weights, const KnotErrors& at) {
+void StripSolver::assemble(std::span<const Overlap> overlaps, std::span<const double> weights,
+                           std::span<const double> told_m) {
     constexpr int n = static_cast<int>(unknowns);
     std::vector<Eigen::Triplet<double>> entries = prior_;
     side_ = prior_side_;
@@ -181,14 +195,14 @@ void StripSolver::assemble(std::span<const Overlap> overlaps, std::span<const do
     Eigen::Matrix<double, 4 * n, 1> row;
     for (std::size_t i = 0; i < overlaps.size(); ++i) {
         const Equation equation(overlaps[i]);
-        const double side = weights[i] * (double(overlaps[i].difference_m) + equation.expected_m(at));
+        const double side = weights[i] * told_m[i];
         for (int k = 0; k < 4; ++k) {
             const auto knot = static_cast<std::size_t>(k);
             row.segment<n>(n * k) = equation.factors[knot];
             side_.segment<n>(n * static_cast<Eigen::Index>(equation.knots[knot])) += side * equation.factors[knot];
         }
         block.selfadjointView<Eigen::Lower>().rankUpdate(row, weights[i]);
-        if (i + 1 < overlaps.size() && Equation(overlaps[i + 1]).knots == equation.knots)
+        if (i + 1 < overlaps.size() && intervalsOf(overlaps[i + 1]) == intervalsOf(overlaps[i]))
             continue;
         // The later knots are higher, so the lower half of the block is in the lower half of the matrix.
         const auto at_row = [&](int r) {
@@ -210,20 +224,20 @@ void StripSolver::assemble(std::span<const Overlap> overlaps, std::span<const do
 
 KnotErrors StripSolver::solve(std::span<const Overlap> overlaps, const KnotErrors& at, double cell_size_m,
                               double width_m) {
-    const std::vector<Overlap> sorted = grouped(overlaps);
-    std::vector<double> weights(sorted.size());
+    const std::vector<Overlap> sorted = grouped(overlaps, knots_);
+    std::vector<double> weights(sorted.size()), told_m(sorted.size());
+    for (std::size_t i = 0; i < sorted.size(); ++i)
+        told_m[i] = double(sorted[i].difference_m) + Equation(sorted[i]).expected_m(at);
     KnotErrors errors = at;
     for (int round = 0; round < rounds; ++round) {
         for (std::size_t i = 0; i < sorted.size(); ++i) {
-            const Equation equation(sorted[i]);
-            const double left_m =
-                double(sorted[i].difference_m) + equation.expected_m(at) - equation.expected_m(errors);
+            const double left_m = told_m[i] - Equation(sorted[i]).expected_m(errors);
             const double sigma_m = std::hypot(width_m, share_of_slope * double(sorted[i].slope.norm()) * cell_size_m);
             const double ratio = left_m / sigma_m;
             weights[i] =
                 share_of_cell * std::min(1.0, cell_size_m * cell_size_m) / (sigma_m * sigma_m * (1.0 + ratio * ratio));
         }
-        assemble(sorted, weights, at);
+        assemble(sorted, weights, told_m);
         const Eigen::VectorXd solution = solved(flat(errors));
         if (solution.size() == 0)
             return at;

@@ -49,7 +49,8 @@ private:
     /// Holds the change of an error from a knot to the next one near zero.
     void bind(std::size_t knot, int axis, double variance);
     Eigen::VectorXd solved(const Eigen::VectorXd& guess);
-    void assemble(std::span<const Overlap> overlaps, std::span<const double> weights, const KnotErrors& at);
+    /// `told_m`: the difference of the two errors, along the height, that each overlap tells.
+    void assemble(std::span<const Overlap> overlaps, std::span<const double> weights, std::span<const double> told_m);
 
     std::size_t knots_;
     std::vector<Eigen::Triplet<double>> prior_; ///< the lower half
