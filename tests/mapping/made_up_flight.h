@@ -29,6 +29,8 @@ struct MadeUpFlight {
     double lane_m = 30.0;
     double spacing_m = 6.0;
     double height_m = 6.0; ///< over z = 0
+    double step_m = 0.2;   ///< from one scan to the next one of a lane, in 0.2 s
+    int beams_aside = 30;  ///< on each side of the middle one, over 60 degrees
     bool lands = false;    ///< after the last lane the INS is set
     double creep = 0.0;    ///< meters by which the estimate drifts along y for each meter of the way; needs `sidles`
     bool sidles = false;   ///< It also flies from lane to lane in small steps, instead of in one.
@@ -65,13 +67,14 @@ inline double rangeDown_m(const Ground& ground_m, const Vec3& from_m, double ang
     return near_m;
 }
 
-/// Back and forth along x at 1 m/s, five scans a second of 61 beams that are 2 degrees apart. `watch` is called after
-/// each scan.
+/// Back and forth along x with five scans a second over 120 degrees, by default at 1 m/s and of 61 beams. `watch` is
+/// called after each scan.
 inline void fly(const MadeUpFlight& flight, FlownStrips& flown, const std::function<void()>& watch) {
     std::mt19937_64 random(flight.seed);
     std::normal_distribution<double> gaussian;
     Vec3 drift_m = Vec3::Zero(), last_m(0.0, 0.0, flight.height_m);
     double time_s = 0.0;
+    const double between_rad = radians(60.0) / flight.beams_aside;
     const auto estimated = [&](const Vec3& at_m) {
         const double step_m = (at_m - last_m).norm();
         last_m = at_m;
@@ -84,17 +87,17 @@ inline void fly(const MadeUpFlight& flight, FlownStrips& flown, const std::funct
         const double sign = lane % 2 == 0 ? 1.0 : -1.0, y_m = lane * flight.spacing_m;
         for (double from_m = y_m - flight.spacing_m; flight.sidles && lane > 0 && from_m < y_m; from_m += 0.2)
             estimated({sign > 0.0 ? 0.0 : flight.lane_m, from_m, flight.height_m});
-        for (double along_m = 0.0; along_m < flight.lane_m; along_m += 0.2) {
+        for (double along_m = 0.0; along_m < flight.lane_m; along_m += flight.step_m) {
             const Vec3 at_m(sign > 0.0 ? along_m : flight.lane_m - along_m, y_m, flight.height_m);
             estimated(at_m);
             KeptScan scan{.scanner_in_map = {at_m + drift_m, 0.0, pi / 2.0, sign > 0.0 ? 0.0 : pi},
                           .line = {flown.true_in_map_m.size() + 1},
                           .continues = along_m > 0.0,
-                          .resolution_rad = radians(2.0),
+                          .resolution_rad = between_rad,
                           .fov_rad = radians(120.0)};
             const Eigen::Matrix3d turn = scan.scanner_in_map.rotation().toRotationMatrix();
-            for (int k = 0; k <= 60; ++k) {
-                const double angle_rad = radians(2.0 * k - 60.0);
+            for (int k = -flight.beams_aside; k <= flight.beams_aside; ++k) {
+                const double angle_rad = k * between_rad;
                 const double range_m = rangeDown_m(flight.ground_m, at_m, angle_rad, turn.col(1).head<2>());
                 scan.ranges_m.push_back(float(range_m + (range_m < 20.0 ? flight.noise_m * gaussian(random) : 0.0)));
             }
