@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 #include "core/base/numbers.h"
 #include "core/mapping/strip_hold.h"
@@ -20,10 +21,10 @@ constexpr double least_gain_m = 0.08;
 
 } // namespace
 
-StripAdjustment::StripAdjustment(const ScanStore& store)
+StripAdjustment::StripAdjustment(const ScanStore& store, std::size_t scan_count, std::vector<Sortie> sorties)
     : store_(&store)
-    , sorties_(store.sorties())
-    , scan_count_(store.scans().size())
+    , sorties_(std::move(sorties))
+    , scan_count_(scan_count)
     , knots_(sorties_) {}
 
 bool StripAdjustment::step() {

@@ -30,7 +30,9 @@ namespace usar::mapping {
 class StripAdjustment {
 public:
     /// `store` must outlive this object, and may grow meanwhile; what comes later is not adjusted.
-    explicit StripAdjustment(const ScanStore& store);
+    explicit StripAdjustment(const ScanStore& store) : StripAdjustment(store, store.scans().size(), store.sorties()) {}
+    /// Adjusts the first `scan_count` scans, whose sorties were `sorties` then.
+    StripAdjustment(const ScanStore& store, std::size_t scan_count, std::vector<Sortie> sorties);
 
     /// Does a part of the work; returns false when `result` is final.
     bool step();

@@ -152,7 +152,8 @@ void Robot::setTaskOptions(const Mission& mission) {
     view_.adjust = mission.adjust;
     view_.limit_h = mission.limit_h;
     call(&RobotSession::setAdjust, mission.adjust);
-    call(&RobotSession::adjustInFlight, true); // Somebody may be watching.
+    call(&RobotSession::adjustAtEachLanding, true); // Somebody may be watching.
+    call(&RobotSession::adjustInFlight, true);
     call(&RobotSession::setFlightLimit, limitFrom(mission.limit_h));
 }
 
@@ -187,6 +188,7 @@ void Robot::takeControl() {
 void Robot::openRecording(const QString& path, ConnectionId looks_back_on) {
     view_.recording = path;
     view_.looks_back_on = looks_back_on;
+    call(&RobotSession::adjustAtEachLanding, true);
     call(&RobotSession::openRecording, path);
 }
 

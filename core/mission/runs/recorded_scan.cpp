@@ -81,7 +81,9 @@ Result<void> ScanPlayer::play() {
     QObject::connect(&replayer_, &link::Replayer::ended, &loop_, &QEventLoop::quit, Qt::QueuedConnection);
     replayer_.setSpeed(std::numeric_limits<double>::infinity());
     replayer_.setPlaying(true);
+    book_.passOn(true); // Nobody sees the map on the way.
     loop_.exec();
+    book_.passOn(false);
     if (trouble_)
         return tl::unexpected(*trouble_);
     return {};

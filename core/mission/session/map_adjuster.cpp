@@ -7,9 +7,21 @@ namespace usar::mission {
 using mapping::AdjustmentVerdict;
 
 void MapAdjuster::begin() {
+    note();
+    beginNoted();
+}
+
+void MapAdjuster::note() {
+    noted_ = {mapper_.store().scans().size(), mapper_.store().sorties()};
+}
+
+void MapAdjuster::beginNoted() {
+    if (!noted_)
+        return;
     rebuild_.reset();
-    scans_begun_ = mapper_.store().scans().size();
-    adjustment_.emplace(mapper_.store());
+    scans_begun_ = noted_->scans;
+    adjustment_.emplace(mapper_.store(), noted_->scans, std::move(noted_->sorties));
+    noted_.reset();
 }
 
 bool MapAdjuster::step() {
@@ -53,6 +65,7 @@ void MapAdjuster::conclude() {
 }
 
 void MapAdjuster::forget() {
+    noted_.reset();
     adjustment_.reset();
     rebuild_.reset();
     adjusted_.reset();

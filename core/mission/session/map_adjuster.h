@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "core/mapping/lag_adjustment.h"
 #include "core/mapping/map_rebuild.h"
@@ -28,12 +29,17 @@ public:
 
     /// Begins to adjust all scans so far; a work that is under way is dropped.
     void begin();
+    /// Takes note of the scans so far, so that `beginNoted` adjusts no others, whatever comes until then.
+    void note();
+    /// Begins to adjust what was noted last; does nothing if nothing was noted since the last `begin`.
+    void beginNoted();
     /// True if scans were kept since the last `begin`.
     bool hasNews() const { return mapper_.store().scans().size() != scans_begun_ || mapper_.store().overfull(); }
-    /// True if half of all scans or more were kept since the last `begin`. Otherwise a robot that lands again and
-    /// again would spend most of the time on adjusting what was adjusted before. All adjustments before a landing
-    /// together take no longer than the one at that landing.
-    bool hasManyNews() const { return hasNews() && mapper_.store().scans().size() >= 2 * scans_begun_; }
+    /// True if one of `shares` or more of all scans was kept since the last `begin`. A robot that lands again and
+    /// again would otherwise spend most of the time on adjusting what was adjusted before.
+    bool hasNews(std::size_t shares) const {
+        return hasNews() && (shares - 1) * mapper_.store().scans().size() >= shares * scans_begun_;
+    }
     bool busy() const { return adjustment_ || rebuild_; }
     /// Does a part of the work; returns false if there was none.
     bool step();
@@ -48,11 +54,17 @@ public:
     const mapping::PathCorrection& correction() const { return flight_.correction(); }
 
 private:
+    /// The scans at a moment, and the sorties as they were then.
+    struct Noted {
+        std::size_t scans = 0;
+        std::vector<mapping::Sortie> sorties;
+    };
     void conclude();
 
     ScanMapper& mapper_;
     std::function<mapping::HeightMap()> emptyMap_;
     std::size_t scans_begun_ = 0;
+    std::optional<Noted> noted_;
     std::optional<mapping::StripAdjustment> adjustment_;
     std::optional<mapping::StripResult> adjusted_; ///< of the map that is being made
     std::optional<mapping::MapRebuild> rebuild_;

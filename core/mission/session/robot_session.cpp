@@ -188,6 +188,10 @@ void RobotSession::setAdjust(bool on) {
     d_->book.setAdjust(on);
 }
 
+void RobotSession::adjustAtEachLanding(bool on) {
+    d_->book.adjustAtEachLanding(on);
+}
+
 void RobotSession::adjustInFlight(bool on) {
     d_->book.adjustInFlight(on);
 }

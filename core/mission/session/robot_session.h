@@ -87,8 +87,9 @@ public slots:
     /// Ends the hold but not the control; `reason` is a part of a sentence.
     void stopDriving(const QString& reason);
     void sendCommand(const usar::protocol::Command& command, const usar::by::Source& source);
-    /// Whether the map is adjusted at each landing and at the end, see ScanBook::setAdjust.
+    /// Whether the map is adjusted at landings and at the end, see ScanBook::setAdjust.
     void setAdjust(bool on);
+    void adjustAtEachLanding(bool on); ///< see ScanBook::adjustAtEachLanding
     /// Whether it is also adjusted in flight, see ScanBook::adjustInFlight.
     void adjustInFlight(bool on);
     /// Replaces SessionLimits::flight, for this behavior and later ones.

@@ -244,6 +244,7 @@ void RobotSession::Private::endReplay() {
         return;
     notices.mute(false);
     updates.mute(false);
+    book.passOn(false);
     behavior_running = false;
     replay.end();
     records.forgetFaults(); // Those of the replay.
@@ -307,6 +308,9 @@ void RobotSession::Private::replayTask(const ReplayedTask& task, const std::stri
 }
 
 void RobotSession::Private::replaySeeks(bool on) {
+    book.passOn(on);
+    if (!on)
+        adjustReplay();
     notices.mute(on);
     updates.mute(on);
 }

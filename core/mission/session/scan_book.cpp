@@ -113,7 +113,7 @@ void ScanBook::take(const protocol::InfoLine& line) {
         mapper_.takeResponse(*response);
     else if (const auto* game = std::get_if<protocol::GameInfo>(&line.message))
         record_.level = game->level;
-    if (!adjustPart() && adjusts_ && adjusts_in_flight_)
+    if (!adjustPart() && adjusts_ && adjusts_in_flight_ && !passes_on_)
         adjuster_.followFlight();
 }
 
@@ -151,7 +151,8 @@ void ScanBook::takeStatus(const agent::BehaviorStatus& status) {
 }
 
 void ScanBook::takePose(const agent::PoseEstimate& estimate) {
-    if (mapper_.takePose(estimate) && adjuster_.hasManyNews()) // It has landed, and stands still for a while.
+    // It has landed, and stands still for a while.
+    if (mapper_.takePose(estimate) && adjuster_.hasNews(landing_shares_))
         beginAdjustment();
     const Vec3& point_m = estimate.base_in_map.position_m;
     if (record_.path_m.empty() || (point_m - record_.path_m.back()).norm() >= cellSize_m()) {
@@ -181,12 +182,28 @@ void ScanBook::setAdjust(bool on) {
 }
 
 void ScanBook::beginAdjustment() {
-    if (adjusts_ && adjuster_.hasNews())
+    if (!adjusts_ || !adjuster_.hasNews())
+        return;
+    if (waits())
+        adjuster_.note();
+    else
         adjuster_.begin();
 }
 
+/// Once the scans take half of the room that there is, landings are adjusted on the way, too: the scans may be gone
+/// when it is over.
+bool ScanBook::waits() const {
+    return passes_on_ && mapper_.store().memoryBytes() < mapping::ScanStore::most_bytes / 2;
+}
+
+void ScanBook::passOn(bool on) {
+    passes_on_ = on;
+    if (!on)
+        adjuster_.beginNoted();
+}
+
 bool ScanBook::adjustPart() {
-    if (!adjuster_.step())
+    if (waits() || !adjuster_.step())
         return false;
     const auto& result = adjuster_.result();
     if (!result || adjuster_.busy())

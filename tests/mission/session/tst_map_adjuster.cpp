@@ -70,11 +70,13 @@ public:
     }
     void tellsTruth(bool on) { tells_truth_ = on; }
     /// Scans so large that the store has no room for them, which hit nothing.
-    void overfill() {
+    void overfill() { fill(std::size_t(-1)); }
+    /// Until the store has no room or takes so much.
+    void fill(std::size_t bytes) {
         const Pose down{.position_m = {0.0, 0.0, 6.0}, .pitch_rad = pi / 2};
         protocol::RangeScan scan{.name = "Scanner1", .resolution_rad = 1e-6, .fov_rad = 2.0};
         scan.ranges_m.assign(std::size_t(1) << 21, 20.0);
-        while (!book.mapper().store().overfull()) {
+        while (!book.mapper().store().overfull() && book.mapper().store().memoryBytes() < bytes) {
             estimate(down.position_m);
             book.take(protocol::InfoLine{{++line_}, "SEN", scan, {}});
             book.take(agent::Published(agent::ScanPlacement{{line_}, down}));
@@ -97,7 +99,10 @@ public:
         return std::sqrt(sum_m2 / cells);
     }
 
-    mission::Notices notices{[](const mission::Notice&) {}};
+    int adjustments = 0; ///< so many were told
+    mission::Notices notices{[this](const mission::Notice& notice) {
+        adjustments += notice.topic == mission::textOf(mission::Topic::Adjustment) ? 1 : 0;
+    }};
     ScanBook book{0.25, notices};
 
 private:
@@ -147,6 +152,98 @@ private slots:
                  qPrintable(QString("%1 m, was %2 m").arg(flight.error_m()).arg(before_m)));
         QVERIFY(flight.book.record().revision > revision);
         QVERIFY(!flight.book.adjustPart());
+    }
+
+    void aLandingWithEnoughNewScansAdjustsTheMap_data() {
+        QTest::addColumn<bool>("watched");
+        QTest::addColumn<double>("from_x_m"); // The part of a lane of 30 m that is new; three lanes are not.
+        QTest::addColumn<int>("adjustments");
+        QTest::newRow("nobody watches, and a quarter is new") << false << 0.0 << 1;
+        QTest::newRow("nobody watches, and more than half is new") << false << -70.0 << 2;
+        QTest::newRow("somebody watches, and a quarter is new") << true << 0.0 << 2;
+        QTest::newRow("somebody watches, and hardly anything is new") << true << 26.0 << 1;
+    }
+    void aLandingWithEnoughNewScansAdjustsTheMap() {
+        QFETCH(bool, watched);
+        QFETCH(double, from_x_m);
+        QFETCH(int, adjustments);
+        Flight flight;
+        flight.book.adjustAtEachLanding(watched);
+        flyThreeLanes(flight);
+        flight.setIns({30.0, 15.0, 6.0}, {0.1, 0.1, 0.1});
+        flight.wait(30);
+        QCOMPARE(flight.adjustments, 1);
+        for (double x_m = from_x_m; x_m < 30.0; x_m += 0.2)
+            flight.scan({x_m, 12.0, 6.0}, Vec3::Zero());
+        flight.setIns({30.0, 12.0, 6.0}, Vec3::Zero());
+        flight.wait(30);
+        QCOMPARE(flight.adjustments, adjustments);
+    }
+
+    /// As in a replay that jumps: the newest landing has the same adjustment as if all before it had been adjusted.
+    void onTheWayToAnotherMomentOnlyTheNewestLandingIsAdjusted() {
+        Flight played, passed;
+        for (Flight* const flight : {&played, &passed}) {
+            flight->book.adjustAtEachLanding(true);
+            flight->book.passOn(flight == &passed);
+            flyThreeLanes(*flight);
+            for (const double y_m : {12.0, 6.0}) {
+                flight->setIns({0.0, y_m, 6.0}, {0.1, 0.1, 0.1});
+                flight->wait(30);
+                flight->lane(y_m, {0.1, 0.0, 0.1});
+            }
+        }
+        QVERIFY(played.adjustments == 2 && passed.adjustments == 0);
+        QVERIFY2(!passed.book.adjustPart() && !passed.book.record().adjustment, "work on the way");
+        passed.book.passOn(false);
+        passed.wait(30);
+        QCOMPARE(passed.adjustments, 1);
+        const auto &is = *passed.book.record().adjustment, &wanted = *played.book.record().adjustment;
+        QCOMPARE(is.verdict, AdjustmentVerdict::Adjusted);
+        QCOMPARE(is.reason, wanted.reason);
+        QCOMPARE(is.overlaps, wanted.overlaps);
+        QCOMPARE(is.residual_after_m, wanted.residual_after_m);
+        QVERIFY(passed.book.mapper().map().height_m(passed.book.mapper().map().cellAt({10.0, 6.0})));
+    }
+
+    /// Those of a flight of 14 hours are dropped, and its map then stays as it was at the last landing before.
+    void landingsOnTheWayAreAdjustedBeforeTheScansNoLongerFit() {
+        Flight flight;
+        flight.book.passOn(true);
+        flyThreeLanes(flight);
+        flight.fill(mapping::ScanStore::most_bytes / 2);
+        flight.setIns({0.0, 15.0, 6.0}, {0.1, 0.1, 0.1});
+        flight.wait(30);
+        flight.overfill();
+        flight.book.passOn(false);
+        flight.book.finishAdjustment();
+        QCOMPARE(flight.book.record().adjustment->verdict, AdjustmentVerdict::Adjusted);
+    }
+
+    void theEndOfATaskOnTheWayCountsLikeALanding() {
+        Flight flight;
+        flight.book.passOn(true);
+        flyThreeLanes(flight);
+        flight.book.endTask();
+        flight.wait(30);
+        QVERIFY(!flight.book.record().adjustment);
+        flight.book.passOn(false);
+        QVERIFY(flight.book.adjustPart());
+        flight.wait(30);
+        QCOMPARE(flight.book.record().adjustment->verdict, AdjustmentVerdict::Adjusted);
+    }
+
+    void afterAWayWithoutALandingTheWorkGoesOn() {
+        Flight flight;
+        flyThreeLanes(flight);
+        flight.book.endTask();
+        flight.wait(3);
+        flight.book.passOn(true);
+        flight.wait(30);
+        QVERIFY(!flight.book.record().adjustment);
+        flight.book.passOn(false);
+        flight.wait(30);
+        QCOMPARE(flight.book.record().adjustment->verdict, AdjustmentVerdict::Adjusted);
     }
 
     void theExportedScansAreWhereTheMapHasThem() {

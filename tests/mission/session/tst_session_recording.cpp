@@ -186,6 +186,23 @@ private slots:
         QTRY_VERIFY(!session.record().adjustment);
     }
 
+    /// It stays paused there, so no line does a part of the work.
+    void afterAJumpToTheEndTheMapIsCorrected() {
+        SessionFixture live(SessionFixture::patientLimits());
+        Mission mission;
+        mission.name = "m";
+        mission.area_in_map = {{0.0, 0.0}, {10.0, 20.0}};
+        mission.adjust = true;
+        const QString path = recordAFlight(live, 10, noteOf({mission}));
+        RobotSession session;
+        session.openRecording(path);
+        const Seconds span = link::RecordingReader::open(path).value()->survey().play_span;
+        for (const Seconds to : {span, Seconds{0.0}, span}) {
+            session.orderReplay({.seek = to});
+            QTRY_COMPARE(session.record().adjustment.has_value(), to > Seconds{0.0});
+        }
+    }
+
     void seekingBackAndForthEndsInTheSame() {
         SessionFixture live(SessionFixture::patientLimits());
         const QString path = recordAFlight(live, 10);
