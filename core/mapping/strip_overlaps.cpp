@@ -65,8 +65,11 @@ public:
         , rows_(static_cast<std::int64_t>(std::ceil((extent.height_m() + 2.0 * reach_m) / cell_size_m)) + 1) {}
 
     bool tooLarge() const { return columns_ * rows_ > static_cast<std::int64_t>(StripHits::most_cells); }
-    /// To be called before anything else.
-    void allocate() { cells_.resize(static_cast<std::size_t>(columns_ * rows_)); }
+    /// To be called before anything else. Of `hits`, some are of one look; memory that nobody touches costs nothing.
+    void allocate(std::size_t hits) {
+        cells_.resize(static_cast<std::size_t>(columns_ * rows_));
+        looks_.reserve(hits / 2);
+    }
 
     /// `arm_m` is from the scanner to the hit, level.
     void add(const Vec3& scanner_m, const Eigen::Vector2f& arm_m, float z_m, double moment) {
@@ -100,6 +103,7 @@ public:
         sortByCell();
         makeSlopes();
         std::vector<Overlap> found;
+        found.reserve(looks_.size());
         for (std::size_t i = 0; i < looks_.size(); ++i)
             for (const std::size_t further : {1, 3}) {
                 const std::size_t j = i + further;
@@ -279,7 +283,7 @@ std::vector<Overlap> StripHits::overlaps(double cell_size_m, const KnotErrors& e
     LookGrid grid(extent_, cell_size_m);
     if (empty() || grid.tooLarge()) // Whoever asks for cells finer than the finest finds nothing.
         return {};
-    grid.allocate();
+    grid.allocate(hits_m_.size());
     const std::size_t scans_apart = cell_size_m > 1.5 ? 3 : cell_size_m > 0.75 ? 2 : 1;
     for (std::size_t i = 0; i + 1 < origins_.size(); i += scans_apart) {
         const Origin& origin = origins_[i];
