@@ -33,12 +33,12 @@ struct CoveragePlan {
     double transit_length_m = 0.0;    ///< from the base, between lanes, and back to the base
 };
 
-/// Plans lanes along a side of each quadrant, usually the longer one, starting at the corner nearest to the robot's position at that
-/// time (the base for the first quadrant, and for all if it returns there). The outer lanes are half a spacing inside
-/// the border, so that every point of the area is within half a spacing of a lane; fewer lanes would not suffice.
-/// Quadrants are visited in the order with the shortest transit among those tried: back and forth by rows or by columns
-/// from each corner, and, for up to 1600 quadrants, always the nearest one next. Returns an error if the area has no
-/// size or needs more than 100 000 lanes, if an option is invalid, or if a coordinate is not finite.
+/// Plans lanes along a side of each quadrant, usually the longer one, starting at the corner nearest to the robot's
+/// position at that time (the base for the first quadrant, and for all if it returns there). The outer lanes are half a
+/// spacing inside the border, so that every point of the area is within half a spacing of a lane; fewer lanes would not
+/// suffice. Quadrants are visited in the order with the shortest transit among those tried: back and forth by rows or
+/// by columns from each corner, and, for up to 1600 quadrants, always the nearest one next. Returns an error if the
+/// area has no size or needs more than 100 000 lanes, if an option is invalid, or if a coordinate is not finite.
 Result<CoveragePlan> planCoverage(const Rectangle& area_in_map, const Vec2& base_in_map_m,
                                   const CoverageOptions& options);
 

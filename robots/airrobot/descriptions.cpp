@@ -1,5 +1,7 @@
 #include "robots/airrobot/descriptions.h"
 
+#include <set>
+
 #include "robots/airrobot/outlook.h"
 #include "robots/airrobot/survey_body.h"
 
@@ -41,9 +43,9 @@ std::vector<agent::ParameterPreset> presets() {
 }
 
 /// The terrain survey of the thesis's chapter 4 as a state machine. Goes through launch checklist, INS reset (which
-/// also gives the INS its rest before the start), take-off and lanes. Returns home for a charge, after each quadrant
-/// and at the end; resets the INS and recharges on the ground; then resumes where it stopped. In every tick it checks,
-/// in the order of the thesis's drive collection: silent sensors, battery, stuck, sonars, goal.
+/// also gives the INS its rest before the start), take-off and lanes. Returns home for a charge, after each sortie or
+/// quadrant, and at the end; resets the INS and recharges on the ground; then resumes where it stopped. In every tick
+/// it checks, in the order of the thesis's drive collection: silent sensors, battery, stuck, sonars, goal.
 class SurveyBehavior : public agent::Behavior {
 public:
     explicit SurveyBehavior(agent::BehaviorContext context) : flight_(std::move(context)) {}
@@ -185,8 +187,11 @@ Result<agent::TaskPreview> AirRobot::preview(const std::string&, const agent::Be
     preview.duration = outlook.expected;
     preview.outlook = outlook.range;
     preview.summary = std::to_string(plan.lanes.size()) + (plan.lanes.size() == 1 ? " lane" : " lanes");
-    if (plan.quadrants.size() > 1)
-        preview.summary += " in " + std::to_string(plan.quadrants.size()) + " parts";
+    std::set<int> parts;
+    for (const mapping::Lane& lane : plan.lanes)
+        parts.insert(lane.sortie);
+    if (parts.size() > 1)
+        preview.summary += " in " + std::to_string(parts.size()) + " parts";
     return preview;
 }
 

@@ -59,7 +59,9 @@ constexpr agent::ParameterRow<Settings> rows[]{
      "otherwise 2 m at least. Takes effect when a survey is planned.",
      "by the resolution"},
     {&S::quadrant_limit_m, "quadrant_limit_m", "Quadrant limit", "Survey", "m", 20, 1000,
-     "An area with a longer side is divided into quadrants. Takes effect when a survey is planned."},
+     "An area with a longer side is divided into quadrants. A robot that is to fly faster than 1.6 m/s leaves them out "
+     "where "
+     "its battery lasts longer without. Takes effect when a survey is planned."},
     {&S::goal_distance_m, "goal_distance_m", "Goal distance", "Survey", "m", 5, 200,
      "Greatest distance between goals on a lane. Giving up a goal loses no more of the lane than this."},
     {&S::goal_reached_m, "goal_reached_m", "Goal reached within", "Survey", "m", 0.5, 10,

@@ -14,6 +14,9 @@ using Lanes = std::vector<mapping::Lane>;
 constexpr double least_gain_m = 1e-6; ///< A smaller gain may be one of rounding, and the search would not end.
 constexpr double least_piece_m = 1.0; ///< A full battery that lasts for less of a lane is no help.
 constexpr double landing_and_take_off_s = 45.0;
+constexpr double out_of_reach_m = 1e6;
+/// The search ends after so many orders: 40 lanes take 25 us each, and a behavior may not think for long.
+constexpr int most_orders = 12000;
 /// A sortie that breaks off more lanes than this is hardly shorter than one that went home between lanes.
 constexpr int most_breaks = 2;
 
@@ -48,8 +51,10 @@ private:
         bool charged = false;
         while (!reaches(end_m)) {
             const double piece_m = pieceTo_m(end_m);
-            if (charged && piece_m < least_piece_m)
-                break; // It is out of reach anyway.
+            if (charged && piece_m < least_piece_m) {
+                flown_m_ += out_of_reach_m;
+                break;
+            }
             const Vec2 break_m = here_m_ + piece_m * (end_m - here_m_).normalized();
             go(break_m);
             charge();
@@ -92,7 +97,7 @@ public:
         : from_m_(from_m)
         , home_m_(home_m)
         , endurance_(endurance)
-        , fresh_{endurance.full_m, endurance.full_m, endurance.charge_m} {}
+        , fresh_{endurance.full_m, endurance.full_m, endurance.charge_m, endurance.breaks_off} {}
 
     /// Divides the lanes in this order; returns the length of all.
     double divide(const Lanes& lanes) {
@@ -133,7 +138,11 @@ private:
         for (; last < lanes.size() && flight.charges() <= most_breaks; ++last) {
             if (last > first && !flight.reaches(lanes[last].start_m))
                 break; // It has to go home before this lane.
-            flight.fly(lanes[last]);
+            BatteryFlight on = flight;
+            on.fly(lanes[last]);
+            if (last > first && !endurance_.breaks_off && on.charges() > flight.charges())
+                break;
+            flight = on;
             const double charge_m = last + 1 < lanes.size() ? endurance_.charge_m : 0.0;
             offer(stops_[last + 1], before_m + flight.landed_m() + charge_m, beginning);
         }
@@ -159,7 +168,7 @@ public:
     /// Turns around pieces (2-opt). Returns whether that shortened the flight; so does `moveLanes`.
     bool turnPieces() {
         bool shortened = false;
-        for (std::size_t first = 0; first < lanes_.size(); ++first)
+        for (std::size_t first = 0; first < lanes_.size() && orders_ < most_orders; ++first)
             for (std::size_t last = first; last < lanes_.size(); ++last) {
                 Lanes other = lanes_;
                 const auto begin = other.begin() + static_cast<std::ptrdiff_t>(first);
@@ -174,7 +183,7 @@ public:
     /// Moves single lanes to other places (relocation), in either direction.
     bool moveLanes() {
         bool shortened = false;
-        for (std::size_t i = 0; i < lanes_.size(); ++i)
+        for (std::size_t i = 0; i < lanes_.size() && orders_ < most_orders; ++i)
             for (std::size_t place = 0; place < lanes_.size(); ++place)
                 for (const bool turn : {false, true}) {
                     Lanes other = lanes_;
@@ -189,6 +198,7 @@ public:
 private:
     /// Takes an order that is shorter than the present one.
     bool take(const Lanes& other) {
+        ++orders_;
         const double other_m = division_.divide(other);
         if (other_m > least_m_ - least_gain_m)
             return false;
@@ -200,6 +210,7 @@ private:
     Lanes& lanes_;
     Division division_;
     double least_m_;
+    int orders_ = 0; ///< that were tried
 };
 
 } // namespace

@@ -15,6 +15,9 @@ struct Endurance {
     double left_m = std::numeric_limits<double>::infinity(); ///< from where it is, until it is home again
     double full_m = std::numeric_limits<double>::infinity(); ///< the same after a charge
     double charge_m = 0.0; ///< what the robot could fly while it lands, charges and takes off
+    /// Whether a lane may be broken off for a charge. Otherwise, a sortie of more than one lane ends before it is too
+    /// long.
+    bool breaks_off = true;
 };
 
 /// The way flown is longer than straight ways by this usual factor, because of evasion.
@@ -28,12 +31,13 @@ Endurance enduranceOf(const Settings& settings, double since_charge_m = 0.0, dou
 /// `home_m`, divided into sorties so that it is as short as possible (the splitting of Prins 2004, "A simple and
 /// effective evolutionary algorithm for the vehicle routing problem"). Between two sorties the robot flies home and
 /// charges. Where the battery lasts only for the way home, it breaks off a lane, and resumes it there after the charge.
-/// Charges and turns are counted as the way that they cost.
+/// Charges and turns are counted as the way that they cost, and what a full battery does not reach as a thousand
+/// kilometers.
 double flight_m(const Vec2& from_m, const std::vector<mapping::Lane>& lanes, const Vec2& home_m,
                 const Endurance& endurance);
 
-/// The same, and numbers the lanes by their sorties in this division, from 0 on. There is no lane of sortie 0 if the
-/// robot had better charge first.
+/// The same, and numbers the lanes by their sorties in this division, from 0 on. There is no lane of sortie 0 if
+/// it is better to charge first.
 double divideIntoSorties(const Vec2& from_m, std::vector<mapping::Lane>& lanes, const Vec2& home_m,
                          const Endurance& endurance);
 
@@ -44,7 +48,8 @@ inline constexpr std::size_t few_lanes = 40;
 void orderFlights(const Vec2& from_m, std::vector<mapping::Lane>& lanes, const Vec2& home_m,
                   const Endurance& endurance);
 
-/// Changes the order for as long as that makes the flight shorter, if there are few lanes.
+/// Changes the order for as long as that makes the flight shorter, and for half a second at most on a machine of today,
+/// if there are few lanes.
 void improveFlights(const Vec2& from_m, std::vector<mapping::Lane>& lanes, const Vec2& home_m,
                     const Endurance& endurance);
 

@@ -19,6 +19,8 @@ constexpr double resume_back_m = 1.0;
 /// A lane is looked at in such steps for what of it can be reached.
 constexpr double look_every_m = 1.0;
 constexpr double worth_a_flight_m = 1.0;
+/// A robot that has flown no farther than this since its charge need not charge.
+constexpr double just_charged_m = 75.0;
 
 std::pair<Vec2, Vec2> endsOf_m(const mapping::Lane& lane) {
     return {lane.start_m, lane.end_m};
@@ -35,7 +37,7 @@ Result<Survey> Survey::make(const agent::Task& task, const Settings& settings) {
     auto plan = planSurvey(task.area_in_map, task.start_in_map.position_m.head<2>(), settings);
     if (!plan)
         return tl::unexpected(plan.error());
-    return Survey(std::move(plan->coverage), plan->routed);
+    return Survey(std::move(plan->coverage), plan->routed, plan->lane_spacing_m);
 }
 
 double Survey::length_m() const {
@@ -154,7 +156,9 @@ void Survey::add(const std::vector<mapping::Lane>& lanes) {
 bool Survey::goesHomeBefore(std::size_t lane, double since_charge_m, const Settings& settings) const {
     if (lane == 0 || lane >= plan_.lanes.size() || plan_.lanes[lane].sortie == plan_.lanes[lane - 1].sortie)
         return false;
-    return routed_ || !counts_[lane] || (!settings.navigate_by_truth && isWorthACharge(since_charge_m, settings));
+    if (routed_ || !counts_[lane])
+        return since_charge_m > just_charged_m;
+    return !settings.navigate_by_truth && isWorthACharge(since_charge_m, settings);
 }
 
 void Survey::divideLane() {
@@ -168,21 +172,27 @@ void Survey::divideLane() {
     plan_.lanes.insert(plan_.lanes.begin() + static_cast<std::ptrdiff_t>(lane_), rest);
     counts_.insert(counts_.begin() + static_cast<std::ptrdiff_t>(lane_), counts_[lane_ - 1]);
     entry_along_m_ = piece_start_m_ = reached_m_ = 0.0;
+    short_end_m_.reset();
 }
 
 bool Survey::replan(const ScanLedger& ledger, const Vec2& base_m, const Settings& settings, double detour) {
-    routed_ = routed_ || (settings.hurried() && laneCount() - lane_ <= few_lanes);
-    if (done() || on_lane_ || !routed_)
+    const bool routes = routed_ || (settings.hurried() && laneCount() - lane_ <= few_lanes);
+    if (done() || on_lane_ || !routes)
         return false;
     const bool planned = counts_[lane_];
     if (std::find(counts_.begin() + static_cast<std::ptrdiff_t>(lane_), counts_.end(), !planned) != counts_.end())
         return false;
+    routed_ = true;
+    Settings as_planned = settings;
+    as_planned.lane_spacing_m = lane_spacing_m_;
     divideLane();
     const auto first = plan_.lanes.begin() + static_cast<std::ptrdiff_t>(lane_);
     const std::vector<mapping::Lane> before(first, plan_.lanes.end());
-    std::vector<mapping::Lane> rest = replanned(before, planned ? ledger : ScanLedger(), base_m, settings, detour);
-    if (rest.empty())
-        rest = {before.back()}; // At its end, the robot looks for what is hidden.
+    std::vector<mapping::Lane> rest = replanned(before, planned ? ledger : ScanLedger(), base_m, as_planned, detour);
+    if (rest.empty()) { // At the end of a lane, the robot looks for what is hidden.
+        rest = {before.back()};
+        rest[0].start_m = rest[0].end_m - (rest[0].end_m - rest[0].start_m).normalized();
+    }
     plan_.lanes.erase(first, plan_.lanes.end());
     counts_.resize(lane_);
     const int last_sortie = lane_ == 0 ? -1 : plan_.lanes.back().sortie;

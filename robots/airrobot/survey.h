@@ -25,8 +25,9 @@ enum class LeftOut { Late, NoWayFound };
 class Survey {
 public:
     Survey() = default;
-    explicit Survey(mapping::CoveragePlan plan, bool routed = false)
+    explicit Survey(mapping::CoveragePlan plan, bool routed = false, double lane_spacing_m = 9.0)
         : plan_(std::move(plan))
+        , lane_spacing_m_(lane_spacing_m)
         , routed_(routed)
         , counts_(plan_.lanes.size(), true) {}
     /// Plans lanes over the area of the task, starting near its start pose (see planSurvey). Returns an error if none
@@ -84,12 +85,12 @@ public:
     /// Whether its sorties are planned for the battery; otherwise, it is flown quadrant by quadrant.
     bool routed() const { return routed_; }
     /// Whether the robot flies home before the lane with this index, with so much flown since its last charge: between
-    /// two sorties that were planned for the battery, and after a quadrant, for its INS, if a charge is worth its time.
+    /// two sorties that were planned for the battery, unless it has just been there, and after a quadrant, for its INS,
+    /// if a charge is worth its time.
     bool goesHomeBefore(std::size_t lane, double since_charge_m, const Settings& settings) const;
-    /// Plans what is left anew, for a robot that stands at its base: see `replanned`. Returns whether that is another
-    /// plan. Nothing changes if the lanes are
-    /// flown quadrant by quadrant, and if many are left or the robot is in no hurry; nor if some of those that are left
-    /// were planned and others added.
+    /// Plans what is left anew, for a robot that stands at its base: see `replanned`. Added lanes are only ordered.
+    /// Returns whether lanes were moved or left out. Nothing changes for a survey by quadrants if the robot is in no
+    /// hurry or more than `few_lanes` are left, or while planned and added lanes are both left.
     bool replan(const ScanLedger& ledger, const Vec2& base_m, const Settings& settings, double detour);
     /// Moves the lanes from the next one on (m, map frame), because a robot that leans scans what is beside it. Nothing
     /// changes while the robot is on a lane.
@@ -105,7 +106,8 @@ public:
     double totalLength_m() const { return plan_.lane_length_m; }
     /// The same without the lanes that were added.
     double plannedLength_m() const { return plan_.lane_length_m - added_m_; }
-    /// The start and end of each lane, in the order of the flight, and the base where it flies home before the next one.
+    /// The start and end of each lane, in the order of the flight, and the base where it flies home before the next
+    /// one.
     std::vector<Vec2> path_m(const Vec2& base_m, const Settings& settings) const;
 
 private:
@@ -126,6 +128,7 @@ private:
     SurveyEvent nextLane();
 
     mapping::CoveragePlan plan_;
+    double lane_spacing_m_ = 9.0;
     bool routed_ = false; ///< its sorties are planned for the battery
     std::size_t lane_ = 0;
     double finished_lanes_m_ = 0.0;

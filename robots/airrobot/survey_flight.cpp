@@ -196,10 +196,12 @@ void SurveyFlight::showPlan(agent::CommandPort& port) const {
 
 void SurveyFlight::replan(agent::CommandPort& port) {
     // In a room, ways between lanes lead around walls, of which the plan knows nothing.
-    if (errand_ == Errand::Start || craft_.overhead.hasCeiling() || !craft_.mayClimb() ||
-        !survey_.replan(ledger_, base_in_map_.position_m.head<2>(), craft_.settings, time_.detour()))
+    if (errand_ == Errand::Start || craft_.overhead.hasCeiling() || !craft_.mayClimb())
         return;
-    showPlan(port);
+    const bool changed = survey_.replan(ledger_, base_in_map_.position_m.head<2>(), craft_.settings, time_.detour());
+    showPlan(port); // Its flights home may be others even if its lanes are the same.
+    if (!changed)
+        return;
     const std::size_t left = survey_.laneCount() - survey_.laneIndex();
     port.publish(agent::BehaviorEvent{Severity::Note, "What is left is planned anew: " + std::to_string(left) +
                                                           (left == 1 ? " lane." : " lanes.")});

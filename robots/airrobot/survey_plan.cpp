@@ -17,7 +17,10 @@ constexpr double longest_by_ins_m = 1000.0;
 /// Another order than to and fro must save so much: with that one, strips that overlap are scanned shortly after each
 /// other, while the INS has hardly drifted.
 constexpr double worth_an_order = 0.99;
+/// Over a larger area, long lanes would be scanned too long after their neighbors.
+constexpr std::size_t most_lanes = 2 * few_lanes;
 constexpr double slice_m = 5.0; ///< pieces of a strip that are looked at
+constexpr double nothing_left_m = 0.5;
 /// A strip is shown if at most this share of it is hidden, or what an added lane would have to show, if that is less.
 constexpr double hidden_share = 0.05;
 
@@ -27,24 +30,48 @@ Endurance sortieOf(const std::vector<mapping::Lane>& lanes, const Vec2& base_m, 
     double farthest_m = 0.0;
     for (const mapping::Lane& lane : lanes)
         farthest_m = std::max({farthest_m, (lane.start_m - base_m).norm(), (lane.end_m - base_m).norm()});
-    if (!settings.navigate_by_truth)
-        endurance.full_m = std::min(endurance.full_m, longest_by_ins_m + 2.0 * farthest_m);
+    const double by_ins_m = longest_by_ins_m + 2.0 * farthest_m;
+    if (!settings.navigate_by_truth && by_ins_m < endurance.full_m) {
+        endurance.full_m = by_ins_m;
+        endurance.breaks_off = false; // Nothing ends a sortie there but its plan.
+    }
     endurance.left_m = endurance.full_m;
     return endurance;
+}
+
+/// Puts the lanes that a full battery does not reach behind the others, because the survey ends with the first of them.
+void putLast(std::vector<mapping::Lane>& lanes, const Vec2& base_m, const Endurance& endurance) {
+    std::ranges::stable_partition(lanes, [&](const mapping::Lane& lane) {
+        return 2.0 * std::max((lane.start_m - base_m).norm(), (lane.end_m - base_m).norm()) < endurance.full_m;
+    });
 }
 
 /// Orders the lanes anew if that is worth it, and divides them into sorties. Returns the length of the flight.
 double route(std::vector<mapping::Lane>& lanes, const Vec2& base_m, const Endurance& endurance) {
     if (lanes.size() <= few_lanes) {
-        std::vector<mapping::Lane> as_planned = lanes, as_tour = lanes;
-        improveFlights(base_m, as_planned, base_m, endurance);
-        orderFlights(base_m, as_tour, base_m, endurance);
-        const double planned_m = flight_m(base_m, as_planned, base_m, endurance);
-        const double tour_m = flight_m(base_m, as_tour, base_m, endurance);
-        if (std::min(planned_m, tour_m) < worth_an_order * flight_m(base_m, lanes, base_m, endurance))
-            lanes = std::move(planned_m <= tour_m ? as_planned : as_tour);
+        std::vector<mapping::Lane> other = lanes, as_tour = lanes;
+        orderTour(base_m, as_tour, base_m);
+        const double now_m = flight_m(base_m, lanes, base_m, endurance);
+        if (flight_m(base_m, as_tour, base_m, endurance) < now_m)
+            other = std::move(as_tour);
+        improveFlights(base_m, other, base_m, endurance);
+        if (flight_m(base_m, other, base_m, endurance) < worth_an_order * now_m)
+            lanes = std::move(other);
     }
+    putLast(lanes, base_m, endurance);
     return divideIntoSorties(base_m, lanes, base_m, endurance);
+}
+
+/// The ways between the lanes, from the base and back to it, with the flights home between sorties.
+double ways_m(const std::vector<mapping::Lane>& lanes, const Vec2& base_m) {
+    double ways_m = 0.0;
+    for (auto first = lanes.begin(); first != lanes.end();) {
+        const auto last =
+            std::find_if(first, lanes.end(), [&](const mapping::Lane& lane) { return lane.sortie != first->sortie; });
+        ways_m += waysBetween_m(base_m, {first, last}, base_m);
+        first = last;
+    }
+    return ways_m;
 }
 
 /// How much of the strip beside a slice of a lane is hidden, in square meters. Where beams met nothing is hidden, too,
@@ -76,6 +103,12 @@ double shown_m(const mapping::Lane& lane, const ScanLedger& ledger, const Settin
     return shown_m;
 }
 
+bool haveSameEnds(const std::vector<mapping::Lane>& some, const std::vector<mapping::Lane>& others) {
+    return std::ranges::equal(some, others, [](const mapping::Lane& one, const mapping::Lane& other) {
+        return one.start_m == other.start_m && one.end_m == other.end_m;
+    });
+}
+
 Result<SurveyPlan> planByQuadrants(const Rectangle& area_in_map, const Vec2& base_m, const Settings& settings) {
     mapping::CoverageOptions options{settings.lane_spacing_m, settings.quadrant_limit_m};
     auto plan = mapping::planCoverage(area_in_map, base_m, options);
@@ -86,31 +119,35 @@ Result<SurveyPlan> planByQuadrants(const Rectangle& area_in_map, const Vec2& bas
         settings.hurried() && isWorthACharge(quadrant_m, settings) && quadrant_m < usableRange_m(settings);
     if (options.returns)
         plan = mapping::planCoverage(area_in_map, base_m, options);
-    return SurveyPlan{std::move(*plan), false};
+    return SurveyPlan{std::move(*plan), false, settings.lane_spacing_m};
 }
 
 } // namespace
 
 Result<SurveyPlan> planSurvey(const Rectangle& area_in_map, const Vec2& base_m, const Settings& settings) {
     auto best = planByQuadrants(area_in_map, base_m, settings);
-    if (!best || !settings.hurried() || best->coverage.lanes.size() > few_lanes)
+    if (!best || !settings.hurried() || best->coverage.lanes.size() > most_lanes)
         return best;
     const Endurance endurance = sortieOf(best->coverage.lanes, base_m, settings, usual_detour);
-    double least_m = route(best->coverage.lanes, base_m, endurance);
-    best->routed = true;
+    best->routed = best->coverage.lanes.size() <= few_lanes;
+    double least_m = best->routed ? route(best->coverage.lanes, base_m, endurance)
+                                  : flight_m(base_m, best->coverage.lanes, base_m, endurance);
+    std::vector<mapping::Lane> tried;
     for (const double limit_m : {settings.quadrant_limit_m, std::numeric_limits<double>::infinity()})
         for (const bool crosswise : {false, true}) {
             auto other =
                 mapping::planCoverage(area_in_map, base_m, {settings.lane_spacing_m, limit_m, false, crosswise});
-            if (!other || other->lanes.size() > few_lanes)
+            if (!other || other->lanes.size() > few_lanes || haveSameEnds(other->lanes, tried))
                 continue;
+            tried = other->lanes;
             const double other_m = route(other->lanes, base_m, endurance);
             if (other_m < worth_an_order * least_m) {
                 least_m = other_m;
-                best->coverage = std::move(*other);
+                *best = {std::move(*other), true, settings.lane_spacing_m};
             }
         }
-    best->coverage.transit_length_m = waysBetween_m(base_m, best->coverage.lanes, base_m);
+    if (best->routed)
+        best->coverage.transit_length_m = ways_m(best->coverage.lanes, base_m);
     return best;
 }
 
@@ -127,7 +164,7 @@ std::vector<mapping::Lane> replanned(std::vector<mapping::Lane> lanes, const Sca
     if (ledger.columns() > 0) // Otherwise, the area is too large to be watched.
         for (mapping::Lane& lane : lanes)
             lane = withoutShownEnds(lane, ledger, settings);
-    std::erase_if(lanes, [](const mapping::Lane& lane) { return (lane.end_m - lane.start_m).norm() < slice_m / 2.0; });
+    std::erase_if(lanes, [](const mapping::Lane& lane) { return (lane.end_m - lane.start_m).norm() < nothing_left_m; });
     route(lanes, base_m, sortieOf(lanes, base_m, settings, detour));
     return lanes;
 }

@@ -73,7 +73,9 @@ private slots:
         QVERIFY2(std::abs(memory.risen_m() - told_m) < 0.01, qPrintable(QString::number(memory.risen_m())));
         const auto tops_m = memory.risenTops_m({3.75, 3.75}, 0.2); // a cell that is not seen again
         QCOMPARE(tops_m.size(), std::size_t(1));
-        QVERIFY(std::abs(tops_m[0].z() - 1.0 - told_m) < 0.01);
+        const bool long_ago =
+            asked_s - again_s > 30.0; // A robot that lands there hovers longer than it believes its way.
+        QVERIFY(std::abs(tops_m[0].z() - 1.0 - (long_ago ? risen_m : told_m)) < 0.01);
         MemorySpans room = spans;
         room.in_room = true;
         memory.take(sensesAt({0, 0, 6}, 0.0, asked_s), room);

@@ -37,7 +37,8 @@ private slots:
         const double flown_m = flight_m({0, 0}, lanes, {0, 0}, {left_m, full_m, 200.0});
         if (way_m > 0.0)
             QVERIFY2(std::abs(flown_m - way_m) < 0.01, qPrintable(QString::number(flown_m)));
-        QVERIFY(flown_m < 2000.0);
+        else
+            QVERIFY(flown_m > 1e6 && flown_m < 1e7); // No plan with a lane that is out of reach is short.
     }
 
     /// It breaks off a lane where the battery lasts just for the way home, and resumes it there: at (100, y), where

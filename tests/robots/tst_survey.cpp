@@ -63,9 +63,9 @@ private slots:
         settings.battery_range_m = battery_m;
         settings.lane_spacing_m = 17.0;
         settings.quadrant_limit_m = 100.0;
-        const agent::Task task{"R1", Pose{}, {Vec2(-150, -150), Vec2(150, 150)}};
+        const agent::Task task{"R1", Pose{}, {Vec2(-250, -250), Vec2(250, 250)}};
         const Survey survey = Survey::make(task, settings).value();
-        QCOMPARE(survey.plan().quadrants.size(), std::size_t(9));
+        QCOMPARE(survey.plan().quadrants.size(), std::size_t(25));
         bool near = true;
         int quadrant = -1;
         for (const mapping::Lane& lane : survey.plan().lanes) {
@@ -126,6 +126,7 @@ private slots:
         QTest::addColumn<bool>("goes_home");
         QTest::newRow("planned for the battery") << true << false << 2.0 << 100.0 << true;
         QTest::newRow("planned for the battery, by ground truth") << true << true << 2.0 << 100.0 << true;
+        QTest::newRow("planned for the battery, but it has just charged") << true << false << 2.0 << 50.0 << false;
         QTest::newRow("after a quadrant") << false << false << 1.6 << 100.0 << true;
         QTest::newRow("after a quadrant, by ground truth") << false << true << 1.6 << 600.0 << false;
         QTest::newRow("after a quadrant, in a hurry") << false << false << 2.0 << 100.0 << false;
@@ -193,7 +194,7 @@ private slots:
         Survey survey = twoLanes(0, true);
         survey.replan(ledger, {0, 30}, settings, 1.0);
         QCOMPARE(survey.laneCount() - survey.laneIndex(), std::size_t(1));
-        QCOMPARE(survey.doneLength_m(), 60.0);
+        QCOMPARE(survey.doneLength_m(), 119.0);
         flyAll(survey, {0, 30});
         QCOMPARE(survey.doneLength_m(), 120.0);
     }

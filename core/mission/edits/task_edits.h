@@ -24,9 +24,9 @@ public:
     /// Stores the area in the draft, in meters of the map frame; an empty rectangle removes it. A drag is one step
     /// until `EditHistory::endStep`.
     void setArea(const Rectangle& area_in_map);
-    /// Stores values, in SI units and radians; those of the draft itself may be passed. Consecutive edits of one parameter are one step, named after it.
-    void setValues(std::map<std::string, agent::ParameterValue> values,
-                   const std::vector<agent::ParameterSpec>& specs);
+    /// Stores values, in SI units and radians; those of the draft itself may be passed. Consecutive edits of one
+    /// parameter are one step, named after it.
+    void setValues(std::map<std::string, agent::ParameterValue> values, const std::vector<agent::ParameterSpec>& specs);
     /// Records that the shown draft was `before`: a mission was opened, or another behavior or plan was chosen. `text`
     /// stands after "Undo".
     void replaced(const TaskDraft& before, const QString& text);

@@ -111,7 +111,7 @@ Vec2 landingPlace_m(const ObstacleMemory& memory, const Vec2& wanted_m, double r
                             slope_share);
     };
     const auto long_known_m = [&] {
-        return unevenness_m(memory.tops_m(wanted_m, body_radius_m), wanted_m, gentle_rad, lean, body_radius_m,
+        return unevenness_m(memory.risenTops_m(wanted_m, body_radius_m), wanted_m, gentle_rad, lean, body_radius_m,
                             slope_share);
     };
     Vec2 best_m = wanted_m;
@@ -140,7 +140,7 @@ Vec2 landingPlace_m(const ObstacleMemory& memory, const Vec2& wanted_m, double r
 bool canLand(const ObstacleMemory& memory, const Vec2& place_m, double dry_m) {
     const auto low_m = memory.lowest_m(place_m, body_radius_m);
     return low_m && *low_m >= dry_m &&
-           unevenness_m(memory.tops_m(place_m, body_radius_m), place_m, steepest_rad) <= even_m;
+           unevenness_m(memory.risenTops_m(place_m, body_radius_m), place_m, steepest_rad) <= even_m;
 }
 
 void Refuge::note(const Senses& senses, const ObstacleMemory& memory, double dry_m) {
@@ -213,7 +213,8 @@ bool Touchdown::looksAround(const Senses& senses, const ObstacleMemory& memory, 
                                          body_radius_m, slope_share);
     if (std::isfinite(uneven_m) && uneven_m > level_ground_m) {
         better_m_ = landingPlace_m(memory, place_m, look_within_m, lean, fresh);
-        over_ = false; // So low, it would go on sinking on its way there, into what is uneven.
+        if ((*better_m_ - place_m).norm() > over_place_m)
+            over_ = false; // So low, it would go on sinking on its way there, into what is uneven.
     }
     return false;
 }
@@ -229,8 +230,8 @@ bool Touchdown::isClearBelow(const Senses& senses, const ObstacleMemory& memory,
         return true;
     const double level_m = std::max(ground_m + no_ground_m, z_m - over_things_m);
     const auto blocks = [&](const Vec2& at_m) {
-        const auto tops_m = room == Room::Least ? memory.freshTops_m(at_m, least_berth_m, lately)
-                                                : memory.risenTops_m(at_m, berth_m);
+        const auto tops_m =
+            room == Room::Least ? memory.freshTops_m(at_m, least_berth_m, lately) : memory.risenTops_m(at_m, berth_m);
         return std::ranges::any_of(tops_m, [&](const Vec3& top_m) { return top_m.z() > level_m; });
     };
     const Vec2 way_m = place_m - senses.position2_m();

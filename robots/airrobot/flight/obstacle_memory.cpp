@@ -7,10 +7,12 @@ namespace usar::airrobot {
 
 namespace {
 
-/// A cell is seen again if it was not seen for so long, and that is remembered for so long.
-constexpr Seconds another_flight{20.0};
+/// A cell is seen again if it was not seen for so long, and that is remembered for so long. A robot that hovers over
+/// its base sees nothing again, and has drifted no less.
+constexpr Seconds another_pass{20.0};
 constexpr Seconds remembered{4.0};
 constexpr Seconds believed{30.0};
+constexpr Seconds believed_of_tops{180.0};
 constexpr std::size_t few_cells = 40;
 /// If a beam leaves less than this of an echo's height, the echo is dropped.
 constexpr double certain_m = 0.1;
@@ -59,7 +61,7 @@ void ObstacleMemory::takeScan(std::span<const Vec3> hits_m) {
         Cell& cell = cells_[slotOf<side>(column, row)];
         if (!known(column, row))
             cell = {column, row, top_m, now_s, top_m, now_s};
-        if (now_s - cell.last_s > another_flight.count())
+        if (now_s - cell.last_s > another_pass.count())
             seen_again_.push_back({now_, hit.z() - double(cell.last_m)});
         if (top_m >= cell.top_m) {
             cell.top_m = top_m;
@@ -78,8 +80,12 @@ void ObstacleMemory::noteRise() {
     risen_ = {now_, middle->risen_m};
 }
 
+double ObstacleMemory::risenWithin_m(Seconds span) const {
+    return now_ - risen_.time <= span && !spans_.in_room ? risen_.risen_m : 0.0;
+}
+
 double ObstacleMemory::risen_m() const {
-    return now_ - risen_.time <= believed && !spans_.in_room ? risen_.risen_m : 0.0;
+    return risenWithin_m(believed);
 }
 
 void ObstacleMemory::takeEcho(const SonarEcho& echo) {
@@ -162,12 +168,13 @@ std::vector<Vec3> ObstacleMemory::tops_m(const Vec2& at_m, double radius_m) cons
 }
 
 std::vector<Vec3> ObstacleMemory::risenTops_m(const Vec2& at_m, double radius_m) const {
+    const double risen_m = risenWithin_m(believed_of_tops);
     std::vector<Vec3> tops;
     visitDisc(at_m, radius_m, [&](const Vec2& center_m, const Cell* cell) {
         if (!cell)
             return;
-        const bool old = now_.count() - cell->time_s > another_flight.count();
-        tops.emplace_back(center_m.x(), center_m.y(), cell->top_m + (old ? risen_m() : 0.0));
+        const bool old = now_.count() - cell->time_s > another_pass.count();
+        tops.emplace_back(center_m.x(), center_m.y(), cell->top_m + (old ? risen_m : 0.0));
     });
     return tops;
 }

@@ -62,8 +62,8 @@ public:
     /// The same of cells that were seen within `fresh`, as high as they were then. Older tops were seen with another
     /// drift: where the ground falls off, they hide the brink.
     std::vector<Vec3> freshTops_m(const Vec2& at_m, double radius_m, Seconds fresh) const;
-    /// How much higher the ground is now than it was on a flight over it some time ago: so much has the estimate of the
-    /// height drifted since then, and so much higher is what else was seen there. The median of the cells that were
+    /// How much higher the ground is now than when the robot passed over it some time ago: so much has the estimate of
+    /// the height drifted since then, and so much higher is what else was seen there. The median of the cells that were
     /// seen again within seconds, as it was half a minute ago at most; 0 if they were few, and in a room.
     double risen_m() const;
     /// The same as `tops_m`, with what was seen some time ago moved by `risen_m`.
@@ -96,6 +96,7 @@ private:
 
     void takeScan(std::span<const Vec3> hits_m);
     void noteRise();
+    double risenWithin_m(Seconds span) const; ///< 0 if that was measured longer ago
     void takeEcho(const SonarEcho& echo);
     /// Returns nullptr if the cell is unknown or too old.
     const Cell* known(int column, int row) const;
