@@ -16,7 +16,7 @@ constexpr double least_piece_m = 1.0; ///< A full battery that lasts for less of
 constexpr double landing_and_take_off_s = 45.0;
 constexpr double out_of_reach_m = 1e6;
 /// The search ends after so many orders: 40 lanes take 25 us each, and a behavior may not think for long.
-constexpr int most_orders = 12000;
+constexpr int most_orders = 8000;
 /// A sortie that breaks off more lanes than this is hardly shorter than one that went home between lanes.
 constexpr int most_breaks = 2;
 

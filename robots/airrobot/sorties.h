@@ -48,8 +48,8 @@ inline constexpr std::size_t few_lanes = 40;
 void orderFlights(const Vec2& from_m, std::vector<mapping::Lane>& lanes, const Vec2& home_m,
                   const Endurance& endurance);
 
-/// Changes the order for as long as that makes the flight shorter, and for half a second at most on a machine of today,
-/// if there are few lanes.
+/// Changes the order for as long as that makes the flight shorter, and for a fifth of a second at most on a machine of
+/// today, if there are few lanes.
 void improveFlights(const Vec2& from_m, std::vector<mapping::Lane>& lanes, const Vec2& home_m,
                     const Endurance& endurance);
 

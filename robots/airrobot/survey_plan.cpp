@@ -19,8 +19,8 @@ constexpr double longest_by_ins_m = 1000.0;
 constexpr double worth_an_order = 0.99;
 /// Over a larger area, long lanes would be scanned too long after their neighbors.
 constexpr std::size_t most_lanes = 2 * few_lanes;
-constexpr double slice_m = 5.0; ///< pieces of a strip that are looked at
-constexpr double nothing_left_m = 0.5;
+constexpr double slice_m = 5.0;        ///< pieces of a strip that are looked at
+constexpr double nothing_left_m = 2.5; ///< A shorter rest of a lane is not worth a flight.
 /// A strip is shown if at most this share of it is hidden, or what an added lane would have to show, if that is less.
 constexpr double hidden_share = 0.05;
 
@@ -51,11 +51,11 @@ double route(std::vector<mapping::Lane>& lanes, const Vec2& base_m, const Endura
     if (lanes.size() <= few_lanes) {
         std::vector<mapping::Lane> other = lanes, as_tour = lanes;
         orderTour(base_m, as_tour, base_m);
-        const double now_m = flight_m(base_m, lanes, base_m, endurance);
-        if (flight_m(base_m, as_tour, base_m, endurance) < now_m)
-            other = std::move(as_tour);
         improveFlights(base_m, other, base_m, endurance);
-        if (flight_m(base_m, other, base_m, endurance) < worth_an_order * now_m)
+        improveFlights(base_m, as_tour, base_m, endurance);
+        if (flight_m(base_m, as_tour, base_m, endurance) < flight_m(base_m, other, base_m, endurance))
+            other = std::move(as_tour);
+        if (flight_m(base_m, other, base_m, endurance) < worth_an_order * flight_m(base_m, lanes, base_m, endurance))
             lanes = std::move(other);
     }
     putLast(lanes, base_m, endurance);
