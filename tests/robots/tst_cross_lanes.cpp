@@ -129,8 +129,8 @@ private slots:
         QTest::addColumn<double>("width_m");
         QTest::addColumn<double>("gain_m");
         QTest::addColumn<int>("lanes");
-        QTest::newRow("a small area") << 60.0 << 0.8 << 1;
-        QTest::newRow("a large one") << 160.0 << 0.8 << 0;
+        QTest::newRow("a small area") << 60.0 << 0.67 << 1;
+        QTest::newRow("a large one") << 160.0 << 0.67 << 0;
         QTest::newRow("a small area, no lanes wanted") << 60.0 << 1000.0 << 0;
     }
     void isWorthALongerWayInASmallArea() {
