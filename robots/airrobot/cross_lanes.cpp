@@ -20,7 +20,7 @@ constexpr double least_m2 = 12.0;
 /// of the mean of its sides, and what they must show for their way shrinks with the area below this size.
 constexpr double small_area_share = 0.02;
 constexpr double usual_way_share = 0.5;
-constexpr double small_area_m2 = 5400.0;
+constexpr double small_area_m2 = 5900.0;
 constexpr double rounding_m2 = 1e-9;
 constexpr double least_lane_m = 5.0; ///< If less is left of the length of all lanes, no more are added.
 /// A coarser map may well miss cells of a meter that nothing hides.

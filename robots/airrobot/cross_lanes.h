@@ -11,7 +11,7 @@ namespace usar::airrobot {
 
 /// The worth of a lane that is added to a survey.
 struct LaneTerms {
-    /// New area per length of lane and of the way to it, in square meters per meter; less in an area below 5400 m².
+    /// New area per length of lane and of the way to it, in square meters per meter; less in an area below 5900 m².
     double least_gain_m;
     double most_m;             ///< length of all lanes together
     double resolution_m = 0.5; ///< distance of the map's points; no lanes are added to a coarse map

@@ -69,7 +69,7 @@ constexpr agent::ParameterRow<Settings> rows[]{
     {&S::lookahead_m, "lookahead_m", "Look-ahead", "Survey", "m", 1, 20, "How far ahead on the lane the robot aims."},
     {&S::least_gain_m, "least_gain_m", "Gain of extra lanes", "Survey", "m", 0.1, 1000,
      "After its lanes, the robot flies extra ones past what is hidden, each of which shows at least so many square "
-     "meters per meter of the way that it costs, flights home for a charge included, and fewer in an area below 5400 "
+     "meters per meter of the way that it costs, flights home for a charge included, and fewer in an area below 5900 "
      "m². The greatest value means none."},
     {&S::most_left_out_pct, "most_left_out_pct", "Left out at most", "Survey", "%", 0, 100,
      "A survey still succeeds if at most this share of its lanes is given up."},
