@@ -221,8 +221,8 @@ private slots:
 
     /// The battery lasts for less than it was planned for, so lanes are broken off, and the rest is planned anew.
     void plansAnewAfterALandingThatWasNotPlanned() {
-        ToyFlight toy = flight({}, field_task, {{"transit_speed_m_s", 2.0}, {"scan_speed_m_s", 2.0}},
-                               {.ins_drifts = true});
+        ToyFlight toy =
+            flight({}, field_task, {{"transit_speed_m_s", 2.0}, {"scan_speed_m_s", 2.0}}, {.ins_drifts = true});
         runInto(toy, "scanning lane 2 of 4", Seconds(5));
         toy.set(parameters({{"transit_speed_m_s", 2.0}, {"scan_speed_m_s", 2.0}, {"battery_range_m", 140.0}}));
         toy.run(Seconds(3000));

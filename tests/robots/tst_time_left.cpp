@@ -160,11 +160,11 @@ void tst_TimeLeft::isRightWithinATenthFromATenthOn_data() {
 /// measured, and one whose first lanes alone are held up by trees is told to take longer for a while. So at least 55 %
 /// of the reports of a mission must be right and none wrong by more than 14 %, or 25 % below five minutes. One mission
 /// flies otherwise after every change of the robot, so what holds the estimate to its aim is the rule over all. The
-/// narrow one by the ravine, flown by C++, has 58.7 %, with the end in the range of 14.6 %, and by the plan it had 74.6 %:
-/// few lanes there are enough to be added, one of which takes 50 s. The priors were chosen with these missions in view: 97.2 % of the reports are right, and 86.3 % have the end
-/// in their range.
-/// A survey that adds many lanes and nearly empties its battery over each quadrant is known less well: a charge more or
-/// less in each makes 80 s. So its worst error may be 20 %, and it does not count in the rule over all.
+/// narrow one by the ravine, flown by C++, has 58.7 %, with the end in the range of 14.6 %, and by the plan it had 74.6
+/// %: few lanes there are enough to be added, one of which takes 50 s. The priors were chosen with these missions in
+/// view: 97.2 % of the reports are right, and 86.3 % have the end in their range. A survey that adds many lanes and
+/// nearly empties its battery over each quadrant is known less well: a charge more or less in each makes 80 s. So its
+/// worst error may be 20 %, and it does not count in the rule over all.
 void tst_TimeLeft::isRightWithinATenthFromATenthOn() {
     QFETCH(Mission, mission);
     const std::vector<agent::BehaviorStatus> told = fly(mission);
