@@ -201,7 +201,7 @@ bool Survey::replan(const ScanLedger& ledger, const Vec2& base_m, const Settings
         plan_.lanes.push_back(lane);
         counts_.push_back(planned);
     }
-    finished_lanes_m_ += lengthOf_m(before) - lengthOf_m(rest); // What is left out is shown.
+    finished_lanes_m_ += lengthOf_m(before) - lengthOf_m(rest); // Ends that were shown and short rests count as done.
     return !std::ranges::equal(before, rest, {}, endsOf_m, endsOf_m);
 }
 

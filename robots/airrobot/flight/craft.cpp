@@ -366,7 +366,7 @@ void Craft::expectCanopy() {
 }
 
 double Craft::climbRate(const WayAhead& way) {
-    Settings higher = settings; // What was seen some time ago is higher now by the drift.
+    Settings higher = settings; // Things seen some time ago are higher now by the drift.
     higher.clearance_m += std::clamp(memory.risen_m(), 0.0, most_drift_m);
     double wanted_m = altitudeGoal_m(senses, memory, way.bearing_rad, way.speed_m_s, heldHeight_m(), higher);
     double needed_m = wanted_m; // at once
