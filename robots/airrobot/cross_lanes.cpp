@@ -225,10 +225,24 @@ private:
         return {at(found.piece.from), at(found.piece.to - 1), id};
     }
 
+    /// The line of cells that is nearest to a lane along x or y.
+    HiddenCells::Found lineOf(const mapping::Lane& lane) const {
+        const Vec2 first_m = ledger_.centerOf_m(0, 0);
+        const Vec2 low = (lane.start_m.cwiseMin(lane.end_m) - first_m) / ScanLedger::cell_m;
+        const Vec2 high = (lane.start_m.cwiseMax(lane.end_m) - first_m) / ScanLedger::cell_m;
+        const int axis = high.x() - low.x() < high.y() - low.y() ? 1 : 0;
+        const int cells = axis == 0 ? ledger_.columns() : ledger_.rows();
+        const auto cell = [](double at) { return static_cast<int>(std::lround(at)); };
+        return {axis, cell(low[1 - axis]),
+                Piece{std::clamp(cell(low[axis]), 0, cells), std::clamp(cell(high[axis]) + 1, 0, cells)}};
+    }
+
     /// Adds lanes past what the present ones leave hidden, always the one that is worth most.
     template <class Way>
     void addLanes(Way&& way_m) {
         HiddenCells hidden(ledger_, terms_.least_gain_m);
+        for (const mapping::Lane& lane : terms_.flown)
+            hidden.fly(lineOf(lane));
         double left_m = terms_.most_m;
         for (const mapping::Lane& lane : lanes_) {
             const HiddenCells::Found& found = found_[static_cast<std::size_t>(lane.quadrant)];

@@ -16,6 +16,8 @@ struct LaneTerms {
     double most_m;             ///< length of all lanes together
     double resolution_m = 0.5; ///< distance of the map's points; no lanes are added to a coarse map
     Endurance endurance{};
+    /// Lanes along x or y that were flown past hidden ground: what they have left hidden will not be shown either.
+    std::vector<mapping::Lane> flown{};
 };
 
 /// Crowns hide the ground behind them, each lane's on its far side. A lane along x or y looks there from another side

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace usar::airrobot {
@@ -106,6 +107,12 @@ void orderFrom(Vec2 from_m, Lanes& lanes) {
             std::swap(next->start_m, next->end_m);
         from_m = next->end_m;
     }
+}
+
+double lengthOf_m(const std::vector<mapping::Lane>& lanes) {
+    return std::accumulate(lanes.begin(), lanes.end(), 0.0, [](double sum_m, const mapping::Lane& lane) {
+        return sum_m + (lane.end_m - lane.start_m).norm();
+    });
 }
 
 double waysBetween_m(const Vec2& from_m, const Lanes& lanes, const Vec2& to_m) {

@@ -11,6 +11,8 @@ namespace usar::airrobot {
 /// next.
 void orderFrom(Vec2 from_m, std::vector<mapping::Lane>& lanes);
 
+double lengthOf_m(const std::vector<mapping::Lane>& lanes); ///< without the ways between them
+
 /// The length of the ways from `from_m` to the first lane, between the lanes, and from the last one to `to_m`.
 double waysBetween_m(const Vec2& from_m, const std::vector<mapping::Lane>& lanes, const Vec2& to_m);
 

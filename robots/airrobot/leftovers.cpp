@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "robots/airrobot/cross_lanes.h"
+#include "robots/airrobot/lane_order.h"
 #include "robots/airrobot/outlook.h"
 
 namespace usar::airrobot {
@@ -46,6 +47,11 @@ GapSearch::Surroundings surroundingsOf(const Craft& craft) {
         return craft.ways.map().isInSight(from_m, to_m, craft.senses.position_m().z());
     };
     return {craft.ways.reach(craft.senses, craft.narrowest()), in_sight};
+}
+
+/// So long may all lanes be together that are added past hidden ground.
+double mostAdded_m(const Survey& survey) {
+    return std::max(always_added_m, most_added * survey.plannedLength_m());
 }
 
 bool isOpen(const Craft& craft, const Survey& survey) {
@@ -136,20 +142,30 @@ bool Leftovers::crossOnce(const Craft& craft, Survey& survey, const ScanLedger& 
         return false;
     ++crossings_;
     gaps_left_out_ = survey.addedLeftOut(); // Only lanes past gaps count for those.
-    const double most_m = std::max(always_added_m, most_added * survey.plannedLength_m()) - added_m_;
     const Settings& settings = craft.settings;
-    const LaneTerms terms{settings.least_gain_m, most_m, settings.ground_resolution_m,
+    const LaneTerms terms{settings.least_gain_m, mostAdded_m(survey) - added_m_, settings.ground_resolution_m,
                           enduranceOf(settings, craft.battery.sinceCharge_m())};
     return fly(crossLanes(ledger, terms, craft.senses.position2_m(), base_m), survey,
                "More lanes show ground that was hidden: ", port);
+}
+
+std::vector<mapping::Lane> Leftovers::chosenAnew(const Craft& craft, const Survey& survey, const ScanLedger& ledger,
+                                                 const Vec2& base_m, const std::vector<mapping::Lane>& flown,
+                                                 double detour) {
+    const double flown_m = lengthOf_m(flown);
+    const Settings& settings = craft.settings;
+    const LaneTerms terms{settings.least_gain_m, mostAdded_m(survey) - flown_m, settings.ground_resolution_m,
+                          enduranceOf(settings, 0.0, detour), flown};
+    std::vector<mapping::Lane> lanes = crossLanes(ledger, terms, base_m, base_m);
+    added_m_ = flown_m + lengthOf_m(lanes);
+    return lanes;
 }
 
 bool Leftovers::fly(const std::vector<mapping::Lane>& lanes, Survey& survey, const std::string& why,
                     agent::CommandPort& port) {
     if (lanes.empty())
         return false;
-    for (const mapping::Lane& lane : lanes)
-        added_m_ += (lane.end_m - lane.start_m).norm();
+    added_m_ += lengthOf_m(lanes);
     survey.add(lanes);
     note(port, why + std::to_string(lanes.size()) + ".");
     return true;

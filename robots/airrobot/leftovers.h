@@ -19,6 +19,11 @@ public:
     /// Adds the next lanes over what the others have not shown; returns false if nothing is left that is worth it. Call
     /// it when all lanes are done.
     bool addLanes(Craft& craft, Survey& survey, const ScanLedger& ledger, const Vec2& base_m, agent::CommandPort& port);
+    /// Chooses the lanes to fly instead of the added ones that are left, for a robot that stands at its base under an
+    /// open sky. `flown`: the added lanes that were flown, which do not show what they have left hidden; `detour`: see
+    /// `replanned`.
+    std::vector<mapping::Lane> chosenAnew(const Craft& craft, const Survey& survey, const ScanLedger& ledger,
+                                          const Vec2& base_m, const std::vector<mapping::Lane>& flown, double detour);
     /// Sinks before the door on the way home. Returns true in the tick in which the robot has come through on its way
     /// out or back and must rise. Call it once per tick in the air.
     bool passDoor(Craft& craft, Survey& survey, bool returning, agent::CommandPort& port);

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include "robots/airrobot/flight/battery_model.h"
+#include "robots/airrobot/lane_order.h"
 
 namespace usar::airrobot {
 
@@ -24,12 +24,6 @@ constexpr double just_charged_m = 75.0;
 
 std::pair<Vec2, Vec2> endsOf_m(const mapping::Lane& lane) {
     return {lane.start_m, lane.end_m};
-}
-
-double lengthOf_m(const std::vector<mapping::Lane>& lanes) {
-    return std::accumulate(lanes.begin(), lanes.end(), 0.0, [](double sum_m, const mapping::Lane& lane) {
-        return sum_m + (lane.end_m - lane.start_m).norm();
-    });
 }
 } // namespace
 
@@ -175,7 +169,8 @@ void Survey::divideLane() {
     short_end_m_.reset();
 }
 
-bool Survey::replan(const ScanLedger& ledger, const Vec2& base_m, const Settings& settings, double detour) {
+bool Survey::replan(const ScanLedger& ledger, const Vec2& base_m, const Settings& settings, double detour,
+                    const Choice& added) {
     const bool routes = routed_ || (settings.hurried() && laneCount() - lane_ <= few_lanes);
     if (done() || on_lane_ || !routes)
         return false;
@@ -188,8 +183,10 @@ bool Survey::replan(const ScanLedger& ledger, const Vec2& base_m, const Settings
     divideLane();
     const auto first = plan_.lanes.begin() + static_cast<std::ptrdiff_t>(lane_);
     const std::vector<mapping::Lane> before(first, plan_.lanes.end());
-    std::vector<mapping::Lane> rest = replanned(before, planned ? ledger : ScanLedger(), base_m, as_planned, detour);
-    if (rest.empty()) { // At the end of a lane, the robot looks for what is hidden.
+    const auto first_added = plan_.lanes.begin() + (std::ranges::find(counts_, false) - counts_.begin());
+    std::vector<mapping::Lane> rest =
+        planned ? replanned(before, ledger, base_m, as_planned, detour) : added({std::min(first_added, first), first});
+    if (planned && rest.empty()) { // At the end of a lane, the robot looks for what is hidden.
         rest = {before.back()};
         rest[0].start_m = rest[0].end_m - (rest[0].end_m - rest[0].start_m).normalized();
     }
@@ -201,7 +198,13 @@ bool Survey::replan(const ScanLedger& ledger, const Vec2& base_m, const Settings
         plan_.lanes.push_back(lane);
         counts_.push_back(planned);
     }
-    finished_lanes_m_ += lengthOf_m(before) - lengthOf_m(rest); // Ends that were shown and short rests count as done.
+    const double saved_m = lengthOf_m(before) - lengthOf_m(rest);
+    if (planned) { // Ends that were shown and short rests count as done.
+        finished_lanes_m_ += saved_m;
+    } else {
+        plan_.lane_length_m -= saved_m;
+        added_m_ -= saved_m;
+    }
     return !std::ranges::equal(before, rest, {}, endsOf_m, endsOf_m);
 }
 

@@ -20,8 +20,7 @@ enum class SurveyEvent { LaneEntered, GoalReached, LaneDone, SortieDone, AllDone
 enum class LeftOut { Late, NoWayFound };
 
 /// Follows a coverage plan. A lane is entered at its start, or where it was interrupted, and is divided into goals at
-/// most `goal_distance_m` apart, so that giving up a goal loses only that piece. Works in the map frame. Owned by one
-/// behavior; needs the position once per tick.
+/// most `goal_distance_m` apart, so that giving up a goal loses only that piece. Works in the map frame.
 class Survey {
 public:
     Survey() = default;
@@ -88,10 +87,13 @@ public:
     /// two sorties that were planned for the battery, unless it has just been there, and after a quadrant, for its INS,
     /// if a charge is worth its time.
     bool goesHomeBefore(std::size_t lane, double since_charge_m, const Settings& settings) const;
-    /// Plans what is left anew, for a robot that stands at its base: see `replanned`. Added lanes are only ordered.
-    /// Returns whether lanes were moved or left out. Nothing changes for a survey by quadrants if the robot is in no
-    /// hurry or more than `few_lanes` are left, or while planned and added lanes are both left.
-    bool replan(const ScanLedger& ledger, const Vec2& base_m, const Settings& settings, double detour);
+    /// Returns the lanes to fly instead of the added ones that are left, given those that were flown.
+    using Choice = std::function<std::vector<mapping::Lane>(const std::vector<mapping::Lane>& flown)>;
+    /// Plans what is left anew, for a robot that stands at its base: see `replanned`. Added lanes are chosen anew; if
+    /// none are, the survey is done. Returns whether lanes were moved or left out. Nothing changes for a survey by
+    /// quadrants if the robot is in no hurry or more than `few_lanes` are left, or while lanes of both kinds are left.
+    bool replan(const ScanLedger& ledger, const Vec2& base_m, const Settings& settings, double detour,
+                const Choice& added);
     /// Moves the lanes from the next one on (m, map frame), because a robot that leans scans what is beside it. Nothing
     /// changes while the robot is on a lane.
     void shift(const Vec2& by_m) { shift_m_ = on_lane_ ? shift_m_ : by_m; }

@@ -198,7 +198,12 @@ void SurveyFlight::replan(agent::CommandPort& port) {
     // In a room, ways between lanes lead around walls, of which the plan knows nothing.
     if (errand_ == Errand::Start || craft_.overhead.hasCeiling() || !craft_.mayClimb())
         return;
-    const bool changed = survey_.replan(ledger_, base_in_map_.position_m.head<2>(), craft_.settings, time_.detour());
+    const Vec2 base_m = base_in_map_.position_m.head<2>();
+    const double detour = time_.detour();
+    const auto choose = [&](const std::vector<mapping::Lane>& flown) {
+        return leftovers_.chosenAnew(craft_, survey_, ledger_, base_m, flown, detour);
+    };
+    const bool changed = survey_.replan(ledger_, base_m, craft_.settings, detour, choose);
     showPlan(port); // Its flights home may be others even if its lanes are the same.
     if (!changed)
         return;
@@ -209,6 +214,10 @@ void SurveyFlight::replan(agent::CommandPort& port) {
 
 void SurveyFlight::setOut(agent::CommandPort& port) {
     replan(port);
+    if (survey_.done() && !leftovers_.addLanes(craft_, survey_, ledger_, base_in_map_.position_m.head<2>(), port)) {
+        errand_ = Errand::Done;
+        return conclude(port);
+    }
     craft_.forgetPlaces();
     leftovers_.startAnew();
     phase_ = Phase::TakeOff;

@@ -24,9 +24,9 @@ struct SurveyPlan {
 Result<SurveyPlan> planSurvey(const Rectangle& area_in_map, const Vec2& base_m, const Settings& settings);
 
 /// Plans what is left of a survey after a landing. It leaves out the ends of lanes that the robot has shown on other
-/// ways, where 5 % of their strips are hidden at most, or less than an added lane must show, and rests under 2.5 m, even
-/// if they are hidden. It orders what remains and divides it into sorties. `detour`: the way that the robot has flown so
-/// far for each meter of its lanes. The order is that of `lanes` if there are more than `few_lanes`.
+/// ways, where 5 % of their strips are hidden at most, or less than an added lane must show, and rests under 2.5 m,
+/// even if they are hidden. It orders what remains and divides it into sorties. `detour`: the way that the robot has
+/// flown so far for each meter of its lanes. The order is that of `lanes` if there are more than `few_lanes`.
 std::vector<mapping::Lane> replanned(std::vector<mapping::Lane> lanes, const ScanLedger& ledger, const Vec2& base_m,
                                      const Settings& settings, double detour);
 

@@ -83,6 +83,25 @@ private slots:
         QVERIFY((one[0].end_m - one[0].start_m).norm() > 35.0);
     }
 
+    /// Crowns that hide the ground from a lane along it hide it from another one.
+    void isNotSentWhereItWas_data() {
+        QTest::addColumn<mapping::Lane>("flown");
+        QTest::addColumn<bool>("chosen");
+        QTest::newRow("along the strip") << mapping::Lane{{-38, -28}, {-38, 28}} << false;
+        QTest::newRow("the other way") << mapping::Lane{{-38.2, 29.8}, {-37.6, -40}} << false;
+        QTest::newRow("along a part of it") << mapping::Lane{{-38, -28}, {-38, -20}} << true;
+        QTest::newRow("across it") << mapping::Lane{{-50, 0}, {50, 0}} << true;
+        QTest::newRow("far from it") << mapping::Lane{{20, -28}, {20, 28}} << true;
+        QTest::newRow("out of the area") << mapping::Lane{{-90, -28}, {-90, 28}} << true;
+    }
+    void isNotSentWhereItWas() {
+        QFETCH(mapping::Lane, flown);
+        QFETCH(bool, chosen);
+        const ScanLedger ledger = ledgerWithout({{{-40, -28}, {-36, 28}}});
+        const LaneTerms terms{0.6, 1000.0, 0.5, {}, {flown}};
+        QCOMPARE(!crossLanes(ledger, terms, {0, 0}, {0, 0}).empty(), chosen);
+    }
+
     /// The tour ends at home, so what is on the way there comes last.
     void endsNearHome() {
         const ScanLedger ledger = ledgerWithout({{{-40, -28}, {-36, 28}}, {{30, -28}, {38, 28}}});

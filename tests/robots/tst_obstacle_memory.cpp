@@ -98,6 +98,23 @@ private slots:
         QVERIFY(!memory.highest_m({0, 0}, 1.0));
     }
 
+    /// A scan that was placed wrong, from far aside, and another one of the same ground and of some more.
+    void keepsOnlyWhatIsFresh() {
+        ObstacleMemory memory;
+        Senses wrong = sensesAt({0, 0, 6}, 0.0, 100.0);
+        setFlatScan(wrong, {0, 0}, 3.0, 1.5);
+        setSonars(wrong, {{"M0", 3.0}});
+        memory.take(wrong, {});
+        Senses right = sensesAt({0, 0, 3}, 0.0, 115.0);
+        setFlatScan(right, {0, 0}, 1.0, 0.1);
+        memory.take(right, {});
+        QCOMPARE(*memory.highest_m({0, 0}, 0.5), 1.5);
+        memory.keepFresh(Seconds(10.0));
+        QVERIFY(std::abs(*memory.highest_m({0, 0}, 0.5) - 0.1) < 1e-6);
+        QVERIFY(!memory.highest_m({2.5, 0}, 0.2));
+        QVERIFY(memory.near({0, 0}, 8.0, 5.0).empty()); // the echo
+    }
+
     void replacesWhatIsForgottenByWhatIsLower() {
         ObstacleMemory memory;
         Senses high = sensesAt({0, 0, 6}, 0.0, 0.0);

@@ -111,6 +111,40 @@ private slots:
         QVERIFY(std::abs(rolled.scan->hits_in_map_m.front().z() - level.z()) > 0.5); // right side sinks when rolled
     }
 
+    /// In steady flight straight ahead, a robot that shows a roll does not have it.
+    void placesBeamsAsTheRobotLeansInSteadyFlight_data() {
+        QTest::addColumn<bool>("corrects");
+        QTest::addColumn<bool>("by_truth");
+        QTest::addColumn<bool>("level");
+        QTest::newRow("as the INS tells it") << false << false << false;
+        QTest::newRow("as it leans") << true << false << true;
+        QTest::newRow("the truth needs no correction") << true << true << false;
+    }
+    void placesBeamsAsTheRobotLeansInSteadyFlight() {
+        QFETCH(bool, corrects);
+        QFETCH(bool, by_truth);
+        QFETCH(bool, level);
+        reader->correctLean(corrects);
+        reader->navigateByTruth(by_truth);
+        Senses senses;
+        for (int tick = 0; tick < 100; ++tick) {
+            const Pose shown{Vec3(0.4 * tick, 0, 6), 0.08, 0.08, 0.0};
+            if (by_truth)
+                tell(protocol::GroundTruthReading{{}, "GroundTruth", shown});
+            else
+                tellIns(shown);
+            tellFlatGround(6.0);
+            tellState(10.0 + 0.2 * tick);
+            senses = read();
+        }
+        const auto& hits_m = senses.scan->hits_in_map_m;
+        QCOMPARE(std::abs(hits_m.front().z() - hits_m.back().z()) < 0.3, level);
+        QCOMPARE(senses.base_in_map.roll_rad, 0.08);
+        QCOMPARE(senses.scan->base_in_map.roll_rad, 0.08);
+        QCOMPARE(senses.scan->scanner_in_map.position_m.z(),
+                 (senses.base_in_map * layout.scanner_in_base).position_m.z());
+    }
+
     void placesAScanWhereTheRobotWasWhenItWasTaken() {
         tellIns({Vec3(0, 0, 6), 0, 0, 0});
         tellState(10.0);

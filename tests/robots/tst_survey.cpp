@@ -31,6 +31,9 @@ class tst_Survey : public QObject {
             return survey.next(settings);
         return std::nullopt;
     }
+    /// Lanes that were added are not to be left.
+    const Survey::Choice none = [](const std::vector<mapping::Lane>&) { return std::vector<mapping::Lane>(); };
+
     /// Flies straight from goal to goal and tells what happened.
     std::vector<SurveyEvent> flyAll(Survey& survey, Vec2 at_m) const {
         std::vector<SurveyEvent> events;
@@ -154,7 +157,7 @@ private slots:
         arrive(survey, {20, 0});
         survey.note({41, 0});
         survey.interrupt();
-        survey.replan({}, {60, 30}, settings, 1.0);
+        survey.replan({}, {60, 30}, settings, 1.0, none);
         QCOMPARE(survey.doneLength_m(), 40.0); // It resumes a meter before that place.
         QCOMPARE(survey.totalLength_m(), 120.0);
         const auto corners = survey.path_m({60, 30}, settings);
@@ -173,11 +176,11 @@ private slots:
     void planningAnewIsForThoseInAHurry() {
         Survey survey = twoLanes();
         const auto before = survey.path_m({60, 30}, settings);
-        QVERIFY(!survey.replan({}, {60, 30}, settings, 1.0));
+        QVERIFY(!survey.replan({}, {60, 30}, settings, 1.0, none));
         QCOMPARE(survey.path_m({60, 30}, settings), before);
         settings.transit_speed_m_s = 2.0;
-        QVERIFY(survey.replan({}, {60, 30}, settings, 1.0));
-        QVERIFY(!survey.replan({}, {60, 30}, settings, 1.0)); // It is planned that way already.
+        QVERIFY(survey.replan({}, {60, 30}, settings, 1.0, none));
+        QVERIFY(!survey.replan({}, {60, 30}, settings, 1.0, none)); // It is planned that way already.
         QVERIFY(survey.routed());
         QVERIFY(survey.path_m({60, 30}, settings) != before);
     }
@@ -192,11 +195,46 @@ private slots:
                 senses.scan->hits_in_map_m.emplace_back(x_m, y_m, 0.0);
         ledger.note(senses, false, true);
         Survey survey = twoLanes(0, true);
-        survey.replan(ledger, {0, 30}, settings, 1.0);
+        survey.replan(ledger, {0, 30}, settings, 1.0, none);
         QCOMPARE(survey.laneCount() - survey.laneIndex(), std::size_t(1));
         QCOMPARE(survey.doneLength_m(), 119.0);
         flyAll(survey, {0, 30});
         QCOMPARE(survey.doneLength_m(), 120.0);
+    }
+
+    /// One of two added lanes was broken off after 5 of its 20 m.
+    void addedLanesAreChosenAnewAfterALanding() {
+        Survey survey = twoLanes(0, true);
+        flyAll(survey, {0, 0});
+        survey.add({{{10, 5}, {30, 5}, 0, 0}, {{40, 5}, {40, 15}, 0, 1}});
+        arrive(survey, {10, 5});
+        survey.note({16, 5});
+        survey.interrupt();
+        std::vector<mapping::Lane> told;
+        const auto choose = [&](const std::vector<mapping::Lane>& flown) {
+            told = flown;
+            return std::vector<mapping::Lane>{{{20, 8}, {24, 8}, 0, 0}, {{50, 8}, {50, 9}, 0, 1}};
+        };
+        QVERIFY(survey.replan({}, {60, 30}, settings, 1.0, choose));
+        QCOMPARE(told.size(), std::size_t(1)); // and not those that were planned
+        QCOMPARE(told[0].start_m, Vec2(10, 5));
+        QCOMPARE(told[0].end_m, Vec2(15, 5)); // It resumes a meter before it broke off.
+        QCOMPARE(survey.goal_m(settings), Vec2(20, 8));
+        QVERIFY(survey.goesHomeBefore(4, 100.0, settings));
+        QCOMPARE(survey.totalLength_m(), 130.0);
+        QCOMPARE(survey.plannedLength_m(), 120.0);
+        flyAll(survey, {60, 30});
+        QCOMPARE(survey.doneLength_m(), 130.0);
+    }
+
+    void isDoneWhereNoAddedLaneIsWorthItAnyMore() {
+        Survey survey = twoLanes(0, true);
+        flyAll(survey, {0, 0});
+        survey.add({{{10, 5}, {30, 5}, 0, 0}});
+        QVERIFY(survey.replan({}, {60, 30}, settings, 1.0, none));
+        QVERIFY(survey.done());
+        QCOMPARE(survey.doneLength_m(), 120.0);
+        QCOMPARE(survey.totalLength_m(), 120.0);
     }
 
     void addedLanesGoOnWithTheSorties() {

@@ -76,6 +76,7 @@ void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool a
     pilot_.limitSpeed(layout.maximum_speed_m_s);
     reader_.navigateByTruth(settings.navigate_by_truth);
     reader_.correctHeading(settings.correct_heading);
+    reader_.correctLean(settings.hurried());
     const bool aloft = senses.heightOverGround_m(1e9) > surely_aloft_m;
     reader_.tellCommand(aloft ? pilot_.wantedInBase_m_s() : Vec2::Zero(),
                         aloft && !ascending_ ? commanded_climb_m_s_ : 0.0);

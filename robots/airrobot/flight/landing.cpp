@@ -21,7 +21,6 @@ constexpr double easy_slope = 0.105;
 /// A robot that sinks stays so far above all within this distance that is so much higher than the ground of its place.
 constexpr double berth_m = 0.9;
 constexpr double least_berth_m = 0.65; ///< Its rotors reach 0.5 m from its center.
-constexpr Seconds lately{20.0};        ///< It hovers for less than that before it takes another place.
 constexpr double over_things_m = 1.2;
 constexpr double no_ground_m = 1.0;
 constexpr double low_m = 1.5; ///< over its place; lower, it is between those things, if there are any

@@ -27,6 +27,9 @@ Vec2 landingPlace_m(const ObstacleMemory& memory, const Vec2& wanted_m, double r
 /// 73).
 enum class Room { Usual, Least };
 
+/// With the least room, older sights do not count. It hovers for less than that before it takes another place.
+inline constexpr Seconds lately{20.0};
+
 /// Where to land in need. Owned by one robot; its places belong to one estimate of the pose, so make a new one after
 /// the INS was set.
 class Refuge {

@@ -38,6 +38,18 @@ void ObstacleMemory::clear() {
     risen_ = {Seconds(-1e9), 0.0};
 }
 
+void ObstacleMemory::keepFresh(Seconds fresh) {
+    for (Cell& cell : cells_) {
+        if (now_.count() - cell.last_s > fresh.count()) {
+            cell = {};
+        } else {
+            cell.top_m = cell.last_m;
+            cell.time_s = cell.last_s;
+        }
+    }
+    std::erase_if(echoes_, [&](const Echo& echo) { return now_ - echo.time > fresh; });
+}
+
 void ObstacleMemory::take(const Senses& senses, const MemorySpans& spans) {
     spans_ = spans;
     now_ = senses.now;

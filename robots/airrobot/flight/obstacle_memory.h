@@ -46,6 +46,8 @@ public:
     /// Adds the scan and the sonar echoes of a tick.
     void take(const Senses& senses, const MemorySpans& spans);
     void clear();
+    /// Forgets what was not seen within `fresh`, and of the rest how high it once was.
+    void keepFresh(Seconds fresh);
 
     /// Returns the obstacles within `radius_m` of `at_m` whose top is above `level_m` (map z).
     std::vector<Obstacle> near(const Vec2& at_m, double radius_m, double level_m) const;

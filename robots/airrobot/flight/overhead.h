@@ -82,7 +82,13 @@ private:
     static constexpr double small_reach_m = 2.0;  ///< or so far if it is a small one.
     static constexpr Seconds wall_memory{10.0};
 
-    void lookUp(const PlacedScan& scan, bool ascending);
+    /// What a scan seemed to show.
+    struct Glimpse {
+        double z_m = 0.0;
+        Seconds time{0.0};
+    };
+
+    void lookUp(const PlacedScan& scan, Seconds now, bool ascending);
     void lookBeside(const PlacedScan& scan, Seconds now);
     void feelAbove(const Senses& senses, double commanded_climb_m_s);
     void add(const Ceiling& ceiling);
@@ -90,6 +96,7 @@ private:
     std::vector<Ceiling> ceilings_;
     std::optional<double> lid_m_;
     std::optional<Find> found_;
+    std::optional<Glimpse> glimpse_;
     std::optional<Seconds> pushing_since_; ///< a climb is commanded since then
     double pushed_from_m_ = 0.0;           ///< height at that time
     double pushed_m_s_ = 0.0;              ///< the rate at which a free robot would climb by now

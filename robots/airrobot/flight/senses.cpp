@@ -35,8 +35,8 @@ SonarEcho echoOf(const SonarMount& mount, double range_m, const Pose& base_in_ma
 
 /// Fills in where the beams of these ranges end.
 void placeBeams(const std::vector<Vec2>& directions, const std::vector<double>& ranges_m, double maximum_m,
-                PlacedScan& placed) {
-    const Eigen::Isometry3d scanner_in_map = placed.scanner_in_map.isometry();
+                const Pose& from_in_map, PlacedScan& placed) {
+    const Eigen::Isometry3d scanner_in_map = from_in_map.isometry();
     placed.hits_in_map_m.reserve(ranges_m.size());
     for (std::size_t i = 0; i < ranges_m.size(); ++i) {
         const double range_m = ranges_m[i];
@@ -78,6 +78,7 @@ void SenseReader::forgetMotion() {
     sonar_check_.forget();
     history_.clear();
     course_.reset();
+    level_flight_.insWasSet();
     flown_m_ = 0.0;
 }
 
@@ -120,6 +121,7 @@ void SenseReader::readPose(Seconds now, const Reading* reading) {
         base_in_map_.yaw_rad = normalizedAngle(base_in_map_.yaw_rad + course_.correction_rad());
     }
     history_.add(now, base_in_map_);
+    level_flight_.take(now, base_in_map_);
 }
 
 void SenseReader::readSonars(Senses& senses, const modules::RobotModules& robot, const SensorLayout& layout,
@@ -162,8 +164,11 @@ void SenseReader::readScan(Senses& senses, const modules::RobotModules& robot, c
     const Pose base_in_map = taken_at ? history_.at(*taken_at).value_or(senses.base_in_map) : senses.base_in_map;
     PlacedScan placed{scan->line, base_in_map * layout.scanner_in_base, base_in_map, {}};
     const protocol::RangeScan& told = scan->value;
+    const bool steadies = corrects_lean_ && !by_truth_;
+    const Pose from_in_map =
+        steadies ? level_flight_.corrected(base_in_map) * layout.scanner_in_base : placed.scanner_in_map;
     placeBeams(beam_directions_.of(told.step_rad(), told.fov_rad, ranges_m.size()), ranges_m, layout.scanner_maximum_m,
-               placed);
+               from_in_map, placed);
     senses.ground_m = ground_m_ = groundBelow(placed.hits_in_map_m, base_in_map.position_m);
     senses.scan = std::move(placed);
 }

@@ -11,6 +11,7 @@
 #include "core/base/clock.h"
 #include "core/base/geometry.h"
 #include "core/mapping/beam_hits.h"
+#include "core/mapping/level_flight.h"
 #include "core/modules/robot_modules.h"
 #include "core/protocol/usual_values.h"
 #include "robots/airrobot/flight/pose_estimate.h"
@@ -104,6 +105,8 @@ public:
     }
     /// Corrects the heading by the course from the next tick on, or leaves it as the INS tells it.
     void correctHeading(bool correct) { corrects_heading_ = correct; }
+    /// Places the beams of the scanner from the next tick on as a robot leans in steady flight, or as the INS tells it.
+    void correctLean(bool correct) { corrects_lean_ = correct; }
     /// Takes the pose from ground truth instead of the INS from the next tick on.
     void navigateByTruth(bool truth) { by_truth_ = truth; }
     /// Forgets velocities and the heading correction, because the position estimate has jumped.
@@ -127,7 +130,9 @@ private:
 
     bool by_truth_ = false;
     bool corrects_heading_ = true;
+    bool corrects_lean_ = false;
     PoseHistory history_;
+    mapping::LevelFlight level_flight_;
     CourseFilter course_;
     PoseCheck pose_check_;
     ScanCheck scan_check_;
