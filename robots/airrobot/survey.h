@@ -47,16 +47,14 @@ public:
         const double within_reach_m = plannedLength_m() - cut_off_m_;
         return within_reach_m > 0.0 ? 100.0 * given_up_m_ / within_reach_m : 0.0;
     }
-    /// The length of the lanes to which no way was found.
-    double cutOff_m() const { return cut_off_m_; }
+    double cutOff_m() const { return cut_off_m_; } ///< length of the lanes to which no way was found
     /// The share of the planned lanes that was left out for whatever reason, 0 to 1.
     double leftOut() const { return plannedLength_m() > 0.0 ? (given_up_m_ + cut_off_m_) / plannedLength_m() : 0.0; }
 
     /// The point to reach next: where the lane is entered, or the end of its present piece. The survey must not be
     /// done.
     Vec2 goal_m(const Settings& settings) const { return pointAt_m(on_lane_ ? pieceEnd_m(settings) : entry_along_m_); }
-    /// Where the present lane ends. The survey must not be done.
-    Vec2 laneEnd_m() const { return pointAt_m(length_m()); }
+    Vec2 laneEnd_m() const { return pointAt_m(length_m()); } ///< of the present lane; the survey must not be done
     /// The point to steer at: on the lane ahead of the robot, so that it returns to the lane after a detour. The survey
     /// must not be done.
     Vec2 aim_m(const Vec2& position_m, const Settings& settings) const;

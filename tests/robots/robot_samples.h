@@ -3,6 +3,7 @@
 
 #include "robots/airrobot/flight/obstacle_memory.h"
 #include "robots/airrobot/flight/senses.h"
+#include "robots/airrobot/flight/sensor_layout.h"
 
 namespace usar::test {
 

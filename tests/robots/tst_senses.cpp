@@ -3,7 +3,7 @@
 #include <QObject>
 #include <QTest>
 
-#include "robots/airrobot/flight/senses.h"
+#include "robots/airrobot/flight/sense_reader.h"
 #include "tests/suite/suite.h"
 
 namespace tst_senses {

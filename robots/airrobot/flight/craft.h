@@ -17,6 +17,7 @@
 #include "robots/airrobot/flight/obstacle_memory.h"
 #include "robots/airrobot/flight/overhead.h"
 #include "robots/airrobot/flight/pilot.h"
+#include "robots/airrobot/flight/sense_reader.h"
 #include "robots/airrobot/flight/steering.h"
 #include "robots/airrobot/flight/stuck_watch.h"
 #include "robots/airrobot/flight/way_back.h"
@@ -32,8 +33,7 @@ public:
     void hear(const protocol::InfoMessage& message) { link_.hear(message); } ///< Call it with every info line.
     /// Judges the threats on the way of this tick. The functions below use the result.
     void look(const Leg& leg);
-    /// Whether there is a high risk, or a low one on the way.
-    bool threatMatters() const { return evasion_.threatMatters(); }
+    bool threatMatters() const { return evasion_.threatMatters(); } ///< a high risk, or a low one on the way
     /// Whether there is a high risk and a way to escape it.
     bool escapeOpen() const { return Evasion::escape_rad(senses, threats, obstacles_, retreat()).has_value(); }
     bool climbingOver() const { return climb_over_.active(); }

@@ -14,11 +14,13 @@ namespace {
 constexpr double flat_m = 0.12;
 constexpr double wide_m = 2.5;
 constexpr std::size_t least_hits = 4;
-constexpr double above_m = 0.3;
-/// A ceiling shows in two scans of one look at this height or nearly so. A crown looked like one in a single scan, and
-/// the robot flew below it for 20 minutes (`quick_scan`, seed 4145).
+/// A ceiling on which fewer hits lie shows in two scans of one look, at this height or nearly so. A crown with four
+/// hits looked like one in a single scan, and the robot flew below it for 20 minutes (`quick_scan`, seed 4145). In
+/// rooms, a look shows seven or eight hits, but often in one scan only.
+constexpr std::size_t sure_hits = 5;
 constexpr Seconds one_look{1.5};
 constexpr double same_height_m = 0.4;
+constexpr double above_m = 0.3;
 /// Where something higher than the robot stands within this distance, something may be above the robot, too: among
 /// trees, crowns are ahead and behind as well, where the scanner does not look.
 constexpr double crowded_m = 20.0;
@@ -61,9 +63,14 @@ bool startsWall(std::span<const Vec3> hits, const Vec3& from_m, double level_m) 
     return count >= least_hits && high_m - low_m >= wall_height_m && high_m > level_m;
 }
 
-/// The height of a ceiling that the first of these hits, in the order of the beams, lie on. Their beams turn evenly, so
-/// hits on a level plane move steadily outward or inward.
-std::optional<double> ceilingFrom(std::span<const Vec3> hits, const Vec3& from_m) {
+struct LevelHits {
+    double z_m = 0.0; ///< the lowest
+    std::size_t count = 0;
+};
+
+/// The ceiling that the first of these hits, in the order of the beams, lie on. Their beams turn evenly, so hits on a
+/// level plane move steadily outward or inward.
+std::optional<LevelHits> ceilingFrom(std::span<const Vec3> hits, const Vec3& from_m) {
     double low_m = hits.front().z();
     double high_m = low_m;
     std::size_t count = 0;
@@ -84,7 +91,7 @@ std::optional<double> ceilingFrom(std::span<const Vec3> hits, const Vec3& from_m
     }
     if (count < least_hits || (hits[count - 1] - hits.front()).head<2>().norm() < wide_m)
         return std::nullopt;
-    return low_m;
+    return LevelHits{low_m, count};
 }
 
 } // namespace
@@ -114,10 +121,12 @@ void Overhead::lookUp(const PlacedScan& scan, Seconds now, bool ascending) {
         free_to_m_ = std::max(free_to_m_, scan.highest_m);
     const std::span<const Vec3> hits(scan.hits_in_map_m);
     for (std::size_t first = 0; ascending && first < hits.size(); ++first)
-        if (const auto ceiling_m = ceilingFrom(hits.subspan(first), from_m)) {
-            const auto before = std::exchange(glimpse_, Glimpse{*ceiling_m, now});
-            if (before && now - before->time < one_look && std::abs(before->z_m - *ceiling_m) < same_height_m)
-                add({from_m.head<2>(), std::min(before->z_m, *ceiling_m), false});
+        if (const auto level = ceilingFrom(hits.subspan(first), from_m)) {
+            const auto before = std::exchange(glimpse_, Glimpse{level->z_m, now});
+            const bool again =
+                before && now - before->time < one_look && std::abs(before->z_m - level->z_m) < same_height_m;
+            if (again || level->count >= sure_hits)
+                add({from_m.head<2>(), again ? std::min(before->z_m, level->z_m) : level->z_m, false});
             return;
         }
 }

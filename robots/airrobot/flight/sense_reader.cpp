@@ -1,4 +1,4 @@
-#include "robots/airrobot/flight/senses.h"
+#include "robots/airrobot/flight/sense_reader.h"
 
 #include <algorithm>
 #include <cmath>
