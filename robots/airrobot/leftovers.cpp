@@ -54,10 +54,6 @@ double mostAdded_m(const Survey& survey) {
     return std::max(always_added_m, most_added * survey.plannedLength_m());
 }
 
-bool isOpen(const Craft& craft, const Survey& survey) {
-    return !craft.overhead.hasCeiling() && craft.mayClimb() && survey.cutOff_m() == 0.0;
-}
-
 /// Whether no other lane is between these two of a quadrant.
 bool areNeighbors(const mapping::Lane& one, const mapping::Lane& other, double spacing_m) {
     constexpr double to_spare = 1.2;
@@ -110,7 +106,7 @@ void Leftovers::noteWall(const ReachablePlaces& reach) {
 bool Leftovers::addLanes(Craft& craft, Survey& survey, const ScanLedger& ledger, const Vec2& base_m,
                          agent::CommandPort& port) {
     begun_ = true;
-    const bool open = isOpen(craft, survey);
+    const bool open = crosses(craft, survey);
     if (open ? crossOnce(craft, survey, ledger, base_m, port)
              : (state_ == Door::ToDoor && tryDoor(craft, survey, base_m, port)) ||
                    closeGaps(craft, survey, ledger, port) || tryDoor(craft, survey, base_m, port))
@@ -123,13 +119,17 @@ bool Leftovers::addLanes(Craft& craft, Survey& survey, const ScanLedger& ledger,
 }
 
 double Leftovers::expected_m(const Craft& craft, const Survey& survey, const ScanLedger& ledger) {
-    if (begun_ || !isOpen(craft, survey))
+    if (begun_ || !crosses(craft, survey))
         return 0.0;
     if (foretold_at_ != survey.laneIndex()) {
         foretold_at_ = survey.laneIndex();
         expected_m_ = expectedLanes_m(survey.plan(), survey.laneIndex(), ledger, craft.settings);
     }
     return expected_m_;
+}
+
+bool Leftovers::crosses(const Craft& craft, const Survey& survey) {
+    return !craft.overhead.hasCeiling() && craft.mayClimb() && survey.cutOff_m() == 0.0;
 }
 
 bool Leftovers::knowsWays(const Craft& craft, const ScanLedger& ledger) {
@@ -158,6 +158,8 @@ std::vector<mapping::Lane> Leftovers::chosenAnew(const Craft& craft, const Surve
                           enduranceOf(settings, 0.0, detour), flown};
     std::vector<mapping::Lane> lanes = crossLanes(ledger, terms, base_m, base_m);
     added_m_ = flown_m + lengthOf_m(lanes);
+    if (lanes.empty())
+        crossings_ = most_crossings;
     return lanes;
 }
 

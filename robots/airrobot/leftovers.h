@@ -19,9 +19,12 @@ public:
     /// Adds the next lanes over what the others have not shown; returns false if nothing is left that is worth it. Call
     /// it when all lanes are done.
     bool addLanes(Craft& craft, Survey& survey, const ScanLedger& ledger, const Vec2& base_m, agent::CommandPort& port);
-    /// Chooses the lanes to fly instead of the added ones that are left, for a robot that stands at its base under an
-    /// open sky. `flown`: the added lanes that were flown, which do not show what they have left hidden; `detour`: see
-    /// `replanned`.
+    /// Whether lanes are added across the others, past what they have left hidden: under an open sky, where no wall has
+    /// cut lanes off.
+    static bool crosses(const Craft& craft, const Survey& survey);
+    /// Chooses the lanes to fly instead of those across the others that are left, for a robot that stands at its base.
+    /// `flown`: the added lanes that were flown or given up, which do not show what they have left hidden; `detour`:
+    /// see `replanned`. If there are none, addLanes finds none either.
     std::vector<mapping::Lane> chosenAnew(const Craft& craft, const Survey& survey, const ScanLedger& ledger,
                                           const Vec2& base_m, const std::vector<mapping::Lane>& flown, double detour);
     /// Sinks before the door on the way home. Returns true in the tick in which the robot has come through on its way

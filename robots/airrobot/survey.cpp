@@ -184,9 +184,11 @@ bool Survey::replan(const ScanLedger& ledger, const Vec2& base_m, const Settings
     const auto first = plan_.lanes.begin() + static_cast<std::ptrdiff_t>(lane_);
     const std::vector<mapping::Lane> before(first, plan_.lanes.end());
     const auto first_added = plan_.lanes.begin() + (std::ranges::find(counts_, false) - counts_.begin());
+    const bool chosen = !planned && added;
     std::vector<mapping::Lane> rest =
-        planned ? replanned(before, ledger, base_m, as_planned, detour) : added({std::min(first_added, first), first});
-    if (planned && rest.empty()) { // At the end of a lane, the robot looks for what is hidden.
+        chosen ? added({std::min(first_added, first), first})
+               : replanned(before, planned ? ledger : ScanLedger(), base_m, as_planned, detour);
+    if (!chosen && rest.empty()) { // At the end of a lane, the robot looks for what is hidden.
         rest = {before.back()};
         rest[0].start_m = rest[0].end_m - (rest[0].end_m - rest[0].start_m).normalized();
     }
@@ -199,7 +201,7 @@ bool Survey::replan(const ScanLedger& ledger, const Vec2& base_m, const Settings
         counts_.push_back(planned);
     }
     const double saved_m = lengthOf_m(before) - lengthOf_m(rest);
-    if (planned) { // Ends that were shown and short rests count as done.
+    if (!chosen) { // Ends that were shown and short rests count as done.
         finished_lanes_m_ += saved_m;
     } else {
         plan_.lane_length_m -= saved_m;

@@ -74,8 +74,7 @@ public:
     /// Adds lanes that are flown after the others. What of them is left out is no loss for the survey, so it does not
     /// count as given up or cut off.
     void add(const std::vector<mapping::Lane>& lanes);
-    /// How many of the added lanes were not flown to their ends.
-    int addedLeftOut() const { return added_left_out_; }
+    int addedLeftOut() const { return added_left_out_; } ///< so many added lanes were not flown to their ends
     /// Adds what was cut off of the lanes once more, because another way was found; it does not count as cut off until
     /// it is again.
     void retryCutOff();
@@ -85,11 +84,12 @@ public:
     /// two sorties that were planned for the battery, unless it has just been there, and after a quadrant, for its INS,
     /// if a charge is worth its time.
     bool goesHomeBefore(std::size_t lane, double since_charge_m, const Settings& settings) const;
-    /// Returns the lanes to fly instead of the added ones that are left, given those that were flown.
+    /// Returns the lanes to fly instead of the added ones that are left, given those that were flown or given up.
     using Choice = std::function<std::vector<mapping::Lane>(const std::vector<mapping::Lane>& flown)>;
-    /// Plans what is left anew, for a robot that stands at its base: see `replanned`. Added lanes are chosen anew; if
-    /// none are, the survey is done. Returns whether lanes were moved or left out. Nothing changes for a survey by
-    /// quadrants if the robot is in no hurry or more than `few_lanes` are left, or while lanes of both kinds are left.
+    /// Plans what is left anew, for a robot that stands at its base: see `replanned`. Added lanes are chosen by
+    /// `added`, or only ordered if that is empty; if it returns none, the survey is done. Returns whether lanes were
+    /// moved or left out. Nothing changes for a survey by quadrants if the robot is in no hurry or more than
+    /// `few_lanes` are left, or while lanes of both kinds are left.
     bool replan(const ScanLedger& ledger, const Vec2& base_m, const Settings& settings, double detour,
                 const Choice& added);
     /// Moves the lanes from the next one on (m, map frame), because a robot that leans scans what is beside it. Nothing

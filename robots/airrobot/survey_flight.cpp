@@ -200,9 +200,11 @@ void SurveyFlight::replan(agent::CommandPort& port) {
         return;
     const Vec2 base_m = base_in_map_.position_m.head<2>();
     const double detour = time_.detour();
-    const auto choose = [&](const std::vector<mapping::Lane>& flown) {
-        return leftovers_.chosenAnew(craft_, survey_, ledger_, base_m, flown, detour);
-    };
+    Survey::Choice choose;
+    if (Leftovers::crosses(craft_, survey_))
+        choose = [&](const std::vector<mapping::Lane>& flown) {
+            return leftovers_.chosenAnew(craft_, survey_, ledger_, base_m, flown, detour);
+        };
     const bool changed = survey_.replan(ledger_, base_m, craft_.settings, detour, choose);
     showPlan(port); // Its flights home may be others even if its lanes are the same.
     if (!changed)

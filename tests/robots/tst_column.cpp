@@ -54,6 +54,27 @@ private slots:
         QVERIFY(!column.there);
     }
 
+    /// As random survey 114144 heard a crown from below before it broke at it.
+    void sinksBackFromAFlatUnderside_data() {
+        QTest::addColumn<QList<double>>("ranges_m");
+        QTest::addColumn<bool>("sinks");
+        QTest::newRow("it comes down into the cones") << QList<double>{2.5, 2.0, 1.5, 1.1} << true;
+        QTest::newRow("a trunk that it turns to") << QList<double>{5.0, 1.4, 1.4, 1.4} << false;
+        QTest::newRow("a slanted side that it turns along") << QList<double>{1.8, 1.6, 1.4, 1.25} << false;
+        QTest::newRow("far away") << QList<double>{4.0, 3.5, 3.0, 2.5} << false;
+    }
+    void sinksBackFromAFlatUnderside() {
+        QFETCH(QList<double>, ranges_m);
+        QFETCH(bool, sinks);
+        double at_most_m_s = 0.0;
+        for (const double range_m : ranges_m) {
+            setSonars(senses, {{"M0", range_m}});
+            at_most_m_s = mind().at_most_m_s;
+            senses.base_in_map.position_m.z() += 0.06;
+        }
+        QCOMPARE(at_most_m_s < 0.0, sinks);
+    }
+
     void feelsATouchByItsLean_data() {
         QTest::addColumn<double>("climbs_m_s");
         QTest::addColumn<double>("pitch_rad");

@@ -100,6 +100,23 @@ private slots:
         QCOMPARE(survey.laneCount(), lanes);
     }
 
+    /// After a landing, a strip of two is left to be shown; that beside the lane that was flown stays hidden.
+    void choosesAnewAfterALanding() {
+        Survey survey = surveyOver(500.0);
+        Leftovers leftovers;
+        Craft craft;
+        QVERIFY(addTo(survey, leftovers, craft, ledgerWithout({-30.0, 20.0})));
+        const std::vector<mapping::Lane> flown{{{-30, -28}, {-30, 28}}};
+        const auto lanes =
+            leftovers.chosenAnew(craft, survey, ledgerWithout({-30.0, 20.0}), {0, 0}, flown, usual_detour);
+        QCOMPARE(lanes.size(), std::size_t(1));
+        QVERIFY(std::abs(lanes[0].start_m.x() - 20.0) < 2.5);
+        const auto none = leftovers.chosenAnew(craft, survey, ledgerWithout({-30.0}), {0, 0}, flown, usual_detour);
+        QVERIFY(none.empty());
+        flyAll(survey);
+        QVERIFY(!addTo(survey, leftovers, craft, ledgerWithout({-30.0}))); // It would ask for what was ruled out.
+    }
+
     void addsHalfOfThePlanAtMost() {
         const ScanLedger ledger = ledgerWithout({-30.0, 20.0});
         Survey survey = surveyOver(140.0);

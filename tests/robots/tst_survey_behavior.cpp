@@ -236,6 +236,30 @@ private slots:
                 QVERIFY(!status->progress_pct || *status->progress_pct <= 100.0);
     }
 
+    /// Lanes past what crowns have hidden are broken off for a charge, and chosen anew from what was seen by then.
+    void choosesAddedLanesAnewAfterALanding() {
+        std::map<std::string, ParameterValue> values{{"transit_speed_m_s", 2.0},
+                                                     {"scan_speed_m_s", 2.0},
+                                                     {"lane_spacing_m", 15.0},
+                                                     {"least_gain_m", 0.2}};
+        ToyFlight toy = flight(wood(3), field_task, values, {.ins_drifts = true});
+        for (int tick = 0; tick < 5000 && !contains(toy.events(), "More lanes show ground"); ++tick)
+            toy.tick();
+        const std::size_t added_at = toy.events().size();
+        QVERIFY(contains(toy.events(), "More lanes show ground"));
+        values["battery_range_m"] = 210.0;
+        toy.set(parameters(values));
+        toy.run(Seconds(5000));
+        QVERIFY(toy.ending());
+        QVERIFY2(toy.ending()->success, toy.ending()->reason.c_str());
+        QVERIFY(toy.status().charges >= 1);
+        const std::vector<std::string> events = toy.events();
+        QVERIFY(contains({events.begin() + static_cast<std::ptrdiff_t>(added_at), events.end()},
+                         "What is left is planned anew: "));
+        QCOMPARE(*toy.status().progress_pct, 100.0);
+        QVERIFY(toy.robot().onGround());
+    }
+
     /// Else nobody would know how far it drifted in its last flight, which may be its only one.
     void setsTheInsAfterItsLastLanding() {
         ToyFlight toy = flight({}, field_task, {}, {.ins_drifts = true});

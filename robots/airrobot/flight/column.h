@@ -53,10 +53,15 @@ private:
     static constexpr int most_tries = 4;
 
     void listen(const Senses& senses);
+    /// Whether something flat above comes down into the cones of the sonars, so that what they hear comes nearer fast.
+    bool closesIn(Seconds now, double room_m);
 
     std::vector<Vec3> met_m_; ///< where sonars heard something, or the ring touched it
     RingTouch touch_;
     std::optional<double> sinks_to_m_; ///< map z
+    Seconds room_at_{-1e9};            ///< time of the last tick of a climb,
+    double room_m_ = 0.0;              ///< and the room around the robot then
+    int closer_ = 0;                   ///< ticks in a row in which it got much less
     int tries_ = 0;
 };
 

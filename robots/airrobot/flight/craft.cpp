@@ -48,7 +48,8 @@ constexpr double near_roof_m = 0.35;
 /// A robot without a pose sinks away from a roof for so long and no longer, because it does not see how far it sinks.
 constexpr Seconds longest_press{6.0};
 constexpr double open_sky_m = 8.0;      ///< A beam has reached so far above the robot where it is in no room.
-constexpr double sure_of_walls_m = 2.5; ///< Lower down, sonars hear the ground.
+constexpr double sure_of_walls_m = 2.5; ///< Lower down, sonars hear the ground,
+constexpr double hears_from_m = 1.5;    ///< and lower than this, they hear nothing else.
 
 /// Limits speeds to what the robot can do, because the course filter and the stopping distance rely on the command.
 Settings withinLimits(Settings settings, const SensorLayout& layout) {
@@ -422,11 +423,13 @@ Descent Craft::descend(const Vec2& asked_m, bool in_need, agent::CommandPort& po
         motion.climb_m_s = -touchdown.sinkRate_m_s(senses, settings);
         if (over && touchdown.looksAround(senses, memory, place_m, log.lean().slope(senses.base_in_map.yaw_rad)))
             motion.yaw_rate_rad_s = settings.turn_rate_rad_s;
-    } else if (height_m > sure_of_walls_m) { // It looks where it goes.
-        const Vec2 way_m = place_m - senses.position2_m();
+    } else if (const Vec2 way_m = place_m - senses.position2_m();
+               height_m > sure_of_walls_m ||
+               (height_m > hears_from_m && way_m.norm() > in_column_m)) { // It looks where it goes.
         const double speed_m_s = hearsAhead(senses, settings.high_risk_0_m) ? 0.0 : motion.velocity_in_map_m_s.norm();
         motion = toward(senses, bearingOf(way_m), speed_m_s, settings);
-        makeSafe(motion);
+        if (height_m > sure_of_walls_m)
+            makeSafe(motion);
     }
     const double z_m = senses.position_m().z();
     const bool straight = (place_m - senses.position2_m()).norm() < in_column_m;
