@@ -132,6 +132,10 @@ Result<Grid> gridFor(const Rectangle& area, const Vec2& base_m, const CoverageOp
 
 } // namespace
 
+double altitudeFor_m(double ground_resolution_m) {
+    return std::clamp(16.0 * ground_resolution_m, 2.0, 10.0);
+}
+
 Result<CoveragePlan> planCoverage(const Rectangle& area_in_map, const Vec2& base_in_map_m,
                                   const CoverageOptions& options) {
     const Result<Grid> grid = gridFor(area_in_map, base_in_map_m, options);

@@ -33,6 +33,12 @@ struct CoveragePlan {
     double transit_length_m = 0.0;    ///< from the base, between lanes, and back to the base
 };
 
+/// The height over level ground from which a scanner with a degree between its beams shows points no farther apart than
+/// this up to 58 degrees aside: 16 times that distance, by h pi/180 / cos^2 t. From higher up, more ground is within
+/// reach, but crowns hide more of what is farther aside; half a meter from 8 m was the fastest for `tall_test`
+/// (measured.md). It is 2 m at least and 10 m at most, from where a reach of 19 m ends at that angle.
+double altitudeFor_m(double ground_resolution_m);
+
 /// Plans lanes along a side of each quadrant, usually the longer one, starting at the corner nearest to the robot's
 /// position at that time (the base for the first quadrant, and for all if it returns there). The outer lanes are half a
 /// spacing inside the border, so that every point of the area is within half a spacing of a lane; fewer lanes would not

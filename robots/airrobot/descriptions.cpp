@@ -13,7 +13,7 @@ namespace {
 
 /// How they compare in time, coverage and error is measured by the campaign survey_settings.json.
 std::vector<agent::ParameterPreset> presets() {
-    std::map<std::string, agent::ParameterValue> fast{{"scan_altitude_m", 8.0},
+    std::map<std::string, agent::ParameterValue> fast{{"scan_altitude_m", Settings::by_resolution},
                                                       {"lane_spacing_m", Settings::by_resolution},
                                                       {"scan_speed_m_s", Settings::by_resolution},
                                                       {"transit_speed_m_s", 2.0},

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/mapping/coverage_path.h"
 #include "core/protocol/usual_values.h"
 
 namespace usar::airrobot {
@@ -12,14 +13,17 @@ namespace {
 
 using S = Settings;
 
+constexpr double least_altitude_m = 2.0;
 constexpr double most_scan_speed_m_s = 2.0;
 constexpr double least_scan_speed_m_s = 0.1;
 constexpr double most_spacing_m = 40.0;
 constexpr double least_spacing_m = 2.0;
 
 constexpr agent::ParameterRow<Settings> rows[]{
-    {&S::scan_altitude_m, "scan_altitude_m", "Scan altitude", "Flight", "m", 2, 15,
-     "Height that the robot keeps above the ground."},
+    {&S::scan_altitude_m, "scan_altitude_m", "Scan altitude", "Flight", "m", S::by_resolution, 15,
+     "Height that the robot keeps above the ground. Left to the resolution (0 in files), it is 16 times that, 10 m at "
+     "most; otherwise 2 m at least.",
+     "by the resolution"},
     {&S::floor_level_m, "floor_level_m", "Floor level", "Flight", "m", S::chosen_floor_m, 5000,
      "The robot never sinks below this map height except to land. This keeps it out of ravines and water, which the "
      "scanner cannot see. Left to the robot (-500 in files), it is above the water by the clearance, or above "
@@ -49,8 +53,8 @@ constexpr agent::ParameterRow<Settings> rows[]{
     {&S::safety_margin_m, "safety_margin_m", "Safety margin", "Flight", "m", 0.6, 3,
      "The robot stops at this distance from its center to an obstacle."},
     {&S::ground_resolution_m, "ground_resolution_m", "Ground resolution", "Survey", "m", 0.15, 2,
-     "Greatest distance between two points of the map on level ground, where lane spacing and scan speed are left to "
-     "it. The speed follows at once, the spacing when a survey is planned."},
+     "Greatest distance between two points of the map on level ground, where altitude, lane spacing and scan speed "
+     "are left to it. Altitude and speed follow at once, the spacing when a survey is planned."},
     {&S::overlap_pct, "overlap_pct", "Overlap", "Survey", "%", 0, 80,
      "Share of the width of a lane's strip that the next lane's strip shows, too, where the lane spacing is left to "
      "the resolution. Overlap fills what crowns hide, and lets strips be compared."},
@@ -161,10 +165,13 @@ Settings Settings::asAsked() const {
     Settings settings = *this;
     if (scan_speed_m_s <= by_resolution)
         settings.scan_speed_m_s = ground_resolution_m * scans_per_s;
+    const double height_m = scan_altitude_m <= by_resolution ? mapping::altitudeFor_m(ground_resolution_m)
+                                                             : std::max(scan_altitude_m, least_altitude_m);
+    settings.scan_altitude_m = height_m;
     if (lane_spacing_m <= by_resolution) {
-        const double square_cosine = std::min(1.0, scan_altitude_m * beam_step_rad / ground_resolution_m);
-        const double aside_m = scan_altitude_m * std::sqrt(1.0 / square_cosine - 1.0);
-        const double reach_m = std::sqrt(most_range_m * most_range_m - scan_altitude_m * scan_altitude_m);
+        const double square_cosine = std::min(1.0, height_m * beam_step_rad / ground_resolution_m);
+        const double aside_m = height_m * std::sqrt(1.0 / square_cosine - 1.0);
+        const double reach_m = std::sqrt(most_range_m * most_range_m - height_m * height_m);
         settings.lane_spacing_m = 2.0 * std::min(aside_m, reach_m) * (1.0 - overlap_pct / 100.0);
     }
     settings.scan_speed_m_s = std::clamp(settings.scan_speed_m_s, least_scan_speed_m_s, most_scan_speed_m_s);

@@ -19,7 +19,7 @@ struct Settings {
     static constexpr double by_resolution = 0.0;
 
     // Flight. Heights without another word are over the ground; speeds are limited to what the robot can do.
-    double scan_altitude_m = 6.0; ///< [T] height over the ground below
+    double scan_altitude_m = 6.0; ///< [T] over the ground below; 0 in the parameters: by the resolution (see asAsked)
     /// Map z below which the robot never sinks, except to land. [T] has such a level, for water and ravines.
     double floor_level_m = chosen_floor_m;
     double clearance_m = 2.5;        ///< height over the highest known object below and ahead
@@ -115,10 +115,10 @@ struct Settings {
     static constexpr double unhurried_m_s = 1.6;
     bool hurried() const { return std::max(scan_speed_m_s, transit_speed_m_s) > unhurried_m_s; }
 
-    /// Returns these settings with a lane spacing and a scan speed that follow from resolution, overlap and scan
-    /// altitude if they are 0. Over level ground, the beam at angle t from straight down meets the ground h pi/180 /
-    /// cos^2 t from its neighbor, for a height h and the stock scanner's degree between beams; a scan comes every 0.2
-    /// s. The scanner's reach and the limits of the two parameters hold.
+    /// Returns these settings with a scan altitude (mapping::altitudeFor_m), a lane spacing and a scan speed that
+    /// follow from resolution, overlap and scan altitude if they are 0. Over level ground, the beam at angle t from
+    /// straight down meets the ground h pi/180 / cos^2 t from its neighbor, for a height h and the stock scanner's
+    /// degree between beams; a scan comes every 0.2 s. The scanner's reach and the limits of the two parameters hold.
     Settings asAsked() const;
 
     /// The parameters that the user can set, with their limits and help texts.

@@ -91,6 +91,32 @@ private slots:
                 2.0 * std::sqrt(20.0 * 20.0 - altitude_m * altitude_m)); // No stripe is out of reach.
     }
 
+    /// 16 times the resolution, within what the robot may fly and the scanner reaches.
+    void fliesAsHighAsTheResolutionAsks_data() {
+        QTest::addColumn<double>("resolution_m");
+        QTest::addColumn<double>("altitude_m");
+        QTest::addColumn<double>("spacing_m");
+        QTest::newRow("half a meter") << 0.5 << 8.0 << 19.3;
+        QTest::newRow("finer") << 0.25 << 4.0 << 9.6;
+        QTest::newRow("too fine to fly so low") << 0.15 << 2.5 << 5.7;
+        QTest::newRow("coarse") << 2.0 << 10.0 << 24.2;
+    }
+    void fliesAsHighAsTheResolutionAsks() {
+        QFETCH(double, resolution_m);
+        QFETCH(double, altitude_m);
+        QFETCH(double, spacing_m);
+        Settings settings;
+        settings.scan_altitude_m = settings.lane_spacing_m = Settings::by_resolution;
+        settings.ground_resolution_m = resolution_m;
+        const Settings asked = settings.asAsked();
+        QVERIFY2(std::abs(asked.scan_altitude_m - altitude_m) < 0.11,
+                 qPrintable(QString::number(asked.scan_altitude_m)));
+        QVERIFY2(std::abs(asked.lane_spacing_m - spacing_m) < 0.1, qPrintable(QString::number(asked.lane_spacing_m)));
+        QVERIFY(asked.asAsked() == asked);
+        settings.scan_altitude_m = 1.0; // It is not flown lower than this.
+        QCOMPARE(settings.asAsked().scan_altitude_m, 2.0);
+    }
+
     void leavesWhatAPersonSet() {
         Settings settings;
         settings.lane_spacing_m = 9.0;

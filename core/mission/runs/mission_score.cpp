@@ -6,6 +6,7 @@
 
 #include "core/base/numbers.h"
 #include "core/mapping/area_cells.h"
+#include "core/mapping/coverage_path.h"
 
 namespace usar::mission {
 
@@ -52,7 +53,12 @@ std::optional<FlightLimits> flightLimitsOf(const Pose& start_in_map,
         const double* const value = found == parameters.end() ? nullptr : std::get_if<double>(&found->second);
         return value ? std::optional(*value) : std::nullopt;
     };
-    const auto scan_altitude_m = real("scan_altitude_m");
+    auto scan_altitude_m = real("scan_altitude_m");
+    if (scan_altitude_m && *scan_altitude_m <= 0.0) { // It is left to the resolution.
+        scan_altitude_m = real("ground_resolution_m");
+        if (scan_altitude_m)
+            scan_altitude_m = mapping::altitudeFor_m(*scan_altitude_m);
+    }
     if (!scan_altitude_m)
         return std::nullopt;
     FlightLimits flight{.start_in_map_m = start_in_map.position_m, .scan_altitude_m = *scan_altitude_m};

@@ -160,6 +160,9 @@ private slots:
         QVERIFY(!flightLimitsOf(start, {}));
         QVERIFY(!flightLimitsOf(start, {{"scan_altitude_m", std::string("high")}}));
         QCOMPARE(flightLimitsOf(start, {{"scan_altitude_m", 4.0}})->maximum_height_m, 4.0);
+        QCOMPARE(flightLimitsOf(start, {{"scan_altitude_m", 0.0}, {"ground_resolution_m", 0.25}})->scan_altitude_m,
+                 4.0);
+        QVERIFY(!flightLimitsOf(start, {{"scan_altitude_m", 0.0}}));
         std::map<std::string, agent::ParameterValue> parameters{
             {"scan_altitude_m", 4.0}, {"maximum_height_m", 15.0}, {"climb_over", true}};
         const auto flight = flightLimitsOf(start, parameters);
