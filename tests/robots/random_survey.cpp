@@ -240,7 +240,11 @@ SurveyOutcome fly(const RandomSurvey& survey) {
     if (!simulation)
         return {.reason = simulation.error().text()};
     const agent::RobotDescription description = airrobot::AirRobot().description();
-    const auto parameters = agent::ParameterSet::make(description.behaviors[0].parameters);
+    const agent::BehaviorDescription& told = description.behaviors[0];
+    const auto preset = std::ranges::find(told.presets, survey.preset, &agent::ParameterPreset::id);
+    const auto parameters = agent::ParameterSet::make(
+        told.parameters,
+        preset == told.presets.end() ? std::map<std::string, agent::ParameterValue>() : preset->values);
     auto behavior = airrobot::AirRobot().createBehavior(
         survey.behavior, {{"R1", survey.start_in_map, survey.area_in_map, sim::dryAbove_m(world)}, *parameters});
     if (!behavior)
@@ -264,8 +268,9 @@ void surveyRowsOrAsked(int first, int last) {
     surveyRows(both ? asked.first().toInt() : first, both ? asked.last().toInt() + 1 : last);
 }
 
-void tryRandomSurvey(int number) {
-    const RandomSurvey survey = drawSurvey(number);
+void tryRandomSurvey(int number, const std::string& preset) {
+    RandomSurvey survey = drawSurvey(number);
+    survey.preset = preset;
     const SurveyOutcome outcome = fly(survey);
     report(survey, outcome);
     QVERIFY2(!outcome.broken, outcome.text().c_str());

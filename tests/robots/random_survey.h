@@ -24,6 +24,7 @@ struct RandomSurvey {
     Rectangle area_in_map;
     double wind_m_s = 0.0;
     double wind_toward_rad = 0.0; ///< counterclockwise from the map's x axis
+    std::string preset{};         ///< of the behavior's parameters, such as "balanced"; empty: the default values
     std::optional<RandomFault> fault{};
 
     /// One line for a log.
@@ -61,7 +62,7 @@ void surveyRows(int first, int last);
 /// The same, or the numbers that the environment variable USAR_SURVEYS asks for, "3100-3159".
 void surveyRowsOrAsked(int first, int last);
 /// Flies it, says how it went, and demands that the mission ended by itself and that the robot is whole.
-void tryRandomSurvey(int number);
+void tryRandomSurvey(int number, const std::string& preset = {});
 /// Flies it with its fault, says how it went, and demands that the mission ended by itself and is no false success.
 /// Returns true if the robot broke although the fault left it able to fly.
 bool tryFaultySurvey(int number);

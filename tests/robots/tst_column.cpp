@@ -56,20 +56,26 @@ private slots:
 
     /// As random survey 114144 heard a crown from below before it broke at it.
     void sinksBackFromAFlatUnderside_data() {
-        QTest::addColumn<QList<double>>("ranges_m");
+        QTest::addColumn<QList<double>>("ahead_m");
+        QTest::addColumn<QList<double>>("left_m");
         QTest::addColumn<bool>("sinks");
-        QTest::newRow("it comes down into the cones") << QList<double>{2.5, 2.0, 1.5, 1.1} << true;
-        QTest::newRow("a trunk that it turns to") << QList<double>{5.0, 1.4, 1.4, 1.4} << false;
-        QTest::newRow("a slanted side that it turns along") << QList<double>{1.8, 1.6, 1.4, 1.25} << false;
-        QTest::newRow("far away") << QList<double>{4.0, 3.5, 3.0, 2.5} << false;
+        const QList<double> nothing{5.0, 5.0, 5.0, 5.0};
+        QTest::newRow("it comes down into the cones")
+            << QList<double>{2.5, 2.0, 1.5, 1.1} << QList<double>{3.0, 2.1, 1.7, 1.3} << true;
+        QTest::newRow("one sonar is turned along a side") << QList<double>{2.5, 2.0, 1.5, 1.1} << nothing << false;
+        QTest::newRow("a trunk that it turns to")
+            << QList<double>{5.0, 1.4, 1.4, 1.4} << QList<double>{1.4, 1.4, 5.0, 5.0} << false;
+        QTest::newRow("slowly") << QList<double>{1.8, 1.6, 1.4, 1.25} << QList<double>{1.9, 1.7, 1.5, 1.35} << false;
+        QTest::newRow("far away") << QList<double>{4.0, 3.5, 3.0, 2.5} << QList<double>{4.0, 3.5, 3.0, 2.5} << false;
     }
     void sinksBackFromAFlatUnderside() {
-        QFETCH(QList<double>, ranges_m);
+        QFETCH(QList<double>, ahead_m);
+        QFETCH(QList<double>, left_m);
         QFETCH(bool, sinks);
         double at_most_m_s = 0.0;
-        for (const double range_m : ranges_m) {
-            setSonars(senses, {{"M0", range_m}});
-            at_most_m_s = mind().at_most_m_s;
+        for (int tick = 0; tick < ahead_m.size(); ++tick) {
+            setSonars(senses, {{"M0", ahead_m[tick]}, {"L2", left_m[tick]}});
+            at_most_m_s = mind(climbs_m_s, {wallAt(-1.2, 0.0)}).at_most_m_s; // A trunk is as near all the time.
             senses.base_in_map.position_m.z() += 0.06;
         }
         QCOMPARE(at_most_m_s < 0.0, sinks);

@@ -17,6 +17,13 @@ private slots:
         test::tryRandomSurvey(number);
     }
 
+    /// By a preset that flies at 2 m/s.
+    void inAHurryEndsByItselfAndWhole_data() { test::surveyRowsOrAsked(20, 420); }
+    void inAHurryEndsByItselfAndWhole() {
+        QFETCH(int, number);
+        test::tryRandomSurvey(number, "balanced");
+    }
+
     void tellsTheTruthOfAFault_data() { test::surveyRowsOrAsked(1000, 1500); }
     void tellsTheTruthOfAFault() {
         QFETCH(int, number);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace usar::airrobot {
 
@@ -10,10 +11,11 @@ namespace {
 /// Nothing at the robot's height or above may be nearer to its center; the ring's radius is half a meter.
 constexpr double too_near_m = 1.0;
 /// The flat underside of a crown came from 2 m to the ring within 0.8 s of a climb at 0.3 m/s
-/// (`tst_random_surveys_campaign`, number 114144). In a turn, what stands beside the robot comes nearer more slowly.
+/// (`tst_random_surveys_campaign`, number 114144).
 constexpr double close_m = 2.2;
 constexpr double closing_m_s = 1.25;
 constexpr int closing_ticks = 2;
+constexpr int closing_sonars = 2; ///< A turn along one slanted side sweeps a single one over it.
 constexpr Seconds longest_tick{0.5};
 constexpr double crowded_climb_m = 4.0; ///< It turns as it climbs where something stands within this distance.
 constexpr double enough_room_m = 3.0;   ///< More room than this is not sought.
@@ -64,14 +66,18 @@ void Column::listen(const Senses& senses) {
     }
 }
 
-bool Column::closesIn(Seconds now, double room_m) {
-    const Seconds since = now - room_at_;
-    const bool closer = since > Seconds(0.0) && since < longest_tick && room_m < close_m &&
-                        room_m_ - room_m > closing_m_s * since.count();
-    closer_ = closer ? closer_ + 1 : 0;
-    room_at_ = now;
-    room_m_ = room_m;
-    return closer_ >= closing_ticks;
+bool Column::closesIn(const Senses& senses) {
+    const Seconds since = senses.now - std::exchange(listened_at_, senses.now);
+    int sonars = 0;
+    for (const SonarEcho& echo : senses.sonars) {
+        const double range_m = isNoGround(echo, senses) ? echo.range_m : echo.maximum_m;
+        Closing& one = closing_[echo.name];
+        const bool nearer =
+            range_m < close_m && since < longest_tick && one.range_m - range_m > closing_m_s * since.count();
+        one = {range_m, nearer ? one.ticks + 1 : 0};
+        sonars += one.ticks >= closing_ticks ? 1 : 0;
+    }
+    return sonars >= closing_sonars;
 }
 
 Column::Minding Column::mind(const Senses& senses, std::span<const Obstacle> known, const Vec2& slope,
@@ -96,7 +102,7 @@ Column::Minding Column::mind(const Senses& senses, std::span<const Obstacle> kno
     const auto met_m = sinks_to_m_ ? std::nullopt : touch_.feel(senses, slope, commanded_m_s);
     if (met_m)
         met_m_.push_back(*met_m);
-    const bool closes_in = closesIn(senses.now, room_m);
+    const bool closes_in = closesIn(senses);
     if (!sinks_to_m_ && (met_m || (climbs && (room_m < too_near_m || closes_in)))) {
         ++tries_;
         sinks_to_m_ = std::max(here_m.z() - back_off_m, senses.ground_m.value_or(here_m.z()) + lowest_m);

@@ -1,8 +1,10 @@
 // Where the robot goes straight up from the ground or down to it, and what it does about crowns beside that way.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "robots/airrobot/flight/ascent.h"
@@ -53,15 +55,20 @@ private:
     static constexpr int most_tries = 4;
 
     void listen(const Senses& senses);
-    /// Whether something flat above comes down into the cones of the sonars, so that what they hear comes nearer fast.
-    bool closesIn(Seconds now, double room_m);
+    /// Whether something flat above comes down into the cones of the sonars, so that what several of them hear comes
+    /// nearer fast.
+    bool closesIn(const Senses& senses);
 
     std::vector<Vec3> met_m_; ///< where sonars heard something, or the ring touched it
     RingTouch touch_;
     std::optional<double> sinks_to_m_; ///< map z
-    Seconds room_at_{-1e9};            ///< time of the last tick of a climb,
-    double room_m_ = 0.0;              ///< and the room around the robot then
-    int closer_ = 0;                   ///< ticks in a row in which it got much less
+    /// What a sonar heard in the last tick, and for how many ticks in a row that came much nearer.
+    struct Closing {
+        double range_m = 0.0;
+        int ticks = 0;
+    };
+    std::map<std::string, Closing> closing_; ///< by sonar
+    Seconds listened_at_{-1e9};
     int tries_ = 0;
 };
 
