@@ -34,11 +34,14 @@ std::vector<agent::ParameterPreset> presets() {
               {"acceleration_m_s2", 0.8},
               {"quadrant_limit_m", 150.0},
               {"least_gain_m", 1000.0}}},
-            {"fast", "Fast", "Few lanes at full speed: some ground stays hidden behind treetops.", fast},
-            {"balanced", "Balanced", "Few lanes at full speed, and then more past what was hidden.", balanced},
+            {"fast", "Fast",
+             "Few lanes at full speed: some ground stays hidden behind treetops. Meant for a corrected map.", fast},
+            {"balanced", "Balanced",
+             "Few lanes at full speed, and then more past what was hidden. Meant for a corrected map.", balanced},
             {"exact",
              "Exact",
-             "Lanes close together at full speed, so that little is hidden and strips overlap widely.",
+             "Lanes close together at full speed, so that little is hidden and strips overlap widely. Meant for a "
+             "corrected map.",
              {{"scan_altitude_m", 6.0}, {"lane_spacing_m", 9.0}, {"scan_speed_m_s", 2.0}, {"transit_speed_m_s", 2.0}}}};
 }
 

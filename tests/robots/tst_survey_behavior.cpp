@@ -238,10 +238,8 @@ private slots:
 
     /// Lanes past what crowns have hidden are broken off for a charge, and chosen anew from what was seen by then.
     void choosesAddedLanesAnewAfterALanding() {
-        std::map<std::string, ParameterValue> values{{"transit_speed_m_s", 2.0},
-                                                     {"scan_speed_m_s", 2.0},
-                                                     {"lane_spacing_m", 15.0},
-                                                     {"least_gain_m", 0.2}};
+        std::map<std::string, ParameterValue> values{
+            {"transit_speed_m_s", 2.0}, {"scan_speed_m_s", 2.0}, {"lane_spacing_m", 15.0}, {"least_gain_m", 0.2}};
         ToyFlight toy = flight(wood(3), field_task, values, {.ins_drifts = true});
         for (int tick = 0; tick < 5000 && !contains(toy.events(), "More lanes show ground"); ++tick)
             toy.tick();
