@@ -424,8 +424,8 @@ Descent Craft::descend(const Vec2& asked_m, bool in_need, agent::CommandPort& po
         if (over && touchdown.looksAround(senses, memory, place_m, log.lean().slope(senses.base_in_map.yaw_rad)))
             motion.yaw_rate_rad_s = settings.turn_rate_rad_s;
     } else if (const Vec2 way_m = place_m - senses.position2_m();
-               height_m > sure_of_walls_m ||
-               (height_m > hears_from_m && way_m.norm() > in_column_m)) { // It looks where it goes.
+               height_m > sure_of_walls_m || (overhead.hasCeiling() && height_m > hears_from_m &&
+                                              way_m.norm() > in_column_m)) { // It looks where it goes.
         const double speed_m_s = hearsAhead(senses, settings.high_risk_0_m) ? 0.0 : motion.velocity_in_map_m_s.norm();
         motion = toward(senses, bearingOf(way_m), speed_m_s, settings);
         if (height_m > sure_of_walls_m)
