@@ -115,7 +115,7 @@ Outlook outlookOf(const Survey& survey, const Vec2& base_m, const Settings& sett
     outlook.range.duration.most =
         Seconds(woods_pace * woods.flight.time.mean + nine_of_ten * woods.flight.time.deviation());
     outlook.range.least_sorties = 1 + static_cast<int>(std::floor(bare.flight.charges));
-    outlook.range.most_sorties = 1 + static_cast<int>(std::ceil(woods.flight.charges));
+    outlook.range.most_sorties = 1 + static_cast<int>(std::ceil(woods_pace * woods.flight.charges));
     outlook.range.least_coverage_pct = woods.coverage_pct;
     outlook.range.most_coverage_pct = bare.coverage_pct;
     return outlook;
