@@ -23,7 +23,7 @@ constexpr agent::ParameterRow<Settings> rows[]{
     {&S::scan_altitude_m, "scan_altitude_m", "Scan altitude", "Flight", "m", S::by_resolution, 15,
      "Height that the robot keeps above the ground. Left to the resolution (0 in files), it is 16 times that, 10 m at "
      "most; otherwise 2 m at least.",
-     "by the resolution"},
+     "by resolution"},
     {&S::floor_level_m, "floor_level_m", "Floor level", "Flight", "m", S::chosen_floor_m, 5000,
      "The robot never sinks below this map height except to land. This keeps it out of ravines and water, which the "
      "scanner cannot see. Left to the robot (-500 in files), it is above the water by the clearance, or above "
@@ -38,7 +38,7 @@ constexpr agent::ParameterRow<Settings> rows[]{
     {&S::scan_speed_m_s, "scan_speed_m_s", "Scan speed", "Flight", "m/s", S::by_resolution, most_scan_speed_m_s,
      "Speed along the lanes. Flying slowly makes a denser map. Left to the resolution (0 in files), two scans are as "
      "far apart as it says; otherwise 0.1 m/s at least.",
-     "by the resolution"},
+     "by resolution"},
     {&S::transit_speed_m_s, "transit_speed_m_s", "Transit speed", "Flight", "m/s", 0.1, 2,
      "Speed to the area, between lanes and on the way home."},
     {&S::climb_speed_m_s, "climb_speed_m_s", "Climb speed", "Flight", "m/s", 0.2, 2, "Greatest rate of climb."},
@@ -61,7 +61,7 @@ constexpr agent::ParameterRow<Settings> rows[]{
     {&S::lane_spacing_m, "lane_spacing_m", "Lane spacing", "Survey", "m", S::by_resolution, most_spacing_m,
      "Greatest distance between lanes. Left to the resolution (0 in files), it follows from that and the overlap; "
      "otherwise 2 m at least. Takes effect when a survey is planned.",
-     "by the resolution"},
+     "by resolution"},
     {&S::quadrant_limit_m, "quadrant_limit_m", "Quadrant limit", "Survey", "m", 20, 1000,
      "An area with a longer side is divided into quadrants. A robot that is to fly faster than 1.6 m/s leaves them out "
      "where "
