@@ -54,7 +54,7 @@ public:
     /// The point to reach next: where the lane is entered, or the end of its present piece. The survey must not be
     /// done.
     Vec2 goal_m(const Settings& settings) const { return pointAt_m(on_lane_ ? pieceEnd_m(settings) : entry_along_m_); }
-    Vec2 laneEnd_m() const { return pointAt_m(length_m()); } ///< of the present lane; the survey must not be done
+    Vec2 laneEnd_m() const { return pointAt_m(length_m()); } ///< Call it only while lanes are left.
     /// The point to steer at: on the lane ahead of the robot, so that it returns to the lane after a detour. The survey
     /// must not be done.
     Vec2 aim_m(const Vec2& position_m, const Settings& settings) const;
@@ -86,9 +86,9 @@ public:
     bool goesHomeBefore(std::size_t lane, double since_charge_m, const Settings& settings) const;
     /// Returns the lanes to fly instead of the added ones that are left, given those that were flown or given up.
     using Choice = std::function<std::vector<mapping::Lane>(const std::vector<mapping::Lane>& flown)>;
-    /// Plans what is left anew, for a robot that stands at its base: see `replanned`. Added lanes are chosen by
-    /// `added`, or only ordered if that is empty; if it returns none, the survey is done. Returns whether lanes were
-    /// moved or left out. Nothing changes for a survey by quadrants if the robot is in no hurry or more than
+    /// Plans the rest of the survey anew, for a robot that stands at its base (see `replanned`). `added` chooses the
+    /// added lanes; if it is empty, they are only ordered, and if it returns none, the survey is done. Returns whether
+    /// lanes were moved or left out. Nothing changes for a survey by quadrants if the robot is in no hurry or more than
     /// `few_lanes` are left, or while lanes of both kinds are left.
     bool replan(const ScanLedger& ledger, const Vec2& base_m, const Settings& settings, double detour,
                 const Choice& added);

@@ -120,7 +120,7 @@ void SurveyFlight::landElsewhere(agent::CommandPort& port) {
     if (std::exchange(sortie_.room, Room::Least) != Room::Least) {
         const Vec2 first_m = sortie_.refused_m.front(); // If that is the base, it has stood there.
         sortie_.refused_m.clear();
-        craft_.memory.keepFresh(lately); // What was placed wrong, from far aside, would stand in all ways.
+        craft_.memory.keepFresh(lately); // Scans that were placed wrong, from far aside, would block all ways.
         headFor(first_m, port);
         return port.publish(agent::BehaviorEvent{
             Severity::Warning, "No place has the usual room for a landing; the robot takes one with less."});

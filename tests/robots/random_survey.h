@@ -24,7 +24,7 @@ struct RandomSurvey {
     Rectangle area_in_map;
     double wind_m_s = 0.0;
     double wind_toward_rad = 0.0; ///< counterclockwise from the map's x axis
-    std::string preset{};         ///< of the behavior's parameters, such as "balanced"; empty: the default values
+    std::string preset{};         ///< names one of the behavior, such as "balanced"; if it is empty, the defaults hold
     std::optional<RandomFault> fault{};
 
     /// One line for a log.

@@ -236,7 +236,7 @@ private slots:
                 QVERIFY(!status->progress_pct || *status->progress_pct <= 100.0);
     }
 
-    /// Lanes past what crowns have hidden are broken off for a charge, and chosen anew from what was seen by then.
+    /// The robot breaks off a lane past hidden ground for a charge, and then chooses the rest by what it has seen.
     void choosesAddedLanesAnewAfterALanding() {
         std::map<std::string, ParameterValue> values{
             {"transit_speed_m_s", 2.0}, {"scan_speed_m_s", 2.0}, {"lane_spacing_m", 15.0}, {"least_gain_m", 0.2}};

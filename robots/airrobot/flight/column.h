@@ -62,7 +62,7 @@ private:
     std::vector<Vec3> met_m_; ///< where sonars heard something, or the ring touched it
     RingTouch touch_;
     std::optional<double> sinks_to_m_; ///< map z
-    /// What a sonar heard in the last tick, and for how many ticks in a row that came much nearer.
+    /// Holds what a sonar heard in the last tick, and for how many ticks in a row it has come much nearer.
     struct Closing {
         double range_m = 0.0;
         int ticks = 0;

@@ -82,7 +82,7 @@ private:
     static constexpr double small_reach_m = 2.0;  ///< or so far if it is a small one.
     static constexpr Seconds wall_memory{10.0};
 
-    /// What a scan seemed to show.
+    /// One scan seemed to show a ceiling at this height.
     struct Glimpse {
         double z_m = 0.0;
         Seconds time{0.0};
