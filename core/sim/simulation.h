@@ -26,9 +26,9 @@
 
 namespace usar::sim {
 
-/// One day. The thesis (4.1) sets the server's battery life very high, because a server cannot recharge a robot, and
-/// lets the client keep track of the charge. Clients read 99,999 s or more (protocol::no_battery) as no battery.
-inline constexpr Seconds survey_battery_life{86400.0};
+/// A week. The thesis (4.1) sets the server's battery life very high, because a server cannot recharge a robot, and
+/// lets the client keep track of the charge.
+inline constexpr Seconds survey_battery_life{604800.0};
 
 /// The world goes on for so long without a client that a fault has silenced for good.
 inline constexpr Seconds silence_limit{30.0};

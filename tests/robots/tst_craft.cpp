@@ -202,6 +202,17 @@ private slots:
         QCOMPARE(*descend(2.0, false).climb_m_s, 0.0);
     }
 
+    void leavesTheGroundOnItsWayToAnotherPlace() {
+        craft->touchdown.start();
+        const auto climb_m_s = [&](double height_m) {
+            perceive(height_m, {});
+            craft->descend({x_m + 2.0, 0}, true, port);
+            return lastDrive().value().climb_m_s;
+        };
+        QCOMPARE(climb_m_s(0.3), Overhead::gentle_m_s);
+        QCOMPARE(climb_m_s(1.2), 0.0);
+    }
+
     void tellsThatSomethingKeepsItFromItsPlace() {
         craft->touchdown.start();
         Descent descent = Descent::UnderWay;

@@ -316,7 +316,15 @@ private slots:
     }
 
     /// The box is so small that the scanner passed over it at the speed of the flight home (random survey 300028).
+    void looksAroundBeforeItLandsAndStepsAside_data() {
+        QTest::addColumn<int>("every");
+        QTest::addColumn<double>("top_m");
+        QTest::newRow("a bush") << 1 << 0.3;
+        QTest::newRow("a beacon so narrow that few scans hit it") << 4 << 0.4; // survey 118516
+    }
     void looksAroundBeforeItLandsAndStepsAside() {
+        QFETCH(int, every);
+        QFETCH(double, top_m);
         ObstacleMemory memory;
         Touchdown touchdown;
         touchdown.start();
@@ -329,7 +337,8 @@ private slots:
             senses.now += Seconds(0.2);
             senses.base_in_map.yaw_rad = yaw_rad += 0.12;
             setFlatScan(senses, {0, 0}, 4.0, 0.0);
-            senses.scan->hits_in_map_m.emplace_back(0.4, 0.1, 0.3);
+            if (ticks % every == 0)
+                senses.scan->hits_in_map_m.emplace_back(0.4, 0.1, top_m);
             memory.take(senses, {});
             ++ticks;
             QVERIFY(touchdown.isOver(senses, {0, 0}));
@@ -363,6 +372,27 @@ private slots:
         Senses low = sensesAt({1.0, 0, 0.8});
         low.ground_m = 0.0;
         QVERIFY(touchdown.isOver(low, {0, 0})); // Its legs may be on the ground.
+    }
+
+    /// The INS had drifted by 1.5 m in 45 minutes: it stood on its base, which it remembered deeper, and took itself
+    /// for crashed (`square_kilometer`, POSH).
+    void landsWhereItStands() {
+        ObstacleMemory memory;
+        Senses senses = sensesAt({0, 0, 2});
+        setFlatScan(senses, {0, 0}, 10.0, -2.0);
+        memory.take(senses, {});
+        senses.scan->hits_in_map_m = {Vec3(0.2, 0.2, 1.8)};
+        memory.take(senses, {});
+        Touchdown touchdown;
+        touchdown.start();
+        const auto may_sink = [&](double height_m) {
+            senses.ground_m = senses.position_m().z() - height_m;
+            return touchdown.maySink(senses, memory, {0, 0});
+        };
+        QVERIFY(!may_sink(0.2)); // It is not over its place yet.
+        QVERIFY(touchdown.isOver(senses, {0, 0}));
+        QVERIFY(may_sink(0.2));
+        QVERIFY(!may_sink(1.0));
     }
 
     void saysWhenItDoesNotGetThere_data() {

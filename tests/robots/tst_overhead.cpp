@@ -311,6 +311,28 @@ private slots:
         QVERIFY(!overhead.hasCeiling());
     }
 
+    /// With 0.18 rad of drift it flew into the roof that it had touched (a warehouse, survey 118109).
+    void believesNoBeamWhereItsLeanMayHaveDrifted() {
+        Overhead overhead;
+        seeCeiling(overhead);
+        Senses senses = sensesWith(scanBelow(100.0, 100.0, radians(14.0), {0.0, 0.0, 4.3}));
+        senses.scan->lean_known = false;
+        senses.scan->highest_near_m = 8.5;
+        const double free_to_m = overhead.freeTo_m();
+        for (int scans = 0; scans < 2; ++scans)
+            overhead.observe(senses, {});
+        QVERIFY(overhead.hasCeiling());
+        QCOMPARE(overhead.freeTo_m(), free_to_m);
+        senses.scan->highest_near_m = 9.5; // So much is no drift.
+        for (int scans = 0; scans < 2; ++scans)
+            overhead.observe(senses, {});
+        QVERIFY(!overhead.hasCeiling());
+        QVERIFY(overhead.everHadCeiling());
+        overhead.forgetPlaces();
+        QVERIFY(overhead.everHadCeiling());
+        QVERIFY(!Overhead().everHadCeiling());
+    }
+
     void knowsAWallFromATrunk_data() {
         QTest::addColumn<int>("scans");
         QTest::addColumn<double>("top_m");

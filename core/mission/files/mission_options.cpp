@@ -20,7 +20,7 @@ QList<QCommandLineOption> runOptions() {
         {"plan", "a POSH plan of your own for a behavior that a plan decides, such as airrobot/posh", "PLAN.lap"},
         {"seed", "noise and drift of the embedded simulator (the file's, or 1)", "N"},
         {"speed", "simulated seconds per second (max)", "N|max"},
-        {"battery", "life of the robots' batteries in the embedded simulator, in seconds (a day)", "S"},
+        {"battery", "life of the robots' batteries in the embedded simulator, in seconds (a week)", "S"},
         {"limit",
          "give the mission up after this simulated time, such as 90min or 20h (the mission's limit_h, or never)",
          "TIME"},

@@ -106,7 +106,10 @@ bool Incoming::batteryIsEmpty() const {
 
 std::optional<double> Incoming::batteryLeft_pct() const {
     const auto& latest = state_->latest();
-    if (!latest || !latest->battery_left || *latest->battery_left >= protocol::no_battery)
+    if (!latest || !latest->battery_left)
+        return std::nullopt;
+    // A battery of a week passes that figure, too.
+    if (*latest->battery_left == protocol::no_battery && fullest_battery_ <= protocol::no_battery)
         return std::nullopt;
     return fullest_battery_ > Seconds{0.0} ? std::max(100.0 * (*latest->battery_left / fullest_battery_), 0.0) : 0.0;
 }

@@ -47,9 +47,7 @@ constexpr double below_ceiling_m = 0.5; ///< Scanner hits higher than this are o
 constexpr double near_roof_m = 0.35;
 /// A robot without a pose sinks away from a roof for so long and no longer, because it does not see how far it sinks.
 constexpr Seconds longest_press{6.0};
-constexpr double open_sky_m = 8.0;      ///< A beam has reached so far above the robot where it is in no room.
-constexpr double sure_of_walls_m = 2.5; ///< Lower down, sonars hear the ground,
-constexpr double hears_from_m = 1.5;    ///< and lower than this, they hear nothing else.
+constexpr double open_sky_m = 8.0; ///< A beam has reached so far above the robot where it is in no room.
 
 /// Limits speeds to what the robot can do, because the course filter and the stopping distance rely on the command.
 Settings withinLimits(Settings settings, const SensorLayout& layout) {
@@ -77,7 +75,7 @@ void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool a
     pilot_.limitSpeed(layout.maximum_speed_m_s);
     reader_.navigateByTruth(settings.navigate_by_truth);
     reader_.correctHeading(settings.correct_heading);
-    reader_.correctLean(settings.hurried());
+    reader_.correctLean(settings.hurried() || overhead.everHadCeiling());
     const bool aloft = senses.heightOverGround_m(1e9) > surely_aloft_m;
     reader_.tellCommand(aloft ? pilot_.wantedInBase_m_s() : Vec2::Zero(),
                         aloft && !ascending_ ? commanded_climb_m_s_ : 0.0);
@@ -408,36 +406,6 @@ void Craft::makeSafe(Motion& motion) const {
     const double safe_m_s = stoppingSpeed_m_s(free_m, settings.braking_m_s2, (reaction + senses.late).count());
     if (safe_m_s < speed_m_s)
         motion.velocity_in_map_m_s *= safe_m_s / speed_m_s;
-}
-
-Descent Craft::descend(const Vec2& asked_m, bool in_need, agent::CommandPort& port) {
-    touchdown.mindBattery(senses, settings);
-    const Vec2 place_m = touchdown.placeFor_m(asked_m);
-    Motion motion = holding(senses, place_m);
-    const double height_m = senses.heightOverGround_m(0.0);
-    const Vec2 way_m = place_m - senses.position2_m();
-    const bool straight = way_m.norm() < in_column_m;
-    // It has come up near its base, and crowns are wider higher up.
-    const bool over = touchdown.isOver(senses, place_m);
-    const bool sinks =
-        (over || (!in_need && height_m > settings.landing_slow_below_m)) && touchdown.maySink(senses, memory, place_m);
-    if (sinks) {
-        motion.climb_m_s = -touchdown.sinkRate_m_s(senses, settings);
-        if (over && touchdown.looksAround(senses, memory, place_m, log.lean().slope(senses.base_in_map.yaw_rad)))
-            motion.yaw_rate_rad_s = settings.turn_rate_rad_s;
-    } else if (height_m > sure_of_walls_m || (overhead.hasCeiling() && height_m > hears_from_m && !straight)) {
-        const double speed_m_s = hearsAhead(senses, settings.high_risk_0_m) ? 0.0 : motion.velocity_in_map_m_s.norm();
-        motion = toward(senses, bearingOf(way_m), speed_m_s, settings); // It looks where it goes.
-        if (height_m > sure_of_walls_m)
-            makeSafe(motion);
-    }
-    const double z_m = senses.position_m().z();
-    column_.top_m = straight ? std::max(column_.top_m, z_m) : z_m;
-    column_.come_down_m = column_.top_m - z_m;
-    command(motion, port, "landing");
-    if (touchdown.keptAway(senses, !sinks))
-        return Descent::KeptAway;
-    return sinks && touchdown.touched(senses) ? Descent::Landed : Descent::UnderWay;
 }
 
 void Craft::hover(const Vec2& place_m, agent::CommandPort& port, const std::string& source) {

@@ -80,8 +80,11 @@ public:
     /// is known to reach up to it. Crowns count, and so do walls; the ground of the place does not.
     static bool isClearBelow(const Senses& senses, const ObstacleMemory& memory, const Vec2& place_m,
                              Room room = Room::Usual);
+    /// True also where it stands over its place already, whatever is remembered of the height of that: the drift may
+    /// have made it deeper.
     bool maySink(const Senses& senses, const ObstacleMemory& memory, const Vec2& place_m) const {
-        return sinks_anyway_ || isClearBelow(senses, memory, place_m, room_);
+        const bool stands = over_ && senses.heightOverGround_m(1e9) < stands_m;
+        return sinks_anyway_ || stands || isClearBelow(senses, memory, place_m, room_);
     }
     /// True if the scanner sees again and again that the robot cannot stand on what is below its ring: the drift of the
     /// pose has moved a place that was fit. Call it once per tick over the place.
@@ -95,6 +98,8 @@ public:
     bool touched(const Senses& senses);
 
 private:
+    static constexpr double stands_m = 0.5; ///< between its base and the ground, at most
+
     std::optional<Seconds> still_since_;
     std::optional<Seconds> held_since_; ///< it holds its height since then
     Room room_ = Room::Usual;

@@ -14,6 +14,10 @@ constexpr Seconds remembered{4.0};
 constexpr Seconds believed{30.0};
 constexpr Seconds believed_of_tops{180.0};
 constexpr std::size_t few_cells = 40;
+/// Not every scan that reaches a cell hits something narrow in it, which is so much higher than what is around it. A
+/// look around takes so long.
+constexpr double narrow_m = 0.2;
+constexpr Seconds recent{6.0};
 /// If a beam leaves less than this of an echo's height, the echo is dropped.
 constexpr double certain_m = 0.1;
 
@@ -72,12 +76,16 @@ void ObstacleMemory::takeScan(std::span<const Vec3> hits_m) {
         const auto now_s = static_cast<float>(now_.count());
         Cell& cell = cells_[slotOf<side>(column, row)];
         if (!known(column, row))
-            cell = {column, row, top_m, now_s, top_m, now_s};
+            cell = {column, row, top_m, now_s, top_m, now_s, top_m, now_s};
         if (now_s - cell.last_s > another_pass.count())
             seen_again_.push_back({now_, hit.z() - double(cell.last_m)});
         if (top_m >= cell.top_m) {
             cell.top_m = top_m;
             cell.time_s = now_s;
+        }
+        if (top_m >= cell.recent_m || now_s - cell.recent_s > recent.count()) {
+            cell.recent_m = top_m;
+            cell.recent_s = now_s;
         }
         cell.last_m = cell.last_s == now_s ? std::max(cell.last_m, top_m) : top_m;
         cell.last_s = now_s;
@@ -195,7 +203,8 @@ std::vector<Vec3> ObstacleMemory::freshTops_m(const Vec2& at_m, double radius_m,
     std::vector<Vec3> tops;
     visitDisc(at_m, radius_m, [&](const Vec2& center_m, const Cell* cell) {
         if (cell && now_.count() - cell->last_s <= fresh.count())
-            tops.emplace_back(center_m.x(), center_m.y(), cell->last_m);
+            tops.emplace_back(center_m.x(), center_m.y(),
+                              cell->recent_m > cell->last_m + narrow_m ? cell->recent_m : cell->last_m);
     });
     return tops;
 }

@@ -80,9 +80,11 @@ private:
         int column = 0;
         int row = 0;
         float top_m = 0.0f;
-        float time_s = -1e9f; ///< when that was seen
-        float last_m = 0.0f;  ///< highest hit of the newest scan that has reached it
-        float last_s = -1e9f; ///< time of that scan
+        float time_s = -1e9f;   ///< when that was seen
+        float last_m = 0.0f;    ///< highest hit of the newest scan that has reached it
+        float last_s = -1e9f;   ///< time of that scan
+        float recent_m = 0.0f;  ///< highest hit of the last seconds
+        float recent_s = -1e9f; ///< time of that hit
     };
     struct Echo {
         Vec3 at_m;          ///< its z is the highest that the obstacle can be

@@ -29,6 +29,8 @@ constexpr double same_place_m = 5.0;
 /// Beams of two scans in a row that get so far above a ceiling nearby show that it was a crown, or wind that pressed
 /// the robot down. The attitude is not known well enough for less.
 constexpr double surely_above_m = 1.3;
+/// The same if the drift of the INS's lean is not known: 0.2 rad make 2 m at 10 m.
+constexpr double surely_above_drift_m = 3.3;
 constexpr double least_push_m_s = 0.12;
 /// A climb that gains less than this share of the way in this time has met something.
 constexpr Seconds push_time{1.4};
@@ -115,9 +117,10 @@ void Overhead::lookUp(const PlacedScan& scan, Seconds now, bool ascending) {
         return hit.z() > from_m.z() + above_m && (hit - from_m).head<2>().norm() < crowded_m;
     });
     const double twice_m = std::min(scan.highest_near_m, std::exchange(highest_near_m_, scan.highest_near_m));
-    std::erase_if(ceilings_, [&](const Ceiling& one) { return twice_m > one.z_m + surely_above_m; });
+    const double surely_m = scan.lean_known ? surely_above_m : surely_above_drift_m;
+    std::erase_if(ceilings_, [&](const Ceiling& one) { return twice_m > one.z_m + surely_m; });
     seen_to_m_ = std::max(seen_to_m_, scan.highest_m);
-    if (!crowded)
+    if (!crowded && scan.lean_known)
         free_to_m_ = std::max(free_to_m_, scan.highest_m);
     const std::span<const Vec3> hits(scan.hits_in_map_m);
     for (std::size_t first = 0; ascending && first < hits.size(); ++first)
@@ -170,6 +173,7 @@ void Overhead::feelAbove(const Senses& senses, double commanded_climb_m_s) {
 }
 
 void Overhead::add(const Ceiling& ceiling) {
+    had_ceiling_ = true;
     const auto known = std::ranges::find_if(
         ceilings_, [&](const Ceiling& one) { return (one.at_m - ceiling.at_m).norm() < same_place_m; });
     if (known == ceilings_.end()) {

@@ -37,6 +37,8 @@ public:
     double seenTo_m() const { return seen_to_m_ - margin_m; }
     /// True if there is a ceiling anywhere. Then there may be more of them.
     bool hasCeiling() const { return !ceilings_.empty() || lid_m_; }
+    /// True if there was one at any time, even before the position estimate has jumped: the robot is in a building.
+    bool everHadCeiling() const { return had_ceiling_; }
     /// Has the robot stay below this height (map z) everywhere as if a ceiling were there, so that it flies under what
     /// stands in its way higher up; nullopt: no more.
     void putLid(std::optional<double> lid_m) { lid_m_ = lid_m; }
@@ -68,7 +70,11 @@ public:
         std::erase_if(ceilings_, [](const Ceiling& one) { return one.touched; });
     }
     /// Forgets everything, because the position estimate has jumped.
-    void forgetPlaces() { *this = {}; }
+    void forgetPlaces() {
+        const bool had_ceiling = had_ceiling_;
+        *this = {};
+        had_ceiling_ = had_ceiling;
+    }
 
 private:
     struct Ceiling {
@@ -94,6 +100,7 @@ private:
     void add(const Ceiling& ceiling);
 
     std::vector<Ceiling> ceilings_;
+    bool had_ceiling_ = false;
     std::optional<double> lid_m_;
     std::optional<Find> found_;
     std::optional<Glimpse> glimpse_;

@@ -43,8 +43,13 @@ struct PlacedScan {
     double highest_m = -1e9;
     /// The same within 10 m of the robot, measured level.
     double highest_near_m = -1e9;
+    /// False if the roll and pitch of the INS may have drifted unnoticed, so that these heights are wrong by meters.
+    bool lean_known = true;
     std::vector<Vec3> misses_in_map_m{}; ///< where the range of the beams ended that hit nothing
 };
+
+/// Lower than this over the ground, sonars may hear the ground instead of walls.
+inline constexpr double sure_of_walls_m = 2.5;
 
 /// All perceptions of one tick, in SI units; places and heights are in the map frame, ages on the protocol clock.
 /// Ground truth is among them only where a person has the robot navigate by it. Otherwise InsReset alone uses it, on

@@ -53,6 +53,10 @@ private slots:
         incoming.beginConnection();
         incoming.take("STA {Type GroundVehicle} {Time 2.50} {Battery 99999}");
         QVERIFY2(!figuresOf(incoming).battery_left_pct, "this robot has no battery");
+        incoming.beginConnection();
+        incoming.take("STA {Type AerialVehicle} {Time 0.20} {Battery 199998}");
+        incoming.take("STA {Type AerialVehicle} {Time 99999.20} {Battery 99999}");
+        QVERIFY2(figuresOf(incoming).battery_left_pct == 50.0, "this one has a long-lived battery");
     }
 
     void linesAreNumberedOverAllConnections() {

@@ -127,7 +127,7 @@ private slots:
             << R"(Sensors=(ItemClass=class'USARBot.SonarSensor',ItemName="R4",Position=(X=0.154508,Y=0.475528,Z=0.000000),Direction=(X=0.000000,Y=0.000000,Z=1.256637)))";
         QTest::newRow("scanner")
             << R"(Sensors=(ItemClass=class'USARBot.RangeScanner',ItemName="Scanner1",Position=(X=0.000000,Y=0.000000,Z=0.100000),Direction=(X=0.000000,Y=-1.570796,Z=0.000000)))";
-        QTest::newRow("battery") << "batteryLife=86400";
+        QTest::newRow("battery") << "batteryLife=604800";
         QTest::newRow("invisible scanner") << "[USARBot.RangeScanner]\nHiddenSensor=True\nMaxRange=20.000000\n";
         QTest::newRow("beam of a sonar") << "BeamAngle=0.261799";
     }
