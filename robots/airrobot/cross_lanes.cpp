@@ -18,7 +18,7 @@ constexpr double usual_way_m = 12.0;
 constexpr double least_m2 = 12.0;
 /// In a small area, ways are shorter, and less is a substantial part: lanes are held to these shares of its cells and
 /// of the mean of its sides, and what they must show for their way shrinks with the area below this size.
-constexpr double small_area_share = 0.02;
+constexpr double small_area_share = 0.01;
 constexpr double usual_way_share = 0.5;
 constexpr double small_area_m2 = 5900.0;
 constexpr double rounding_m2 = 1e-9;

@@ -22,6 +22,7 @@ struct CraftTrial {
     double now_s = 0.0;
     double x_m = 0.0;
     double z_m = 20.0;
+    double yaw_rad = 0.0;
     bool tells_pose = true;
     std::unique_ptr<Craft> craft;
 
@@ -33,6 +34,7 @@ struct CraftTrial {
         now_s = 100.0;
         x_m = 0.0;
         z_m = 20.0;
+        yaw_rad = 0.0;
         tells_pose = true;
         craft = std::make_unique<Craft>();
     }
@@ -56,7 +58,7 @@ struct CraftTrial {
         scan.ranges_m.back() = left_m;
         tell(scan);
         if (tells_pose)
-            tell(protocol::InsReading{{}, "INS", Pose{Vec3(x_m, 0, z_m), 0, 0, 0}});
+            tell(protocol::InsReading{{}, "INS", Pose{Vec3(x_m, 0, z_m), 0, 0, yaw_rad}});
         protocol::RobotState state;
         state.time = Seconds(now_s);
         tell(state);

@@ -95,6 +95,62 @@ private slots:
         QVERIFY(craft->overhead.limit_m(aim_m) < 17.0);
     }
 
+    /// A trunk that no sensor had heard before stood on its way, and it climbed right there, into the crown of another
+    /// one (survey 118314).
+    void choosesItsPlaceAnewBeforeATrunkThatItDidNotKnow() {
+        craft->forgetPlaces();
+        craft->comeUp();
+        z_m = 16.5;
+        for (int tick = 0; tick < 40 && !craft->overhead.hasCeiling(); ++tick) {
+            perceive(z_m - 13.0, {});
+            craft->rise(20.0, {0.0, 0.0}, port);
+            z_m = std::min(z_m + 0.08, 16.9);
+        }
+        QVERIFY(craft->column_m());
+        yaw_rad = bearingOf(*craft->column_m());
+        perceive(z_m - 13.0, {});
+        craft->rise(20.0, {0.0, 0.0}, port);
+        const Vec2 aim_m = *craft->column_m();
+        QVERIFY(aim_m.norm() > 3.0);
+        for (int tick = 0; tick < 3; ++tick) { // A single echo may be wrong.
+            perceive(z_m - 13.0, {{"M0", 1.0}, {"L1", 1.0}, {"R1", 1.0}});
+            craft->rise(20.0, {0.0, 0.0}, port);
+        }
+        QVERIFY((*craft->column_m() - aim_m).norm() > 1.0);
+        QVERIFY(craft->column_m()->norm() > 1.0);
+    }
+
+    /// With its height 0.85 m too low, it climbed into a roof at 1 m/s (survey 118541).
+    void creepsWhereARoofMayBeNearerThanItKnows() {
+        craft->settings.scan_altitude_m = 12.0;
+        for (int tick = 0; tick < 9; ++tick) {
+            perceive(8.0, {});
+            fly();
+        }
+        const double limit_m = craft->overhead.limit_m({0.0, 0.0});
+        protocol::AerialDrive drive; // An unchanged command is not sent again.
+        const auto forward_m_s = [&] {
+            z_m = limit_m - 1.0;
+            drive = {};
+            for (int tick = 0; tick < 15; ++tick) {
+                x_m += 0.2 * drive.forward_m_s.value_or(0.0);
+                z_m += 0.1 * drive.climb_m_s.value_or(0.0); // at half the rate, so that it does not arrive
+                perceive(z_m - 12.0, {});
+                const auto sent = fly(1.0);
+                drive = sent.forward_m_s ? sent : drive;
+            }
+            return drive.forward_m_s.value_or(0.0);
+        };
+        QVERIFY2(forward_m_s() > 0.5, qPrintable(QString::number(*drive.forward_m_s)));
+        for (int there = 0; there < 10; ++there) { // 300 m, of which it believes each at the third look
+            x_m += there % 2 == 0 ? 30.0 : -30.0;
+            for (int look = 0; look < 4; ++look)
+                perceive(z_m - 12.0, {});
+        }
+        QVERIFY2(forward_m_s() < 0.4, qPrintable(QString::number(*drive.forward_m_s)));
+        QVERIFY(*drive.climb_m_s > 0.0);
+    }
+
     /// It sank and climbed before the same wall for minutes, and looked for no way around it.
     void staysUpWhereAClimbBelowACeilingWasInVain() {
         for (int tick = 0; tick < 9; ++tick) { // It is told to climb, and does not.

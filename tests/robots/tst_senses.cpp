@@ -147,6 +147,27 @@ private slots:
                  (senses.base_in_map * layout.scanner_in_base).position_m.z());
     }
 
+    void doesNotKnowItsLeanOnceItHasJumpedUnlessThereIsWind() {
+        Senses senses;
+        double x_m = 0.0;
+        const auto fly = [&](double roll_rad) {
+            for (int tick = 0; tick < 100; ++tick) {
+                x_m += 0.2;
+                tellIns({Vec3(x_m, 0, 6), roll_rad, 0.01, 0.0});
+                tellFlatGround(6.0);
+                tellState(10.0 + x_m);
+                senses = read();
+            }
+        };
+        fly(0.0);
+        QVERIFY(senses.scan->lean_known);
+        fly(0.4);
+        QVERIFY(!senses.scan->lean_known);
+        reader->tellWind(true);
+        fly(0.4);
+        QVERIFY(senses.scan->lean_known);
+    }
+
     void placesAScanWhereTheRobotWasWhenItWasTaken() {
         tellIns({Vec3(0, 0, 6), 0, 0, 0});
         tellState(10.0);

@@ -46,6 +46,7 @@ public:
     Seconds moving_since{0.0};  ///< when that place was chosen
     bool there = false;         ///< the robot is over it
     bool faced = false;         ///< it looks there
+    int stops = 0;              ///< on the way there, before something that it did not know
     double top_m = -1e9;        ///< where the straight way down began, map z
     double come_down_m = 0.0;   ///< height that it has lost since then
     /// The places that were chosen after a low ceiling had ended a climb at another one.

@@ -49,6 +49,16 @@ constexpr double near_roof_m = 0.35;
 constexpr Seconds longest_press{6.0};
 constexpr double open_sky_m = 8.0; ///< A beam has reached so far above the robot where it is in no room.
 
+/// A roof that a robot meets as it climbs does not break it, but does if it slides along it.
+constexpr double below_roof_m_s = 0.3;
+constexpr double most_doubt_m = 1.2; ///< of how far the roof is; more would have it creep all the time
+
+/// True if the height may have drifted so far that this one is that of a roof.
+bool mayTouchRoof(const Senses& senses, const Overhead& overhead) {
+    const double doubt_m = std::min(senses.height_doubt_m, most_doubt_m);
+    return senses.position_m().z() > overhead.limit_m(senses.position2_m()) - doubt_m;
+}
+
 /// Limits speeds to what the robot can do, because the course filter and the stopping distance rely on the command.
 Settings withinLimits(Settings settings, const SensorLayout& layout) {
     for (double* speed : {&settings.scan_speed_m_s, &settings.transit_speed_m_s, &settings.evasion_speed_m_s})
@@ -76,6 +86,7 @@ void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool a
     reader_.navigateByTruth(settings.navigate_by_truth);
     reader_.correctHeading(settings.correct_heading);
     reader_.correctLean(settings.hurried() || overhead.everHadCeiling());
+    reader_.tellWind(pilot_.feelsWind());
     const bool aloft = senses.heightOverGround_m(1e9) > surely_aloft_m;
     reader_.tellCommand(aloft ? pilot_.wantedInBase_m_s() : Vec2::Zero(),
                         aloft && !ascending_ ? commanded_climb_m_s_ : 0.0);
@@ -246,6 +257,9 @@ FlightState Craft::perform(Maneuver maneuver, const Leg& asked, agent::CommandPo
     else if (straight_up && unseen_sky)
         most_m_s = Overhead::careful_m_s;
     motion.climb_m_s = overhead.allowed_m_s(senses, motion.climb_m_s, most_m_s);
+    const double speed_m_s = motion.velocity_in_map_m_s.norm();
+    if (motion.climb_m_s > 0.0 && speed_m_s > below_roof_m_s && mayTouchRoof(senses, overhead))
+        motion.velocity_in_map_m_s *= below_roof_m_s / speed_m_s;
     command(calmed(motion, senses, settings), port, leg.source);
     return state;
 }

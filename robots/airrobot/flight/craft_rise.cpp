@@ -10,8 +10,17 @@ constexpr Seconds longest_move{18.0};
 constexpr double crown_m = 4.5;      ///< Crowns reach so far from their trunks.
 constexpr double worth_a_move = 0.3; ///< A climb that lacks this share of the scan altitude is tried at another place,
 constexpr std::size_t most_others = 4; ///< so often.
+constexpr int most_stops = 4;          ///< after which it climbs where it is
 constexpr double faces_rad = 0.3;
 constexpr double spare_m = 1.2; ///< beyond its column, nothing is nearer than this
+
+/// Where to climb if a trunk that was not known, which carries a crown, stands on the way to the place.
+Vec2 clearOfTrunk_m(std::vector<Obstacle> trunks, const Senses& senses) {
+    for (const SonarEcho& echo : senses.sonars)
+        if (isNoGround(echo, senses))
+            trunks.push_back({echo.center_in_map_m.head<2>(), echo.center_in_map_m.z(), true});
+    return climbPlace_m(trunks, senses.position2_m(), crown_m);
+}
 
 } // namespace
 
@@ -61,7 +70,9 @@ bool Craft::rise(double goal_z_m, const Vec2& over_m, agent::CommandPort& port) 
     const double standoff_m = column_.others_m.empty() ? settings.climb_standoff_m : room_to_climb_m;
     const double ahead_m = std::min(standoff_m, (column_m - senses.position2_m()).norm() + spare_m);
     if (column_.at_m && !column_.there && column_.faced && hearsAhead(senses, ahead_m))
-        column_.at_m = senses.position2_m(); // A trunk that it did not know, with a crown
+        column_.moveTo(++column_.stops < most_stops ? clearOfTrunk_m(trunksNear(senses.position2_m()), senses)
+                                                    : senses.position2_m(),
+                       senses.now);
     Motion motion = holding(senses, column_m);
     const Vec2 way_m = column_m - senses.position2_m();
     column_.there = way_m.norm() < in_column_m;

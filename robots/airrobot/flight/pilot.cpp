@@ -112,9 +112,13 @@ void Pilot::brace(const Senses& senses, double climb_m_s, agent::CommandPort& po
     send({.climb_m_s = climb_m_s}, senses, port, source);
 }
 
+bool Pilot::feelsWind() const {
+    return drift_m_s_.norm() >= felt_wind_m_s;
+}
+
 protocol::AerialDrive Pilot::still(const Senses& senses) const {
     protocol::AerialDrive drive{0.0, 0.0, 0.0, 0.0};
-    if (drift_m_s_.norm() < felt_wind_m_s || senses.late > Seconds{0.0})
+    if (!feelsWind() || senses.late > Seconds{0.0})
         return drive;
     const Vec2 in_base_m_s = Eigen::Rotation2Dd(-senses.base_in_map.yaw_rad) * -limited(drift_m_s_, fastest_m_s_);
     drive.forward_m_s = in_base_m_s.x();

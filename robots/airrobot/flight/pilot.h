@@ -61,6 +61,8 @@ public:
         return {Vec3(last_->forward_m_s.value_or(0.0), last_->left_m_s.value_or(0.0), last_->climb_m_s.value_or(0.0)),
                 last_->yaw_rate_rad_s.value_or(0.0)};
     }
+    /// True if the robot moves otherwise than commanded by more than it does in calm air.
+    bool feelsWind() const;
     /// Never commands a greater level speed.
     void limitSpeed(double fastest_m_s) { fastest_m_s_ = fastest_m_s; }
     /// The speed over ground that it can make good along a bearing (map frame), as far as it knows the wind.

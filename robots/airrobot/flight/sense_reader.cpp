@@ -169,7 +169,7 @@ void SenseReader::readScan(Senses& senses, const modules::RobotModules& robot, c
     // What looks higher by the drift of the lean would hide a ceiling.
     const Pose steady_in_map =
         (by_truth_ ? base_in_map : level_flight_.corrected(base_in_map)) * layout.scanner_in_base;
-    placed.lean_known = by_truth_ || level_flight_.calm();
+    placed.lean_known = by_truth_ || wind_ || level_flight_.calm();
     placeBeams(beam_directions_.of(told.step_rad(), told.fov_rad, ranges_m.size()), ranges_m, layout.scanner_maximum_m,
                corrects_lean_ ? steady_in_map : placed.scanner_in_map, steady_in_map, placed);
     senses.ground_m = ground_m_ = groundBelow(placed.hits_in_map_m, base_in_map.position_m);

@@ -34,6 +34,8 @@ public:
     void correctHeading(bool correct) { corrects_heading_ = correct; }
     /// Places the beams of the scanner from the next tick on as a robot leans in steady flight, or as the INS tells it.
     void correctLean(bool correct) { corrects_lean_ = correct; }
+    /// Sets whether there is wind: it makes the robot lean, which then is no sign of drift.
+    void tellWind(bool wind) { wind_ = wind; }
     /// Takes the pose from ground truth instead of the INS from the next tick on.
     void navigateByTruth(bool truth) { by_truth_ = truth; }
     /// Forgets velocities and the heading correction, because the position estimate has jumped.
@@ -58,6 +60,7 @@ private:
     bool by_truth_ = false;
     bool corrects_heading_ = true;
     bool corrects_lean_ = false;
+    bool wind_ = false;
     PoseHistory history_;
     mapping::LevelFlight level_flight_;
     CourseFilter course_;
