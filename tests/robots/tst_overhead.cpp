@@ -333,6 +333,41 @@ private slots:
         QVERIFY(!Overhead().everHadCeiling());
     }
 
+    /// Beams got past the edge of what it pressed against, and it went on climbing there (survey 118277).
+    void whatItHasJustTouchedIsThereAndSmall() {
+        Overhead overhead;
+        Senses senses = sensesWith(scanBelow(9.0, 12.0, radians(14.0), {0.0, 0.0, 4.3}));
+        senses.ground_m = 0.0;
+        senses.scan->highest_near_m = 7.5;
+        const auto wait_s = [&](double seconds, double climb_m_s) {
+            for (double past_s = 0.0; past_s < seconds; past_s += 0.2) {
+                senses.now += Seconds(0.2);
+                overhead.observe(senses, {climb_m_s, true});
+            }
+        };
+        wait_s(2.0, 0.3);
+        QVERIFY(overhead.hasCeiling());
+        QCOMPARE(overhead.ceiling_m({0.0, 0.0}), std::optional(4.3));
+        QVERIFY(!overhead.ceiling_m({3.0, 0.0}));
+        wait_s(6.0, 0.0);
+        QVERIFY(!overhead.hasCeiling());
+    }
+
+    /// It took a roof of 8.8 m for one of 4.1 m after it had met a beam, and then for none.
+    void whatItTouchesFarBelowARoofIsNotTheRoof() {
+        Overhead overhead;
+        seeCeiling(overhead); // at 6 m
+        Senses senses = sensesAt({0.0, 0.0, 4.3});
+        senses.ground_m = 0.0;
+        for (int tick = 0; tick < 10; ++tick) {
+            senses.now += Seconds(0.2);
+            overhead.observe(senses, {0.3, true});
+        }
+        QCOMPARE(overhead.ceiling_m({0.0, 0.0}), std::optional(4.3));
+        overhead.takeForSmall(false, 5.0); // It has gone up beside it.
+        QVERIFY(*overhead.ceiling_m({3.0, 0.0}) > 5.9);
+    }
+
     void knowsAWallFromATrunk_data() {
         QTest::addColumn<int>("scans");
         QTest::addColumn<double>("top_m");

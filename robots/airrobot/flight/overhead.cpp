@@ -26,6 +26,7 @@ constexpr double above_m = 0.3;
 constexpr double crowded_m = 20.0;
 /// Finds nearer to one another than this are one.
 constexpr double same_place_m = 5.0;
+constexpr double another_m = 1.0; ///< One that is so much lower is another one, such as a beam below a roof.
 /// Beams of two scans in a row that get so far above a ceiling nearby show that it was a crown, or wind that pressed
 /// the robot down. The attitude is not known well enough for less.
 constexpr double surely_above_m = 1.3;
@@ -117,8 +118,7 @@ void Overhead::lookUp(const PlacedScan& scan, Seconds now, bool ascending) {
         return hit.z() > from_m.z() + above_m && (hit - from_m).head<2>().norm() < crowded_m;
     });
     const double twice_m = std::min(scan.highest_near_m, std::exchange(highest_near_m_, scan.highest_near_m));
-    const double surely_m = scan.lean_known ? surely_above_m : surely_above_drift_m;
-    std::erase_if(ceilings_, [&](const Ceiling& one) { return twice_m > one.z_m + surely_m; });
+    lookPast(twice_m - (scan.lean_known ? surely_above_m : surely_above_drift_m), now);
     seen_to_m_ = std::max(seen_to_m_, scan.highest_m);
     if (!crowded && scan.lean_known)
         free_to_m_ = std::max(free_to_m_, scan.highest_m);
@@ -129,9 +129,19 @@ void Overhead::lookUp(const PlacedScan& scan, Seconds now, bool ascending) {
             const bool again =
                 before && now - before->time < one_look && std::abs(before->z_m - level->z_m) < same_height_m;
             if (again || level->count >= sure_hits)
-                add({from_m.head<2>(), again ? std::min(before->z_m, level->z_m) : level->z_m, false});
+                add({.at_m = from_m.head<2>(),
+                     .z_m = again ? std::min(before->z_m, level->z_m) : level->z_m,
+                     .found_at = now});
             return;
         }
+}
+
+void Overhead::lookPast(double past_m, Seconds now) {
+    const auto justTouched = [&](const Ceiling& one) { return one.touched && now - one.found_at < touch_memory; };
+    std::erase_if(ceilings_, [&](const Ceiling& one) { return past_m > one.z_m && !justTouched(one); });
+    for (Ceiling& one : ceilings_)
+        if (past_m > one.z_m)
+            one.reach_m = small_reach_m;
 }
 
 void Overhead::lookBeside(const PlacedScan& scan, Seconds now) {
@@ -168,14 +178,15 @@ void Overhead::feelAbove(const Senses& senses, double commanded_climb_m_s) {
     } else if (senses.now - *pushing_since_ >= push_time + senses.late) {
         pushing_since_.reset();
         if (gained_m < pushed_share * pushed_m_)
-            add({senses.position2_m(), z_m, true});
+            add({.at_m = senses.position2_m(), .z_m = z_m, .touched = true, .found_at = senses.now});
     }
 }
 
 void Overhead::add(const Ceiling& ceiling) {
     had_ceiling_ = true;
-    const auto known = std::ranges::find_if(
-        ceilings_, [&](const Ceiling& one) { return (one.at_m - ceiling.at_m).norm() < same_place_m; });
+    const auto known = std::ranges::find_if(ceilings_, [&](const Ceiling& one) {
+        return (one.at_m - ceiling.at_m).norm() < same_place_m && ceiling.z_m > one.z_m - another_m;
+    });
     if (known == ceilings_.end()) {
         ceilings_.push_back(ceiling);
         found_ = {ceiling.z_m, ceiling.touched};
@@ -185,6 +196,7 @@ void Overhead::add(const Ceiling& ceiling) {
         found_ = {ceiling.z_m, ceiling.touched};
     known->z_m = std::min(known->z_m, ceiling.z_m);
     known->touched = known->touched && ceiling.touched;
+    known->found_at = ceiling.found_at;
 }
 
 std::optional<double> Overhead::ceiling_m(const Vec2& at_m) const {

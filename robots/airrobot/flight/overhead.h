@@ -82,11 +82,13 @@ private:
         double z_m = 0.0;
         bool touched = false; ///< not seen
         double reach_m = great_reach_m;
+        Seconds found_at{0.0}; ///< the last time
     };
 
     static constexpr double great_reach_m = 60.0; ///< A ceiling is taken to reach this far,
     static constexpr double small_reach_m = 2.0;  ///< or so far if it is a small one.
     static constexpr Seconds wall_memory{10.0};
+    static constexpr Seconds touch_memory{6.0};
 
     /// One scan seemed to show a ceiling at this height.
     struct Glimpse {
@@ -95,6 +97,9 @@ private:
     };
 
     void lookUp(const PlacedScan& scan, Seconds now, bool ascending);
+    /// What two scans saw beams get past up to `past_m` (map z) is no ceiling. What the robot has just touched is there
+    /// all the same, and small.
+    void lookPast(double past_m, Seconds now);
     void lookBeside(const PlacedScan& scan, Seconds now);
     void feelAbove(const Senses& senses, double commanded_climb_m_s);
     void add(const Ceiling& ceiling);

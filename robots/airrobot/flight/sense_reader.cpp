@@ -33,24 +33,22 @@ SonarEcho echoOf(const SonarMount& mount, double range_m, const Pose& base_in_ma
     return echo;
 }
 
-/// Fills in where the beams of these ranges end, and how high they reach.
+/// Fills in where the beams of these ranges end.
 void placeBeams(const std::vector<Vec2>& directions, const std::vector<double>& ranges_m, double maximum_m,
-                const Pose& from_in_map, const Pose& steady_in_map, PlacedScan& placed) {
+                const Pose& from_in_map, PlacedScan& placed) {
     const Eigen::Isometry3d scanner_in_map = from_in_map.isometry();
-    const Eigen::Isometry3d steady_scanner_in_map = steady_in_map.isometry();
-    const Vec3 from_m = placed.scanner_in_map.position_m;
     placed.hits_in_map_m.reserve(ranges_m.size());
     for (std::size_t i = 0; i < ranges_m.size(); ++i) {
         const double range_m = ranges_m[i];
+        const Vec3 along(directions[i].x(), directions[i].y(), 0.0);
         if (!(range_m > 0.0))
             continue;
-        const Vec3 beam_m = std::min(range_m, maximum_m) * Vec3(directions[i].x(), directions[i].y(), 0.0);
-        const Vec3 reached_m = steady_scanner_in_map * beam_m;
-        placed.highest_m = std::max(placed.highest_m, reached_m.z());
-        const double away_m = (reached_m - from_m).head<2>().norm();
+        const Vec3 end_m = scanner_in_map * (std::min(range_m, maximum_m) * along);
+        placed.highest_m = std::max(placed.highest_m, end_m.z());
+        const Vec3 from_m = placed.scanner_in_map.position_m;
+        const double away_m = (end_m - from_m).head<2>().norm();
         const double share = away_m > near_m ? near_m / away_m : 1.0;
-        placed.highest_near_m = std::max(placed.highest_near_m, from_m.z() + share * (reached_m.z() - from_m.z()));
-        const Vec3 end_m = scanner_in_map * beam_m;
+        placed.highest_near_m = std::max(placed.highest_near_m, from_m.z() + share * (end_m.z() - from_m.z()));
         (mapping::isHit(range_m, maximum_m) ? placed.hits_in_map_m : placed.misses_in_map_m).push_back(end_m);
     }
 }
@@ -166,12 +164,12 @@ void SenseReader::readScan(Senses& senses, const modules::RobotModules& robot, c
     const Pose base_in_map = taken_at ? history_.at(*taken_at).value_or(senses.base_in_map) : senses.base_in_map;
     PlacedScan placed{scan->line, base_in_map * layout.scanner_in_base, base_in_map, {}};
     const protocol::RangeScan& told = scan->value;
-    // What looks higher by the drift of the lean would hide a ceiling.
-    const Pose steady_in_map =
-        (by_truth_ ? base_in_map : level_flight_.corrected(base_in_map)) * layout.scanner_in_base;
+    const bool steadies = corrects_lean_ && !by_truth_;
+    const Pose from_in_map =
+        steadies ? level_flight_.corrected(base_in_map) * layout.scanner_in_base : placed.scanner_in_map;
     placed.lean_known = by_truth_ || wind_ || level_flight_.calm();
     placeBeams(beam_directions_.of(told.step_rad(), told.fov_rad, ranges_m.size()), ranges_m, layout.scanner_maximum_m,
-               corrects_lean_ ? steady_in_map : placed.scanner_in_map, steady_in_map, placed);
+               from_in_map, placed);
     senses.ground_m = ground_m_ = groundBelow(placed.hits_in_map_m, base_in_map.position_m);
     senses.scan = std::move(placed);
 }
