@@ -368,6 +368,25 @@ private slots:
         QVERIFY(*overhead.ceiling_m({3.0, 0.0}) > 5.9);
     }
 
+    /// It pressed against the same low floor for 12 s, because it took that for what it had met 3 m away (survey
+    /// 122349).
+    void whatItTouchesBeyondASmallCeilingIsAnother() {
+        Overhead overhead;
+        const auto press = [&](const Vec3& at_m) {
+            Senses senses = sensesAt(at_m);
+            senses.ground_m = 0.0;
+            for (int tick = 0; tick < 10; ++tick) {
+                senses.now += Seconds(0.2);
+                overhead.observe(senses, {0.3, true});
+            }
+        };
+        press({0.0, 0.0, 3.2});
+        overhead.takeForSmall(true, 3.2);
+        QVERIFY(!overhead.ceiling_m({3.0, 0.0}));
+        press({3.0, 0.0, 3.2});
+        QCOMPARE(overhead.ceiling_m({3.0, 0.0}), std::optional(3.2));
+    }
+
     void knowsAWallFromATrunk_data() {
         QTest::addColumn<int>("scans");
         QTest::addColumn<double>("top_m");

@@ -24,7 +24,7 @@ constexpr double above_m = 0.3;
 /// Where something higher than the robot stands within this distance, something may be above the robot, too: among
 /// trees, crowns are ahead and behind as well, where the scanner does not look.
 constexpr double crowded_m = 20.0;
-/// Finds nearer to one another than this are one.
+/// Finds nearer to one another than this are one, but not what lies beyond a small one.
 constexpr double same_place_m = 5.0;
 constexpr double another_m = 1.0; ///< One that is so much lower is another one, such as a beam below a roof.
 /// Beams of two scans in a row that get so far above a ceiling nearby show that it was a crown, or wind that pressed
@@ -185,7 +185,8 @@ void Overhead::feelAbove(const Senses& senses, double commanded_climb_m_s) {
 void Overhead::add(const Ceiling& ceiling) {
     had_ceiling_ = true;
     const auto known = std::ranges::find_if(ceilings_, [&](const Ceiling& one) {
-        return (one.at_m - ceiling.at_m).norm() < same_place_m && ceiling.z_m > one.z_m - another_m;
+        const double away_m = (one.at_m - ceiling.at_m).norm();
+        return away_m < std::min(same_place_m, one.reach_m) && ceiling.z_m > one.z_m - another_m;
     });
     if (known == ceilings_.end()) {
         ceilings_.push_back(ceiling);
