@@ -372,9 +372,10 @@ private slots:
     /// 122349).
     void whatItTouchesBeyondASmallCeilingIsAnother() {
         Overhead overhead;
+        Senses senses = sensesAt({0, 0, 0});
+        senses.ground_m = 0.0;
         const auto press = [&](const Vec3& at_m) {
-            Senses senses = sensesAt(at_m);
-            senses.ground_m = 0.0;
+            senses.base_in_map.position_m = at_m;
             for (int tick = 0; tick < 10; ++tick) {
                 senses.now += Seconds(0.2);
                 overhead.observe(senses, {0.3, true});
