@@ -37,7 +37,7 @@ public:
     double seenTo_m() const { return seen_to_m_ - margin_m; }
     /// True if there is a ceiling anywhere. Then there may be more of them.
     bool hasCeiling() const { return !ceilings_.empty() || lid_m_; }
-    /// True if there was one at any time, even before the position estimate has jumped: the robot is in a building.
+    /// True if there was one at any time, even before the position estimate has jumped: the robot may be in a building.
     bool everHadCeiling() const { return had_ceiling_; }
     /// Has the robot stay below this height (map z) everywhere as if a ceiling were there, so that it flies under what
     /// stands in its way higher up; nullopt: no more.
