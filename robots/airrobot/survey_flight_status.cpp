@@ -35,7 +35,7 @@ std::string SurveyFlight::words() const {
 
 void SurveyFlight::noteCeiling(agent::CommandPort& port) {
     const auto& found = craft_.overhead.found();
-    if (!inTheAir() || !found)
+    if (!inTheAir() || !found || !found->anew)
         return;
     const double above_m = found->z_m - base_in_map_.position_m.z();
     port.publish(agent::BehaviorEvent{found->touched ? Severity::Warning : Severity::Note,

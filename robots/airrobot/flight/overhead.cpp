@@ -189,8 +189,10 @@ void Overhead::add(const Ceiling& ceiling) {
         return away_m < std::min(same_place_m, one.reach_m) && ceiling.z_m > one.z_m - another_m;
     });
     if (known == ceilings_.end()) {
+        const bool anew = std::ranges::none_of(
+            ceilings_, [&](const Ceiling& one) { return std::abs(one.z_m - ceiling.z_m) < same_height_m; });
         ceilings_.push_back(ceiling);
-        found_ = {ceiling.z_m, ceiling.touched};
+        found_ = {ceiling.z_m, ceiling.touched, anew};
         return;
     }
     if (ceiling.z_m < known->z_m - flat_m)

@@ -54,6 +54,7 @@ public:
     struct Find {
         double z_m = 0.0;
         bool touched = false; ///< otherwise seen
+        bool anew = true;     ///< none of that height was known anywhere
     };
     const std::optional<Find>& found() const { return found_; }
 
