@@ -33,8 +33,9 @@ struct MissionOptions {
     std::uint64_t seed = 1;        ///< of the embedded simulator's noise and drift; the mission's own is not put here
     bool seed_chosen = false;      ///< the seed was typed; without that, a continued run keeps its own
     std::optional<double> speed_x; ///< simulated per real seconds; absent: as fast as possible
-    std::optional<ServerAddress> server;  ///< absent: the embedded simulator
-    std::optional<double> battery_life_s; ///< of the embedded simulator's robots; absent: a week
+    std::optional<ServerAddress> server; ///< absent: the embedded simulator
+    std::optional<double>
+        battery_life_s;           ///< It holds for the embedded simulator's robots; without it, a battery lasts a week.
     std::optional<Seconds> limit; ///< the run is given up after this simulated time; absent: the mission's limit
     QString result_folder;        ///< empty: the default folder
     ResultFiles files = ResultFiles::Always;

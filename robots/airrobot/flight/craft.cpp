@@ -51,7 +51,8 @@ constexpr double open_sky_m = 8.0; ///< A beam has reached so far above the robo
 
 /// A roof that a robot meets as it climbs does not break it, but does if it slides along it.
 constexpr double below_roof_m_s = 0.3;
-constexpr double most_doubt_m = 1.2; ///< of how far the roof is; more would have it creep all the time
+/// The robot doubts its distance from the roof by no more than this: otherwise, it would creep all the time.
+constexpr double most_doubt_m = 1.2;
 
 /// True if the height may have drifted so far that this one is that of a roof.
 bool mayTouchRoof(const Senses& senses, const Overhead& overhead) {

@@ -53,8 +53,8 @@ public:
     /// The ceiling that was found in this tick, and how; nullopt in most ticks.
     struct Find {
         double z_m = 0.0;
-        bool touched = false; ///< otherwise seen
-        bool anew = true;     ///< none of that height was known anywhere
+        bool touched = false; ///< The ring has touched it; otherwise the scanner has seen it.
+        bool anew = true;     ///< No ceiling of that height was known anywhere.
     };
     const std::optional<Find>& found() const { return found_; }
 
@@ -98,8 +98,8 @@ private:
     };
 
     void lookUp(const PlacedScan& scan, Seconds now, bool ascending);
-    /// What two scans saw beams get past up to `past_m` (map z) is no ceiling. What the robot has just touched is there
-    /// all the same, and small.
+    /// Forgets the ceilings below `past_m` (map z), because beams of two scans have passed that height. One that the
+    /// robot has just touched is kept as a small one.
     void lookPast(double past_m, Seconds now);
     void lookBeside(const PlacedScan& scan, Seconds now);
     void feelAbove(const Senses& senses, double commanded_climb_m_s);
