@@ -23,6 +23,7 @@ struct CraftTrial {
     double x_m = 0.0;
     double z_m = 20.0;
     double yaw_rad = 0.0;
+    double roll_rad = 0.0;
     bool tells_pose = true;
     std::unique_ptr<Craft> craft;
 
@@ -34,7 +35,7 @@ struct CraftTrial {
         now_s = 100.0;
         x_m = 0.0;
         z_m = 20.0;
-        yaw_rad = 0.0;
+        yaw_rad = roll_rad = 0.0;
         tells_pose = true;
         craft = std::make_unique<Craft>();
     }
@@ -58,7 +59,7 @@ struct CraftTrial {
         scan.ranges_m.back() = left_m;
         tell(scan);
         if (tells_pose)
-            tell(protocol::InsReading{{}, "INS", Pose{Vec3(x_m, 0, z_m), 0, 0, yaw_rad}});
+            tell(protocol::InsReading{{}, "INS", Pose{Vec3(x_m, 0, z_m), roll_rad, 0, yaw_rad}});
         protocol::RobotState state;
         state.time = Seconds(now_s);
         tell(state);

@@ -64,6 +64,54 @@ private slots:
         QVERIFY(place_m.y() < -1.5 && std::abs(place_m.x()) < 1.0);
     }
 
+    /// What two sonars hear so near is the underside of something, into which it would climb (number 133126).
+    void sinksFromWhatComesNearItsRing_data() {
+        QTest::addColumn<double>("left_m");
+        QTest::addColumn<double>("ahead_m");
+        QTest::addColumn<bool>("sinks");
+        QTest::newRow("an underside") << 0.3 << 0.2 << true;
+        QTest::newRow("one trunk") << 0.3 << 2.0 << false;
+        QTest::newRow("with room") << 0.8 << 0.7 << false;
+    }
+    void sinksFromWhatComesNearItsRing() {
+        QFETCH(double, left_m);
+        QFETCH(double, ahead_m);
+        QFETCH(bool, sinks);
+        ClimbOver climb;
+        Senses senses = sensesAt({0, 0, 6});
+        climb.start(senses, {}, settings);
+        for (int tick = 0; tick < 2; ++tick)
+            step(climb, senses, {{"M0", 3.4}}, {});
+        setSonars(senses, {{"L2", left_m}, {"M0", ahead_m}});
+        senses.velocity_in_map_m_s.z() = 0.5;
+        for (int tick = 0; tick < 2; ++tick)
+            climb.feel(senses, Vec2::Zero(), 0.5, settings);
+        QCOMPARE(climb.sinks(), sinks);
+    }
+
+    /// One that is pressed to one side tips over before it would have come to its speed (number 122502).
+    void sinksAtOnceAsItTips_data() {
+        QTest::addColumn<double>("roll_rad");
+        QTest::addColumn<bool>("sinks");
+        QTest::newRow("it tips") << 0.25 << true;
+        QTest::newRow("it leans as it sets off") << 0.1 << false;
+    }
+    void sinksAtOnceAsItTips() {
+        QFETCH(double, roll_rad);
+        QFETCH(bool, sinks);
+        ClimbOver climb;
+        Senses senses = sensesAt({0, 0, 6});
+        climb.start(senses, {}, settings);
+        for (int tick = 0; tick < 2; ++tick)
+            step(climb, senses, {{"M0", 3.4}}, {});
+        senses.base_in_map.roll_rad = roll_rad;
+        for (int tick = 0; tick < 4; ++tick) {
+            senses.now += Seconds(0.2);
+            climb.feel(senses, Vec2::Zero(), 0.5, settings);
+        }
+        QCOMPARE(climb.sinks(), sinks);
+    }
+
     void staysWhereThereIsRoom() { QCOMPARE(climbPlace_m({}, {5, 6}, 3.2), Vec2(5, 6)); }
 
     void doesNotBackThroughWhatItRemembers() {

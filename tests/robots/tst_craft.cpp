@@ -18,6 +18,32 @@ class tst_Craft : public QObject, private test::CraftTrial {
 private slots:
     void init() { begin(); }
 
+    /// A wire that it did not see tipped it over as it went on sinking (random survey 122038).
+    void risesFromAWireAndStaysAboveIt() {
+        protocol::AerialDrive drive;
+        const auto tick = [&] {
+            perceive(14.0, {});
+            if (const auto told = fly(0.1); told.climb_m_s)
+                drive = told;
+        };
+        for (int i = 0; i < 8; ++i) {
+            tick();
+            z_m -= 0.1;
+        }
+        QVERIFY(*drive.climb_m_s < -0.3);
+        const double wire_m = z_m - 0.1;
+        roll_rad = 0.15;
+        for (int i = 0; i < 6 && *drive.climb_m_s < 0.0; ++i)
+            tick();
+        QVERIFY(*drive.climb_m_s > 0.3);
+        roll_rad = 0.0;
+        for (int i = 0; i < 60; ++i) {
+            tick();
+            z_m += 0.2 * *drive.climb_m_s;
+        }
+        QVERIFY2(z_m > wire_m + 0.8, qPrintable(QString::number(z_m - wire_m)));
+    }
+
     void climbsWhereNothingIsBeside() {
         perceive(5.0, {});
         QVERIFY(*fly().climb_m_s > 0.5);

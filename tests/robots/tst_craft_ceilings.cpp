@@ -51,7 +51,7 @@ private slots:
         craft->goUnder({0.0, 0.0});
         perceive(6.0, {});
         protocol::AerialDrive drive = fly();
-        QCOMPARE(*drive.climb_m_s, -craft->settings.descent_speed_m_s);
+        QCOMPARE(*drive.climb_m_s, -Overhead::gentle_m_s);
         QVERIFY(std::abs(*drive.forward_m_s) < 0.05);
         z_m = 16.5;                                    // The lid is at 17.2 m.
         for (int tick = 0; tick < 5; ++tick) {         // The ground asks it to climb, and the lid forbids it.

@@ -451,6 +451,39 @@ private slots:
         QVERIFY(again.step(senses, {0.0, 0.0, 6.3}, overhead, {}, settings).climb_m_s <= Overhead::careful_m_s);
     }
 
+    /// A look toward a pole that no sensor had looked at yet broke the robot in random survey 122038.
+    void looksUpOnceItKnowsWhatStandsThere_data() {
+        QTest::addColumn<double>("range_m");
+        QTest::addColumn<bool>("at_once");
+        QTest::addColumn<bool>("later");
+        QTest::newRow("nothing is near") << 5.0 << true << true;
+        QTest::newRow("something farther off") << 4.5 << false << true;
+        QTest::newRow("something where it would roll to") << 1.5 << false << false;
+    }
+    void looksUpOnceItKnowsWhatStandsThere() {
+        QFETCH(double, range_m);
+        QFETCH(bool, at_once);
+        QFETCH(bool, later);
+        Ascent ascent;
+        Senses senses = sensesWith(scanBelow(100.0, 100.0, 0.0, {0.0, 0.0, 2.5}));
+        const auto step = [&](double z_m, double yaw_rad, double heard_m) {
+            senses.base_in_map.position_m.z() = z_m;
+            senses.base_in_map.yaw_rad = yaw_rad;
+            senses.ground_m = 0.0;
+            setSonars(senses, {{"M0", heard_m}});
+            return ascent.step(senses, {0.0, 0.0, 6.3}, {}, {}, settings);
+        };
+        step(0.3, 0.0, 5.0);
+        step(2.0, 0.0, range_m);
+        QCOMPARE(step(2.5, 0.0, 5.0).left_m_s > 0.0, at_once);
+        if (at_once)
+            return;
+        QVERIFY(step(2.5, 0.1, 5.0).climb_m_s <= 0.0); // It waits there.
+        for (double yaw_rad = 0.1; yaw_rad < pi; yaw_rad += 0.1)
+            QCOMPARE(step(2.5, yaw_rad, 5.0).left_m_s, 0.0);
+        QCOMPARE(step(2.5, pi, 5.0).left_m_s > 0.0 || step(2.5, pi, 5.0).left_m_s > 0.0, later);
+    }
+
     void climbsWithCareBeyondADoor() {
         Ascent ascent = Ascent::beyondDoor();
         Senses senses = sensesAt({0.0, 0.0, 2.4});

@@ -28,9 +28,11 @@ constexpr double early_m = 0.3; ///< A look begins so much below the height up t
 
 /// True if nothing beside the robot is known to be in its way as it rolls. The scan shows only what is exactly beside
 /// it; what reached as high as the robot when it looked around, at most at `seen_from_m` (map z), may be as high as it
-/// is now. A sonar that looks to the side hears what the scan has not come to yet.
-bool hasRoom(const Senses& senses, const ObstacleMemory& memory, double seen_from_m) {
+/// is now, and so may what it `heard` then. A sonar that looks to the side hears what the scan has not come to yet.
+bool hasRoom(const Senses& senses, const ObstacleMemory& memory, std::span<const Obstacle> heard, double seen_from_m) {
     const Vec3 here_m = senses.position_m();
+    if (nearest_m(heard, here_m.head<2>(), room_m) < room_m)
+        return false;
     const auto near = memory.near(here_m.head<2>(), room_m, std::min(here_m.z(), seen_from_m) - trunk_margin_m);
     return senses.scan && std::ranges::none_of(near, [](const Obstacle& one) { return one.top_known; }) &&
            std::ranges::none_of(senses.sonars, [](const SonarEcho& one) { return one.hit && one.range_m < room_m; }) &&
@@ -68,16 +70,19 @@ AscentStep Ascent::step(const Senses& senses, const Vec3& goal_m, const Overhead
         return {.reached = true};
     const double known_to_m = *from_z_m_ + std::max(free_m_, known_m_ - Overhead::margin_m);
     const double free_to_m = std::max(overhead.freeTo_m(), known_to_m);
-    if (z_m >= next_look_m_ && goal_z_m > free_to_m && z_m > free_to_m - early_m &&
-        hasRoom(senses, memory, *from_z_m_ + turn_below_m)) {
+    const bool looks = z_m >= next_look_m_ && goal_z_m > free_to_m && z_m > free_to_m - early_m;
+    // A robot that hears something near the ground knows only after its turn what stands where it would roll to.
+    const bool knows = around || heard_.empty();
+    if (looks && knows && hasRoom(senses, memory, heard_, *from_z_m_ + turn_below_m)) {
         looking_since_ = senses.now;
         return {.left_m_s = set_off_m_s};
     }
     const double wanted_m_s = std::clamp(error_m, -settings.descent_speed_m_s, settings.climb_speed_m_s);
     const double careful_m_s = overhead.besideWall(senses.now) ? Overhead::gentle_m_s : Overhead::careful_m_s;
     step.climb_m_s = overhead.allowed_m_s(senses, wanted_m_s, z_m >= known_to_m ? careful_m_s : wanted_m_s);
+    const double known_z_m = knows ? *from_z_m_ + turn_below_m : std::min(*from_z_m_ + turn_below_m, next_look_m_);
     if (!around)
-        step.climb_m_s = std::min(step.climb_m_s, std::max(0.0, *from_z_m_ + turn_below_m - z_m));
+        step.climb_m_s = std::min(step.climb_m_s, std::max(0.0, known_z_m - z_m));
     return step;
 }
 

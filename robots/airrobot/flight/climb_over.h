@@ -45,6 +45,7 @@ public:
     bool active() const {
         return state_ == ClimbState::Backing || state_ == ClimbState::Climbing || state_ == ClimbState::Sinking;
     }
+    bool sinks() const { return state_ == ClimbState::Sinking; } ///< away from what its ring has met
     /// Makes the climb inactive, whatever its state.
     void reset() { *this = {}; }
 

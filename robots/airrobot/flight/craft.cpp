@@ -225,6 +225,9 @@ FlightState Craft::perform(Maneuver maneuver, const Leg& asked, agent::CommandPo
     if (ways.isNarrow())
         leg.speed_m_s = std::min(leg.speed_m_s, Ways::door_m_s);
     log.goal(Vec3(leg.goal_m.x(), leg.goal_m.y(), senses.position_m().z()), port);
+    climb_over_.feel(senses, log.lean().slope(senses.base_in_map.yaw_rad), commanded_climb_m_s_, settings);
+    if (climb_over_.sinks()) // It would press against what its ring has met as it flees from the echo of that.
+        maneuver = Maneuver::ClimbOver;
     Motion motion = maneuver == Maneuver::Avoid       ? evade(decide(port), leg, state)
                     : maneuver == Maneuver::ClimbOver ? climbOver(leg, state)
                                                       : cruise(leg, state);
@@ -266,10 +269,25 @@ FlightState Craft::perform(Maneuver maneuver, const Leg& asked, agent::CommandPo
 }
 
 void Craft::command(const Motion& motion, agent::CommandPort& port, const std::string& source) {
-    const Motion away = touchesRoof() ? Motion{.climb_m_s = -Overhead::gentle_m_s} : motion;
-    const Motion safe = ways.sink(senses, settings).value_or(away);
+    const bool below_roof = touchesRoof();
+    const Motion away = below_roof ? Motion{.climb_m_s = -Overhead::gentle_m_s} : motion;
+    Motion safe = ways.sink(senses).value_or(away);
+    const BellyTouch::Doing doing{commanded_climb_m_s_, pilot_.wantedInBase_m_s().norm(), pilot_.feelsWind(),
+                                  below_roof};
+    if (const auto freeing = belly_.free(senses, log.lean().slope(senses.base_in_map.yaw_rad), doing))
+        safe = *freeing;
+    if (belly_.met_m())
+        stayAbove(*belly_.met_m());
     commanded_climb_m_s_ = safe.climb_m_s;
     pilot_.fly(safe, senses, port, source, settings);
+}
+
+/// Keeps the robot from sinking onto that again. It may be a wire and reach far.
+void Craft::stayAbove(const Vec3& met_m) {
+    memory.touch(met_m);
+    ways.touch(senses, met_m.head<2>());
+    const Vec3 here_m = senses.position_m();
+    climbed_at_ = Vec3(here_m.x(), here_m.y(), met_m.z() + settings.clearance_m);
 }
 
 bool Craft::touchesRoof() const {
@@ -341,7 +359,6 @@ Motion Craft::cruise(const Leg& leg, FlightState& state) {
 
 Motion Craft::climbOver(const Leg& leg, FlightState& state) {
     state = FlightState::ClimbingOver;
-    climb_over_.feel(senses, log.lean().slope(senses.base_in_map.yaw_rad), commanded_climb_m_s_, settings);
     const ClimbStep step =
         climb_over_.step(senses, threats, obstacles_, leg.aim_m, overhead.limit_m(senses.position2_m()), settings);
     Motion motion = holding(senses, step.place_m);

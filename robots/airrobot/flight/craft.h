@@ -5,6 +5,7 @@
 #include "core/agent/behavior.h"
 #include "robots/airrobot/flight/altitude_hold.h"
 #include "robots/airrobot/flight/battery_model.h"
+#include "robots/airrobot/flight/belly_touch.h"
 #include "robots/airrobot/flight/climb_over.h"
 #include "robots/airrobot/flight/column.h"
 #include "robots/airrobot/flight/crash_watch.h"
@@ -47,14 +48,12 @@ public:
     }
     bool walledOff() const { return no_way_; } ///< what it has seen closes all ways; never where it may climb
     bool mayClimb() const; ///< false below a ceiling that leaves no room, and where a person forbids it
-    /// So far below its base something must end for the robot to pass over it.
-    double passesBelow_m() const { return mayClimb() ? passes_below_m : passes_closer_m; }
+    double passesBelow_m() const { return mayClimb() ? passes_below_m : passes_closer_m; } ///< what it may pass over
     /// The ways to take: where it cannot climb, every aisle counts.
     Width narrowest() const { return ways.isUnder() || !mayClimb() ? Width::Least : Width::Usual; }
     void goUnder(const Vec2& place_m); ///< Sinks there, nearby, and stays so low that it gets through doors.
     void comeUp();                     ///< Ends that; call `rise` then.
-    /// Ground lower than this (map z) may be the bed of water, so that the robot must not land on it in need.
-    double dry_m() const;
+    double dry_m() const; ///< map z; lower ground may be the bed of water, so the robot does not land there in need
     double speedToward_m_s(const Vec2& place_m) const; ///< that it makes good against the wind, at most the transit's
     const char* crash() const { return crash_; }       ///< what has become of it, such as "it falls"; nullptr: no crash
     Seconds hindered() const { return stuck_.hindered(); } ///< time spent avoiding since the last progress
@@ -65,8 +64,7 @@ public:
     FlightState perform(Maneuver maneuver, const Leg& leg, agent::CommandPort& port);
     /// Looks, decides and performs in the usual order. Returns Unreachable if the robot should give the goal up.
     FlightState fly(const Leg& leg, agent::CommandPort& port);
-    /// Climbs or sinks to `goal_z_m` (map z) over the place `over_m`, with looks at what is above; returns true when
-    /// the height is reached, or as much of it as a ceiling leaves.
+    /// Climbs or sinks to this height (map z) there, with looks up; returns true once it is as high as ceilings allow.
     bool rise(double goal_z_m, const Vec2& over_m, agent::CommandPort& port);
     /// Where the last `rise` went straight up, if it was not told to do so there; nothing has been above it there.
     const std::optional<Vec2>& column_m() const { return column_.at_m; }
@@ -96,6 +94,7 @@ public:
 
 private:
     void command(const Motion& motion, agent::CommandPort& port, const std::string& source);
+    void stayAbove(const Vec3& met_m);
     bool touchesRoof() const; ///< so near to a ceiling that its ring may touch it
     Motion evade(const EvasionDecision& decision, const Leg& leg, FlightState& state);
     Motion cruise(const Leg& leg, FlightState& state);
@@ -122,6 +121,7 @@ private:
     HeightAtlas atlas_;
     ClimbOver climb_over_;
     Ascent ascent_;
+    BellyTouch belly_;
     Column column_;
     CrashWatch crash_watch_;
     const char* crash_ = nullptr;

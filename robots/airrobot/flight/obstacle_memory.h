@@ -45,6 +45,8 @@ public:
 
     /// Adds the scan and the sonar echoes of a tick.
     void take(const Senses& senses, const MemorySpans& spans);
+    /// Adds something that the robot has touched, which may be too thin for its sensors.
+    void touch(const Vec3& at_m) { takeScan({&at_m, 1}); }
     void clear();
     /// Forgets what was not seen within `fresh`, and of the rest how high it once was.
     void keepFresh(Seconds fresh);

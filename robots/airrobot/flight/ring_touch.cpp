@@ -5,10 +5,36 @@ namespace usar::airrobot {
 namespace {
 
 constexpr double leans = 0.06;
+constexpr double tips = 0.18; ///< One that leans so far tips over before it would have come to its speed.
 constexpr double held_share = 0.6;
-constexpr Seconds to_speed{1.0};       ///< So long it takes to climb at all.
-constexpr double touch_reach_m = 0.5;  ///< from the robot's center to what it has touched
+constexpr Seconds to_speed{1.0}; ///< So long it takes to climb at all.
+constexpr Seconds tipping{0.35};
+constexpr double touch_reach_m = 0.5; ///< from the robot's center to what it has touched
+/// What two sonars hear so near to the ring as it climbs is wider above, like a crown.
+constexpr double nearly_touches_m = 0.45;
+constexpr int least_sonars = 2;
 constexpr double touch_height_m = 0.5; ///< So high above the robot's center it is remembered.
+
+} // namespace
+
+Vec2 unusualLean(const Senses& senses, const Vec2& slope) {
+    const Vec3 up = senses.base_in_map.rotation() * Vec3::UnitZ();
+    return up.head<2>() / up.z() + slope;
+}
+
+namespace {
+
+/// The middle of what some sonars hear close to the ring; nullopt if fewer do.
+std::optional<Vec2> heardClose_m(const Senses& senses) {
+    Vec2 sum_m = Vec2::Zero();
+    int count = 0;
+    for (const SonarEcho& echo : senses.sonars)
+        if (echo.hit && echo.range_m < nearly_touches_m) {
+            sum_m += echo.center_in_map_m.head<2>();
+            ++count;
+        }
+    return count < least_sonars ? std::nullopt : std::optional<Vec2>(sum_m / count);
+}
 
 } // namespace
 
@@ -19,12 +45,14 @@ std::optional<Vec3> RingTouch::feel(const Senses& senses, const Vec2& slope, dou
     }
     if (!climbing_since_)
         climbing_since_ = senses.now;
-    if (senses.now - *climbing_since_ < to_speed + senses.late ||
-        senses.velocity_in_map_m_s.z() > held_share * commanded_m_s)
-        return std::nullopt;
-    const Vec3 up = senses.base_in_map.rotation() * Vec3::UnitZ();
-    const Vec2 lean = up.head<2>() / up.z() + slope;
-    if (lean.norm() < leans)
+    if (const auto close_m = heardClose_m(senses)) {
+        climbing_since_.reset();
+        return Vec3(close_m->x(), close_m->y(), senses.position_m().z() + touch_height_m);
+    }
+    const Vec2 lean = unusualLean(senses, slope);
+    const Seconds needed = lean.norm() > tips ? tipping : to_speed;
+    if (senses.now - *climbing_since_ < needed + senses.late ||
+        senses.velocity_in_map_m_s.z() > held_share * commanded_m_s || lean.norm() < leans)
         return std::nullopt;
     climbing_since_.reset();
     const Vec2 met_m = senses.position2_m() + touch_reach_m * lean.normalized();

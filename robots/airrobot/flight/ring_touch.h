@@ -22,4 +22,7 @@ private:
     std::optional<Seconds> climbing_since_;
 };
 
+/// How the robot leans, without its usual lean (`slope`, see Lean); it points to the side that is low, map frame.
+Vec2 unusualLean(const Senses& senses, const Vec2& slope);
+
 } // namespace usar::airrobot

@@ -14,6 +14,7 @@ constexpr double way_end_m = 1.0;     ///< from the ground behind a door, where 
 constexpr double sink_open_m = 1.25;  ///< Where it sinks, so much ground around it was seen,
 constexpr double sink_room_m = 1.5;   ///< and nothing is known to stand so near to it, however high.
 constexpr double over_sink_m = 1.0;   ///< It sinks no farther from its place than this.
+constexpr double aside_m = 1.2;       ///< So far it moves aside from what it has touched there.
 constexpr double below_lid_m = 0.5;   ///< Scanner hits that are higher are over the robot.
 /// A robot that flies slowly may come so much nearer than the settings say.
 constexpr double nearness = 0.55;
@@ -64,12 +65,17 @@ void Ways::comeUp(Overhead& overhead) {
     overhead.putLid(std::nullopt);
 }
 
-std::optional<Motion> Ways::sink(const Senses& senses, const Settings& settings) const {
+void Ways::touch(const Senses& senses, const Vec2& touched_m) {
+    if (under_ && senses.position_m().z() > lid_m_)
+        sink_at_m_ = senses.position2_m() + aside_m * (senses.position2_m() - touched_m).normalized();
+}
+
+std::optional<Motion> Ways::sink(const Senses& senses) const {
     if (!under_ || senses.position_m().z() < lid_m_)
         return std::nullopt;
     Motion motion = holding(senses, sink_at_m_);
     if ((senses.position2_m() - sink_at_m_).norm() < over_sink_m)
-        motion.climb_m_s = -settings.descent_speed_m_s;
+        motion.climb_m_s = -Overhead::gentle_m_s; // A rack or a beam may be below.
     return motion;
 }
 

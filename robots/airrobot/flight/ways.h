@@ -44,8 +44,10 @@ public:
     /// Puts a lid over the robot, under which it has to sink at this place, or takes it away.
     void goUnder(const Vec2& place_m, Overhead& overhead);
     void comeUp(Overhead& overhead);
+    /// Has it sink farther away from what it has touched as it sank under the lid.
+    void touch(const Senses& senses, const Vec2& touched_m);
     /// The motion by which it sinks under the lid; nullopt where it need not.
-    std::optional<Motion> sink(const Senses& senses, const Settings& settings) const;
+    std::optional<Motion> sink(const Senses& senses) const;
     /// Has it go nearer to things from now on or no more; under a lid it does anyway.
     void comeNear(bool near) { near_ = near; }
     /// The same for as long as its detour leads through a narrow place.

@@ -1,0 +1,80 @@
+#include "robots/airrobot/flight/belly_touch.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "robots/airrobot/flight/overhead.h"
+#include "robots/airrobot/flight/ring_touch.h"
+
+namespace usar::airrobot {
+
+namespace {
+
+/// The time constant with which the rate of climb follows its command, see Overhead.
+constexpr Seconds follows_within{0.6};
+/// It has sunk by less than this share of what it was told for so long.
+constexpr Seconds held{0.6};
+constexpr double sunk_share = 0.3;
+constexpr double least_sink_m_s = 0.15;
+constexpr double least_sink_m = 0.15; ///< that it was told to sink in this time
+constexpr double least_lean = 0.06;
+constexpr double tipping_lean = 0.2;
+constexpr double standing_m_s = 0.3;  ///< A faster robot may lean because it brakes.
+constexpr double aloft_m = 0.7;       ///< What is nearer below is the ground.
+constexpr double belly_reach_m = 0.3; ///< from the robot's center to what it rests on
+constexpr double belly_depth_m = 0.1; ///< and from there down to the belly
+constexpr double rises_by_m = 0.8;
+constexpr Seconds longest_rise{4.0};
+
+} // namespace
+
+void BellyTouch::follow(const Senses& senses, const Doing& doing) {
+    const double z_m = senses.position_m().z();
+    if (samples_.empty()) {
+        free_m_s_ = senses.velocity_in_map_m_s.z();
+        samples_.push_back({senses.now, z_m, z_m});
+        return;
+    }
+    const Sample last = samples_.back();
+    const Seconds since_last = senses.now - last.time;
+    free_m_s_ += std::min(1.0, since_last / follows_within) * (doing.climb_m_s - free_m_s_);
+    samples_.push_back({senses.now, z_m, last.free_m + free_m_s_ * since_last.count()});
+    while (senses.now - samples_[1].time >= held + senses.late)
+        samples_.erase(samples_.begin());
+}
+
+bool BellyTouch::rests(const Senses& senses) const {
+    const Sample& first = samples_.front();
+    const double told_m = first.free_m - samples_.back().free_m;
+    const double sunk_m = first.z_m - samples_.back().z_m;
+    return senses.now - first.time >= held + senses.late && told_m > least_sink_m && sunk_m < sunk_share * told_m;
+}
+
+/// True if it leans as nothing makes it lean in calm air but an edge over which it tips.
+bool BellyTouch::tips(const Senses& senses, const Vec2& lean, const Doing& doing) {
+    return !doing.in_wind && senses.late <= Seconds{0.0} && lean.norm() > tipping_lean &&
+           doing.speed_m_s < standing_m_s && senses.velocity_in_map_m_s.head<2>().norm() < standing_m_s;
+}
+
+std::optional<Motion> BellyTouch::free(const Senses& senses, const Vec2& slope, const Doing& doing) {
+    met_m_.reset();
+    if (doing.below_roof || senses.ins_age > Seconds{0.0} || senses.heightOverGround_m(1e9) < aloft_m) {
+        samples_.clear();
+        return std::nullopt;
+    }
+    follow(senses, doing);
+    const double z_m = senses.position_m().z();
+    const Vec2 lean = unusualLean(senses, slope);
+    const bool sinks = doing.climb_m_s < -least_sink_m_s * senses.steadyShare();
+    if (sinks && lean.norm() > least_lean && (rests(senses) || tips(senses, lean, doing))) {
+        const Vec2 at_m = senses.position2_m() - belly_reach_m * lean.normalized();
+        met_m_ = Vec3(at_m.x(), at_m.y(), z_m - belly_depth_m);
+        rises_to_m_ = z_m + rises_by_m;
+        rising_since_ = senses.now;
+    }
+    if (rises_to_m_ && (z_m > *rises_to_m_ || senses.now - rising_since_ > longest_rise))
+        rises_to_m_.reset();
+    return rises_to_m_ ? std::optional(Motion{.climb_m_s = Overhead::careful_m_s}) : std::nullopt;
+}
+
+} // namespace usar::airrobot

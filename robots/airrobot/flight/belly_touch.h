@@ -1,0 +1,48 @@
+// Feels that the robot rests on something that no sensor has seen, and frees it.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "robots/airrobot/flight/pilot.h"
+#include "robots/airrobot/flight/senses.h"
+
+namespace usar::airrobot {
+
+/// A robot whose belly has come to rest on a wire or on the edge of a rack tips over if it goes on sinking. It feels
+/// that it does not sink, or that it tips, and rises. Owned by one robot.
+class BellyTouch {
+public:
+    /// The part of the last command that matters here.
+    struct Doing {
+        double climb_m_s = 0.0;
+        double speed_m_s = 0.0;  ///< on the level, over ground
+        bool in_wind = false;    ///< A robot that turns there leans as it usually does not.
+        bool below_roof = false; ///< What has held it there lets it go late, so it feels nothing.
+    };
+    /// The motion by which it gets free in this tick; nullopt if nothing holds it. `slope` is that of a plane on which
+    /// the robot would lean as it usually does now, see Lean. Call it once per tick.
+    std::optional<Motion> free(const Senses& senses, const Vec2& slope, const Doing& doing);
+    /// Where it has met something in this tick (map frame); nullopt in most ticks.
+    const std::optional<Vec3>& met_m() const { return met_m_; }
+
+private:
+    /// How high the robot was, and how high it would be if nothing had held it, but for a constant.
+    struct Sample {
+        Seconds time{0.0};
+        double z_m = 0.0;
+        double free_m = 0.0;
+    };
+
+    void follow(const Senses& senses, const Doing& doing);
+    bool rests(const Senses& senses) const;
+    static bool tips(const Senses& senses, const Vec2& lean, const Doing& doing);
+
+    std::vector<Sample> samples_; ///< of the last moments
+    double free_m_s_ = 0.0;       ///< rate of climb of a robot that nothing holds
+    std::optional<Vec3> met_m_;
+    std::optional<double> rises_to_m_; ///< map z
+    Seconds rising_since_{0.0};
+};
+
+} // namespace usar::airrobot
