@@ -18,7 +18,7 @@ public:
         double climb_m_s = 0.0;
         double speed_m_s = 0.0;  ///< on the level, over ground
         bool in_wind = false;    ///< A robot that turns there leans as it usually does not.
-        bool below_roof = false; ///< What has held it there lets it go late, so it feels nothing.
+        bool below_roof = false; ///< It feels nothing there, because it begins to sink late.
     };
     /// The motion by which it gets free in this tick; nullopt if nothing holds it. `slope` is that of a plane on which
     /// the robot would lean as it usually does now, see Lean. Call it once per tick.
@@ -27,7 +27,7 @@ public:
     const std::optional<Vec3>& met_m() const { return met_m_; }
 
 private:
-    /// How high the robot was, and how high it would be if nothing had held it, but for a constant.
+    /// The robot's height, and the height to which its commands would have brought it from an arbitrary start.
     struct Sample {
         Seconds time{0.0};
         double z_m = 0.0;
@@ -38,8 +38,8 @@ private:
     bool rests(const Senses& senses) const;
     static bool tips(const Senses& senses, const Vec2& lean, const Doing& doing);
 
-    std::vector<Sample> samples_; ///< of the last moments
-    double free_m_s_ = 0.0;       ///< rate of climb of a robot that nothing holds
+    std::vector<Sample> samples_; ///< They reach back as far as a touch takes to feel.
+    double free_m_s_ = 0.0;       ///< the rate of climb that the commands would have brought about
     std::optional<Vec3> met_m_;
     std::optional<double> rises_to_m_; ///< map z
     Seconds rising_since_{0.0};

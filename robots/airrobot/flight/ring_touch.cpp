@@ -5,12 +5,12 @@ namespace usar::airrobot {
 namespace {
 
 constexpr double leans = 0.06;
-constexpr double tips = 0.18; ///< One that leans so far tips over before it would have come to its speed.
+constexpr double tips = 0.18; ///< A robot that leans so far tips over before it could reach its rate of climb.
 constexpr double held_share = 0.6;
 constexpr Seconds to_speed{1.0}; ///< So long it takes to climb at all.
 constexpr Seconds tipping{0.35};
 constexpr double touch_reach_m = 0.5; ///< from the robot's center to what it has touched
-/// What two sonars hear so near to the ring as it climbs is wider above, like a crown.
+/// A climbing robot is about to touch something, such as the underside of a crown, if two sonars hear it so near.
 constexpr double nearly_touches_m = 0.45;
 constexpr int least_sonars = 2;
 constexpr double touch_height_m = 0.5; ///< So high above the robot's center it is remembered.
