@@ -50,7 +50,7 @@ public:
     bool mayClimb() const; ///< false below a ceiling that leaves no room, and where a person forbids it
     double passesBelow_m() const {
         return mayClimb() ? passes_below_m : passes_closer_m;
-    } ///< It flies over what ends so far below its base.
+    } ///< It flies over lower things.
     /// The ways to take: where it cannot climb, every aisle counts.
     Width narrowest() const { return ways.isUnder() || !mayClimb() ? Width::Least : Width::Usual; }
     void goUnder(const Vec2& place_m); ///< Sinks there, nearby, and stays so low that it gets through doors.
