@@ -48,9 +48,7 @@ public:
     }
     bool walledOff() const { return no_way_; } ///< what it has seen closes all ways; never where it may climb
     bool mayClimb() const; ///< false below a ceiling that leaves no room, and where a person forbids it
-    double passesBelow_m() const {
-        return mayClimb() ? passes_below_m : passes_closer_m;
-    } ///< It flies over lower things.
+    double passesBelow_m() const { return mayClimb() ? passes_below_m : passes_closer_m; } ///< It crosses lower ones.
     /// The ways to take: where it cannot climb, every aisle counts.
     Width narrowest() const { return ways.isUnder() || !mayClimb() ? Width::Least : Width::Usual; }
     void goUnder(const Vec2& place_m); ///< Sinks there, nearby, and stays so low that it gets through doors.
