@@ -12,6 +12,8 @@ constexpr Seconds half_window{0.55};
 constexpr double steady_turn_rad_s = 0.1;
 constexpr double steady_climb_m_s = 0.4;
 constexpr double steady_m_s2 = 0.2;
+/// A robot that goes to and fro has hardly begun to move when it leans the other way.
+constexpr double steady_lean_rad = 0.07;
 constexpr double slowest_m_s = 0.3; ///< Slower, the robot may stand on the ground or hold against something.
 /// Noise of each change of an angle, as a share of it.
 constexpr double walk_share = 0.05;
@@ -79,10 +81,14 @@ std::optional<Vec2> LevelFlight::steadyVelocity_m_s() const {
     const Vec3 early_m_s = (middle->base_in_map.position_m - oldest->base_in_map.position_m) / early_s;
     const double turn_rad = normalizedAngle(newest.base_in_map.yaw_rad - oldest->base_in_map.yaw_rad);
     const Vec2 mean_m_s = (late_m_s + early_m_s).head<2>() / 2.0;
+    const bool leans_steadily = std::ranges::all_of(recent_, [&](const Estimate& one) {
+        return std::abs(normalizedAngle(one.base_in_map.roll_rad - newest.base_in_map.roll_rad)) < steady_lean_rad &&
+               std::abs(normalizedAngle(one.base_in_map.pitch_rad - newest.base_in_map.pitch_rad)) < steady_lean_rad;
+    });
     if (std::abs(turn_rad) > steady_turn_rad_s * (late_s + early_s) ||
         std::max(std::abs(late_m_s.z()), std::abs(early_m_s.z())) > steady_climb_m_s ||
         (late_m_s - early_m_s).head<2>().norm() > steady_m_s2 * (late_s + early_s) / 2.0 ||
-        mean_m_s.norm() < slowest_m_s)
+        mean_m_s.norm() < slowest_m_s || !leans_steadily)
         return std::nullopt;
     return Vec2(Eigen::Rotation2Dd(-newest.base_in_map.yaw_rad) * mean_m_s);
 }

@@ -106,6 +106,31 @@ private slots:
         QCOMPARE(level.steady(), steady);
     }
 
+    /// As in random survey 143497: it leans to turn back while its velocity has been the same for a second.
+    void learnsNothingAsItGoesToAndFro() {
+        LevelFlight level;
+        level.insWasSet();
+        Pose shown{.position_m = {0.0, 0.0, 5.0}};
+        Seconds now{0.0};
+        double left = 1.0;
+        double worst_rad = 0.0;
+        const auto fly_way = [&](int ticks) {
+            left = -left;
+            for (int tick = 0; tick < ticks; ++tick) {
+                now += Seconds(tick_s);
+                shown.position_m += tick_s * Vec3(0.1, 0.5 * left, 0.0);
+                shown.roll_rad = tick == ticks - 1 ? 0.13 * left : tick == 0 ? -0.13 * left : 0.0;
+                level.take(now, shown);
+                worst_rad = std::max(worst_rad, level.drift_rad().norm());
+            }
+        };
+        for (int i = 0; i < 40; ++i)
+            fly_way(4); // All the while it is not steady, so that the drift is less and less known.
+        for (int i = 0; i < 4; ++i)
+            fly_way(6);
+        QVERIFY2(worst_rad < 0.04, qPrintable(QString::number(worst_rad)));
+    }
+
     void isNotSteadyWhereItStands() {
         LevelFlight level;
         fly({.speed_m_s = [](double) { return 0.0; }}, 5.0, Vec2::Zero(),

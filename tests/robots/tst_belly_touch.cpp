@@ -38,20 +38,25 @@ private slots:
         QTest::addColumn<double>("sinks_m_s");
         QTest::addColumn<double>("pitch_rad");
         QTest::addColumn<double>("ground_m");
+        QTest::addColumn<bool>("lands");
         QTest::addColumn<bool>("rests");
-        QTest::newRow("on a wire below its nose") << 0.05 << -0.1 << 0.0 << true;
-        QTest::newRow("it sinks as it is told") << 0.6 << -0.1 << 0.0 << false;
-        QTest::newRow("it sinks slowly") << 0.3 << -0.1 << 0.0 << false;
-        QTest::newRow("its estimate hangs, and it does not lean") << 0.0 << 0.0 << 0.0 << false;
-        QTest::newRow("on the ground") << 0.0 << -0.1 << 8.8 << false;
+        QTest::newRow("on a wire below its nose") << 0.05 << -0.1 << 0.0 << false << true;
+        QTest::newRow("on a wire as it lands") << 0.05 << -0.1 << 0.0 << true << true;
+        QTest::newRow("it sinks as it is told") << 0.6 << -0.1 << 0.0 << false << false;
+        QTest::newRow("it sinks slowly") << 0.3 << -0.1 << 0.0 << false << false;
+        QTest::newRow("its estimate hangs, and it does not lean") << 0.0 << 0.0 << 0.0 << false << false;
+        QTest::newRow("it lands on the ground") << 0.0 << -0.1 << 8.8 << true << false;
+        // The belly scanner takes that for ground, as in random survey 140005.
+        QTest::newRow("on the edge of a rack") << 0.0 << -0.1 << 8.8 << false << true;
     }
     void risesFromWhatItRestsOn() {
         QFETCH(double, sinks_m_s);
         QFETCH(double, pitch_rad);
         QFETCH(double, ground_m);
+        QFETCH(bool, lands);
         QFETCH(bool, rests);
         senses.ground_m = ground_m;
-        const BellyTouch::Doing sinking{.climb_m_s = -0.6};
+        const BellyTouch::Doing sinking{.climb_m_s = -0.6, .to_ground = lands};
         for (int i = 0; i < 10; ++i)
             QVERIFY(!fly({0, 0, -0.6}, {.climb_m_s = -0.6, .speed_m_s = 1.0}));
         if (ground_m > 0.0)
@@ -97,7 +102,16 @@ private slots:
     void feelsNothingBelowARoof() {
         senses.base_in_map.roll_rad = 0.2;
         for (int i = 0; i < 10; ++i)
-            QVERIFY(!fly({0, 0, 0}, {.climb_m_s = -0.3, .below_roof = true}));
+            QVERIFY(!fly({0, 0, 0}, {.climb_m_s = -0.3, .from_above = true}));
+    }
+
+    /// Its ring has met the edge of a shelf, and it still climbs as it is told to sink (random survey 145237).
+    void doesNotTakeWhatIsAboveItForWhatItRestsOn() {
+        for (int i = 0; i < 6; ++i)
+            QVERIFY(!fly({0, 0, 0.45}, {.climb_m_s = 0.5}));
+        senses.base_in_map.roll_rad = -0.28;
+        for (int i = 0; i < 2; ++i)
+            QVERIFY(!fly({0, 0, 0.25}, {.climb_m_s = -0.5}));
     }
 
     void doesNotTakeAClimbThatEndsForATouch() {

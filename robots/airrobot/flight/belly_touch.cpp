@@ -19,10 +19,11 @@ constexpr double least_sink_m_s = 0.15;
 constexpr double least_sink_m = 0.15; ///< that it was told to sink in this time
 constexpr double least_lean = 0.06;
 constexpr double tipping_lean = 0.2;
-constexpr double standing_m_s = 0.3;  ///< A faster robot may lean because it brakes.
-constexpr double aloft_m = 0.7;       ///< A robot that is lower may stand on the ground.
-constexpr double belly_reach_m = 0.3; ///< from the robot's center to what it rests on
-constexpr double belly_depth_m = 0.1; ///< and from there down to the belly
+constexpr double least_tipping_m_s = 0.05; ///< It slides down on one side.
+constexpr double standing_m_s = 0.3;       ///< A faster robot may lean because it brakes.
+constexpr double aloft_m = 0.7;            ///< A robot that lands and is lower may stand on the ground.
+constexpr double belly_reach_m = 0.3;      ///< from the robot's center to what it rests on
+constexpr double belly_depth_m = 0.1;      ///< and from there down to the belly
 constexpr double rises_by_m = 0.8;
 constexpr Seconds longest_rise{4.0};
 
@@ -52,13 +53,15 @@ bool BellyTouch::rests(const Senses& senses) const {
 
 /// True if it leans as nothing makes it lean in calm air but an edge over which it tips.
 bool BellyTouch::tips(const Senses& senses, const Vec2& lean, const Doing& doing) {
-    return !doing.in_wind && senses.late <= Seconds{0.0} && lean.norm() > tipping_lean &&
+    const bool sinks = senses.velocity_in_map_m_s.z() < -least_tipping_m_s;
+    return sinks && !doing.in_wind && senses.late <= Seconds{0.0} && lean.norm() > tipping_lean &&
            doing.speed_m_s < standing_m_s && senses.velocity_in_map_m_s.head<2>().norm() < standing_m_s;
 }
 
 std::optional<Motion> BellyTouch::free(const Senses& senses, const Vec2& slope, const Doing& doing) {
     met_m_.reset();
-    if (doing.below_roof || senses.ins_age > Seconds{0.0} || senses.heightOverGround_m(1e9) < aloft_m) {
+    const bool may_stand = doing.to_ground && senses.heightOverGround_m(1e9) < aloft_m;
+    if (doing.from_above || senses.ins_age > Seconds{0.0} || may_stand) {
         samples_.clear();
         return std::nullopt;
     }

@@ -18,7 +18,8 @@ public:
         double climb_m_s = 0.0;
         double speed_m_s = 0.0;  ///< on the level, over ground
         bool in_wind = false;    ///< A robot that turns there leans as it usually does not.
-        bool below_roof = false; ///< It feels nothing there, because it begins to sink late.
+        bool from_above = false; ///< It sinks away from a roof or a twig: it begins late, and what leans it is above.
+        bool to_ground = false;  ///< It lands: low down, it may stand on the ground.
     };
     /// The motion by which it gets free in this tick; nullopt if nothing holds it. `slope` is that of a plane on which
     /// the robot would lean as it usually does now, see Lean. Call it once per tick.

@@ -273,7 +273,7 @@ void Craft::command(const Motion& motion, agent::CommandPort& port, const std::s
     const Motion away = below_roof ? Motion{.climb_m_s = -Overhead::gentle_m_s} : motion;
     Motion safe = ways.sink(senses).value_or(away);
     const BellyTouch::Doing doing{commanded_climb_m_s_, pilot_.wantedInBase_m_s().norm(), pilot_.feelsWind(),
-                                  below_roof};
+                                  below_roof || climb_over_.sinks(), motion.to_ground};
     if (const auto freeing = belly_.free(senses, log.lean().slope(senses.base_in_map.yaw_rad), doing))
         safe = *freeing;
     if (belly_.met_m())

@@ -37,6 +37,7 @@ Descent Craft::descend(const Vec2& asked_m, bool in_need, agent::CommandPort& po
     const double z_m = senses.position_m().z();
     column_.top_m = straight ? std::max(column_.top_m, z_m) : z_m;
     column_.come_down_m = column_.top_m - z_m;
+    motion.to_ground = true;
     command(motion, port, "landing");
     if (touchdown.keptAway(senses, !sinks))
         return Descent::KeptAway;

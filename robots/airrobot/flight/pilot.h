@@ -17,6 +17,7 @@ struct Motion {
     double climb_m_s = 0.0;      ///< positive upward
     double yaw_rate_rad_s = 0.0; ///< positive to the left
     bool sudden = false;         ///< change the speed without a ramp
+    bool to_ground = false;      ///< It lands: its legs may come to stand.
 };
 
 /// Returns the yaw rate that turns the nose to `bearing_rad` (map frame).

@@ -44,12 +44,25 @@ void placeBeams(const std::vector<Vec2>& directions, const std::vector<double>& 
         if (!(range_m > 0.0))
             continue;
         const Vec3 end_m = scanner_in_map * (std::min(range_m, maximum_m) * along);
-        placed.highest_m = std::max(placed.highest_m, end_m.z());
-        const Vec3 from_m = placed.scanner_in_map.position_m;
+        (mapping::isHit(range_m, maximum_m) ? placed.hits_in_map_m : placed.misses_in_map_m).push_back(end_m);
+    }
+}
+
+/// Fills in how high the beams of these ranges get. A drift of the roll makes a wall far away look much higher, so
+/// `from_in_map` has none where it is known.
+void measureHeights(const std::vector<Vec2>& directions, const std::vector<double>& ranges_m, double maximum_m,
+                    const Pose& from_in_map, PlacedScan& placed) {
+    const Eigen::Isometry3d scanner_in_map = from_in_map.isometry();
+    const Vec3 from_m = scanner_in_map.translation();
+    for (std::size_t i = 0; i < ranges_m.size(); ++i) {
+        if (!(ranges_m[i] > 0.0))
+            continue;
+        const Vec3 along(directions[i].x(), directions[i].y(), 0.0);
+        const Vec3 end_m = scanner_in_map * (std::min(ranges_m[i], maximum_m) * along);
         const double away_m = (end_m - from_m).head<2>().norm();
         const double share = away_m > near_m ? near_m / away_m : 1.0;
+        placed.highest_m = std::max(placed.highest_m, end_m.z());
         placed.highest_near_m = std::max(placed.highest_near_m, from_m.z() + share * (end_m.z() - from_m.z()));
-        (mapping::isHit(range_m, maximum_m) ? placed.hits_in_map_m : placed.misses_in_map_m).push_back(end_m);
     }
 }
 
@@ -164,12 +177,13 @@ void SenseReader::readScan(Senses& senses, const modules::RobotModules& robot, c
     const Pose base_in_map = taken_at ? history_.at(*taken_at).value_or(senses.base_in_map) : senses.base_in_map;
     PlacedScan placed{scan->line, base_in_map * layout.scanner_in_base, base_in_map, {}};
     const protocol::RangeScan& told = scan->value;
-    const bool steadies = corrects_lean_ && !by_truth_;
-    const Pose from_in_map =
-        steadies ? level_flight_.corrected(base_in_map) * layout.scanner_in_base : placed.scanner_in_map;
+    const Pose steady_in_map =
+        by_truth_ ? placed.scanner_in_map : level_flight_.corrected(base_in_map) * layout.scanner_in_base;
     placed.lean_known = by_truth_ || wind_ || level_flight_.calm();
-    placeBeams(beam_directions_.of(told.step_rad(), told.fov_rad, ranges_m.size()), ranges_m, layout.scanner_maximum_m,
-               from_in_map, placed);
+    const std::vector<Vec2>& directions = beam_directions_.of(told.step_rad(), told.fov_rad, ranges_m.size());
+    placeBeams(directions, ranges_m, layout.scanner_maximum_m, corrects_lean_ ? steady_in_map : placed.scanner_in_map,
+               placed);
+    measureHeights(directions, ranges_m, layout.scanner_maximum_m, steady_in_map, placed);
     senses.ground_m = ground_m_ = groundBelow(placed.hits_in_map_m, base_in_map.position_m);
     senses.scan = std::move(placed);
 }
