@@ -228,6 +228,24 @@ private slots:
         QCOMPARE(*descend(2.0, false).climb_m_s, 0.0);
     }
 
+    /// It sank below the terrace on which it was to land, and met its edge (survey 145399).
+    void sinksOnItsWayToAPlaceUpToTheHeightOfThatOnly_data() {
+        QTest::addColumn<double>("terrace_m");
+        QTest::addColumn<bool>("sinks");
+        QTest::newRow("on a terrace") << 5.0 << false;
+        QTest::newRow("on the ground that it is over") << 0.0 << true;
+    }
+    void sinksOnItsWayToAPlaceUpToTheHeightOfThatOnly() {
+        QFETCH(double, terrace_m);
+        QFETCH(bool, sinks);
+        z_m = 6.0;
+        for (x_m = 6.0; x_m > 0.0; x_m -= 0.4)
+            perceive(x_m > 4.0 ? z_m - terrace_m : z_m, {});
+        craft->touchdown.start();
+        craft->descend({6.0, 0.0}, false, port);
+        QCOMPARE(*lastDrive().value().climb_m_s < 0.0, sinks);
+    }
+
     void leavesTheGroundOnItsWayToAnotherPlace() {
         craft->touchdown.start();
         const auto climb_m_s = [&](double height_m) {

@@ -68,6 +68,26 @@ private slots:
         QVERIFY(craft->mayClimb());
     }
 
+    /// Its lid is no roof: it felt nothing of the rack under it, and tipped over (survey 145237).
+    void risesFromARackOnItsWayUnderALid() {
+        craft->forgetPlaces();
+        craft->ways.startAnew(14.0);
+        craft->goUnder({0.0, 0.0});
+        double climb_m_s = 0.0;
+        for (int tick = 0; tick < 10; ++tick) {
+            perceive(6.0, {});
+            climb_m_s = fly().climb_m_s.value_or(climb_m_s);
+            z_m += 0.2 * climb_m_s;
+        }
+        QCOMPARE(climb_m_s, -Overhead::gentle_m_s);
+        roll_rad = 0.12;
+        for (int tick = 0; tick < 5; ++tick) {
+            perceive(0.4, {});
+            climb_m_s = fly().climb_m_s.value_or(climb_m_s);
+        }
+        QVERIFY2(climb_m_s > 0.0, qPrintable(QString::number(climb_m_s)));
+    }
+
     /// A floor on posts beside the start ended the climb there for good, and the survey under it
     /// (`tst_random_surveys_campaign`, number 1013).
     void climbsElsewhereWhereACeilingIsLow() {

@@ -270,8 +270,7 @@ FlightState Craft::perform(Maneuver maneuver, const Leg& asked, agent::CommandPo
 
 void Craft::command(const Motion& motion, agent::CommandPort& port, const std::string& source) {
     const bool below_roof = touchesRoof();
-    const Motion away = below_roof ? Motion{.climb_m_s = -Overhead::gentle_m_s} : motion;
-    Motion safe = ways.sink(senses).value_or(away);
+    Motion safe = ways.sink(senses).value_or(below_roof ? Motion{.climb_m_s = -Overhead::gentle_m_s} : motion);
     const BellyTouch::Doing doing{commanded_climb_m_s_, pilot_.wantedInBase_m_s().norm(), pilot_.feelsWind(),
                                   below_roof || climb_over_.sinks(), motion.to_ground};
     if (const auto freeing = belly_.free(senses, log.lean().slope(senses.base_in_map.yaw_rad), doing))
@@ -292,7 +291,8 @@ void Craft::stayAbove(const Vec3& met_m) {
 
 bool Craft::touchesRoof() const {
     const auto ceiling_m = overhead.ceiling_m(senses.position2_m());
-    return ceiling_m && senses.position_m().z() > *ceiling_m - near_roof_m;
+    const bool over_lid = ways.sink(senses).has_value(); // That is no roof.
+    return ceiling_m && !over_lid && senses.position_m().z() > *ceiling_m - near_roof_m;
 }
 
 void Craft::goUnder(const Vec2& place_m) {

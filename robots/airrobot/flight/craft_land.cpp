@@ -8,6 +8,8 @@ namespace {
 
 constexpr double hears_from_m = 1.5; ///< Lower than this over the ground, sonars hear nothing else.
 constexpr double off_ground_m = 0.8; ///< Lower, its legs may stand on something.
+/// The ground of its place is the lowest within this distance. It may be higher than that below the robot.
+constexpr double place_radius_m = 1.2;
 
 } // namespace
 
@@ -20,8 +22,9 @@ Descent Craft::descend(const Vec2& asked_m, bool in_need, agent::CommandPort& po
     const bool straight = way_m.norm() < in_column_m;
     // It has come up near its base, and crowns are wider higher up.
     const bool over = touchdown.isOver(senses, place_m);
-    const bool sinks =
-        (over || (!in_need && height_m > settings.landing_slow_below_m)) && touchdown.maySink(senses, memory, place_m);
+    const double over_place_m = senses.position_m().z() - memory.lowest_m(place_m, place_radius_m).value_or(-1e9);
+    const bool high = std::min(height_m, over_place_m) > settings.landing_slow_below_m;
+    const bool sinks = (over || (!in_need && high)) && touchdown.maySink(senses, memory, place_m);
     if (sinks) {
         motion.climb_m_s = -touchdown.sinkRate_m_s(senses, settings);
         if (over && touchdown.looksAround(senses, memory, place_m, log.lean().slope(senses.base_in_map.yaw_rad)))

@@ -13,6 +13,7 @@ constexpr double beyond_door_m = 3.5; ///< behind what ends the ways higher up
 constexpr double way_end_m = 1.0;     ///< from the ground behind a door, where a way to it may end
 constexpr double sink_open_m = 1.25;  ///< Where it sinks, so much ground around it was seen,
 constexpr double sink_room_m = 1.5;   ///< and nothing is known to stand so near to it, however high.
+constexpr double low_enough_m = 0.15; ///< It flies on once it is no farther than this above where it is to fly.
 constexpr double over_sink_m = 1.0;   ///< It sinks no farther from its place than this.
 constexpr double aside_m = 1.2;       ///< So far it moves aside from what it has touched there.
 constexpr double below_lid_m = 0.5;   ///< Scanner hits that are higher are over the robot.
@@ -29,6 +30,8 @@ void Ways::startAnew(double base_z_m) {
 }
 
 void Ways::take(const Senses& senses, double below_m, bool sure, bool roofed) {
+    const double z_m = senses.position_m().z();
+    sunk_ = z_m < lid_m_ && (sunk_ || z_m < lid_m_ - Overhead::margin_m + low_enough_m);
     if (sure)
         map().take(senses, below_m);
     if (senses.scan && roofed && !under_)
@@ -56,6 +59,7 @@ std::optional<Vec2> Ways::placeToSink_m(const Vec2& from_m, const Vec2& ground_m
 
 void Ways::goUnder(const Vec2& place_m, Overhead& overhead) {
     under_ = true;
+    sunk_ = false;
     sink_at_m_ = place_m;
     overhead.putLid(lid_m_);
 }
@@ -66,12 +70,12 @@ void Ways::comeUp(Overhead& overhead) {
 }
 
 void Ways::touch(const Senses& senses, const Vec2& touched_m) {
-    if (under_ && senses.position_m().z() > lid_m_)
+    if (under_ && !sunk_)
         sink_at_m_ = senses.position2_m() + aside_m * (senses.position2_m() - touched_m).normalized();
 }
 
 std::optional<Motion> Ways::sink(const Senses& senses) const {
-    if (!under_ || senses.position_m().z() < lid_m_)
+    if (!under_ || sunk_)
         return std::nullopt;
     Motion motion = holding(senses, sink_at_m_);
     if ((senses.position2_m() - sink_at_m_).norm() < over_sink_m)

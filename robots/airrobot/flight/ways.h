@@ -62,6 +62,7 @@ private:
     RouteMap low_;
     double lid_m_ = 1e9; ///< map z
     bool under_ = false;
+    bool sunk_ = false; ///< since then
     bool near_ = false;
     bool squeezes_ = false;
     Vec2 sink_at_m_ = Vec2::Zero();
