@@ -63,6 +63,36 @@ class tst_Overhead : public QObject {
     const Settings settings;
 
 private slots:
+    /// Beams that were steeper than those on the flat underside of a crown met the side of that, or nothing
+    /// (`tst_random_surveys_campaign`, number 118160).
+    void takesNoUndersideThatSteeperBeamsPassForACeiling_data() {
+        QTest::addColumn<double>("steeper_up_rad");
+        QTest::addColumn<double>("steeper_range_m");
+        QTest::addColumn<bool>("hits");
+        QTest::addColumn<bool>("seen");
+        QTest::newRow("nothing is steeper") << 0.0 << 0.0 << false << true;
+        QTest::newRow("a steeper beam meets the side of the crown") << radians(16.0) << 9.0 << true << false;
+        QTest::newRow("a steeper beam meets nothing") << radians(16.0) << reach_m << false << false;
+        QTest::newRow("a steeper beam meets the ceiling")
+            << radians(16.0) << 1.7 / std::sin(radians(16.0)) << true << true;
+        QTest::newRow("a beam on the other side meets nothing") << radians(164.0) << reach_m << false << true;
+    }
+    void takesNoUndersideThatSteeperBeamsPassForACeiling() {
+        QFETCH(double, steeper_up_rad);
+        QFETCH(double, steeper_range_m);
+        QFETCH(bool, hits);
+        QFETCH(bool, seen);
+        const Vec3 from_m(0.0, 0.0, 4.3);
+        Senses senses = sensesWith(scanBelow(6.0, 12.0, radians(14.0), from_m));
+        const Vec3 end_m = from_m + steeper_range_m * Vec3(0.0, std::cos(steeper_up_rad), std::sin(steeper_up_rad));
+        auto& ends_m = hits ? senses.scan->hits_in_map_m : senses.scan->misses_in_map_m;
+        if (steeper_range_m > 0.0)
+            ends_m.insert(ends_m.begin(), end_m);
+        Overhead overhead;
+        overhead.observe(senses, {.climb_m_s = 0.0, .ascending = true});
+        QCOMPARE(overhead.hasCeiling(), seen);
+    }
+
     void seesACeilingAndNothingElse_data() {
         QTest::addColumn<double>("ceiling_m");
         QTest::addColumn<double>("wall_m");

@@ -18,6 +18,7 @@ constexpr std::size_t least_hits = 4;
 /// hits looked like one in a single scan, and the robot flew below it for 20 minutes (`quick_scan`, seed 4145). In
 /// rooms, a look shows seven or eight hits, but often in one scan only.
 constexpr std::size_t sure_hits = 5;
+constexpr double passed_m = 0.5; ///< A beam that ends so much higher than a ceiling has not hit it.
 constexpr Seconds one_look{1.5};
 constexpr double same_height_m = 0.4;
 constexpr double above_m = 0.3;
@@ -97,6 +98,21 @@ std::optional<LevelHits> ceilingFrom(std::span<const Vec3> hits, const Vec3& fro
     return LevelHits{low_m, count};
 }
 
+/// True if a beam that is steeper than those that hit `patch` has passed its height: that is the underside of a crown
+/// or of a floor on posts, and nothing like it is above the robot.
+bool endsBeforeRobot(const PlacedScan& scan, std::span<const Vec3> patch) {
+    const Vec3 from_m = scan.base_in_map.position_m;
+    const auto away_m = [&](const Vec3& at) { return (at - from_m).head<2>().norm(); };
+    const Vec3 near = std::ranges::min(patch, {}, away_m);
+    const auto passes = [&](const Vec3& end) {
+        const double risen_m = end.z() - from_m.z();
+        const double level_m = near.z() - from_m.z();
+        const bool same_side = (end - from_m).head<2>().dot((near - from_m).head<2>()) > 0.0;
+        return same_side && risen_m > level_m + passed_m && away_m(end) * level_m < away_m(near) * risen_m;
+    };
+    return std::ranges::any_of(scan.hits_in_map_m, passes) || std::ranges::any_of(scan.misses_in_map_m, passes);
+}
+
 } // namespace
 
 void Overhead::observe(const Senses& senses, const Doing& doing) {
@@ -125,6 +141,8 @@ void Overhead::lookUp(const PlacedScan& scan, Seconds now, bool ascending) {
     const std::span<const Vec3> hits(scan.hits_in_map_m);
     for (std::size_t first = 0; ascending && first < hits.size(); ++first)
         if (const auto level = ceilingFrom(hits.subspan(first), from_m)) {
+            if (endsBeforeRobot(scan, hits.subspan(first, level->count)))
+                return;
             const auto before = std::exchange(glimpse_, Glimpse{level->z_m, now});
             const bool again =
                 before && now - before->time < one_look && std::abs(before->z_m - level->z_m) < same_height_m;
