@@ -43,10 +43,6 @@ constexpr double detour_m_s = 1.0;
 /// A robot that is less above a ceiling than this may be below it: the estimate of its height drifts by decimeters.
 constexpr double surely_above_m = 1.5;
 constexpr double below_ceiling_m = 0.5; ///< Scanner hits higher than this are on the ceiling.
-/// So near to a roof, the robot does nothing but sink: a turn or a lean makes a rotor scrape along it, which breaks it.
-constexpr double near_roof_m = 0.35;
-/// A robot without a pose sinks away from a roof for so long and no longer, because it does not see how far it sinks.
-constexpr Seconds longest_press{6.0};
 constexpr double open_sky_m = 8.0; ///< A beam has reached so far above the robot where it is in no room.
 
 /// A roof that a robot meets as it climbs does not break it, but does if it slides along it.
@@ -268,33 +264,6 @@ FlightState Craft::perform(Maneuver maneuver, const Leg& asked, agent::CommandPo
     return state;
 }
 
-void Craft::command(const Motion& motion, agent::CommandPort& port, const std::string& source) {
-    const bool below_roof = touchesRoof();
-    Motion safe = ways.sink(senses).value_or(below_roof ? Motion{.climb_m_s = -Overhead::gentle_m_s} : motion);
-    const BellyTouch::Doing doing{commanded_climb_m_s_, pilot_.wantedInBase_m_s().norm(), pilot_.feelsWind(),
-                                  below_roof || climb_over_.sinks(), motion.to_ground};
-    if (const auto freeing = belly_.free(senses, log.lean().slope(senses.base_in_map.yaw_rad), doing))
-        safe = *freeing;
-    if (belly_.met_m())
-        stayAbove(*belly_.met_m());
-    commanded_climb_m_s_ = safe.climb_m_s;
-    pilot_.fly(safe, senses, port, source, settings);
-}
-
-/// Keeps the robot from sinking onto that again. It may be a wire and reach far.
-void Craft::stayAbove(const Vec3& met_m) {
-    memory.touch(met_m);
-    ways.touch(senses, met_m.head<2>());
-    const Vec3 here_m = senses.position_m();
-    climbed_at_ = Vec3(here_m.x(), here_m.y(), met_m.z() + settings.clearance_m);
-}
-
-bool Craft::touchesRoof() const {
-    const auto ceiling_m = overhead.ceiling_m(senses.position2_m());
-    const bool over_lid = ways.sink(senses).has_value(); // That is no roof.
-    return ceiling_m && !over_lid && senses.position_m().z() > *ceiling_m - near_roof_m;
-}
-
 void Craft::goUnder(const Vec2& place_m) {
     ways.goUnder(place_m, overhead);
     memory.clear();
@@ -445,14 +414,6 @@ void Craft::hover(const Vec2& place_m, agent::CommandPort& port, const std::stri
     makeSafe(motion);
     stuck_.wait(senses.now);
     command(calmed(motion, senses, settings), port, source);
-}
-
-void Craft::brace(agent::CommandPort& port, const std::string& source) {
-    stuck_.wait(senses.now);
-    // A robot that has pressed against a roof keeps its place for a moment, as if its pose were hanging.
-    const bool pressed = touchesRoof() && senses.ins_age < longest_press;
-    commanded_climb_m_s_ = pressed ? -Overhead::gentle_m_s : 0.0;
-    pilot_.brace(senses, commanded_climb_m_s_, port, source);
 }
 
 void Craft::leave(bool airborne, agent::CommandPort& port) {

@@ -5,7 +5,6 @@
 #include "core/agent/behavior.h"
 #include "robots/airrobot/flight/altitude_hold.h"
 #include "robots/airrobot/flight/battery_model.h"
-#include "robots/airrobot/flight/belly_touch.h"
 #include "robots/airrobot/flight/climb_over.h"
 #include "robots/airrobot/flight/column.h"
 #include "robots/airrobot/flight/crash_watch.h"
@@ -21,6 +20,7 @@
 #include "robots/airrobot/flight/sense_reader.h"
 #include "robots/airrobot/flight/steering.h"
 #include "robots/airrobot/flight/stuck_watch.h"
+#include "robots/airrobot/flight/touches.h"
 #include "robots/airrobot/flight/way_back.h"
 #include "robots/airrobot/flight/ways.h"
 
@@ -121,7 +121,7 @@ private:
     HeightAtlas atlas_;
     ClimbOver climb_over_;
     Ascent ascent_;
-    BellyTouch belly_;
+    Touches touches_;
     Column column_;
     CrashWatch crash_watch_;
     const char* crash_ = nullptr;

@@ -90,6 +90,7 @@ void SenseReader::forgetMotion() {
     pose_check_.forget();
     sonar_check_.forget();
     history_.clear();
+    told_history_.clear();
     course_.reset();
     level_flight_.insWasSet();
     flown_m_ = 0.0;
@@ -108,6 +109,7 @@ Senses SenseReader::read(Seconds now, LineNumber line, const modules::RobotModul
     senses.height_doubt_m = by_truth_ ? 0.0 : doubt_per_root_m * std::sqrt(flown_m_);
     senses.velocity_in_map_m_s = history_.velocity_m_s();
     senses.yaw_rate_rad_s = history_.yawRate_rad_s();
+    senses.ins_yaw_rate_rad_s = told_history_.yawRate_rad_s();
     readSonars(senses, robot, layout, time_out);
     readScan(senses, robot, layout);
     if (robot.state.latest())
@@ -134,6 +136,7 @@ void SenseReader::readPose(Seconds now, const Reading* reading) {
         base_in_map_.yaw_rad = normalizedAngle(base_in_map_.yaw_rad + course_.correction_rad());
     }
     history_.add(now, base_in_map_);
+    told_history_.add(now, told_in_map);
     level_flight_.take(now, base_in_map_);
 }
 

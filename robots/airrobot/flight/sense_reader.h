@@ -62,6 +62,7 @@ private:
     bool corrects_lean_ = false;
     bool wind_ = false;
     PoseHistory history_;
+    PoseHistory told_history_; ///< with the heading as it was told
     mapping::LevelFlight level_flight_;
     CourseFilter course_;
     PoseCheck pose_check_;

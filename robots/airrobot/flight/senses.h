@@ -65,6 +65,7 @@ struct Senses {
     double height_doubt_m = 0.0;
     /// Positive to the left.
     double yaw_rate_rad_s = 0.0;
+    double ins_yaw_rate_rad_s = 0.0;        ///< the same without the jumps that corrections of the heading make
     std::vector<SonarEcho> sonars;          ///< left to right, without silent ones
     std::vector<std::string> silent_sonars; ///< mounted sonars that have sent no number for longer than the timeout
     std::optional<PlacedScan> scan;         ///< nullopt if there is no new scan in this tick

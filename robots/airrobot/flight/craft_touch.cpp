@@ -1,0 +1,59 @@
+#include "robots/airrobot/flight/craft.h"
+
+#include <algorithm>
+
+namespace usar::airrobot {
+
+namespace {
+
+/// So near to a roof, the robot does nothing but sink: a turn or a lean makes a rotor scrape along it, which breaks it.
+constexpr double near_roof_m = 0.35;
+/// A robot without a pose sinks away from a roof for so long and no longer, because it does not see how far it sinks.
+constexpr Seconds longest_press{6.0};
+
+} // namespace
+
+void Craft::command(const Motion& motion, agent::CommandPort& port, const std::string& source) {
+    const bool below_roof = touchesRoof();
+    Motion safe = ways.sink(senses).value_or(below_roof ? Motion{.climb_m_s = -Overhead::gentle_m_s} : motion);
+    const Vec2 told_m_s = Eigen::Rotation2Dd(senses.base_in_map.yaw_rad) * pilot_.wantedInBase_m_s();
+    const auto away_m_s = touches_.side.free_m_s(senses, {pilot_.told().yaw_rate_rad_s, told_m_s});
+    if (const auto& met_m = touches_.side.met_m())
+        memory.touch(*met_m);
+    if (away_m_s && !below_roof) {
+        safe = {.velocity_in_map_m_s = *away_m_s, .climb_m_s = std::min(safe.climb_m_s, 0.0), .sudden = true};
+        makeSafe(safe);
+    }
+    const BellyTouch::Doing doing{commanded_climb_m_s_, pilot_.wantedInBase_m_s().norm(), pilot_.feelsWind(),
+                                  below_roof || climb_over_.sinks(), motion.to_ground};
+    if (const auto freeing = touches_.belly.free(senses, log.lean().slope(senses.base_in_map.yaw_rad), doing))
+        safe = *freeing;
+    if (touches_.belly.met_m())
+        stayAbove(*touches_.belly.met_m());
+    commanded_climb_m_s_ = safe.climb_m_s;
+    pilot_.fly(safe, senses, port, source, settings);
+}
+
+/// Keeps the robot from sinking onto that again. It may be a wire and reach far.
+void Craft::stayAbove(const Vec3& met_m) {
+    memory.touch(met_m);
+    ways.touch(senses, met_m.head<2>());
+    const Vec3 here_m = senses.position_m();
+    climbed_at_ = Vec3(here_m.x(), here_m.y(), met_m.z() + settings.clearance_m);
+}
+
+bool Craft::touchesRoof() const {
+    const auto ceiling_m = overhead.ceiling_m(senses.position2_m());
+    const bool over_lid = ways.sink(senses).has_value(); // That is no roof.
+    return ceiling_m && !over_lid && senses.position_m().z() > *ceiling_m - near_roof_m;
+}
+
+void Craft::brace(agent::CommandPort& port, const std::string& source) {
+    stuck_.wait(senses.now);
+    // A robot that has pressed against a roof keeps its place for a moment, as if its pose were hanging.
+    const bool pressed = touchesRoof() && senses.ins_age < longest_press;
+    commanded_climb_m_s_ = pressed ? -Overhead::gentle_m_s : 0.0;
+    pilot_.brace(senses, commanded_climb_m_s_, port, source);
+}
+
+} // namespace usar::airrobot

@@ -1,0 +1,75 @@
+#include "robots/airrobot/flight/side_touch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace usar::airrobot {
+
+namespace {
+
+constexpr Seconds answers_within{1.0}; ///< A turn follows its command in this time.
+/// In 16 random surveys, nothing but touches turned it so fast for so long.
+constexpr double least_turn_rad_s = 0.07;
+constexpr Seconds long_turn{0.15};
+constexpr double held_from_m_s = 0.25;
+constexpr double sure_aloft_m = 0.8;
+constexpr Seconds obeys_within{0.3}; ///< The robot flies as it was told so long ago.
+/// What holds the robot lies this far to one side of its way, which makes it turn, and this far from its center.
+constexpr double aside_rad = radians(35.0);
+constexpr double ring_m = 0.5;
+constexpr double reaches_above_m = 0.3; ///< It is remembered as high as this above the robot.
+constexpr double free_speed_m_s = 0.5;
+constexpr Seconds freeing{1.0};
+
+} // namespace
+
+double SideTouch::unexplained_rad_s(const Senses& senses) const {
+    double least_rad_s = 0.0;
+    double most_rad_s = 0.0;
+    for (const Told& told : told_) {
+        least_rad_s = std::min(least_rad_s, told.doing.yaw_rate_rad_s);
+        most_rad_s = std::max(most_rad_s, told.doing.yaw_rate_rad_s);
+    }
+    const double turn_rad_s = senses.ins_yaw_rate_rad_s;
+    return std::max(0.0, turn_rad_s - most_rad_s) - std::max(0.0, least_rad_s - turn_rad_s);
+}
+
+Vec2 SideTouch::flewBefore_m_s(Seconds turn) const {
+    const auto after = std::ranges::find_if(told_, [&](const Told& told) { return told.time > turn - obeys_within; });
+    return after == told_.end() ? told_.back().doing.velocity_in_map_m_s : after->doing.velocity_in_map_m_s;
+}
+
+void SideTouch::feel(const Senses& senses) {
+    const double turn_rad_s = unexplained_rad_s(senses);
+    const double sign = turn_rad_s > 0.0 ? 1.0 : -1.0;
+    if (std::abs(turn_rad_s) < least_turn_rad_s || senses.heightOverGround_m(1e9) < sure_aloft_m ||
+        senses.ins_age > Seconds{0.0}) {
+        turning_since_.reset();
+        return;
+    }
+    if (!turning_since_ || sign != turns_)
+        turning_since_ = senses.now;
+    turns_ = sign;
+    const Vec2 flew_m_s = flewBefore_m_s(*turning_since_);
+    if (senses.now - *turning_since_ < long_turn || flew_m_s.norm() < held_from_m_s)
+        return;
+    const Vec2 toward = Eigen::Rotation2Dd(sign * aside_rad) * flew_m_s.normalized();
+    const Vec2 at_m = senses.position2_m() + ring_m * toward;
+    met_m_ = Vec3(at_m.x(), at_m.y(), senses.position_m().z() + reaches_above_m);
+    away_m_s_ = -free_speed_m_s * toward;
+    freeing_since_ = senses.now;
+}
+
+std::optional<Vec2> SideTouch::free_m_s(const Senses& senses, const Doing& doing) {
+    met_m_.reset();
+    told_.push_back({senses.now, doing});
+    while (senses.now - told_.front().time > answers_within + senses.late)
+        told_.pop_front();
+    if (freeing_since_ && senses.now - *freeing_since_ > freeing)
+        freeing_since_.reset();
+    if (!freeing_since_)
+        feel(senses);
+    return freeing_since_ ? std::optional(away_m_s_) : std::nullopt;
+}
+
+} // namespace usar::airrobot

@@ -1,0 +1,46 @@
+// Feels that something beside the robot holds its ring, such as a twig or a rack behind it, which no sensor sees, and
+// frees it.
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include "robots/airrobot/flight/senses.h"
+
+namespace usar::airrobot {
+
+/// What a ring meets on its way holds it on that side, so that the robot turns although it is not told to. If it goes
+/// on pressing, it is turned over. Owned by one robot.
+class SideTouch {
+public:
+    /// The part of the last command that matters here.
+    struct Doing {
+        double yaw_rate_rad_s = 0.0;
+        Vec2 velocity_in_map_m_s = Vec2::Zero();
+    };
+    /// The horizontal velocity (map frame) by which it gets free in this tick; nullopt if nothing holds it. Call it
+    /// once per tick.
+    std::optional<Vec2> free_m_s(const Senses& senses, const Doing& doing);
+    /// Where it has met something in this tick (map frame); nullopt in most ticks.
+    const std::optional<Vec3>& met_m() const { return met_m_; }
+
+private:
+    struct Told {
+        Seconds time{0.0};
+        Doing doing;
+    };
+    /// How much faster the robot turns than any command of the last moments explains; positive to the left.
+    double unexplained_rad_s(const Senses& senses) const;
+    /// How it was told to fly a moment before it began to turn.
+    Vec2 flewBefore_m_s(Seconds turn) const;
+    void feel(const Senses& senses);
+
+    std::deque<Told> told_; ///< as far back as a turn takes to begin and to end
+    std::optional<Seconds> turning_since_;
+    double turns_ = 0.0; ///< the sign of that turn
+    std::optional<Vec3> met_m_;
+    std::optional<Seconds> freeing_since_;
+    Vec2 away_m_s_ = Vec2::Zero();
+};
+
+} // namespace usar::airrobot

@@ -1,0 +1,103 @@
+#include <optional>
+
+#include <QObject>
+#include <QTest>
+
+#include "robots/airrobot/flight/side_touch.h"
+#include "tests/robots/robot_samples.h"
+#include "tests/suite/suite.h"
+
+namespace tst_side_touch {
+
+using namespace usar;
+using namespace usar::airrobot;
+using namespace usar::test;
+
+class tst_SideTouch : public QObject {
+    Q_OBJECT
+
+private slots:
+    void feelsWhatTurnsTheRobot_data() {
+        QTest::addColumn<double>("told_rad_s");
+        QTest::addColumn<double>("turns_rad_s");
+        QTest::addColumn<double>("speed_m_s");
+        QTest::addColumn<double>("height_m");
+        QTest::addColumn<bool>("feels");
+        QTest::addColumn<bool>("to_the_left");
+        QTest::newRow("something to its left") << 0.0 << 0.25 << 0.8 << 6.0 << true << true;
+        QTest::newRow("something to its right") << 0.0 << -0.25 << 0.8 << 6.0 << true << false;
+        QTest::newRow("it turns as it is told") << 0.6 << 0.55 << 0.8 << 6.0 << false << false;
+        QTest::newRow("it is held as it turns") << 0.6 << 0.9 << 0.8 << 6.0 << true << true;
+        QTest::newRow("it turns a little") << 0.0 << 0.05 << 0.8 << 6.0 << false << false;
+        QTest::newRow("it stands") << 0.0 << 0.25 << 0.0 << 6.0 << false << false;
+        QTest::newRow("on the ground") << 0.0 << 0.25 << 0.8 << 0.4 << false << false;
+    }
+    void feelsWhatTurnsTheRobot() {
+        QFETCH(double, told_rad_s);
+        QFETCH(double, turns_rad_s);
+        QFETCH(double, speed_m_s);
+        QFETCH(double, height_m);
+        QFETCH(bool, feels);
+        QFETCH(bool, to_the_left);
+        SideTouch touch;
+        Senses senses = sensesAt({0, 0, height_m});
+        senses.ground_m = 0.0;
+        senses.ins_yaw_rate_rad_s = turns_rad_s;
+        const SideTouch::Doing doing{told_rad_s, Vec2(speed_m_s, 0.0)};
+        std::optional<Vec2> away_m_s;
+        for (int tick = 0; tick < 5 && !away_m_s; ++tick) {
+            senses.now += Seconds(0.2);
+            away_m_s = touch.free_m_s(senses, doing);
+        }
+        QCOMPARE(away_m_s.has_value(), feels);
+        if (!feels)
+            return;
+        const Vec3 met_m = touch.met_m().value();
+        QVERIFY(met_m.x() > 0.3 && met_m.z() > height_m);
+        QCOMPARE(met_m.y() > 0.0, to_the_left);
+        QVERIFY(away_m_s->dot(met_m.head<2>()) < 0.0);
+        senses.ins_yaw_rate_rad_s = 0.0;
+        int ticks = 0;
+        while (touch.free_m_s(senses, doing)) {
+            senses.now += Seconds(0.2);
+            QVERIFY(!touch.met_m() && ++ticks < 8);
+        }
+        QVERIFY(ticks > 4);
+    }
+
+    /// It meets something as it turns back: that lies where it came from.
+    void knowsThatItMetThatBeforeItTurnedBack() {
+        SideTouch touch;
+        Senses senses = sensesAt({0, 0, 6});
+        for (int tick = 0; tick < 5; ++tick) {
+            senses.now += Seconds(0.2);
+            QVERIFY(!touch.free_m_s(senses, {0.0, Vec2(-0.8, 0.0)}));
+        }
+        senses.ins_yaw_rate_rad_s = -0.3;
+        for (int tick = 0; tick < 2; ++tick) {
+            senses.now += Seconds(0.2);
+            touch.free_m_s(senses, {0.0, Vec2(0.8, 0.0)});
+        }
+        QVERIFY(touch.met_m().value().x() < -0.3);
+    }
+
+    /// The robot still turns when it has been told to stop.
+    void doesNotTakeATurnThatEndsForATouch() {
+        SideTouch touch;
+        Senses senses = sensesAt({0, 0, 6});
+        double told_rad_s = 0.6;
+        for (int tick = 0; tick < 15; ++tick) {
+            senses.now += Seconds(0.2);
+            if (tick == 5)
+                told_rad_s = 0.0;
+            senses.ins_yaw_rate_rad_s += 0.4 * (told_rad_s - senses.ins_yaw_rate_rad_s);
+            QVERIFY(!touch.free_m_s(senses, {told_rad_s, Vec2(1.0, 0.0)}));
+        }
+    }
+};
+
+USAR_TEST(tst_SideTouch)
+
+} // namespace tst_side_touch
+
+#include "tst_side_touch.moc"
