@@ -10,6 +10,8 @@ namespace {
 constexpr double near_roof_m = 0.35;
 /// A robot without a pose sinks away from a roof for so long and no longer, because it does not see how far it sinks.
 constexpr Seconds longest_press{6.0};
+/// It backs away from what holds it at least so fast, whatever is near on that side.
+constexpr double least_away_m_s = 0.25;
 
 } // namespace
 
@@ -23,6 +25,8 @@ void Craft::command(const Motion& motion, agent::CommandPort& port, const std::s
     if (away_m_s && !below_roof) {
         safe = {.velocity_in_map_m_s = *away_m_s, .climb_m_s = std::min(safe.climb_m_s, 0.0), .sudden = true};
         makeSafe(safe);
+        if (safe.velocity_in_map_m_s.norm() < least_away_m_s)
+            safe.velocity_in_map_m_s = least_away_m_s * away_m_s->normalized();
     }
     const BellyTouch::Doing doing{commanded_climb_m_s_, pilot_.wantedInBase_m_s().norm(), pilot_.feelsWind(),
                                   below_roof || climb_over_.sinks(), motion.to_ground};

@@ -35,8 +35,10 @@ double SideTouch::unexplained_rad_s(const Senses& senses) const {
 }
 
 Vec2 SideTouch::flewBefore_m_s(Seconds turn) const {
-    const auto after = std::ranges::find_if(told_, [&](const Told& told) { return told.time > turn - obeys_within; });
-    return after == told_.end() ? told_.back().doing.velocity_in_map_m_s : after->doing.velocity_in_map_m_s;
+    const auto flew = std::ranges::find_if(told_, [&](const Told& told) {
+        return told.time > turn - obeys_within && told.doing.velocity_in_map_m_s.norm() >= held_from_m_s;
+    });
+    return flew == told_.end() ? Vec2::Zero() : flew->doing.velocity_in_map_m_s;
 }
 
 void SideTouch::feel(const Senses& senses) {
@@ -51,13 +53,14 @@ void SideTouch::feel(const Senses& senses) {
         turning_since_ = senses.now;
     turns_ = sign;
     const Vec2 flew_m_s = flewBefore_m_s(*turning_since_);
-    if (senses.now - *turning_since_ < long_turn || flew_m_s.norm() < held_from_m_s)
+    if (senses.now - *turning_since_ < long_turn || flew_m_s.isZero())
         return;
     const Vec2 toward = Eigen::Rotation2Dd(sign * aside_rad) * flew_m_s.normalized();
     const Vec2 at_m = senses.position2_m() + ring_m * toward;
     met_m_ = Vec3(at_m.x(), at_m.y(), senses.position_m().z() + reaches_above_m);
     away_m_s_ = -free_speed_m_s * toward;
     freeing_since_ = senses.now;
+    turning_since_.reset();
 }
 
 std::optional<Vec2> SideTouch::free_m_s(const Senses& senses, const Doing& doing) {

@@ -31,7 +31,7 @@ private:
     };
     /// How much faster the robot turns than any command of the last moments explains; positive to the left.
     double unexplained_rad_s(const Senses& senses) const;
-    /// How it was told to fly a moment before it began to turn.
+    /// How it was told to fly a moment before it began to turn, or since then; zero if it was to stand.
     Vec2 flewBefore_m_s(Seconds turn) const;
     void feel(const Senses& senses);
 
