@@ -70,8 +70,8 @@ private slots:
         QTest::addColumn<double>("ahead_m");
         QTest::addColumn<bool>("sinks");
         QTest::newRow("an underside") << 0.3 << 0.2 << true;
-        QTest::newRow("one trunk") << 0.3 << 2.0 << false;
-        QTest::newRow("with room") << 0.8 << 0.7 << false;
+        QTest::newRow("one trunk") << 0.6 << 2.0 << true;
+        QTest::newRow("with room") << 1.1 << 1.0 << false;
     }
     void sinksFromWhatComesNearItsRing() {
         QFETCH(double, left_m);

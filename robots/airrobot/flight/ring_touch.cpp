@@ -10,9 +10,8 @@ constexpr double held_share = 0.6;
 constexpr Seconds to_speed{1.0}; ///< So long it takes to climb at all.
 constexpr Seconds tipping{0.35};
 constexpr double touch_reach_m = 0.5; ///< from the robot's center to what it has touched
-/// A climbing robot is about to touch something, such as the underside of a crown, if two sonars hear it so near.
-constexpr double nearly_touches_m = 0.45;
-constexpr int least_sonars = 2;
+/// A climbing robot is about to touch something, such as the underside of a crown, if a sonar hears it so near.
+constexpr double nearly_touches_m = 0.9;
 constexpr double touch_height_m = 0.5; ///< So high above the robot's center it is remembered.
 
 } // namespace
@@ -24,7 +23,7 @@ Vec2 unusualLean(const Senses& senses, const Vec2& slope) {
 
 namespace {
 
-/// The middle of what some sonars hear close to the ring; nullopt if fewer do.
+/// The middle of what sonars hear close to the ring; nullopt if none does.
 std::optional<Vec2> heardClose_m(const Senses& senses) {
     Vec2 sum_m = Vec2::Zero();
     int count = 0;
@@ -33,7 +32,7 @@ std::optional<Vec2> heardClose_m(const Senses& senses) {
             sum_m += echo.center_in_map_m.head<2>();
             ++count;
         }
-    return count < least_sonars ? std::nullopt : std::optional<Vec2>(sum_m / count);
+    return count == 0 ? std::nullopt : std::optional<Vec2>(sum_m / count);
 }
 
 } // namespace

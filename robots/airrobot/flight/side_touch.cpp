@@ -13,13 +13,23 @@ constexpr double least_turn_rad_s = 0.07;
 constexpr Seconds long_turn{0.15};
 constexpr double held_from_m_s = 0.25;
 constexpr double sure_aloft_m = 0.8;
-constexpr Seconds obeys_within{0.3}; ///< The robot flies as it was told so long ago.
-/// What holds the robot lies this far to one side of its way, which makes it turn, and this far from its center.
-constexpr double aside_rad = radians(35.0);
-constexpr double ring_m = 0.5;
+constexpr Seconds obeys_within{0.3};    ///< The robot flies as it was told so long ago.
+constexpr double ring_m = 0.5;          ///< from the robot's center to what holds it
 constexpr double reaches_above_m = 0.3; ///< It is remembered as high as this above the robot.
+constexpr double slides_m_s = 0.08;
+constexpr double against_told = -0.3; ///< It cannot press against what lies so far behind it.
 constexpr double free_speed_m_s = 0.5;
 constexpr Seconds freeing{1.0};
+
+/// The direction of what holds a robot that is told to fly along `told`, moves like this, and turns to the left
+/// (`sign` 1) or to the right (-1). It slides along that, whose friction turns it, so that lies to the left of how it
+/// moves if it turns to the left; and it presses against that.
+Vec2 towardTouch(const Vec2& told, const Vec2& moves_m_s, double sign) {
+    const Vec2 along = moves_m_s.norm() > slides_m_s ? moves_m_s.normalized() : told;
+    const Vec2 beside(-sign * along.y(), sign * along.x());
+    const Vec2 toward = told + beside;
+    return told.dot(beside) < against_told || toward.isZero() ? told : Vec2(toward.normalized());
+}
 
 } // namespace
 
@@ -55,7 +65,7 @@ void SideTouch::feel(const Senses& senses) {
     const Vec2 flew_m_s = flewBefore_m_s(*turning_since_);
     if (senses.now - *turning_since_ < long_turn || flew_m_s.isZero())
         return;
-    const Vec2 toward = Eigen::Rotation2Dd(sign * aside_rad) * flew_m_s.normalized();
+    const Vec2 toward = towardTouch(flew_m_s.normalized(), senses.velocity_in_map_m_s.head<2>(), sign);
     const Vec2 at_m = senses.position2_m() + ring_m * toward;
     met_m_ = Vec3(at_m.x(), at_m.y(), senses.position_m().z() + reaches_above_m);
     away_m_s_ = -free_speed_m_s * toward;
