@@ -81,6 +81,20 @@ private slots:
         QVERIFY(touch.met_m().value().x() < -0.3);
     }
 
+    /// It passes a crown too closely (survey 96575).
+    void backsAwayFromWhatItHears() {
+        SideTouch touch;
+        Senses senses = sensesAt({0, 0, 6});
+        setSonars(senses, {{"R4", 0.1}, {"M0", 3.0}});
+        senses.ins_yaw_rate_rad_s = -0.6;
+        std::optional<Vec2> away_m_s;
+        for (int tick = 0; tick < 3; ++tick) {
+            senses.now += Seconds(0.2);
+            away_m_s = touch.free_m_s(senses, {0.0, Vec2(1.5, 0.0)});
+        }
+        QVERIFY(away_m_s.value().y() > 0.4); // R4 looks to the right.
+    }
+
     /// The robot still turns when it has been told to stop.
     void doesNotTakeATurnThatEndsForATouch() {
         SideTouch touch;
