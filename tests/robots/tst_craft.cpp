@@ -246,6 +246,16 @@ private slots:
         QCOMPARE(*lastDrive().value().climb_m_s < 0.0, sinks);
     }
 
+    /// Wind pressed it against a house beside its place, where it waited until it was turned over (survey 96774).
+    void keepsOffWhatIsBesideItsPlace() {
+        craft->touchdown.start();
+        perceive(4.0, {{"R1", 0.2}, {"M0", 0.1}, {"L1", 0.2}});
+        craft->descend({x_m + 2.0, 0.0}, false, port);
+        const protocol::AerialDrive drive = lastDrive().value();
+        QVERIFY2(*drive.forward_m_s < -0.1, qPrintable(QString::number(*drive.forward_m_s)));
+        QCOMPARE(*drive.climb_m_s, 0.0);
+    }
+
     void leavesTheGroundOnItsWayToAnotherPlace() {
         craft->touchdown.start();
         const auto climb_m_s = [&](double height_m) {

@@ -68,6 +68,7 @@ public:
     /// Makes the robot sink where it is, whatever stands below, as soon as its own battery lasts for nothing else: it
     /// would fall otherwise. Call it once per tick of a landing.
     void mindBattery(const Senses& senses, const Settings& settings);
+    bool sinksAnyway() const { return sinks_anyway_; }
     /// Returns whether the robot is over its place, so that it may sink. Call it once per tick of a landing.
     bool isOver(const Senses& senses, const Vec2& place_m);
     /// Where to land: `place_m`, or where the ground turned out to be better as it looked at it from low above.

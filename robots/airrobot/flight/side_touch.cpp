@@ -32,19 +32,17 @@ Vec2 towardTouch(const Vec2& told, const Vec2& moves_m_s, double sign) {
     return told.dot(beside) < against_told || toward.isZero() ? told : Vec2(toward.normalized());
 }
 
-/// The direction of the nearest thing that a sonar hears at the ring; nullopt if none does.
-std::optional<Vec2> heardClose(const Senses& senses) {
+} // namespace
+
+std::optional<Vec2> towardHeard(const Senses& senses, double within_m) {
     std::optional<Vec2> toward;
-    double nearest_m = at_ring_m;
     for (const SonarEcho& echo : senses.sonars)
-        if (echo.hit && echo.range_m < nearest_m) {
-            nearest_m = echo.range_m;
+        if (echo.hit && echo.range_m < within_m) {
+            within_m = echo.range_m;
             toward = (echo.center_in_map_m.head<2>() - senses.position2_m()).normalized();
         }
     return toward;
 }
-
-} // namespace
 
 double SideTouch::unexplained_rad_s(const Senses& senses) const {
     double least_rad_s = 0.0;
@@ -78,8 +76,8 @@ void SideTouch::feel(const Senses& senses) {
     const Vec2 flew_m_s = flewBefore_m_s(*turning_since_);
     if (senses.now - *turning_since_ < long_turn || flew_m_s.isZero())
         return;
-    const Vec2 toward =
-        heardClose(senses).value_or(towardTouch(flew_m_s.normalized(), senses.velocity_in_map_m_s.head<2>(), sign));
+    const Vec2 toward = towardHeard(senses, at_ring_m)
+                            .value_or(towardTouch(flew_m_s.normalized(), senses.velocity_in_map_m_s.head<2>(), sign));
     const Vec2 at_m = senses.position2_m() + ring_m * toward;
     met_m_ = Vec3(at_m.x(), at_m.y(), senses.position_m().z() + reaches_above_m);
     away_m_s_ = -free_speed_m_s * toward;
