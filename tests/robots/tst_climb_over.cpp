@@ -92,12 +92,15 @@ private slots:
     /// One that is pressed to one side tips over before it would have come to its speed (number 122502).
     void sinksAtOnceAsItTips_data() {
         QTest::addColumn<double>("roll_rad");
+        QTest::addColumn<double>("climbs_m_s");
         QTest::addColumn<bool>("sinks");
-        QTest::newRow("it tips") << 0.25 << true;
-        QTest::newRow("it leans as it sets off") << 0.1 << false;
+        QTest::newRow("it tips") << 0.25 << 0.0 << true;
+        QTest::newRow("it tips while it climbs as it is told") << 0.25 << 0.45 << true; // number 97824
+        QTest::newRow("it leans as it sets off") << 0.1 << 0.0 << false;
     }
     void sinksAtOnceAsItTips() {
         QFETCH(double, roll_rad);
+        QFETCH(double, climbs_m_s);
         QFETCH(bool, sinks);
         ClimbOver climb;
         Senses senses = sensesAt({0, 0, 6});
@@ -105,6 +108,7 @@ private slots:
         for (int tick = 0; tick < 2; ++tick)
             step(climb, senses, {{"M0", 3.4}}, {});
         senses.base_in_map.roll_rad = roll_rad;
+        senses.velocity_in_map_m_s.z() = climbs_m_s;
         for (int tick = 0; tick < 4; ++tick) {
             senses.now += Seconds(0.2);
             climb.feel(senses, Vec2::Zero(), 0.5, settings);

@@ -256,6 +256,8 @@ bool Touchdown::isUneven(const Senses& senses) {
 }
 
 bool Touchdown::keptAway(const Senses& senses, bool holds) {
+    if (holds) // So it has not touched the ground.
+        still_since_.reset();
     if (!holds || sinks_anyway_)
         held_since_.reset();
     else if (!held_since_)

@@ -5,10 +5,10 @@ namespace usar::airrobot {
 namespace {
 
 constexpr double leans = 0.06;
-constexpr double tips = 0.18; ///< A robot that leans so far tips over before it could reach its rate of climb.
+constexpr double tips = 0.18; ///< A robot that leans so far tips over, even while it still climbs as it is told.
 constexpr double held_share = 0.6;
 constexpr Seconds to_speed{1.0}; ///< So long it takes to climb at all.
-constexpr Seconds tipping{0.35};
+constexpr Seconds to_tip{0.35};
 constexpr double touch_reach_m = 0.5; ///< from the robot's center to what it has touched
 /// A climbing robot is about to touch something, such as the underside of a crown, if a sonar hears it so near.
 constexpr double nearly_touches_m = 0.9;
@@ -49,9 +49,9 @@ std::optional<Vec3> RingTouch::feel(const Senses& senses, const Vec2& slope, dou
         return Vec3(close_m->x(), close_m->y(), senses.position_m().z() + touch_height_m);
     }
     const Vec2 lean = unusualLean(senses, slope);
-    const Seconds needed = lean.norm() > tips ? tipping : to_speed;
-    if (senses.now - *climbing_since_ < needed + senses.late ||
-        senses.velocity_in_map_m_s.z() > held_share * commanded_m_s || lean.norm() < leans)
+    const bool tipping = lean.norm() > tips;
+    const bool held = lean.norm() > leans && senses.velocity_in_map_m_s.z() < held_share * commanded_m_s;
+    if (senses.now - *climbing_since_ < (tipping ? to_tip : to_speed) + senses.late || !(tipping || held))
         return std::nullopt;
     climbing_since_.reset();
     const Vec2 met_m = senses.position2_m() + touch_reach_m * lean.normalized();
