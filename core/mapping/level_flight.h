@@ -18,8 +18,8 @@ namespace usar::mapping {
 /// what passes quickly: the corrected pitch is the INS's, high-passed, plus what the dynamics give at that speed.
 ///
 /// A flight is steady if it has not turned, climbed, accelerated or begun to lean for a second. In wind the robot leans
-/// for another reason: a lean that the drift cannot explain, for some seconds, is taken for a jump of the drift the first
-/// times, as after a collision; when it is large or comes again, as it does with each turn in wind, it ends the
+/// for another reason: a lean that the drift cannot explain, for some seconds, is taken for a jump of the drift the
+/// first times, as after a collision; when it is large or comes again, as it does with each turn in wind, it ends the
 /// corrections until the INS is set again.
 /// Uses nothing but the robot's own estimates. A plain value; its owner hands in the time.
 class LevelFlight {

@@ -64,7 +64,8 @@ private slots:
         QVERIFY(place_m.y() < -1.5 && std::abs(place_m.x()) < 1.0);
     }
 
-    /// What two sonars hear so near is the underside of something, into which it would climb (number 133126).
+    /// What a sonar hears so near may be the underside of something, into which it would climb (numbers 133126 and
+    /// 149210).
     void sinksFromWhatComesNearItsRing_data() {
         QTest::addColumn<double>("left_m");
         QTest::addColumn<double>("ahead_m");

@@ -43,7 +43,7 @@ constexpr double detour_m_s = 1.0;
 /// A robot that is less above a ceiling than this may be below it: the estimate of its height drifts by decimeters.
 constexpr double surely_above_m = 1.5;
 constexpr double below_ceiling_m = 0.5; ///< Scanner hits higher than this are on the ceiling.
-constexpr double open_sky_m = 8.0; ///< A beam has reached so far above the robot where it is in no room.
+constexpr double open_sky_m = 8.0;      ///< A beam has reached so far above the robot where it is in no room.
 
 /// A roof that a robot meets as it climbs does not break it, but does if it slides along it.
 constexpr double below_roof_m_s = 0.3;
