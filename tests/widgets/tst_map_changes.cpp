@@ -131,8 +131,7 @@ void settle(CountedMap& map) {
         map.painted_px = 0;
         busy = map.heights().busy();
         QTest::qWait(longer_than_a_cycle_ms);
-        // On a busy machine the wait can end before a cycle that was due has come, and before what it asked for is
-        // painted.
+        // On a busy machine, a cycle may be due at the end of the wait. The first call runs it; the second one paints.
         QCoreApplication::processEvents();
         QCoreApplication::processEvents();
     } while (map.painted_px > 0 || busy || map.heights().busy());

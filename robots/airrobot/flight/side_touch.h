@@ -12,8 +12,8 @@ namespace usar::airrobot {
 /// The direction of the nearest thing that a sonar hears within this distance (map frame); nullopt if none does.
 std::optional<Vec2> towardHeard(const Senses& senses, double within_m);
 
-/// What a ring meets on its way holds it on that side, so that the robot turns although it is not told to. If it goes
-/// on pressing, it is turned over. Owned by one robot.
+/// If the ring of a flying robot meets something, that holds it on one side, and the robot turns although it is not
+/// told to. If the robot goes on pressing, it is turned over. Owned by one robot.
 class SideTouch {
 public:
     /// The part of the last command that matters here.

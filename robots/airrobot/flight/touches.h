@@ -1,4 +1,4 @@
-// What the robot feels of things that no sensor sees.
+// Keeps together the two senses by which the robot feels things that no sensor sees and gets free of them.
 #pragma once
 
 #include "robots/airrobot/flight/belly_touch.h"
@@ -6,7 +6,7 @@
 
 namespace usar::airrobot {
 
-/// What it touches from above, and on its way. RingTouch feels what is over it in a climb.
+/// One feels what the robot rests on, and the other what holds it on its way. RingTouch feels what it climbs into.
 struct Touches {
     BellyTouch belly;
     SideTouch side;
