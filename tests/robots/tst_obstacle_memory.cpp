@@ -152,6 +152,18 @@ private slots:
         QVERIFY(near[0].at_m.x() > 4.5);
     }
 
+    /// A robot that flies against the wind leans forward, and its beams end below what is before it (survey 131616).
+    void takesWhatALeaningRobotHearsForAsHighAsTheRobot() {
+        ObstacleMemory memory;
+        Senses senses = sensesAt({0, 0, 6});
+        senses.base_in_map.pitch_rad = 0.3;
+        setSonars(senses, {{"M0", 4.0}});
+        QVERIFY(senses.sonars.at(4).hit && senses.sonars.at(4).high_m < 5.5);
+        memory.take(senses, spans);
+        QCOMPARE(memory.near({0, 0}, 8.0, 5.5).size(), std::size_t(1));
+        QCOMPARE(memory.near({0, 0}, 8.0, 6.5).size(), std::size_t(0));
+    }
+
     /// As flown in `tall_test` at 2 m/s: a crown's top was heard 3.8 m ahead, and a beam from 1.5 m passed over it.
     void keepsWhatANearerBeamPassesOver_data() {
         QTest::addColumn<double>("x_m");

@@ -126,6 +126,26 @@ private slots:
         QVERIFY(std::abs(flyTick({0.0, 0.0}) - (2.0 - 2.0 * tick_s)) < 1e-9);
     }
 
+    /// It cannot make good the speed that is wanted, and still knows the wind when it is to stand (survey 96575).
+    void doesNotTakeItsLimitForWind() {
+        Pilot pilot;
+        agent::CommandPort port;
+        Senses senses = sensesAt({0, 0, 6});
+        const Vec2 wind_m_s(-0.7, 0.2);
+        Vec2 through_air_m_s = Vec2::Zero();
+        for (int tick = 0; tick < 100; ++tick) {
+            senses.velocity_in_map_m_s.head<2>() = through_air_m_s + wind_m_s;
+            senses.now += Seconds(0.2);
+            pilot.fly({.velocity_in_map_m_s = {1.9, 0.0}}, senses, port, "test", settings);
+            for (const agent::CausedCommand& caused : port.takeCommands()) {
+                const auto& drive = std::get<protocol::AerialDrive>(caused.command);
+                through_air_m_s = Vec2(*drive.forward_m_s, *drive.left_m_s);
+            }
+        }
+        QVERIFY(std::abs(through_air_m_s.norm() - 2.0) < 1e-9);
+        QVERIFY2((pilot.drift_m_s() - wind_m_s).norm() < 0.1, qPrintable(QString::number(pilot.drift_m_s().x())));
+    }
+
     /// The robot moves over ground as it is told through the air, and with the wind.
     void holdsItsPlaceInTheWind() {
         Pilot pilot;

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <optional>
 
 #include <QObject>
@@ -44,21 +45,22 @@ private slots:
         senses.ground_m = 0.0;
         senses.ins_yaw_rate_rad_s = turns_rad_s;
         const SideTouch::Doing doing{told_rad_s, Vec2(speed_m_s, 0.0)};
-        std::optional<Vec2> away_m_s;
-        for (int tick = 0; tick < 5 && !away_m_s; ++tick) {
+        std::optional<Motion> away;
+        for (int tick = 0; tick < 5 && !away; ++tick) {
             senses.now += Seconds(0.2);
-            away_m_s = touch.free_m_s(senses, doing);
+            away = touch.free(senses, doing);
         }
-        QCOMPARE(away_m_s.has_value(), feels);
+        QCOMPARE(away.has_value(), feels);
         if (!feels)
             return;
         const Vec3 met_m = touch.met_m().value();
         QVERIFY(met_m.x() > 0.3 && met_m.z() > height_m);
         QCOMPARE(met_m.y() > 0.0, to_the_left);
-        QVERIFY(away_m_s->dot(met_m.head<2>()) < 0.0);
+        QVERIFY(away->velocity_in_map_m_s.dot(met_m.head<2>()) < 0.0);
+        QVERIFY(away->climb_m_s < -0.2);
         senses.ins_yaw_rate_rad_s = 0.0;
         int ticks = 0;
-        while (touch.free_m_s(senses, doing)) {
+        while (touch.free(senses, doing)) {
             senses.now += Seconds(0.2);
             QVERIFY(!touch.met_m() && ++ticks < 8);
         }
@@ -71,12 +73,12 @@ private slots:
         Senses senses = sensesAt({0, 0, 6});
         for (int tick = 0; tick < 5; ++tick) {
             senses.now += Seconds(0.2);
-            QVERIFY(!touch.free_m_s(senses, {0.0, Vec2(-0.8, 0.0)}));
+            QVERIFY(!touch.free(senses, {0.0, Vec2(-0.8, 0.0)}));
         }
         senses.ins_yaw_rate_rad_s = -0.3;
         for (int tick = 0; tick < 2; ++tick) {
             senses.now += Seconds(0.2);
-            touch.free_m_s(senses, {0.0, Vec2(0.8, 0.0)});
+            touch.free(senses, {0.0, Vec2(0.8, 0.0)});
         }
         QVERIFY(touch.met_m().value().x() < -0.3);
     }
@@ -87,12 +89,50 @@ private slots:
         Senses senses = sensesAt({0, 0, 6});
         setSonars(senses, {{"R4", 0.1}, {"M0", 3.0}});
         senses.ins_yaw_rate_rad_s = -0.6;
-        std::optional<Vec2> away_m_s;
+        std::optional<Motion> away;
         for (int tick = 0; tick < 3; ++tick) {
             senses.now += Seconds(0.2);
-            away_m_s = touch.free_m_s(senses, {0.0, Vec2(1.5, 0.0)});
+            away = touch.free(senses, {0.0, Vec2(1.5, 0.0)});
         }
-        QVERIFY(away_m_s.value().y() > 0.4); // R4 looks to the right.
+        QVERIFY(away.value().velocity_in_map_m_s.y() > 0.4); // R4 looks to the right.
+    }
+
+    /// It leans toward a crown that holds its nose, and does not turn (survey 131616).
+    void feelsWhatItHearsAtItsRing_data() {
+        QTest::addColumn<double>("heard_m");
+        QTest::addColumn<double>("height_m");
+        QTest::addColumn<double>("climb_m_s");
+        QTest::addColumn<bool>("feels");
+        QTest::addColumn<bool>("sinks");
+        QTest::newRow("at its ring") << 0.1 << 6.0 << 0.0 << true << true;
+        QTest::newRow("a little before it") << 0.4 << 6.0 << 0.0 << false << false;
+        QTest::newRow("as it sinks") << 0.1 << 6.0 << -0.5 << true << false;
+        QTest::newRow("as it rises") << 0.1 << 6.0 << 0.5 << true << true;
+        QTest::newRow("low down") << 0.1 << 1.0 << 0.0 << true << false;
+        QTest::newRow("on the ground") << 0.1 << 0.4 << 0.0 << false << false;
+    }
+    void feelsWhatItHearsAtItsRing() {
+        QFETCH(double, heard_m);
+        QFETCH(double, height_m);
+        QFETCH(double, climb_m_s);
+        QFETCH(bool, feels);
+        QFETCH(bool, sinks);
+        SideTouch touch;
+        Senses senses = sensesAt({0, 0, height_m});
+        senses.ground_m = 0.0;
+        setSonars(senses, {{"L3", heard_m}, {"L2", heard_m + 0.05}, {"R4", 2.0}});
+        const auto away = touch.free(senses, {0.0, Vec2(1.0, 0.0), climb_m_s});
+        QCOMPARE(away.has_value(), feels);
+        if (!feels)
+            return;
+        const Vec2& away_m_s = away->velocity_in_map_m_s;
+        QVERIFY(std::abs(std::atan2(-away_m_s.y(), -away_m_s.x()) - radians(45.0)) < radians(2.0)); // between L2 and L3
+        QCOMPARE(away->climb_m_s < 0.0, sinks);
+        senses.now += Seconds(0.2);
+        setSonars(senses, {{"M0", heard_m}}); // It has turned toward that, which goes on holding it.
+        const auto later = touch.free(senses, {0.0, Vec2(1.0, 0.0), -0.4});
+        QVERIFY(later.value().velocity_in_map_m_s.x() < -0.4);
+        QCOMPARE(later->climb_m_s < 0.0, sinks);
     }
 
     /// The robot still turns when it has been told to stop.
@@ -105,7 +145,7 @@ private slots:
             if (tick == 5)
                 told_rad_s = 0.0;
             senses.ins_yaw_rate_rad_s += 0.4 * (told_rad_s - senses.ins_yaw_rate_rad_s);
-            QVERIFY(!touch.free_m_s(senses, {told_rad_s, Vec2(1.0, 0.0)}));
+            QVERIFY(!touch.free(senses, {told_rad_s, Vec2(1.0, 0.0)}));
         }
     }
 };

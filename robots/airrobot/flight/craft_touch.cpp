@@ -10,8 +10,10 @@ namespace {
 constexpr double near_roof_m = 0.35;
 /// A robot without a pose sinks away from a roof for so long and no longer, because it does not see how far it sinks.
 constexpr Seconds longest_press{6.0};
-/// It backs away from what holds it at least so fast, whatever is near on that side.
+/// It backs away from what holds it at least so fast, whatever is near on that side, and at least so fast through the
+/// air: while it leans against a wind that blows it away from that, it presses against that.
 constexpr double least_away_m_s = 0.25;
+constexpr double least_away_through_air_m_s = 0.3;
 
 } // namespace
 
@@ -19,14 +21,17 @@ void Craft::command(const Motion& motion, agent::CommandPort& port, const std::s
     const bool below_roof = touchesRoof();
     Motion safe = ways.sink(senses).value_or(below_roof ? Motion{.climb_m_s = -Overhead::gentle_m_s} : motion);
     const Vec2 told_m_s = Eigen::Rotation2Dd(senses.base_in_map.yaw_rad) * pilot_.wantedInBase_m_s();
-    const auto away_m_s = touches_.side.free_m_s(senses, {pilot_.told().yaw_rate_rad_s, told_m_s});
+    const auto away = touches_.side.free(senses, {pilot_.told().yaw_rate_rad_s, told_m_s, commanded_climb_m_s_});
     if (const auto& met_m = touches_.side.met_m())
         memory.touch(*met_m);
-    if (away_m_s && !below_roof) {
-        safe = {.velocity_in_map_m_s = *away_m_s, .climb_m_s = std::min(safe.climb_m_s, 0.0), .sudden = true};
+    if (away && !below_roof) {
+        safe = *away;
         makeSafe(safe);
-        if (safe.velocity_in_map_m_s.norm() < least_away_m_s)
-            safe.velocity_in_map_m_s = least_away_m_s * away_m_s->normalized();
+        const Vec2 direction = away->velocity_in_map_m_s.normalized();
+        const double least_m_s =
+            std::max(least_away_m_s, pilot_.drift_m_s().dot(direction) + least_away_through_air_m_s);
+        if (safe.velocity_in_map_m_s.norm() < least_m_s)
+            safe.velocity_in_map_m_s = least_m_s * direction;
     }
     const BellyTouch::Doing doing{commanded_climb_m_s_, pilot_.wantedInBase_m_s().norm(), pilot_.feelsWind(),
                                   below_roof || climb_over_.sinks(), motion.to_ground};

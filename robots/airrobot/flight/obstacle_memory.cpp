@@ -129,8 +129,10 @@ void ObstacleMemory::takeEcho(const SonarEcho& echo) {
         old.at_m.z() = edge_m;
         return edge_m < old.low_m + certain_m;
     });
+    // A sonar that leans looks below what is before it, which may reach as high as the robot all the same.
+    const double top_m = std::max(echo.high_m, echo.origin_in_map_m.z());
     if (echo.hit)
-        echoes_.push_back({Vec3(echo.center_in_map_m.x(), echo.center_in_map_m.y(), echo.high_m), echo.low_m, now_});
+        echoes_.push_back({Vec3(echo.center_in_map_m.x(), echo.center_in_map_m.y(), top_m), echo.low_m, now_});
 }
 
 const ObstacleMemory::Cell* ObstacleMemory::known(int column, int row) const {

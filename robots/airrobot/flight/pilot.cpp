@@ -127,7 +127,9 @@ protocol::AerialDrive Pilot::still(const Senses& senses) const {
 }
 
 void Pilot::learnDrift(const Senses& senses, double dt_s) {
-    const Vec2 error_m_s = limited(senses.velocity_in_map_m_s.head<2>() - commanded_m_s_, most_at_once_m_s);
+    // A robot that cannot fly as fast as it is to be is no slower by the wind than by its own limit.
+    const Vec2 expected_m_s = limited(commanded_m_s_ - drift_m_s_, fastest_m_s_) + drift_m_s_;
+    const Vec2 error_m_s = limited(senses.velocity_in_map_m_s.head<2>() - expected_m_s, most_at_once_m_s);
     drift_m_s_ = limited(drift_m_s_ + senses.steadyShare() * drift_gain_per_s * dt_s * error_m_s, largest_drift_m_s);
 }
 

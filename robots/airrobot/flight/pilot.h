@@ -64,6 +64,8 @@ public:
     }
     /// True if the robot moves otherwise than commanded by more than it does in calm air.
     bool feelsWind() const;
+    /// What the wind adds to the velocity through the air, as far as the robot has felt it (map frame).
+    const Vec2& drift_m_s() const { return drift_m_s_; }
     /// Never commands a greater level speed.
     void limitSpeed(double fastest_m_s) { fastest_m_s_ = fastest_m_s; }
     /// The speed over ground that it can make good along a bearing (map frame), as far as it knows the wind.

@@ -19,7 +19,11 @@ constexpr double reaches_above_m = 0.3; ///< It is remembered as high as this ab
 constexpr double slides_m_s = 0.08;
 constexpr double against_told = -0.3; ///< It cannot press against what lies so far behind it.
 constexpr double at_ring_m = 0.6;
+constexpr double touches_m = 0.2;     ///< What a sonar hears so near is at the ring, or will be in a moment.
+constexpr double same_thing_m = 0.15; ///< Sonars that hear ranges as equal as this hear one thing.
 constexpr double free_speed_m_s = 0.5;
+constexpr double sinks_m_s = 0.4;
+constexpr double least_height_m = 1.5; ///< A lower robot does not sink.
 constexpr Seconds freeing{1.0};
 
 /// The direction of what holds a robot that is told to fly along `told`, moves like this, and turns to the left
@@ -35,13 +39,14 @@ Vec2 towardTouch(const Vec2& told, const Vec2& moves_m_s, double sign) {
 } // namespace
 
 std::optional<Vec2> towardHeard(const Senses& senses, double within_m) {
-    std::optional<Vec2> toward;
+    double nearest_m = within_m;
     for (const SonarEcho& echo : senses.sonars)
-        if (echo.hit && echo.range_m < within_m) {
-            within_m = echo.range_m;
-            toward = (echo.center_in_map_m.head<2>() - senses.position2_m()).normalized();
-        }
-    return toward;
+        nearest_m = echo.hit ? std::min(nearest_m, echo.range_m) : nearest_m;
+    Vec2 sum = Vec2::Zero();
+    for (const SonarEcho& echo : senses.sonars)
+        if (echo.hit && echo.range_m < std::min(within_m, nearest_m + same_thing_m))
+            sum += (echo.center_in_map_m.head<2>() - senses.position2_m()).normalized();
+    return sum.isZero() ? std::nullopt : std::optional<Vec2>(sum.normalized());
 }
 
 double SideTouch::unexplained_rad_s(const Senses& senses) const {
@@ -62,39 +67,49 @@ Vec2 SideTouch::flewBefore_m_s(Seconds turn) const {
     return flew == told_.end() ? Vec2::Zero() : flew->doing.velocity_in_map_m_s;
 }
 
-void SideTouch::feel(const Senses& senses) {
+std::optional<Vec2> SideTouch::feel(const Senses& senses) {
+    if (senses.heightOverGround_m(1e9) < sure_aloft_m || senses.ins_age > Seconds{0.0}) {
+        turning_since_.reset();
+        return std::nullopt;
+    }
+    if (const auto toward = towardHeard(senses, touches_m))
+        return toward;
     const double turn_rad_s = unexplained_rad_s(senses);
     const double sign = turn_rad_s > 0.0 ? 1.0 : -1.0;
-    if (std::abs(turn_rad_s) < least_turn_rad_s || senses.heightOverGround_m(1e9) < sure_aloft_m ||
-        senses.ins_age > Seconds{0.0}) {
+    if (std::abs(turn_rad_s) < least_turn_rad_s) {
         turning_since_.reset();
-        return;
+        return std::nullopt;
     }
     if (!turning_since_ || sign != turns_)
         turning_since_ = senses.now;
     turns_ = sign;
     const Vec2 flew_m_s = flewBefore_m_s(*turning_since_);
     if (senses.now - *turning_since_ < long_turn || flew_m_s.isZero())
-        return;
-    const Vec2 toward = towardHeard(senses, at_ring_m)
-                            .value_or(towardTouch(flew_m_s.normalized(), senses.velocity_in_map_m_s.head<2>(), sign));
-    const Vec2 at_m = senses.position2_m() + ring_m * toward;
-    met_m_ = Vec3(at_m.x(), at_m.y(), senses.position_m().z() + reaches_above_m);
-    away_m_s_ = -free_speed_m_s * toward;
-    freeing_since_ = senses.now;
-    turning_since_.reset();
+        return std::nullopt;
+    return towardHeard(senses, at_ring_m)
+        .value_or(towardTouch(flew_m_s.normalized(), senses.velocity_in_map_m_s.head<2>(), sign));
 }
 
-std::optional<Vec2> SideTouch::free_m_s(const Senses& senses, const Doing& doing) {
+std::optional<Motion> SideTouch::free(const Senses& senses, const Doing& doing) {
     met_m_.reset();
     told_.push_back({senses.now, doing});
     while (senses.now - told_.front().time > answers_within + senses.late)
         told_.pop_front();
     if (freeing_since_ && senses.now - *freeing_since_ > freeing)
         freeing_since_.reset();
-    if (!freeing_since_)
-        feel(senses);
-    return freeing_since_ ? std::optional(away_m_s_) : std::nullopt;
+    if (freeing_since_) { // As it turns away from that, other sonars hear it better.
+        if (const auto toward = towardHeard(senses, touches_m))
+            away_.velocity_in_map_m_s = -free_speed_m_s * *toward;
+    } else if (const auto toward = feel(senses)) {
+        const Vec2 at_m = senses.position2_m() + ring_m * *toward;
+        met_m_ = Vec3(at_m.x(), at_m.y(), senses.position_m().z() + reaches_above_m);
+        const bool may_sink = doing.climb_m_s >= 0.0 && senses.heightOverGround_m(1e9) > least_height_m;
+        away_ = {
+            .velocity_in_map_m_s = -free_speed_m_s * *toward, .climb_m_s = may_sink ? -sinks_m_s : 0.0, .sudden = true};
+        freeing_since_ = senses.now;
+        turning_since_.reset();
+    }
+    return freeing_since_ ? std::optional(away_) : std::nullopt;
 }
 
 } // namespace usar::airrobot

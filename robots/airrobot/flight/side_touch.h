@@ -5,25 +5,29 @@
 #include <deque>
 #include <optional>
 
+#include "robots/airrobot/flight/pilot.h"
 #include "robots/airrobot/flight/senses.h"
 
 namespace usar::airrobot {
 
-/// The direction of the nearest thing that a sonar hears within this distance (map frame); nullopt if none does.
+/// The direction of the nearest thing that a sonar hears within this distance (map frame), the mean of all sonars that
+/// hear it; nullopt if none does.
 std::optional<Vec2> towardHeard(const Senses& senses, double within_m);
 
 /// If the ring of a flying robot meets something, that holds it on one side, and the robot turns although it is not
-/// told to. If the robot goes on pressing, it is turned over. Owned by one robot.
+/// told to, or a sonar there hears it at no distance. If the robot goes on pressing, it is turned over. Owned by one
+/// robot.
 class SideTouch {
 public:
     /// The part of the last command that matters here.
     struct Doing {
         double yaw_rate_rad_s = 0.0;
         Vec2 velocity_in_map_m_s = Vec2::Zero();
+        double climb_m_s = 0.0;
     };
-    /// The horizontal velocity (map frame) by which it gets free in this tick; nullopt if nothing holds it. Call it
-    /// once per tick.
-    std::optional<Vec2> free_m_s(const Senses& senses, const Doing& doing);
+    /// The motion by which it gets free in this tick; nullopt if nothing holds it. It sinks a little, because a side
+    /// that is held while the robot rises is pressed down, and that turns it over. Call it once per tick.
+    std::optional<Motion> free(const Senses& senses, const Doing& doing);
     /// Where it has met something in this tick (map frame); nullopt in most ticks.
     const std::optional<Vec3>& met_m() const { return met_m_; }
 
@@ -36,14 +40,15 @@ private:
     double unexplained_rad_s(const Senses& senses) const;
     /// How it was told to fly a moment before it began to turn, or since then; zero if it was to stand.
     Vec2 flewBefore_m_s(Seconds turn) const;
-    void feel(const Senses& senses);
+    /// The direction of what holds it (map frame) if it begins to do so in this tick.
+    std::optional<Vec2> feel(const Senses& senses);
 
     std::deque<Told> told_; ///< as far back as a turn takes to begin and to end
     std::optional<Seconds> turning_since_;
     double turns_ = 0.0; ///< the sign of that turn
     std::optional<Vec3> met_m_;
     std::optional<Seconds> freeing_since_;
-    Vec2 away_m_s_ = Vec2::Zero();
+    Motion away_;
 };
 
 } // namespace usar::airrobot
