@@ -29,6 +29,10 @@ constexpr double steepest = 0.1;
 /// The base is so high over the ground that the legs nearly touch it. A robot that is spawned higher sinks by itself,
 /// and a wind of more than 3.5 m/s throws it over before its behavior has a say.
 constexpr double standing_m = 0.23;
+/// The legs end so far from the robot's center and below it. One that is spawned in the ground is thrown out of it, and
+/// the robot breaks as it falls back (surveys 152552 and 152848).
+constexpr double leg_away_m = 0.36;
+constexpr double leg_below_m = 0.215;
 /// Where the ground is not level, there is no air for the body so low; the fill of what can be reached begins higher.
 constexpr double off_the_ground_m = 0.3;
 /// A tenth of the lanes may be given up in a success.
@@ -82,6 +86,17 @@ bool isFree(const sim::World& world, const sim::RayCaster& rays, const Vec3& at_
     return isFlat(rays, at_m) && rays.cast(at_m + Vec3(0.0, 0.0, 0.3), Vec3::UnitZ(), 3.0) >= 3.0;
 }
 
+/// The height (map z) at which it stands there, whatever way it is turned.
+double standsAt_m(const sim::RayCaster& rays, const Vec3& at_m) {
+    double highest_m = at_m.z() + standing_m - leg_below_m;
+    for (int i = 0; i < 24; ++i) {
+        const double bearing_rad = 2.0 * pi * i / 24.0;
+        const Vec3 leg_m = at_m + leg_away_m * Vec3(std::cos(bearing_rad), std::sin(bearing_rad), 0.0);
+        highest_m = std::max(highest_m, at_m.z() + 2.0 - rays.cast(leg_m + Vec3(0.0, 0.0, 2.0), -Vec3::UnitZ(), 10.0));
+    }
+    return highest_m + leg_below_m;
+}
+
 bool isRoom(const std::string& world) {
     return world == "vmac_room" || world == "spqr_soccer" || world == "warehouse";
 }
@@ -103,7 +118,7 @@ Pose drawStart(const sim::World& world, double roam_m, Random& random) {
         const double from_m = given_in_map.position_m.z() + (isRoom(world.name) ? 2.0 : 300.0);
         const Vec3 ground_m(x_m, y_m, from_m - rays.cast({x_m, y_m, from_m}, -Vec3::UnitZ(), 1000.0));
         if (isFree(world, rays, ground_m))
-            return Pose{ground_m + Vec3(0.0, 0.0, standing_m), 0.0, 0.0, uniform(random, -pi, pi)};
+            return Pose{{x_m, y_m, standsAt_m(rays, ground_m)}, 0.0, 0.0, uniform(random, -pi, pi)};
     }
     for (const Pose& start_in_map : starts) // Nothing is free. On a field, some of them are too close to a board.
         if (isFlat(rays, start_in_map.position_m))

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <QObject>
 #include <QTest>
 
@@ -46,6 +48,28 @@ private slots:
         QCOMPARE(flight.robot.motors(), MotorState::Idle);
         QCOMPARE(flight.robot.collisions(), 0);
         QVERIFY(std::abs(degrees(flight.pose().pitch_rad) + slope_deg) < 1.0);
+    }
+
+    /// One leg finds the ground while the others are in the air (survey 152552).
+    void standsWhereItIsPutOnASlope_data() {
+        QTest::addColumn<double>("slope_deg");
+        QTest::addColumn<double>("above_m"); // from the highest ground under its legs to these
+        for (const double slope_deg : {5.0, 9.0, 12.0, 14.0})
+            for (const double above_m : {0.0, 0.02, 0.1})
+                QTest::addRow("%.0f degrees, %.2f m", slope_deg, above_m) << slope_deg << above_m;
+    }
+    void standsWhereItIsPutOnASlope() {
+        QFETCH(double, slope_deg);
+        QFETCH(double, above_m);
+        for (int yaw_deg = 0; yaw_deg < 360; yaw_deg += 15) {
+            FlightStart spawn = onTheGround({0.0, 0.0, 0.0});
+            spawn.base_in_map.position_m.z() = 0.21 + 0.36 * std::tan(radians(slope_deg)) + above_m;
+            spawn.base_in_map.yaw_rad = radians(yaw_deg);
+            Flight flight(slopeWorld(radians(slope_deg)), spawn);
+            flight.run(Seconds{6.0});
+            QVERIFY2(flight.atRest() && flight.robot.collisions() == 0,
+                     qPrintable(QString("yaw %1 degrees").arg(yaw_deg)));
+        }
     }
 
     void landsOnRoughGroundInAnyDirection_data() {

@@ -11,10 +11,18 @@ constexpr double sink_wish_m_s = -0.02;
 constexpr double landing_itself_m_s = -0.3;
 constexpr Seconds settling_time{2.0};
 constexpr Seconds spooling_time{0.8};
-constexpr double settling_share = 0.2;
+constexpr double settling_share = 0.2; ///< of the weight that the rotors carry once all legs have found the ground
+constexpr double touching_share = 0.8; ///< and when the first one has: on a slope, the others are still in the air
+constexpr Seconds touching_time{0.6};
 constexpr double spooling_share = 0.3;
 constexpr Seconds ground_lost{0.3};
 constexpr double calm_air_m_s = 0.1;
+
+double settlingShare(Seconds since_touch) {
+    const double touching = std::max(0.0, 1.0 - since_touch / touching_time);
+    const double settling = std::max(0.0, 1.0 - since_touch / settling_time);
+    return settling_share * settling + (touching_share - settling_share) * touching;
+}
 
 } // namespace
 
@@ -69,7 +77,7 @@ void RotorDrive::beforeStep(Seconds dt) {
 
 RotorWrench RotorDrive::wantedWrench(const BodyState& now, Seconds dt) {
     if (motors_ == MotorState::Settling)
-        return controller_.settle(now, settling_share * std::max(0.0, 1.0 - in_state_ / settling_time));
+        return controller_.settle(now, settlingShare(in_state_));
     VelocityCommand wanted = command_;
     if (landing_itself_)
         wanted.climb_m_s = landing_itself_m_s;
