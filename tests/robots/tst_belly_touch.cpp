@@ -99,6 +99,39 @@ private slots:
         QCOMPARE(fly({0, speed_m_s, -0.5}, sinking).has_value(), rises);
     }
 
+    /// It rises from a rack, and another shelf of that holds its rear down (random survey 97541).
+    void sinksFromWhatHoldsItsRise_data() {
+        QTest::addColumn<double>("pitch_rad");
+        QTest::addColumn<bool>("wind");
+        QTest::addColumn<bool>("sinks");
+        QTest::newRow("its rear is held") << -0.2 << false << true;
+        QTest::newRow("it leans a little") << -0.12 << false << false;
+        QTest::newRow("in wind") << -0.2 << true << false;
+    }
+    void sinksFromWhatHoldsItsRise() {
+        QFETCH(double, pitch_rad);
+        QFETCH(bool, wind);
+        QFETCH(bool, sinks);
+        senses.base_in_map.pitch_rad = 0.25; // more than later, but it rests
+        std::optional<Motion> freeing;
+        for (int i = 0; i < 12 && !freeing; ++i)
+            freeing = fly({0, 0, i < 4 ? -0.4 : 0.0}, {.climb_m_s = -0.4, .in_wind = wind});
+        QVERIFY(freeing.value().climb_m_s > 0.3);
+        QVERIFY(fly({0, 0, 0.2}, {.climb_m_s = 0.42, .in_wind = wind}).value().climb_m_s > 0.3);
+        senses.base_in_map.pitch_rad = 0.0;
+        QVERIFY(fly({0, 0, 0.3}, {.climb_m_s = 0.42, .in_wind = wind}).value().climb_m_s > 0.3);
+        senses.base_in_map.pitch_rad = pitch_rad;
+        freeing = fly({0, 0, 0.2}, {.climb_m_s = 0.42, .in_wind = wind});
+        QCOMPARE(freeing.value().climb_m_s < -0.2, sinks);
+        int ticks = 0;
+        while (sinks && (freeing = fly({0, 0, -0.2}, {.climb_m_s = -0.3}))) {
+            QVERIFY(freeing->climb_m_s < 0.0 && ++ticks < 8); // It is not taken to tip over an edge.
+            if (ticks == 3)
+                senses.base_in_map.pitch_rad = 0.0;
+        }
+        QCOMPARE(ticks > 3, sinks);
+    }
+
     void feelsNothingBelowARoof() {
         senses.base_in_map.roll_rad = 0.2;
         for (int i = 0; i < 10; ++i)

@@ -26,6 +26,10 @@ constexpr double belly_reach_m = 0.3;      ///< from the robot's center to what 
 constexpr double belly_depth_m = 0.1;      ///< and from there down to the belly
 constexpr double rises_by_m = 0.8;
 constexpr Seconds longest_rise{4.0};
+constexpr double level_lean = 0.09;
+constexpr double held_lean = 0.15; ///< of a robot that has been level and goes on rising
+constexpr Seconds sinking{1.0};
+const Motion sinks_from_beside{.climb_m_s = -Overhead::gentle_m_s};
 
 } // namespace
 
@@ -60,10 +64,11 @@ bool BellyTouch::tips(const Senses& senses, const Vec2& lean, const Doing& doing
 
 std::optional<Motion> BellyTouch::free(const Senses& senses, const Vec2& slope, const Doing& doing) {
     met_m_.reset();
+    const bool sinks_free = sinks_since_ && senses.now - *sinks_since_ < sinking;
     const bool may_stand = doing.to_ground && senses.heightOverGround_m(1e9) < aloft_m;
-    if (doing.from_above || senses.ins_age > Seconds{0.0} || may_stand) {
+    if (sinks_free || doing.from_above || senses.ins_age > Seconds{0.0} || may_stand) {
         samples_.clear();
-        return std::nullopt;
+        return sinks_free ? std::optional(sinks_from_beside) : std::nullopt;
     }
     follow(senses, doing);
     const double z_m = senses.position_m().z();
@@ -74,9 +79,16 @@ std::optional<Motion> BellyTouch::free(const Senses& senses, const Vec2& slope, 
         met_m_ = Vec3(at_m.x(), at_m.y(), z_m - belly_depth_m);
         rises_to_m_ = z_m + rises_by_m;
         rising_since_ = senses.now;
+        level_ = false;
     }
     if (rises_to_m_ && (z_m > *rises_to_m_ || senses.now - rising_since_ > longest_rise))
         rises_to_m_.reset();
+    level_ = level_ || lean.norm() < level_lean;
+    if (rises_to_m_ && level_ && !doing.in_wind && lean.norm() > held_lean) {
+        rises_to_m_.reset();
+        sinks_since_ = senses.now;
+        return sinks_from_beside;
+    }
     return rises_to_m_ ? std::optional(Motion{.climb_m_s = Overhead::careful_m_s}) : std::nullopt;
 }
 

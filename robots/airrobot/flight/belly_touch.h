@@ -10,7 +10,8 @@
 namespace usar::airrobot {
 
 /// A robot whose belly has come to rest on a wire or on the edge of a rack tips over if it goes on sinking. It feels
-/// that it does not sink, or that it tips, and rises. Owned by one robot.
+/// that it does not sink, or that it tips, and rises. If it tips as it rises, something beside it, such as a rack,
+/// holds its ring down, and it sinks a little. Owned by one robot.
 class BellyTouch {
 public:
     /// The part of the last command that matters here.
@@ -44,6 +45,8 @@ private:
     std::optional<Vec3> met_m_;
     std::optional<double> rises_to_m_; ///< map z
     Seconds rising_since_{0.0};
+    bool level_ = false;                 ///< It has been level since it began to rise.
+    std::optional<Seconds> sinks_since_; ///< away from what has held one side of it as it rose
 };
 
 } // namespace usar::airrobot
