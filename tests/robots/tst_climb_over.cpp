@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -29,13 +30,14 @@ class tst_ClimbOver : public QObject {
     }
 
     /// Climbs below something that its ring meets after a few centimeters, until `touches` touches are over.
-    void climbUnderSomething(ClimbOver& climb, Senses& senses, int touches) const {
-        climb.start(senses, {}, settings);
+    void climbUnderSomething(ClimbOver& climb, Senses& senses, int touches,
+                             const std::vector<Obstacle>& obstacles = {}) const {
+        climb.start(senses, obstacles, settings);
         double commanded_m_s = 0.0;
         bool sinks = false;
         for (int tick = 0; tick < 600 && climb.active() && (touches > 0 || sinks); ++tick) {
             climb.feel(senses, Vec2::Zero(), commanded_m_s, settings);
-            const ClimbStep now = step(climb, senses, {{"M0", 3.4}}, {});
+            const ClimbStep now = step(climb, senses, {{"M0", 3.4}}, obstacles);
             commanded_m_s = now.climb_m_s;
             senses.base_in_map.position_m.head<2>() = now.place_m;
             senses.base_in_map.position_m.z() += 0.2 * std::min(commanded_m_s, 0.05);
@@ -241,6 +243,30 @@ private slots:
         climbUnderSomething(climb, senses, 100);
         QVERIFY(!climb.active());
         QVERIFY(senses.position_m().z() < 6.0);
+    }
+
+    /// Crowns all around leave it no other place (random survey 98112).
+    void doesNotClimbTwiceAtOnePlace_data() {
+        QTest::addColumn<double>("room_m");
+        QTest::addColumn<bool>("tries_again");
+        QTest::newRow("in a gap between crowns") << 1.4 << false;
+        QTest::newRow("on a clearing") << 6.0 << true;
+    }
+    void doesNotClimbTwiceAtOnePlace() {
+        QFETCH(double, room_m);
+        QFETCH(bool, tries_again);
+        std::vector<Obstacle> crowns;
+        for (int i = 0; i < 16; ++i)
+            crowns.push_back(wallAt(room_m * std::cos(pi * i / 8.0), room_m * std::sin(pi * i / 8.0)));
+        ClimbOver climb;
+        Senses senses = sensesAt({0, 0, 15});
+        climbUnderSomething(climb, senses, 1, crowns);
+        QCOMPARE(climb.active(), tries_again);
+        if (!tries_again)
+            return;
+        QVERIFY(senses.position2_m().norm() > 0.9);
+        climbUnderSomething(climb, senses, 1, crowns);
+        QVERIFY(climb.active()); // Another climb may do without the places of the one before.
     }
 
     void forgetsWhatAnotherClimbHasMet() {

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <QObject>
 #include <QTest>
 
@@ -111,6 +113,34 @@ private slots:
         QVERIFY(mind().at_most_m_s < 0.0);
         senses.base_in_map.position_m.z() = 5.65;
         QCOMPARE(mind().at_most_m_s, 0.0);
+    }
+
+    /// It has met a crown above itself, and crowns stand all around (random survey 98112).
+    void doesNotClimbTwiceAtOnePlace_data() {
+        QTest::addColumn<double>("room_m");
+        QTest::addColumn<bool>("gives_up");
+        QTest::newRow("in a gap between crowns") << 1.2 << true;
+        QTest::newRow("on a clearing") << 6.0 << false;
+    }
+    void doesNotClimbTwiceAtOnePlace() {
+        QFETCH(double, room_m);
+        QFETCH(bool, gives_up);
+        for (int tick = 0; tick < 6; ++tick)
+            mind();
+        senses.scan = PlacedScan{{1}, {}, {}, {}};
+        for (int i = 0; i < 32; ++i)
+            senses.scan->hits_in_map_m.emplace_back(room_m * std::cos(pi * i / 16.0), room_m * std::sin(pi * i / 16.0),
+                                                    5.0);
+        senses.velocity_in_map_m_s.z() = 0.1;
+        senses.base_in_map.pitch_rad = 0.1;
+        QVERIFY(mind().at_most_m_s < 0.0);
+        QVERIFY(!column.givesUp());
+        senses.base_in_map.position_m.z() = 5.0;
+        mind();
+        QCOMPARE(column.givesUp(), gives_up);
+        QCOMPARE(column.at_m.value().norm() < in_column_m, gives_up);
+        column.moveTo({0, 0}, senses.now); // Something is in the way to another place.
+        QVERIFY(column.givesUp());
     }
 
     void givesUpWhereThereIsRoomNowhere() {

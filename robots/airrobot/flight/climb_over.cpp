@@ -26,13 +26,21 @@ constexpr double sinks_m_s = 0.5;
 constexpr double sinks_to_height_m = 2.2; ///< over the ground, at least
 constexpr Seconds longest_sinking{4.0};
 constexpr std::size_t most_met_climbing = 4;
-constexpr double below_m = 0.15; ///< distance from the greatest height at which the climb ends
+constexpr double failed_near_m = 0.7; ///< So near to where a climb has failed, another one would fail, too.
+constexpr double below_m = 0.15;      ///< distance from the greatest height at which the climb ends
 
 } // namespace
 
-Vec2 climbPlace_m(std::span<const Obstacle> obstacles, const Vec2& here_m, double standoff_m, const Retreat& retreat) {
+Vec2 climbPlace_m(std::span<const Obstacle> obstacles, const Vec2& here_m, double standoff_m, const Retreat& retreat,
+                  std::span<const Vec2> failed_m) {
+    const auto room_m = [&](const Vec2& at_m) {
+        double least_m = nearest_m(obstacles, at_m, standoff_m);
+        for (const Vec2& one_m : failed_m)
+            least_m = std::min(least_m, (one_m - at_m).norm() + room_where_failed_m);
+        return least_m;
+    };
     Vec2 best_m = here_m;
-    double best_score = nearest_m(obstacles, here_m, standoff_m);
+    double best_score = room_m(here_m);
     for (double distance_m = 1.0; distance_m <= search_m; distance_m += 1.0) {
         for (int i = 0; i < bearings; ++i) {
             const double bearing_rad = 2.0 * pi * i / bearings;
@@ -40,7 +48,7 @@ Vec2 climbPlace_m(std::span<const Obstacle> obstacles, const Vec2& here_m, doubl
                 continue;
             const Vec2 place_m = here_m + distance_m * Vec2(std::cos(bearing_rad), std::sin(bearing_rad));
             const double risk_m = !retreat.flown || retreat.flown(place_m) ? 0.0 : unknown_cost_m;
-            const double score = nearest_m(obstacles, place_m, standoff_m) - detour_cost * distance_m - risk_m;
+            const double score = room_m(place_m) - detour_cost * distance_m - risk_m;
             if (score > best_score) {
                 best_score = score;
                 best_m = place_m;
@@ -52,12 +60,14 @@ Vec2 climbPlace_m(std::span<const Obstacle> obstacles, const Vec2& here_m, doubl
 
 void ClimbOver::start(const Senses& senses, std::span<const Obstacle> obstacles, const Settings& settings,
                       const Retreat& retreat) {
-    if (state_ != ClimbState::Sinking)
-        met_.clear(); // Another climb met it.
+    if (state_ != ClimbState::Sinking) { // Another climb met that.
+        met_.clear();
+        failed_m_.clear();
+    }
     std::vector<Obstacle> known(obstacles.begin(), obstacles.end());
     known.insert(known.end(), met_.begin(), met_.end());
     state_ = ClimbState::Backing;
-    place_m_ = climbPlace_m(known, senses.position2_m(), settings.climb_standoff_m, retreat);
+    place_m_ = climbPlace_m(known, senses.position2_m(), settings.climb_standoff_m, retreat, failed_m_);
     since_ = senses.now;
     free_since_z_m_.reset();
 }
@@ -69,6 +79,7 @@ void ClimbOver::feel(const Senses& senses, const Vec2& slope, double commanded_m
     if (!met_m)
         return;
     met_.push_back({met_m->head<2>(), met_m->z(), true});
+    failed_m_.push_back(senses.position2_m());
     state_ = ClimbState::Sinking;
     since_ = senses.now;
     const double lowest_m = std::max(settings.floor_level_m, senses.ground_m.value_or(-1e9) + sinks_to_height_m);
@@ -81,7 +92,8 @@ void ClimbOver::sink(const Senses& senses, std::span<const Obstacle> obstacles, 
         return;
     if (met_.size() < most_met_climbing)
         start(senses, obstacles, settings);
-    else
+    const auto near = [&](const Vec2& one_m) { return (one_m - place_m_).norm() < failed_near_m; };
+    if (met_.size() >= most_met_climbing || std::ranges::any_of(failed_m_, near))
         state_ = ClimbState::Failed;
 }
 

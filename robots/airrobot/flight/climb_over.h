@@ -61,6 +61,7 @@ private:
     RingTouch touch_;
     double commanded_m_s_ = 0.0;
     std::vector<Obstacle> met_;            ///< by its ring, in this climb
+    std::vector<Vec2> failed_m_;           ///< from where it has sunk for that
     double sinks_to_m_ = 0.0;              ///< map z
     Seconds since_{0.0};                   ///< start of the maneuver
     std::optional<double> free_since_z_m_; ///< height from which on the way has been free; nullopt while it is blocked
@@ -68,8 +69,12 @@ private:
 
 /// Returns the best place for a climb: within 6 m, reachable at this height, and as far from everything known as
 /// possible, up to `standoff_m`. Short ways are preferred, and places where the robot has flown: crowns behind it may
-/// be unknown.
+/// be unknown. From places where it has `failed` it keeps away, too.
 Vec2 climbPlace_m(std::span<const Obstacle> obstacles, const Vec2& here_m, double standoff_m,
-                  const Retreat& retreat = {});
+                  const Retreat& retreat = {}, std::span<const Vec2> failed_m = {});
+
+/// The room at a place of a climb that has failed, as if something stood there: what ended the climb may be above the
+/// robot, where nothing hears it.
+inline constexpr double room_where_failed_m = 0.7;
 
 } // namespace usar::airrobot

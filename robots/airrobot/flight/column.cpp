@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "robots/airrobot/flight/climb_over.h"
+
 namespace usar::airrobot {
 
 namespace {
@@ -38,15 +40,23 @@ constexpr double half_way_m = 0.75;
 constexpr double beside_roof_m = 4.0;  ///< A ceiling that is a floor on posts may end so far away.
 constexpr double beside_tried_m = 2.0; ///< So near to a place where it has tried to climb, it does not try again.
 
-/// The place nearby with the most room between all `things`, to which nothing `beside` stands in the way.
-Vec2 roomiest_m(std::span<const Obstacle> things, std::span<const Obstacle> beside, const Vec2& here_m) {
+/// The place nearby with the most room between all `things` and apart from the places where it `failed`, to which
+/// nothing `beside` stands in the way.
+Vec2 roomiest_m(std::span<const Obstacle> things, std::span<const Obstacle> beside, std::span<const Vec2> failed,
+                const Vec2& here_m) {
+    const auto room_m = [&](const Vec2& at_m) {
+        double least_m = nearest_m(things, at_m, enough_room_m);
+        for (const Vec2& one_m : failed)
+            least_m = std::min(least_m, (one_m - at_m).norm() + room_where_failed_m);
+        return least_m;
+    };
     Vec2 best_m = here_m;
-    double best = nearest_m(things, here_m, enough_room_m);
+    double best = room_m(here_m);
     for (double away_m = search_step_m; away_m <= sought_within_m; away_m += search_step_m)
         for (int i = 0; i < search_bearings; ++i) {
             const double bearing_rad = 2.0 * pi * i / search_bearings;
             const Vec2 place_m = here_m + away_m * Vec2(std::cos(bearing_rad), std::sin(bearing_rad));
-            const double score = nearest_m(things, place_m, enough_room_m) - way_cost * away_m;
+            const double score = room_m(place_m) - way_cost * away_m;
             if (score > best && clearance_m(beside, here_m, bearing_rad, move_half_width_m, away_m) >= away_m) {
                 best = score;
                 best_m = place_m;
@@ -56,6 +66,14 @@ Vec2 roomiest_m(std::span<const Obstacle> things, std::span<const Obstacle> besi
 }
 
 } // namespace
+
+void Column::moveTo(const Vec2& place_m, Seconds now) {
+    at_m = place_m;
+    moving_since = now;
+    there = false;
+    if (std::ranges::any_of(failed_m_, [&](const Vec2& one_m) { return (one_m - place_m).norm() < in_column_m; }))
+        tries_ = most_tries;
+}
 
 void Column::listen(const Senses& senses) {
     for (const SonarEcho& echo : senses.sonars) {
@@ -105,13 +123,14 @@ Column::Minding Column::mind(const Senses& senses, std::span<const Obstacle> kno
     const bool closes_in = closesIn(senses);
     if (!sinks_to_m_ && (met_m || (climbs && (room_m < too_near_m || closes_in)))) {
         ++tries_;
+        failed_m_.push_back(here_m.head<2>());
         sinks_to_m_ = std::max(here_m.z() - back_off_m, senses.ground_m.value_or(here_m.z()) + lowest_m);
     }
     if (sinks_to_m_ && here_m.z() > *sinks_to_m_)
         return {.at_most_m_s = -back_off_m_s};
     if (sinks_to_m_) {
         sinks_to_m_.reset();
-        moveTo(roomiest_m(things, beside, here_m.head<2>()), senses.now);
+        moveTo(roomiest_m(things, beside, failed_m_, here_m.head<2>()), senses.now);
         return {.at_most_m_s = 0.0};
     }
     return room_m < crowded_climb_m ? Minding{Overhead::gentle_m_s, true} : Minding{};

@@ -35,12 +35,8 @@ public:
     Minding mind(const Senses& senses, std::span<const Obstacle> known, const Vec2& slope, double commanded_m_s);
     /// True if it found no room above, wherever it tried.
     bool givesUp() const { return tries_ >= most_tries && !sinks_to_m_; }
-    /// Has it go there, and climb from there on.
-    void moveTo(const Vec2& place_m, Seconds now) {
-        at_m = place_m;
-        moving_since = now;
-        there = false;
-    }
+    /// Has it go there, and climb from there on. It gives up where it has failed before.
+    void moveTo(const Vec2& place_m, Seconds now);
 
     std::optional<Vec2> at_m{}; ///< place of the climb if it is not that of the take-off
     Seconds moving_since{0.0};  ///< when that place was chosen
@@ -60,7 +56,8 @@ private:
     /// nearer fast.
     bool closesIn(const Senses& senses);
 
-    std::vector<Vec3> met_m_; ///< where sonars heard something, or the ring touched it
+    std::vector<Vec3> met_m_;    ///< where sonars heard something, or the ring touched it
+    std::vector<Vec2> failed_m_; ///< from where it has sunk back
     RingTouch touch_;
     std::optional<double> sinks_to_m_; ///< map z
     /// Holds what a sonar heard in the last tick, and for how many ticks in a row it has come much nearer.
