@@ -652,20 +652,23 @@ private slots:
         QTest::addColumn<double>("sinks_m_s");
         QTest::addColumn<double>("height_m");
         QTest::addColumn<double>("asked_m_s");
+        QTest::addColumn<double>("ins_age_s");
         QTest::addColumn<QString>("words");
-        QTest::newRow("flies") << 0.2 << 0.0 << 6.0 << 1.0 << "";
-        QTest::newRow("sinks") << 0.0 << 0.6 << 6.0 << 0.0 << "";
-        QTest::newRow("waits low") << 0.0 << 0.0 << 0.3 << 0.0 << "";
-        QTest::newRow("is stuck in the air") << 0.0 << 0.0 << 4.0 << 1.0 << "";
-        QTest::newRow("is on its side") << 1.3 << 0.0 << 0.3 << 0.0 << "it has turned over";
-        QTest::newRow("falls") << 0.3 << 4.0 << 6.0 << 1.0 << "it falls";
-        QTest::newRow("lies there") << 0.1 << 0.0 << 0.2 << 1.0 << "it lies on the ground and does not answer";
+        QTest::newRow("flies") << 0.2 << 0.0 << 6.0 << 1.0 << 0.0 << "";
+        QTest::newRow("sinks") << 0.0 << 0.6 << 6.0 << 0.0 << 0.0 << "";
+        QTest::newRow("waits low") << 0.0 << 0.0 << 0.3 << 0.0 << 0.0 << "";
+        QTest::newRow("is stuck in the air") << 0.0 << 0.0 << 4.0 << 1.0 << 0.0 << "";
+        QTest::newRow("is on its side") << 1.3 << 0.0 << 0.3 << 0.0 << 0.0 << "it has turned over";
+        QTest::newRow("falls") << 0.3 << 4.0 << 6.0 << 1.0 << 0.0 << "it falls";
+        QTest::newRow("a damaged pose, and none after it") << 0.0 << 10.0 << 6.0 << 1.0 << 0.2 << ""; // survey 125001
+        QTest::newRow("lies there") << 0.1 << 0.0 << 0.2 << 1.0 << 0.0 << "it lies on the ground and does not answer";
     }
     void knowsWhenItHasCrashed() {
         QFETCH(double, roll_rad);
         QFETCH(double, sinks_m_s);
         QFETCH(double, height_m);
         QFETCH(double, asked_m_s);
+        QFETCH(double, ins_age_s);
         QFETCH(QString, words);
         CrashWatch watch;
         Senses in_the_air = sensesAt({0.0, 0.0, 6.0}, 0.0, 99.0);
@@ -674,6 +677,8 @@ private slots:
         senses.base_in_map.roll_rad = roll_rad;
         senses.velocity_in_map_m_s.z() = -sinks_m_s;
         senses.ground_m = 0.0;
+        watch.update(senses, {.speed_m_s = asked_m_s});
+        senses.ins_age = Seconds(ins_age_s);
         QString said;
         for (int tick = 0; tick < 50; ++tick) {
             const char* const crash = watch.update(senses, {.speed_m_s = asked_m_s});

@@ -28,7 +28,8 @@ public:
                           (asked.speed_m_s > asked_m_s || asked.climb_m_s > asked_m_s);
         if (lasts(over, over_since_, senses.now, short_time))
             return "it has turned over";
-        if (lasts(falls, falls_since_, senses.now, short_time))
+        // A damaged line may let the pose leap down; while no other comes, its rate tells nothing new.
+        if (senses.ins_age <= Seconds{0.0} && lasts(falls, falls_since_, senses.now, short_time))
             return "it falls";
         if (lasts(lies, lies_since_, senses.now, long_time))
             return "it lies on the ground and does not answer";
