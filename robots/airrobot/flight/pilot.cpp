@@ -23,6 +23,7 @@ constexpr double hold_tolerance_m = 0.15;
 constexpr double drift_gain_per_s = 0.35;
 constexpr double largest_drift_m_s = 1.5;
 constexpr double most_at_once_m_s = 2.0; ///< A greater error is a leap of the pose.
+constexpr double much_slower_m_s = 0.25; ///< It is slower by less in calm air after it has sped up and turned.
 constexpr double felt_wind_m_s = 0.4;    ///< Less may come from speeding up and turning in calm air.
 constexpr double late_way_m = 1.2;       ///< On a late link, it is so slow that it stands within this distance.
 
@@ -127,9 +128,12 @@ protocol::AerialDrive Pilot::still(const Senses& senses) const {
 }
 
 void Pilot::learnDrift(const Senses& senses, double dt_s) {
-    // A robot that cannot fly as fast as it is to be is no slower by the wind than by its own limit.
-    const Vec2 expected_m_s = limited(commanded_m_s_ - drift_m_s_, fastest_m_s_) + drift_m_s_;
-    const Vec2 error_m_s = limited(senses.velocity_in_map_m_s.head<2>() - expected_m_s, most_at_once_m_s);
+    const Vec2 moves_m_s = senses.velocity_in_map_m_s.head<2>();
+    Vec2 error_m_s = moves_m_s - commanded_m_s_;
+    // A robot that cannot fly as fast as it is to be is slower by its own limit, too, and not by the wind alone.
+    if (error_m_s.norm() > much_slower_m_s)
+        error_m_s = moves_m_s - (limited(commanded_m_s_ - drift_m_s_, fastest_m_s_) + drift_m_s_);
+    error_m_s = limited(error_m_s, most_at_once_m_s);
     drift_m_s_ = limited(drift_m_s_ + senses.steadyShare() * drift_gain_per_s * dt_s * error_m_s, largest_drift_m_s);
 }
 
