@@ -135,6 +135,9 @@ private slots:
         senses.base_in_map.pitch_rad = 0.1;
         QVERIFY(mind().at_most_m_s < 0.0);
         QVERIFY(!column.givesUp());
+        QVERIFY(column.mayMeetAgain({3.0, 0.0, 5.5})); // whether it gives up or not
+        QVERIFY(!column.mayMeetAgain({3.0, 0.0, 4.0}) && !column.mayMeetAgain({6.0, 0.0, 5.5}));
+        QVERIFY(!column.mayMeetAgain({0.0, 0.0, 7.0}));
         senses.base_in_map.position_m.z() = 5.0;
         mind();
         QCOMPARE(column.givesUp(), gives_up);

@@ -23,6 +23,8 @@ constexpr double crowded_climb_m = 4.0; ///< It turns as it climbs where somethi
 constexpr double enough_room_m = 3.0;   ///< More room than this is not sought.
 constexpr double sought_within_m = 5.0;
 constexpr double search_step_m = 0.5;
+constexpr double failed_passed_m = 0.5; ///< A robot so far above the place where a climb has failed has got past it.
+constexpr double below_failed_m = 1.5;  ///< One that is lower than this can still climb fast.
 constexpr int search_bearings = 24;
 constexpr double way_cost = 0.1; ///< meters of room that a meter of way must bring
 constexpr double move_half_width_m = 0.6;
@@ -42,12 +44,12 @@ constexpr double beside_tried_m = 2.0; ///< So near to a place where it has trie
 
 /// The place nearby with the most room between all `things` and apart from the places where it `failed`, to which
 /// nothing `beside` stands in the way.
-Vec2 roomiest_m(std::span<const Obstacle> things, std::span<const Obstacle> beside, std::span<const Vec2> failed,
+Vec2 roomiest_m(std::span<const Obstacle> things, std::span<const Obstacle> beside, std::span<const Vec3> failed,
                 const Vec2& here_m) {
     const auto room_m = [&](const Vec2& at_m) {
         double least_m = nearest_m(things, at_m, enough_room_m);
-        for (const Vec2& one_m : failed)
-            least_m = std::min(least_m, (one_m - at_m).norm() + room_where_failed_m);
+        for (const Vec3& one_m : failed)
+            least_m = std::min(least_m, (one_m.head<2>() - at_m).norm() + room_where_failed_m);
         return least_m;
     };
     Vec2 best_m = here_m;
@@ -71,8 +73,16 @@ void Column::moveTo(const Vec2& place_m, Seconds now) {
     at_m = place_m;
     moving_since = now;
     there = false;
-    if (std::ranges::any_of(failed_m_, [&](const Vec2& one_m) { return (one_m - place_m).norm() < in_column_m; }))
+    const auto near = [&](const Vec3& one_m) { return (one_m.head<2>() - place_m).norm() < in_column_m; };
+    if (std::ranges::any_of(failed_m_, near))
         tries_ = most_tries;
+}
+
+bool Column::mayMeetAgain(const Vec3& here_m) const {
+    return std::ranges::any_of(failed_m_, [&](const Vec3& one_m) {
+        return (one_m - here_m).head<2>().norm() < sought_within_m && here_m.z() < one_m.z() + failed_passed_m &&
+               here_m.z() > one_m.z() - below_failed_m;
+    });
 }
 
 void Column::listen(const Senses& senses) {
@@ -123,7 +133,7 @@ Column::Minding Column::mind(const Senses& senses, std::span<const Obstacle> kno
     const bool closes_in = closesIn(senses);
     if (!sinks_to_m_ && (met_m || (climbs && (room_m < too_near_m || closes_in)))) {
         ++tries_;
-        failed_m_.push_back(here_m.head<2>());
+        failed_m_.push_back(here_m);
         sinks_to_m_ = std::max(here_m.z() - back_off_m, senses.ground_m.value_or(here_m.z()) + lowest_m);
     }
     if (sinks_to_m_ && here_m.z() > *sinks_to_m_)

@@ -35,6 +35,8 @@ public:
     Minding mind(const Senses& senses, std::span<const Obstacle> known, const Vec2& slope, double commanded_m_s);
     /// True if it found no room above, wherever it tried.
     bool givesUp() const { return tries_ >= most_tries && !sinks_to_m_; }
+    /// True if what has ended a climb may end another one here: it has not been passed yet.
+    bool mayMeetAgain(const Vec3& here_m) const;
     /// Has it go there, and climb from there on. It gives up where it has failed before.
     void moveTo(const Vec2& place_m, Seconds now);
 
@@ -57,7 +59,7 @@ private:
     bool closesIn(const Senses& senses);
 
     std::vector<Vec3> met_m_;    ///< where sonars heard something, or the ring touched it
-    std::vector<Vec2> failed_m_; ///< from where it has sunk back
+    std::vector<Vec3> failed_m_; ///< from where it has sunk back
     RingTouch touch_;
     std::optional<double> sinks_to_m_; ///< map z
     /// Holds what a sonar heard in the last tick, and for how many ticks in a row it has come much nearer.

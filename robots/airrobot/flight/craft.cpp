@@ -252,7 +252,7 @@ FlightState Craft::perform(Maneuver maneuver, const Leg& asked, agent::CommandPo
     const bool unseen = z_m > overhead.freeTo_m();
     const bool unseen_sky = z_m > overhead.seenTo_m();
     double most_m_s = motion.climb_m_s;
-    if (maybe_roofed && unseen)
+    if ((maybe_roofed && unseen) || column_.mayMeetAgain(senses.position_m()))
         most_m_s = Overhead::gentle_m_s;
     else if (straight_up && unseen_sky)
         most_m_s = Overhead::careful_m_s;
