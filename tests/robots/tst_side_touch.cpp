@@ -102,26 +102,29 @@ private slots:
         QTest::addColumn<double>("heard_m");
         QTest::addColumn<double>("height_m");
         QTest::addColumn<double>("climb_m_s");
+        QTest::addColumn<bool>("lands");
         QTest::addColumn<bool>("feels");
         QTest::addColumn<bool>("sinks");
-        QTest::newRow("at its ring") << 0.1 << 6.0 << 0.0 << true << true;
-        QTest::newRow("a little before it") << 0.4 << 6.0 << 0.0 << false << false;
-        QTest::newRow("as it sinks") << 0.1 << 6.0 << -0.5 << true << false;
-        QTest::newRow("as it rises") << 0.1 << 6.0 << 0.5 << true << true;
-        QTest::newRow("low down") << 0.1 << 1.0 << 0.0 << true << false;
-        QTest::newRow("on the ground") << 0.1 << 0.4 << 0.0 << false << false;
+        QTest::newRow("at its ring") << 0.1 << 6.0 << 0.0 << false << true << true;
+        QTest::newRow("as it lands") << 0.1 << 6.0 << 0.0 << true << true << false;
+        QTest::newRow("a little before it") << 0.4 << 6.0 << 0.0 << false << false << false;
+        QTest::newRow("as it sinks") << 0.1 << 6.0 << -0.5 << false << true << false;
+        QTest::newRow("as it rises") << 0.1 << 6.0 << 0.5 << false << true << true;
+        QTest::newRow("low down") << 0.1 << 1.0 << 0.0 << false << true << false;
+        QTest::newRow("on the ground") << 0.1 << 0.4 << 0.0 << false << false << false;
     }
     void feelsWhatItHearsAtItsRing() {
         QFETCH(double, heard_m);
         QFETCH(double, height_m);
         QFETCH(double, climb_m_s);
+        QFETCH(bool, lands);
         QFETCH(bool, feels);
         QFETCH(bool, sinks);
         SideTouch touch;
         Senses senses = sensesAt({0, 0, height_m});
         senses.ground_m = 0.0;
         setSonars(senses, {{"L3", heard_m}, {"L2", heard_m + 0.05}, {"R4", 2.0}});
-        const auto away = touch.free(senses, {0.0, Vec2(1.0, 0.0), climb_m_s});
+        const auto away = touch.free(senses, {0.0, Vec2(1.0, 0.0), climb_m_s, lands});
         QCOMPARE(away.has_value(), feels);
         if (!feels)
             return;

@@ -21,7 +21,8 @@ void Craft::command(const Motion& motion, agent::CommandPort& port, const std::s
     const bool below_roof = touchesRoof();
     Motion safe = ways.sink(senses).value_or(below_roof ? Motion{.climb_m_s = -Overhead::gentle_m_s} : motion);
     const Vec2 told_m_s = Eigen::Rotation2Dd(senses.base_in_map.yaw_rad) * pilot_.wantedInBase_m_s();
-    const auto away = touches_.side.free(senses, {pilot_.told().yaw_rate_rad_s, told_m_s, commanded_climb_m_s_});
+    const auto away =
+        touches_.side.free(senses, {pilot_.told().yaw_rate_rad_s, told_m_s, commanded_climb_m_s_, motion.to_ground});
     if (const auto& met_m = touches_.side.met_m())
         memory.touch(*met_m);
     if (away && !below_roof) {
