@@ -281,7 +281,7 @@ private slots:
         const auto notice = (*told())[1].value<Notice>();
         QVERIFY2(QString::fromStdString(notice.text).contains(words), notice.text.c_str());
         QCOMPARE(notice.severity, cancels ? Severity::Note : Severity::Error);
-        QCOMPARE(saving.last()[0].toString(), QString());
+        QTRY_COMPARE(saving.last()[0].toString(), QString());
         QVERIFY(QDir(folder_->path()).entryList({"*.tif"}).isEmpty());
     }
 
