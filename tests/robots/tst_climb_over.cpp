@@ -66,8 +66,8 @@ private slots:
         QVERIFY(place_m.y() < -1.5 && std::abs(place_m.x()) < 1.0);
     }
 
-    /// What a sonar hears so near may be the underside of something, into which it would climb (numbers 133126 and
-    /// 149210).
+    /// An echo so near may come from the underside of a crown, into which the robot would climb (random surveys 133126
+    /// and 149210).
     void sinksFromWhatComesNearItsRing_data() {
         QTest::addColumn<double>("left_m");
         QTest::addColumn<double>("ahead_m");

@@ -11,8 +11,10 @@ constexpr double sink_wish_m_s = -0.02;
 constexpr double landing_itself_m_s = -0.3;
 constexpr Seconds settling_time{2.0};
 constexpr Seconds spooling_time{0.8};
-constexpr double settling_share = 0.2; ///< of the weight that the rotors carry once all legs have found the ground
-constexpr double touching_share = 0.8; ///< and when the first one has: on a slope, the others are still in the air
+/// The rotors carry this share of the weight once all legs have found the ground, and the greater one when the first
+/// leg has found it, because on a slope the others are still in the air.
+constexpr double settling_share = 0.2;
+constexpr double touching_share = 0.8;
 constexpr Seconds touching_time{0.6};
 constexpr double spooling_share = 0.3;
 constexpr Seconds ground_lost{0.3};

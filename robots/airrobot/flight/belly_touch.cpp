@@ -26,8 +26,8 @@ constexpr double belly_reach_m = 0.3;      ///< from the robot's center to what 
 constexpr double belly_depth_m = 0.1;      ///< and from there down to the belly
 constexpr double rises_by_m = 0.8;
 constexpr Seconds longest_rise{4.0};
-constexpr double level_lean = 0.09;
-constexpr double held_lean = 0.15; ///< of a robot that has been level and goes on rising
+constexpr double level_lean = 0.09; ///< A robot that leans less is level.
+constexpr double held_lean = 0.15;  ///< A robot that was level and leans so far as it rises on is held on one side.
 constexpr Seconds sinking{1.0};
 const Motion sinks_from_beside{.climb_m_s = -Overhead::gentle_m_s};
 

@@ -26,21 +26,24 @@ constexpr double sinks_m_s = 0.5;
 constexpr double sinks_to_height_m = 2.2; ///< over the ground, at least
 constexpr Seconds longest_sinking{4.0};
 constexpr std::size_t most_met_climbing = 4;
+constexpr double room_where_failed_m = 0.7;
 constexpr double failed_near_m = 0.7; ///< So near to where a climb has failed, another one would fail, too.
 constexpr double below_m = 0.15;      ///< distance from the greatest height at which the climb ends
 
 } // namespace
 
+double roomForClimb_m(std::span<const Obstacle> things, const Vec2& at_m, double enough_m,
+                      std::span<const Vec3> failed_m) {
+    double room_m = nearest_m(things, at_m, enough_m);
+    for (const Vec3& one_m : failed_m)
+        room_m = std::min(room_m, (one_m.head<2>() - at_m).norm() + room_where_failed_m);
+    return room_m;
+}
+
 Vec2 climbPlace_m(std::span<const Obstacle> obstacles, const Vec2& here_m, double standoff_m, const Retreat& retreat,
-                  std::span<const Vec2> failed_m) {
-    const auto room_m = [&](const Vec2& at_m) {
-        double least_m = nearest_m(obstacles, at_m, standoff_m);
-        for (const Vec2& one_m : failed_m)
-            least_m = std::min(least_m, (one_m - at_m).norm() + room_where_failed_m);
-        return least_m;
-    };
+                  std::span<const Vec3> failed_m) {
     Vec2 best_m = here_m;
-    double best_score = room_m(here_m);
+    double best_score = roomForClimb_m(obstacles, here_m, standoff_m, failed_m);
     for (double distance_m = 1.0; distance_m <= search_m; distance_m += 1.0) {
         for (int i = 0; i < bearings; ++i) {
             const double bearing_rad = 2.0 * pi * i / bearings;
@@ -48,7 +51,8 @@ Vec2 climbPlace_m(std::span<const Obstacle> obstacles, const Vec2& here_m, doubl
                 continue;
             const Vec2 place_m = here_m + distance_m * Vec2(std::cos(bearing_rad), std::sin(bearing_rad));
             const double risk_m = !retreat.flown || retreat.flown(place_m) ? 0.0 : unknown_cost_m;
-            const double score = room_m(place_m) - detour_cost * distance_m - risk_m;
+            const double score =
+                roomForClimb_m(obstacles, place_m, standoff_m, failed_m) - detour_cost * distance_m - risk_m;
             if (score > best_score) {
                 best_score = score;
                 best_m = place_m;
@@ -79,7 +83,7 @@ void ClimbOver::feel(const Senses& senses, const Vec2& slope, double commanded_m
     if (!met_m)
         return;
     met_.push_back({met_m->head<2>(), met_m->z(), true});
-    failed_m_.push_back(senses.position2_m());
+    failed_m_.push_back(senses.position_m());
     state_ = ClimbState::Sinking;
     since_ = senses.now;
     const double lowest_m = std::max(settings.floor_level_m, senses.ground_m.value_or(-1e9) + sinks_to_height_m);
@@ -92,7 +96,7 @@ void ClimbOver::sink(const Senses& senses, std::span<const Obstacle> obstacles, 
         return;
     if (met_.size() < most_met_climbing)
         start(senses, obstacles, settings);
-    const auto near = [&](const Vec2& one_m) { return (one_m - place_m_).norm() < failed_near_m; };
+    const auto near = [&](const Vec3& one_m) { return (one_m.head<2>() - place_m_).norm() < failed_near_m; };
     if (met_.size() >= most_met_climbing || std::ranges::any_of(failed_m_, near))
         state_ = ClimbState::Failed;
 }

@@ -61,7 +61,7 @@ private:
     RingTouch touch_;
     double commanded_m_s_ = 0.0;
     std::vector<Obstacle> met_;            ///< by its ring, in this climb
-    std::vector<Vec2> failed_m_;           ///< from where it has sunk for that
+    std::vector<Vec3> failed_m_;           ///< from where it has sunk for that
     double sinks_to_m_ = 0.0;              ///< map z
     Seconds since_{0.0};                   ///< start of the maneuver
     std::optional<double> free_since_z_m_; ///< height from which on the way has been free; nullopt while it is blocked
@@ -71,10 +71,11 @@ private:
 /// possible, up to `standoff_m`. Short ways are preferred, and places where the robot has flown: crowns behind it may
 /// be unknown. From places where it has `failed` it keeps away, too.
 Vec2 climbPlace_m(std::span<const Obstacle> obstacles, const Vec2& here_m, double standoff_m,
-                  const Retreat& retreat = {}, std::span<const Vec2> failed_m = {});
+                  const Retreat& retreat = {}, std::span<const Vec3> failed_m = {});
 
-/// The room at a place of a climb that has failed, as if something stood there: what ended the climb may be above the
-/// robot, where nothing hears it.
-inline constexpr double room_where_failed_m = 0.7;
+/// Returns the distance to the nearest of these things, at most `enough_m`. It is less near the places where a climb
+/// has `failed`, because what ended that climb may be above the robot, where nothing hears it.
+double roomForClimb_m(std::span<const Obstacle> things, const Vec2& at_m, double enough_m,
+                      std::span<const Vec3> failed_m);
 
 } // namespace usar::airrobot

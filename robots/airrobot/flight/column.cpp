@@ -46,19 +46,13 @@ constexpr double beside_tried_m = 2.0; ///< So near to a place where it has trie
 /// nothing `beside` stands in the way.
 Vec2 roomiest_m(std::span<const Obstacle> things, std::span<const Obstacle> beside, std::span<const Vec3> failed,
                 const Vec2& here_m) {
-    const auto room_m = [&](const Vec2& at_m) {
-        double least_m = nearest_m(things, at_m, enough_room_m);
-        for (const Vec3& one_m : failed)
-            least_m = std::min(least_m, (one_m.head<2>() - at_m).norm() + room_where_failed_m);
-        return least_m;
-    };
     Vec2 best_m = here_m;
-    double best = room_m(here_m);
+    double best = roomForClimb_m(things, here_m, enough_room_m, failed);
     for (double away_m = search_step_m; away_m <= sought_within_m; away_m += search_step_m)
         for (int i = 0; i < search_bearings; ++i) {
             const double bearing_rad = 2.0 * pi * i / search_bearings;
             const Vec2 place_m = here_m + away_m * Vec2(std::cos(bearing_rad), std::sin(bearing_rad));
-            const double score = room_m(place_m) - way_cost * away_m;
+            const double score = roomForClimb_m(things, place_m, enough_room_m, failed) - way_cost * away_m;
             if (score > best && clearance_m(beside, here_m, bearing_rad, move_half_width_m, away_m) >= away_m) {
                 best = score;
                 best_m = place_m;

@@ -64,7 +64,7 @@ public:
     }
     /// True if the robot moves otherwise than commanded by more than it does in calm air.
     bool feelsWind() const;
-    /// What the wind adds to the velocity through the air, as far as the robot has felt it (map frame).
+    /// Returns the velocity (map frame) that the robot believes the wind adds to its own through the air.
     const Vec2& drift_m_s() const { return drift_m_s_; }
     /// Never commands a greater level speed.
     void limitSpeed(double fastest_m_s) { fastest_m_s_ = fastest_m_s; }
