@@ -350,6 +350,24 @@ private slots:
         QVERIFY(!touchdown.isOver(senses, better_m));
     }
 
+    /// The ground of a world ended 0.3 m beside its place, and it fell off (survey 157164).
+    void looksAroundAndKeepsAwayFromTheEndOfTheGround() {
+        ObstacleMemory memory;
+        Touchdown touchdown;
+        touchdown.start();
+        Senses senses = sensesAt({0, 0, 2.5});
+        senses.ground_m = 0.0;
+        do {
+            senses.now += Seconds(0.2);
+            senses.base_in_map.yaw_rad += 0.12;
+            setFlatScan(senses, {0, 0}, 4.0, 0.0);
+            std::erase_if(senses.scan->hits_in_map_m, [](const Vec3& hit) { return hit.y() > 0.3; });
+            memory.take(senses, {});
+        } while (touchdown.looksAround(senses, memory, {0, 0}, Vec2::Zero()));
+        const Vec2 better_m = touchdown.placeFor_m({0, 0});
+        QVERIFY2(better_m.y() < -0.7, qPrintable(QString::number(better_m.y())));
+    }
+
     void looksAroundJustAboveTheGroundOnly() {
         Touchdown touchdown;
         touchdown.start();

@@ -688,6 +688,35 @@ private slots:
         QCOMPARE(said, words);
     }
 
+    /// It scraped along a roof because its height had drifted by 0.75 m (survey 156413).
+    void aCeilingDriftsWithTheFloor_data() {
+        QTest::addColumn<double>("floor_m");
+        QTest::addColumn<double>("sinks_by_m");
+        QTest::newRow("the same floor") << 0.0 << 0.0;
+        QTest::newRow("it seems lower") << -0.7 << 0.7;
+        QTest::newRow("it seems higher, as on a rack") << 0.7 << 0.0;
+        QTest::newRow("another floor") << -3.0 << 0.0;
+    }
+    void aCeilingDriftsWithTheFloor() {
+        QFETCH(double, floor_m);
+        QFETCH(double, sinks_by_m);
+        Overhead overhead;
+        Senses senses = sensesWith(scanBelow(6.0, 12.0, radians(14.0), {0.0, 0.0, 4.3}));
+        senses.ground_m = 0.0;
+        overhead.observe(senses, {.climb_m_s = 0.0, .ascending = true});
+        const double ceiling_m = overhead.ceiling_m({0.0, 0.0}).value();
+        overhead.putLid(3.0);
+        senses.scan.reset();
+        senses.ground_m = floor_m;
+        for (int tick = 0; tick < 300; ++tick) {
+            senses.now += Seconds(0.2);
+            overhead.observe(senses, {});
+        }
+        QVERIFY(std::abs(overhead.ceiling_m({0.0, 0.0}).value() - (3.0 - sinks_by_m)) < 1e-9);
+        overhead.putLid(std::nullopt);
+        QVERIFY(std::abs(overhead.ceiling_m({0.0, 0.0}).value() - (ceiling_m - sinks_by_m)) < 1e-9);
+    }
+
     void aLidIsACeilingEverywhere() {
         Overhead overhead;
         QVERIFY(!overhead.hasCeiling());

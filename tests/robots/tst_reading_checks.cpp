@@ -36,7 +36,9 @@ private slots:
         PoseCheck check;
         QVERIFY(check.believes(Seconds(10.0), at(1.0), {}));
         QVERIFY(!check.believes(Seconds(10.2), at(x_m, 6.0, roll_rad), {}));
+        QCOMPARE(check.leanLeapt(), roll_rad > 0.0);
         QVERIFY(check.believes(Seconds(10.4), at(1.1), {})); // It was a damaged line.
+        QVERIFY(!check.leanLeapt());
         QVERIFY(!check.believes(Seconds(10.6), at(x_m, 6.0, roll_rad), {}));
         QVERIFY(!check.believes(Seconds(10.8), at(x_m, 6.0, roll_rad), {}));
         QVERIFY(check.believes(Seconds(11.0), at(x_m, 6.0, roll_rad), {}));
@@ -156,6 +158,8 @@ private slots:
         QTest::newRow("a lost digit, and then as before") << std::vector<double>{3.5, 0.5, 3.4} << 3.4;
         QTest::newRow("a lost point") << std::vector<double>{1.5, 15204.0} << 1.5;
         QTest::newRow("a trunk comes into view") << std::vector<double>{5.0, 2.0, 1.9} << 1.9;
+        QTest::newRow("a ledge that it nears fast") << std::vector<double>{3.1, 1.8, 0.7} << 0.7;
+        QTest::newRow("two damaged ones, near and far") << std::vector<double>{3.1, 0.7, 13.1} << 3.1;
     }
     void aSonarThatJumpsIsBelievedTheSecondTime() {
         QFETCH(std::vector<double>, told_m);
@@ -167,6 +171,32 @@ private slots:
             QCOMPARE(check.believed_m("R4", 5.0, false, {}), 5.0); // Others have nothing to do with it.
         }
         QCOMPARE(last_m, believed_m);
+    }
+
+    /// As a robot rises to a ledge, several sonars hear it at once (survey 156983).
+    void aJumpThatTwoSonarsHearIsBelievedAtOnce_data() {
+        QTest::addColumn<double>("first_m");
+        QTest::addColumn<double>("second_m");
+        QTest::addColumn<bool>("ticks_between");
+        QTest::addColumn<double>("believed_m");
+        QTest::newRow("a ledge") << 2.05 << 1.8 << false << 1.8;
+        QTest::newRow("ranges that differ") << 2.05 << 0.7 << false << 3.1;
+        QTest::newRow("one after the other") << 2.05 << 1.8 << true << 3.1;
+        QTest::newRow("both are farther") << 4.5 << 4.4 << false << 3.1;
+    }
+    void aJumpThatTwoSonarsHearIsBelievedAtOnce() {
+        QFETCH(double, first_m);
+        QFETCH(double, second_m);
+        QFETCH(bool, ticks_between);
+        QFETCH(double, believed_m);
+        SonarCheck check;
+        check.begin();
+        QVERIFY(check.believed_m("L1", 3.1, true, {}) && check.believed_m("M0", 3.1, true, {}));
+        check.begin();
+        QCOMPARE(check.believed_m("L1", first_m, true, {}), std::optional(3.1));
+        if (ticks_between)
+            check.begin();
+        QCOMPARE(check.believed_m("M0", second_m, true, {}), std::optional(believed_m));
     }
 
     void aSonarThatRepeatsItsEchoHangs_data() {

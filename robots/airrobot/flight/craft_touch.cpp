@@ -34,8 +34,13 @@ void Craft::command(const Motion& motion, agent::CommandPort& port, const std::s
         if (safe.velocity_in_map_m_s.norm() < least_m_s)
             safe.velocity_in_map_m_s = least_m_s * direction;
     }
+    const auto sinking = touches_.top.free(senses, {told_m_s, commanded_climb_m_s_});
+    if (touches_.top.met_m())
+        memory.touch(*touches_.top.met_m());
+    if (sinking && safe.climb_m_s > sinking->climb_m_s)
+        safe = *sinking;
     const BellyTouch::Doing doing{commanded_climb_m_s_, pilot_.wantedInBase_m_s().norm(), pilot_.feelsWind(),
-                                  below_roof || climb_over_.sinks(), motion.to_ground};
+                                  below_roof || climb_over_.sinks() || sinking, motion.to_ground};
     if (const auto freeing = touches_.belly.free(senses, log.lean().slope(senses.base_in_map.yaw_rad), doing))
         safe = *freeing;
     if (touches_.belly.met_m())

@@ -101,32 +101,30 @@ bool standsOut(const ObstacleMemory& memory, const Vec2& place_m) {
     return here_m && around_m && *around_m < *here_m - stands_out_m;
 }
 
-} // namespace
+/// What the scanner has seen within `fresh` of the ground for a robot that leans, see landingPlace_m.
+struct FreshGround {
+    const ObstacleMemory& memory;
+    Vec2 lean = Vec2::Zero();
+    Seconds fresh{0.0};
 
-Vec2 landingPlace_m(const ObstacleMemory& memory, const Vec2& wanted_m, double radius_m, const Vec2& lean,
-                    Seconds fresh) {
-    const auto uneven_m = [&](const Vec2& place_m, double needed_m) {
-        return unevenness_m(memory.freshTops_m(place_m, needed_m, fresh), place_m, gentle_rad, lean, needed_m,
-                            slope_share);
-    };
-    const auto long_known_m = [&] {
-        return unevenness_m(memory.risenTops_m(wanted_m, body_radius_m), wanted_m, gentle_rad, lean, body_radius_m,
-                            slope_share);
-    };
+    double unevenness_m(const Vec2& place_m, double radius_m) const {
+        return airrobot::unevenness_m(memory.freshTops_m(place_m, radius_m, fresh), place_m, gentle_rad, lean, radius_m,
+                                      slope_share);
+    }
+};
+
+/// The evenest place within `radius_m` of `wanted_m`, which is so uneven itself.
+Vec2 evenestPlace_m(const FreshGround& ground, const Vec2& wanted_m, double wanted_unevenness_m, double radius_m) {
     Vec2 best_m = wanted_m;
-    double best_unevenness_m = uneven_m(wanted_m, body_radius_m);
-    if (std::isinf(best_unevenness_m)) // The robot comes from one side, and may not have seen the place just now.
-        best_unevenness_m = long_known_m();
-    if (std::isinf(best_unevenness_m)) // It looks at it before it lands, see Touchdown::looksAround.
-        return wanted_m;
+    double best_unevenness_m = wanted_unevenness_m;
     for (const double needed_m : {roomy_radius_m, body_radius_m}) {
         for (double ring_m = ring_step_m; ring_m <= radius_m && best_unevenness_m > level_ground_m;
              ring_m += ring_step_m) {
             for (int i = 0; i < spots; ++i) {
                 const double bearing_rad = 2.0 * pi * i / spots;
                 const Vec2 place_m = wanted_m + ring_m * Vec2(std::cos(bearing_rad), std::sin(bearing_rad));
-                if (const double there_m = uneven_m(place_m, needed_m);
-                    there_m < best_unevenness_m && !isRaised(memory, place_m, wanted_m)) {
+                if (const double there_m = ground.unevenness_m(place_m, needed_m);
+                    there_m < best_unevenness_m && !isRaised(ground.memory, place_m, wanted_m)) {
                     best_m = place_m;
                     best_unevenness_m = there_m;
                 }
@@ -134,6 +132,20 @@ Vec2 landingPlace_m(const ObstacleMemory& memory, const Vec2& wanted_m, double r
         }
     }
     return best_m;
+}
+
+} // namespace
+
+Vec2 landingPlace_m(const ObstacleMemory& memory, const Vec2& wanted_m, double radius_m, const Vec2& lean,
+                    Seconds fresh) {
+    const FreshGround ground{memory, lean, fresh};
+    double uneven_m = ground.unevenness_m(wanted_m, body_radius_m);
+    if (std::isinf(uneven_m)) // The robot comes from one side, and may not have seen the place just now.
+        uneven_m = unevenness_m(memory.risenTops_m(wanted_m, body_radius_m), wanted_m, gentle_rad, lean, body_radius_m,
+                                slope_share);
+    if (std::isinf(uneven_m)) // It looks at it before it lands, see Touchdown::looksAround.
+        return wanted_m;
+    return evenestPlace_m(ground, wanted_m, uneven_m, radius_m);
 }
 
 bool canLand(const ObstacleMemory& memory, const Vec2& place_m, double dry_m) {
@@ -207,11 +219,11 @@ bool Touchdown::looksAround(const Senses& senses, const ObstacleMemory& memory, 
     last_yaw_rad_ = yaw_rad;
     if (turned_rad_ < pi)
         return true;
-    const Seconds fresh = senses.now - *turning_since_;
-    const double uneven_m = unevenness_m(memory.freshTops_m(place_m, body_radius_m, fresh), place_m, gentle_rad, lean,
-                                         body_radius_m, slope_share);
-    if (std::isfinite(uneven_m) && uneven_m > level_ground_m) {
-        better_m_ = landingPlace_m(memory, place_m, look_within_m, lean, fresh);
+    const FreshGround ground{memory, lean, senses.now - *turning_since_};
+    // Where there is no ground on one side, it stands at the brink of something, such as the end of the world.
+    const double uneven_m = ground.unevenness_m(place_m, body_radius_m);
+    if (uneven_m > level_ground_m) {
+        better_m_ = evenestPlace_m(ground, place_m, uneven_m, look_within_m);
         if ((*better_m_ - place_m).norm() > over_place_m)
             over_ = false; // So low, it would go on sinking on its way there, into what is uneven.
     }

@@ -2,6 +2,7 @@
 // cannot climb.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -41,10 +42,14 @@ public:
     bool everHadCeiling() const { return had_ceiling_; }
     /// Has the robot stay below this height (map z) everywhere as if a ceiling were there, so that it flies under what
     /// stands in its way higher up; nullopt: no more.
-    void putLid(std::optional<double> lid_m) { lid_m_ = lid_m; }
+    void putLid(std::optional<double> lid_m) {
+        lid_m_ = lid_m;
+        lid_floor_m_ = floor_m();
+    }
     /// True if a wall has stood beside the robot for a while, up to its height or higher. It may carry a roof.
     bool besideWall(Seconds now) const { return walled_at_ && now - *walled_at_ < wall_memory; }
-    /// The lowest ceiling near a place; nullopt if none is known.
+    /// The lowest ceiling near a place; nullopt if none is known. The estimate of the height drifts: where the floor
+    /// seems to be lower than when a ceiling was found, so is the ceiling.
     std::optional<double> ceiling_m(const Vec2& at_m) const;
     /// The greatest height to fly at there; infinite if no ceiling is known.
     double limit_m(const Vec2& at_m) const;
@@ -84,12 +89,14 @@ private:
         bool touched = false; ///< not seen
         double reach_m = great_reach_m;
         Seconds found_at{0.0}; ///< the last time
+        double floor_m = unknown_floor_m;
     };
 
     static constexpr double great_reach_m = 60.0; ///< A ceiling is taken to reach this far,
     static constexpr double small_reach_m = 2.0;  ///< or so far if it is a small one.
     static constexpr Seconds wall_memory{10.0};
     static constexpr Seconds touch_memory{6.0};
+    static constexpr double unknown_floor_m = 1e9;
 
     /// One scan seemed to show a ceiling at this height.
     struct Glimpse {
@@ -103,11 +110,19 @@ private:
     void lookPast(double past_m, Seconds now);
     void lookBeside(const PlacedScan& scan, Seconds now);
     void feelAbove(const Senses& senses, double commanded_climb_m_s);
+    void lookDown(const Senses& senses);
+    /// The lowest ground (map z) below the robot in the last seconds.
+    double floor_m() const { return std::min(floor_now_m_, floor_before_m_); }
+    double drifted_m(double z_m, double floor_then_m) const;
     void add(const Ceiling& ceiling);
 
     std::vector<Ceiling> ceilings_;
     bool had_ceiling_ = false;
     std::optional<double> lid_m_;
+    double lid_floor_m_ = unknown_floor_m;
+    double floor_now_m_ = unknown_floor_m;    ///< since `floor_since_`
+    double floor_before_m_ = unknown_floor_m; ///< for a while before
+    Seconds floor_since_{0.0};
     std::optional<Find> found_;
     std::optional<Glimpse> glimpse_;
     std::optional<Seconds> pushing_since_; ///< a climb is commanded since then

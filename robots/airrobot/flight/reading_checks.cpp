@@ -32,6 +32,8 @@ constexpr double same_geometry = 0.01;   ///< share
 /// From one reading to the next, 0.2 s later, the robot gets nearer by 0.4 m at most, and an echo may come from another
 /// part of the same thing.
 constexpr double sonar_jump_m = 1.0;
+/// Two sonars that jump at once to ranges as equal as this hear one thing, such as a ledge as the robot rises to it.
+constexpr double sonar_like_m = 0.6;
 /// Noise of a thousandth of the range changes a number of four decimals nearly always.
 constexpr int hangs_after = 5;
 constexpr double touching_m = 0.5; ///< What is nearer may be at the least range of a sonar, which has no noise.
@@ -40,12 +42,16 @@ double between_rad(double one_rad, double other_rad) {
     return std::abs(normalizedAngle(one_rad - other_rad));
 }
 
+bool leansTooFar(const Pose& from_in_map, const Pose& to_in_map, double since_s) {
+    return std::max(between_rad(from_in_map.roll_rad, to_in_map.roll_rad),
+                    between_rad(from_in_map.pitch_rad, to_in_map.pitch_rad)) >
+           lean_jitter_rad + fastest_lean_rad_s * since_s;
+}
+
 bool isTooFar(const Pose& from_in_map, const Pose& to_in_map, double since_s) {
     return (to_in_map.position_m - from_in_map.position_m).norm() > jitter_m + fastest_m_s * since_s ||
            between_rad(from_in_map.yaw_rad, to_in_map.yaw_rad) > jitter_rad + fastest_turn_rad_s * since_s ||
-           std::max(between_rad(from_in_map.roll_rad, to_in_map.roll_rad),
-                    between_rad(from_in_map.pitch_rad, to_in_map.pitch_rad)) >
-               lean_jitter_rad + fastest_lean_rad_s * since_s;
+           leansTooFar(from_in_map, to_in_map, since_s);
 }
 
 bool agrees(double one_m, double other_m) {
@@ -100,6 +106,7 @@ bool PoseCheck::hangs(Seconds now, const Pose& pose_in_map, const Told& told) {
 
 bool PoseCheck::leaps(Seconds now, const Pose& pose_in_map) {
     const double since_s = (now - last_->at).count();
+    lean_leapt_ = leansTooFar(last_->pose_in_map, pose_in_map, since_s);
     if (!isTooFar(last_->pose_in_map, pose_in_map, since_s)) {
         leaps_ = 0;
         return false;
@@ -135,6 +142,18 @@ bool ScanCheck::isOtherGeometry(const protocol::RangeScan& scan) {
     return false;
 }
 
+bool SonarCheck::isBelieved(const Range& range, double told_m) {
+    if (std::abs(told_m - range.believed_m) <= sonar_jump_m || std::abs(told_m - range.told_m) <= sonar_jump_m)
+        return true;
+    const double nearer_m = range.believed_m - sonar_jump_m;
+    if (told_m > nearer_m)
+        return false;
+    const bool another =
+        std::ranges::any_of(nearer_m_, [&](double other_m) { return std::abs(other_m - told_m) <= sonar_like_m; });
+    nearer_m_.push_back(told_m);
+    return another || range.told_m < nearer_m;
+}
+
 std::optional<double> SonarCheck::believed_m(const std::string& sonar, double range_m, bool echo, const Told& told) {
     const auto [known, is_new] = ranges_.try_emplace(sonar, Range{range_m, range_m});
     Range& range = known->second;
@@ -145,8 +164,7 @@ std::optional<double> SonarCheck::believed_m(const std::string& sonar, double ra
         ++range.repeats;
     if (range.repeats >= hangs_after)
         return std::nullopt;
-    if (!is_new &&
-        (std::abs(range_m - range.believed_m) <= sonar_jump_m || std::abs(range_m - range.told_m) <= sonar_jump_m))
+    if (!is_new && isBelieved(range, range_m))
         range.believed_m = range_m;
     range.told_m = range_m;
     return range.believed_m;

@@ -27,6 +27,8 @@ public:
     /// is told to move shows that the sensor hangs. That pose is never believed again, and others are only when three
     /// in a row differ from it, because a damaged line differs from it, too.
     bool believes(Seconds now, const Pose& pose_in_map, const Told& told);
+    /// True if the last pose was not believed because of its lean.
+    bool leanLeapt() const { return lean_leapt_; }
     /// Forgets all poses, because the estimate has jumped.
     void forget() { *this = {}; }
 
@@ -46,6 +48,7 @@ private:
     double vertical_m_s_ = 0.0;             ///< rate of climb that the robot was told when the last reading came
     Pose leapt_to_;                         ///< the last pose that was not believed
     int leaps_ = 0;                         ///< how often in a row it was told
+    bool lean_leapt_ = false;
 };
 
 /// Judges the ranges of one scanner. Owned by one robot.
@@ -68,9 +71,12 @@ private:
 /// Judges the ranges of all sonars. Owned by one robot.
 class SonarCheck {
 public:
+    /// Begins a tick: the readings that follow come at the same time.
+    void begin() { nearer_m_.clear(); }
     /// Returns the range to believe. Call it for each new reading. A range that jumps is believed when it is told
-    /// again; until then the last one holds. Returns nothing while the sonar hangs: it repeats an echo to the last
-    /// digit although the robot moves. `echo`: the range is less than the greatest one.
+    /// again; until then the last one holds. One that is much nearer is also believed if the one before it was, or if
+    /// another sonar hears something as near in this tick. Returns nothing while the sonar hangs: it repeats an echo to
+    /// the last digit although the robot moves. `echo`: the range is less than the greatest one.
     std::optional<double> believed_m(const std::string& sonar, double range_m, bool echo, const Told& told);
     void forget() { ranges_.clear(); }
 
@@ -80,7 +86,10 @@ private:
         double told_m = 0.0;
         int repeats = 0; ///< of an echo, in a row
     };
+    bool isBelieved(const Range& range, double told_m);
+
     std::map<std::string, Range, std::less<>> ranges_;
+    std::vector<double> nearer_m_; ///< the ranges of this tick that are much nearer than those before them
 };
 
 } // namespace usar::airrobot

@@ -114,6 +114,7 @@ Senses SenseReader::read(Seconds now, LineNumber line, const modules::RobotModul
     readScan(senses, robot, layout);
     if (robot.state.latest())
         senses.robot_battery = robot.state.latest()->battery_left;
+    senses.leans_beyond_belief = pose_check_.leanLeapt() && ins_seen_ != now;
     senses.ins_age = ins_seen_ ? now - *ins_seen_ : never;
     senses.scan_age = scan_seen_ ? now - *scan_seen_ : never;
     return senses;
@@ -143,6 +144,7 @@ void SenseReader::readPose(Seconds now, const Reading* reading) {
 void SenseReader::readSonars(Senses& senses, const modules::RobotModules& robot, const SensorLayout& layout,
                              Seconds time_out) {
     senses.sonar_age = layout.sonars.empty() ? never : Seconds(0.0);
+    sonar_check_.begin();
     for (const SonarMount& mount : layout.sonars) {
         const auto* reading = robot.sensors.sonar(mount.name);
         const bool number = reading && std::isfinite(reading->value.range_m);

@@ -72,10 +72,12 @@ struct Senses {
     std::optional<double> ground_m; ///< map z of the ground under the belly, the mean of the middle rays ([SD]: ten);
                                     ///< nullopt if too few hit it
     std::optional<Seconds> robot_battery; ///< remaining time of the robot's own battery; nullopt if not reported
-    Seconds ins_age{0.0};                 ///< time since the last INS reading; huge before the first
-    Seconds sonar_age{0.0};               ///< the same for the sonar that has been silent the longest
-    Seconds scan_age{0.0};                ///< the same for the scanner
-    Seconds late{0.0};                    ///< The robot obeys so much later than usual, see LinkWatch.
+    bool leans_beyond_belief =
+        false;              ///< The last pose leans so differently from the one before it that it is not used.
+    Seconds ins_age{0.0};   ///< time since the last INS reading; huge before the first
+    Seconds sonar_age{0.0}; ///< the same for the sonar that has been silent the longest
+    Seconds scan_age{0.0};  ///< the same for the scanner
+    Seconds late{0.0};      ///< The robot obeys so much later than usual, see LinkWatch.
 
     /// What is left of the gain of a control loop, so that a late link does not make it swing: a loop is steady while
     /// its gain times its delay is small. The robot itself takes half a second to obey.
