@@ -242,8 +242,9 @@ bool SurveyFlight::climb(double altitude_m, agent::CommandPort& port) {
     if (sortie_.beyond_door) // It is as high there as it can be, because racks may stand beside it.
         goal_z_m = std::min(goal_z_m, craft_.overhead.limit_m(over_m));
     if (craft_.rise(goal_z_m, over_m, port)) {
-        if (craft_.column_m() && !sortie_.beyond_door)
-            base_in_map_.position_m.head<2>() = *craft_.column_m();
+        const auto& column_m = craft_.column_m();
+        if (column_m && !sortie_.beyond_door && canLand(craft_.memory, *column_m, craft_.dry_m()))
+            base_in_map_.position_m.head<2>() = *column_m;
         return true;
     }
     const Seconds longest = spare_for_take_off + Seconds(2.0 * altitude_m / carefulClimb_m_s(craft_.settings));

@@ -77,6 +77,19 @@ private slots:
         QVERIFY2(outcome.ended && !outcome.broken && outcome.height_m < 0.1, outcome.text().c_str());
     }
 
+    // It had found room to climb beside the ground of a small field, and came down where there was none.
+    void comesDownWhereThereIsGround_data() {
+        QTest::addColumn<int>("number");
+        QTest::newRow("its climb began beyond the end of the ground") << 158228;
+        QTest::newRow("the same at another corner") << 158948;
+        QTest::newRow("its climb began just beside the end of the ground") << 157164;
+    }
+    void comesDownWhereThereIsGround() {
+        QFETCH(int, number);
+        const test::SurveyOutcome outcome = test::fly(test::drawSurvey(number));
+        QVERIFY2(outcome.success && outcome.collisions == 0, outcome.text().c_str());
+    }
+
     void tellsTheTruthOfAFault_data() { test::surveyRows(13, 20); }
     void tellsTheTruthOfAFault() {
         QFETCH(int, number);
