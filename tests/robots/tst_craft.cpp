@@ -331,6 +331,33 @@ private slots:
         QCOMPARE(*drive.climb_m_s, 0.0);
     }
 
+    /// A single ray had met the tip of a tree (survey 159552).
+    void stopsBeforeWhatASonarHasHeardCloseByOnce() {
+        double forward_m_s = 0.0;
+        for (int tick = 0; tick < 20; ++tick) {
+            perceive(6.0, {});
+            forward_m_s = fly().forward_m_s.value_or(forward_m_s);
+            x_m += 0.2 * forward_m_s;
+        }
+        QVERIFY2(forward_m_s > 0.5, qPrintable(QString::number(forward_m_s)));
+        perceive(6.0, {{"M0", 1.2}});
+        for (int tick = 0; tick < 3; ++tick) {
+            perceive(6.0, {});
+            forward_m_s = fly().forward_m_s.value_or(forward_m_s);
+        }
+        QVERIFY2(forward_m_s < 0.2, qPrintable(QString::number(forward_m_s)));
+    }
+
+    void fleesBackwardNoFasterThanItMayTouchSomething() {
+        double forward_m_s = 0.0;
+        for (int tick = 0; tick < 6; ++tick) { // It backs away at 0.5 m/s.
+            perceive(5.0, {{"M0", 1.0}});
+            forward_m_s = fly().forward_m_s.value_or(forward_m_s);
+            x_m -= 0.1;
+        }
+        QVERIFY2(forward_m_s < -0.2 && forward_m_s > -0.6, qPrintable(QString::number(forward_m_s)));
+    }
+
     void fleesHarderWhereTheWindPushesItOn() {
         double hardest_m_s = 0.0;
         for (int tick = 0; tick < 15; ++tick) { // It moves on at 0.25 m/s, whatever it is told.

@@ -148,6 +148,27 @@ private slots:
         QVERIFY(!Refuge().place_m(senses, around, -1.0));
     }
 
+    void fliesALittleFartherToGroundThatIsNotSteep_data() {
+        QTest::addColumn<double>("level_from_m");
+        QTest::addColumn<bool>("goes_there");
+        QTest::newRow("level ground is near") << 4.0 << true;
+        QTest::newRow("level ground is far") << 9.0 << false;
+    }
+    void fliesALittleFartherToGroundThatIsNotSteep() {
+        QFETCH(double, level_from_m);
+        QFETCH(bool, goes_there);
+        ObstacleMemory memory;
+        Senses senses = sensesAt({0, 0, 6});
+        setFlatScan(senses, {0, 0}, 12.0, 0.0);
+        for (Vec3& hit : senses.scan->hits_in_map_m)
+            hit.z() = 0.33 * std::min(0.0, hit.x() - level_from_m); // 18 degrees
+        memory.take(senses, {});
+        const auto place_m = Refuge().place_m(senses, memory, -20.0);
+        QVERIFY(place_m.has_value());
+        QCOMPARE(place_m->x() > level_from_m - 1.2, goes_there);
+        QCOMPARE(*place_m == Vec2(0, 0), !goes_there);
+    }
+
     void takesTheNextPlaceWhereOneWasNoGood() {
         Senses senses = sensesAt({0, 0, 6});
         const ObstacleMemory around = meadow();

@@ -190,13 +190,43 @@ private slots:
         QFETCH(bool, ticks_between);
         QFETCH(double, believed_m);
         SonarCheck check;
-        check.begin();
+        double now_s = 10.0;
+        check.begin(Seconds(now_s += 0.2), true);
         QVERIFY(check.believed_m("L1", 3.1, true, {}) && check.believed_m("M0", 3.1, true, {}));
-        check.begin();
+        check.begin(Seconds(now_s += 0.2), true);
         QCOMPARE(check.believed_m("L1", first_m, true, {}), std::optional(3.1));
         if (ticks_between)
-            check.begin();
+            check.begin(Seconds(now_s += 0.2), true);
         QCOMPARE(check.believed_m("M0", second_m, true, {}), std::optional(believed_m));
+    }
+
+    /// The tip of a tree is so thin that a single ray meets it (survey 159552).
+    void whatOneRayMeetsCloseByIsAGlimpse_data() {
+        QTest::addColumn<double>("range_m");
+        QTest::addColumn<bool>("high");
+        QTest::addColumn<bool>("glimpsed");
+        QTest::newRow("close by") << 0.8 << true << true;
+        QTest::newRow("farther off") << 2.5 << true << false;
+        QTest::newRow("close to the ground") << 0.8 << false << false;
+    }
+    void whatOneRayMeetsCloseByIsAGlimpse() {
+        QFETCH(double, range_m);
+        QFETCH(bool, high);
+        QFETCH(bool, glimpsed);
+        SonarCheck check;
+        double now_s = 10.0;
+        int glimpses = 0;
+        for (int tick = 0; tick < 100; ++tick) { // In the end, it is a link that damages lines.
+            check.begin(Seconds(now_s += 1.0), high);
+            const double told_m = tick % 10 == 5 ? range_m : 5.0;
+            QCOMPARE(check.believed_m("M0", told_m, told_m < 5.0, {}), std::optional(5.0));
+            glimpses += check.glimpsed();
+            QVERIFY(!check.glimpsed() || told_m < 5.0);
+        }
+        QCOMPARE(glimpses, glimpsed ? 4 : 0);
+        check.begin(Seconds(now_s += 200.0), high);
+        check.believed_m("M0", range_m, true, {});
+        QCOMPARE(check.glimpsed(), glimpsed);
     }
 
     void aSonarThatRepeatsItsEchoHangs_data() {

@@ -35,6 +35,11 @@ constexpr double rising_speed_m_s = 1.0;
 constexpr double straight_m_s = 0.2;
 /// A climb over something needs this share of the stand-off at its place.
 constexpr double least_room_share = 0.85;
+/// Once it no longer nears what it flees from, it flees backward no faster than it may touch something: no sonar hears
+/// what is farther from its nose. It fled between racks and broke at the one behind it (`tst_random_surveys_campaign`,
+/// number 159781).
+constexpr double heard_rad = radians(100.0);
+constexpr double backs_m_s = 0.1;
 constexpr double stands_m_s = 0.05; ///< A slower robot does not get past what is before it.
 constexpr double hold_still_m = 0.5;
 /// A robot that is hindered for so long looks for a detour, and again after the same time.
@@ -44,6 +49,9 @@ constexpr double detour_m_s = 1.0;
 constexpr double surely_above_m = 1.5;
 constexpr double below_ceiling_m = 0.5; ///< Scanner hits higher than this are on the ceiling.
 constexpr double open_sky_m = 8.0;      ///< A beam has reached so far above the robot where it is in no room.
+
+constexpr double glimpse_above_m =
+    0.3; ///< What a sonar has heard close by once is remembered as so much higher than the robot.
 
 /// A roof that a robot meets as it climbs does not break it, but does if it slides along it.
 constexpr double below_roof_m_s = 0.3;
@@ -111,6 +119,10 @@ void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool a
         const bool open_sky = !overhead.hasCeiling() && overhead.seenTo_m() > senses.position_m().z() + open_sky_m;
         memory.take(senses, {Seconds(settings.scan_memory_s), Seconds(settings.sonar_memory_s), below_m,
                              settings.hurried() || open_sky, overhead.hasCeiling()});
+        for (const SonarEcho& glimpse : senses.glimpses)
+            if (isNoGround(glimpse, senses))
+                memory.touch({glimpse.center_in_map_m.x(), glimpse.center_in_map_m.y(),
+                              senses.position_m().z() + glimpse_above_m});
         if (settings.hurried())
             atlas_.take(senses, below_m);
         ways.take(senses, below_m, senses.heightOverGround_m(1e9) > sure_of_walls_m, overhead.hasCeiling());
@@ -283,7 +295,12 @@ Motion Craft::evade(const EvasionDecision& decision, const Leg& leg, FlightState
     const Vec2 here_m = senses.position2_m();
     if (decision.mode == EvasionMode::Flee) {
         const Vec2 away(std::cos(decision.flee_bearing_rad), std::sin(decision.flee_bearing_rad));
-        return {.velocity_in_map_m_s = settings.evasion_speed_m_s * away, .sudden = decision.sudden};
+        const double turned_rad = std::abs(normalizedAngle(decision.flee_bearing_rad - senses.base_in_map.yaw_rad));
+        const bool backs_away = senses.velocity_in_map_m_s.head<2>().dot(away) > backs_m_s;
+        const double speed_m_s = turned_rad > heard_rad && backs_away
+                                     ? std::min(settings.evasion_speed_m_s, Overhead::careful_m_s)
+                                     : settings.evasion_speed_m_s;
+        return {.velocity_in_map_m_s = speed_m_s * away, .sudden = decision.sudden};
     }
     if (decision.mode == EvasionMode::Divert && (decision.diversion_m - here_m).norm() > hold_still_m)
         return toward(senses, bearingOf(decision.diversion_m - here_m), settings.evasion_speed_m_s, settings);

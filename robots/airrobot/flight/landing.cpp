@@ -53,6 +53,10 @@ constexpr Seconds longest_aside{15.0};
 /// A robot in a hurry slows down bit by bit as it sinks, and is as slow as any other from this share of the height on.
 constexpr double gentle_share = 0.43;
 constexpr double apart_m = 1.5; ///< from a place that was no good to the next one
+/// In need, it flies so much farther to ground that is not steep: on 20 degrees, it slid and turned over in a wind of
+/// 3.8 m/s (`tst_random_surveys_campaign`, number 159488).
+constexpr double farther_to_gentle_m = 6.0;
+constexpr double surely_gentle_rad = radians(8.0); ///< What is more counts as uneven, of which `even_m` is allowed.
 /// Hits below the ring that differ by more than this in so many scans in a row are on something that it cannot stand
 /// on.
 constexpr double under_ring_m = 0.6;
@@ -85,6 +89,10 @@ double unevenness_m(const std::vector<Vec3>& tops_m, const Vec2& place_m, double
     const double steep = std::max(0.0, (plane.head<2>() - lean).norm() - std::tan(steep_rad));
     const double slope = std::max(0.0, plane.head<2>().norm() - easy_slope);
     return (at * plane - height_m).cwiseAbs().maxCoeff() + steep + share * slope;
+}
+
+bool isEven(const ObstacleMemory& memory, const Vec2& place_m, double steep_rad) {
+    return unevenness_m(memory.risenTops_m(place_m, body_radius_m), place_m, steep_rad) <= even_m;
 }
 
 /// True if the place is so much higher than the one that was wanted: on a crown, or on a roof.
@@ -150,8 +158,7 @@ Vec2 landingPlace_m(const ObstacleMemory& memory, const Vec2& wanted_m, double r
 
 bool canLand(const ObstacleMemory& memory, const Vec2& place_m, double dry_m) {
     const auto low_m = memory.lowest_m(place_m, body_radius_m);
-    return low_m && *low_m >= dry_m &&
-           unevenness_m(memory.risenTops_m(place_m, body_radius_m), place_m, steepest_rad) <= even_m;
+    return low_m && *low_m >= dry_m && isEven(memory, place_m, steepest_rad);
 }
 
 void Refuge::note(const Senses& senses, const ObstacleMemory& memory, double dry_m) {
@@ -168,11 +175,21 @@ std::optional<Vec2> Refuge::place_m(const Senses& senses, const ObstacleMemory& 
     const auto refused = [&](const Vec2& place_m) {
         return std::ranges::any_of(refused_m, [&](const Vec2& one_m) { return (one_m - place_m).norm() < apart_m; });
     };
+    std::optional<Vec2> steep_m;  ///< the nearest one that is steep
     std::optional<Vec2> behind_m; ///< the nearest one to which something stands in the way
     std::optional<Vec2> raised_m; ///< the nearest one on top of something narrow
-    if (!refused(here_m) && canLand(memory, here_m, dry_m) && !standsOut(memory, here_m))
+    double farthest_m = in_sight_m;
+    const auto isBest = [&](const Vec2& place_m, double ring_m) {
+        if (isEven(memory, place_m, surely_gentle_rad))
+            return true;
+        if (!steep_m)
+            farthest_m = std::min(farthest_m, ring_m + farther_to_gentle_m);
+        steep_m = steep_m.value_or(place_m);
+        return false;
+    };
+    if (!refused(here_m) && canLand(memory, here_m, dry_m) && !standsOut(memory, here_m) && isBest(here_m, 0.0))
         return here_m;
-    for (double ring_m = ring_step_m; ring_m <= in_sight_m; ring_m += ring_step_m) {
+    for (double ring_m = ring_step_m; ring_m <= farthest_m; ring_m += ring_step_m) {
         const int places = spots + static_cast<int>(2.0 * ring_m);
         for (int i = 0; i < places; ++i) {
             const double bearing_rad = 2.0 * pi * i / places;
@@ -180,13 +197,14 @@ std::optional<Vec2> Refuge::place_m(const Senses& senses, const ObstacleMemory& 
             if (refused(place_m) || !canLand(memory, place_m, dry_m))
                 continue;
             std::optional<Vec2>& second_m = standsOut(memory, place_m) ? raised_m : behind_m;
-            if (&second_m == &behind_m && Touchdown::isClearBelow(senses, memory, place_m, room))
+            if (&second_m == &raised_m || !Touchdown::isClearBelow(senses, memory, place_m, room))
+                second_m = second_m.value_or(place_m);
+            else if (isBest(place_m, ring_m))
                 return place_m;
-            second_m = second_m.value_or(place_m);
         }
     }
-    if (behind_m)
-        return behind_m;
+    if (steep_m || behind_m)
+        return steep_m ? steep_m : behind_m;
     return last_m_ && !refused(*last_m_) ? last_m_ : raised_m;
 }
 

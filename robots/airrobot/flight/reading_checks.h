@@ -1,6 +1,7 @@
 // Tells readings from what a faulty sensor or link makes of them, before they move the robot.
 #pragma once
 
+#include <deque>
 #include <map>
 #include <optional>
 #include <string>
@@ -71,13 +72,17 @@ private:
 /// Judges the ranges of all sonars. Owned by one robot.
 class SonarCheck {
 public:
-    /// Begins a tick: the readings that follow come at the same time.
-    void begin() { nearer_m_.clear(); }
+    /// Begins a tick: the readings that follow come at this time. `high`: the robot is so high that no sonar hears the
+    /// ground.
+    void begin(Seconds now, bool high);
     /// Returns the range to believe. Call it for each new reading. A range that jumps is believed when it is told
     /// again; until then the last one holds. One that is much nearer is also believed if the one before it was, or if
     /// another sonar hears something as near in this tick. Returns nothing while the sonar hangs: it repeats an echo to
     /// the last digit although the robot moves. `echo`: the range is less than the greatest one.
     std::optional<double> believed_m(const std::string& sonar, double range_m, bool echo, const Told& told);
+    /// True if the last reading was not believed, but is so near that something thin may be there, such as the tip of a
+    /// tree, which only one ray has met. Where that happens often, the link damages numbers, and it means nothing.
+    bool glimpsed() const { return glimpsed_; }
     void forget() { ranges_.clear(); }
 
 private:
@@ -90,6 +95,10 @@ private:
 
     std::map<std::string, Range, std::less<>> ranges_;
     std::vector<double> nearer_m_; ///< the ranges of this tick that are much nearer than those before them
+    Seconds now_{0.0};
+    bool high_ = false;
+    std::deque<Seconds> glimpses_; ///< times of the last ones
+    bool glimpsed_ = false;
 };
 
 } // namespace usar::airrobot

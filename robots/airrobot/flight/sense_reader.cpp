@@ -144,7 +144,7 @@ void SenseReader::readPose(Seconds now, const Reading* reading) {
 void SenseReader::readSonars(Senses& senses, const modules::RobotModules& robot, const SensorLayout& layout,
                              Seconds time_out) {
     senses.sonar_age = layout.sonars.empty() ? never : Seconds(0.0);
-    sonar_check_.begin();
+    sonar_check_.begin(senses.now, ground_m_ && senses.position_m().z() > *ground_m_ + sure_of_walls_m);
     for (const SonarMount& mount : layout.sonars) {
         const auto* reading = robot.sensors.sonar(mount.name);
         const bool number = reading && std::isfinite(reading->value.range_m);
@@ -158,6 +158,8 @@ void SenseReader::readSonars(Senses& senses, const modules::RobotModules& robot,
                 heard->second.range_m = *range_m;
                 heard->second.at = senses.now;
             }
+            if (sonar_check_.glimpsed())
+                senses.glimpses.push_back(echoOf(mount, told_m, senses.base_in_map));
         }
         const Seconds age = heard == sonars_heard_.end() ? never : senses.now - heard->second.at;
         senses.sonar_age = std::max(senses.sonar_age, age);

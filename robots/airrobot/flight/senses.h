@@ -67,13 +67,14 @@ struct Senses {
     double yaw_rate_rad_s = 0.0;
     double ins_yaw_rate_rad_s = 0.0;        ///< the same without the jumps that corrections of the heading make
     std::vector<SonarEcho> sonars;          ///< left to right, without silent ones
+    std::vector<SonarEcho> glimpses;        ///< what sonars have heard close by in this tick only, see SonarCheck
     std::vector<std::string> silent_sonars; ///< mounted sonars that have sent no number for longer than the timeout
     std::optional<PlacedScan> scan;         ///< nullopt if there is no new scan in this tick
     std::optional<double> ground_m; ///< map z of the ground under the belly, the mean of the middle rays ([SD]: ten);
                                     ///< nullopt if too few hit it
     std::optional<Seconds> robot_battery; ///< remaining time of the robot's own battery; nullopt if not reported
-    bool leans_beyond_belief =
-        false;              ///< The last pose leans so differently from the one before it that it is not used.
+    /// The last pose leans so differently from the one before it that it is not used.
+    bool leans_beyond_belief = false;
     Seconds ins_age{0.0};   ///< time since the last INS reading; huge before the first
     Seconds sonar_age{0.0}; ///< the same for the sonar that has been silent the longest
     Seconds scan_age{0.0};  ///< the same for the scanner
