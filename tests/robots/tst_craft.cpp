@@ -228,6 +228,31 @@ private slots:
         QCOMPARE(*descend(2.0, false).climb_m_s, 0.0);
     }
 
+    /// It had not turned far enough, and landed on the edge of a box (survey 160541).
+    void looksAroundBeforeItSinksTheLastMeter() {
+        craft->touchdown.start();
+        z_m = 2.5;
+        const auto descend = [&] {
+            perceive(z_m, {});
+            craft->descend({x_m, 0}, false, port);
+            return lastDrive().value_or(protocol::AerialDrive{});
+        };
+        descend();
+        z_m = 1.0;
+        protocol::AerialDrive drive;
+        for (int tick = 0; tick < 3; ++tick)
+            drive = descend();
+        QCOMPARE(drive.climb_m_s.value_or(0.0), 0.0);
+        QVERIFY(drive.yaw_rate_rad_s.value_or(1.0) > 0.3);
+        for (int tick = 0; tick < 40; ++tick) {
+            yaw_rad += 0.1;
+            drive = descend();
+            if (drive.climb_m_s.value_or(0.0) < 0.0)
+                break;
+        }
+        QVERIFY(drive.climb_m_s.value_or(0.0) < 0.0 && yaw_rad > 2.9);
+    }
+
     /// It sank below the terrace on which it was to land, and met its edge (survey 145399).
     void sinksOnItsWayToAPlaceUpToTheHeightOfThatOnly_data() {
         QTest::addColumn<double>("terrace_m");

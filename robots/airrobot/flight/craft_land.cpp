@@ -11,6 +11,9 @@ constexpr double off_ground_m = 0.8; ///< Lower, its legs may stand on something
 /// The ground of its place is the lowest within this distance. It may be higher than that below the robot.
 constexpr double place_radius_m = 1.2;
 
+/// It sinks no lower before it has looked around. It had turned by 3.1 rad as it came too low to look, and landed on
+/// the edge of a box (`tst_random_surveys_campaign`, number 160541).
+constexpr double looks_above_m = 1.1;
 constexpr double close_m = 0.4; ///< from the ring to what it hears
 constexpr double away_m_s = 0.4;
 
@@ -30,11 +33,13 @@ Descent Craft::descend(const Vec2& asked_m, bool in_need, agent::CommandPort& po
     const bool high = std::min(height_m, over_place_m) > settings.landing_slow_below_m;
     const bool keeps_off = above_m > off_ground_m && !touchdown.sinksAnyway();
     const auto close = keeps_off ? towardHeard(senses, close_m) : std::nullopt;
-    const bool sinks = !close && (over || (!in_need && high)) && touchdown.maySink(senses, memory, place_m);
+    bool sinks = !close && (over || (!in_need && high)) && touchdown.maySink(senses, memory, place_m);
     if (sinks) {
-        motion.climb_m_s = -touchdown.sinkRate_m_s(senses, settings);
-        if (over && touchdown.looksAround(senses, memory, place_m, log.lean().slope(senses.base_in_map.yaw_rad)))
+        if (over && touchdown.looksAround(senses, memory, place_m, log.lean().slope(senses.base_in_map.yaw_rad))) {
             motion.yaw_rate_rad_s = settings.turn_rate_rad_s;
+            sinks = height_m > looks_above_m;
+        }
+        motion.climb_m_s = sinks ? -touchdown.sinkRate_m_s(senses, settings) : 0.0;
     } else if (!over && above_m < off_ground_m) {
         motion = {.climb_m_s = Overhead::gentle_m_s}; // Along the ground, it would not get to another place.
     } else if (height_m > sure_of_walls_m || (overhead.hasCeiling() && height_m > hears_from_m && !straight)) {

@@ -66,6 +66,7 @@ constexpr int odd_scans = 3;
 constexpr double look_from_m = 3.0;
 constexpr double look_to_m = 0.9;
 constexpr double look_within_m = 2.0;
+constexpr Seconds longest_look{12.0};
 /// A scanner with a bias sees the ground farther below. A robot that does not sink for so long stands on something.
 constexpr double perhaps_ground_m = 4.0;
 constexpr Seconds long_still{6.0};
@@ -236,7 +237,7 @@ bool Touchdown::looksAround(const Senses& senses, const ObstacleMemory& memory, 
     turned_rad_ += std::abs(normalizedAngle(yaw_rad - last_yaw_rad_.value_or(yaw_rad)));
     last_yaw_rad_ = yaw_rad;
     if (turned_rad_ < pi)
-        return true;
+        return senses.now - *turning_since_ < longest_look / senses.steadyShare();
     const FreshGround ground{memory, lean, senses.now - *turning_since_};
     // Where there is no ground on one side, it stands at the brink of something, such as the end of the world.
     const double uneven_m = ground.unevenness_m(place_m, body_radius_m);
