@@ -81,21 +81,27 @@ private slots:
         QTest::addColumn<double>("roll_rad");
         QTest::addColumn<bool>("wind");
         QTest::addColumn<double>("speed_m_s");
+        QTest::addColumn<double>("leans_more");
         QTest::addColumn<bool>("rises");
-        QTest::newRow("over an edge") << -0.28 << false << 0.0 << true;
-        QTest::newRow("it leans a little") << -0.15 << false << 0.0 << false;
-        QTest::newRow("it turns in wind") << -0.28 << true << 0.0 << false;
-        QTest::newRow("it brakes") << -0.28 << false << 0.6 << false;
+        QTest::newRow("over an edge") << -0.28 << false << 0.0 << 0.0 << true;
+        QTest::newRow("it leans a little") << -0.15 << false << 0.0 << 0.0 << false;
+        QTest::newRow("it turns in wind") << -0.28 << true << 0.0 << 0.0 << false;
+        QTest::newRow("it brakes") << -0.28 << false << 0.6 << 0.0 << false;
+        QTest::newRow("it backs away, and leans a little more") << -0.28 << false << 0.6 << 0.15 << false;
+        QTest::newRow("it backs away over an edge") << -0.28 << false << 0.6 << 0.3 << true; // survey 160949
+        QTest::newRow("over an edge in wind") << -0.28 << true << 0.0 << 0.3 << true;
     }
     void risesAsItTips() {
         QFETCH(double, roll_rad);
         QFETCH(bool, wind);
         QFETCH(double, speed_m_s);
+        QFETCH(double, leans_more);
         QFETCH(bool, rises);
-        const BellyTouch::Doing sinking{.climb_m_s = -0.3, .in_wind = wind};
+        BellyTouch::Doing sinking{.climb_m_s = -0.3, .in_wind = wind};
         for (int i = 0; i < 6; ++i)
             QVERIFY(!fly({0, speed_m_s, -0.3}, sinking));
         senses.base_in_map.roll_rad = roll_rad;
+        sinking.leans_more = leans_more;
         QCOMPARE(fly({0, speed_m_s, -0.5}, sinking).has_value(), rises);
     }
 

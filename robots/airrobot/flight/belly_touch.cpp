@@ -19,6 +19,9 @@ constexpr double least_sink_m_s = 0.15;
 constexpr double least_sink_m = 0.15; ///< that it was told to sink in this time
 constexpr double least_lean = 0.06;
 constexpr double tipping_lean = 0.2;
+/// In 3,300 ticks in which healthy robots sank, two leaned by more than this all at once. One that sank as it backed
+/// away from a rack tipped over an edge (`tst_random_surveys_campaign`, number 160949).
+constexpr double sudden_lean = 0.25;
 constexpr double least_tipping_m_s = 0.05; ///< It slides down on one side.
 constexpr double standing_m_s = 0.3;       ///< A faster robot may lean because it brakes.
 constexpr double aloft_m = 0.7;            ///< A robot that lands and is lower may stand on the ground.
@@ -55,8 +58,10 @@ bool BellyTouch::rests(const Senses& senses) const {
     return senses.now - first.time >= held + senses.late && told_m > least_sink_m && sunk_m < sunk_share * told_m;
 }
 
-/// True if it leans as nothing makes it lean in calm air but an edge over which it tips.
+/// True if it leans as nothing makes it lean in calm air, or in a moment, but an edge over which it tips.
 bool BellyTouch::tips(const Senses& senses, const Vec2& lean, const Doing& doing) {
+    if (doing.leans_more > sudden_lean)
+        return true;
     const bool sinks = senses.velocity_in_map_m_s.z() < -least_tipping_m_s;
     return sinks && !doing.in_wind && senses.late <= Seconds{0.0} && lean.norm() > tipping_lean &&
            doing.speed_m_s < standing_m_s && senses.velocity_in_map_m_s.head<2>().norm() < standing_m_s;

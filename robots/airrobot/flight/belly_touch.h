@@ -21,6 +21,7 @@ public:
         bool in_wind = false;    ///< A robot that turns there leans as it usually does not.
         bool from_above = false; ///< It sinks away from a roof or a twig: it begins late, and what leans it is above.
         bool to_ground = false;  ///< It lands: low down, it may stand on the ground.
+        double leans_more = 0.0; ///< than its commands and its usual lean explain (tangent), see TopTouch
     };
     /// The motion by which it gets free in this tick; nullopt if nothing holds it. `slope` is that of a plane on which
     /// the robot would lean as it usually does now, see Lean. Call it once per tick.

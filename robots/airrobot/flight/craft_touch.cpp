@@ -39,8 +39,9 @@ void Craft::command(const Motion& motion, agent::CommandPort& port, const std::s
         memory.touch(*touches_.top.met_m());
     if (sinking && safe.climb_m_s > sinking->climb_m_s)
         safe = *sinking;
-    const BellyTouch::Doing doing{commanded_climb_m_s_, pilot_.wantedInBase_m_s().norm(), pilot_.feelsWind(),
-                                  below_roof || climb_over_.sinks() || sinking, motion.to_ground};
+    const BellyTouch::Doing doing{commanded_climb_m_s_, pilot_.wantedInBase_m_s().norm(),
+                                  pilot_.feelsWind(),   below_roof || climb_over_.sinks() || sinking,
+                                  motion.to_ground,     touches_.top.leansMore()};
     if (const auto freeing = touches_.belly.free(senses, log.lean().slope(senses.base_in_map.yaw_rad), doing))
         safe = *freeing;
     if (touches_.belly.met_m())

@@ -42,6 +42,7 @@ std::optional<Vec2> TopTouch::leansMore(const Senses& senses, const Doing& doing
 std::optional<Motion> TopTouch::free(const Senses& senses, const Doing& doing) {
     met_m_.reset();
     const auto more = leansMore(senses, doing);
+    leans_more_ = more ? more->norm() : 0.0;
     if (sinking_since_ && senses.now - *sinking_since_ > sinking)
         sinking_since_.reset();
     const bool pressed = more && more->norm() > pressed_lean;

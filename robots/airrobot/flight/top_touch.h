@@ -23,6 +23,9 @@ public:
     std::optional<Motion> free(const Senses& senses, const Doing& doing);
     /// Where it has met something in this tick (map frame); nullopt in most ticks.
     const std::optional<Vec3>& met_m() const { return met_m_; }
+    /// By how much more it leans in this tick than its commands and its usual lean explain (tangent); 0 if it does not
+    /// know.
+    double leansMore() const { return leans_more_; }
 
 private:
     struct Sample {
@@ -34,6 +37,7 @@ private:
     std::optional<Vec2> leansMore(const Senses& senses, const Doing& doing);
 
     std::deque<Sample> usual_; ///< of the last second
+    double leans_more_ = 0.0;
     std::optional<Vec3> met_m_;
     std::optional<Seconds> sinking_since_;
 };
