@@ -119,6 +119,10 @@ void LevelFlight::learn(const Vec2& shown_rad) {
     variance_rad2_ += jump_rad.cwiseAbs2();
 }
 
+double LevelFlight::doubt_rad() const {
+    return std::sqrt(variance_rad2_.maxCoeff());
+}
+
 Pose LevelFlight::corrected(const Pose& base_in_map) const {
     Pose level = base_in_map;
     if (!calm_)

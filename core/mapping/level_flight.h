@@ -39,6 +39,8 @@ public:
     bool calm() const { return calm_; }
     /// Drift of roll and pitch that is believed now, in rad.
     Vec2 drift_rad() const { return drift_rad_; }
+    /// Standard deviation of what is believed of the drift, the greater one of the two angles, in rad.
+    double doubt_rad() const;
 
 private:
     struct Estimate {

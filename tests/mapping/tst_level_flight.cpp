@@ -81,6 +81,20 @@ private slots:
         QVERIFY2(worst_rad.y() < 0.012, qPrintable(QString::number(worst_rad.y())));
     }
 
+    void doubtsWhatItKnowsAsItRolls() {
+        LevelFlight level;
+        level.insWasSet();
+        QVERIFY(level.doubt_rad() < 0.005);
+        double now_s = 0.0;
+        for (int tick = 0; tick < 100; ++tick) // It looks up ten times where it stands.
+            level.take(Seconds(now_s += tick_s), {{0.0, 0.0, 6.0}, 0.24 * std::sin(0.6 * tick), 0.0, 0.0});
+        const double doubt_rad = level.doubt_rad();
+        QVERIFY2(doubt_rad > 0.02 && doubt_rad < 0.1, qPrintable(QString::number(doubt_rad)));
+        fly({}, 20.0, Vec2::Zero(),
+            [&](Seconds time, const Pose&, const Pose& ins) { level.take(time + Seconds(now_s), ins); });
+        QVERIFY(level.doubt_rad() < 0.3 * doubt_rad);
+    }
+
     void isSteadyOnlyWithoutTurnsClimbsAndAccelerations_data() {
         QTest::addColumn<double>("acceleration_m_s2");
         QTest::addColumn<double>("climb_m_s");

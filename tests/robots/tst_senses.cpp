@@ -147,6 +147,26 @@ private slots:
                  (senses.base_in_map * layout.scanner_in_base).position_m.z());
     }
 
+    /// It climbed into a roof at full speed, because its looks up had made its roll drift (survey 161109).
+    void seesAsHighAsItsBeamsSurelyGet() {
+        const auto highestOver_m = [&](int looks) {
+            init();
+            Senses senses;
+            for (int tick = 0; tick < 10 * looks + 2; ++tick) {
+                const double roll_rad = tick < 10 * looks ? 0.24 * std::sin(2.0 * pi * tick / 10.0) : 0.24;
+                tellIns({Vec3(0, 0, 6), roll_rad, 0.0, 0.0});
+                tellFlatGround(6.0);
+                tellState(10.0 + 0.2 * tick);
+                senses = read();
+            }
+            return senses.scan->highest_m - 6.0;
+        };
+        const double once_m = highestOver_m(0);
+        QVERIFY2(once_m > 3.5 && once_m < 4.8, qPrintable(QString::number(once_m))); // 20 m at 0.24 rad
+        const double later_m = highestOver_m(10);
+        QVERIFY2(later_m > 1.0 && later_m < once_m - 1.0, qPrintable(QString::number(later_m)));
+    }
+
     void doesNotKnowItsLeanOnceItHasJumpedUnlessThereIsWind() {
         Senses senses;
         double x_m = 0.0;
