@@ -16,6 +16,7 @@ constexpr double least_mapped = 0.2;
 /// Share of the area that the scans must show, of as much of it as the lanes were flown over. Houses and crowns hide
 /// some.
 constexpr double least_looked_at = 0.8;
+constexpr double mostly_looked_at = 0.95; ///< If they show less than this, a success says so.
 /// Share of the ground within reach of which a survey may miss so much without a word, and so much in a success.
 constexpr double little_missed = 0.03;
 constexpr double most_missed = 0.1;
@@ -60,6 +61,8 @@ agent::BehaviorFinished verdictOf(const Survey& survey, const ScanLedger& ledger
     if (cut_off_m > 0.0)
         scanned += " as far as a way was found; none was found to " + fixed(cut_off_m, 0) + " m of the lanes (" +
                    fixed(100.0 * cut_off_m / survey.plannedLength_m(), 0) + " %)";
+    if (looked_at < mostly_looked_at * (1.0 - survey.leftOut()))
+        scanned += "; the scans show " + rounded(100.0 * looked_at) + " % of it";
     if (ledger.bottomless() > little_void)
         scanned += "; below " + rounded(100.0 * ledger.bottomless()) + " % of it, no ground is within reach";
     if (missed > little_missed)

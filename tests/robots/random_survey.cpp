@@ -39,7 +39,7 @@ constexpr double off_the_ground_m = 0.3;
 constexpr double least_scanned_pct = 85.0;
 constexpr const char* crashed = "The robot has crashed";
 /// How much of the lanes, or of the area.
-constexpr std::array confessions{"none was found to ", "no ground is within reach"};
+constexpr std::array confessions{"none was found to ", "no ground is within reach", "the scans show "};
 
 /// A world and its number, which is kept for the next mission there.
 const sim::World& worldOf(const std::string& name, std::uint64_t seed) {

@@ -42,6 +42,7 @@ private slots:
         QVERIFY(!check.believes(Seconds(10.6), at(x_m, 6.0, roll_rad), {}));
         QVERIFY(!check.believes(Seconds(10.8), at(x_m, 6.0, roll_rad), {}));
         QVERIFY(check.believes(Seconds(11.0), at(x_m, 6.0, roll_rad), {}));
+        QVERIFY(!check.leanLeapt());
         check.forget();
         QVERIFY(check.believes(Seconds(11.2), at(0.0), {}));
     }

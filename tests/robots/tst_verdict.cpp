@@ -65,7 +65,9 @@ private slots:
         QTest::addColumn<bool>("half_cut_off");
         QTest::addColumn<QString>("words");
         QTest::newRow("all of the area") << 40.0 << 40.0 << 0 << false << "The area is scanned.";
-        QTest::newRow("nine tenths of it") << 36.0 << 36.0 << 0 << false << "The area is scanned.";
+        QTest::newRow("nearly all of it") << 38.5 << 38.5 << 0 << false << "The area is scanned.";
+        QTest::newRow("nine tenths of it")
+            << 36.0 << 36.0 << 0 << false << "The area is scanned; the scans show 90 % of it.";
         QTest::newRow("half of it") << 20.0 << 20.0 << 0 << false << "show only 50 % of the area";
         QTest::newRow("half of it, and deep water")
             << 20.0 << 40.0 << 0 << false << "scanned; below 48 % of it, no ground";

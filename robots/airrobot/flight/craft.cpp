@@ -35,10 +35,9 @@ constexpr double rising_speed_m_s = 1.0;
 constexpr double straight_m_s = 0.2;
 /// A climb over something needs this share of the stand-off at its place.
 constexpr double least_room_share = 0.85;
-/// Once it no longer nears what it flees from, it flees backward no faster than it may touch something: no sonar hears
-/// what is farther from its nose. It fled between racks and broke at the one behind it (`tst_random_surveys_campaign`,
-/// number 159781).
-constexpr double heard_rad = radians(100.0);
+constexpr double heard_rad = radians(100.0); ///< No sonar hears what is farther from the nose than this.
+/// A robot that backs away faster than this no longer nears what it flees from, and what it flees to it may touch: one
+/// fled between racks and broke at the one behind it (`tst_random_surveys_campaign`, number 159781).
 constexpr double backs_m_s = 0.1;
 constexpr double stands_m_s = 0.05; ///< A slower robot does not get past what is before it.
 constexpr double hold_still_m = 0.5;
@@ -50,8 +49,8 @@ constexpr double surely_above_m = 1.5;
 constexpr double below_ceiling_m = 0.5; ///< Scanner hits higher than this are on the ceiling.
 constexpr double open_sky_m = 8.0;      ///< A beam has reached so far above the robot where it is in no room.
 
-constexpr double glimpse_above_m =
-    0.3; ///< What a sonar has heard close by once is remembered as so much higher than the robot.
+/// What a sonar has heard close by once is remembered as so much higher than the robot.
+constexpr double glimpse_above_m = 0.3;
 
 /// A roof that a robot meets as it climbs does not break it, but does if it slides along it.
 constexpr double below_roof_m_s = 0.3;

@@ -37,11 +37,16 @@ void Craft::command(const Motion& motion, agent::CommandPort& port, const std::s
     const auto sinking = touches_.top.free(senses, {told_m_s, commanded_climb_m_s_});
     if (touches_.top.met_m())
         memory.touch(*touches_.top.met_m());
-    if (sinking && safe.climb_m_s > sinking->climb_m_s)
+    if (sinking && away)
+        safe.climb_m_s = std::min(safe.climb_m_s, sinking->climb_m_s);
+    else if (sinking && safe.climb_m_s > sinking->climb_m_s)
         safe = *sinking;
-    const BellyTouch::Doing doing{commanded_climb_m_s_, pilot_.wantedInBase_m_s().norm(),
-                                  pilot_.feelsWind(),   below_roof || climb_over_.sinks() || sinking,
-                                  motion.to_ground,     touches_.top.leansMore()};
+    const BellyTouch::Doing doing{.climb_m_s = commanded_climb_m_s_,
+                                  .speed_m_s = pilot_.wantedInBase_m_s().norm(),
+                                  .in_wind = pilot_.feelsWind(),
+                                  .from_above = below_roof || climb_over_.sinks() || sinking,
+                                  .to_ground = motion.to_ground,
+                                  .leans_more = touches_.top.leansMore()};
     if (const auto freeing = touches_.belly.free(senses, log.lean().slope(senses.base_in_map.yaw_rad), doing))
         safe = *freeing;
     if (touches_.belly.met_m())

@@ -26,7 +26,7 @@ constexpr double no_ground_m = 1.0;
 constexpr double low_m = 1.5; ///< over its place; lower, it is between those things, if there are any
 constexpr double berth_step_m = 0.5;
 /// The belly is so low between the legs that a board of 0.1 m below it breaks it. Few beams meet the top of a ball, so
-/// that it showed as 0.07 m (`tst_random_surveys_campaign`, number 161284).
+/// that the scanner showed it only 0.07 m high (`tst_random_surveys_campaign`, number 161284).
 constexpr double level_ground_m = 0.06;
 constexpr double steepest_rad = radians(20.0); ///< steeper, it may slide
 /// With 14 degrees and more between its legs and the ground, the robot fell onto its last leg so hard that it broke
@@ -57,7 +57,8 @@ constexpr double apart_m = 1.5; ///< from a place that was no good to the next o
 /// In need, it flies so much farther to ground that is not steep: on 20 degrees, it slid and turned over in a wind of
 /// 3.8 m/s (`tst_random_surveys_campaign`, number 159488).
 constexpr double farther_to_gentle_m = 6.0;
-constexpr double surely_gentle_rad = radians(8.0); ///< What is more counts as uneven, of which `even_m` is allowed.
+/// What is steeper counts as uneven, of which `even_m` is allowed, so that 16 degrees pass where the ground is a plane.
+constexpr double gentle_in_need_rad = radians(8.0);
 /// Hits below the ring that differ by more than this in so many scans in a row are on something that it cannot stand
 /// on.
 constexpr double under_ring_m = 0.6;
@@ -67,7 +68,7 @@ constexpr int odd_scans = 3;
 constexpr double look_from_m = 3.0;
 constexpr double look_to_m = 0.9;
 constexpr double look_within_m = 2.0;
-constexpr Seconds longest_look{12.0};
+constexpr Seconds longest_look{12.0}; ///< Half a turn takes six.
 /// A scanner with a bias sees the ground farther below. A robot that does not sink for so long stands on something.
 constexpr double perhaps_ground_m = 4.0;
 constexpr Seconds long_still{6.0};
@@ -182,7 +183,7 @@ std::optional<Vec2> Refuge::place_m(const Senses& senses, const ObstacleMemory& 
     std::optional<Vec2> raised_m; ///< the nearest one on top of something narrow
     double farthest_m = in_sight_m;
     const auto isBest = [&](const Vec2& place_m, double ring_m) {
-        if (isEven(memory, place_m, surely_gentle_rad))
+        if (isEven(memory, place_m, gentle_in_need_rad))
             return true;
         if (!steep_m)
             farthest_m = std::min(farthest_m, ring_m + farther_to_gentle_m);
@@ -205,8 +206,10 @@ std::optional<Vec2> Refuge::place_m(const Senses& senses, const ObstacleMemory& 
                 return place_m;
         }
     }
-    if (steep_m || behind_m)
-        return steep_m ? steep_m : behind_m;
+    if (steep_m)
+        return steep_m;
+    if (behind_m)
+        return behind_m;
     return last_m_ && !refused(*last_m_) ? last_m_ : raised_m;
 }
 
@@ -223,14 +226,19 @@ bool Touchdown::isOver(const Senses& senses, const Vec2& place_m) {
     // So low, its legs may be on the ground already, and it would not answer.
     const bool nearly_down = over_ && senses.heightOverGround_m(0.0) < nearly_down_m;
     over_ = nearly_down || (senses.position2_m() - place_m).norm() < (over_ ? still_over_m : over_place_m);
-    if (!over_) // A robot that holds its height has not touched the ground.
+    if (!over_) { // A robot that holds its height has not touched the ground, and it looks around anew.
         still_since_.reset();
+        turning_since_.reset();
+        last_yaw_rad_.reset();
+        turned_rad_ = better_m_ ? pi : 0.0;
+    }
     return over_;
 }
 
 bool Touchdown::looksAround(const Senses& senses, const ObstacleMemory& memory, const Vec2& place_m, const Vec2& lean) {
     const double height_m = senses.heightOverGround_m(0.0);
-    if (sinks_anyway_ || height_m > look_from_m || height_m < look_to_m || turned_rad_ >= pi)
+    const bool begins = !turning_since_ && (height_m > look_from_m || height_m < look_to_m);
+    if (sinks_anyway_ || begins || turned_rad_ >= pi)
         return false;
     if (!turning_since_)
         turning_since_ = senses.now;
@@ -243,7 +251,7 @@ bool Touchdown::looksAround(const Senses& senses, const ObstacleMemory& memory, 
     // Where there is no ground on one side, it stands at the brink of something, such as the end of the world.
     const double uneven_m = ground.unevenness_m(place_m, body_radius_m);
     if (uneven_m > level_ground_m) {
-        better_m_ = evenestPlace_m(ground, place_m, uneven_m, look_within_m);
+        better_m_ = evenestPlace_m(ground, place_m, std::min(uneven_m, even_m), look_within_m);
         if ((*better_m_ - place_m).norm() > over_place_m)
             over_ = false; // So low, it would go on sinking on its way there, into what is uneven.
     }

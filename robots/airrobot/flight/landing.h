@@ -40,7 +40,7 @@ public:
     /// The nearest place in sight where the robot could land and to which nothing stands in the way, or else the
     /// nearest one, or the last one that it flew over; nullopt if there is none. It is well away from all `refused_m`,
     /// and no narrow thing's top unless there is nothing else, because a crown is as even. A steep place is taken only
-    /// if no other one is little farther.
+    /// if there is no gentler one within 6 m beyond it.
     std::optional<Vec2> place_m(const Senses& senses, const ObstacleMemory& memory, double dry_m,
                                 std::span<const Vec2> refused_m = {}, Room room = Room::Usual) const;
 

@@ -137,9 +137,10 @@ void Overhead::observe(const Senses& senses, const Doing& doing) {
 void Overhead::lookDown(const Senses& senses) {
     if (!senses.ground_m)
         return;
-    if (senses.now - floor_since_ > sees_floor_within) {
+    if (const Seconds since = senses.now - floor_since_; since > sees_floor_within) {
         floor_since_ = senses.now;
-        floor_before_m_ = std::exchange(floor_now_m_, unknown_floor_m);
+        const double floor_m = std::exchange(floor_now_m_, unknown_floor_m);
+        floor_before_m_ = since < 2.0 * sees_floor_within ? floor_m : unknown_floor_m;
     }
     floor_now_m_ = std::min(floor_now_m_, *senses.ground_m);
 }
@@ -227,7 +228,8 @@ void Overhead::add(const Ceiling& ceiling) {
     had_ceiling_ = true;
     const auto known = std::ranges::find_if(ceilings_, [&](const Ceiling& one) {
         const double away_m = (one.at_m - ceiling.at_m).norm();
-        return away_m < std::min(same_place_m, one.reach_m) && ceiling.z_m > one.z_m - another_m;
+        return away_m < std::min(same_place_m, one.reach_m) &&
+               ceiling.z_m > drifted_m(one.z_m, one.floor_m) - another_m;
     });
     if (known == ceilings_.end()) {
         const bool anew = std::ranges::none_of(
@@ -237,12 +239,10 @@ void Overhead::add(const Ceiling& ceiling) {
         found_ = {ceiling.z_m, ceiling.touched, anew};
         return;
     }
-    if (ceiling.z_m < known->z_m - flat_m)
+    if (ceiling.z_m < drifted_m(known->z_m, known->floor_m) - flat_m)
         found_ = {ceiling.z_m, ceiling.touched};
-    if (ceiling.z_m < known->z_m) {
-        known->z_m = ceiling.z_m;
-        known->floor_m = floor_m();
-    }
+    known->z_m = std::min(known->z_m, ceiling.z_m);
+    known->floor_m = floor_m();
     known->touched = known->touched && ceiling.touched;
     known->found_at = ceiling.found_at;
 }

@@ -111,7 +111,7 @@ private:
     void lookBeside(const PlacedScan& scan, Seconds now);
     void feelAbove(const Senses& senses, double commanded_climb_m_s);
     void lookDown(const Senses& senses);
-    /// The lowest ground (map z) below the robot in the last seconds.
+    /// The lowest ground (map z) below the robot in the last 15 to 30 s.
     double floor_m() const { return std::min(floor_now_m_, floor_before_m_); }
     double drifted_m(double z_m, double floor_then_m) const;
     void add(const Ceiling& ceiling);

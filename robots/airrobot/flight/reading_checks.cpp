@@ -36,7 +36,8 @@ constexpr double sonar_jump_m = 1.0;
 constexpr double sonar_like_m = 0.6;
 /// A ray that has met something so near shows what the robot is about to touch: the tip of a tree was heard once at
 /// 0.8 m, 0.6 s before it broke the robot (`tst_random_surveys_campaign`, number 159552).
-constexpr double glimpse_m = 1.5;
+constexpr double farthest_glimpse_m = 1.5;
+constexpr double nearest_glimpse_m = 0.2;
 constexpr std::size_t most_glimpses = 4;
 constexpr Seconds glimpses_within{120.0};
 /// Noise of a thousandth of the range changes a number of four decimals nearly always.
@@ -77,6 +78,7 @@ bool hasLikeIt(const std::vector<double>& ranges_m, std::size_t index, double ra
 } // namespace
 
 bool PoseCheck::believes(Seconds now, const Pose& pose_in_map, const Told& told) {
+    lean_leapt_ = false;
     if (last_ && (hangs(now, pose_in_map, told) || leaps(now, pose_in_map)))
         return false;
     last_ = {now, pose_in_map};
@@ -111,13 +113,13 @@ bool PoseCheck::hangs(Seconds now, const Pose& pose_in_map, const Told& told) {
 
 bool PoseCheck::leaps(Seconds now, const Pose& pose_in_map) {
     const double since_s = (now - last_->at).count();
-    lean_leapt_ = leansTooFar(last_->pose_in_map, pose_in_map, since_s);
     if (!isTooFar(last_->pose_in_map, pose_in_map, since_s)) {
         leaps_ = 0;
         return false;
     }
     leaps_ = leaps_ == 0 || isTooFar(leapt_to_, pose_in_map, since_s) ? 1 : leaps_ + 1;
     leapt_to_ = pose_in_map;
+    lean_leapt_ = leaps_ < believed_after && leansTooFar(last_->pose_in_map, pose_in_map, since_s);
     return leaps_ < believed_after;
 }
 
@@ -155,7 +157,14 @@ void SonarCheck::begin(Seconds now, bool high) {
         glimpses_.pop_front();
 }
 
-bool SonarCheck::isBelieved(const Range& range, double told_m) {
+void SonarCheck::noteGlimpse(double told_m) {
+    if (!high_ || told_m < nearest_glimpse_m || told_m > farthest_glimpse_m)
+        return;
+    glimpses_.push_back(now_);
+    glimpsed_ = glimpses_.size() <= most_glimpses;
+}
+
+bool SonarCheck::believes(const Range& range, double told_m) {
     if (std::abs(told_m - range.believed_m) <= sonar_jump_m || std::abs(told_m - range.told_m) <= sonar_jump_m)
         return true;
     const double nearer_m = range.believed_m - sonar_jump_m;
@@ -164,13 +173,12 @@ bool SonarCheck::isBelieved(const Range& range, double told_m) {
     const bool another =
         std::ranges::any_of(nearer_m_, [&](double other_m) { return std::abs(other_m - told_m) <= sonar_like_m; });
     nearer_m_.push_back(told_m);
-    if (another || range.told_m < nearer_m)
-        return true;
-    if (high_ && told_m < glimpse_m) {
-        glimpses_.push_back(now_);
-        glimpsed_ = glimpses_.size() <= most_glimpses;
-    }
-    return false;
+    const bool again = range.told_m < nearer_m;
+    if (!another && !again)
+        noteGlimpse(told_m);
+    else if (!glimpses_.empty() && (another || range.told_m < farthest_glimpse_m))
+        glimpses_.pop_back(); // What was taken for one has been confirmed.
+    return another || again;
 }
 
 std::optional<double> SonarCheck::believed_m(const std::string& sonar, double range_m, bool echo, const Told& told) {
@@ -184,7 +192,7 @@ std::optional<double> SonarCheck::believed_m(const std::string& sonar, double ra
         ++range.repeats;
     if (range.repeats >= hangs_after)
         return std::nullopt;
-    if (!is_new && isBelieved(range, range_m))
+    if (!is_new && believes(range, range_m))
         range.believed_m = range_m;
     range.told_m = range_m;
     return range.believed_m;

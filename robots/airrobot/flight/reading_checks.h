@@ -28,7 +28,7 @@ public:
     /// is told to move shows that the sensor hangs. That pose is never believed again, and others are only when three
     /// in a row differ from it, because a damaged line differs from it, too.
     bool believes(Seconds now, const Pose& pose_in_map, const Told& told);
-    /// True if the last pose was not believed because of its lean.
+    /// True if the last pose was not believed and its lean had leapt.
     bool leanLeapt() const { return lean_leapt_; }
     /// Forgets all poses, because the estimate has jumped.
     void forget() { *this = {}; }
@@ -76,9 +76,9 @@ public:
     /// ground.
     void begin(Seconds now, bool high);
     /// Returns the range to believe. Call it for each new reading. A range that jumps is believed when it is told
-    /// again; until then the last one holds. One that is much nearer is also believed if the one before it was, or if
-    /// another sonar hears something as near in this tick. Returns nothing while the sonar hangs: it repeats an echo to
-    /// the last digit although the robot moves. `echo`: the range is less than the greatest one.
+    /// again; until then the last one holds. One that is much nearer is also believed if the one before it was much
+    /// nearer, too, or if another sonar hears something as near in this tick. Returns nothing while the sonar hangs: it
+    /// repeats an echo to the last digit although the robot moves. `echo`: the range is less than the greatest one.
     std::optional<double> believed_m(const std::string& sonar, double range_m, bool echo, const Told& told);
     /// True if the last reading was not believed, but is so near that something thin may be there, such as the tip of a
     /// tree, which only one ray has met. Where that happens often, the link damages numbers, and it means nothing.
@@ -91,7 +91,9 @@ private:
         double told_m = 0.0;
         int repeats = 0; ///< of an echo, in a row
     };
-    bool isBelieved(const Range& range, double told_m);
+    /// Judges a reading and notes what is much nearer than before.
+    bool believes(const Range& range, double told_m);
+    void noteGlimpse(double told_m);
 
     std::map<std::string, Range, std::less<>> ranges_;
     std::vector<double> nearer_m_; ///< the ranges of this tick that are much nearer than those before them

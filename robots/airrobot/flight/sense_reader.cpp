@@ -52,7 +52,7 @@ void placeBeams(const std::vector<Vec2>& directions, const std::vector<double>& 
 }
 
 /// Fills in how high the beams of these ranges get at least. A drift of the roll makes a wall far away look much
-/// higher, so `from_in_map` has none where it is known; within `doubt_rad`, it is not.
+/// higher, so `from_in_map` has none where it is known. It may still be wrong by `doubt_rad`, which is subtracted.
 void measureHeights(const std::vector<Vec2>& directions, const std::vector<double>& ranges_m, double maximum_m,
                     const Pose& from_in_map, double doubt_rad, PlacedScan& placed) {
     const Eigen::Isometry3d scanner_in_map = from_in_map.isometry();
@@ -194,7 +194,9 @@ void SenseReader::readScan(Senses& senses, const modules::RobotModules& robot, c
     const std::vector<Vec2>& directions = beam_directions_.of(told.step_rad(), told.fov_rad, ranges_m.size());
     placeBeams(directions, ranges_m, layout.scanner_maximum_m, corrects_lean_ ? steady_in_map : placed.scanner_in_map,
                placed);
-    const double doubt_rad = by_truth_ ? 0.0 : doubt_sigmas * level_flight_.doubt_rad();
+    // In wind, the lean is that of the INS, and once it is lost, `lean_known` says so.
+    const bool doubts = !by_truth_ && level_flight_.calm();
+    const double doubt_rad = doubts ? doubt_sigmas * level_flight_.doubt_rad() : 0.0;
     measureHeights(directions, ranges_m, layout.scanner_maximum_m, steady_in_map, doubt_rad, placed);
     senses.ground_m = ground_m_ = groundBelow(placed.hits_in_map_m, base_in_map.position_m);
     senses.scan = std::move(placed);

@@ -39,8 +39,8 @@ struct PlacedScan {
     /// In beam order, without beams that hit nothing. In steady flight, a robot that corrects its lean (SenseReader)
     /// places them without the drift of the INS's roll and pitch, which is in both poses.
     std::vector<Vec3> hits_in_map_m;
-    /// Map z of the highest point that a beam reached, be it that it hit something there or that its range ended.
-    /// Always without that drift, if it is known.
+    /// Map z of the highest point that a beam surely reached, be it that it hit something there or that its range
+    /// ended: always without that drift, if it is known, and less two standard deviations of what is not known of it.
     double highest_m = -1e9;
     /// The same within 10 m of the robot, measured level.
     double highest_near_m = -1e9;

@@ -14,39 +14,49 @@ constexpr std::size_t least_samples = 3;
 constexpr double reach_m = 0.5;  ///< from the robot's center to what it has touched
 constexpr double height_m = 0.3; ///< So high above the robot's center it is remembered.
 constexpr double below_m_s = 0.5;
-constexpr double sinks_above_m = 1.5; ///< A lower robot only stops.
+constexpr double aloft_m = 1.5; ///< A lower robot may have lifted off from a slope.
+constexpr Seconds explains_within{0.5};
 constexpr Seconds sinking{1.0};
 
-Vec2 unexplained(const Senses& senses, const TopTouch::Doing& doing) {
+/// How the robot leans and would not lean only because it is to become as fast as it was told.
+Vec2 unexplained(const Senses& senses, const Vec2& told_m_s) {
     const Vec3 up = senses.base_in_map.rotation() * Vec3::UnitZ();
-    const Vec2 faster_m_s = doing.velocity_in_map_m_s - senses.velocity_in_map_m_s.head<2>();
+    const Vec2 faster_m_s = told_m_s - senses.velocity_in_map_m_s.head<2>();
     return up.head<2>() / up.z() - lean_per_m_s * faster_m_s;
 }
 
 } // namespace
 
-std::optional<Vec2> TopTouch::leansMore(const Senses& senses, const Doing& doing) {
+std::optional<Vec2> TopTouch::surplus(const Senses& senses, const Doing& doing) {
     if (senses.ins_age > Seconds{0.0} || senses.late > Seconds{0.0})
         return std::nullopt;
-    while (!usual_.empty() && senses.now - usual_.front().time > remembered)
-        usual_.pop_front();
-    const Vec2 lean = unexplained(senses, doing);
-    Vec2 sum = Vec2::Zero();
-    for (const Sample& one : usual_)
-        sum += one.lean;
-    const std::size_t count = usual_.size();
-    usual_.push_back({senses.now, lean});
-    return count < least_samples ? std::nullopt : std::optional<Vec2>(lean - sum / static_cast<double>(count));
+    while (!last_.empty() && senses.now - last_.front().time > remembered)
+        last_.pop_front();
+    Vec2 usual = Vec2::Zero();
+    for (const Sample& one : last_)
+        usual += one.lean / static_cast<double>(last_.size());
+    const bool known = last_.size() >= least_samples;
+    last_.push_back({senses.now, doing.velocity_in_map_m_s, unexplained(senses, doing.velocity_in_map_m_s)});
+    if (!known)
+        return std::nullopt;
+    Vec2 least = last_.back().lean - usual;
+    for (const Sample& one : last_) { // It obeys a moment later, so the command before may explain its lean.
+        const Vec2 more = unexplained(senses, one.told_m_s) - usual;
+        if (senses.now - one.time <= explains_within && more.norm() < least.norm())
+            least = more;
+    }
+    return least;
 }
 
 std::optional<Motion> TopTouch::free(const Senses& senses, const Doing& doing) {
     met_m_.reset();
-    const auto more = leansMore(senses, doing);
+    const auto more = surplus(senses, doing);
     leans_more_ = more ? more->norm() : 0.0;
     if (sinking_since_ && senses.now - *sinking_since_ > sinking)
         sinking_since_.reset();
-    const bool pressed = more && more->norm() > pressed_lean;
-    if (!sinking_since_ && doing.climb_m_s >= least_climb_m_s && (pressed || senses.leans_beyond_belief)) {
+    const bool pressed = leans_more_ > pressed_lean;
+    const bool climbs = doing.climb_m_s >= least_climb_m_s && senses.heightOverGround_m(1e9) > aloft_m;
+    if (!sinking_since_ && climbs && (pressed || senses.leans_beyond_belief)) {
         sinking_since_ = senses.now;
         if (pressed) {
             const Vec2 at_m = senses.position2_m() + reach_m * more->normalized();
@@ -55,8 +65,7 @@ std::optional<Motion> TopTouch::free(const Senses& senses, const Doing& doing) {
     }
     if (!sinking_since_)
         return std::nullopt;
-    const bool may_sink = senses.heightOverGround_m(1e9) > sinks_above_m;
-    return Motion{.climb_m_s = may_sink ? -below_m_s : 0.0, .sudden = true};
+    return Motion{.climb_m_s = -below_m_s, .sudden = true};
 }
 
 } // namespace usar::airrobot

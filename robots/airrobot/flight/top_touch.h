@@ -30,13 +30,14 @@ public:
 private:
     struct Sample {
         Seconds time{0.0};
-        Vec2 lean = Vec2::Zero(); ///< that no command explains, see `unexplained`
+        Vec2 told_m_s = Vec2::Zero();
+        Vec2 lean = Vec2::Zero(); ///< that this command does not explain
     };
     /// How much more than usual it leans in this tick, toward the side that is low (map frame); nullopt if it does not
     /// know.
-    std::optional<Vec2> leansMore(const Senses& senses, const Doing& doing);
+    std::optional<Vec2> surplus(const Senses& senses, const Doing& doing);
 
-    std::deque<Sample> usual_; ///< of the last second
+    std::deque<Sample> last_; ///< oldest first
     double leans_more_ = 0.0;
     std::optional<Vec3> met_m_;
     std::optional<Seconds> sinking_since_;
