@@ -98,7 +98,7 @@ private slots:
     void tellsWhatItMissedWithinReach() {
         QFETCH(double, missed);
         QFETCH(QString, words);
-        const auto verdict = verdictOf(surveyDone(), ledgerOf(36.0, 36.0), settings, missed);
+        const auto verdict = verdictOf(surveyDone(), ledgerOf(40.0, 40.0), settings, missed);
         QVERIFY2(QString::fromStdString(verdict.reason).contains(words), verdict.reason.c_str());
         QCOMPARE(verdict.success, missed < 0.1);
     }
