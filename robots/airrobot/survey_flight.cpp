@@ -268,7 +268,8 @@ void SurveyFlight::riseBeyondDoor() {
     sortie_.took_off = craft_.senses.now;
     sortie_.at_work = false;
     sortie_.beyond_door = true;
-    sortie_.rises_homeward = phase_ == Phase::Home;
+    sortie_.rises_homeward = phase_ == Phase::Home || phase_ == Phase::Landing;
+    sortie_.landing_m.reset(); // It chooses a place once it is up; a plan would wait for that landing before it rises.
     phase_ = Phase::TakeOff;
 }
 

@@ -90,6 +90,12 @@ private slots:
         QVERIFY2(outcome.success && outcome.collisions == 0, outcome.text().c_str());
     }
 
+    // It passed a door as it was to land in need, and the plan waited for a landing that the flight had given up.
+    void endsIfItPassesADoorAsItLands() {
+        const test::SurveyOutcome outcome = test::fly(test::drawSurvey(163933));
+        QVERIFY2(outcome.ended && !outcome.broken, outcome.text().c_str());
+    }
+
     void tellsTheTruthOfAFault_data() { test::surveyRows(13, 20); }
     void tellsTheTruthOfAFault() {
         QFETCH(int, number);

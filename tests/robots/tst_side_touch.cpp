@@ -67,6 +67,36 @@ private slots:
         QVERIFY(ticks > 4);
     }
 
+    /// A beam below a roof held it, and it took that for wind (survey 163333).
+    void backsAwayFromWhatHoldsItFast_data() {
+        QTest::addColumn<double>("told_m_s");
+        QTest::addColumn<double>("moves_m_s");
+        QTest::addColumn<bool>("held");
+        QTest::newRow("it does not move at all") << 1.3 << 0.0 << true;
+        QTest::newRow("wind lets it hardly get on") << 1.3 << 0.05 << false;
+        QTest::newRow("it stands") << 0.0 << 0.0 << false;
+    }
+    void backsAwayFromWhatHoldsItFast() {
+        QFETCH(double, told_m_s);
+        QFETCH(double, moves_m_s);
+        QFETCH(bool, held);
+        SideTouch touch;
+        Senses senses = sensesAt({0, 0, 6});
+        senses.ground_m = 0.0;
+        std::optional<Motion> away;
+        bool fast = false;
+        for (int tick = 0; tick < 30 && !away; ++tick) {
+            senses.now += Seconds(0.2);
+            senses.base_in_map.position_m.x() += 0.2 * moves_m_s;
+            away = touch.free(senses, {0.0, Vec2(told_m_s, 0.0)});
+            fast = touch.holdsFast();
+        }
+        QCOMPARE(away.has_value(), held);
+        QCOMPARE(fast, held);
+        if (held)
+            QVERIFY(away->velocity_in_map_m_s.x() < -0.3 && away->climb_m_s < -0.2 && touch.met_m()->x() > 0.3);
+    }
+
     /// It meets something as it turns back: that lies where it came from.
     void knowsThatItMetThatBeforeItTurnedBack() {
         SideTouch touch;
@@ -148,6 +178,7 @@ private slots:
             if (tick == 5)
                 told_rad_s = 0.0;
             senses.ins_yaw_rate_rad_s += 0.4 * (told_rad_s - senses.ins_yaw_rate_rad_s);
+            senses.base_in_map.position_m.x() += 0.2;
             QVERIFY(!touch.free(senses, {told_rad_s, Vec2(1.0, 0.0)}));
         }
     }

@@ -25,6 +25,8 @@ void Craft::command(const Motion& motion, agent::CommandPort& port, const std::s
         touches_.side.free(senses, {pilot_.told().yaw_rate_rad_s, told_m_s, commanded_climb_m_s_, motion.to_ground});
     if (const auto& met_m = touches_.side.met_m())
         memory.touch(*met_m);
+    if (touches_.side.holdsFast())
+        pilot_.forgetDrift();
     if (away && !below_roof) {
         safe = *away;
         makeSafe(safe);

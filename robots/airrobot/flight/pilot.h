@@ -66,6 +66,8 @@ public:
     bool feelsWind() const;
     /// Returns the velocity (map frame) that the robot believes the wind adds to its own through the air.
     const Vec2& drift_m_s() const { return drift_m_s_; }
+    /// Forgets it, because something else has held the robot.
+    void forgetDrift() { drift_m_s_ = Vec2::Zero(); }
     /// Never commands a greater level speed.
     void limitSpeed(double fastest_m_s) { fastest_m_s_ = fastest_m_s; }
     /// The speed over ground that it can make good along a bearing (map frame), as far as it knows the wind.

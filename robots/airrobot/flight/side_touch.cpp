@@ -13,6 +13,11 @@ constexpr double least_turn_rad_s = 0.07;
 constexpr Seconds long_turn{0.15};
 constexpr double held_from_m_s = 0.25;
 constexpr double sure_aloft_m = 0.8;
+/// The INS has no noise where nothing moves, and in wind something always does. A beam below a roof held a robot for a
+/// minute, which took that for wind, and shot into a wall as it got free (`tst_random_surveys_campaign`, number
+/// 163333).
+constexpr double still_within_m = 0.04;
+constexpr Seconds held_fast_after{2.4};
 constexpr Seconds obeys_within{0.3};    ///< The robot flies as it was told so long ago.
 constexpr double ring_m = 0.5;          ///< from the robot's center to what holds it
 constexpr double reaches_above_m = 0.3; ///< It is remembered as high as this above the robot.
@@ -90,6 +95,19 @@ std::optional<Vec2> SideTouch::feel(const Senses& senses) {
         .value_or(towardTouch(flew_m_s.normalized(), senses.velocity_in_map_m_s.head<2>(), sign));
 }
 
+bool SideTouch::isHeldFast(const Senses& senses, const Vec2& told_m_s) {
+    // A pose that repeats itself is not believed after a while, and is the same all the same.
+    const bool told = told_m_s.norm() > held_from_m_s && senses.heightOverGround_m(1e9) > sure_aloft_m &&
+                      senses.late <= Seconds{0.0};
+    if (!told || (senses.position2_m() - still_at_m_).norm() > still_within_m)
+        still_since_.reset();
+    if (told && !still_since_) {
+        still_since_ = senses.now;
+        still_at_m_ = senses.position2_m();
+    }
+    return still_since_ && senses.now - *still_since_ > held_fast_after;
+}
+
 std::optional<Motion> SideTouch::free(const Senses& senses, const Doing& doing) {
     met_m_.reset();
     told_.push_back({senses.now, doing});
@@ -97,10 +115,13 @@ std::optional<Motion> SideTouch::free(const Senses& senses, const Doing& doing) 
         told_.pop_front();
     if (freeing_since_ && senses.now - *freeing_since_ > freeing)
         freeing_since_.reset();
+    holds_fast_ = isHeldFast(senses, doing.velocity_in_map_m_s);
+    if (holds_fast_)
+        still_since_.reset();
     if (freeing_since_) { // As it turns away from that, other sonars hear it better.
         if (const auto toward = towardHeard(senses, touches_m))
             away_.velocity_in_map_m_s = -free_speed_m_s * *toward;
-    } else if (const auto toward = feel(senses)) {
+    } else if (const auto toward = holds_fast_ ? doing.velocity_in_map_m_s.normalized() : feel(senses)) {
         const Vec2 at_m = senses.position2_m() + ring_m * *toward;
         met_m_ = Vec3(at_m.x(), at_m.y(), senses.position_m().z() + reaches_above_m);
         const bool may_sink =

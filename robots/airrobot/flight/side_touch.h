@@ -31,6 +31,8 @@ public:
     std::optional<Motion> free(const Senses& senses, const Doing& doing);
     /// Where it has met something in this tick (map frame); nullopt in most ticks.
     const std::optional<Vec3>& met_m() const { return met_m_; }
+    /// True if what it has met in this tick holds it fast: it does not move at all. That looks like wind from ahead.
+    bool holdsFast() const { return met_m_ && holds_fast_; }
 
 private:
     struct Told {
@@ -43,11 +45,16 @@ private:
     Vec2 flewBefore_m_s(Seconds turn) const;
     /// The direction of what holds it (map frame) if it begins to do so in this tick.
     std::optional<Vec2> feel(const Senses& senses);
+    /// True if it is told to fly and has not moved at all for a while.
+    bool isHeldFast(const Senses& senses, const Vec2& told_m_s);
 
     std::deque<Told> told_; ///< as far back as a turn takes to begin and to end
     std::optional<Seconds> turning_since_;
     double turns_ = 0.0; ///< the sign of that turn
     std::optional<Vec3> met_m_;
+    std::optional<Seconds> still_since_; ///< It is told to fly since then, and is
+    Vec2 still_at_m_ = Vec2::Zero();     ///< still there.
+    bool holds_fast_ = false;
     std::optional<Seconds> freeing_since_;
     Motion away_;
 };
