@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace usar::airrobot {
 
@@ -17,7 +18,9 @@ constexpr double sure_aloft_m = 0.8;
 /// minute, which took that for wind, and shot into a wall as it got free (`tst_random_surveys_campaign`, number
 /// 163333).
 constexpr double still_within_m = 0.04;
+constexpr double sure_to_move_m_s = 0.6; ///< A robot that creeps may be told to do so for seconds.
 constexpr Seconds held_fast_after{2.4};
+constexpr Seconds longest_pause{0.6};   ///< Meanwhile, it may have been told to stand.
 constexpr Seconds obeys_within{0.3};    ///< The robot flies as it was told so long ago.
 constexpr double ring_m = 0.5;          ///< from the robot's center to what holds it
 constexpr double reaches_above_m = 0.3; ///< It is remembered as high as this above the robot.
@@ -97,9 +100,10 @@ std::optional<Vec2> SideTouch::feel(const Senses& senses) {
 
 bool SideTouch::isHeldFast(const Senses& senses, const Vec2& told_m_s) {
     // A pose that repeats itself is not believed after a while, and is the same all the same.
-    const bool told = told_m_s.norm() > held_from_m_s && senses.heightOverGround_m(1e9) > sure_aloft_m &&
+    const bool told = told_m_s.norm() > sure_to_move_m_s && senses.heightOverGround_m(1e9) > sure_aloft_m &&
                       senses.late <= Seconds{0.0};
-    if (!told || (senses.position2_m() - still_at_m_).norm() > still_within_m)
+    const bool pauses = senses.now - std::exchange(asked_at_, senses.now) > longest_pause;
+    if (!told || pauses || (senses.position2_m() - still_at_m_).norm() > still_within_m)
         still_since_.reset();
     if (told && !still_since_) {
         still_since_ = senses.now;

@@ -54,6 +54,7 @@ private:
     std::optional<Vec3> met_m_;
     std::optional<Seconds> still_since_; ///< It is told to fly since then, and is
     Vec2 still_at_m_ = Vec2::Zero();     ///< still there.
+    Seconds asked_at_{0.0};
     bool holds_fast_ = false;
     std::optional<Seconds> freeing_since_;
     Motion away_;

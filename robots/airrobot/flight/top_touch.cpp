@@ -14,6 +14,7 @@ constexpr std::size_t least_samples = 3;
 constexpr double reach_m = 0.5;  ///< from the robot's center to what it has touched
 constexpr double height_m = 0.3; ///< So high above the robot's center it is remembered.
 constexpr double below_m_s = 0.5;
+constexpr double no_leap_m_s = 5.0;
 constexpr double aloft_m = 1.5; ///< A lower robot may have lifted off from a slope.
 constexpr Seconds explains_within{0.5};
 constexpr Seconds sinking{1.0};
@@ -30,6 +31,10 @@ Vec2 unexplained(const Senses& senses, const Vec2& told_m_s) {
 std::optional<Vec2> TopTouch::surplus(const Senses& senses, const Doing& doing) {
     if (senses.ins_age > Seconds{0.0} || senses.late > Seconds{0.0})
         return std::nullopt;
+    if (senses.velocity_in_map_m_s.head<2>().norm() > no_leap_m_s) { // The estimate of its place has leapt.
+        last_.clear();
+        return std::nullopt;
+    }
     while (!last_.empty() && senses.now - last_.front().time > remembered)
         last_.pop_front();
     Vec2 usual = Vec2::Zero();
