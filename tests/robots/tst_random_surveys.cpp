@@ -68,7 +68,7 @@ private slots:
     // It looked for a way, or for a place to which nothing stood in the way, until its battery was empty, and fell.
     void landsBeforeItsBatteryIsEmpty_data() {
         QTest::addColumn<int>("number");
-        QTest::newRow("no way leads home") << 400013;
+        QTest::newRow("it is in a room, and its battery fails on the lanes") << 126105;
         QTest::newRow("shelves keep it from all places") << 80093;
     }
     void landsBeforeItsBatteryIsEmpty() {
