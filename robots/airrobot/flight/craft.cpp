@@ -49,7 +49,7 @@ constexpr double surely_above_m = 1.5;
 constexpr double below_ceiling_m = 0.5; ///< Scanner hits higher than this are on the ceiling.
 constexpr double open_sky_m = 8.0;      ///< A beam has reached so far above the robot where it is in no room.
 
-/// What a sonar has heard close by once is remembered as so much higher than the robot.
+/// A thing that a sonar has heard close by once is remembered this much higher than the robot.
 constexpr double glimpse_above_m = 0.3;
 
 /// A roof that a robot meets as it climbs does not break it, but does if it slides along it.

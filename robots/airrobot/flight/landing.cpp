@@ -57,7 +57,8 @@ constexpr double apart_m = 1.5; ///< from a place that was no good to the next o
 /// In need, it flies so much farther to ground that is not steep: on 20 degrees, it slid and turned over in a wind of
 /// 3.8 m/s (`tst_random_surveys_campaign`, number 159488).
 constexpr double farther_to_gentle_m = 6.0;
-/// What is steeper counts as uneven, of which `even_m` is allowed, so that 16 degrees pass where the ground is a plane.
+/// Any slope beyond this adds to the unevenness. Up to `even_m` of that is allowed, so that a plane of 16 degrees
+/// passes.
 constexpr double gentle_in_need_rad = radians(8.0);
 /// Hits below the ring that differ by more than this in so many scans in a row are on something that it cannot stand
 /// on.
@@ -112,7 +113,7 @@ bool standsOut(const ObstacleMemory& memory, const Vec2& place_m) {
     return here_m && around_m && *around_m < *here_m - stands_out_m;
 }
 
-/// What the scanner has seen within `fresh` of the ground for a robot that leans, see landingPlace_m.
+/// Judges ground by what the scanner has seen of it within `fresh`; for `lean` see landingPlace_m.
 struct FreshGround {
     const ObstacleMemory& memory;
     Vec2 lean = Vec2::Zero();
@@ -226,7 +227,7 @@ bool Touchdown::isOver(const Senses& senses, const Vec2& place_m) {
     // So low, its legs may be on the ground already, and it would not answer.
     const bool nearly_down = over_ && senses.heightOverGround_m(0.0) < nearly_down_m;
     over_ = nearly_down || (senses.position2_m() - place_m).norm() < (over_ ? still_over_m : over_place_m);
-    if (!over_) { // A robot that holds its height has not touched the ground, and it looks around anew.
+    if (!over_) { // The robot holds its height, so it has not touched the ground. Over its place, it looks around anew.
         still_since_.reset();
         turning_since_.reset();
         last_yaw_rad_.reset();

@@ -145,7 +145,7 @@ void Overhead::lookDown(const Senses& senses) {
     floor_now_m_ = std::min(floor_now_m_, *senses.ground_m);
 }
 
-/// What was at `z_m` when the floor was at `floor_then_m`.
+/// Returns the present height (map z) of a ceiling that was at `z_m` when the floor seemed to be at `floor_then_m`.
 double Overhead::drifted_m(double z_m, double floor_then_m) const {
     const double sunk_m = floor_then_m - floor_m();
     const bool known = floor_then_m < unknown_floor_m && floor_m() < unknown_floor_m;

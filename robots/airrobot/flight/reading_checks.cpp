@@ -177,7 +177,7 @@ bool SonarCheck::believes(const Range& range, double told_m) {
     if (!another && !again)
         noteGlimpse(told_m);
     else if (!glimpses_.empty() && (another || range.told_m < farthest_glimpse_m))
-        glimpses_.pop_back(); // What was taken for one has been confirmed.
+        glimpses_.pop_back(); // This reading confirms the last glimpse, so the link did not damage that.
     return another || again;
 }
 
