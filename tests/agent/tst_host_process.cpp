@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "core/agent/process/host_process.h"
+#include "tests/suite/signaling.h"
 #include "tests/suite/suite.h"
 
 namespace tst_host_process {
@@ -50,12 +51,12 @@ private slots:
         const QString folder = folderOf(process);
         QVERIFY2(QDir(folder).exists(), qPrintable(folder));
 
-        ::kill(process, SIGSTOP); // so that it cannot end
+        QVERIFY(test::sendSignal(process, SIGSTOP)); // so that it cannot end
         is_killed ? (*host)->kill() : (*host)->leave();
         host->reset(); // what a failed process's owner does next
         QCOMPARE(QDir(folder).exists(), !is_killed);
 
-        ::kill(process, SIGCONT);
+        QCOMPARE(test::sendSignal(process, SIGCONT), !is_killed);
         QTRY_VERIFY_WITH_TIMEOUT(!QDir(folder).exists(), 60000); // it may still have to be loaded
     }
 };

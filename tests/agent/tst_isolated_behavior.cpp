@@ -11,6 +11,7 @@
 #include "core/agent/plugins/plugin_loader.h"
 #include "core/agent/process/isolated_behavior.h"
 #include "core/protocol/reader.h"
+#include "tests/suite/signaling.h"
 #include "tests/suite/suite.h"
 
 namespace tst_isolated_behavior {
@@ -169,7 +170,7 @@ void tst_IsolatedBehavior::aKilledOneIsSeenBetweenTwoLines() {
     QVERIFY(!behavior->finished());
     QSocketNotifier notifier(behavior->endHandle(), QSocketNotifier::Read);
     QSignalSpy seen(&notifier, &QSocketNotifier::activated);
-    QCOMPARE(::kill(behavior->processId(), signal), 0);
+    QVERIFY(test::sendSignal(behavior->processId(), signal));
     QVERIFY(seen.wait(5000));
     const auto output = withItsEnd(*behavior, behavior->takeEnd());
     QVERIFY2(reasonOf(output).contains("died by " + name), qPrintable(reasonOf(output)));
@@ -188,7 +189,7 @@ void tst_IsolatedBehavior::aHangingOneIsKilled() {
     QVERIFY2(reasonOf(output).contains("faulty/loop hangs: it has not answered for 0.5 s"),
              qPrintable(reasonOf(output)));
     QVERIFY(isSafe(output));
-    QTRY_VERIFY(::kill(process, 0) != 0);
+    QTRY_VERIFY(!test::sendSignal(process, 0));
 }
 
 void tst_IsolatedBehavior::whatCannotBeStartedSaysWhy_data() {
@@ -219,9 +220,9 @@ void tst_IsolatedBehavior::itsProcessEndsWithIt() {
     auto behavior = isolated("faulty/none");
     behavior->begin();
     const int process = behavior->processId();
-    QCOMPARE(::kill(process, 0), 0);
+    QVERIFY(test::sendSignal(process, 0));
     behavior.reset();
-    QTRY_VERIFY(::kill(process, 0) != 0);
+    QTRY_VERIFY(!test::sendSignal(process, 0));
 }
 
 USAR_TEST(tst_IsolatedBehavior)

@@ -14,6 +14,7 @@
 
 #include "tests/e2e/gui_watchdog.h"
 #include "tests/e2e/window_page.h"
+#include "tests/suite/signaling.h"
 #include "tests/suite/suite.h"
 #include "widgets/messages/toast_stack.h"
 #include "widgets/panels/plugin_dialog.h"
@@ -240,7 +241,7 @@ void tst_WindowPlugins::aBehaviorKilledInFlightCostsItsRobotABehaviorAndNobodyEl
     if (signal != 0) {
         QTRY_VERIFY_WITH_TIMEOUT(page.robot(2)->status && page.robot(2)->figures.behavior_running, soon_ms);
         QCOMPARE(hosts().size(), 1);
-        QCOMPARE(::kill(hosts().front(), signal), 0);
+        QVERIFY(test::sendSignal(hosts().front(), signal));
     }
     QTRY_VERIFY_WITH_TIMEOUT(!page.notified(words).isEmpty(), soon_ms);
     const QString said = page.notified(words);
@@ -287,7 +288,7 @@ void tst_WindowPlugins::whatBrokeIsStartedAgainByTheButtonInItsMessage() {
     if (isolated) {
         QTRY_VERIFY_WITH_TIMEOUT(page.robot(2)->status && page.robot(2)->figures.behavior_running, soon_ms);
         QCOMPARE(hosts().size(), 1);
-        QCOMPARE(::kill(hosts().front(), SIGKILL), 0);
+        QVERIFY(test::sendSignal(hosts().front(), SIGKILL));
     }
     QTRY_VERIFY_WITH_TIMEOUT(!page.notified("The behavior " + QString::fromStdString(behavior)).isEmpty(), soon_ms);
     QVERIFY(!page.robot(2)->figures.behavior_running);

@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "tests/hands/program.h"
+#include "tests/suite/signaling.h"
 #include "tests/suite/suite.h"
 
 namespace tst_hands_silence {
@@ -30,7 +31,7 @@ public:
     Q_DISABLE_COPY_MOVE(Simulator)
 
     int port() const { return port_; }
-    void freeze() { ::kill(static_cast<pid_t>(process_.processId()), SIGSTOP); }
+    bool freeze() { return usar::test::sendSignal(process_.processId(), SIGSTOP); }
     void kill() {
         process_.kill();
         process_.waitForFinished();
@@ -87,7 +88,7 @@ void tst_HandsSilence::aSilentServerMakesAllViewsSaySo() {
     QVERIFY2(!program_->figure(attitude).contains("out of date"), qPrintable(program_->figure(attitude)));
     QVERIFY2(!program_->row("R1").contains("no news"), qPrintable(program_->row("R1")));
     QVERIFY(!program_->read().find("label", "stale", 0));
-    simulator_.freeze();
+    QVERIFY(simulator_.freeze());
     QTRY_VERIFY2_WITH_TIMEOUT(program_->row("R1").contains("no news"), qPrintable(program_->row("R1")), patience_ms);
     QVERIFY(program_->read().find("label", "stale", patience_ms));
     program_->screenshot("silent");

@@ -17,6 +17,7 @@
 #include "core/link/recording_text.h"
 #include "core/link/recording_writer.h"
 #include "tests/doubles/plain_recording.h"
+#include "tests/suite/signaling.h"
 #include "tests/suite/suite.h"
 
 namespace tst_recording_file {
@@ -292,7 +293,7 @@ void tst_RecordingFile::killedAtAnyMomentItLosesASecondAtMost() {
         if (handed.rbegin()->second - handed.begin()->second > 1300ms)
             break; // by the child's own account: it may have begun late
     }
-    ::kill(child, SIGKILL);
+    QVERIFY(test::sendSignal(child, SIGKILL));
     const auto killed = Clock::now().time_since_epoch();
     ::waitpid(child, nullptr, 0);
     ::close(ends[0]);

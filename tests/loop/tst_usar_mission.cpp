@@ -6,10 +6,12 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include "core/campaign/runs/run_request.h"
+#include "tests/suite/signaling.h"
 #include "tests/suite/suite.h"
 
 namespace tst_usar_mission {
@@ -338,10 +340,11 @@ void tst_UsarMission::ctrlCKeepsWhatWasScanned() {
     process.start(program,
                   {"run", USAR_SOURCE_DIR "/resources/missions/quick_scan.json", "--speed", "30", "--out", out});
     process.setReadChannel(QProcess::StandardError);
-    QByteArray err; // a line at each tenth: at 10 % something has been scanned
-    while (!err.contains(" 10 %") && !err.contains(" 11 %") && process.waitForReadyRead(patience_ms))
+    QByteArray err; // a line at each tenth, or soon after it: from 10 % on something has been scanned
+    static const QRegularExpression two_digits("\\] +[1-9]\\d+ %");
+    while (!QString::fromUtf8(err).contains(two_digits) && process.waitForReadyRead(patience_ms))
         err += process.readAllStandardError();
-    ::kill(static_cast<pid_t>(process.processId()), signal_number);
+    QVERIFY2(usar::test::sendSignal(process.processId(), signal_number), err);
     const Ended ended = read(process);
     QVERIFY2(ended.exit_code == 1, ended.out + ended.err);
     QVERIFY2(ended.summary["reason"].toString().contains("Interrupted"), ended.out);

@@ -7,6 +7,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "tests/suite/signaling.h"
 #include "tests/suite/suite.h"
 
 namespace tst_usar_sim {
@@ -42,8 +43,7 @@ public:
         return static_cast<quint16>(match.captured(1).toUInt());
     }
     int interrupt() {
-        if (process_.state() == QProcess::Running)
-            ::kill(static_cast<pid_t>(process_.processId()), SIGINT);
+        usar::test::sendSignal(process_.processId(), SIGINT); // one that has ended needs none
         return exitCode();
     }
     /// Once it has ended by itself.

@@ -1,11 +1,10 @@
-#include <csignal>
-
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include "core/campaign/runs/campaign_process.h"
 #include "tests/doubles/test_files.h"
+#include "tests/suite/signaling.h"
 #include "tests/suite/suite.h"
 
 namespace tst_campaign_process {
@@ -74,9 +73,9 @@ private slots:
         auto process = std::make_unique<CampaignProcess>();
         process->start(madeOf("exec sleep 60"), "c.json", "results", 1);
         QTRY_VERIFY_WITH_TIMEOUT(process->processId() > 0, patience_ms);
-        const auto id = static_cast<pid_t>(process->processId());
+        const qint64 id = process->processId();
         process.reset();
-        QCOMPARE(::kill(id, 0), -1);
+        QVERIFY(!test::sendSignal(id, 0));
     }
 
 private:

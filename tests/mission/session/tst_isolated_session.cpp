@@ -7,6 +7,7 @@
 #include "core/agent/process/isolated_behavior.h"
 #include "tests/doubles/own_thread.h"
 #include "tests/mission/session/session_fixture.h"
+#include "tests/suite/signaling.h"
 #include "tests/suite/suite.h"
 
 namespace tst_isolated_session {
@@ -55,7 +56,7 @@ private slots:
 
         QElapsedTimer timer;
         timer.start();
-        QCOMPARE(::kill(behavior->processId(), signal), 0); // between two ticks: nobody asks it anything
+        QVERIFY(test::sendSignal(behavior->processId(), signal)); // between two ticks: nobody asks it anything
         QTRY_VERIFY(stops(f.server.heardOf("DRIVE").last()));
         QVERIFY2(timer.elapsed() <= tick_ms + 50, qPrintable(QString::number(timer.elapsed())));
         QCOMPARE(finished.size(), 1);
