@@ -174,7 +174,7 @@ private slots:
         QTest::newRow("as high, nearer") << 2.5 << 6.0 << true << true;
         QTest::newRow("lower, nearer: the beam was there") << 2.5 << 5.6 << true << false;
         QTest::newRow("higher, nearer") << 2.5 << 6.3 << true << true;
-        QTest::newRow("as high, nearer, by a robot in no hurry") << 2.5 << 6.0 << false << false;
+        QTest::newRow("as high, nearer, where things have no tips") << 2.5 << 6.0 << false << false;
     }
     void keepsWhatANearerBeamPassesOver() {
         QFETCH(double, x_m);
@@ -189,11 +189,35 @@ private slots:
         memory.take(senses, here);
         Senses later = sensesAt({x_m, 0, z_m}, 0.0, 102.0);
         setSonars(later, {});
-        memory.take(later, here);
+        for (int beam = 0; beam < 4; ++beam)
+            memory.take(later, here);
         const auto near = memory.near({x_m, 0}, 8.0, 4.5);
         QCOMPARE(!near.empty(), kept);
         if (kept) // It is no higher than the beam's lower edge there.
             QVERIFY(near[0].top_m < z_m && near[0].top_m > z_m - 0.6);
+    }
+
+    /// The tip of a crown, of which a sonar heard one echo, overturned a robot that had then looked past it twice
+    /// (`square_kilometer`, seed 1, by C++).
+    void takesTwoSilentBeamsForNoProofThatATipIsGone_data() {
+        QTest::addColumn<bool>("lower_parts");
+        QTest::newRow("a crown") << true;
+        QTest::newRow("a rack") << false;
+    }
+    void takesTwoSilentBeamsForNoProofThatATipIsGone() {
+        QFETCH(bool, lower_parts);
+        ObstacleMemory memory;
+        MemorySpans here = spans;
+        here.lower_parts = lower_parts;
+        Senses senses = sensesAt({0, 0, 6}, 0.0, 100.0);
+        setSonars(senses, {{"M0", 2.5}});
+        memory.take(senses, here);
+        for (const double now_s : {100.2, 100.4}) {
+            Senses silent = sensesAt({0, 0, 6}, 0.0, now_s);
+            setSonars(silent, {});
+            memory.take(silent, here);
+        }
+        QCOMPARE(!memory.near({0, 0}, 8.0, 5.9).empty(), lower_parts);
     }
 
     void rememberWhatIsBehind() {
@@ -227,6 +251,36 @@ private slots:
         QVERIFY(memory.knownAlong({0, 0}, pi, 1.0, 5.0) < 0.1);
         const double half = memory.knownAlong({0, 0}, 0.0, 1.0, 12.0);
         QVERIFY(half > 0.4 && half < 0.6);
+    }
+
+    /// From a lower lane, the scanner saw a tree up to its own height, and the robot sank into the rest of it on the
+    /// next lane (`tall_test`, seed 12).
+    void doesNotKnowAWayWithAThingWhoseTopWasHidden_data() {
+        QTest::addColumn<double>("scanner_m");
+        QTest::addColumn<double>("again_m");
+        QTest::addColumn<bool>("is_known");
+        QTest::newRow("from its height") << 3.2 << 0.0 << false;
+        QTest::newRow("from above") << 5.0 << 0.0 << true;
+        QTest::newRow("from its height, then from above, as high") << 3.2 << 3.0 << true;
+        QTest::newRow("from its height, then its side from above") << 3.2 << 1.0 << false;
+        QTest::newRow("from its height, then more of it from above") << 3.2 << 4.5 << true;
+    }
+    void doesNotKnowAWayWithAThingWhoseTopWasHidden() {
+        QFETCH(double, scanner_m);
+        QFETCH(double, again_m);
+        QFETCH(bool, is_known);
+        ObstacleMemory memory;
+        Senses senses = sensesAt({0, 0, scanner_m}, 0.0, 100.0);
+        setFlatScan(senses, {3, 0}, 4.0, 0.0);
+        senses.scan->hits_in_map_m.emplace_back(3.1, 0.1, 3.0);
+        memory.take(senses, spans);
+        if (again_m > 0.0) {
+            Senses later = sensesAt({0, 0, 9}, 0.0, 200.0);
+            setFlatScan(later, {3, 0}, 4.0, 0.0);
+            later.scan->hits_in_map_m.emplace_back(3.1, 0.1, again_m);
+            memory.take(later, spans);
+        }
+        QCOMPARE(memory.knownAlong({0, 0}, 0.0, 1.5, 5.0) > 0.9, is_known);
     }
 
     void isEmptyAfterAClear() {

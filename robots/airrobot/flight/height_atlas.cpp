@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robots/airrobot/flight/hidden_top.h"
 #include "robots/airrobot/flight/moving_grid.h"
 
 namespace usar::airrobot {
@@ -12,10 +13,6 @@ namespace {
 constexpr double atlas_cell_m = 1.0;
 constexpr double corridor_half_width_m = 1.5;
 constexpr double past_half_width_m = 2.5;
-/// A hit that is less than this below the scanner may be on something that goes on above it.
-constexpr double level_with_m = 0.5;
-/// A later hit that is no more than this below the highest one, but well below the scanner, shows that nothing goes on.
-constexpr double near_top_m = 0.7;
 
 int atlasCellOf(double coordinate_m) {
     return static_cast<int>(std::floor(coordinate_m / atlas_cell_m));
@@ -28,18 +25,17 @@ void HeightAtlas::take(const Senses& senses, double below_m) {
         return;
     if (cells_.empty())
         cells_.resize(std::size_t(side) * side);
-    const double level_m = senses.scan->scanner_in_map.position_m.z() - level_with_m;
     for (const Vec3& hit : senses.scan->hits_in_map_m) {
         if (hit.z() >= below_m)
             continue;
         const int column = atlasCellOf(hit.x());
         const int row = atlasCellOf(hit.y());
         const auto top_m = static_cast<float>(hit.z());
-        const bool goes_on = hit.z() > level_m;
+        const bool goes_on = mayGoOn(hit.z(), senses.scan->scanner_in_map.position_m.z());
         Cell& cell = cells_[slotOf<side>(column, row)];
         if (cell.column != column || cell.row != row || cell.flight != flight_ || top_m > cell.top_m)
             cell = {column, row, top_m, goes_on, flight_};
-        else if (!goes_on && top_m > cell.top_m - near_top_m)
+        else if (!goes_on && showsTop(hit.z(), cell.top_m))
             cell.goes_on = false;
     }
 }

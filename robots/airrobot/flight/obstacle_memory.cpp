@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robots/airrobot/flight/hidden_top.h"
+
 namespace usar::airrobot {
 
 namespace {
@@ -18,6 +20,8 @@ constexpr std::size_t few_cells = 40;
 /// look around takes so long.
 constexpr double narrow_m = 0.2;
 constexpr Seconds recent{6.0};
+/// So many beams may pass through the thin tip of a crown without an echo.
+constexpr int tips_hide = 4;
 /// If a beam leaves less than this of an echo's height, the echo is dropped.
 constexpr double certain_m = 0.1;
 
@@ -60,13 +64,13 @@ void ObstacleMemory::take(const Senses& senses, const MemorySpans& spans) {
     std::erase_if(echoes_, [&](const Echo& echo) { return now_ - echo.time > spans_.sonar; });
     std::erase_if(seen_again_, [&](const SeenAgain& again) { return now_ - again.time > remembered; });
     if (senses.scan)
-        takeScan(senses.scan->hits_in_map_m);
+        takeScan(senses.scan->hits_in_map_m, senses.scan->scanner_in_map.position_m.z());
     noteRise();
     for (const SonarEcho& echo : senses.sonars)
         takeEcho(echo);
 }
 
-void ObstacleMemory::takeScan(std::span<const Vec3> hits_m) {
+void ObstacleMemory::takeScan(std::span<const Vec3> hits_m, double scanner_m) {
     for (const Vec3& hit : hits_m) {
         if (hit.z() >= spans_.below_m)
             continue;
@@ -76,12 +80,16 @@ void ObstacleMemory::takeScan(std::span<const Vec3> hits_m) {
         const auto now_s = static_cast<float>(now_.count());
         Cell& cell = cells_[slotOf<side>(column, row)];
         if (!known(column, row))
-            cell = {column, row, top_m, now_s, top_m, now_s, top_m, now_s};
+            cell = {column, row, top_m, now_s, top_m, now_s, top_m, now_s, /*goes_on=*/false};
         if (now_s - cell.last_s > another_pass.count())
             seen_again_.push_back({now_, hit.z() - double(cell.last_m)});
+        const bool goes_on = mayGoOn(hit.z(), scanner_m);
         if (top_m >= cell.top_m) {
             cell.top_m = top_m;
             cell.time_s = now_s;
+            cell.goes_on = goes_on;
+        } else if (!goes_on && showsTop(hit.z(), cell.top_m)) {
+            cell.goes_on = false; // It was seen from above.
         }
         if (top_m >= cell.recent_m || now_s - cell.recent_s > recent.count()) {
             cell.recent_m = top_m;
@@ -126,6 +134,8 @@ void ObstacleMemory::takeEcho(const SonarEcho& echo) {
         const double edge_m = echo.origin_in_map_m.z() + slope * along_m;
         if (edge_m >= old.at_m.z())
             return false; // All of it is below the beam.
+        if (++old.passed < tips_hide)
+            return false;
         old.at_m.z() = edge_m;
         return edge_m < old.low_m + certain_m;
     });
@@ -236,14 +246,16 @@ double ObstacleMemory::knownAlong(const Vec2& from_m, double bearing_rad, double
     const Vec2 along = unit(bearing_rad);
     int total = 0;
     int seen = 0;
+    bool goes_on = false;
     visitDisc(from_m + along * length_m / 2.0, length_m / 2.0 + half_width_m,
               [&](const Vec2& center_m, const Cell* cell) {
                   if (!inCorridor(center_m - from_m, along, half_width_m, length_m))
                       return;
                   ++total;
                   seen += cell ? 1 : 0;
+                  goes_on = goes_on || (cell && cell->goes_on);
               });
-    return total == 0 ? 0.0 : static_cast<double>(seen) / total;
+    return total == 0 || goes_on ? 0.0 : static_cast<double>(seen) / total;
 }
 
 double clearance_m(std::span<const Obstacle> obstacles, const Vec2& from_m, double bearing_rad, double half_width_m,

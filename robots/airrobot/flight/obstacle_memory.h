@@ -25,8 +25,9 @@ struct MemorySpans {
     Seconds scan{600.0};
     Seconds sonar{20.0};
     double below_m = 1e9; ///< map z; higher hits are on a ceiling
-    /// Keeps of an echo what is below a later beam that passes over it from nearer: crowns have thin tips, which sonars
-    /// hear once in a while. Otherwise it is removed, which is right for walls and racks.
+    /// Keeps of an echo what is below later beams that pass over it from nearer, and all of it until there were some:
+    /// crowns have thin tips, which sonars hear once in a while. Otherwise the first one removes it, which is right for
+    /// walls and racks.
     bool lower_parts = false;
     /// In a room, a cell that is seen again shows another part of a rack more often than a drift of the height.
     bool in_room = false;
@@ -46,7 +47,7 @@ public:
     /// Adds the scan and the sonar echoes of a tick.
     void take(const Senses& senses, const MemorySpans& spans);
     /// Adds something that the robot has touched, which may be too thin for its sensors.
-    void touch(const Vec3& at_m) { takeScan({&at_m, 1}); }
+    void touch(const Vec3& at_m) { takeScan({&at_m, 1}, std::numeric_limits<double>::infinity()); }
     void clear();
     /// Forgets what was not seen within `fresh`, and of the rest how high it once was.
     void keepFresh(Seconds fresh);
@@ -74,7 +75,8 @@ public:
     std::vector<Vec3> risenTops_m(const Vec2& at_m, double radius_m) const;
     /// Returns the lowest cell in the disc that the scanner has seen; nullopt if none is known.
     std::optional<double> lowest_m(const Vec2& at_m, double radius_m) const;
-    /// Returns the share of the corridor's cells that the scanner has seen, 0 to 1.
+    /// Returns the share of the corridor's cells that the scanner has seen, 0 to 1; 0 if something in it reached up to
+    /// the scanner when it was seen, because that goes on above, and nobody knows how far.
     double knownAlong(const Vec2& from_m, double bearing_rad, double half_width_m, double length_m) const;
 
 private:
@@ -87,11 +89,13 @@ private:
         float last_s = -1e9f;   ///< time of that scan
         float recent_m = 0.0f;  ///< highest hit of the last seconds
         float recent_s = -1e9f; ///< time of that hit
+        bool goes_on = false;   ///< see mayGoOn()
     };
     struct Echo {
         Vec3 at_m;          ///< its z is the highest that the obstacle can be
         double low_m = 0.0; ///< and this the lowest
         Seconds time;
+        int passed = 0; ///< beams that went over a part of it
     };
 
     /// A cell that was seen again after some time, and how much higher it was.
@@ -100,7 +104,8 @@ private:
         double risen_m;
     };
 
-    void takeScan(std::span<const Vec3> hits_m);
+    /// Heights are map z; `scanner_m` is infinite for what no scanner saw.
+    void takeScan(std::span<const Vec3> hits_m, double scanner_m);
     void noteRise();
     double risenWithin_m(Seconds span) const; ///< 0 if that was measured longer ago
     void takeEcho(const SonarEcho& echo);
