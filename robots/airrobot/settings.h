@@ -29,7 +29,8 @@ struct Settings {
     double scan_speed_m_s = 1.0;
     /// Speed to the area, between lanes and on the way home.
     double transit_speed_m_s = 1.6;
-    /// Greatest vertical speeds in flight. Landing has a speed of its own.
+    /// Greatest vertical speeds in flight; straight up the robot climbs at 0.7 m/s at most, see seen_sky_m_s. Landing
+    /// has a speed of its own.
     double climb_speed_m_s = 1.0;
     double descent_speed_m_s = 0.6;
     /// Greatest yaw rate. Quick turns make the INS drift more.
@@ -81,7 +82,7 @@ struct Settings {
     /// False: the robot never climbs over obstacles.
     bool climb_over = true;
     /// Time without progress after which the robot climbs.
-    double climb_over_after_s = 3.0;
+    double climb_over_after_s = 0.5;
     double climb_standoff_m = 3.2; ///< wanted distance to all obstacles during a climb
     double give_up_after_s = 90.0; ///< time without progress after which a goal is given up
     /// How long the robot avoids what its belly scanner saw and what its sonars heard.

@@ -481,6 +481,26 @@ private slots:
         QVERIFY(again.step(senses, {0.0, 0.0, 6.3}, overhead, {}, settings).climb_m_s <= Overhead::careful_m_s);
     }
 
+    /// After each charge, the robot took six seconds to look at the last 0.7 m of its climb.
+    void looksUpOnlyIfMoreThanALittleIsUnknown_data() {
+        QTest::addColumn<double>("come_down_m");
+        QTest::addColumn<bool>("looks");
+        QTest::newRow("the last meter") << 6.2 << false;
+        QTest::newRow("the last three meters") << 4.2 << true;
+    }
+    void looksUpOnlyIfMoreThanALittleIsUnknown() {
+        QFETCH(double, come_down_m);
+        QFETCH(bool, looks);
+        Ascent ascent(come_down_m);
+        Senses senses = sensesWith(scanBelow(100.0, 100.0, 0.0, {0.0, 0.0, 3.0}));
+        bool looked = false;
+        for (double z_m = 0.3; z_m < 6.2; z_m += 0.1) {
+            senses.base_in_map.position_m.z() = z_m;
+            looked = looked || ascent.step(senses, {0.0, 0.0, 6.3}, {}, {}, settings).left_m_s > 0.0;
+        }
+        QCOMPARE(looked, looks);
+    }
+
     /// A look toward a pole that no sensor had looked at yet broke the robot in random survey 122038.
     void looksUpOnceItKnowsWhatStandsThere_data() {
         QTest::addColumn<double>("range_m");

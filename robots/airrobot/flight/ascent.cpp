@@ -25,6 +25,8 @@ constexpr double tolerance_m = 0.3;
 constexpr double surely_no_ground_m = 1.3;
 constexpr double ahead_rad = radians(60.0);
 constexpr double early_m = 0.3; ///< A look begins so much below the height up to which the air is known.
+/// So little of unknown air is not worth a look: it climbs through that slowly enough to bear a touch.
+constexpr double hardly_m = 1.2;
 
 /// True if nothing beside the robot is known to be in its way as it rolls. The scan shows only what is exactly beside
 /// it; what reached as high as the robot when it looked around, at most at `seen_from_m` (map z), may be as high as it
@@ -70,7 +72,7 @@ AscentStep Ascent::step(const Senses& senses, const Vec3& goal_m, const Overhead
         return {.reached = true};
     const double known_to_m = *from_z_m_ + std::max(free_m_, known_m_ - Overhead::margin_m);
     const double free_to_m = std::max(overhead.freeTo_m(), known_to_m);
-    const bool looks = z_m >= next_look_m_ && goal_z_m > free_to_m && z_m > free_to_m - early_m;
+    const bool looks = z_m >= next_look_m_ && goal_z_m > free_to_m + hardly_m && z_m > free_to_m - early_m;
     // A robot that hears something near the ground knows only after its turn what stands where it would roll to.
     const bool knows = around || heard_.empty();
     if (looks && knows && hasRoom(senses, memory, heard_, *from_z_m_ + turn_below_m)) {

@@ -33,6 +33,9 @@ constexpr double rising_m_s = 0.2;
 constexpr double rising_speed_m_s = 1.0;
 /// A robot that climbs and is slower than this on the level does not see what it climbs toward.
 constexpr double straight_m_s = 0.2;
+/// So fast it climbs straight up where its scanner has seen the sky, but may have missed a wire: it bears most touches
+/// of such things then, and broke at 0.97 m/s (random survey 164038).
+constexpr double seen_sky_m_s = 0.7;
 /// A climb over something needs this share of the stand-off at its place.
 constexpr double least_room_share = 0.85;
 constexpr double heard_rad = radians(100.0); ///< No sonar hears what is farther from the nose than this.
@@ -265,8 +268,8 @@ FlightState Craft::perform(Maneuver maneuver, const Leg& asked, agent::CommandPo
     double most_m_s = motion.climb_m_s;
     if ((maybe_roofed && unseen) || column_.mayMeetAgain(senses.position_m()))
         most_m_s = Overhead::gentle_m_s;
-    else if (straight_up && unseen_sky)
-        most_m_s = Overhead::careful_m_s;
+    else if (straight_up)
+        most_m_s = unseen_sky ? Overhead::careful_m_s : std::min(most_m_s, seen_sky_m_s);
     motion.climb_m_s = overhead.allowed_m_s(senses, motion.climb_m_s, most_m_s);
     const double speed_m_s = motion.velocity_in_map_m_s.norm();
     if (motion.climb_m_s > 0.0 && speed_m_s > below_roof_m_s && mayTouchRoof(senses, overhead))
