@@ -237,6 +237,44 @@ private slots:
         QVERIFY(back.place_m.x() < -1.0); // away from what it has met
     }
 
+    /// Beside a wall among racks, it sank onto one that was below where it had begun to climb (random survey 166765).
+    void sinksFromWhatItOnlyHearsNoDeeperThanWhereItBegan_data() {
+        QTest::addColumn<bool>("touches");
+        QTest::addColumn<double>("climbed_m");
+        QTest::addColumn<double>("sinks_by_m");
+        QTest::newRow("far above that") << false << 3.0 << 0.8;
+        QTest::newRow("near that") << false << 0.3 << 0.3;
+        QTest::newRow("near that, and it has touched something") << true << 0.3 << 0.8;
+    }
+    void sinksFromWhatItOnlyHearsNoDeeperThanWhereItBegan() {
+        QFETCH(bool, touches);
+        QFETCH(double, climbed_m);
+        QFETCH(double, sinks_by_m);
+        ClimbOver climb;
+        Senses senses = sensesAt({0, 0, 6});
+        climb.start(senses, {}, settings);
+        for (int tick = 0; tick < 2; ++tick)
+            step(climb, senses, {{"M0", 3.4}}, {});
+        senses.base_in_map.position_m.z() += climbed_m;
+        senses.velocity_in_map_m_s.z() = 0.4;
+        senses.base_in_map.roll_rad = touches ? 0.25 : 0.0;
+        setSonars(senses, {{"L2", touches ? 3.0 : 0.3}});
+        for (int tick = 0; tick < 4; ++tick) {
+            senses.now += Seconds(0.2);
+            climb.feel(senses, Vec2::Zero(), 0.5, settings);
+        }
+        QVERIFY(climb.sinks());
+        double& z_m = senses.base_in_map.position_m.z();
+        const double met_m = z_m;
+        QVERIFY(climb.mayBePressed(met_m - 0.2));
+        QVERIFY(!climb.mayBePressed(met_m - 0.5));
+        while (climb.sinks() && z_m > met_m - 2.0) {
+            z_m -= 0.05;
+            step(climb, senses, {{"M0", 3.4}}, {});
+        }
+        QVERIFY2(std::abs(met_m - z_m - sinks_by_m) < 0.1, qPrintable(QString::number(met_m - z_m)));
+    }
+
     void givesUpWhereverItsRingMeetsSomething() {
         ClimbOver climb;
         Senses senses = sensesAt({0, 0, 6});

@@ -21,7 +21,8 @@ constexpr double front_rad = radians(45.0);
 constexpr double facing_rad = 0.3;
 /// How far the robot continues to climb after the way is free, so that its belly clears the top.
 constexpr double extra_m = 1.5;
-constexpr double sinks_by_m = 0.8; ///< from where its ring has met something
+constexpr double sinks_by_m = 0.8;   ///< from where its ring has met something
+constexpr double free_of_it_m = 0.3; ///< A robot that has sunk so far is free of that.
 constexpr double sinks_m_s = 0.5;
 constexpr double sinks_to_height_m = 2.2; ///< over the ground, at least
 constexpr Seconds longest_sinking{4.0};
@@ -88,6 +89,12 @@ void ClimbOver::feel(const Senses& senses, const Vec2& slope, double commanded_m
     since_ = senses.now;
     const double lowest_m = std::max(settings.floor_level_m, senses.ground_m.value_or(-1e9) + sinks_to_height_m);
     sinks_to_m_ = std::max(senses.position_m().z() - sinks_by_m, lowest_m);
+    if (touch_.onlyHears()) // It was free where it began.
+        sinks_to_m_ = std::max(sinks_to_m_, begins_m_);
+}
+
+bool ClimbOver::mayBePressed(double z_m) const {
+    return sinks() && !failed_m_.empty() && z_m > failed_m_.back().z() - free_of_it_m;
 }
 
 /// Ends the climb or begins it anew, farther from all that it has met, once the robot has sunk.
@@ -125,6 +132,7 @@ ClimbStep ClimbOver::step(const Senses& senses, const ThreatPicture& picture, st
         if (there || senses.now - since_ > backing_time / senses.steadyShare()) {
             state_ = ClimbState::Climbing;
             place_m_ = senses.position2_m();
+            begins_m_ = senses.position_m().z();
         }
         return {state_, place_m_, 0.0};
     }

@@ -46,6 +46,8 @@ public:
         return state_ == ClimbState::Backing || state_ == ClimbState::Climbing || state_ == ClimbState::Sinking;
     }
     bool sinks() const { return state_ == ClimbState::Sinking; } ///< away from what its ring has met
+    /// True if what its ring has met may still press it down at the height `z_m` (map).
+    bool mayBePressed(double z_m) const;
     /// Makes the climb inactive, whatever its state.
     void reset() { *this = {}; }
 
@@ -62,6 +64,7 @@ private:
     double commanded_m_s_ = 0.0;
     std::vector<Obstacle> met_;            ///< by its ring, in this climb
     std::vector<Vec3> failed_m_;           ///< from where it has sunk for that
+    double begins_m_ = 0.0;                ///< map z at which it began to climb
     double sinks_to_m_ = 0.0;              ///< map z
     Seconds since_{0.0};                   ///< start of the maneuver
     std::optional<double> free_since_z_m_; ///< height from which on the way has been free; nullopt while it is blocked

@@ -46,7 +46,8 @@ void Craft::command(const Motion& motion, agent::CommandPort& port, const std::s
     const BellyTouch::Doing doing{.climb_m_s = commanded_climb_m_s_,
                                   .speed_m_s = pilot_.wantedInBase_m_s().norm(),
                                   .in_wind = pilot_.feelsWind(),
-                                  .from_above = below_roof || climb_over_.sinks() || sinking,
+                                  .from_above =
+                                      below_roof || climb_over_.mayBePressed(senses.position_m().z()) || sinking,
                                   .to_ground = motion.to_ground,
                                   .leans_more = touches_.top.leansMore()};
     if (const auto freeing = touches_.belly.free(senses, log.lean().slope(senses.base_in_map.yaw_rad), doing))

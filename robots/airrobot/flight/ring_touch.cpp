@@ -44,7 +44,9 @@ std::optional<Vec3> RingTouch::feel(const Senses& senses, const Vec2& slope, dou
     }
     if (!climbing_since_)
         climbing_since_ = senses.now;
-    if (const auto close_m = heardClose_m(senses)) {
+    const auto close_m = heardClose_m(senses);
+    only_hears_ = close_m.has_value();
+    if (close_m) {
         climbing_since_.reset();
         return Vec3(close_m->x(), close_m->y(), senses.position_m().z() + touch_height_m);
     }

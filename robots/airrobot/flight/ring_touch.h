@@ -17,9 +17,12 @@ public:
     /// Returns where the ring has met something (map frame) if it feels that in this tick. `slope` is that of a plane
     /// on which the robot would lean as it usually does now, see Lean. Call it once per tick.
     std::optional<Vec3> feel(const Senses& senses, const Vec2& slope, double commanded_m_s);
+    /// True if it returned that because a sonar hears something close by, which has not touched the ring yet.
+    bool onlyHears() const { return only_hears_; }
 
 private:
     std::optional<Seconds> climbing_since_;
+    bool only_hears_ = false;
 };
 
 /// How the robot leans, without its usual lean (`slope`, see Lean); it points to the side that is low, map frame.
