@@ -91,6 +91,33 @@ private slots:
         QCOMPARE(altitudeGoal_m(senses, memory, radians(bearing_deg), 1.0, {}, settings) > 6.1, rises);
     }
 
+    /// On its way, it sank from above the masts of a street into the wire between them (random surveys 165470, 166326).
+    void staysAboveTheWiresThatMastsMayCarry_data() {
+        QTest::addColumn<double>("thing_m"); // its half width
+        QTest::addColumn<double>("x_m");
+        QTest::addColumn<double>("from_m");
+        QTest::addColumn<double>("goal_m");
+        QTest::newRow("a mast") << 0.0 << 8.0 << 12.0 << 9.0;
+        QTest::newRow("no mast") << -1.0 << 8.0 << 12.0 << 6.0;
+        QTest::newRow("a tree") << 1.2 << 8.0 << 12.0 << 6.0;
+        QTest::newRow("a mast far away") << 0.0 << 14.0 << 12.0 << 6.0;
+        QTest::newRow("a mast, from below its top") << 0.0 << 8.0 << 7.5 << 6.0;
+    }
+    void staysAboveTheWiresThatMastsMayCarry() {
+        QFETCH(double, thing_m);
+        QFETCH(double, x_m);
+        QFETCH(double, from_m);
+        QFETCH(double, goal_m);
+        ObstacleMemory memory;
+        Senses senses = sensesAt({0, 0, from_m});
+        setFlatScan(senses, {x_m, 0}, 3.0, 0.0);
+        for (double y_m = -thing_m; y_m <= thing_m; y_m += 0.3)
+            for (double along_m = -thing_m; along_m <= thing_m; along_m += 0.3)
+                senses.scan->hits_in_map_m.emplace_back(x_m + 0.1 + along_m, 0.1 + y_m, 8.0);
+        memory.take(senses, spans);
+        QCOMPARE(aboveWires_m(senses, memory, settings.scan_altitude_m), goal_m);
+    }
+
     void keepsTheHeightOfAClimbOver() {
         QCOMPARE(altitudeGoal_m(sensesAt({0, 0, 6}), ObstacleMemory(), 0.0, 1.0, 14.0, settings), 14.0);
     }

@@ -20,6 +20,8 @@ constexpr double known_enough = 0.85;
 /// a trunk below its crown, so it is no reason to climb here.
 constexpr double beside_m = 0.3;
 constexpr double standing_m_s = 0.15;
+constexpr double wires_reach_m = 12.0; ///< from a mast; most masts in a street are as near to each other
+constexpr double over_wires_m = 1.0;
 /// Ground may be so much lower than the start and still be dry; the rest is the drift of the height.
 constexpr double slightly_lower_m = 0.5;
 
@@ -42,6 +44,12 @@ double altitudeGoal_m(const Senses& senses, const ObstacleMemory& memory, double
     const bool maybe_water = !senses.ground_m || *senses.ground_m < dryLevel_m(settings);
     goal_m = std::max(goal_m, settings.floor_level_m + (maybe_water ? senses.height_doubt_m : 0.0));
     return std::max(goal_m, at_least_m.value_or(goal_m));
+}
+
+double aboveWires_m(const Senses& senses, const ObstacleMemory& memory, double wanted_m) {
+    const auto top_m =
+        memory.highestMast_m(senses.position2_m(), wires_reach_m, wanted_m - over_wires_m, senses.position_m().z());
+    return top_m ? std::max(wanted_m, *top_m + over_wires_m) : wanted_m;
 }
 
 double AltitudeHold::climbRate_m_s(const Senses& senses, const ObstacleMemory& memory, double goal_m,

@@ -21,6 +21,11 @@ double dryLevel_m(const Settings& settings);
 double altitudeGoal_m(const Senses& senses, const ObstacleMemory& memory, double way_bearing_rad, double speed_m_s,
                       std::optional<double> at_least_m, const Settings& settings);
 
+/// Returns the height to hold on the way (map z) instead of `wanted_m`: above the masts nearby, if the robot is above
+/// them now. Wires hang between masts, and are too thin for the sensors; many surveys broke the robot as it sank into
+/// one.
+double aboveWires_m(const Senses& senses, const ObstacleMemory& memory, double wanted_m);
+
 /// Computes the climb rate. Climbing is limited only by the climb speed. Sinking is no steeper than the sonars can see
 /// ahead and down (half their beam), unless the scanner has seen the way ahead from another lane, the robot is not
 /// moving, or the caller knows the way. So the robot never sinks onto a peak that it has not seen (thesis 4.6). Owned

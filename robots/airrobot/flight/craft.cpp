@@ -397,6 +397,8 @@ double Craft::climbRate(const WayAhead& way) {
         wanted_m = std::max(wanted_m, drapedHeight_m(atlas_, way, higher).value_or(wanted_m));
         known = maySinkFast(atlas_, way, senses.heightOverGround_m(1e9));
     }
+    if (way.speed_m_s > straight_m_s && !overhead.hasCeiling())
+        wanted_m = aboveWires_m(senses, memory, wanted_m);
     const double goal_m = std::min(wanted_m, overhead.limit_m(way.from_m));
     const double rate_m_s =
         altitude_.climbRate_m_s(senses, memory, goal_m, way.bearing_rad, way.speed_m_s, settings, known);

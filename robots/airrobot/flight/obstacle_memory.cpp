@@ -22,6 +22,12 @@ constexpr double narrow_m = 0.2;
 constexpr Seconds recent{6.0};
 /// So many beams may pass through the thin tip of a crown without an echo.
 constexpr int tips_hide = 4;
+/// A mast is higher by this than the ground 1 m beside it. Wires that lead from there may be as high, and some of the
+/// ground may be hidden.
+constexpr double mast_m = 5.5;
+constexpr int beside_mast = 2; ///< cells
+constexpr int most_as_high = 4;
+constexpr int least_known = 8;
 /// If a beam leaves less than this of an echo's height, the echo is dropped.
 constexpr double certain_m = 0.1;
 
@@ -219,6 +225,31 @@ std::vector<Vec3> ObstacleMemory::freshTops_m(const Vec2& at_m, double radius_m,
                               cell->recent_m > cell->last_m + narrow_m ? cell->recent_m : cell->last_m);
     });
     return tops;
+}
+
+bool ObstacleMemory::isMast(const Cell& cell) const {
+    int seen = 0;
+    int high = 0;
+    for (int row = -beside_mast; row <= beside_mast; ++row)
+        for (int column = -beside_mast; column <= beside_mast; ++column) {
+            if (std::max(std::abs(row), std::abs(column)) < beside_mast)
+                continue;
+            const Cell* const beside = known(cell.column + column, cell.row + row);
+            seen += beside ? 1 : 0;
+            high += beside && beside->top_m > cell.top_m - mast_m ? 1 : 0;
+        }
+    return seen >= least_known && high <= most_as_high;
+}
+
+std::optional<double> ObstacleMemory::highestMast_m(const Vec2& at_m, double radius_m, double above_m,
+                                                    double below_m) const {
+    std::optional<double> highest;
+    visitDisc(at_m, radius_m, [&](const Vec2&, const Cell* cell) {
+        if (cell && cell->top_m > std::max(above_m, highest.value_or(above_m)) && cell->top_m < below_m &&
+            isMast(*cell))
+            highest = cell->top_m;
+    });
+    return highest;
 }
 
 std::optional<double> ObstacleMemory::lowest_m(const Vec2& at_m, double radius_m) const {

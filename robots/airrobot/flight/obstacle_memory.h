@@ -73,6 +73,10 @@ public:
     double risen_m() const;
     /// The same as `tops_m`, with what was seen some time ago moved by `risen_m`.
     std::vector<Vec3> risenTops_m(const Vec2& at_m, double radius_m) const;
+    /// Returns the highest top of a mast in the disc that is between the two heights (map z); nullopt if none is known.
+    /// A mast is something as narrow as a cell that stands out from what is around it by more than crowns of trees do
+    /// from their trunks.
+    std::optional<double> highestMast_m(const Vec2& at_m, double radius_m, double above_m, double below_m) const;
     /// Returns the lowest cell in the disc that the scanner has seen; nullopt if none is known.
     std::optional<double> lowest_m(const Vec2& at_m, double radius_m) const;
     /// Returns the share of the corridor's cells that the scanner has seen, 0 to 1; 0 if something in it reached up to
@@ -109,6 +113,7 @@ private:
     void noteRise();
     double risenWithin_m(Seconds span) const; ///< 0 if that was measured longer ago
     void takeEcho(const SonarEcho& echo);
+    bool isMast(const Cell& cell) const;
     /// Returns nullptr if the cell is unknown or too old.
     const Cell* known(int column, int row) const;
     /// Calls `visit(center_m, cell)` for each cell with its center in the disc; `cell` is nullptr if unknown.
