@@ -44,6 +44,24 @@ private slots:
         QVERIFY(minding.at_most_m_s > 0.0 && minding.at_most_m_s < 0.4);
     }
 
+    /// It stopped turning as soon as it was above what it had last heard of a trunk, and climbed into the crown behind
+    /// it (random survey 167626).
+    void looksAroundForAWhileAfterItHasHeardATrunk_data() {
+        QTest::addColumn<double>("climbed_m");
+        QTest::addColumn<bool>("turns");
+        QTest::newRow("it has climbed by a meter and a half") << 1.5 << true;
+        QTest::newRow("it has climbed by two and a half") << 2.5 << false;
+    }
+    void looksAroundForAWhileAfterItHasHeardATrunk() {
+        QFETCH(double, climbed_m);
+        QFETCH(bool, turns);
+        setSonars(senses, {{"R4", 1.5}});
+        QVERIFY(mind().turns);
+        setSonars(senses, {});
+        senses.base_in_map.position_m.z() += climbed_m;
+        QCOMPARE(mind().turns, turns);
+    }
+
     void sinksBackWhereACrownComesNearAndGoesWhereThereIsRoom() {
         setSonars(senses, {{"M0", 0.4}}); // ahead, which is east
         QVERIFY(mind().at_most_m_s < 0.0);

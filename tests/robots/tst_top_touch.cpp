@@ -64,6 +64,35 @@ private slots:
         QVERIFY(ticks > 4);
     }
 
+    /// A crown above one side of its ring broke a rotor half a second after it had touched it (random survey 167584).
+    void feelsWhatHoldsASlowClimbSooner_data() {
+        QTest::addColumn<double>("climb_m_s");
+        QTest::addColumn<double>("climbs_m_s");
+        QTest::addColumn<double>("speed_m_s");
+        QTest::addColumn<bool>("feels");
+        QTest::newRow("it is slower than it is told") << 0.3 << 0.2 << 0.1 << true;
+        QTest::newRow("it climbs as it is told") << 0.3 << 0.3 << 0.1 << false;
+        QTest::newRow("it climbs fast") << 1.0 << 0.7 << 0.1 << false;
+        QTest::newRow("it is on its way") << 0.3 << 0.2 << 1.0 << false;
+    }
+    void feelsWhatHoldsASlowClimbSooner() {
+        QFETCH(double, climb_m_s);
+        QFETCH(double, climbs_m_s);
+        QFETCH(double, speed_m_s);
+        QFETCH(bool, feels);
+        TopTouch touch;
+        Senses senses = sensesAt({0, 0, 6});
+        senses.velocity_in_map_m_s = {speed_m_s, 0.0, climb_m_s};
+        for (int tick = 0; tick < 6; ++tick) {
+            senses.now += Seconds(0.2);
+            QVERIFY(!touch.free(senses, {Vec2(speed_m_s, 0.0), climb_m_s}));
+        }
+        senses.now += Seconds(0.2);
+        senses.velocity_in_map_m_s.z() = climbs_m_s;
+        senses.base_in_map.pitch_rad = 0.12;
+        QCOMPARE(touch.free(senses, {Vec2(speed_m_s, 0.0), climb_m_s}).has_value(), feels);
+    }
+
     /// Such a pose is not used until more agree, and then it is too late.
     void sinksWhereItsLeanCannotBeBelieved_data() {
         QTest::addColumn<double>("height_m");

@@ -29,7 +29,10 @@ constexpr int search_bearings = 24;
 constexpr double way_cost = 0.1; ///< meters of room that a meter of way must bring
 constexpr double move_half_width_m = 0.6;
 constexpr double level_with_m = 0.5; ///< A thing lower or higher by more than this is not beside the robot.
-constexpr double overhangs_m = 2.0;  ///< A thing higher than this above the robot does not matter yet.
+/// A full turn takes as long as a climb of 3 m, and the sonars look forward: what they heard so far below may go on up,
+/// and was not looked at since then (random survey 167626).
+constexpr double turns_over_m = 2.0;
+constexpr double overhangs_m = 2.0; ///< A thing higher than this above the robot does not matter yet.
 constexpr double matters_m = 8.0;
 constexpr double surely_heard_m = 3.5; ///< A sonar does not say from where in its cone a farther echo came.
 constexpr double same_m = 0.3;
@@ -116,7 +119,12 @@ Column::Minding Column::mind(const Senses& senses, std::span<const Obstacle> kno
         if (over_m < level_with_m)
             beside.push_back(things.back());
     };
-    std::ranges::for_each(met_m_, add);
+    double passed_m = matters_m; // to what it has heard and climbed past
+    for (const Vec3& one_m : met_m_) {
+        add(one_m);
+        if (std::abs(one_m.z() - here_m.z()) < turns_over_m)
+            passed_m = std::min(passed_m, (one_m - here_m).head<2>().norm());
+    }
     if (senses.scan)
         std::ranges::for_each(senses.scan->hits_in_map_m, add);
     const double room_m = nearest_m(things, here_m.head<2>(), matters_m);
@@ -137,7 +145,7 @@ Column::Minding Column::mind(const Senses& senses, std::span<const Obstacle> kno
         moveTo(roomiest_m(things, beside, failed_m_, here_m.head<2>()), senses.now);
         return {.at_most_m_s = 0.0};
     }
-    return room_m < crowded_climb_m ? Minding{Overhead::gentle_m_s, true} : Minding{};
+    return std::min(room_m, passed_m) < crowded_climb_m ? Minding{Overhead::gentle_m_s, true} : Minding{};
 }
 
 Vec2 otherColumn_m(std::span<const Obstacle> near, const Vec2& here_m, const Overhead& overhead,

@@ -37,7 +37,8 @@ private:
     /// know.
     std::optional<Vec2> surplus(const Senses& senses, const Doing& doing);
 
-    std::deque<Sample> last_; ///< oldest first
+    std::deque<Sample> last_;     ///< oldest first
+    double last_climb_m_s_ = 0.0; ///< commanded
     double leans_more_ = 0.0;
     std::optional<Vec3> met_m_;
     std::optional<Seconds> sinking_since_;
