@@ -18,8 +18,15 @@ class tst_Craft : public QObject, private test::CraftTrial {
 private slots:
     void init() { begin(); }
 
-    /// A wire that it did not see tipped it over as it went on sinking (random survey 122038).
+    /// A wire that it did not see tipped it over as it went on sinking (random survey 122038). One that hung on a rack
+    /// and leaned more as it rose sank back each time, until it fell off (random survey 167709).
+    void risesFromAWireAndStaysAboveIt_data() {
+        QTest::addColumn<double>("leans_rad");
+        QTest::newRow("it leans as before") << 0.15;
+        QTest::newRow("it leans more as it rises") << 0.35;
+    }
     void risesFromAWireAndStaysAboveIt() {
+        QFETCH(double, leans_rad);
         protocol::AerialDrive drive;
         const auto tick = [&] {
             perceive(14.0, {});
@@ -36,6 +43,11 @@ private slots:
         for (int i = 0; i < 6 && *drive.climb_m_s < 0.0; ++i)
             tick();
         QVERIFY(*drive.climb_m_s > 0.3);
+        roll_rad = leans_rad;
+        for (int i = 0; i < 3; ++i) {
+            tick();
+            QVERIFY(*drive.climb_m_s > 0.3);
+        }
         roll_rad = 0.0;
         for (int i = 0; i < 60; ++i) {
             tick();

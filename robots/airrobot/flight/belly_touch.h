@@ -28,6 +28,7 @@ public:
     std::optional<Motion> free(const Senses& senses, const Vec2& slope, const Doing& doing);
     /// Where it has met something in this tick (map frame); nullopt in most ticks.
     const std::optional<Vec3>& met_m() const { return met_m_; }
+    bool rises() const { return rises_to_m_.has_value(); } ///< from what it has met
 
 private:
     /// The robot's height, and the height to which its commands would have brought it from an arbitrary start.
