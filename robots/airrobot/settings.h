@@ -29,8 +29,8 @@ struct Settings {
     double scan_speed_m_s = 1.0;
     /// Speed to the area, between lanes and on the way home.
     double transit_speed_m_s = 1.6;
-    /// Greatest vertical speeds in flight; straight up the robot climbs at 0.7 m/s at most, see seen_sky_m_s. Landing
-    /// has a speed of its own.
+    /// Greatest vertical speeds in flight; straight up, where it has not come down before, the robot climbs at 0.7 m/s
+    /// at most. Landing has a speed of its own.
     double climb_speed_m_s = 1.0;
     double descent_speed_m_s = 0.6;
     /// Greatest yaw rate. Quick turns make the INS drift more.

@@ -22,8 +22,7 @@ double altitudeGoal_m(const Senses& senses, const ObstacleMemory& memory, double
                       std::optional<double> at_least_m, const Settings& settings);
 
 /// Returns the height to hold on the way (map z) instead of `wanted_m`: above the masts nearby, if the robot is above
-/// them now. Wires hang between masts, and are too thin for the sensors; many surveys broke the robot as it sank into
-/// one.
+/// them now. Wires hang between masts, and are too thin for the sensors; robots that sank into one broke.
 double aboveWires_m(const Senses& senses, const ObstacleMemory& memory, double wanted_m);
 
 /// Computes the climb rate. Climbing is limited only by the climb speed. Sinking is no steeper than the sonars can see
