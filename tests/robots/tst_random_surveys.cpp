@@ -10,6 +10,18 @@ using namespace usar;
 class tst_RandomSurveys : public QObject {
     Q_OBJECT
 
+    /// Flies the surveys, none of which may break, and at least `at_least` of which must be well.
+    template <class IsWell>
+    static void flyAll(const QList<int>& numbers, int at_least, IsWell is_well) {
+        int well = 0;
+        for (const int number : numbers) {
+            const test::SurveyOutcome outcome = test::fly(test::drawSurvey(number));
+            QVERIFY2(!outcome.broken, outcome.text().c_str());
+            well += is_well(outcome) ? 1 : 0;
+        }
+        QVERIFY2(well >= at_least, qPrintable(QString::number(well)));
+    }
+
 private slots:
     void endsByItselfAndWhole_data() { test::surveyRows(0, 13); }
     void endsByItselfAndWhole() {
@@ -30,13 +42,8 @@ private slots:
     }
     void scansBehindDoorsThatAreLowerThanItFlies() {
         QFETCH(QList<int>, numbers);
-        int scanned = 0;
-        for (const int number : numbers) {
-            const test::SurveyOutcome outcome = test::fly(test::drawSurvey(number));
-            QVERIFY2(!outcome.broken, outcome.text().c_str());
-            scanned += outcome.reachable_coverage_pct.value_or(0.0) >= 96.0;
-        }
-        QVERIFY2(scanned >= 2, qPrintable(QString::number(scanned)));
+        flyAll(numbers, /*at_least=*/2,
+               [](const test::SurveyOutcome& outcome) { return outcome.reachable_coverage_pct.value_or(0.0) >= 96.0; });
     }
 
     // It sank and climbed before a wall until it gave its goals up as late, or found no way home among shelves. Which
@@ -48,13 +55,9 @@ private slots:
     }
     void comesHomeThroughADoor() {
         QFETCH(QList<int>, numbers);
-        int home = 0;
-        for (const int number : numbers) {
-            const test::SurveyOutcome outcome = test::fly(test::drawSurvey(number));
-            QVERIFY2(!outcome.broken, outcome.text().c_str());
-            home += outcome.success && outcome.reachable_coverage_pct.value_or(0.0) >= 97.0;
-        }
-        QVERIFY2(home >= 2, qPrintable(QString::number(home)));
+        flyAll(numbers, /*at_least=*/2, [](const test::SurveyOutcome& outcome) {
+            return outcome.success && outcome.reachable_coverage_pct.value_or(0.0) >= 97.0;
+        });
     }
 
     // Its commands come 1.6 s late. It once swung from side to side, took that for ceilings, and broke after 26 min.
