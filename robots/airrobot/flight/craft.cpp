@@ -33,8 +33,8 @@ constexpr double rising_m_s = 0.2;
 constexpr double rising_speed_m_s = 1.0;
 /// A robot that climbs and is slower than this on the level does not see what it climbs toward.
 constexpr double straight_m_s = 0.2;
-/// So fast it climbs straight up where its scanner has seen the sky, but may have missed a wire: it bears most touches
-/// of such things then, and broke at 0.97 m/s (random survey 164038).
+/// The robot climbs straight up so fast where its scanner has seen the sky. It may have missed a wire, and bears most
+/// touches of one at this speed; one at 0.97 m/s broke it (random survey 164038).
 constexpr double seen_sky_m_s = 0.7;
 /// A climb over something needs this share of the stand-off at its place.
 constexpr double least_room_share = 0.85;

@@ -36,7 +36,7 @@ void Craft::command(const Motion& motion, agent::CommandPort& port, const std::s
         if (safe.velocity_in_map_m_s.norm() < least_m_s)
             safe.velocity_in_map_m_s = least_m_s * direction;
     }
-    // What its belly rests on makes it lean, too; it would not get away from that if it sank for it.
+    // The robot leans on what its belly rests on, too. It would not get away from that if it sank.
     const double climb_m_s = touches_.belly.rises() ? 0.0 : commanded_climb_m_s_;
     const auto sinking = touches_.top.free(senses, {told_m_s, climb_m_s});
     if (touches_.top.met_m())

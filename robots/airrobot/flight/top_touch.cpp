@@ -70,7 +70,8 @@ std::optional<Motion> TopTouch::free(const Senses& senses, const Doing& doing) {
     if (sinking_since_ && senses.now - *sinking_since_ > sinking)
         sinking_since_.reset();
     const bool steady = std::abs(doing.climb_m_s - std::exchange(last_climb_m_s_, doing.climb_m_s)) < same_climb_m_s;
-    const bool held = steady && doing.climb_m_s <= slow_climb_m_s && doing.velocity_in_map_m_s.norm() < on_the_spot_m_s &&
+    const bool held = steady && doing.climb_m_s <= slow_climb_m_s &&
+                      doing.velocity_in_map_m_s.norm() < on_the_spot_m_s &&
                       senses.velocity_in_map_m_s.z() < pinned_share * doing.climb_m_s;
     const bool pressed = leans_more_ > (held ? pinned_lean : pressed_lean);
     const bool climbs = doing.climb_m_s >= least_climb_m_s && senses.heightOverGround_m(1e9) > aloft_m;
