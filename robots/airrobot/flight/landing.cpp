@@ -227,7 +227,8 @@ bool Touchdown::isOver(const Senses& senses, const Vec2& place_m) {
     // So low, its legs may be on the ground already, and it would not answer.
     const bool nearly_down = over_ && senses.heightOverGround_m(0.0) < nearly_down_m;
     over_ = nearly_down || (senses.position2_m() - place_m).norm() < (over_ ? still_over_m : over_place_m);
-    if (!over_) { // The robot holds its height, so it has not touched the ground. Over its place, it looks around anew.
+    if (!over_) { // It holds its height, so it has not touched the ground. It looks around anew once it is over its
+                  // place.
         still_since_.reset();
         turning_since_.reset();
         last_yaw_rad_.reset();
