@@ -24,12 +24,18 @@ void SimulatedFlight::run(Seconds limit, const std::function<void()>& each) {
 }
 
 void SimulatedFlight::take(std::string_view text) {
+    if (listener_)
+        listener_(true, text);
     const protocol::InfoLine line = reader_.read(text);
     if (std::holds_alternative<protocol::RangeScan>(line.message))
         scan_ = line;
     const agent::BehaviorHost::Output output = host_.receive(line);
-    for (const agent::CausedCommand& caused : output.commands)
-        simulation_->receive(client_, protocol::write(caused.command) + "\r\n");
+    for (const agent::CausedCommand& caused : output.commands) {
+        const std::string command = protocol::write(caused.command);
+        if (listener_)
+            listener_(false, command);
+        simulation_->receive(client_, command + "\r\n");
+    }
     for (const agent::Published& value : output.published)
         keep(value);
 }

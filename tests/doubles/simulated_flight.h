@@ -5,6 +5,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/agent/behavior_host.h"
@@ -25,6 +27,10 @@ public:
     /// Until the behavior finishes, the robot breaks, or the protocol clock shows `limit`.
     /// `each` is called after every tick.
     void run(Seconds limit, const std::function<void()>& each = {});
+
+    /// Shows every line of the conversation, without its end: true if the robot sent it, false if the behavior did.
+    using Listener = std::function<void(bool from_robot, std::string_view line)>;
+    void listen(Listener listener) { listener_ = std::move(listener); }
 
     const std::optional<agent::BehaviorFinished>& ending() const { return ending_; }
     const agent::BehaviorStatus& status() const { return status_; }
@@ -50,6 +56,7 @@ private:
     std::optional<agent::BehaviorFinished> ending_;
     agent::BehaviorStatus status_;
     std::vector<std::string> events_;
+    Listener listener_;
 };
 
 } // namespace usar::test

@@ -159,6 +159,31 @@ std::optional<double> reachableCoverage_pct(const SimulatedFlight& flight, const
     return reach ? std::optional(reach->coverage_pct) : std::nullopt;
 }
 
+/// Writes the flight to the console: the truth at each tick in which the robot says something, in the map's frame, with
+/// the behavior's state, and what its sonars hear and the behavior commands.
+void runTraced(SimulatedFlight& flight) {
+    std::string words;
+    flight.listen([&words](bool from_robot, std::string_view line) {
+        if (!from_robot || (line.starts_with("SEN") && line.find("{Type Sonar}") != std::string_view::npos))
+            words.append("\n  ").append(line);
+    });
+    std::size_t events = 0;
+    flight.run(longest_flight, [&] {
+        if (words.empty())
+            return;
+        const sim::RobotTruth truth = flight.truth();
+        const Vec3& at_m = truth.base_in_map.position_m;
+        std::printf("T %.1f at %.2f %.2f %.2f rpy %.2f %.2f %.2f v %.2f %.2f %.2f, %d contacts%s, %s%s\n",
+                    flight.status().elapsed.count(), at_m.x(), at_m.y(), at_m.z(), truth.base_in_map.roll_rad,
+                    truth.base_in_map.pitch_rad, truth.base_in_map.yaw_rad, truth.velocity_in_map_m_s.x(),
+                    truth.velocity_in_map_m_s.y(), truth.velocity_in_map_m_s.z(), truth.collisions,
+                    truth.broken ? ", BROKEN" : "", flight.status().state.c_str(), words.c_str());
+        words.clear();
+        for (; events < flight.events().size(); ++events)
+            std::printf("E %s\n", flight.events()[events].c_str());
+    });
+}
+
 SurveyOutcome outcomeOf(const SimulatedFlight& flight, const sim::World& world, const RandomSurvey& survey) {
     const sim::RobotTruth truth = flight.truth();
     SurveyOutcome outcome;
@@ -265,7 +290,10 @@ SurveyOutcome fly(const RandomSurvey& survey) {
     if (!behavior)
         return {.reason = behavior.error().text()};
     SimulatedFlight flight(std::move(*simulation), std::move(*behavior), survey.start_in_map);
-    flight.run(longest_flight);
+    if (qEnvironmentVariableIsSet("USAR_TRACE"))
+        runTraced(flight);
+    else
+        flight.run(longest_flight);
     SurveyOutcome outcome = outcomeOf(flight, world, survey);
     outcome.reachable_coverage_pct = reachableCoverage_pct(flight, world, survey, *parameters);
     return outcome;

@@ -55,6 +55,7 @@ RandomSurvey drawSurvey(int number);
 /// The same mission with a fault.
 RandomSurvey drawFaultySurvey(int number);
 
+/// If the environment variable USAR_TRACE is set, it writes to the console what the robot does at each tick.
 SurveyOutcome fly(const RandomSurvey& survey);
 
 /// Rows of a Qt test with the column `number`, from `first` to before `last`.
