@@ -79,6 +79,32 @@ private slots:
         QCOMPARE(*fly().climb_m_s, climb_m_s);
     }
 
+    /// As it climbed on its way against the wind, it met a wire that its sonars looked below of (random survey 168982).
+    void climbsSlowlyOnItsWayWhereItDoesNotHearWhatIsLevel_data() {
+        QTest::addColumn<double>("leans_rad");
+        QTest::addColumn<double>("climb_m_s");
+        QTest::addColumn<double>("forward_m_s");
+        QTest::newRow("level") << 0.0 << 1.0 << 1.0;
+        QTest::newRow("as it speeds up") << 0.1 << 1.0 << 1.0;
+        QTest::newRow("against the wind") << 0.25 << Overhead::careful_m_s << 0.5;
+        QTest::newRow("with the wind") << -0.25 << 1.0 << 1.0;
+    }
+    void climbsSlowlyOnItsWayWhereItDoesNotHearWhatIsLevel() {
+        QFETCH(double, leans_rad);
+        QFETCH(double, climb_m_s);
+        QFETCH(double, forward_m_s);
+        pitch_rad = leans_rad;
+        protocol::AerialDrive drive;
+        for (int tick = 0; tick < 20; ++tick) {
+            perceive(3.0, {});
+            const auto sent = fly();
+            drive = sent.forward_m_s ? sent : drive;
+            move(drive);
+        }
+        QCOMPARE(*drive.climb_m_s, climb_m_s);
+        QVERIFY2(std::abs(*drive.forward_m_s - forward_m_s) < 0.05, qPrintable(QString::number(*drive.forward_m_s)));
+    }
+
     void doesNotClimbBesideWhatMayBeWiderAbove_data() {
         QTest::addColumn<double>("left_m");
         QTest::addColumn<double>("r4_m");
@@ -377,6 +403,53 @@ private slots:
         perceive(6.0, {});
         const double far_m_s = fly(transit_m_s).climb_m_s.value_or(0.0);
         QVERIFY2(far_m_s < 0.1, qPrintable(QString::number(far_m_s)));
+    }
+
+    /// A robot that rolled to the left, before its sonars had listened there, broke at a mast (survey 168086).
+    void looksUpTowardWhereItsSonarsHaveListened() {
+        craft->forgetPlaces();
+        z_m = 0.3;
+        double turned_rad = 0.0;
+        protocol::AerialDrive drive;
+        for (int tick = 0; tick < 100; ++tick) {
+            perceive(z_m, {});
+            craft->rise(6.3, {0.0, 0.0}, port);
+            drive = lastDrive().value_or(drive); // An unchanged command is not sent again.
+            if (const double left_m_s = drive.left_m_s.value_or(0.0); std::abs(left_m_s) > 0.5) {
+                QVERIFY2(turned_rad > 0.3, qPrintable(QString::number(turned_rad)));
+                QVERIFY2(left_m_s < 0.0, qPrintable(QString::number(left_m_s))); // It has turned left.
+                return;
+            }
+            turned_rad += 0.2 * drive.yaw_rate_rad_s.value_or(0.0);
+            move(drive);
+        }
+        QFAIL("It does not look up.");
+    }
+
+    /// A trunk that had been out of its sonars' reach, beside the place to which it went from another one, broke the
+    /// robot by its crown (random survey 166034).
+    void climbsApartFromTrunksThatItHearsOnItsWay_data() {
+        QTest::addColumn<Vec2>("trunk_m");
+        QTest::newRow("ahead") << Vec2(5.9, 0.3);
+        QTest::newRow("aside") << Vec2(5.0, 2.6);
+    }
+    void climbsApartFromTrunksThatItHearsOnItsWay() {
+        QFETCH(Vec2, trunk_m);
+        const std::vector<Vec2> trunks_m{{-1.5, 0.0}, trunk_m};
+        craft->forgetPlaces();
+        z_m = 0.3;
+        protocol::AerialDrive drive;
+        for (int tick = 0; tick < 400 && z_m < 4.5; ++tick) {
+            perceive(z_m, z_m > 1.5 ? hearing(trunks_m) : std::map<std::string, double>{});
+            craft->rise(6.3, {0.0, 0.0}, port);
+            drive = lastDrive().value_or(drive);
+            move(drive);
+        }
+        QVERIFY(z_m >= 4.5);
+        for (const Vec2& one_m : trunks_m) {
+            const double away_m = (one_m - Vec2(x_m, y_m)).norm();
+            QVERIFY2(away_m > 3.4, qPrintable(QString("%1 %2: %3").arg(x_m).arg(y_m).arg(away_m)));
+        }
     }
 
     void fleesFromAHighRiskWithoutAChangeOfHeight() {

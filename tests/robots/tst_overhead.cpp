@@ -496,7 +496,7 @@ private slots:
         bool looked = false;
         for (double z_m = 0.3; z_m < 6.2; z_m += 0.1) {
             senses.base_in_map.position_m.z() = z_m;
-            looked = looked || ascent.step(senses, {0.0, 0.0, 6.3}, {}, {}, settings).left_m_s > 0.0;
+            looked = looked || ascent.step(senses, {0.0, 0.0, 6.3}, {}, {}, settings).right_m_s > 0.0;
         }
         QCOMPARE(looked, looks);
     }
@@ -525,13 +525,13 @@ private slots:
         };
         step(0.3, 0.0, 5.0);
         step(2.0, 0.0, range_m);
-        QCOMPARE(step(2.5, 0.0, 5.0).left_m_s > 0.0, at_once);
+        QCOMPARE(step(2.5, 0.0, 5.0).right_m_s > 0.0, at_once);
         if (at_once)
             return;
         QVERIFY(step(2.5, 0.1, 5.0).climb_m_s <= 0.0); // It waits there.
         for (double yaw_rad = 0.1; yaw_rad < pi; yaw_rad += 0.1)
-            QCOMPARE(step(2.5, yaw_rad, 5.0).left_m_s, 0.0);
-        QCOMPARE(step(2.5, pi, 5.0).left_m_s > 0.0 || step(2.5, pi, 5.0).left_m_s > 0.0, later);
+            QCOMPARE(step(2.5, yaw_rad, 5.0).right_m_s, 0.0);
+        QCOMPARE(step(2.5, pi, 5.0).right_m_s > 0.0 || step(2.5, pi, 5.0).right_m_s > 0.0, later);
     }
 
     void climbsWithCareBeyondADoor() {
@@ -576,7 +576,7 @@ private slots:
                 return;
             }
             climb_m_s = step.climb_m_s;
-            roll_rad = step.left_m_s != 0.0 ? radians(14.0) : 0.0;
+            roll_rad = step.right_m_s != 0.0 ? radians(14.0) : 0.0;
             at_m.z() += 0.2 * climb_m_s;
             QVERIFY2(at_m.z() < ceiling_m - 0.3, qPrintable(QString::number(at_m.z())));
         }
@@ -654,7 +654,7 @@ private slots:
             ascent.step(sensesAt({0.0, 0.0, 2.9}, yaw_rad), {0.0, 0.0, 6.3}, overhead, memory, settings);
         Senses senses = sensesWith(scanBelow(100.0, 100.0, 0.0, {0.0, 0.0, 4.8}));
         setSonars(senses, {{"L4", echo_m}});
-        QCOMPARE(ascent.step(senses, {0.0, 0.0, 6.3}, overhead, memory, settings).left_m_s != 0.0, rolls);
+        QCOMPARE(ascent.step(senses, {0.0, 0.0, 6.3}, overhead, memory, settings).right_m_s != 0.0, rolls);
     }
 
     void whatNeverFlewHasNotCrashed() {

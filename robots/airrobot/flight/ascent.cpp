@@ -24,7 +24,8 @@ constexpr double tolerance_m = 0.3;
 /// On a slope of 15 degrees, a sonar hears the ground where its beam is lower than this over the ground below.
 constexpr double surely_no_ground_m = 1.3;
 constexpr double ahead_rad = radians(60.0);
-constexpr double early_m = 0.3; ///< A look begins so much below the height up to which the air is known.
+constexpr double heard_again_m = 0.2; ///< Of things nearer to one another, one is enough.
+constexpr double early_m = 0.3;       ///< A look begins so much below the height up to which the air is known.
 /// So little of unknown air is not worth a look: it climbs through that slowly enough to bear a touch.
 constexpr double hardly_m = 1.2;
 
@@ -57,7 +58,7 @@ AscentStep Ascent::step(const Senses& senses, const Vec3& goal_m, const Overhead
     if (looking_since_) {
         const Seconds looked = senses.now - *looking_since_;
         if (looked < setting_off)
-            return {.left_m_s = set_off_m_s};
+            return {.right_m_s = set_off_m_s};
         const bool back = looked >= setting_off + senses.late &&
                           (senses.position2_m() - goal_m.head<2>()).norm() < returned_m &&
                           senses.velocity_in_map_m_s.head<2>().norm() < slow_m_s;
@@ -77,7 +78,7 @@ AscentStep Ascent::step(const Senses& senses, const Vec3& goal_m, const Overhead
     const bool knows = around || heard_.empty();
     if (looks && knows && hasRoom(senses, memory, heard_, *from_z_m_ + turn_below_m)) {
         looking_since_ = senses.now;
-        return {.left_m_s = set_off_m_s};
+        return {.right_m_s = set_off_m_s};
     }
     const double wanted_m_s = std::clamp(error_m, -settings.descent_speed_m_s, settings.climb_speed_m_s);
     const double careful_m_s = overhead.besideWall(senses.now) ? Overhead::gentle_m_s : Overhead::careful_m_s;
@@ -104,7 +105,8 @@ bool Ascent::lookAround(const Senses& senses, AscentStep& step) {
 
 void Ascent::listen(const Senses& senses) {
     for (const SonarEcho& echo : senses.sonars)
-        if (isNoGround(echo, senses))
+        if (isNoGround(echo, senses) &&
+            nearest_m(heard_, echo.center_in_map_m.head<2>(), heard_again_m) >= heard_again_m)
             heard_.push_back({echo.center_in_map_m.head<2>(), echo.high_m, false});
 }
 

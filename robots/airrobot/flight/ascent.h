@@ -16,7 +16,7 @@ inline constexpr double trunk_margin_m = 0.3;
 
 struct AscentStep {
     double climb_m_s = 0.0;
-    double left_m_s = 0.0;      ///< not 0: the robot rolls to look up
+    double right_m_s = 0.0;     ///< not 0: the robot rolls to look up
     bool returns = false;       ///< to its place after that, at once
     bool turns = false;         ///< to look around
     bool looked_around = false; ///< true in one tick: now it knows what stands near it
@@ -24,11 +24,11 @@ struct AscentStep {
 };
 
 /// The belly scanner looks sideways as far as the horizon, so it looks up on one side while the robot rolls. The robot
-/// rolls as it sets off to the side and comes back, once it is clear of the ground, and again where it has not seen
-/// farther up. It climbs fast as far as it has come down before, and beyond that slowly enough to bear a touch: it does
-/// not see crowns ahead or behind. Where it has not come down, it first turns around near the ground, so that the
-/// scanner sees all trunks nearby: the crowns of trees are above them. Owned by one robot; make a new one for each
-/// take-off.
+/// rolls as it sets off to the right and comes back, once it is clear of the ground, and again where it has not seen
+/// farther up: no sonar looks to the sides, but a robot that turns left to look around has listened on its right. It
+/// climbs fast as far as it has come down before, and beyond that slowly enough to bear a touch: it does not see crowns
+/// ahead or behind. Where it has not come down, it first turns around near the ground, so that the scanner sees all
+/// trunks nearby: the crowns of trees are above them. Owned by one robot; make a new one for each take-off.
 class Ascent {
 public:
     /// The robot came straight down to this place from `known_m` above it.
@@ -46,12 +46,13 @@ public:
     AscentStep step(const Senses& senses, const Vec3& goal_m, const Overhead& overhead, const ObstacleMemory& memory,
                     const Settings& settings);
 
-    /// What the sonars heard as it looked around, well above the ground: a thin trunk may stand between two scans.
+    /// What the sonars heard as it looked around, well above the ground: a thin trunk may stand between two scans. Adds
+    /// what they hear now if it is called on the way to another place.
     const std::vector<Obstacle>& heard() const { return heard_; }
+    void listen(const Senses& senses);
 
 private:
     bool lookAround(const Senses& senses, AscentStep& step);
-    void listen(const Senses& senses);
 
     static constexpr double first_look_m = 2.0; ///< above the place of the take-off, where people stand
 

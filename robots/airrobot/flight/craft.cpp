@@ -36,6 +36,11 @@ constexpr double straight_m_s = 0.2;
 /// The robot climbs straight up so fast where its scanner has seen the sky. It may have missed a wire, and bears most
 /// touches of one at this speed; one at 0.97 m/s broke it (random survey 164038).
 constexpr double seen_sky_m_s = 0.7;
+/// A robot that leans forward by more than half a sonar's cone, as it does against the wind, hears nothing at its own
+/// height. It met a wire so as it climbed at 0.68 m/s on its way at 0.82 m/s (random survey 168982), and bears a touch
+/// if it is slower than this and climbs with care.
+constexpr double looks_down_rad = radians(7.5);
+constexpr double blind_m_s = 0.5;
 /// A climb over something needs this share of the stand-off at its place.
 constexpr double least_room_share = 0.85;
 constexpr double heard_rad = radians(100.0); ///< No sonar hears what is farther from the nose than this.
@@ -270,6 +275,11 @@ FlightState Craft::perform(Maneuver maneuver, const Leg& asked, agent::CommandPo
         most_m_s = Overhead::gentle_m_s;
     else if (straight_up)
         most_m_s = unseen_sky ? Overhead::careful_m_s : std::min(most_m_s, seen_sky_m_s);
+    const bool hears_nothing_level = senses.base_in_map.pitch_rad > looks_down_rad;
+    if (motion.climb_m_s > rising_m_s && !straight_up && hears_nothing_level) {
+        most_m_s = std::min(most_m_s, Overhead::careful_m_s);
+        motion.velocity_in_map_m_s *= std::min(1.0, blind_m_s / motion.velocity_in_map_m_s.norm());
+    }
     motion.climb_m_s = overhead.allowed_m_s(senses, motion.climb_m_s, most_m_s);
     const double speed_m_s = motion.velocity_in_map_m_s.norm();
     if (motion.climb_m_s > 0.0 && speed_m_s > below_roof_m_s && mayTouchRoof(senses, overhead))

@@ -13,6 +13,10 @@ constexpr std::size_t most_others = 4; ///< so often.
 constexpr int most_stops = 4;          ///< after which it climbs where it is
 constexpr double faces_rad = 0.3;
 constexpr double spare_m = 1.2; ///< beyond its column, nothing is nearer than this
+/// The sonars heard a trunk only on the way to the column, because it had been too far away, and its crown was above
+/// that (random survey 166034).
+constexpr double under_crown_m = 3.5;
+constexpr double same_trunk_m = 1.0; ///< A sonar tells its place no better than this.
 
 /// Where to climb if a trunk that was not known, which carries a crown, stands on the way to the place.
 Vec2 clearOfTrunk_m(std::vector<Obstacle> trunks, const Senses& senses) {
@@ -20,6 +24,15 @@ Vec2 clearOfTrunk_m(std::vector<Obstacle> trunks, const Senses& senses) {
         if (isNoGround(echo, senses))
             trunks.push_back({echo.center_in_map_m.head<2>(), echo.center_in_map_m.z(), true});
     return climbPlace_m(trunks, senses.position2_m(), crown_m);
+}
+
+/// True if a sonar hears something that was not `known` near the place of a climb, whose crown may be above it.
+bool hearsNewTrunk(const Senses& senses, std::span<const Obstacle> known, const Vec2& place_m) {
+    return std::ranges::any_of(senses.sonars, [&](const SonarEcho& echo) {
+        const Vec2 at_m = echo.center_in_map_m.head<2>();
+        return isNoGround(echo, senses) && (at_m - place_m).norm() < under_crown_m &&
+               nearest_m(known, at_m, same_trunk_m) >= same_trunk_m;
+    });
 }
 
 } // namespace
@@ -34,7 +47,7 @@ std::vector<Obstacle> Craft::trunksNear(const Vec2& at_m) const {
 
 /// Keeps a climb clear of crowns.
 void Craft::mindColumn(const AscentStep& step, Motion& motion) {
-    const bool rolls = step.left_m_s != 0.0 || step.returns;
+    const bool rolls = step.right_m_s != 0.0 || step.returns;
     if (rolls || overhead.hasCeiling() || senses.heightOverGround_m(1e9) < surely_aloft_m)
         return;
     const auto minding = column_.mind(senses, trunksNear(senses.position2_m()),
@@ -69,10 +82,14 @@ bool Craft::rise(double goal_z_m, const Vec2& over_m, agent::CommandPort& port) 
         column_.at_m = senses.position2_m(); // Something is in the way.
     const double standoff_m = column_.others_m.empty() ? settings.climb_standoff_m : room_to_climb_m;
     const double ahead_m = std::min(standoff_m, (column_m - senses.position2_m()).norm() + spare_m);
-    if (column_.at_m && !column_.there && column_.faced && hearsAhead(senses, ahead_m))
-        column_.moveTo(++column_.stops < most_stops ? clearOfTrunk_m(trunksNear(senses.position2_m()), senses)
-                                                    : senses.position2_m(),
-                       senses.now);
+    if (column_.at_m && !column_.there && column_.faced) {
+        const auto known = trunksNear(senses.position2_m());
+        const bool may_choose = column_.stops < most_stops;
+        if (hearsAhead(senses, ahead_m) || (may_choose && hearsNewTrunk(senses, known, column_m)))
+            column_.moveTo(++column_.stops < most_stops ? clearOfTrunk_m(known, senses) : senses.position2_m(),
+                           senses.now);
+        ascent_.listen(senses);
+    }
     Motion motion = holding(senses, column_m);
     const Vec2 way_m = column_m - senses.position2_m();
     column_.there = way_m.norm() < in_column_m;
@@ -85,14 +102,14 @@ bool Craft::rise(double goal_z_m, const Vec2& over_m, agent::CommandPort& port) 
     if (step.turns)
         motion.yaw_rate_rad_s = settings.turn_rate_rad_s;
     motion.sudden = step.returns;
-    if (step.left_m_s != 0.0) {
+    if (step.right_m_s != 0.0) {
         const double yaw_rad = senses.base_in_map.yaw_rad;
-        const double left_m_s = std::clamp(step.left_m_s, -fastest_m_s_, fastest_m_s_);
-        motion.velocity_in_map_m_s = left_m_s * Vec2(-std::sin(yaw_rad), std::cos(yaw_rad));
+        const double right_m_s = std::clamp(step.right_m_s, -fastest_m_s_, fastest_m_s_);
+        motion.velocity_in_map_m_s = right_m_s * Vec2(std::sin(yaw_rad), -std::cos(yaw_rad));
         motion.sudden = true;
     }
-    command(step.left_m_s != 0.0 ? motion : calmed(motion, senses, settings), port,
-            step.left_m_s != 0.0 ? "looking up" : "taking off");
+    command(step.right_m_s != 0.0 ? motion : calmed(motion, senses, settings), port,
+            step.right_m_s != 0.0 ? "looking up" : "taking off");
     const bool is_up = step.reached && (column_.others_m.empty() || (column_.there && !riseElsewhere(goal_z_m)));
     if (is_up)
         expectCanopy();
