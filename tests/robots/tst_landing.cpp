@@ -134,6 +134,25 @@ private slots:
         QCOMPARE(canLand(memory, {0, 0}, dry_m), good);
     }
 
+    /// Beside the end of the world, it stood on two legs and fell (random survey 6).
+    void doesNotLandWhereTheGroundMayEndBesideIt_data() {
+        QTest::addColumn<double>("ends_m");
+        QTest::addColumn<bool>("good");
+        QTest::newRow("below its legs") << 0.3 << false;
+        QTest::newRow("well away") << 1.1 << true;
+    }
+    void doesNotLandWhereTheGroundMayEndBesideIt() {
+        QFETCH(double, ends_m);
+        QFETCH(bool, good);
+        const Vec2 place_m(0.25, 0.25);
+        ObstacleMemory memory;
+        Senses senses = sensesAt({0, 0, 6});
+        setFlatScan(senses, {0, 0}, 5.0, 0.0);
+        std::erase_if(senses.scan->hits_in_map_m, [&](const Vec3& hit) { return hit.y() > place_m.y() + ends_m; });
+        memory.take(senses, {});
+        QCOMPARE(canLand(memory, place_m, -1.0), good);
+    }
+
     void takesTheNearestGoodGroundInNeed() {
         Refuge refuge;
         Senses senses = sensesAt({0, 0, 6});

@@ -39,7 +39,10 @@ constexpr double stands_out_within_m = 3.5;
 constexpr Seconds spare_to_sink{5.0};
 constexpr double ring_step_m = 1.0;
 constexpr int spots = 12;
-constexpr double seen_share = 0.8;  ///< of the ground below the body
+constexpr double seen_share = 0.8; ///< of the ground below the body
+/// What was not seen lies on one side if the middle of what was seen is off by this share of the radius. There may be
+/// no ground: beside the end of the world, the robot stood on two legs and fell (random survey 6).
+constexpr double one_sided = 0.12;
 constexpr double in_sight_m = 20.0; ///< as far as the scanner reaches
 constexpr Seconds look_every{1.0};
 constexpr double still_m_s = 0.06;
@@ -81,6 +84,11 @@ double unevenness_m(const std::vector<Vec3>& tops_m, const Vec2& place_m, double
     const double disc_m2 = pi * radius_m * radius_m;
     const double seen_m2 = static_cast<double>(tops_m.size()) * ObstacleMemory::cell_m * ObstacleMemory::cell_m;
     if (tops_m.size() < 3 || seen_m2 < seen_share * disc_m2)
+        return std::numeric_limits<double>::infinity();
+    Vec2 middle_m = Vec2::Zero();
+    for (const Vec3& top_m : tops_m)
+        middle_m += (top_m.head<2>() - place_m) / static_cast<double>(tops_m.size());
+    if (middle_m.norm() > one_sided * radius_m)
         return std::numeric_limits<double>::infinity();
     Eigen::MatrixX3d at(tops_m.size(), 3);
     Eigen::VectorXd height_m(tops_m.size());
