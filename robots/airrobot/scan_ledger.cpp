@@ -10,6 +10,9 @@ namespace {
 
 /// A beam that misses looks for ground only if it is no flatter than 30 degrees; flatter ones end above it.
 constexpr double least_down = 0.5;
+/// It has looked for ground if it ends so far below what the robot flies over: from high up, beams end in the air above
+/// a street.
+constexpr double below_ground_m = 4.0;
 /// A larger area is not watched cell by cell. This is 100 square kilometers.
 constexpr double most_cells = 1e8;
 
@@ -52,7 +55,8 @@ void ScanLedger::note(const Senses& senses, bool on_lane, bool for_map) {
     const Vec3 from_m = senses.scan->scanner_in_map.position_m;
     for (const Vec3& end_m : senses.scan->misses_in_map_m) {
         const Vec3 beam_m = end_m - from_m;
-        if (-beam_m.z() < least_down * beam_m.norm())
+        const bool ends_above_ground = senses.ground_m && end_m.z() > *senses.ground_m - below_ground_m;
+        if (-beam_m.z() < least_down * beam_m.norm() || ends_above_ground)
             continue;
         for (double along_m = 0.0; along_m <= beam_m.head<2>().norm(); along_m += cell_m)
             mark(from_m.head<2>() + along_m * beam_m.head<2>().normalized(), bottomless_bit);

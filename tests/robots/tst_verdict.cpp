@@ -139,6 +139,25 @@ private slots:
         QCOMPARE(ledger.mapped(), 0.0);
     }
 
+    /// From above a roof, beams end in the air over the street.
+    void beamsThatEndAboveTheGroundDoNotLookForIt_data() {
+        QTest::addColumn<double>("ground_m");
+        QTest::addColumn<bool>("look");
+        QTest::newRow("high over the street") << 0.0 << false;
+        QTest::newRow("low over the ground beside a ravine") << 14.0 << true;
+    }
+    void beamsThatEndAboveTheGroundDoNotLookForIt() {
+        QFETCH(double, ground_m);
+        QFETCH(bool, look);
+        ScanLedger ledger(area);
+        Senses senses = sensesAt({20, 10, 20});
+        senses.ground_m = ground_m;
+        senses.scan = PlacedScan{senses.line, senses.base_in_map, senses.base_in_map, {}};
+        senses.scan->misses_in_map_m = {Vec3(34, 10, 6)};
+        ledger.note(senses, true, true);
+        QCOMPARE(ledger.bottomless() > 0.0, look);
+    }
+
     void flatBeamsDoNotLookForGround() {
         ScanLedger ledger(area);
         Senses senses = sensesAt({20, 10, 6});
