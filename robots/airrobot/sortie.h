@@ -29,6 +29,7 @@ struct Sortie {
     bool rises_homeward = false;     ///< that was on its way home
     bool doubted_map = false;        ///< it has looked anew for ways to a goal once
     bool looked_again = false;       ///< for a way home, after there was none
+    bool retraced = false;           ///< it has gone back as it came, after there was no other way home
     bool at_work = false;            ///< from reaching the scan altitude until the landing
     Seconds landed{0.0};
 };

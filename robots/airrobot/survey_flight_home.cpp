@@ -81,6 +81,8 @@ void SurveyFlight::landHere(agent::CommandPort& port) {
         craft_.ways.clear();
         return craft_.startAnew();
     }
+    if (!std::exchange(sortie_.retraced, true) && !sortie_.refuge_m && craft_.retrace())
+        return craft_.startAnew();
     end_reason_ = "The way home was blocked.";
     errand_ = Errand::GivenUp;
     if (sortie_.refuge_m) // No way leads there either.

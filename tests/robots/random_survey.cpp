@@ -160,11 +160,12 @@ std::optional<double> reachableCoverage_pct(const SimulatedFlight& flight, const
 }
 
 /// Writes the flight to the console: the truth at each tick in which the robot says something, in the map's frame, with
-/// the behavior's state, and what its sonars hear and the behavior commands.
+/// the behavior's state, what its sonars and its INS say, and what the behavior commands.
 void runTraced(SimulatedFlight& flight) {
     std::string words;
     flight.listen([&words](bool from_robot, std::string_view line) {
-        if (!from_robot || (line.starts_with("SEN") && line.find("{Type Sonar}") != std::string_view::npos))
+        const auto tells = [line](std::string_view type) { return line.find(type) != std::string_view::npos; };
+        if (!from_robot || (line.starts_with("SEN") && (tells("{Type Sonar}") || tells("{Type INS}"))))
             words.append("\n  ").append(line);
     });
     std::size_t events = 0;

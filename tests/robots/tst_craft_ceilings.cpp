@@ -68,6 +68,32 @@ private slots:
         QVERIFY(craft->mayClimb());
     }
 
+    /// In a room it stood for minutes, because something was within five meters all around (random survey 168085).
+    void fliesOnInARoomWhereSomethingIsAllAround() {
+        craft->settings.climb_over = false;
+        protocol::AerialDrive drive;
+        const auto fly_for = [&](int ticks, double from_m) {
+            for (int tick = 0; tick < ticks; ++tick) { // A sonar that repeats itself hangs.
+                const double range_m = from_m + 0.01 * (tick % 2);
+                perceive(6.0, {{"L3", range_m - 2.0},
+                               {"L2", range_m - 1.8},
+                               {"L1", range_m},
+                               {"M0", range_m},
+                               {"R1", range_m},
+                               {"R2", range_m - 1.8}});
+                const auto told = fly();
+                drive = told.forward_m_s ? told : drive; // An unchanged command is not sent again.
+            }
+        };
+        fly_for(20, 3.5);
+        QVERIFY2(drive.forward_m_s.value_or(0.0) < 0.1, qPrintable(QString::number(*drive.forward_m_s)));
+        fly_for(20, 3.5);
+        QVERIFY2(*drive.forward_m_s > 0.2, qPrintable(QString::number(*drive.forward_m_s)));
+        QVERIFY2(*drive.forward_m_s < 1.1 * Ways::door_m_s, qPrintable(QString::number(*drive.forward_m_s)));
+        fly_for(5, 1.2);
+        QVERIFY2(*drive.forward_m_s < 0.1, qPrintable(QString::number(*drive.forward_m_s)));
+    }
+
     /// Its lid is no roof: it felt nothing of the rack under it, and tipped over (survey 145237).
     void risesFromARackOnItsWayUnderALid() {
         craft->forgetPlaces();

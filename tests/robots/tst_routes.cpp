@@ -4,6 +4,7 @@
 
 #include "robots/airrobot/flight/detour.h"
 #include "robots/airrobot/flight/way_back.h"
+#include "robots/airrobot/flight/ways.h"
 #include "tests/robots/robot_samples.h"
 #include "tests/suite/suite.h"
 
@@ -175,6 +176,67 @@ private slots:
         }
         QVERIFY(!way.active());
         QVERIFY(here_m.x() > 2.0 && here_m.x() < 2.6); // There is room again.
+    }
+
+    /// There was room all around, and it stood for minutes.
+    void goesBackAtLeastSoFar() {
+        WayBack way;
+        double now_s = 0.0;
+        Vec2 here_m(0.0, 0.0);
+        for (; here_m.x() < 6.0; here_m.x() += 0.1)
+            way.note(Seconds(now_s += 0.2), here_m, 5.0);
+        QVERIFY(!way.stands());
+        while (now_s < 40.0)
+            way.note(Seconds(now_s += 0.2), here_m, 5.0);
+        QVERIFY(way.stands());
+        QVERIFY(!way.isPinned());
+        QVERIFY(way.begin(0.0, 3.0));
+        for (int tick = 0; tick < 100 && way.active(); ++tick) {
+            here_m += 0.1 * (way.aim_m() - here_m).normalized();
+            way.note(Seconds(now_s += 0.2), here_m, 5.0);
+        }
+        QVERIFY2(here_m.x() > 2.8 && here_m.x() < 3.1, qPrintable(QString::number(here_m.x())));
+    }
+
+    void goesBackAllTheWay() {
+        WayBack way;
+        double now_s = 0.0;
+        Vec2 here_m(0.0, 0.0);
+        for (; here_m.x() < 6.0; here_m.x() += 0.1)
+            way.note(Seconds(now_s += 0.2), here_m, 5.0);
+        for (; here_m.y() < 6.0; here_m.y() += 0.1)
+            way.note(Seconds(now_s += 0.2), here_m, 5.0);
+        QVERIFY(way.beginWhole());
+        for (int tick = 0; tick < 200 && way.active(); ++tick) {
+            here_m += 0.1 * (way.aim_m() - here_m).normalized();
+            way.note(Seconds(now_s += 0.2), here_m, 5.0);
+        }
+        QVERIFY2(here_m.norm() < 0.5, qPrintable(QString("%1 %2").arg(here_m.x()).arg(here_m.y())));
+    }
+
+    void comesNearerWhereItDoesNotGetOn() {
+        Ways ways;
+        double now_s = 100.0;
+        Vec2 here_m(0.0, 0.0);
+        const auto fly = [&](double seconds, double speed_m_s) {
+            for (const double end_s = now_s + seconds; now_s < end_s; now_s += 0.2) {
+                here_m.x() += 0.2 * speed_m_s;
+                ways.noteProgress(Seconds(now_s), here_m);
+            }
+        };
+        fly(10.0, 1.0);
+        QVERIFY(!ways.isNarrow());
+        fly(4.0, 0.0);
+        QVERIFY(!ways.isNarrow());
+        fly(3.0, 0.0);
+        QVERIFY(ways.isNarrow());
+        fly(4.0, 0.5);
+        QVERIFY(ways.isNarrow()); // It has not got past that yet.
+        fly(4.0, 0.5);
+        QVERIFY(!ways.isNarrow());
+        now_s += 60.0; // It was told to hover, which is no hesitation.
+        fly(4.0, 0.0);
+        QVERIFY(!ways.isNarrow());
     }
 
     void endsAWayBackOnWhichItDoesNotGetOn() {

@@ -52,6 +52,8 @@ constexpr double hold_still_m = 0.5;
 /// A robot that is hindered for so long looks for a detour, and again after the same time.
 constexpr Seconds patience{6.0};
 constexpr double detour_m_s = 1.0;
+constexpr double blocked_ahead_m = 1.5; ///< Where a robot does not get on, something is so far before it,
+constexpr double leaves_m = 3.0;        ///< and it goes back so far to try another way.
 /// A robot that is less above a ceiling than this may be below it: the estimate of its height drifts by decimeters.
 constexpr double surely_above_m = 1.5;
 constexpr double below_ceiling_m = 0.5; ///< Scanner hits higher than this are on the ceiling.
@@ -142,7 +144,7 @@ void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool a
         way_back_.note(senses.now, senses.position2_m(), nearest_m(obstacles_, senses.position2_m(), look_around_m));
     if (way_back_.active())
         obstacles_.clear(); // It has been there, so they are not in its way.
-    else if (std::exchange(climbs_after_way_back_, false))
+    else if (mayClimb() && std::exchange(plans_after_way_back_, false))
         climb_over_.start(senses, obstacles_, settings, retreat());
     threats = judgeThreats(senses, ways.forThreats(settings));
     port.publish(agent::SonarZones{threats.zones});
@@ -164,6 +166,9 @@ void Craft::look(const Leg& leg) {
                     : detour_.active() ? detour_.aim_m(ways.map(), senses)
                                        : leg.aim_m;
     ways.squeeze(detour_.isNarrow());
+    if (way_back_.active() || ways.isNarrow())
+        threats = threatsOnWay(std::move(threats),
+                               bearingOf(detour_aim_m_ - senses.position2_m()) - senses.base_in_map.yaw_rad);
     evasion_.observe(senses, threats, detour_aim_m_, settings);
     decision_.reset();
 }
@@ -224,9 +229,9 @@ void Craft::findWay(const Leg& leg) {
 void Craft::findClimb() {
     const Vec2 place_m = climbPlace_m(obstacles_, senses.position2_m(), settings.climb_standoff_m, retreat());
     const double room_m = nearest_m(obstacles_, place_m, settings.climb_standoff_m);
-    climbs_after_way_back_ = settings.hurried() && room_m < least_room_share * settings.climb_standoff_m &&
-                             way_back_.begin(settings.climb_standoff_m);
-    if (!climbs_after_way_back_)
+    plans_after_way_back_ = settings.hurried() && room_m < least_room_share * settings.climb_standoff_m &&
+                            way_back_.begin(settings.climb_standoff_m);
+    if (!plans_after_way_back_)
         climb_over_.start(senses, obstacles_, settings, retreat());
 }
 
@@ -247,6 +252,8 @@ FlightState Craft::perform(Maneuver maneuver, const Leg& asked, agent::CommandPo
                     : maneuver == Maneuver::ClimbOver ? climbOver(leg, state)
                                                       : cruise(leg, state);
     const bool hindered = state != FlightState::Flying || blocked_;
+    if (!mayClimb())
+        ways.noteProgress(senses.now, senses.position2_m());
     if (detour_.active())
         stuck_.wait(senses.now); // A detour has a time limit of its own.
     else
@@ -254,6 +261,13 @@ FlightState Craft::perform(Maneuver maneuver, const Leg& asked, agent::CommandPo
     if (hindered && !mayClimb() && !way_back_.active() && way_back_.isPinned()) {
         way_back_.begin();
         detour_.end();
+    } else if (hindered && !mayClimb() && !way_back_.active() && way_back_.stands()) {
+        const Vec2 here_m = senses.position2_m(); // What keeps it here is on the way that it has tried.
+        ways.map().block(here_m + blocked_ahead_m * (detour_aim_m_ - here_m).normalized(), senses.position_m().z());
+        plans_after_way_back_ = way_back_.begin(0.0, leaves_m);
+        detour_.end();
+    } else if (!mayClimb() && !way_back_.active() && std::exchange(plans_after_way_back_, false)) {
+        no_way_ = !detour_.start(ways.map(), senses, leg.goal_m, leg.width);
     } else if (hindered && !climb_over_.active() && !detour_.active() && !way_back_.active()) {
         findWay(leg);
     }
@@ -466,7 +480,7 @@ void Craft::forgetPlaces() {
     ways.startAnew(senses.position_m().z());
     refuge = {};
     way_back_ = {};
-    climbs_after_way_back_ = false;
+    plans_after_way_back_ = false;
     canopy_at_.reset();
     overhead.forgetPlaces();
     ascent_ = Ascent(std::exchange(column_, {}).come_down_m);

@@ -70,12 +70,12 @@ public:
     const std::optional<Vec2>& column_m() const { return column_.at_m; }
     /// Sinks onto `place_m` until it touches the ground: high up on its way there unless `in_need`, then only over it.
     Descent descend(const Vec2& place_m, bool in_need, agent::CommandPort& port);
-    /// Waits over a place. This time does not count toward `stuck`.
-    void hover(const Vec2& place_m, agent::CommandPort& port, const std::string& source);
+    void hover(const Vec2& place_m, agent::CommandPort& port, const std::string& source); ///< Not counted by `stuck`.
     /// Stops without its senses and leans against the wind; below a roof, it sinks a little. Not counted by `stuck`.
     void brace(agent::CommandPort& port, const std::string& source);
     protocol::AerialDrive still() const { return pilot_.still(senses); } ///< see Pilot::still
-    void leave(bool airborne, agent::CommandPort& port);            ///< Sends the last command: it hovers, or rests.
+    bool retrace() { return way_back_.beginWhole(); }    ///< Has it fly back as it came; false if it has been nowhere.
+    void leave(bool airborne, agent::CommandPort& port); ///< Sends the last command: it hovers, or rests.
     void rest(agent::CommandPort& port, const std::string& source); ///< Sends a zero DRIVE. Not counted by `stuck`.
     void forgetPlaces(); ///< Forgets what depends on the old position estimate; call it after an INS reset.
     void startAnew();    ///< Forgets evasion and progress; call it before a goal of another kind and after a failure.
@@ -131,7 +131,7 @@ private:
     StuckWatch stuck_;
     Detour detour_;
     WayBack way_back_;
-    bool climbs_after_way_back_ = false;
+    bool plans_after_way_back_ = false; ///< a climb over what was in the way, or a detour where it may not climb
     Vec2 detour_aim_m_ = Vec2::Zero();
     std::optional<Vec2> goal_m_; ///< of the last tick; nullopt after startAnew()
     bool has_flown_ = false;

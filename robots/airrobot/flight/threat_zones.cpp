@@ -11,9 +11,24 @@ constexpr double ring_step_rad = radians(18.0);
 constexpr std::size_t last_ring = 4;
 /// The body extends 0.1 m up and down; the rest is for tilt and drift.
 constexpr double level_tolerance_m = 0.5;
+constexpr double on_way_rad = radians(50.0); ///< What is farther aside than this is not on the way.
 
 bool atOurLevel(const SonarEcho& echo, double base_z_m) {
     return echo.high_m > base_z_m - level_tolerance_m && echo.low_m < base_z_m + level_tolerance_m;
+}
+
+/// Sets `risk` and `greatest` by the zones.
+void findGreatest(ThreatPicture& picture) {
+    picture.risk = agent::Risk::None;
+    picture.greatest.reset();
+    for (std::size_t i = 0; i < picture.zones.size(); ++i) {
+        const agent::SonarZone& zone = picture.zones[i];
+        if (zone.risk == agent::Risk::None || zone.risk < picture.risk)
+            continue;
+        if (zone.risk > picture.risk || zone.range_m < picture.zones[*picture.greatest].range_m)
+            picture.greatest = i;
+        picture.risk = zone.risk;
+    }
 }
 
 } // namespace
@@ -38,14 +53,15 @@ ThreatPicture judgeThreats(const Senses& senses, const Settings& settings) {
         }
         picture.zones.push_back(std::move(zone));
     }
-    for (std::size_t i = 0; i < picture.zones.size(); ++i) {
-        const agent::SonarZone& zone = picture.zones[i];
-        if (zone.risk == agent::Risk::None || zone.risk < picture.risk)
-            continue;
-        if (zone.risk > picture.risk || zone.range_m < picture.zones[*picture.greatest].range_m)
-            picture.greatest = i;
-        picture.risk = zone.risk;
-    }
+    findGreatest(picture);
+    return picture;
+}
+
+ThreatPicture threatsOnWay(ThreatPicture picture, double way_rad) {
+    for (agent::SonarZone& zone : picture.zones)
+        if (zone.risk != agent::Risk::High || std::abs(normalizedAngle(zone.bearing_rad - way_rad)) > on_way_rad)
+            zone.risk = agent::Risk::None;
+    findGreatest(picture);
     return picture;
 }
 

@@ -26,4 +26,8 @@ std::size_t ringOf(double bearing_rad);
 /// cone points at the ground.
 ThreatPicture judgeThreats(const Senses& senses, const Settings& settings);
 
+/// Leaves only the high risks near the way, for a robot that knows its way: what stands beside that is no threat.
+/// `way_rad` is its bearing in the robot's frame.
+ThreatPicture threatsOnWay(ThreatPicture picture, double way_rad);
+
 } // namespace usar::airrobot

@@ -13,6 +13,7 @@ constexpr double trail_passed_m = 0.4;
 constexpr double closed_m = 0.75;
 constexpr double gets_on_m = 0.7;
 constexpr Seconds pinned_for{6.0};
+constexpr Seconds standing_for{20.0};
 constexpr Seconds in_vain{20.0};
 
 } // namespace
@@ -28,7 +29,8 @@ void WayBack::note(Seconds now, const Vec2& here_m, double nearest_m) {
     if (active_) {
         while (!trail_.empty() && (trail_.back() - here_m).norm() < trail_passed_m)
             trail_.pop_back();
-        active_ = !trail_.empty() && nearest_m < room_m_ && now - moved_at_ < in_vain;
+        const bool has_room = nearest_m >= room_m_ && (here_m - began_at_m_).norm() >= least_m_;
+        active_ = !trail_.empty() && !has_room && now - moved_at_ < in_vain;
     }
     if (active_ || (!trail_.empty() && (trail_.back() - here_m).norm() < step_m))
         return;
@@ -44,12 +46,18 @@ bool WayBack::isPinned() const {
     return nearest_m_ < closed_m && now_ - moved_at_ > pinned_for;
 }
 
-bool WayBack::begin(double room_m) {
+bool WayBack::stands() const {
+    return now_ - moved_at_ > standing_for;
+}
+
+bool WayBack::begin(double room_m, double least_m) {
     while (!trail_.empty() && (trail_.back() - here_m_).norm() < trail_passed_m)
         trail_.pop_back();
     active_ = !trail_.empty();
     moved_at_ = now_;
     room_m_ = room_m;
+    least_m_ = least_m;
+    began_at_m_ = here_m_;
     return active_;
 }
 

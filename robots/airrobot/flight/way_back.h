@@ -19,14 +19,20 @@ public:
     void note(Seconds now, const Vec2& here_m, double nearest_m);
     /// True if the robot stands so near to something that every direction is closed.
     bool isPinned() const;
-    /// Starts to go back, to where nothing is nearer than `room_m`. Returns false if it has been nowhere else.
-    bool begin(double room_m = roomy_m);
+    /// True if the robot has not got on for long.
+    bool stands() const;
+    /// Starts to go back, to where nothing is nearer than `room_m`, but at least so far. Returns false if it has been
+    /// nowhere else.
+    bool begin(double room_m = roomy_m, double least_m = 0.0);
+    /// The same, all the way to where the flight began, or as far as it remembers.
+    bool beginWhole() { return begin(no_room_m); }
     bool active() const { return active_; }
     /// The place to steer at while it is active.
     const Vec2& aim_m() const { return trail_.back(); }
 
 private:
-    static constexpr double roomy_m = 1.75; ///< so much room that ways are open
+    static constexpr double roomy_m = 1.75;  ///< so much room that ways are open
+    static constexpr double no_room_m = 1e9; ///< There is so much nowhere.
 
     std::vector<Vec2> trail_; ///< where it has been, without loops; the newest last
     Vec2 here_m_ = Vec2::Zero();
@@ -35,6 +41,8 @@ private:
     Seconds now_{0.0};
     double nearest_m_ = 1e9;
     double room_m_ = roomy_m; ///< where the way back ends
+    double least_m_ = 0.0;    ///< but not so near to where it began
+    Vec2 began_at_m_ = Vec2::Zero();
     bool active_ = false;
 };
 

@@ -19,6 +19,10 @@ constexpr double aside_m = 1.2;       ///< So far it moves aside from what it ha
 constexpr double below_lid_m = 0.5;   ///< Scanner hits that are higher are over the robot.
 /// A robot that flies slowly may come so much nearer than the settings say.
 constexpr double nearness = 0.55;
+/// It hesitates if it has stayed within this distance for so long.
+constexpr double moves_on_m = 1.0;
+constexpr Seconds hesitating{5.0};
+constexpr double past_it_m = 3.0; ///< So far from there, it flies as usual again.
 
 } // namespace
 
@@ -26,7 +30,7 @@ void Ways::startAnew(double base_z_m) {
     high_.clear();
     low_.clear();
     lid_m_ = base_z_m + low_room_m;
-    under_ = near_ = squeezes_ = false;
+    under_ = near_ = squeezes_ = hesitates_ = false;
 }
 
 void Ways::take(const Senses& senses, double below_m, bool sure, bool roofed) {
@@ -81,6 +85,17 @@ std::optional<Motion> Ways::sink(const Senses& senses) const {
     if ((senses.position2_m() - sink_at_m_).norm() < over_sink_m)
         motion.climb_m_s = -Overhead::gentle_m_s; // A rack or a beam may be below.
     return motion;
+}
+
+void Ways::noteProgress(Seconds now, const Vec2& here_m) {
+    const bool asked_lately = now - asked_at_ < hesitating;
+    asked_at_ = now;
+    if (!asked_lately || (here_m - moved_to_m_).norm() > (hesitates_ ? past_it_m : moves_on_m)) {
+        hesitates_ = false;
+        moved_to_m_ = here_m;
+        moved_at_ = now;
+    }
+    hesitates_ = hesitates_ || now - moved_at_ > hesitating;
 }
 
 Settings Ways::forThreats(Settings settings) const {

@@ -52,8 +52,11 @@ public:
     void comeNear(bool near) { near_ = near; }
     /// The same for as long as its detour leads through a narrow place.
     void squeeze(bool narrow) { squeezes_ = narrow; }
+    /// The same where it does not get on: what its sonars hear around it keeps it there, although there may be room.
+    /// Call it in each tick in which the robot is to fly somewhere.
+    void noteProgress(Seconds now, const Vec2& here_m);
     bool isUnder() const { return under_; }
-    bool isNarrow() const { return near_ || under_ || squeezes_; }
+    bool isNarrow() const { return near_ || under_ || squeezes_ || hesitates_; }
     /// The settings with which threats are judged: in a door of 3 m, every sonar to the side would hear a high risk.
     Settings forThreats(Settings settings) const;
 
@@ -65,6 +68,10 @@ private:
     bool sunk_ = false; ///< since then
     bool near_ = false;
     bool squeezes_ = false;
+    bool hesitates_ = false;
+    Vec2 moved_to_m_ = Vec2::Zero(); ///< where it was when it moved last, or began to hesitate
+    Seconds moved_at_{0.0};
+    Seconds asked_at_{-1e9};
     Vec2 sink_at_m_ = Vec2::Zero();
 };
 
