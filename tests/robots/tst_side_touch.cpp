@@ -67,6 +67,23 @@ private slots:
         QVERIFY(ticks > 4);
     }
 
+    /// Beside racks, it sank onto one, which turned it over (surveys 168461 and 168653).
+    void doesNotSinkOntoWhatIsBelow_data() {
+        QTest::addColumn<bool>("over_things");
+        QTest::newRow("over a rack") << true;
+        QTest::newRow("over the ground") << false;
+    }
+    void doesNotSinkOntoWhatIsBelow() {
+        QFETCH(bool, over_things);
+        SideTouch touch;
+        Senses senses = sensesAt({0, 0, 6});
+        senses.ground_m = 0.0;
+        setSonars(senses, {{"M0", 0.1}});
+        const auto away = touch.free(senses, {.velocity_in_map_m_s = Vec2(0.4, 0.0), .over_things = over_things});
+        QVERIFY(away && away->velocity_in_map_m_s.x() < -0.3);
+        QCOMPARE(away->climb_m_s < 0.0, !over_things);
+    }
+
     /// A beam below a roof held it, and it took that for wind (survey 163333).
     void backsAwayFromWhatHoldsItFast_data() {
         QTest::addColumn<double>("told_m_s");

@@ -52,6 +52,7 @@ constexpr double hold_still_m = 0.5;
 /// A robot that is hindered for so long looks for a detour, and again after the same time.
 constexpr Seconds patience{6.0};
 constexpr double detour_m_s = 1.0;
+constexpr double among_m = 3.0;         ///< A detour is as slow as through a door where something is nearer than this.
 constexpr double blocked_ahead_m = 1.5; ///< Where a robot does not get on, something is so far before it,
 constexpr double leaves_m = 3.0;        ///< and it goes back so far to try another way.
 /// A robot that is less above a ceiling than this may be below it: the estimate of its height drifts by decimeters.
@@ -166,9 +167,9 @@ void Craft::look(const Leg& leg) {
                     : detour_.active() ? detour_.aim_m(ways.map(), senses)
                                        : leg.aim_m;
     ways.squeeze(detour_.isNarrow());
-    if (way_back_.active() || ways.isNarrow())
-        threats = threatsOnWay(std::move(threats),
-                               bearingOf(detour_aim_m_ - senses.position2_m()) - senses.base_in_map.yaw_rad);
+    const double way_rad = bearingOf(detour_aim_m_ - senses.position2_m()) - senses.base_in_map.yaw_rad;
+    if ((way_back_.active() || ways.isNarrow()) && isWayClear(threats, way_rad))
+        threats = noThreats(std::move(threats));
     evasion_.observe(senses, threats, detour_aim_m_, settings);
     decision_.reset();
 }
@@ -240,7 +241,8 @@ FlightState Craft::perform(Maneuver maneuver, const Leg& asked, agent::CommandPo
     Leg leg = asked;
     if (detour_.active() || way_back_.active()) {
         leg.aim_m = detour_aim_m_;
-        leg.speed_m_s = std::min(leg.speed_m_s, way_back_.active() ? Ways::door_m_s : detour_m_s);
+        const bool among_things = nearest_m(obstacles_, senses.position2_m(), among_m) < among_m;
+        leg.speed_m_s = std::min(leg.speed_m_s, way_back_.active() || among_things ? Ways::door_m_s : detour_m_s);
     }
     if (ways.isNarrow())
         leg.speed_m_s = std::min(leg.speed_m_s, Ways::door_m_s);
@@ -323,7 +325,7 @@ Motion Craft::evade(const EvasionDecision& decision, const Leg& leg, FlightState
         const Vec2 away(std::cos(decision.flee_bearing_rad), std::sin(decision.flee_bearing_rad));
         const double turned_rad = std::abs(normalizedAngle(decision.flee_bearing_rad - senses.base_in_map.yaw_rad));
         const bool backs_away = senses.velocity_in_map_m_s.head<2>().dot(away) > backs_m_s;
-        const double speed_m_s = turned_rad > heard_rad && backs_away
+        const double speed_m_s = ways.isNarrow() || (turned_rad > heard_rad && backs_away)
                                      ? std::min(settings.evasion_speed_m_s, Overhead::careful_m_s)
                                      : settings.evasion_speed_m_s;
         return {.velocity_in_map_m_s = speed_m_s * away, .sudden = decision.sudden};

@@ -15,17 +15,31 @@ constexpr Seconds longest_press{6.0};
 constexpr double least_away_m_s = 0.25;
 constexpr double least_away_through_air_m_s = 0.3;
 
+/// A robot that sank by 0.4 m away from what held its ring beside racks caught on one and turned over (random surveys
+/// 168461 and 168653). What is higher than its belly is beside it.
+constexpr double belly_m = 0.1;
+constexpr double just_below_m = 1.2;
+
 } // namespace
 
 void Craft::command(const Motion& motion, agent::CommandPort& port, const std::string& source) {
     const bool below_roof = touchesRoof();
-    Motion safe = ways.sink(senses).value_or(below_roof ? Motion{.climb_m_s = -Overhead::gentle_m_s} : motion);
+    Motion safe = below_roof ? Motion{.climb_m_s = -Overhead::gentle_m_s} : motion;
+    if (const auto under_lid = ways.sink(senses)) {
+        safe = *under_lid;
+        makeSafe(safe);
+    }
     const Vec2 told_m_s = Eigen::Rotation2Dd(senses.base_in_map.yaw_rad) * pilot_.wantedInBase_m_s();
-    const auto away =
-        touches_.side.free(senses, {pilot_.told().yaw_rate_rad_s, told_m_s, commanded_climb_m_s_, motion.to_ground});
+    const double z_m = senses.position_m().z();
+    const double below_m =
+        memory.highest_m(senses.position2_m(), settings.footprint_radius_m, z_m - belly_m).value_or(-1e9);
+    const auto away = touches_.side.free(senses, {pilot_.told().yaw_rate_rad_s, told_m_s, commanded_climb_m_s_,
+                                                  motion.to_ground, z_m - below_m < just_below_m});
     if (const auto& met_m = touches_.side.met_m())
         memory.touch(*met_m);
-    if (touches_.side.holdsFast())
+    // What holds it looks like wind from ahead, of which there is none below a ceiling: it pressed ever harder against
+    // a wall, and broke (random survey 168861).
+    if (touches_.side.holdsFast() || (touches_.side.met_m() && overhead.hasCeiling()))
         pilot_.forgetDrift();
     if (away && !below_roof) {
         safe = *away;

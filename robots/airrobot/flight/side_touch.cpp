@@ -128,8 +128,8 @@ std::optional<Motion> SideTouch::free(const Senses& senses, const Doing& doing) 
     } else if (const auto toward = holds_fast_ ? doing.velocity_in_map_m_s.normalized() : feel(senses)) {
         const Vec2 at_m = senses.position2_m() + ring_m * *toward;
         met_m_ = Vec3(at_m.x(), at_m.y(), senses.position_m().z() + reaches_above_m);
-        const bool may_sink =
-            !doing.to_ground && doing.climb_m_s >= 0.0 && senses.heightOverGround_m(1e9) > least_height_m;
+        const bool may_sink = !doing.to_ground && !doing.over_things && doing.climb_m_s >= 0.0 &&
+                              senses.heightOverGround_m(1e9) > least_height_m;
         away_ = {
             .velocity_in_map_m_s = -free_speed_m_s * *toward, .climb_m_s = may_sink ? -sinks_m_s : 0.0, .sudden = true};
         freeing_since_ = senses.now;

@@ -25,6 +25,8 @@ public:
         Vec2 velocity_in_map_m_s = Vec2::Zero();
         double climb_m_s = 0.0;
         bool to_ground = false; ///< It lands: it sinks only over its place.
+        /// Something just below it would hold it if it sank.
+        bool over_things = false;
     };
     /// The motion by which it gets free in this tick; nullopt if nothing holds it. It sinks a little, because a side
     /// that is held while the robot rises is pressed down, and that turns it over. Call it once per tick.

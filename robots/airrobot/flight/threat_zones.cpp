@@ -17,20 +17,6 @@ bool atOurLevel(const SonarEcho& echo, double base_z_m) {
     return echo.high_m > base_z_m - level_tolerance_m && echo.low_m < base_z_m + level_tolerance_m;
 }
 
-/// Sets `risk` and `greatest` by the zones.
-void findGreatest(ThreatPicture& picture) {
-    picture.risk = agent::Risk::None;
-    picture.greatest.reset();
-    for (std::size_t i = 0; i < picture.zones.size(); ++i) {
-        const agent::SonarZone& zone = picture.zones[i];
-        if (zone.risk == agent::Risk::None || zone.risk < picture.risk)
-            continue;
-        if (zone.risk > picture.risk || zone.range_m < picture.zones[*picture.greatest].range_m)
-            picture.greatest = i;
-        picture.risk = zone.risk;
-    }
-}
-
 } // namespace
 
 std::size_t ringOf(double bearing_rad) {
@@ -53,15 +39,28 @@ ThreatPicture judgeThreats(const Senses& senses, const Settings& settings) {
         }
         picture.zones.push_back(std::move(zone));
     }
-    findGreatest(picture);
+    for (std::size_t i = 0; i < picture.zones.size(); ++i) {
+        const agent::SonarZone& zone = picture.zones[i];
+        if (zone.risk == agent::Risk::None || zone.risk < picture.risk)
+            continue;
+        if (zone.risk > picture.risk || zone.range_m < picture.zones[*picture.greatest].range_m)
+            picture.greatest = i;
+        picture.risk = zone.risk;
+    }
     return picture;
 }
 
-ThreatPicture threatsOnWay(ThreatPicture picture, double way_rad) {
+bool isWayClear(const ThreatPicture& picture, double way_rad) {
+    return std::ranges::none_of(picture.zones, [&](const agent::SonarZone& zone) {
+        return zone.risk == agent::Risk::High && std::abs(normalizedAngle(zone.bearing_rad - way_rad)) <= on_way_rad;
+    });
+}
+
+ThreatPicture noThreats(ThreatPicture picture) {
     for (agent::SonarZone& zone : picture.zones)
-        if (zone.risk != agent::Risk::High || std::abs(normalizedAngle(zone.bearing_rad - way_rad)) > on_way_rad)
-            zone.risk = agent::Risk::None;
-    findGreatest(picture);
+        zone.risk = agent::Risk::None;
+    picture.risk = agent::Risk::None;
+    picture.greatest.reset();
     return picture;
 }
 

@@ -26,8 +26,11 @@ std::size_t ringOf(double bearing_rad);
 /// cone points at the ground.
 ThreatPicture judgeThreats(const Senses& senses, const Settings& settings);
 
-/// Leaves only the high risks near the way, for a robot that knows its way: what stands beside that is no threat.
-/// `way_rad` is its bearing in the robot's frame.
-ThreatPicture threatsOnWay(ThreatPicture picture, double way_rad);
+/// True if no sonar hears a high risk near a way, whose bearing in the robot's frame is `way_rad`. What stands beside
+/// it is no threat to a robot that knows its way.
+bool isWayClear(const ThreatPicture& picture, double way_rad);
+
+/// The same echoes, taken for harmless.
+ThreatPicture noThreats(ThreatPicture picture);
 
 } // namespace usar::airrobot
