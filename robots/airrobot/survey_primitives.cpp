@@ -79,7 +79,9 @@ void addGoalSenses(SurveyPrimitives& list) {
 }
 
 void addAvoidanceSenses(SurveyPrimitives& list) {
-    addSense(list, "SonarRisk", "The highest risk that any sonar reports.", worstRisk)
+    addSense(list, "SonarRisk",
+             "The highest risk that any sonar reports; none beside a way that the robot knows and flies slowly.",
+             worstRisk)
         .oneOf({"none", "low", "high"})
         .needs("Sonar");
     addSense(list, "ThreatMatters", "There is a high risk, or a low risk on the way to the goal.",
@@ -227,8 +229,10 @@ void addGoalActs(SurveyPrimitives& list) {
     addNote(list, "GiveUpAndReturn",
             "Gives up the scan because the robot's own battery runs low, and makes the base the goal.",
             &SurveyFlight::obeyRobotBattery);
-    addNote(list, "LandHere", "Gives up the scan because the way home is blocked, and lands at the present place.",
-            &SurveyFlight::landHere);
+    addNote(
+        list, "LandHere",
+        "Looks for a way home again, then goes back as it came. If both fail, it gives up the scan and lands nearby.",
+        &SurveyFlight::landHere);
 }
 
 void addGroundActs(SurveyPrimitives& list) {

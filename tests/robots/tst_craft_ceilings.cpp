@@ -91,6 +91,30 @@ private slots:
         QVERIFY2(*drive.forward_m_s < 0.35, qPrintable(QString::number(*drive.forward_m_s)));
     }
 
+    /// Where no way leads home, it retraces its flight, whatever its goal is, and no faster than it bears a touch.
+    void fliesBackAsItCame() {
+        craft->settings.climb_over = false;
+        protocol::AerialDrive drive;
+        const auto tick = [&] {
+            perceive(6.0, {});
+            const auto told = fly();
+            drive = told.forward_m_s ? told : drive; // An unchanged command is not sent again.
+            move(drive);
+        };
+        QVERIFY(!craft->retrace()); // It has been nowhere.
+        for (int i = 0; i < 60 && x_m < 6.0; ++i)
+            tick();
+        QVERIFY(x_m >= 6.0);
+        QVERIFY(craft->retrace());
+        for (int i = 0; i < 20; ++i) // It turns around.
+            tick();
+        for (int i = 0; i < 100 && x_m > 1.0; ++i) {
+            tick();
+            QVERIFY2(*drive.forward_m_s < 1.2 * Ways::door_m_s, qPrintable(QString::number(*drive.forward_m_s)));
+        }
+        QVERIFY2(x_m <= 1.0, qPrintable(QString::number(x_m)));
+    }
+
     /// In a room it stood for minutes, because something was within five meters all around (random survey 168085).
     void fliesOnInARoomWhereSomethingIsAllAround() {
         craft->settings.climb_over = false;

@@ -24,7 +24,7 @@ constexpr double tolerance_m = 0.3;
 /// On a slope of 15 degrees, a sonar hears the ground where its beam is lower than this over the ground below.
 constexpr double surely_no_ground_m = 1.3;
 constexpr double ahead_rad = radians(60.0);
-constexpr double heard_again_m = 0.2; ///< Of things nearer to one another, one is enough.
+constexpr double heard_again_m = 0.2; ///< It keeps one of several things that are nearer to one another than this.
 constexpr double early_m = 0.3;       ///< A look begins so much below the height up to which the air is known.
 /// So little of unknown air is not worth a look: it climbs through that slowly enough to bear a touch.
 constexpr double hardly_m = 1.2;

@@ -46,9 +46,9 @@ public:
     AscentStep step(const Senses& senses, const Vec3& goal_m, const Overhead& overhead, const ObstacleMemory& memory,
                     const Settings& settings);
 
-    /// What the sonars heard as it looked around, well above the ground: a thin trunk may stand between two scans. Adds
-    /// what they hear now if it is called on the way to another place.
+    /// What the sonars heard as it looked around, well above the ground: a thin trunk may stand between two scans.
     const std::vector<Obstacle>& heard() const { return heard_; }
+    /// Adds what they hear now. Call it on the way to another place for the climb.
     void listen(const Senses& senses);
 
 private:

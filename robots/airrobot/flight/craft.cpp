@@ -23,7 +23,6 @@ constexpr double canopy_seen_m = 30.0;
 constexpr double canopy_way_m = 25.0;
 /// A robot that is so much higher than where it ended a climb is climbing again.
 constexpr double over_again_m = 0.7;
-constexpr double least_climb_m = 1.0; ///< A climb over an obstacle needs this much room below a ceiling.
 /// A robot that is to fly fast is slow among things within this distance and bearing, and slower while it climbs faster
 /// than `rising_m_s`: trunks carry crowns, and no sensor looks at what is higher.
 constexpr double near_m = 6.0;
@@ -41,20 +40,14 @@ constexpr double seen_sky_m_s = 0.7;
 /// if it is slower than this and climbs with care.
 constexpr double looks_down_rad = radians(7.5);
 constexpr double blind_m_s = 0.5;
-/// A climb over something needs this share of the stand-off at its place.
-constexpr double least_room_share = 0.85;
 constexpr double heard_rad = radians(100.0); ///< No sonar hears what is farther from the nose than this.
 /// A robot that backs away faster than this no longer nears what it flees from, and what it flees to it may touch: one
 /// fled between racks and broke at the one behind it (`tst_random_surveys_campaign`, number 159781).
 constexpr double backs_m_s = 0.1;
 constexpr double stands_m_s = 0.05; ///< A slower robot does not get past what is before it.
 constexpr double hold_still_m = 0.5;
-/// A robot that is hindered for so long looks for a detour, and again after the same time.
-constexpr Seconds patience{6.0};
 constexpr double detour_m_s = 1.0;
-constexpr double among_m = 3.0;         ///< A detour is as slow as through a door where something is nearer than this.
-constexpr double blocked_ahead_m = 1.5; ///< Where a robot does not get on, something is so far before it,
-constexpr double leaves_m = 3.0;        ///< and it goes back so far to try another way.
+constexpr double among_m = 3.0; ///< A detour is as slow as through a door where something is nearer than this.
 /// A robot that is less above a ceiling than this may be below it: the estimate of its height drifts by decimeters.
 constexpr double surely_above_m = 1.5;
 constexpr double below_ceiling_m = 0.5; ///< Scanner hits higher than this are on the ceiling.
@@ -196,46 +189,6 @@ FlightState Craft::fly(const Leg& leg, agent::CommandPort& port) {
     return stuck() ? FlightState::Unreachable : state;
 }
 
-void Craft::noteGoal(const Leg& leg) {
-    const Vec2& goal_m = leg.goal_m;
-    if (goal_m_ && (*goal_m_ - goal_m).norm() < 0.5)
-        return;
-    if (std::exchange(goal_m_, goal_m))
-        no_way_before_ = false; // The last goal was reached.
-    no_way_ = false;
-    detour_.end();
-    if (no_way_before_ && !ways.map().isStraightWayFree(senses.position2_m(), goal_m, senses.position_m().z()))
-        no_way_ = !detour_.start(ways.map(), senses, goal_m, leg.width) && !mayClimb();
-}
-
-bool Craft::mayClimb() const {
-    const double room_m = overhead.limit_m(senses.position2_m()) - senses.position_m().z();
-    return settings.climb_over && room_m > least_climb_m;
-}
-
-void Craft::findWay(const Leg& leg) {
-    if (mayClimb()) {
-        if (stuck_.hindered() > Seconds(settings.climb_over_after_s))
-            findClimb();
-        return;
-    }
-    if (stuck_.hindered() < patience || senses.now - looked_for_way_ < patience)
-        return;
-    looked_for_way_ = senses.now;
-    no_way_ = !detour_.start(ways.map(), senses, leg.goal_m, leg.width);
-}
-
-/// Climbs nearby. In a hurry, it has come among crowns faster than it could look at them, and they get wider on the way
-/// up: where there is no room, it goes back to where it came from, and climbs there.
-void Craft::findClimb() {
-    const Vec2 place_m = climbPlace_m(obstacles_, senses.position2_m(), settings.climb_standoff_m, retreat());
-    const double room_m = nearest_m(obstacles_, place_m, settings.climb_standoff_m);
-    plans_after_way_back_ = settings.hurried() && room_m < least_room_share * settings.climb_standoff_m &&
-                            way_back_.begin(settings.climb_standoff_m);
-    if (!plans_after_way_back_)
-        climb_over_.start(senses, obstacles_, settings, retreat());
-}
-
 FlightState Craft::perform(Maneuver maneuver, const Leg& asked, agent::CommandPort& port) {
     FlightState state = FlightState::Flying;
     Leg leg = asked;
@@ -260,19 +213,7 @@ FlightState Craft::perform(Maneuver maneuver, const Leg& asked, agent::CommandPo
         stuck_.wait(senses.now); // A detour has a time limit of its own.
     else
         stuck_.update(senses.now, senses.position2_m(), leg.goal_m, hindered);
-    if (hindered && !mayClimb() && !way_back_.active() && way_back_.isPinned()) {
-        way_back_.begin();
-        detour_.end();
-    } else if (hindered && !mayClimb() && !way_back_.active() && way_back_.stands()) {
-        const Vec2 here_m = senses.position2_m(); // What keeps it here is on the way that it has tried.
-        ways.map().block(here_m + blocked_ahead_m * (detour_aim_m_ - here_m).normalized(), senses.position_m().z());
-        plans_after_way_back_ = way_back_.begin(0.0, leaves_m);
-        detour_.end();
-    } else if (!mayClimb() && !way_back_.active() && std::exchange(plans_after_way_back_, false)) {
-        no_way_ = !detour_.start(ways.map(), senses, leg.goal_m, leg.width);
-    } else if (hindered && !climb_over_.active() && !detour_.active() && !way_back_.active()) {
-        findWay(leg);
-    }
+    findWay(leg, hindered);
     const double wanted_m_s = motion.velocity_in_map_m_s.norm();
     makeSafe(motion);
     // Steering counts on the robot to climb on its way; where it stands instead, it must look for another way.

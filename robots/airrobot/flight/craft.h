@@ -104,7 +104,7 @@ private:
     std::vector<Obstacle> trunksNear(const Vec2& at_m) const;
     void mindColumn(const AscentStep& step, Motion& motion);
     bool riseElsewhere(double goal_z_m);
-    void findWay(const Leg& leg); ///< a climb over what is in the way, or a detour where it may not climb
+    void findWay(const Leg& leg, bool hindered); ///< Has it climb over what hinders it, take a detour, or go back.
     void findClimb();
     double climbRate(const WayAhead& way);
     bool besideOverhang() const;         ///< A nearby obstacle reaches its height and may be wider above, like a trunk.

@@ -37,8 +37,8 @@ void Craft::command(const Motion& motion, agent::CommandPort& port, const std::s
                                                   motion.to_ground, z_m - below_m < just_below_m});
     if (const auto& met_m = touches_.side.met_m())
         memory.touch(*met_m);
-    // What holds it looks like wind from ahead, of which there is none below a ceiling: it pressed ever harder against
-    // a wall, and broke (random survey 168861).
+    // A thing that holds it looks like wind from ahead, and there is no wind below a ceiling: it pressed ever harder
+    // against a wall, and broke (random survey 168861).
     if (touches_.side.holdsFast() || (touches_.side.met_m() && overhead.hasCeiling()))
         pilot_.forgetDrift();
     if (away && !below_roof) {

@@ -40,8 +40,8 @@ constexpr Seconds spare_to_sink{5.0};
 constexpr double ring_step_m = 1.0;
 constexpr int spots = 12;
 constexpr double seen_share = 0.8; ///< of the ground below the body
-/// What was not seen lies on one side if the middle of what was seen is off by this share of the radius. There may be
-/// no ground: beside the end of the world, the robot stood on two legs and fell (random survey 6).
+/// Where the middle of the ground that was seen is off by this share of the radius, the unseen part lies on one side,
+/// and the ground may end there: beside the end of the world, the robot stood on two legs and fell (random survey 6).
 constexpr double one_sided = 0.12;
 constexpr double in_sight_m = 20.0; ///< as far as the scanner reaches
 constexpr Seconds look_every{1.0};

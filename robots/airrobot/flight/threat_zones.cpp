@@ -11,7 +11,7 @@ constexpr double ring_step_rad = radians(18.0);
 constexpr std::size_t last_ring = 4;
 /// The body extends 0.1 m up and down; the rest is for tilt and drift.
 constexpr double level_tolerance_m = 0.5;
-constexpr double on_way_rad = radians(50.0); ///< What is farther aside than this is not on the way.
+constexpr double on_way_rad = radians(50.0); ///< An echo that is farther aside does not count as on the way.
 
 bool atOurLevel(const SonarEcho& echo, double base_z_m) {
     return echo.high_m > base_z_m - level_tolerance_m && echo.low_m < base_z_m + level_tolerance_m;

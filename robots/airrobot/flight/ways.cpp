@@ -82,7 +82,7 @@ std::optional<Motion> Ways::sink(const Senses& senses) const {
     if (!under_ || sunk_)
         return std::nullopt;
     Motion motion = holding(senses, sink_at_m_);
-    // What stands before its place may hold it there, and it knows no way around that.
+    // It flies straight to its place, and may touch something before that.
     motion.velocity_in_map_m_s *= std::min(1.0, door_m_s / std::max(door_m_s, motion.velocity_in_map_m_s.norm()));
     if ((senses.position2_m() - sink_at_m_).norm() < over_sink_m)
         motion.climb_m_s = -Overhead::gentle_m_s; // A rack or a beam may be below.
