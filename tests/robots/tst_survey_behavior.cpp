@@ -499,7 +499,7 @@ private slots:
         toy.run(Seconds(120));
         QVERIFY(toy.ending() && !toy.ending()->success);
         QVERIFY2(toy.robot().onGround(), toy.ending()->reason.c_str());
-        QVERIFY2((toy.robot().position_m().head<2>() - fit_m).norm() < 2.0, // It is level so far.
+        QVERIFY2((toy.robot().position_m().head<2>() - fit_m).norm() < 2.3, // So far, it is level to a few decimeters.
                  qPrintable(QString("%1 %2").arg(toy.robot().position_m().x()).arg(toy.robot().position_m().y())));
     }
 

@@ -98,6 +98,7 @@ void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool a
     const bool aloft = senses.heightOverGround_m(1e9) > surely_aloft_m;
     reader_.tellCommand(aloft ? pilot_.wantedInBase_m_s() : Vec2::Zero(),
                         aloft && !ascending_ ? commanded_climb_m_s_ : 0.0);
+    reader_.tellDrive(aloft ? std::optional<Vec2>(pilot_.told().velocity_m_s.head<2>()) : std::nullopt);
     senses = reader_.read(tick.now, tick.line, tick.robot, layout, Seconds(settings.sensor_timeout_s));
     const Vec3 measured_m_s =
         Eigen::AngleAxisd(-senses.base_in_map.yaw_rad, Vec3::UnitZ()) * senses.velocity_in_map_m_s;

@@ -41,33 +41,42 @@ private:
     std::deque<Entry> poses_; ///< oldest first
 };
 
-/// Estimates the drift of the heading from the course: in steady flight the robot moves in the commanded direction. The
-/// INS adds noise to each turn, so its heading drifts by about one degree per right angle
+/// Estimates the drift of the heading from the course: in steady, calm flight the robot moves in the commanded
+/// direction. The INS adds noise to each turn, so its heading drifts by about one degree per right angle
 /// (robots-and-worlds.md 4.4), which misplaces a scan at 19 m by a third of a meter per degree. Its position does not
-/// depend on its heading. Therefore, after the commanded velocity (robot frame) has been steady for a while, the
-/// direction of the INS's displacement minus the commanded direction is the true heading, with a noise of 3 degrees per
-/// tick. This is a Kalman filter with one state, the correction; turns increase its variance. It does not use ground
+/// depend on its heading. Wind carries the robot aside, too, but in the same direction of the map whichever way it
+/// flies. So this is a Kalman filter with three states: the correction of the heading, whose variance turns increase,
+/// and the two components of what wind adds to the velocity. It learns from each tick in which the commanded velocity
+/// (robot frame) has been steady for a while and the robot flies straight ahead or hovers. It does not use ground
 /// truth. Owned by one robot.
 class CourseFilter {
 public:
-    /// Takes an INS reading and the velocity that is commanded now. Call it for every reading; it skips readings that
-    /// come faster than usual ticks, because its noise model is for steps of a usual tick.
-    void update(Seconds now, const Pose& ins_in_map, const Vec2& commanded_in_base_m_s);
+    /// Takes an INS reading and the velocity that is commanded now relative to the air; nullopt for a robot that may be
+    /// unable to obey, as on the ground. Call it for every reading; it skips readings that come faster than usual
+    /// ticks, because its noise model is for steps of a usual tick.
+    void update(Seconds now, const Pose& ins_in_map, const std::optional<Vec2>& commanded_in_base_m_s);
     /// The correction to add to the INS's yaw.
-    double correction_rad() const { return correction_rad_; }
-    /// Starts again without a correction.
-    void reset() { *this = {}; }
+    double correction_rad() const { return state_[0]; }
+    /// What the wind seems to add to the robot's velocity, in the map frame.
+    Vec2 wind_m_s() const { return state_.tail<2>(); }
+    /// The INS was set: there is no correction. The wind may be another one, but most likely is the same.
+    void insWasSet();
 
 private:
-    /// Updates the correction by one step; `expected_rad` is the course according to the INS's yaw and the command.
-    void learn(const Vec2& step_m, double expected_rad);
+    /// Uses the velocity (map frame) of one step; `heading_rad` is the INS's yaw in its middle.
+    void learn(const Vec3& velocity_m_s, double heading_rad, const Vec2& commanded_in_base_m_s);
+    /// Lets the state's variance grow as it may have changed in a step.
+    void predict(Seconds step, double turn_rad);
+    /// Anything may be the wind.
+    void doubtWind();
 
     std::optional<Seconds> last_at_;
     std::optional<Pose> last_;
     Vec2 command_m_s_ = Vec2::Zero(); ///< command with which the steady ticks began
     int steady_ticks_ = 0;
-    double correction_rad_ = 0.0;
-    double variance_rad2_ = 0.0;
+    int surprises_ = 0;         ///< steps in a row that the state cannot explain
+    Vec3 state_ = Vec3::Zero(); ///< correction (rad), wind (m/s)
+    Eigen::Matrix3d covariance_ = Vec3(0.0, 1.0, 1.0).asDiagonal();
 };
 
 } // namespace usar::airrobot

@@ -95,7 +95,7 @@ void SenseReader::forgetMotion() {
     sonar_check_.forget();
     history_.clear();
     told_history_.clear();
-    course_.reset();
+    course_.insWasSet();
     level_flight_.insWasSet();
     flown_m_ = 0.0;
 }
@@ -137,7 +137,7 @@ void SenseReader::readPose(Seconds now, const Reading* reading) {
     flown_m_ += history_.at(now) && step_m > standing_still_m ? step_m : 0.0;
     base_in_map_ = told_in_map;
     if (!by_truth_ && corrects_heading_) {
-        course_.update(now, base_in_map_, commanded_m_s_);
+        course_.update(now, base_in_map_, through_air_m_s_);
         base_in_map_.yaw_rad = normalizedAngle(base_in_map_.yaw_rad + course_.correction_rad());
     }
     history_.add(now, base_in_map_);

@@ -24,12 +24,15 @@ public:
     /// counts as silent.
     Senses read(Seconds now, LineNumber line, const modules::RobotModules& robot, const SensorLayout& layout,
                 Seconds time_out);
-    /// Sets the robot's last command: its velocity (robot frame), with which the course is compared, and its rate of
-    /// climb, which is 0 where the robot may be unable to obey it (see Told).
+    /// Sets the robot's last command: its velocity over ground (robot frame) and its rate of climb, which is 0
+    /// where the robot may be unable to obey it (see Told).
     void tellCommand(const Vec2& velocity_in_base_m_s, double climb_m_s = 0.0) {
         commanded_m_s_ = velocity_in_base_m_s;
         commanded_climb_m_s_ = climb_m_s;
     }
+    /// Sets the velocity relative to the air (robot frame) that was commanded last, with which the course is compared;
+    /// nullopt where the robot may be unable to obey it.
+    void tellDrive(const std::optional<Vec2>& through_air_in_base_m_s) { through_air_m_s_ = through_air_in_base_m_s; }
     /// Corrects the heading by the course from the next tick on, or leaves it as the INS tells it.
     void correctHeading(bool correct) { corrects_heading_ = correct; }
     /// Places the beams of the scanner from the next tick on as a robot leans in steady flight, or as the INS tells it.
@@ -71,6 +74,7 @@ private:
     SonarCheck sonar_check_;
     Vec2 commanded_m_s_ = Vec2::Zero(); ///< robot frame
     double commanded_climb_m_s_ = 0.0;
+    std::optional<Vec2> through_air_m_s_; ///< robot frame
     /// The pose of the last INS reading, with corrected yaw; kept while no new one comes.
     Pose base_in_map_;
     double flown_m_ = 0.0; ///< since the estimate jumped
