@@ -12,7 +12,7 @@ inline airrobot::Senses sensesAt(const Vec3& position_m, double yaw_rad = 0.0, d
     airrobot::Senses senses;
     senses.now = Seconds(now_s);
     senses.line = {42};
-    senses.base_in_map = {position_m, 0.0, 0.0, yaw_rad};
+    senses.base_in_map = senses.level_in_map = {position_m, 0.0, 0.0, yaw_rad};
     senses.ground_m = position_m.z() - 6.0;
     return senses;
 }

@@ -105,13 +105,15 @@ private slots:
         Senses senses = sensesAt({1, 2, 6});
         setFlatScan(senses, {0, 0}, 1.0, 0.0);
         senses.scan->line = {77};
-        senses.scan->scanner_in_map.position_m.z() = 5.9;
+        senses.scan->scanner_in_map.roll_rad = 0.08;
+        senses.scan->level_scanner_in_map = {Vec3(1, 2, 5.9), 0.01, 0.0, 0.0};
         FlightLog log;
         CommandPort port;
         log.tick(senses, true, settings, port);
         const auto placed = all<ScanPlacement>(port);
         QCOMPARE(placed.at(0).scan_line.value, std::uint64_t(77));
         QCOMPARE(placed.at(0).scanner_in_map.position_m.z(), 5.9);
+        QCOMPARE(placed.at(0).scanner_in_map.roll_rad, 0.01); // The map is made without the drift.
     }
 
     void marksThePathEveryMetre() {
@@ -128,8 +130,13 @@ private slots:
     void tellsThePoseEveryTickAlsoOnTheGround() {
         FlightLog log;
         CommandPort port;
-        log.tick(sensesAt({3, 4, 0}), false, settings, port);
-        QCOMPARE(all<PoseEstimate>(port).at(0).base_in_map.position_m.x(), 3.0);
+        Senses senses = sensesAt({3, 4, 0});
+        senses.base_in_map.roll_rad = 0.08;
+        senses.level_in_map.roll_rad = 0.01;
+        log.tick(senses, false, settings, port);
+        const auto told = all<PoseEstimate>(port);
+        QCOMPARE(told.at(0).base_in_map.position_m.x(), 3.0);
+        QCOMPARE(told.at(0).base_in_map.roll_rad, 0.01); // The map's own corrections begin there.
         log.tick(sensesAt({3, 4, 0}), false, settings, port);
         QVERIFY(all<MapMark>(port).empty());
     }

@@ -143,6 +143,9 @@ private slots:
         QVERIFY(senses.scan->lean_known);
         QCOMPARE(senses.base_in_map.roll_rad, 0.08);
         QCOMPARE(senses.scan->base_in_map.roll_rad, 0.08);
+        QCOMPARE(std::abs(senses.level_in_map.roll_rad) < 0.01, !by_truth); // for the map, whatever beams are for
+        const Pose level_base_in_map = senses.scan->level_scanner_in_map * inverse(layout.scanner_in_base);
+        QVERIFY(std::abs(level_base_in_map.roll_rad - senses.level_in_map.roll_rad) < 1e-6);
         QCOMPARE(senses.scan->scanner_in_map.position_m.z(),
                  (senses.base_in_map * layout.scanner_in_base).position_m.z());
     }

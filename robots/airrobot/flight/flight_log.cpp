@@ -49,12 +49,12 @@ void FlightLog::mark(agent::MarkKind kind, const Vec2& place_m, const Senses& se
 }
 
 bool FlightLog::tick(const Senses& senses, bool airborne, const Settings& settings, agent::CommandPort& port) {
-    port.publish(agent::PoseEstimate{senses.now, senses.base_in_map});
+    port.publish(agent::PoseEstimate{senses.now, senses.level_in_map});
     if (airborne)
         lean_.note(senses);
     const bool good = goodForMap(senses, airborne, lean_, settings);
     if (good)
-        port.publish(agent::ScanPlacement{senses.scan->line, senses.scan->scanner_in_map});
+        port.publish(agent::ScanPlacement{senses.scan->line, senses.scan->level_scanner_in_map});
     if (airborne && (!last_path_m_ || (senses.position_m() - *last_path_m_).norm() >= path_step_m)) {
         last_path_m_ = senses.position_m();
         mark(agent::MarkKind::Path, senses.position2_m(), senses, port);

@@ -110,6 +110,7 @@ Senses SenseReader::read(Seconds now, LineNumber line, const modules::RobotModul
     else
         readPose(now, robot.sensors.ins());
     senses.base_in_map = base_in_map_;
+    senses.level_in_map = by_truth_ ? base_in_map_ : level_flight_.corrected(base_in_map_);
     senses.height_doubt_m = by_truth_ ? 0.0 : doubt_per_root_m * std::sqrt(flown_m_);
     senses.velocity_in_map_m_s = history_.velocity_m_s();
     senses.yaw_rate_rad_s = history_.yawRate_rad_s();
@@ -190,6 +191,7 @@ void SenseReader::readScan(Senses& senses, const modules::RobotModules& robot, c
     const protocol::RangeScan& told = scan->value;
     const Pose steady_in_map =
         by_truth_ ? placed.scanner_in_map : level_flight_.corrected(base_in_map) * layout.scanner_in_base;
+    placed.level_scanner_in_map = steady_in_map;
     placed.lean_known = by_truth_ || wind_ || level_flight_.calm();
     const std::vector<Vec2>& directions = beam_directions_.of(told.step_rad(), told.fov_rad, ranges_m.size());
     placeBeams(directions, ranges_m, layout.scanner_maximum_m, corrects_lean_ ? steady_in_map : placed.scanner_in_map,

@@ -47,6 +47,8 @@ struct PlacedScan {
     /// False if the roll and pitch of the INS may have drifted unnoticed, so that these heights are wrong by meters.
     bool lean_known = true;
     std::vector<Vec3> misses_in_map_m{}; ///< where the range of the beams ended that hit nothing
+    /// The same as `scanner_in_map`, without the drift of the INS's roll and pitch as far as it is known: for the map.
+    Pose level_scanner_in_map{};
 };
 
 /// Lower than this over the ground, sonars may hear the ground instead of walls.
@@ -58,7 +60,8 @@ inline constexpr double sure_of_walls_m = 2.5;
 struct Senses {
     Seconds now{0.0};
     LineNumber line;
-    Pose base_in_map; ///< from the INS, with the heading corrected by the course; or from ground truth
+    Pose base_in_map;    ///< from the INS, with the heading corrected by the course; or from ground truth
+    Pose level_in_map{}; ///< the same without the drift of the INS's roll and pitch, as far as it is known
     /// Velocity over ground from the last INS readings; 0 after a jump of the position estimate.
     Vec3 velocity_in_map_m_s = Vec3::Zero();
     /// How far the height in `base_in_map` may be wrong by now; 0 if it comes from ground truth.
