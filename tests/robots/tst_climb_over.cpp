@@ -201,9 +201,10 @@ private slots:
         QTest::addColumn<double>("climbs_m_s");
         QTest::addColumn<double>("pitch_rad");
         QTest::addColumn<bool>("sinks");
-        QTest::newRow("it climbs as it is told") << 0.5 << 0.1 << false;
+        QTest::newRow("it climbs as it is told") << 0.5 << 0.04 << false;
         QTest::newRow("it is slower for a moment") << 0.1 << 0.0 << false;
         QTest::newRow("something presses its nose down") << 0.1 << 0.1 << true;
+        QTest::newRow("something jolts it") << 0.5 << 0.06 << true;
     }
     void sinksFromWhatItsRingMeetsAndClimbsElsewhere() {
         QFETCH(double, climbs_m_s);

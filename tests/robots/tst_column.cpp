@@ -104,20 +104,27 @@ private slots:
     void feelsATouchByItsLean_data() {
         QTest::addColumn<double>("climbs_m_s");
         QTest::addColumn<double>("pitch_rad");
+        QTest::addColumn<int>("within_ticks");
         QTest::addColumn<bool>("touched");
-        QTest::newRow("it climbs as it is told") << 0.4 << 0.1 << false;
-        QTest::newRow("it is slower for a moment") << 0.1 << 0.0 << false;
-        QTest::newRow("something presses its nose down") << 0.1 << 0.1 << true;
+        QTest::newRow("it climbs as it is told and comes to lean") << 0.4 << 0.1 << 3 << false;
+        QTest::newRow("it is slower for a moment") << 0.1 << 0.0 << 1 << false;
+        QTest::newRow("something presses its nose down") << 0.1 << 0.09 << 2 << true;
+        QTest::newRow("something jolts it") << 0.4 << 0.06 << 1 << true;
     }
     void feelsATouchByItsLean() {
         QFETCH(double, climbs_m_s);
         QFETCH(double, pitch_rad);
+        QFETCH(int, within_ticks);
         QFETCH(bool, touched);
         for (int tick = 0; tick < 6; ++tick)
             QVERIFY(mind().at_most_m_s > 0.0);
         senses.velocity_in_map_m_s.z() = climbs_m_s;
-        senses.base_in_map.pitch_rad = pitch_rad;
-        QCOMPARE(mind().at_most_m_s < 0.0, touched);
+        double at_most_m_s = 0.0;
+        for (int tick = 0; tick < within_ticks; ++tick) {
+            senses.base_in_map.pitch_rad += pitch_rad / within_ticks;
+            at_most_m_s = mind().at_most_m_s;
+        }
+        QCOMPARE(at_most_m_s < 0.0, touched);
         if (!touched)
             return;
         senses.base_in_map.position_m.z() = 5.0;

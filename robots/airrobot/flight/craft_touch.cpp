@@ -49,6 +49,10 @@ void Craft::command(const Motion& motion, agent::CommandPort& port, const std::s
             std::max(least_away_m_s, pilot_.drift_m_s().dot(direction) + least_away_through_air_m_s);
         if (safe.velocity_in_map_m_s.norm() < least_m_s)
             safe.velocity_in_map_m_s = least_m_s * direction;
+        // What a climb has met holds it from above, too: one that went aside and did not sink stayed in a crown until
+        // it broke (random survey 171904). It has come from below, so it may sink there.
+        if (climb_over_.mayBePressed(z_m))
+            safe.climb_m_s = std::min(safe.climb_m_s, motion.climb_m_s);
     }
     // The robot leans on what its belly rests on, too. It would not get away from that if it sank.
     const double climb_m_s = touches_.belly.rises() ? 0.0 : commanded_climb_m_s_;

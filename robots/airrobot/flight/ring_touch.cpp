@@ -6,6 +6,9 @@ namespace {
 
 constexpr double leans = 0.06;
 constexpr double tips = 0.18; ///< A robot that leans so far tips over, even while it still climbs as it is told.
+/// A robot that climbs straight up leans otherwise from one tick to the next by no more than this, also in wind, unless
+/// something has met its ring. One that went on for two more ticks broke (random survey 171056).
+constexpr double jolts = 0.05;
 constexpr double held_share = 0.6;
 constexpr Seconds to_speed{1.0}; ///< So long it takes to climb at all.
 constexpr Seconds to_tip{0.35};
@@ -42,6 +45,9 @@ std::optional<Vec3> RingTouch::feel(const Senses& senses, const Vec2& slope, dou
         climbing_since_.reset();
         return std::nullopt;
     }
+    const Vec2 lean = unusualLean(senses, slope);
+    const Vec2 jolt = climbing_since_ ? Vec2(lean - lean_before_) : Vec2(Vec2::Zero());
+    lean_before_ = lean;
     if (!climbing_since_)
         climbing_since_ = senses.now;
     const auto close_m = heardClose_m(senses);
@@ -50,13 +56,13 @@ std::optional<Vec3> RingTouch::feel(const Senses& senses, const Vec2& slope, dou
         climbing_since_.reset();
         return Vec3(close_m->x(), close_m->y(), senses.position_m().z() + touch_height_m);
     }
-    const Vec2 lean = unusualLean(senses, slope);
+    const bool jolted = jolt.norm() > jolts;
     const bool tipping = lean.norm() > tips;
     const bool held = lean.norm() > leans && senses.velocity_in_map_m_s.z() < held_share * commanded_m_s;
-    if (senses.now - *climbing_since_ < (tipping ? to_tip : to_speed) + senses.late || !(tipping || held))
+    if (senses.now - *climbing_since_ < (tipping ? to_tip : to_speed) + senses.late || !(jolted || tipping || held))
         return std::nullopt;
     climbing_since_.reset();
-    const Vec2 met_m = senses.position2_m() + touch_reach_m * lean.normalized();
+    const Vec2 met_m = senses.position2_m() + touch_reach_m * (jolted ? jolt : lean).normalized();
     return Vec3(met_m.x(), met_m.y(), senses.position_m().z() + touch_height_m);
 }
 

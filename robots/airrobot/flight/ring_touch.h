@@ -22,6 +22,7 @@ public:
 
 private:
     std::optional<Seconds> climbing_since_;
+    Vec2 lean_before_ = Vec2::Zero(); ///< in the last tick of this climb
     bool only_hears_ = false;
 };
 
