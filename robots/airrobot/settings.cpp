@@ -137,7 +137,7 @@ constexpr agent::ParameterRow<Settings> rows[]{
     {&S::landing_radius_m, "landing_radius_m", "Landing place within", "Landing", "m", 0, 20,
      "The robot looks for level ground within this distance of the base."},
     {&S::correct_heading, "correct_heading", "Correct the heading", "Pose", "", 0, 0,
-     "Corrects the drift of the INS's heading by the course that the robot flies."},
+     "Corrects the drift of the INS's heading by the course that the robot flies, and tells it from wind."},
     {&S::navigate_by_truth, "navigate_by_truth", "Navigate by ground truth", "Pose", "", 0, 0,
      "The robot takes its pose from the simulator's ground truth instead of the INS, which drifts. No real robot can."},
     {&S::rest_time_s, "rest_time_s", "Rest on the ground", "Pose", "s", 2, 60,

@@ -226,6 +226,26 @@ private slots:
         QVERIFY2(fastest_m_s <= Overhead::careful_m_s && fastest_m_s > 0.2, qPrintable(QString::number(fastest_m_s)));
     }
 
+    /// It went aside within a crown instead of sinking out of it, and broke (random survey 171904).
+    void sinksOutOfACrownThatAlsoHoldsItFromTheSide() {
+        for (int tick = 0; tick < 100 && !craft->climbingOver(); ++tick) {
+            perceive(6.0, {{"L1", 3.0}, {"M0", 3.0}, {"R1", 3.0}});
+            fly();
+        }
+        double climb_m_s = 0.0; // An unchanged command is not sent again.
+        for (int tick = 0; tick < 60 && z_m < 21.5; ++tick) {
+            perceive(z_m - 14.0, {{"M0", 3.0}});
+            climb_m_s = fly().climb_m_s.value_or(climb_m_s);
+            z_m += 0.2 * climb_m_s;
+        }
+        QVERIFY(craft->climbingOver() && climb_m_s > 0.0);
+        for (const double near_m : {0.35, 0.18, 0.16}) {
+            perceive(z_m - 14.0, {{"M0", 3.0}, {"R3", near_m}, {"R4", near_m}});
+            climb_m_s = fly().climb_m_s.value_or(climb_m_s);
+            QVERIFY2(climb_m_s < 0.0, qPrintable(QString::number(near_m)));
+        }
+    }
+
     /// Among crowns at its height, a robot climbed into one that got wider above (`quick_scan`, seeds 411 and 673).
     void climbsOverSomethingOnlyWhereThereIsRoom_data() {
         QTest::addColumn<double>("transit_m_s");
