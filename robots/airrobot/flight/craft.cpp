@@ -86,6 +86,14 @@ bool nearsSomething(const std::vector<Obstacle>& obstacles, const Vec2& here_m, 
     });
 }
 
+/// True if a sonar hears something before the robot that is not the ground.
+bool hearsSomething(const Senses& senses, double bearing_rad) {
+    return std::ranges::any_of(senses.sonars, [&](const SonarEcho& echo) {
+        const double aside_rad = normalizedAngle(senses.base_in_map.yaw_rad + echo.bearing_rad - bearing_rad);
+        return isNoGround(echo, senses) && std::abs(aside_rad) < ahead_rad;
+    });
+}
+
 } // namespace
 
 void Craft::perceive(const agent::Tick& tick, const SensorLayout& layout, bool airborne, agent::CommandPort& port) {
@@ -296,8 +304,7 @@ Motion Craft::cruise(const Leg& leg, FlightState& state) {
     }
     const double distance_m = (leg.aim_m - here_m).norm();
     const bool fast = leg.speed_m_s > Settings::unhurried_m_s;
-    const bool near_something = nearsSomething(obstacles_, here_m, *bearing);
-    const bool crowded = fast && near_something;
+    const bool crowded = fast && nearsSomething(obstacles_, here_m, *bearing);
     const double most_m_s = crowded ? std::min(leg.speed_m_s, crowded_m_s) : leg.speed_m_s;
     const double stops_m_s =
         stoppingSpeed_m_s(distance_m, settings.braking_m_s2 / 2.0, (reaction + senses.late).count());
@@ -305,7 +312,7 @@ Motion Craft::cruise(const Leg& leg, FlightState& state) {
     const Corner corner = fast && !crowded ? Corner::Round : Corner::Sharp;
     Motion motion = toward(senses, *bearing, speed_m_s, settings, corner);
     motion.climb_m_s = climbRate({here_m, *bearing, motion.velocity_in_map_m_s.norm(), straight_m});
-    if (near_something && motion.climb_m_s > rising_m_s)
+    if (motion.climb_m_s > rising_m_s && (crowded || hearsSomething(senses, *bearing)))
         motion.velocity_in_map_m_s *= rising_speed_m_s / std::max(speed_m_s, rising_speed_m_s);
     if (!climb_forbidden_)
         return motion;
