@@ -23,9 +23,10 @@ constexpr double canopy_seen_m = 30.0;
 constexpr double canopy_way_m = 25.0;
 /// A robot that is so much higher than where it ended a climb is climbing again.
 constexpr double over_again_m = 0.7;
-/// A robot that is to fly fast is slow among things within this distance and bearing. Any robot is, while it climbs
-/// faster than `rising_m_s`: trunks carry crowns, and no sensor looks at what is higher. One that climbed at 1 m/s on
-/// its way at 1.7 m/s met the underside of a crown that it had heard for two seconds (random survey 172368).
+/// A robot that is to fly fast is slow among things within this distance and bearing, and slower while it climbs faster
+/// than `rising_m_s`: trunks carry crowns, and no sensor looks at what is higher. So is any robot that hears something
+/// there: one that climbed at 1 m/s on its way at 1.7 m/s met the underside of a crown that it had heard for two
+/// seconds (random survey 172368).
 constexpr double near_m = 6.0;
 constexpr double ahead_rad = radians(75.0);
 constexpr double crowded_m_s = 1.2;

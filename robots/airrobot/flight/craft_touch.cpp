@@ -49,8 +49,8 @@ void Craft::command(const Motion& motion, agent::CommandPort& port, const std::s
             std::max(least_away_m_s, pilot_.drift_m_s().dot(direction) + least_away_through_air_m_s);
         if (safe.velocity_in_map_m_s.norm() < least_m_s)
             safe.velocity_in_map_m_s = least_m_s * direction;
-        // What a climb has met holds it from above, too: one that went aside and did not sink stayed in a crown until
-        // it broke (random survey 171904). It has come from below, so it may sink there.
+        // What the robot has met in a climb also presses on it from above. One robot went aside without sinking, and
+        // stayed in a crown until it broke (random survey 171904). The robot has come from below, so it can sink there.
         if (climb_over_.mayBePressed(z_m))
             safe.climb_m_s = std::min(safe.climb_m_s, motion.climb_m_s);
     }

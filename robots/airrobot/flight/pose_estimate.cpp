@@ -11,19 +11,19 @@ namespace {
 constexpr double turn_variance_rad = 2.4e-4;
 /// Variance of a step's velocity as a share of its square: 5 % of the step, plus what the autopilot does not correct.
 constexpr double course_variance = 0.0036;
-constexpr double rounding_m_s = 0.02; ///< of the protocol's two decimals, which errs to and fro
+constexpr double rounding_m_s = 0.02; ///< The two decimals of the protocol make a velocity wrong by about this.
 constexpr double steady_m_s = 0.12;
 constexpr Seconds shortest_interval{0.15};
 constexpr Seconds longest_interval{1.0};
 constexpr int steady_ticks_needed = 6;
 constexpr double straight_rad = 0.02;
 constexpr double outlier_sigmas2 = 16.0;
-/// So many of them in a row come from another wind, or from something that holds the robot.
+/// So many outliers in a row come from another wind, or from something that holds the robot.
 constexpr int surprising_steps = 10;
 constexpr double limit_rad = 0.4;
 /// The wind's standard deviation where nothing is known of it: the autopilot corrects most of what blows.
 constexpr double any_wind_m_s = 1.0;
-constexpr double next_flight_m_s = 0.1; ///< by so much another one may blow after a rest
+constexpr double next_flight_m_s = 0.1; ///< The wind may have changed by this after a rest.
 /// In calm air, the estimate changes by this within a second. Wind of more than `calm_m_s` has gusts, and carries the
 /// robot aside by another share of its speed with each direction of the flight.
 constexpr double calm_change_m_s = 0.0003;
@@ -117,7 +117,7 @@ void CourseFilter::predict(Seconds step, double turn_rad) {
 
 void CourseFilter::learn(const Vec3& velocity_m_s, double heading_rad, const Vec2& commanded_in_base_m_s) {
     const Vec2 flown_m_s = Eigen::Rotation2Dd(heading_rad + correction_rad()) * commanded_in_base_m_s;
-    Eigen::Matrix<double, 2, 3> slope; // of the velocity over the state
+    Eigen::Matrix<double, 2, 3> slope; // It tells how the velocity changes with the state.
     slope << -flown_m_s.y(), 1.0, 0.0, flown_m_s.x(), 0.0, 1.0;
     const Vec2 error_m_s = velocity_m_s.head<2>() - flown_m_s - wind_m_s();
     const double noise = course_variance * velocity_m_s.squaredNorm() + rounding_m_s * rounding_m_s;

@@ -57,7 +57,7 @@ public:
     void update(Seconds now, const Pose& ins_in_map, const std::optional<Vec2>& commanded_in_base_m_s);
     /// The correction to add to the INS's yaw.
     double correction_rad() const { return state_[0]; }
-    /// What the wind seems to add to the robot's velocity, in the map frame.
+    /// The velocity (map frame) that the wind adds to the robot's own, as far as the filter knows it.
     Vec2 wind_m_s() const { return state_.tail<2>(); }
     /// The INS was set: there is no correction. The wind may be another one, but most likely is the same.
     void insWasSet();
@@ -67,7 +67,7 @@ private:
     void learn(const Vec3& velocity_m_s, double heading_rad, const Vec2& commanded_in_base_m_s);
     /// Lets the state's variance grow as it may have changed in a step.
     void predict(Seconds step, double turn_rad);
-    /// Anything may be the wind.
+    /// Forgets how well the wind was known, because it is another one now.
     void doubtWind();
 
     std::optional<Seconds> last_at_;

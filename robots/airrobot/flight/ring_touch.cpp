@@ -6,8 +6,8 @@ namespace {
 
 constexpr double leans = 0.06;
 constexpr double tips = 0.18; ///< A robot that leans so far tips over, even while it still climbs as it is told.
-/// A robot that climbs straight up leans otherwise from one tick to the next by no more than this, also in wind, unless
-/// something has met its ring. One that went on for two more ticks broke (random survey 171056).
+/// If the lean of a robot that climbs straight up changes by more than this from one tick to the next, something has
+/// met its ring. A robot that climbed on for two more ticks broke (random survey 171056).
 constexpr double jolts = 0.05;
 constexpr double held_share = 0.6;
 constexpr Seconds to_speed{1.0}; ///< So long it takes to climb at all.
